@@ -1,0 +1,289 @@
+//! The syntax tree: what was written, with nothing resolved.
+//!
+//! A tree always exists; where the text made no sense it holds `Error` nodes and the parser reports why.
+
+use crate::span::Span;
+
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct Ident {
+    pub name: String,
+    pub span: Span,
+}
+
+/// A file: statements in order. Functions among them are visible in the whole file.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Module {
+    pub statements: Vec<Stmt>,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+pub struct Stmt {
+    pub kind: StmtKind,
+    pub span: Span,
+    /// Text of the `///` comments above, lines joined by `\n`, one leading blank removed from each.
+    pub doc: Option<String>,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+pub enum StmtKind {
+    /// `;`
+    Empty,
+    /// What could not be parsed (already reported).
+    Error,
+    /// `import gears.helical;`
+    Import(Vec<Ident>),
+    /// `units inch_lbf_s;`
+    Units(Ident),
+    Param(ParamDecl),
+    /// `output name := value;`
+    Output {
+        name: Ident,
+        value: Expr,
+    },
+    /// `var a = 1, b := 2, c;`
+    Var(Vec<VarDecl>),
+    /// `place = value;` or `place := value;`
+    Assign {
+        place: Expr,
+        bind: Bind,
+        value: Expr,
+    },
+    Expr(Expr),
+    Function(FunctionDecl),
+    Block(Vec<Stmt>),
+    If {
+        condition: Expr,
+        then: Box<Stmt>,
+        otherwise: Option<Box<Stmt>>,
+    },
+    While {
+        condition: Expr,
+        body: Box<Stmt>,
+    },
+    DoWhile {
+        body: Box<Stmt>,
+        condition: Expr,
+    },
+    /// `for (init; condition; step) body`; `init` and `step` are `Empty`, `Var`, `Assign` or `Expr`.
+    For {
+        init: Box<Stmt>,
+        condition: Option<Expr>,
+        step: Box<Stmt>,
+        body: Box<Stmt>,
+    },
+    Switch {
+        value: Expr,
+        body: Box<Stmt>,
+    },
+    Case {
+        value: Expr,
+        statement: Box<Stmt>,
+    },
+    Default(Box<Stmt>),
+    Label {
+        label: Ident,
+        statement: Box<Stmt>,
+    },
+    Goto(Ident),
+    Break,
+    Continue,
+    Return(Option<Expr>),
+    Throw(Option<Expr>),
+    Try {
+        body: Box<Stmt>,
+        error: Option<Ident>,
+        handler: Box<Stmt>,
+    },
+}
+
+/// `=` evaluates now, `:=` keeps the expression.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Bind {
+    Evaluate,
+    Symbolic,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+pub struct VarDecl {
+    pub name: Ident,
+    pub init: Option<(Bind, Expr)>,
+}
+
+/// `param torque = 1000 lbf*inch in 0 lbf*inch .. 5000 lbf*inch;`
+#[derive(Clone, Debug, PartialEq)]
+pub struct ParamDecl {
+    pub name: Ident,
+    pub default: Expr,
+    pub domain: Option<Domain>,
+}
+
+/// Allowed values of a param or of a library function's parameter.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Domain {
+    /// `in low .. high`, both ends allowed; either may be missing.
+    Range { low: Option<Expr>, high: Option<Expr>, span: Span },
+    /// `in ["a", "b"]`
+    Choices { values: Vec<Expr>, span: Span },
+}
+
+/// `function f(in a, in b = 2, in frame := e, out c) { ... }`,
+/// `function p(in u, in th) := e;` or `extern pure function f(in a: Length) -> Gear;`
+#[derive(Clone, Debug, PartialEq)]
+pub struct FunctionDecl {
+    pub name: Ident,
+    pub parameters: Vec<Parameter>,
+    pub result: Option<TypeExpr>,
+    pub body: FunctionBody,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+pub enum FunctionBody {
+    Statement(Box<Stmt>),
+    /// A symbolic function: `:= expression;`
+    Symbolic(Expr),
+    /// Provided by the engine. `purity` is `pure` (default `effect`), or `scene`, as written before `function`.
+    Extern {
+        purity: Option<Ident>,
+    },
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Mode {
+    In,
+    Out,
+    InOut,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+pub struct Parameter {
+    pub mode: Mode,
+    pub name: Ident,
+    pub annotation: Option<TypeExpr>,
+    /// `= default`, or `:= default` for a parameter that takes a symbolic value. `Some((Symbolic, None))` is
+    /// written `in frame :=` and has no default.
+    pub default: Option<(Bind, Option<Expr>)>,
+    pub domain: Option<Domain>,
+    pub doc: Option<String>,
+}
+
+/// `Length`, `Array(Number)`, `Number`, `Symbolic(Transform)`, `Force/Length^2`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TypeExpr {
+    pub kind: TypeKind,
+    pub span: Span,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+pub enum TypeKind {
+    /// A dimension, `Bool`, `String`, `Vector`, `Transform`, or a handle such as `Body`.
+    Name(Ident),
+    /// `Array(T)`, `Symbolic(T)`, `Vector(Length)`.
+    Apply(Ident, Vec<TypeExpr>),
+    Product(Box<TypeExpr>, Box<TypeExpr>),
+    Quotient(Box<TypeExpr>, Box<TypeExpr>),
+    /// Rational exponent `numerator/denominator`.
+    Power(Box<TypeExpr>, i32, i32),
+    Error,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+pub struct Expr {
+    pub kind: ExprKind,
+    pub span: Span,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+pub enum ExprKind {
+    /// What could not be parsed (already reported).
+    Error,
+    Number(f64),
+    /// `2 inch^2`: the number, then one unit atom with an optional integer exponent.
+    Quantity {
+        value: f64,
+        unit: Ident,
+        exponent: i32,
+        /// Span of the exponent if one was written.
+        exponent_span: Option<Span>,
+    },
+    Bool(bool),
+    /// Literal text and `{expressions}` in turn.
+    String(Vec<StringPart>),
+    /// Variable, param, constant, unit in operand position, or module.
+    Name(Ident),
+    /// `module.name`, `vector.x`, `record.field`.
+    Field {
+        base: Box<Expr>,
+        field: Ident,
+    },
+    Call {
+        callee: Box<Expr>,
+        arguments: Vec<Argument>,
+    },
+    Index {
+        base: Box<Expr>,
+        index: Box<Expr>,
+    },
+    Unary {
+        op: UnaryOp,
+        operand: Box<Expr>,
+    },
+    Binary {
+        op: BinaryOp,
+        /// Where the operator stands.
+        op_span: Span,
+        left: Box<Expr>,
+        right: Box<Expr>,
+    },
+    /// `[a, b, c]`
+    List(Vec<Expr>),
+    /// `if (c) a else b`
+    If {
+        condition: Box<Expr>,
+        then: Box<Expr>,
+        otherwise: Box<Expr>,
+    },
+    /// `e at Time = 0.1 s`
+    At {
+        value: Box<Expr>,
+        symbol: Ident,
+        at: Box<Expr>,
+    },
+    Paren(Box<Expr>),
+}
+
+#[derive(Clone, Debug, PartialEq)]
+pub enum StringPart {
+    Text(String),
+    Value(Expr),
+}
+
+/// `value`, `name = value` or `name := value`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Argument {
+    pub name: Option<(Ident, Bind)>,
+    pub value: Expr,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum UnaryOp {
+    Plus,
+    Minus,
+    Not,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum BinaryOp {
+    Or,
+    And,
+    Less,
+    LessEqual,
+    Greater,
+    GreaterEqual,
+    Equal,
+    NotEqual,
+    Add,
+    Subtract,
+    Multiply,
+    Divide,
+    Power,
+}

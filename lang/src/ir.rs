@@ -1,0 +1,353 @@
+//! The typed program: names, types and dimensions resolved, ready to be interpreted or compiled.
+//!
+//! Control flow is a graph of basic blocks, so that every construct of the language (`goto`, `switch`, `try`)
+//! is an edge. Expressions stay trees; `And`, `Or` and `If` in them evaluate only what they need.
+//! Dimensions have been checked and are gone: every number is an `f64` in SI, literals converted.
+//! Generic functions stand here once per representation of their arguments.
+
+use crate::span::Span;
+use calyx_abi::{Purity, Repr};
+
+#[derive(Clone, Debug, Default)]
+pub struct Program {
+    /// The model first, then every file it uses, the library's included.
+    pub files: Vec<SourceFile>,
+    pub params: Vec<Param>,
+    pub outputs: Vec<Output>,
+    pub functions: Vec<Function>,
+    /// The function that runs the model's top level. Takes and returns nothing.
+    pub main: FunctionId,
+    pub externs: Vec<ExternDecl>,
+    /// Every `:=` expression and every symbolic argument.
+    pub sites: Vec<Site>,
+    /// Name of the unit system results print in: `SI`, `mm_N_s`, `inch_lbf_s`.
+    pub units: String,
+}
+
+#[derive(Clone, Debug)]
+pub struct SourceFile {
+    /// As shown to people: the path given, or `<library>/gears.cx`.
+    pub name: String,
+    pub text: String,
+}
+
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct FunctionId(pub u32);
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct ExternId(pub u32);
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct SiteId(pub u32);
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct LocalId(pub u32);
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct BlockId(pub u32);
+
+/// An input of the model.
+#[derive(Clone, Debug)]
+pub struct Param {
+    pub name: String,
+    pub doc: String,
+    pub repr: Repr,
+    /// Evaluates the default (it may use earlier params and functions without effects).
+    pub default: FunctionId,
+    /// Evaluate the ends of the allowed range.
+    pub low: Option<FunctionId>,
+    pub high: Option<FunctionId>,
+    /// Allowed strings; empty if any string will do.
+    pub choices: Vec<String>,
+    /// The default's unit: what a bare value given by the user is in, and what it is shown in.
+    pub unit: DisplayUnit,
+    /// The default is a bare whole number, so only whole numbers are allowed.
+    pub integral: bool,
+    pub span: Span,
+}
+
+/// How a number is shown: SI value = shown value * `factor`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DisplayUnit {
+    /// E.g. `lbf*inch`; empty for a pure number.
+    pub name: String,
+    pub factor: f64,
+    /// Exponents of length, mass, time, angle and temperature (numerator, denominator).
+    pub dimension: [(i32, i32); 5],
+}
+
+/// A wanted observable.
+#[derive(Clone, Debug)]
+pub struct Output {
+    pub name: String,
+    pub doc: String,
+    pub site: SiteId,
+    /// What results are shown in, in the model's units; `si` is the name of the coherent SI unit.
+    pub unit: DisplayUnit,
+    pub si: String,
+    pub span: Span,
+}
+
+/// A function the engine provides.
+#[derive(Clone, Debug)]
+pub struct ExternDecl {
+    /// Link symbol: `calyx_` + module + `_` + name.
+    pub symbol: String,
+    /// As the program names it, e.g. `gears.material`.
+    pub name: String,
+    pub purity: Purity,
+    pub parameters: Vec<(String, Repr)>,
+    pub result: Repr,
+}
+
+/// A symbolic expression in the source: one kernel, many sets of captured values.
+#[derive(Clone, Debug)]
+pub struct Site {
+    /// Name bound, for messages and for the symbol of its kernel.
+    pub name: String,
+    pub expr: SymExpr,
+    /// What is captured by value when the binding executes, in order of `SymExpr::Capture`.
+    pub captures: Vec<Capture>,
+    /// Number, Vector or Transform.
+    pub repr: Repr,
+    /// Highest time derivative its kernel computes beside the value: 2 for a transform, else 0.
+    pub order: u8,
+    pub span: Span,
+}
+
+#[derive(Clone, Debug)]
+pub struct Capture {
+    pub name: String,
+    /// Number, Bool, Vector or Transform; `Symbolic(Number)` with `observable` set for an observable.
+    pub repr: Repr,
+    pub observable: bool,
+}
+
+/// A symbolic expression, typed. Becomes a graph of the symbolic crate when lowered.
+#[derive(Clone, Debug)]
+pub struct SymExpr {
+    pub kind: SymKind,
+    /// Number, Bool, Vector or Transform.
+    pub repr: Repr,
+    pub span: Span,
+}
+
+#[derive(Clone, Debug)]
+pub enum SymKind {
+    Number(f64),
+    Bool(bool),
+    /// Seconds since the start of the motion.
+    Time,
+    /// A number param, by index in `Program::params`.
+    Param(u32),
+    /// By index in `Site::captures`.
+    Capture(u32),
+    Op(Op, Vec<SymExpr>),
+    If(Box<SymExpr>, Box<SymExpr>, Box<SymExpr>),
+    /// Derivative by a symbol.
+    Derivative(Box<SymExpr>, Symbol),
+    /// `e at Time = t`: the symbol replaced by the second expression.
+    At(Box<SymExpr>, Symbol, Box<SymExpr>),
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Symbol {
+    Time,
+    Param(u32),
+}
+
+#[derive(Clone, Debug)]
+pub struct Function {
+    pub name: String,
+    pub parameters: Vec<(LocalId, Mode)>,
+    /// `Unit` if it returns nothing. Values of `out` and `inout` parameters follow the result in the returned slots.
+    pub result: Repr,
+    pub locals: Vec<Local>,
+    /// Execution starts at block 0.
+    pub blocks: Vec<Block>,
+    pub span: Span,
+}
+
+pub use crate::ast::Mode;
+
+#[derive(Clone, Debug)]
+pub struct Local {
+    pub name: String,
+    pub repr: Repr,
+}
+
+#[derive(Clone, Debug)]
+pub struct Block {
+    pub statements: Vec<Statement>,
+    pub terminator: Terminator,
+}
+
+#[derive(Clone, Debug)]
+pub enum Statement {
+    Assign {
+        place: Place,
+        value: Expr,
+        span: Span,
+    },
+    /// Evaluated for what it does.
+    Eval(Expr),
+    /// A call whose `out` and `inout` results are stored back, after the call, into places evaluated before it.
+    Call {
+        /// Where the function's own result goes, if it is kept.
+        result: Option<Place>,
+        function: FunctionId,
+        arguments: Vec<Expr>,
+        /// One per `out` or `inout` parameter, in order.
+        copy_back: Vec<Place>,
+        span: Span,
+    },
+}
+
+/// Where a value is stored: a local, or an element (of an element ...) of the array it holds.
+#[derive(Clone, Debug)]
+pub struct Place {
+    pub local: LocalId,
+    /// Each index must be a whole number within bounds: checked, code E0701.
+    pub indices: Vec<Expr>,
+    /// Representation of what is stored there.
+    pub repr: Repr,
+}
+
+#[derive(Clone, Debug)]
+pub enum Terminator {
+    Jump(BlockId),
+    Branch {
+        condition: Expr,
+        then: BlockId,
+        otherwise: BlockId,
+    },
+    Return(Option<Expr>),
+}
+
+#[derive(Clone, Debug)]
+pub struct Expr {
+    pub kind: ExprKind,
+    pub repr: Repr,
+    pub span: Span,
+}
+
+#[derive(Clone, Debug)]
+pub enum ExprKind {
+    Number(f64),
+    Bool(bool),
+    String(String),
+    Local(LocalId),
+    /// By index in `Program::params`.
+    Param(u32),
+    Op(Op, Vec<Expr>),
+    And(Box<Expr>, Box<Expr>),
+    Or(Box<Expr>, Box<Expr>),
+    If(Box<Expr>, Box<Expr>, Box<Expr>),
+    /// Function without `out` or `inout` parameters.
+    Call(FunctionId, Vec<Expr>),
+    CallExtern(ExternId, Vec<Expr>),
+    /// A fresh array; every element has the representation of the array's element.
+    Array(Vec<Expr>),
+    /// Element of an array; the index is checked (E0701).
+    Index(Box<Expr>, Box<Expr>),
+    Tuple(Vec<Expr>),
+    /// Element of a tuple, by constant index.
+    TupleElement(Box<Expr>, usize),
+    /// A copy of an array that shares nothing with the original. Inserted wherever an array read from a place
+    /// is bound to another place, passed by `in`, stored in an array, or returned while a place still holds it.
+    Copy(Box<Expr>),
+    /// Number of elements.
+    Len(Box<Expr>),
+    /// Text and values joined; numbers in shortest form that reads back, divided by the factor and followed by the unit.
+    Format(Vec<FormatPart>),
+    /// Executes a `:=`: captures the values of `captures`.
+    MakeSymbolic {
+        site: SiteId,
+        captures: Vec<Expr>,
+    },
+    /// The present value of a symbolic value: kernel outputs of derivative order 0 at the given time.
+    EvalSymbolic {
+        value: Box<Expr>,
+        time: Box<Expr>,
+    },
+}
+
+#[derive(Clone, Debug)]
+pub enum FormatPart {
+    Text(String),
+    Value(Expr, Option<DisplayUnit>),
+}
+
+/// Operations on numbers, truth values, vectors and transforms, the same in evaluated and in symbolic expressions.
+/// The comment gives the representations of operands and result (N number, B bool, S string, V vector, T transform).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Op {
+    /// N,N -> N and so on to `Divide`. `Power` is `abi::math::pow`.
+    Add,
+    Subtract,
+    Multiply,
+    Divide,
+    Power,
+    /// N -> N
+    Negate,
+    /// B -> B
+    Not,
+    /// N,N -> B
+    Less,
+    LessEqual,
+    Greater,
+    GreaterEqual,
+    /// N,N or B,B or S,S or V,V -> B (arrays and tuples are expanded or compared by element when lowering)
+    Equal,
+    NotEqual,
+    /// N -> N
+    Sqrt,
+    Abs,
+    Sin,
+    Cos,
+    Tan,
+    Asin,
+    Acos,
+    Atan,
+    Exp,
+    Log,
+    Floor,
+    Ceil,
+    Round,
+    /// N,N -> N
+    Atan2,
+    Min,
+    Max,
+    /// N,N,N -> V
+    Vector,
+    /// V -> N
+    X,
+    Y,
+    Z,
+    Norm,
+    /// V,V -> V
+    AddVector,
+    SubtractVector,
+    Cross,
+    /// V -> V
+    NegateVector,
+    /// N,V -> V
+    Scale,
+    /// V,V -> N
+    Dot,
+    /// V -> T: takes coordinates into a frame moved by v: `x' = x - v`.
+    Translate,
+    /// N,V -> T: takes coordinates into a frame turned by the angle about the unit axis: `x' = R(angle, axis)^T x`.
+    Rotate,
+    /// T,T -> T: `(A * B) x = A (B x)`.
+    Compose,
+    /// T,V -> V: coordinates of the point in the new frame.
+    Apply,
+    /// T -> T
+    Inverse,
+    /// T -> V: where the new frame's origin is, in ground coordinates.
+    Origin,
+    /// T,V -> V: the direction in ground coordinates of a vector given in the new frame.
+    Direction,
+    /// T -> V, symbolic only: of the frame's origin, and of its rotation, in ground coordinates.
+    Velocity,
+    Acceleration,
+    AngularVelocity,
+    AngularAcceleration,
+}

@@ -1,0 +1,10 @@
+//! The Calyx language: from text to a checked, typed program.
+//!
+//! Knows nothing of machine code or of physics.
+//! `text -> tokens -> syntax tree -> names, types, dimensions -> typed program`; every stage returns a value and
+//! diagnostics, none fails.
+
+pub mod ast;
+pub mod diagnostic;
+pub mod ir;
+pub mod span;

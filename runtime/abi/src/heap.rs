@@ -1,0 +1,162 @@
+//! Values that do not fit in slots: strings, arrays and symbolic values, owned by the running instance.
+//!
+//! Arrays have value semantics: the program copies when it binds an array that something else still names
+//! (the compiler inserts the copies). Nothing is freed before the instance ends; models build once and small.
+
+use crate::call::{Repr, Slot};
+use std::sync::Arc;
+
+/// Index into the [`Heap`].
+pub type HeapId = u64;
+
+/// Evaluates one kernel. Implemented by machine code and by the interpreter, which agree bit for bit.
+pub trait Kernel: Send + Sync {
+    /// `inputs` = `[Time, params..., captured...]`; `outputs.len()` = [`Kernel::outputs`].
+    fn eval(&self, inputs: &[f64], outputs: &mut [f64]);
+    /// Number of inputs.
+    fn inputs(&self) -> usize;
+    /// Number of outputs: values, then first time derivatives, then second time derivatives.
+    /// Per derivative order 1 for a number, 3 for a vector, 12 for a transform (rotation row by row, translation).
+    fn outputs(&self) -> usize;
+}
+
+/// What a `:=` binding is at run time: its site's kernel, and the values it captured when the binding executed.
+#[derive(Clone)]
+pub struct SymbolicValue {
+    /// Index of the site in the module's kernel table.
+    pub site: usize,
+    /// What it evaluates to: Number, Vector or Transform.
+    pub repr: Repr,
+    pub kernel: Arc<dyn Kernel>,
+    /// Captured values as numbers, in the order of the site's captures. An observable captures as its index
+    /// and is replaced by its value at each step (see [`SymbolicValue::observables`]).
+    pub captured: Vec<f64>,
+    /// Positions in `captured` that hold indices of observables.
+    pub observables: Vec<usize>,
+}
+
+/// A heap object.
+#[derive(Clone)]
+pub enum Object {
+    String(Arc<str>),
+    /// Flat slots of the elements; `stride` slots each.
+    Array {
+        stride: usize,
+        slots: Vec<Slot>,
+    },
+    Symbolic(Arc<SymbolicValue>),
+}
+
+/// All heap objects of one instance.
+#[derive(Default)]
+pub struct Heap {
+    objects: Vec<Object>,
+}
+
+impl Heap {
+    pub fn insert(&mut self, object: Object) -> HeapId {
+        self.objects.push(object);
+        (self.objects.len() - 1) as HeapId
+    }
+
+    pub fn get(&self, id: HeapId) -> Option<&Object> {
+        self.objects.get(usize::try_from(id).ok()?)
+    }
+
+    pub fn get_mut(&mut self, id: HeapId) -> Option<&mut Object> {
+        self.objects.get_mut(usize::try_from(id).ok()?)
+    }
+
+    pub fn string(&mut self, text: &str) -> HeapId {
+        self.insert(Object::String(text.into()))
+    }
+
+    pub fn str(&self, id: HeapId) -> Option<&str> {
+        match self.get(id)? {
+            Object::String(text) => Some(text),
+            _ => None,
+        }
+    }
+
+    /// The flat slots of an array and its stride.
+    pub fn array(&self, id: HeapId) -> Option<(&[Slot], usize)> {
+        match self.get(id)? {
+            Object::Array { stride, slots } => Some((slots, *stride)),
+            _ => None,
+        }
+    }
+
+    /// The elements of an array of numbers.
+    pub fn numbers(&self, id: HeapId) -> Option<Vec<f64>> {
+        let (slots, _) = self.array(id)?;
+        Some(slots.iter().map(|&s| f64::from_bits(s)).collect())
+    }
+
+    pub fn symbolic(&self, id: HeapId) -> Option<Arc<SymbolicValue>> {
+        match self.get(id)? {
+            Object::Symbolic(value) => Some(value.clone()),
+            _ => None,
+        }
+    }
+
+    /// A copy of an array that shares nothing with the original. `element` is the element's representation.
+    pub fn copy_array(&mut self, id: HeapId, element: &Repr) -> Option<HeapId> {
+        let (slots, stride) = self.array(id)?;
+        let mut slots = slots.to_vec();
+        copy_nested(self, &mut slots, element, stride)?;
+        Some(self.insert(Object::Array { stride, slots }))
+    }
+}
+
+/// Replaces the arrays inside freshly copied element slots by copies of their own.
+fn copy_nested(heap: &mut Heap, slots: &mut [Slot], element: &Repr, stride: usize) -> Option<()> {
+    if !contains_array(element) || stride == 0 {
+        return Some(());
+    }
+    for chunk in slots.chunks_mut(stride) {
+        copy_value(heap, chunk, element)?;
+    }
+    Some(())
+}
+
+fn copy_value(heap: &mut Heap, slots: &mut [Slot], repr: &Repr) -> Option<()> {
+    match repr {
+        Repr::Array(inner) => slots[0] = heap.copy_array(slots[0], inner)?,
+        Repr::Tuple(parts) => {
+            let mut at = 0;
+            for part in parts {
+                copy_value(heap, &mut slots[at..at + part.slots()], part)?;
+                at += part.slots();
+            }
+        }
+        _ => {}
+    }
+    Some(())
+}
+
+fn contains_array(repr: &Repr) -> bool {
+    match repr {
+        Repr::Array(_) => true,
+        Repr::Tuple(parts) => parts.iter().any(contains_array),
+        _ => false,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn copies_of_nested_arrays_share_nothing() {
+        let mut heap = Heap::default();
+        let inner = heap.insert(Object::Array { stride: 1, slots: vec![1f64.to_bits()] });
+        let outer = heap.insert(Object::Array { stride: 1, slots: vec![inner] });
+        let copy = heap.copy_array(outer, &Repr::Array(Box::new(Repr::Number))).unwrap();
+        let copied_inner = heap.array(copy).unwrap().0[0];
+        assert_ne!(copied_inner, inner);
+        if let Some(Object::Array { slots, .. }) = heap.get_mut(copied_inner) {
+            slots[0] = 2f64.to_bits();
+        }
+        assert_eq!(heap.numbers(inner).unwrap(), [1.0]);
+    }
+}

@@ -1,0 +1,16 @@
+//! What generated code and the engine must agree on, and nothing else.
+//!
+//! Every crate of the workspace may see this one; it sees none of ours.
+//! It holds the one scalar definition of each numeric operation ([`math`]), the calling convention
+//! ([`call`]), the run-time values behind opaque slots ([`heap`]), the state a running model carries
+//! ([`context`]), and the description that every compiled model brings along ([`description`]).
+
+pub mod call;
+pub mod context;
+pub mod description;
+pub mod heap;
+pub mod math;
+
+pub use call::{ABI_VERSION, Extern, Purity, Repr, Slot, SlotFn, Status};
+pub use context::{Context, Host, RuntimeError};
+pub use heap::{Heap, HeapId, Kernel, SymbolicValue};
