@@ -1,10 +1,256 @@
 //! The one scalar definition of every numeric operation.
 //!
-//! Constant folding, the interpreter, machine code in memory and object files all use these, so that they agree
-//! bit for bit. Transcendental functions come from `libm` (pure Rust), never from the system.
-//! Multiply-adds are never fused.
+//! Constant folding, the interpreters, machine code in memory and object files all use these, so that they agree
+//! bit for bit (the sign and payload of a NaN excepted: IEEE 754 leaves them open). Transcendental functions come
+//! from `libm` (pure Rust), never from the system. Multiply-adds are never fused.
+//!
+//! `+ - * /` and [`sqrt`] are IEEE 754 operations rounded to nearest, so machine code uses its own instructions;
+//! the same holds for [`abs`], [`min`], [`max`] and the comparisons. Everything else is *called*: the macro below
+//! makes a symbol `calyx_math_<name>` of C linkage for it, and its row in [`FUNCTIONS`].
+//!
+//! Truth values are 1.0 and 0.0; whatever is not equal to zero, NaN included, counts as true.
+//! No operation traps.
 
-/// Sine of `x` (radians).
-pub fn sin(x: f64) -> f64 {
-    libm::sin(x)
+/// A truth value as a number.
+#[inline]
+pub fn truth(condition: bool) -> f64 {
+    if condition { 1.0 } else { 0.0 }
+}
+
+#[inline]
+pub fn abs(x: f64) -> f64 {
+    x.abs()
+}
+
+/// Square root, correctly rounded; NaN below zero, `sqrt(-0) = -0`.
+#[inline]
+pub fn sqrt(x: f64) -> f64 {
+    x.sqrt()
+}
+
+/// The lesser of two numbers; NaN if either is NaN; `-0 < +0` (`minimum` of IEEE 754-2019).
+#[inline]
+pub fn min(a: f64, b: f64) -> f64 {
+    if a < b {
+        a
+    } else if b < a {
+        b
+    } else if a == b {
+        // Equal numbers differ in bits only as zeros of unlike sign: the negative one wins.
+        f64::from_bits(a.to_bits() | b.to_bits())
+    } else {
+        a + b
+    }
+}
+
+/// The greater of two numbers; NaN if either is NaN; `-0 < +0` (`maximum` of IEEE 754-2019).
+#[inline]
+pub fn max(a: f64, b: f64) -> f64 {
+    if a > b {
+        a
+    } else if b > a {
+        b
+    } else if a == b {
+        f64::from_bits(a.to_bits() & b.to_bits())
+    } else {
+        a + b
+    }
+}
+
+/// `a < b`; false if either is NaN.
+#[inline]
+pub fn less(a: f64, b: f64) -> f64 {
+    truth(a < b)
+}
+
+/// `a <= b`; false if either is NaN.
+#[inline]
+pub fn less_equal(a: f64, b: f64) -> f64 {
+    truth(a <= b)
+}
+
+/// `a == b`; false if either is NaN; zeros of unlike sign are equal.
+#[inline]
+pub fn equal(a: f64, b: f64) -> f64 {
+    truth(a == b)
+}
+
+#[inline]
+pub fn not(a: f64) -> f64 {
+    truth(a == 0.0)
+}
+
+#[inline]
+pub fn and(a: f64, b: f64) -> f64 {
+    truth(a != 0.0 && b != 0.0)
+}
+
+#[inline]
+pub fn or(a: f64, b: f64) -> f64 {
+    truth(a != 0.0 || b != 0.0)
+}
+
+/// `a` where the condition is true, else `b`.
+#[inline]
+pub fn select(condition: f64, a: f64, b: f64) -> f64 {
+    if condition != 0.0 { a } else { b }
+}
+
+/// Sine and cosine of the same angle, with the bits of [`sin`] and [`cos`] for less than the price of both.
+#[inline]
+pub fn sincos(x: f64) -> (f64, f64) {
+    libm::sincos(x)
+}
+
+/// A function as machine code calls it.
+#[derive(Clone, Copy, Debug)]
+pub enum MathFn {
+    Unary(extern "C" fn(f64) -> f64),
+    Binary(extern "C" fn(f64, f64) -> f64),
+    /// Angle, where to store the sine, where to store the cosine.
+    ///
+    /// Calling it is safe if both pointers are valid for writing an `f64`.
+    Sincos(unsafe extern "C" fn(f64, *mut f64, *mut f64)),
+}
+
+impl MathFn {
+    /// Address, for a table of symbols.
+    pub fn address(self) -> *const u8 {
+        match self {
+            MathFn::Unary(function) => function as *const u8,
+            MathFn::Binary(function) => function as *const u8,
+            MathFn::Sincos(function) => function as *const u8,
+        }
+    }
+}
+
+/// Defines each called function once: for Rust, for machine code, and as a row of [`FUNCTIONS`].
+macro_rules! called {
+    ($(
+        $(#[$doc:meta])*
+        $kind:ident $name:ident($($argument:ident),+) = $symbol:ident $body:block
+    )+) => {
+        $(
+            $(#[$doc])*
+            #[inline]
+            pub fn $name($($argument: f64),+) -> f64 $body
+
+            #[doc = concat!("[`", stringify!($name), "`] as machine code calls it.")]
+            #[unsafe(no_mangle)]
+            pub extern "C" fn $symbol($($argument: f64),+) -> f64 {
+                $name($($argument),+)
+            }
+        )+
+
+        /// Link symbol and address of every function that machine code calls.
+        pub const FUNCTIONS: &[(&str, MathFn)] = &[
+            $((stringify!($symbol), MathFn::$kind($symbol)),)+
+            ("calyx_math_sincos", MathFn::Sincos(calyx_math_sincos)),
+        ];
+    };
+}
+
+called! {
+    /// Sine of `x` (radians).
+    Unary sin(x) = calyx_math_sin { libm::sin(x) }
+    /// Cosine of `x` (radians).
+    Unary cos(x) = calyx_math_cos { libm::cos(x) }
+    /// Tangent of `x` (radians).
+    Unary tan(x) = calyx_math_tan { libm::tan(x) }
+    /// Arc sine, from -pi/2 to pi/2; NaN outside -1..1.
+    Unary asin(x) = calyx_math_asin { libm::asin(x) }
+    /// Arc cosine, from 0 to pi; NaN outside -1..1.
+    Unary acos(x) = calyx_math_acos { libm::acos(x) }
+    /// Arc tangent, from -pi/2 to pi/2.
+    Unary atan(x) = calyx_math_atan { libm::atan(x) }
+    Unary exp(x) = calyx_math_exp { libm::exp(x) }
+    /// Natural logarithm; `log(0) = -inf`, NaN below zero.
+    Unary log(x) = calyx_math_log { libm::log(x) }
+    /// Greatest whole number not above `x`.
+    Unary floor(x) = calyx_math_floor { x.floor() }
+    /// Least whole number not below `x`.
+    Unary ceil(x) = calyx_math_ceil { x.ceil() }
+    /// Nearest whole number; halves away from zero, as C does: `round(2.5) = 3`, `round(-2.5) = -3`.
+    Unary round(x) = calyx_math_round { x.round() }
+    /// `x` to the power `y`, with the conventions of C: `pow(x, 0) = pow(1, y) = 1` even for NaN,
+    /// NaN for a negative `x` and a `y` that is not whole.
+    Binary pow(x, y) = calyx_math_pow { libm::pow(x, y) }
+    /// Angle of the point `(x, y)`, from -pi to pi; `atan2(0, 0) = 0`.
+    Binary atan2(y, x) = calyx_math_atan2 { libm::atan2(y, x) }
+}
+
+/// [`sincos`] as machine code calls it.
+///
+/// # Safety
+/// `sine` and `cosine` are valid for writing an `f64`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn calyx_math_sincos(x: f64, sine: *mut f64, cosine: *mut f64) {
+    let (s, c) = sincos(x);
+    // SAFETY: the caller promises that both may be written.
+    unsafe {
+        sine.write(s);
+        cosine.write(c);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SPECIAL: [f64; 12] =
+        [0.0, -0.0, 1.0, -1.0, 0.5, -2.5, 2.5, 1e300, 5e-324, f64::INFINITY, f64::NEG_INFINITY, f64::NAN];
+
+    #[test]
+    fn minimum_and_maximum_follow_ieee_754_2019() {
+        let cases = [(1.0, 2.0, 1.0, 2.0), (-0.0, 0.0, -0.0, 0.0), (f64::NEG_INFINITY, 3.0, f64::NEG_INFINITY, 3.0)];
+        for (a, b, least, greatest) in cases {
+            for (a, b) in [(a, b), (b, a)] {
+                assert_eq!(min(a, b).to_bits(), f64::to_bits(least));
+                assert_eq!(max(a, b).to_bits(), f64::to_bits(greatest));
+            }
+        }
+        for x in SPECIAL {
+            assert!(min(x, f64::NAN).is_nan() && max(f64::NAN, x).is_nan());
+        }
+    }
+
+    #[test]
+    fn sine_and_cosine_together_have_the_same_bits_as_apart() {
+        let angles = (0..20_000).map(|i| (f64::from(i) - 10_000.0) * 0.037).chain([1e9, -3e17, 1e300]).chain(SPECIAL);
+        for angle in angles {
+            let (mut s, mut c) = (0.0, 0.0);
+            // SAFETY: both are local variables.
+            unsafe { calyx_math_sincos(angle, &mut s, &mut c) };
+            if angle.is_finite() {
+                assert_eq!((s.to_bits(), c.to_bits()), (sin(angle).to_bits(), cos(angle).to_bits()), "{angle}");
+            } else {
+                assert!(s.is_nan() && c.is_nan());
+            }
+        }
+    }
+
+    #[test]
+    fn the_table_names_each_function_once_and_calls_the_rust_definition() {
+        let mut names: Vec<_> = FUNCTIONS.iter().map(|(name, _)| *name).collect();
+        names.sort_unstable();
+        names.dedup();
+        assert_eq!(names.len(), FUNCTIONS.len());
+        let call = |name: &str| match FUNCTIONS.iter().find(|(row, _)| *row == name) {
+            Some((_, MathFn::Unary(function))) => function(0.7),
+            Some((_, MathFn::Binary(function))) => function(0.7, 0.3),
+            _ => f64::NAN,
+        };
+        assert_eq!(call("calyx_math_acos"), acos(0.7));
+        assert_eq!(call("calyx_math_pow"), pow(0.7, 0.3));
+        assert_eq!(call("calyx_math_atan2"), atan2(0.7, 0.3));
+    }
+
+    #[test]
+    fn truth_values_and_rounding() {
+        assert_eq!((not(0.0), not(-0.0), not(3.0), not(f64::NAN)), (1.0, 1.0, 0.0, 0.0));
+        assert_eq!((and(2.0, -1.0), and(1.0, 0.0), or(0.0, 0.0), or(f64::NAN, 0.0)), (1.0, 0.0, 0.0, 1.0));
+        assert_eq!((less(1.0, f64::NAN), less_equal(1.0, 1.0), equal(-0.0, 0.0)), (0.0, 1.0, 1.0));
+        assert_eq!((select(0.0, 1.0, 2.0), select(f64::NAN, 1.0, 2.0)), (2.0, 1.0));
+        assert_eq!((round(2.5), round(-2.5), round(0.49999999999999994)), (3.0, -3.0, 0.0));
+    }
 }
