@@ -6,5 +6,7 @@
 
 pub mod ast;
 pub mod diagnostic;
+pub mod dimension;
 pub mod ir;
 pub mod span;
+pub mod units;

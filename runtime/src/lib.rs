@@ -1,1 +1,6 @@
+//! The engine: finite elements and contact. A scene becomes a plan, a plan a system, the system is stepped.
+//! Knows nothing of the language.
 
+pub mod material;
+pub mod profile;
+pub mod structure;

@@ -1,0 +1,362 @@
+//! Physical dimensions: products of powers of length, mass, time, angle and temperature.
+//!
+//! Exponents are rational, so that `sqrt` of any quantity has a dimension.
+//! Angle is *soft*: it is kept for display and conversion, but two dimensions that differ only in it fit each other
+//! (`v = omega * r`), see [`Dimension::fits`].
+
+use std::fmt;
+
+/// A reduced fraction with positive denominator: the exponent of one base dimension.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Rational {
+    numerator: i32,
+    denominator: i32,
+}
+
+impl Rational {
+    pub const ZERO: Rational = Rational { numerator: 0, denominator: 1 };
+    pub const ONE: Rational = Rational { numerator: 1, denominator: 1 };
+
+    pub const fn integer(value: i32) -> Self {
+        Rational { numerator: value, denominator: 1 }
+    }
+
+    /// The reduced fraction; `None` for a zero denominator or a fraction beyond 32 bits.
+    pub fn new(numerator: i64, denominator: i64) -> Option<Self> {
+        if denominator == 0 {
+            return None;
+        }
+        let divisor = greatest_common_divisor(numerator.unsigned_abs(), denominator.unsigned_abs());
+        let sign = if denominator < 0 { -1 } else { 1 };
+        // The divisor is at most 2^63; reduce in 128 bits so that no sign change overflows.
+        let reduce = |x: i64| i32::try_from(sign * i128::from(x) / i128::from(divisor)).ok();
+        Some(Rational { numerator: reduce(numerator)?, denominator: reduce(denominator)? })
+    }
+
+    /// The fraction with denominator up to 64 nearest to `value`, if it is within rounding of it.
+    pub fn from_f64(value: f64) -> Option<Self> {
+        (1..=64_i64).find_map(|denominator| {
+            let scaled = value * denominator as f64;
+            let numerator = scaled.round();
+            let near = (scaled - numerator).abs() <= 4.0 * f64::EPSILON * scaled.abs();
+            (near && numerator.abs() < f64::from(i32::MAX))
+                .then(|| Rational::new(numerator as i64, denominator))
+                .flatten()
+        })
+    }
+
+    pub fn numerator(self) -> i32 {
+        self.numerator
+    }
+
+    pub fn denominator(self) -> i32 {
+        self.denominator
+    }
+
+    pub fn is_zero(self) -> bool {
+        self.numerator == 0
+    }
+
+    pub fn to_f64(self) -> f64 {
+        f64::from(self.numerator) / f64::from(self.denominator)
+    }
+
+    fn sum(self, other: Rational, sign: i64) -> Option<Rational> {
+        let (a, b) = (i64::from(self.numerator), i64::from(self.denominator));
+        let (c, d) = (i64::from(other.numerator), i64::from(other.denominator));
+        // Two products below 2^62 each.
+        Rational::new(a * d + sign * c * b, b * d)
+    }
+
+    fn product(self, other: Rational) -> Option<Rational> {
+        Rational::new(
+            i64::from(self.numerator) * i64::from(other.numerator),
+            i64::from(self.denominator) * i64::from(other.denominator),
+        )
+    }
+}
+
+fn greatest_common_divisor(mut a: u64, mut b: u64) -> u64 {
+    while b != 0 {
+        (a, b) = (b, a % b);
+    }
+    a.max(1)
+}
+
+impl fmt::Display for Rational {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.denominator == 1 {
+            write!(f, "{}", self.numerator)
+        } else {
+            write!(f, "({}/{})", self.numerator, self.denominator)
+        }
+    }
+}
+
+impl fmt::Debug for Rational {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
+}
+
+/// The base dimensions, in the order in which exponents are stored everywhere.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Base {
+    Length,
+    Mass,
+    Time,
+    Angle,
+    Temperature,
+}
+
+impl Base {
+    pub const ALL: [Base; 5] = [Base::Length, Base::Mass, Base::Time, Base::Angle, Base::Temperature];
+
+    pub const fn name(self) -> &'static str {
+        match self {
+            Base::Length => "Length",
+            Base::Mass => "Mass",
+            Base::Time => "Time",
+            Base::Angle => "Angle",
+            Base::Temperature => "Temperature",
+        }
+    }
+}
+
+/// A physical dimension: one exponent per [`Base`].
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Dimension([Rational; 5]);
+
+impl Dimension {
+    /// Of a pure number.
+    pub const NONE: Dimension = Dimension::whole([0, 0, 0, 0, 0]);
+
+    /// From whole exponents of length, mass, time, angle, temperature.
+    pub const fn whole(exponents: [i32; 5]) -> Self {
+        let [length, mass, time, angle, temperature] = exponents;
+        Dimension([
+            Rational::integer(length),
+            Rational::integer(mass),
+            Rational::integer(time),
+            Rational::integer(angle),
+            Rational::integer(temperature),
+        ])
+    }
+
+    pub fn of(base: Base) -> Self {
+        let mut exponents = [Rational::ZERO; 5];
+        exponents[base as usize] = Rational::ONE;
+        Dimension(exponents)
+    }
+
+    pub fn exponent(self, base: Base) -> Rational {
+        self.0[base as usize]
+    }
+
+    /// Exponents of length, mass, time, angle and temperature as (numerator, denominator).
+    pub fn exponents(self) -> [(i32, i32); 5] {
+        self.0.map(|e| (e.numerator, e.denominator))
+    }
+
+    pub fn is_none(self) -> bool {
+        self == Dimension::NONE
+    }
+
+    /// Dimension of a product. Exponents beyond 32 bits keep their old value; [`Dimension::power`] refuses the
+    /// exponents that lead there.
+    pub fn times(self, other: Dimension) -> Dimension {
+        self.combine(other, 1)
+    }
+
+    /// Dimension of a quotient; exponents as in [`Dimension::times`].
+    pub fn over(self, other: Dimension) -> Dimension {
+        self.combine(other, -1)
+    }
+
+    fn combine(self, other: Dimension, sign: i64) -> Dimension {
+        Dimension(std::array::from_fn(|i| self.0[i].sum(other.0[i], sign).unwrap_or(self.0[i])))
+    }
+
+    /// Dimension of a power; `None` if an exponent leaves -1000 .. 1000 (no physics is out there).
+    pub fn power(self, exponent: Rational) -> Option<Dimension> {
+        let mut result = [Rational::ZERO; 5];
+        for (to, from) in result.iter_mut().zip(self.0) {
+            *to = from.product(exponent).filter(|e| e.numerator.abs() <= 1000 && e.denominator <= 1000)?;
+        }
+        Some(Dimension(result))
+    }
+
+    /// The same with the exponent of angle set to zero: what unification compares.
+    pub fn without_angle(mut self) -> Dimension {
+        self.0[Base::Angle as usize] = Rational::ZERO;
+        self
+    }
+
+    /// Whether values of the two dimensions may meet in a sum or assignment: equal up to angle.
+    pub fn fits(self, other: Dimension) -> bool {
+        self.without_angle() == other.without_angle()
+    }
+
+    /// The dimension people mean: where an angle got in by multiplication (`omega * r`), the named dimension without it.
+    pub fn tidy(self) -> Dimension {
+        let exact = |d: &&(&str, Dimension)| d.1 == self;
+        let soft = |d: &&(&str, Dimension)| d.1.fits(self);
+        NAMES.iter().find(exact).or_else(|| NAMES.iter().find(soft)).map_or(self, |d| d.1)
+    }
+
+    /// `Force`, `Pressure`, ...; also where only the angle differs.
+    pub fn known_name(self) -> Option<&'static str> {
+        let tidy = self.tidy();
+        NAMES.iter().find(|d| d.1 == tidy).map(|d| d.0)
+    }
+
+    /// The dimension a name in an annotation stands for; aliases such as `Torque` and `Stress` too.
+    pub fn from_name(name: &str) -> Option<Dimension> {
+        NAMES.iter().chain(ALIASES).find(|d| d.0 == name).map(|d| d.1)
+    }
+
+    /// Every name [`Dimension::from_name`] knows, for suggestions and completion.
+    pub fn names() -> impl Iterator<Item = &'static str> {
+        NAMES.iter().chain(ALIASES).map(|d| d.0)
+    }
+
+    /// As a product of powers of base dimensions, e.g. `Length*Mass/Time^2`; `1` for a pure number.
+    pub fn in_bases(self) -> String {
+        product(Base::ALL.map(|base| (base.name(), self.exponent(base))))
+    }
+
+    /// As a product of powers of SI base units, e.g. `m*kg/s^2`; `1` for a pure number.
+    pub fn in_base_units(self) -> String {
+        let units = ["m", "kg", "s", "rad", "K"];
+        product(Base::ALL.map(|base| (units[base as usize], self.exponent(base))))
+    }
+}
+
+/// The known name if there is one, else the product of base dimensions.
+impl fmt::Display for Dimension {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.known_name() {
+            Some(name) => f.write_str(name),
+            None => f.write_str(&self.in_bases()),
+        }
+    }
+}
+
+impl fmt::Debug for Dimension {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.in_bases())
+    }
+}
+
+/// Writes `a^2*b/c`: positive powers first, then each negative one after its own `/`. `1` for the empty product.
+pub(crate) fn product<const N: usize>(factors: [(&str, Rational); N]) -> String {
+    let powered = |name: &str, e: Rational| if e == Rational::ONE { name.into() } else { format!("{name}^{e}") };
+    let above: Vec<String> =
+        factors.iter().filter(|f| f.1 > Rational::ZERO).map(|f| powered(f.0, f.1)).collect();
+    let mut text = if above.is_empty() { "1".to_string() } else { above.join("*") };
+    for &(name, e) in factors.iter().filter(|f| f.1.numerator < 0) {
+        text.push('/');
+        text.push_str(&powered(name, Rational { numerator: e.numerator.saturating_neg(), ..e }));
+    }
+    text
+}
+
+// `Rational` derives its order from (numerator, denominator), which is only meaningful against zero; `product`
+// uses no other comparison.
+
+/// One name per dimension, found first to last: where only the angle differs the earlier entry wins.
+const NAMES: &[(&str, Dimension)] = &[
+    ("Number", Dimension::NONE),
+    ("Length", Dimension::whole([1, 0, 0, 0, 0])),
+    ("Mass", Dimension::whole([0, 1, 0, 0, 0])),
+    ("Time", Dimension::whole([0, 0, 1, 0, 0])),
+    ("Angle", Dimension::whole([0, 0, 0, 1, 0])),
+    ("Temperature", Dimension::whole([0, 0, 0, 0, 1])),
+    ("Area", Dimension::whole([2, 0, 0, 0, 0])),
+    ("Volume", Dimension::whole([3, 0, 0, 0, 0])),
+    ("SecondMomentOfArea", Dimension::whole([4, 0, 0, 0, 0])),
+    ("Curvature", Dimension::whole([-1, 0, 0, 0, 0])),
+    ("Velocity", Dimension::whole([1, 0, -1, 0, 0])),
+    ("Acceleration", Dimension::whole([1, 0, -2, 0, 0])),
+    ("AngularVelocity", Dimension::whole([0, 0, -1, 1, 0])),
+    ("AngularAcceleration", Dimension::whole([0, 0, -2, 1, 0])),
+    ("Frequency", Dimension::whole([0, 0, -1, 0, 0])),
+    ("Force", Dimension::whole([1, 1, -2, 0, 0])),
+    ("Moment", Dimension::whole([2, 1, -2, 0, 0])),
+    ("Pressure", Dimension::whole([-1, 1, -2, 0, 0])),
+    ("Stiffness", Dimension::whole([0, 1, -2, 0, 0])),
+    ("RotationalStiffness", Dimension::whole([2, 1, -2, -1, 0])),
+    ("Compliance", Dimension::whole([0, -1, 2, 0, 0])),
+    ("Density", Dimension::whole([-3, 1, 0, 0, 0])),
+    ("MomentOfInertia", Dimension::whole([2, 1, 0, 0, 0])),
+    ("Damping", Dimension::whole([0, 1, -1, 0, 0])),
+    ("RotationalDamping", Dimension::whole([2, 1, -1, -1, 0])),
+    ("Viscosity", Dimension::whole([-1, 1, -1, 0, 0])),
+    ("KinematicViscosity", Dimension::whole([2, 0, -1, 0, 0])),
+    ("Momentum", Dimension::whole([1, 1, -1, 0, 0])),
+    ("Power", Dimension::whole([2, 1, -3, 0, 0])),
+];
+
+/// Other names for dimensions of [`NAMES`].
+const ALIASES: &[(&str, Dimension)] = &[
+    ("Torque", Dimension::whole([2, 1, -2, 0, 0])),
+    ("Energy", Dimension::whole([2, 1, -2, 0, 0])),
+    ("Stress", Dimension::whole([-1, 1, -2, 0, 0])),
+    ("LineLoad", Dimension::whole([0, 1, -2, 0, 0])),
+    ("Duration", Dimension::whole([0, 0, 1, 0, 0])),
+];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn named(name: &str) -> Dimension {
+        Dimension::from_name(name).expect(name)
+    }
+
+    #[test]
+    fn products_have_the_names_of_mechanics() {
+        for (left, right, product) in [
+            ("Force", "Length", "Moment"),
+            ("Stiffness", "Length", "Force"),
+            ("Pressure", "Area", "Force"),
+            ("Mass", "Acceleration", "Force"),
+            ("AngularVelocity", "Length", "Velocity"),
+            ("Moment", "AngularVelocity", "Power"),
+            ("RotationalStiffness", "Angle", "Moment"),
+            ("Curvature", "Length", "Number"),
+            ("Angle", "Length", "Length"),
+        ] {
+            assert_eq!(named(left).times(named(right)).to_string(), product, "{left}*{right}");
+            let quotient = named(product).over(named(right));
+            assert!(quotient.fits(named(left)), "{product}/{right} is {quotient:?}");
+        }
+    }
+
+    #[test]
+    fn unnamed_dimensions_show_their_factors() {
+        let half = Rational::new(1, 2).unwrap();
+        let root = named("Length").power(half).unwrap().over(named("Time"));
+        assert_eq!(root.to_string(), "Length^(1/2)/Time");
+        assert_eq!(named("Force").in_base_units(), "m*kg/s^2");
+        assert_eq!(root.power(Rational::integer(2)).unwrap(), named("Length").over(named("Time").times(named("Time"))));
+    }
+
+    #[test]
+    fn no_exponent_overflows() {
+        let huge = Rational::integer(i32::MAX);
+        assert_eq!(named("Force").power(huge), None);
+        let thousand = named("Length").power(Rational::integer(1000)).unwrap();
+        assert!(thousand.power(Rational::integer(2)).is_none());
+        assert_eq!(Rational::new(1, 0), None);
+        assert_eq!(Rational::new(i64::MIN, -1), None);
+    }
+
+    #[test]
+    fn decimal_exponents_are_recognised() {
+        assert_eq!(Rational::from_f64(0.5), Rational::new(1, 2));
+        assert_eq!(Rational::from_f64(-1.0 / 3.0), Rational::new(-1, 3));
+        assert_eq!(Rational::from_f64(std::f64::consts::PI), None);
+        assert_eq!(Rational::from_f64(f64::NAN), None);
+    }
+}

@@ -1,0 +1,68 @@
+//! How bodies deform: elastic behaviour relative to the body's frame, seen through its loadable surfaces.
+//!
+//! Displacements are elastic only: what moves the body as a whole belongs to its frame.
+//! Everything here is per unit of face width (a plane model): forces in N/m, compliances in m/(N/m).
+
+use crate::profile::Profile;
+use std::sync::Arc;
+
+/// A loadable surface of a structure: a flank of one tooth, or the rim of a disc.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Chart {
+    /// Which tooth (or repeated sector), counted counter-clockwise from 0. 0 where nothing repeats.
+    pub tooth: u32,
+    /// Which surface of it. Gears: 0 is the flank whose outward normal points counter-clockwise, 1 the other.
+    pub surface: u32,
+}
+
+/// A normal force on a surface: positive presses into the material.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SurfaceLoad {
+    pub chart: Chart,
+    /// Arc length on the chart's profile, m.
+    pub s: f64,
+    /// N per metre of face width.
+    pub force: f64,
+}
+
+/// Where a recovered stress is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StressPlace {
+    pub tooth: u32,
+    pub surface: u32,
+    /// In the body's frame, m.
+    pub position: [f64; 2],
+}
+
+/// Elastic behaviour of a body.
+///
+/// The compliance of a surface is split: `A(s, s') = G(s - s') + R(s, s')`. `G` is the half-plane's,
+/// `-2 / (pi E') ln(|s - s'| / L)` with `E'` = [`Structure::surface_modulus`] and `L` =
+/// [`Structure::reference_length`], between points of the same chart only (0 between different charts).
+/// `R` is everything else, smooth, and evaluated here.
+pub trait Structure: Send + Sync {
+    /// The profile of a chart in the body's frame (already turned to its tooth), and the chart's profile in
+    /// tooth coordinates is the same for every tooth.
+    fn profile(&self, surface: u32) -> Arc<dyn Profile>;
+
+    /// Angle by which tooth `tooth` is turned in the body's frame, rad (counter-clockwise).
+    fn tooth_angle(&self, tooth: u32) -> f64;
+
+    /// Number of repeated sectors; 1 where nothing repeats.
+    fn teeth(&self) -> u32;
+
+    /// E' in Pa. Infinite for a rigid body, whose `G` and `R` are zero.
+    fn surface_modulus(&self) -> f64;
+
+    /// L in the half-plane's logarithm, m.
+    fn reference_length(&self) -> f64;
+
+    /// Adds `R` to `block`, row-major, `observe_s.len()` rows by `load_s.len()` columns: inward normal displacement
+    /// at `observe_s` on `observe` per unit inward normal force at `load_s` on `load`, m/(N/m).
+    /// Symmetric: exchanging loads and observers transposes it, bit for bit.
+    fn add_compliance(&self, observe: Chart, observe_s: &[f64], load: Chart, load_s: &[f64], block: &mut [f64]);
+
+    /// Principal stress of largest tension (Pa) at each point where stress is recovered, for the given loads, on tooth
+    /// `tooth`. Empty if the structure recovers none.
+    fn stresses(&self, tooth: u32, surface: u32, loads: &[SurfaceLoad]) -> Vec<(StressPlace, f64)>;
+}
