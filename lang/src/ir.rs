@@ -22,6 +22,8 @@ pub struct Program {
     pub sites: Vec<Site>,
     /// Name of the unit system results print in: `SI`, `mm_N_s`, `inch_lbf_s`.
     pub units: String,
+    /// Text of the doc comment that opens the model's file; empty if there is none.
+    pub doc: String,
 }
 
 #[derive(Clone, Debug)]
@@ -195,6 +197,12 @@ pub enum Statement {
         arguments: Vec<Expr>,
         /// One per `out` or `inout` parameter, in order.
         copy_back: Vec<Place>,
+        span: Span,
+    },
+    /// Appends an element to the array the place holds.
+    Push {
+        place: Place,
+        value: Expr,
         span: Span,
     },
 }

@@ -38,7 +38,7 @@ pub type SlotFn = unsafe extern "C" fn(ctx: *mut Context, args: *const Slot, ret
 pub type KernelFn = unsafe extern "C" fn(inputs: *const f64, outputs: *mut f64);
 
 /// How a value is represented in slots. Dimensions are gone: every number is an `f64` in SI.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
 pub enum Repr {
     /// No value (a function without result). No slot.
     Unit,

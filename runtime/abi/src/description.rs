@@ -1,9 +1,9 @@
 //! What every compiled model says of itself: the same structure feeds `--help`, hover, results and error messages.
 //!
-//! In an object file it is stored as JSON, made and read by the crates that know serde; here are only its types'
-//! meaning and the C layout by which a linked model is found.
+//! In an object file it is stored as JSON. Here are its structure, and the C layout by which a linked model is found.
 
-use crate::call::{KernelFn, SlotFn};
+use crate::call::{KernelFn, Repr, SlotFn};
+use serde::{Deserialize, Serialize};
 
 /// A linked model, as the object file exports it under the symbol `calyx_model`.
 #[repr(C)]
@@ -15,10 +15,107 @@ pub struct ModuleTable {
     /// Kernels in order of site.
     pub kernels: *const KernelFn,
     pub kernel_count: u64,
-    /// The description, UTF-8 JSON (see `calyx_lang::description`).
+    /// The description, UTF-8 JSON of a [`ModelDescription`].
     pub description: *const u8,
     pub description_len: u64,
 }
 
 // SAFETY: the table and what it points to are constants of the linked program.
 unsafe impl Sync for ModuleTable {}
+
+/// The description itself. Kept as JSON in object files and run directories.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct ModelDescription {
+    /// [`crate::ABI_VERSION`] of the compiler.
+    pub abi_version: u64,
+    /// The model's file as shown to people.
+    pub name: String,
+    /// Text of the doc comment that opens the model's file; empty if there is none.
+    pub doc: String,
+    /// Name of the unit system results print in: `SI`, `mm_N_s`, `inch_lbf_s`.
+    pub units: String,
+    pub params: Vec<ParamDescription>,
+    pub outputs: Vec<OutputDescription>,
+    /// One per symbolic site, in order of site: the order of [`ModuleTable::kernels`].
+    pub kernels: Vec<KernelDescription>,
+    /// The model first, then every file it uses, the library's included.
+    pub files: Vec<FileDescription>,
+}
+
+/// An input of the model.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ParamDescription {
+    pub name: String,
+    pub doc: String,
+    /// Number, Bool or String.
+    pub repr: Repr,
+    pub unit: UnitDescription,
+    /// Only whole numbers are allowed.
+    pub integral: bool,
+    /// Allowed strings; empty if any string will do.
+    pub choices: Vec<String>,
+    /// The default and the ends of the allowed range in SI. They are computed by running the program's own
+    /// functions, so elaboration fills them in; `None` before that, and for what is not there.
+    pub default: Option<ParamValue>,
+    pub low: Option<f64>,
+    pub high: Option<f64>,
+}
+
+/// Value of a param.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(untagged)]
+pub enum ParamValue {
+    Bool(bool),
+    /// In SI.
+    Number(f64),
+    String(String),
+}
+
+/// A wanted observable.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct OutputDescription {
+    pub name: String,
+    pub doc: String,
+    /// Index in [`ModelDescription::kernels`].
+    pub site: usize,
+    /// What results are shown in.
+    pub unit: UnitDescription,
+    /// Name of the coherent SI unit.
+    pub si: String,
+}
+
+/// How a number is shown: SI value = shown value * `factor`.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct UnitDescription {
+    /// E.g. `lbf*inch`; empty for a pure number.
+    pub name: String,
+    pub factor: f64,
+    /// Exponents of length, mass, time, angle and temperature (numerator, denominator).
+    pub dimension: [(i32, i32); 5],
+}
+
+/// A symbolic site's kernel.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct KernelDescription {
+    pub name: String,
+    /// Number, Vector or Transform.
+    pub repr: Repr,
+    /// Highest time derivative computed beside the value.
+    pub order: u8,
+    pub captures: Vec<CaptureDescription>,
+}
+
+/// A value a symbolic expression captured when its binding executed.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct CaptureDescription {
+    pub name: String,
+    pub repr: Repr,
+    /// An observable: captured as its index, replaced by its value at each step.
+    pub observable: bool,
+}
+
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct FileDescription {
+    pub name: String,
+    pub text: String,
+}

@@ -1,0 +1,81 @@
+//! A program's description of itself, from the typed program: what `--help`, results, executables and embedders read.
+
+use crate::ir::{DisplayUnit, Program};
+use calyx_abi::ABI_VERSION;
+use calyx_abi::description::{
+    CaptureDescription, FileDescription, KernelDescription, ModelDescription, OutputDescription, ParamDescription,
+    UnitDescription,
+};
+
+/// Describes a program. Defaults and ranges of params are left `None`: whoever elaborates the program fills them in.
+pub fn describe(program: &Program) -> ModelDescription {
+    ModelDescription {
+        abi_version: ABI_VERSION,
+        name: program.files.first().map(|file| file.name.clone()).unwrap_or_default(),
+        doc: program.doc.clone(),
+        units: program.units.clone(),
+        params: program
+            .params
+            .iter()
+            .map(|param| ParamDescription {
+                name: param.name.clone(),
+                doc: param.doc.clone(),
+                repr: param.repr.clone(),
+                unit: unit(&param.unit),
+                integral: param.integral,
+                choices: param.choices.clone(),
+                default: None,
+                low: None,
+                high: None,
+            })
+            .collect(),
+        outputs: program
+            .outputs
+            .iter()
+            .map(|output| OutputDescription {
+                name: output.name.clone(),
+                doc: output.doc.clone(),
+                site: output.site.0 as usize,
+                unit: unit(&output.unit),
+                si: output.si.clone(),
+            })
+            .collect(),
+        kernels: program
+            .sites
+            .iter()
+            .map(|site| KernelDescription {
+                name: site.name.clone(),
+                repr: site.repr.clone(),
+                order: site.order,
+                captures: site
+                    .captures
+                    .iter()
+                    .map(|capture| CaptureDescription {
+                        name: capture.name.clone(),
+                        repr: capture.repr.clone(),
+                        observable: capture.observable,
+                    })
+                    .collect(),
+            })
+            .collect(),
+        files: program
+            .files
+            .iter()
+            .map(|file| FileDescription { name: file.name.clone(), text: file.text.clone() })
+            .collect(),
+    }
+}
+
+fn unit(unit: &DisplayUnit) -> UnitDescription {
+    UnitDescription { name: unit.name.clone(), factor: unit.factor, dimension: unit.dimension }
+}
+
+/// The description as JSON.
+pub fn to_json(description: &ModelDescription) -> serde_json::Result<String> {
+    serde_json::to_string(description)
+}
+
+/// Reads what [`to_json`] wrote.
+pub fn from_json(text: &str) -> serde_json::Result<ModelDescription> {
+    serde_json::from_str(text)
+}
