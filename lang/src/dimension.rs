@@ -7,7 +7,7 @@
 use std::fmt;
 
 /// A reduced fraction with positive denominator: the exponent of one base dimension.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Rational {
     numerator: i32,
     denominator: i32,
@@ -55,6 +55,11 @@ impl Rational {
 
     pub fn is_zero(self) -> bool {
         self.numerator == 0
+    }
+
+    /// The opposite; the one numerator that has none stays.
+    pub fn negated(self) -> Rational {
+        Rational { numerator: self.numerator.saturating_neg(), ..self }
     }
 
     pub fn to_f64(self) -> f64 {
@@ -250,19 +255,17 @@ impl fmt::Debug for Dimension {
 
 /// Writes `a^2*b/c`: positive powers first, then each negative one after its own `/`. `1` for the empty product.
 pub(crate) fn product<const N: usize>(factors: [(&str, Rational); N]) -> String {
-    let powered = |name: &str, e: Rational| if e == Rational::ONE { name.into() } else { format!("{name}^{e}") };
+    let powered =
+        |name: &str, e: Rational| if e == Rational::ONE { name.into() } else { format!("{name}^{e}") };
     let above: Vec<String> =
-        factors.iter().filter(|f| f.1 > Rational::ZERO).map(|f| powered(f.0, f.1)).collect();
+        factors.iter().filter(|f| f.1.numerator > 0).map(|f| powered(f.0, f.1)).collect();
     let mut text = if above.is_empty() { "1".to_string() } else { above.join("*") };
     for &(name, e) in factors.iter().filter(|f| f.1.numerator < 0) {
         text.push('/');
-        text.push_str(&powered(name, Rational { numerator: e.numerator.saturating_neg(), ..e }));
+        text.push_str(&powered(name, e.negated()));
     }
     text
 }
-
-// `Rational` derives its order from (numerator, denominator), which is only meaningful against zero; `product`
-// uses no other comparison.
 
 /// One name per dimension, found first to last: where only the angle differs the earlier entry wins.
 const NAMES: &[(&str, Dimension)] = &[
@@ -339,7 +342,10 @@ mod tests {
         let root = named("Length").power(half).unwrap().over(named("Time"));
         assert_eq!(root.to_string(), "Length^(1/2)/Time");
         assert_eq!(named("Force").in_base_units(), "m*kg/s^2");
-        assert_eq!(root.power(Rational::integer(2)).unwrap(), named("Length").over(named("Time").times(named("Time"))));
+        assert_eq!(
+            root.power(Rational::integer(2)).unwrap(),
+            named("Length").over(named("Time").times(named("Time")))
+        );
     }
 
     #[test]

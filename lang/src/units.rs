@@ -195,7 +195,8 @@ impl UnitSystem {
         let dimension = dimension.tidy();
         let (length, force) = self.length_and_force();
         // L^l M^m T^t = F^m L^(l-m) T^(t+2m), because the coherent mass is F T^2 / L.
-        let (length_exponent, mass_exponent) = (dimension.exponent(Base::Length), dimension.exponent(Base::Mass));
+        let (length_exponent, mass_exponent) =
+            (dimension.exponent(Base::Length), dimension.exponent(Base::Mass));
         let in_force = force_length_time(dimension);
         let factor = if mass_exponent.is_zero() {
             power(length, length_exponent)
@@ -203,8 +204,8 @@ impl UnitSystem {
             // One fraction where exponents are whole, so that psi is exactly lbf/inch^2.
             let above = power(force, mass_exponent);
             let lengths = in_force.exponent(Base::Length);
-            if lengths < Rational::ZERO {
-                above / power(length, negated(lengths))
+            if lengths.numerator() < 0 {
+                above / power(length, lengths.negated())
             } else {
                 above * power(length, lengths)
             }
@@ -224,12 +225,22 @@ impl UnitSystem {
             return name.to_string();
         }
         let others = |d: Dimension| {
-            [("s", d.exponent(Base::Time)), ("rad", d.exponent(Base::Angle)), ("K", d.exponent(Base::Temperature))]
+            [
+                ("s", d.exponent(Base::Time)),
+                ("rad", d.exponent(Base::Angle)),
+                ("K", d.exponent(Base::Temperature)),
+            ]
         };
         if let (Some(mass), true) = (names.mass, dimension.exponent(Base::Time).is_zero()) {
             let [time, angle, temperature] = others(dimension);
             let first = (mass, dimension.exponent(Base::Mass));
-            return product([first, (names.length, dimension.exponent(Base::Length)), time, angle, temperature]);
+            return product([
+                first,
+                (names.length, dimension.exponent(Base::Length)),
+                time,
+                angle,
+                temperature,
+            ]);
         }
         let in_force = force_length_time(dimension);
         let [time, angle, temperature] = others(in_force);
@@ -245,16 +256,8 @@ fn force_length_time(dimension: Dimension) -> Dimension {
     per_force.power(mass).map_or(dimension, |carried| dimension.over(carried))
 }
 
-fn negated(exponent: Rational) -> Rational {
-    Rational::new(-i64::from(exponent.numerator()), i64::from(exponent.denominator())).unwrap_or(exponent)
-}
-
 fn power(base: f64, exponent: Rational) -> f64 {
-    if exponent.denominator() == 1 {
-        base.powi(exponent.numerator())
-    } else {
-        base.powf(exponent.to_f64())
-    }
+    if exponent.denominator() == 1 { base.powi(exponent.numerator()) } else { base.powf(exponent.to_f64()) }
 }
 
 /// The unit `name^exponent` of a literal.
