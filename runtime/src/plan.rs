@@ -1,0 +1,68 @@
+//! What will be modelled, and why: the scene, less what no observable depends on.
+
+use crate::error::EngineError;
+use crate::scene::{BodyId, FREEDOMS, Fidelity, Ignored, Observable, Scene, StructureOptions};
+
+/// The decision of how a scene is analysed. Nothing has been solved yet.
+#[derive(Clone, Debug)]
+pub struct Plan {
+    pub fidelity: Fidelity,
+    /// One per body of the scene, in order.
+    pub bodies: Vec<BodyPlan>,
+    /// Inputs that this fidelity cannot see.
+    pub ignored: Vec<Ignored>,
+}
+
+#[derive(Clone, Debug)]
+pub struct BodyPlan {
+    pub options: StructureOptions,
+    /// Why the body is modelled the way it is, or left out.
+    pub reason: &'static str,
+    /// No surface pair touches the body: it is not instantiated.
+    pub left_out: bool,
+}
+
+impl Plan {
+    /// Plans a scene at a fidelity with the given discretisation (its `stresses` is decided here).
+    pub fn new(scene: &Scene, fidelity: Fidelity, options: StructureOptions) -> Result<Plan, EngineError> {
+        let touches = |id: BodyId| scene.pairs.iter().any(|pair| pair.bodies.contains(&id));
+        let mut bodies = Vec::new();
+        let mut ignored: Vec<Ignored> = Vec::new();
+        for (index, body) in scene.bodies.iter().enumerate() {
+            let id = BodyId(index);
+            let stresses = scene.observables.contains(&Observable::MaxRootStress(id));
+            let left_out = !touches(id);
+            if !left_out {
+                ignored.extend(body.prototype.ignored(fidelity));
+            }
+            if fidelity == Fidelity::Plane && !left_out {
+                refuse_motion_out_of_plane(&body.name, body.free)?;
+            }
+            bodies.push(BodyPlan {
+                options: StructureOptions { stresses, ..options },
+                reason: match (left_out, stresses) {
+                    (true, _) => "left out: it touches nothing",
+                    (false, true) => "elastic, with stress recovery: an output asks for its root stress",
+                    (false, false) => "elastic, without stress recovery: no output asks for its stress",
+                },
+                left_out,
+            });
+        }
+        ignored.sort();
+        ignored.dedup();
+        Ok(Plan { fidelity, bodies, ignored })
+    }
+}
+
+/// A plane model has no forces across the plane, so nothing could hold such a freedom.
+fn refuse_motion_out_of_plane(body: &str, free: [bool; 6]) -> Result<(), EngineError> {
+    match [2, 3, 4].into_iter().find(|&freedom| free[freedom]) {
+        Some(freedom) => Err(EngineError::new(
+            "E0611",
+            format!("body \"{body}\" is free in {}, and in a plane model nothing can hold it there", FREEDOMS[freedom]),
+            "remove it from `free`; the plane model has \"u_x\", \"u_y\" and \"theta_z\"",
+        )
+        .blame("free")),
+        None => Ok(()),
+    }
+}

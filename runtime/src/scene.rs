@@ -1,0 +1,199 @@
+//! What the model says, before anything is built: bodies, the surfaces that may touch, and what is to be observed.
+
+use crate::error::EngineError;
+use crate::motion::Motion;
+use crate::structure::Structure;
+use std::sync::Arc;
+
+/// The six freedoms of a frame, in the order of their indices.
+pub const FREEDOMS: [&str; 6] = ["u_x", "u_y", "u_z", "theta_x", "theta_y", "theta_z"];
+
+/// How a body is to be modelled; makes its [`Structure`] when the plan says so.
+pub trait Prototype: Send + Sync {
+    /// Builds the elastic structure (the costly part). Equal prototypes with equal options give equal structures.
+    fn build(&self, options: &StructureOptions) -> Result<Arc<dyn Structure>, EngineError>;
+
+    /// Radius of the circle about the body's origin that encloses it, m.
+    fn enclosing_radius(&self) -> f64;
+
+    /// Angle of contact along an involute from its root, rad, for a point at this radius; `None` if there is no
+    /// involute there.
+    fn roll_angle(&self, radius: f64) -> Option<f64>;
+
+    /// m.
+    fn face_width(&self) -> f64;
+
+    /// Angle by which tooth `tooth` stands off its nominal place, rad, counter-clockwise.
+    fn pitch_error(&self, _tooth: u32) -> f64 {
+        0.0
+    }
+
+    /// Inputs that a model of this fidelity cannot see, and why.
+    fn ignored(&self, fidelity: Fidelity) -> Vec<Ignored>;
+}
+
+/// An input that the chosen fidelity cannot see.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Ignored {
+    pub input: String,
+    pub reason: String,
+}
+
+/// How bodies are modelled: the ladder from cheap to exact.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Fidelity {
+    /// Plane finite elements with the semi-analytic near field.
+    Plane,
+}
+
+impl Fidelity {
+    pub fn named(name: &str) -> Option<Fidelity> {
+        match name {
+            "plane" => Some(Fidelity::Plane),
+            _ => None,
+        }
+    }
+
+    pub fn name(self) -> &'static str {
+        match self {
+            Fidelity::Plane => "plane",
+        }
+    }
+}
+
+/// Knobs of a structure's discretisation.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StructureOptions {
+    /// Multiplies the number of elements along every direction of the mesh; 1 is the default mesh.
+    pub refinement: f64,
+    /// Order of displacement interpolation, 1 to 3.
+    pub order: usize,
+    /// Multiplies the matching depth of near and far field; 1 is the default.
+    pub matching_depth: f64,
+    /// Recover stresses (costs one map per structure).
+    pub stresses: bool,
+}
+
+impl Default for StructureOptions {
+    fn default() -> Self {
+        StructureOptions { refinement: 1.0, order: 3, matching_depth: 1.0, stresses: true }
+    }
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct BodyId(pub usize);
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct PairId(pub usize);
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct ObservableId(pub usize);
+
+/// A deformable body on a moving frame.
+#[derive(Clone)]
+pub struct Body {
+    pub name: String,
+    pub prototype: Arc<dyn Prototype>,
+    pub motion: Arc<dyn Motion>,
+    /// Turns the structure in its frame, rad: the phase at which a gear was mounted.
+    pub phase: f64,
+    /// Freedoms of the frame that are not held, in the order of [`FREEDOMS`].
+    pub free: [bool; 6],
+    /// External force on the frame's origin, ground axes, N.
+    pub force: [f64; 3],
+    /// External moment, ground axes, N m.
+    pub moment: [f64; 3],
+}
+
+/// Two surfaces that may touch: surface `surfaces[0]` of every tooth of the first body and `surfaces[1]` of the second.
+#[derive(Clone)]
+pub struct SurfacePair {
+    pub bodies: [BodyId; 2],
+    pub surfaces: [u32; 2],
+    pub grid: GridOptions,
+    /// Present when the two bodies are gears in mesh.
+    pub mesh: Option<GearMesh>,
+}
+
+/// The contact grid of a surface pair.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GridOptions {
+    /// M: a grid has 2M + 1 cells before refinement at edges.
+    pub half_cells: usize,
+    /// Total width, m; `None` takes it from the Hertz half-width under the full load.
+    pub width: Option<f64>,
+    /// Search for contact on rounded edges beyond the flanks.
+    pub edges: bool,
+}
+
+impl Default for GridOptions {
+    fn default() -> Self {
+        GridOptions { half_cells: 24, width: None, edges: true }
+    }
+}
+
+/// What makes a surface pair a gear mesh: enough to speak of transmission error and of its cycle.
+#[derive(Clone, Debug, PartialEq)]
+pub struct GearMesh {
+    pub teeth: [u32; 2],
+    /// m.
+    pub base_radii: [f64; 2],
+    /// +1 if the first body pushes counter-clockwise, -1 if clockwise.
+    pub drive_sense: f64,
+    /// +1 external, -1 internal: a positive turn of the first body turns the second by `-sign`.
+    pub sign: f64,
+    /// Teeth of the pair that enters contact at the start of the cycle.
+    pub entering: [u32; 2],
+    /// Time at which it does, and the time of one pitch, s.
+    pub start: f64,
+    pub period: f64,
+    /// Times in the cycle, from `start`, at which a characteristic point of the path of contact is reached, with
+    /// their names: start and end of active profile, lowest and highest point of single tooth contact.
+    pub characteristic: Vec<(f64, &'static str)>,
+    /// Roll angle of the entering pair's first tooth at the start, and its change over the cycle, rad.
+    pub roll: [f64; 2],
+}
+
+/// A quantity of a solved position.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Observable {
+    /// rad, of the second body.
+    TransmissionError(PairId),
+    /// Part of the load on the pair of teeth that enters at the start of the cycle.
+    LoadShare(PairId),
+    /// Tangent stiffness along the line of action, N/m.
+    MeshStiffness(PairId),
+    /// Pa, without edges.
+    MaxContactPressure(PairId),
+    /// Pa, on edges.
+    MaxEdgePressure(PairId),
+    /// Pa, in the fillets of a body on its loaded side.
+    MaxRootStress(BodyId),
+}
+
+/// Everything the model says. Frozen by the first analysis.
+#[derive(Clone, Default)]
+pub struct Scene {
+    pub bodies: Vec<Body>,
+    pub pairs: Vec<SurfacePair>,
+    pub observables: Vec<Observable>,
+}
+
+impl Scene {
+    pub fn add_body(&mut self, body: Body) -> BodyId {
+        self.bodies.push(body);
+        BodyId(self.bodies.len() - 1)
+    }
+
+    pub fn add_pair(&mut self, pair: SurfacePair) -> PairId {
+        self.pairs.push(pair);
+        PairId(self.pairs.len() - 1)
+    }
+
+    /// Observing the same thing twice costs nothing.
+    pub fn observe(&mut self, observable: Observable) -> ObservableId {
+        let at = self.observables.iter().position(|o| *o == observable).unwrap_or_else(|| {
+            self.observables.push(observable);
+            self.observables.len() - 1
+        });
+        ObservableId(at)
+    }
+}
