@@ -3,11 +3,13 @@
 //! Every crate of the workspace may see this one; it sees none of ours.
 //! It holds the one scalar definition of each numeric operation ([`math`]), the calling convention
 //! ([`call`]), the run-time values behind opaque slots ([`heap`]), the state a running model carries
-//! ([`context`]), and the description that every compiled model brings along ([`description`]).
+//! ([`context`]), the helpers that programs need beside arithmetic ([`helpers`], as machine code calls them in
+//! [`entry`]), and the description that every compiled model brings along ([`description`]).
 
 pub mod call;
 pub mod context;
 pub mod description;
+pub mod externs;
 pub mod heap;
 pub mod math;
 

@@ -1,0 +1,258 @@
+//! Functions the engine provides to programs: one macro turns a list of ordinary Rust bodies into the interpreter's
+//! table, the machine code's symbol table and the link symbols.
+
+use crate::call::{Repr, Slot, Status};
+use crate::context::{Context, RuntimeError};
+use crate::heap::{Object, SymbolicValue};
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::Arc;
+
+/// A value that crosses between programs and the engine.
+pub trait Value: Sized {
+    fn repr() -> Repr;
+    /// Reads the value; `None` if the slots hold no such value (a defect of the caller, not of the program).
+    fn read(context: &Context, slots: &[Slot]) -> Option<Self>;
+    fn write(self, context: &mut Context, slots: &mut [Slot]);
+}
+
+/// What the engine hands out for a thing it keeps: an index into a table of its own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Handle(pub u64);
+
+impl Value for () {
+    fn repr() -> Repr {
+        Repr::Unit
+    }
+    fn read(_: &Context, _: &[Slot]) -> Option<Self> {
+        Some(())
+    }
+    fn write(self, _: &mut Context, _: &mut [Slot]) {}
+}
+
+impl Value for f64 {
+    fn repr() -> Repr {
+        Repr::Number
+    }
+    fn read(_: &Context, slots: &[Slot]) -> Option<Self> {
+        slots.first().map(|&slot| f64::from_bits(slot))
+    }
+    fn write(self, _: &mut Context, slots: &mut [Slot]) {
+        slots[0] = self.to_bits();
+    }
+}
+
+impl Value for bool {
+    fn repr() -> Repr {
+        Repr::Bool
+    }
+    fn read(_: &Context, slots: &[Slot]) -> Option<Self> {
+        slots.first().map(|&slot| slot != 0)
+    }
+    fn write(self, _: &mut Context, slots: &mut [Slot]) {
+        slots[0] = u64::from(self);
+    }
+}
+
+impl Value for String {
+    fn repr() -> Repr {
+        Repr::String
+    }
+    fn read(context: &Context, slots: &[Slot]) -> Option<Self> {
+        context.heap.str(*slots.first()?).map(str::to_owned)
+    }
+    fn write(self, context: &mut Context, slots: &mut [Slot]) {
+        slots[0] = context.heap.string(&self);
+    }
+}
+
+impl Value for [f64; 3] {
+    fn repr() -> Repr {
+        Repr::Vector
+    }
+    fn read(_: &Context, slots: &[Slot]) -> Option<Self> {
+        Some([0, 1, 2].map(|i| slots.get(i).map_or(f64::NAN, |&slot| f64::from_bits(slot))))
+    }
+    fn write(self, _: &mut Context, slots: &mut [Slot]) {
+        for (slot, component) in slots.iter_mut().zip(self) {
+            *slot = component.to_bits();
+        }
+    }
+}
+
+impl Value for Handle {
+    fn repr() -> Repr {
+        Repr::Handle
+    }
+    fn read(_: &Context, slots: &[Slot]) -> Option<Self> {
+        slots.first().map(|&slot| Handle(slot))
+    }
+    fn write(self, _: &mut Context, slots: &mut [Slot]) {
+        slots[0] = self.0;
+    }
+}
+
+/// A symbolic value of the representation that the Calyx declaration states.
+pub struct Symbolic<const KIND: u8>(pub Arc<SymbolicValue>);
+/// `Symbolic(Number)`
+pub type SymbolicNumber = Symbolic<0>;
+/// `Symbolic(Transform)`
+pub type SymbolicTransform = Symbolic<2>;
+
+impl<const KIND: u8> Value for Symbolic<KIND> {
+    fn repr() -> Repr {
+        let content = match KIND {
+            0 => Repr::Number,
+            1 => Repr::Vector,
+            _ => Repr::Transform,
+        };
+        Repr::Symbolic(Box::new(content))
+    }
+    fn read(context: &Context, slots: &[Slot]) -> Option<Self> {
+        context.heap.symbolic(*slots.first()?).map(Symbolic)
+    }
+    fn write(self, context: &mut Context, slots: &mut [Slot]) {
+        slots[0] = context.heap.insert(Object::Symbolic(self.0));
+    }
+}
+
+impl<T: Value> Value for Vec<T> {
+    fn repr() -> Repr {
+        Repr::Array(Box::new(T::repr()))
+    }
+    fn read(context: &Context, slots: &[Slot]) -> Option<Self> {
+        let (flat, stride) = context.heap.array(*slots.first()?)?;
+        if stride == 0 {
+            return Some(Vec::new());
+        }
+        flat.chunks(stride).map(|element| T::read(context, element)).collect()
+    }
+    fn write(self, context: &mut Context, slots: &mut [Slot]) {
+        let stride = T::repr().slots();
+        let mut flat = vec![0; stride * self.len()];
+        for (element, place) in self.into_iter().zip(flat.chunks_mut(stride.max(1))) {
+            element.write(context, place);
+        }
+        slots[0] = context.heap.insert(Object::Array { stride, slots: flat });
+    }
+}
+
+/// Hands out the arguments of a call one after another.
+pub struct Arguments<'a> {
+    slots: &'a [Slot],
+}
+
+impl Arguments<'_> {
+    /// The next argument.
+    pub fn take<T: Value>(&mut self, context: &Context) -> Result<T, RuntimeError> {
+        let count = T::repr().slots().min(self.slots.len());
+        let (now, rest) = self.slots.split_at(count);
+        self.slots = rest;
+        T::read(context, now).ok_or_else(|| RuntimeError {
+            code: "E0799".into(),
+            message: "a value of the wrong kind reached the engine".into(),
+            help: "this is a defect of Calyx; please report it with the model".into(),
+            argument: None,
+            place: None,
+        })
+    }
+}
+
+/// Runs the body of a provided function: results and errors to their places, panics stopped here.
+///
+/// # Safety
+/// As for [`crate::SlotFn`]; `args` holds `count` slots and `ret` as many as `T::repr()` takes.
+pub unsafe fn call<T: Value>(
+    ctx: *mut Context,
+    args: *const Slot,
+    count: usize,
+    ret: *mut Slot,
+    body: impl FnOnce(&mut Context, Arguments) -> Result<T, RuntimeError>,
+) -> i32 {
+    // SAFETY: the caller vouches for the pointers; a slice of no slots needs no valid pointer.
+    let (context, slots) = unsafe {
+        let slots = if count == 0 { &[][..] } else { std::slice::from_raw_parts(args, count) };
+        (&mut *ctx, slots)
+    };
+    let outcome = catch_unwind(AssertUnwindSafe(|| body(context, Arguments { slots })));
+    let error = match outcome {
+        Ok(Ok(value)) => {
+            let width = T::repr().slots();
+            // SAFETY: as above.
+            let ret =
+                if width == 0 { &mut [][..] } else { unsafe { std::slice::from_raw_parts_mut(ret, width) } };
+            value.write(context, ret);
+            return Status::Ok as i32;
+        }
+        Ok(Err(error)) => error,
+        Err(panic) => RuntimeError {
+            code: "E0798".into(),
+            message: format!("the engine failed unexpectedly: {}", panic_text(panic.as_ref())),
+            help: "this is a defect of Calyx; please report it with the model".into(),
+            argument: None,
+            place: None,
+        },
+    };
+    let place = context.place;
+    context.error = Some(RuntimeError { place: error.place.or(Some(place)), ..error });
+    Status::Failed as i32
+}
+
+fn panic_text(panic: &(dyn std::any::Any + Send)) -> &str {
+    panic
+        .downcast_ref::<String>()
+        .map(String::as_str)
+        .or(panic.downcast_ref::<&str>().copied())
+        .unwrap_or("no message")
+}
+
+/// Declares provided functions:
+///
+/// ```
+/// calyx_abi::externs! {
+///     /// Twice the number.
+///     Pure fn calyx_example_twice(_context, x: f64) -> f64 { Ok(2.0 * x) }
+/// }
+/// assert_eq!(EXTERNS[0].symbol, "calyx_example_twice");
+/// ```
+///
+/// Each becomes an exported C symbol of type [`crate::SlotFn`] and a row of the constant `EXTERNS`.
+#[macro_export]
+macro_rules! externs {
+    ($(
+        $(#[$meta:meta])*
+        $purity:ident fn $symbol:ident($context:ident $(, $argument:ident : $type:ty)* $(,)?) -> $result:ty $body:block
+    )*) => {
+        $(
+            $(#[$meta])*
+            ///
+            /// # Safety
+            /// As for [`calyx_abi::SlotFn`].
+            #[unsafe(no_mangle)]
+            pub unsafe extern "C" fn $symbol(
+                ctx: *mut $crate::Context,
+                args: *const $crate::Slot,
+                ret: *mut $crate::Slot,
+            ) -> i32 {
+                let count = 0 $(+ <$type as $crate::externs::Value>::repr().slots())*;
+                // SAFETY: passed on from the caller.
+                unsafe {
+                    $crate::externs::call::<$result>(ctx, args, count, ret, |$context, #[allow(unused)] mut arguments| {
+                        $(let $argument: $type = arguments.take($context)?;)*
+                        $body
+                    })
+                }
+            }
+        )*
+
+        /// The functions declared here, for the interpreter and the compiler.
+        pub const EXTERNS: &[$crate::Extern] = &[$(
+            $crate::Extern {
+                symbol: stringify!($symbol),
+                purity: $crate::Purity::$purity,
+                params: &[$((stringify!($argument), <$type as $crate::externs::Value>::repr)),*],
+                result: <$result as $crate::externs::Value>::repr,
+                call: $symbol,
+            }
+        ),*];
+    };
+}
