@@ -1,6 +1,7 @@
 //! A program's description of itself, from the typed program: what `--help`, results, executables and embedders read.
 
 use crate::ir::{DisplayUnit, Program};
+use crate::units::Unit;
 use calyx_abi::ABI_VERSION;
 use calyx_abi::description::{
     CaptureDescription, FileDescription, KernelDescription, ModelDescription, OutputDescription, ParamDescription,
@@ -62,6 +63,15 @@ pub fn describe(program: &Program) -> ModelDescription {
             .files
             .iter()
             .map(|file| FileDescription { name: file.name.clone(), text: file.text.clone() })
+            .collect(),
+        known_units: Unit::all()
+            .iter()
+            .flat_map(|unit| unit.aliases.iter().chain([&unit.name]).map(move |name| (name, unit)))
+            .map(|(name, unit)| UnitDescription {
+                name: (*name).to_owned(),
+                factor: unit.factor,
+                dimension: unit.dimension.exponents(),
+            })
             .collect(),
     }
 }

@@ -18,6 +18,9 @@ pub struct ModuleTable {
     /// The description, UTF-8 JSON of a [`ModelDescription`].
     pub description: *const u8,
     pub description_len: u64,
+    /// Three per param of the description: its default, and the ends of its range (`None` where it has none).
+    /// They take nothing; they may read earlier params from the context.
+    pub param_functions: *const Option<SlotFn>,
 }
 
 // SAFETY: the table and what it points to are constants of the linked program.
@@ -40,6 +43,8 @@ pub struct ModelDescription {
     pub kernels: Vec<KernelDescription>,
     /// The model first, then every file it uses, the library's included.
     pub files: Vec<FileDescription>,
+    /// Every unit of the language, so that values given as text can be read without the compiler.
+    pub known_units: Vec<UnitDescription>,
 }
 
 /// An input of the model.
