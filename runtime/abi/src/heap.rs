@@ -103,35 +103,33 @@ impl Heap {
     pub fn copy_array(&mut self, id: HeapId, element: &Repr) -> Option<HeapId> {
         let (slots, stride) = self.array(id)?;
         let mut slots = slots.to_vec();
-        copy_nested(self, &mut slots, element, stride)?;
-        Some(self.insert(Object::Array { stride, slots }))
-    }
-}
-
-/// Replaces the arrays inside freshly copied element slots by copies of their own.
-fn copy_nested(heap: &mut Heap, slots: &mut [Slot], element: &Repr, stride: usize) -> Option<()> {
-    if !contains_array(element) || stride == 0 {
-        return Some(());
-    }
-    for chunk in slots.chunks_mut(stride) {
-        copy_value(heap, chunk, element)?;
-    }
-    Some(())
-}
-
-fn copy_value(heap: &mut Heap, slots: &mut [Slot], repr: &Repr) -> Option<()> {
-    match repr {
-        Repr::Array(inner) => slots[0] = heap.copy_array(slots[0], inner)?,
-        Repr::Tuple(parts) => {
-            let mut at = 0;
-            for part in parts {
-                copy_value(heap, &mut slots[at..at + part.slots()], part)?;
-                at += part.slots();
+        if contains_array(element) && stride > 0 {
+            for chunk in slots.chunks_mut(stride) {
+                self.copy_value(chunk, element)?;
             }
         }
-        _ => {}
+        Some(self.insert(Object::Array { stride, slots }))
     }
-    Some(())
+
+    /// Replaces the arrays inside a value by copies of their own. `None` if the slots do not fit the representation.
+    pub fn copy_value(&mut self, slots: &mut [Slot], repr: &Repr) -> Option<()> {
+        match repr {
+            Repr::Array(element) => {
+                let slot = slots.first_mut()?;
+                *slot = self.copy_array(*slot, element)?;
+            }
+            Repr::Tuple(parts) => {
+                let mut rest = slots;
+                for part in parts {
+                    let (slots, after) = rest.split_at_mut_checked(part.slots())?;
+                    self.copy_value(slots, part)?;
+                    rest = after;
+                }
+            }
+            _ => {}
+        }
+        Some(())
+    }
 }
 
 fn contains_array(repr: &Repr) -> bool {

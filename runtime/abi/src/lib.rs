@@ -9,9 +9,15 @@
 pub mod call;
 pub mod context;
 pub mod description;
+pub mod entry;
 pub mod externs;
 pub mod heap;
+pub mod helpers;
 pub mod math;
+pub mod repr_code;
+pub mod stack;
+pub mod standard;
+pub mod text;
 
 pub use call::{ABI_VERSION, Extern, Purity, Repr, Slot, SlotFn, Status};
 pub use context::{Context, Host, RuntimeError};

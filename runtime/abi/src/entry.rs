@@ -1,0 +1,232 @@
+//! The helpers as machine code calls them: C linkage, words for arguments, a status for a result, no panics.
+//!
+//! One table makes the functions, their link symbols (for object files) and the rows from which the code
+//! generator declares them and the in-memory linker finds them.
+
+use crate::call::{Slot, Status};
+use crate::context::{Context, RuntimeError};
+use crate::{helpers, repr_code, stack};
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+/// Runs the body of a function that generated code calls: errors and panics become a status and [`Context::error`],
+/// placed at the call under way unless the error names a place itself.
+///
+/// Every function of the calling convention ([`crate::SlotFn`]) should consist of one call of this.
+///
+/// # Safety
+/// `ctx` is valid and not aliased.
+pub unsafe fn guarded(ctx: *mut Context, body: impl FnOnce(&mut Context) -> Result<(), RuntimeError>) -> i32 {
+    // SAFETY: the caller promises a valid context that nobody else uses during the call.
+    let ctx = unsafe { &mut *ctx };
+    let result = catch_unwind(AssertUnwindSafe(|| body(ctx)));
+    let Err(mut error) = result.unwrap_or_else(|payload| Err(stack::panicked(payload.as_ref()))) else {
+        return Status::Ok as i32;
+    };
+    error.place.get_or_insert(ctx.place);
+    let status = error.status();
+    ctx.error = Some(error);
+    status as i32
+}
+
+/// A helper, as the code generator and the in-memory linker see it.
+#[derive(Clone, Copy, Debug)]
+pub struct EntryPoint {
+    /// Link symbol.
+    pub symbol: &'static str,
+    /// Number of arguments after the context, one word each. The result is a status.
+    pub arguments: usize,
+    pub address: *const u8,
+}
+
+/// Slots at an address that generated code passed.
+///
+/// # Safety
+/// `count` slots are there, and live for `'a`. With no slots, any address will do.
+unsafe fn slots<'a>(address: u64, count: u64) -> &'a [Slot] {
+    if count == 0 {
+        return &[];
+    }
+    // SAFETY: promised by the caller.
+    unsafe { std::slice::from_raw_parts(address as *const Slot, count as usize) }
+}
+
+/// As [`slots`], to be written.
+///
+/// # Safety
+/// As [`slots`], and nobody else looks at them.
+unsafe fn slots_mut<'a>(address: u64, count: u64) -> &'a mut [Slot] {
+    if count == 0 {
+        return &mut [];
+    }
+    // SAFETY: promised by the caller.
+    unsafe { std::slice::from_raw_parts_mut(address as *mut Slot, count as usize) }
+}
+
+/// Bytes of a constant of generated code.
+///
+/// # Safety
+/// As [`slots`], in bytes.
+unsafe fn bytes<'a>(address: u64, count: u64) -> &'a [u8] {
+    if count == 0 {
+        return &[];
+    }
+    // SAFETY: promised by the caller.
+    unsafe { std::slice::from_raw_parts(address as *const u8, count as usize) }
+}
+
+/// Text of a constant of generated code.
+///
+/// # Safety
+/// As [`bytes`].
+unsafe fn text<'a>(address: u64, count: u64) -> Result<&'a str, RuntimeError> {
+    // SAFETY: promised by the caller.
+    std::str::from_utf8(unsafe { bytes(address, count) })
+        .map_err(|_| helpers::malformed("text that is not UTF-8"))
+}
+
+/// A representation from its code.
+///
+/// # Safety
+/// As [`bytes`].
+unsafe fn repr(address: u64, count: u64) -> Result<crate::Repr, RuntimeError> {
+    // SAFETY: promised by the caller.
+    let code = unsafe { bytes(address, count) };
+    repr_code::decode(code).ok_or_else(|| helpers::malformed("an unknown representation"))
+}
+
+macro_rules! entry_points {
+    ($(
+        $(#[$doc:meta])*
+        fn $symbol:ident($ctx:ident $(, $argument:ident)*) $body:block
+    )+) => {
+        $(
+            $(#[$doc])*
+            ///
+            /// # Safety
+            /// `ctx` is valid and not aliased; addresses point to as many slots or bytes as said beside them.
+            #[unsafe(no_mangle)]
+            pub unsafe extern "C" fn $symbol(ctx: *mut Context $(, $argument: u64)*) -> i32 {
+                // SAFETY: the caller promises a valid context, and that the addresses hold what they should.
+                unsafe { guarded(ctx, |$ctx| $body) }
+            }
+        )+
+
+        /// Every helper that machine code may call.
+        pub fn entry_points() -> Vec<EntryPoint> {
+            vec![$(
+                EntryPoint {
+                    symbol: stringify!($symbol),
+                    arguments: <[&str]>::len(&[$(stringify!($argument)),*]),
+                    address: $symbol as *const u8,
+                },
+            )+]
+        }
+    };
+}
+
+entry_points! {
+    /// Asks for more basic blocks.
+    fn calyx_refuel(ctx) { helpers::refuel(ctx) }
+
+    /// Fails because of too many calls under way.
+    fn calyx_too_deep(_ctx) { Err(helpers::too_deep()) }
+
+    /// Makes an array of `count` slots; stores its id in `result`.
+    fn calyx_array_new(ctx, stride, address, count, result) {
+        let elements = slots(address, count).to_vec();
+        slots_mut(result, 1)[0] = helpers::new_array(ctx, stride as usize, elements);
+        Ok(())
+    }
+
+    /// Stores the address of an element in `result`; it is valid until the next call of anything.
+    fn calyx_array_element(ctx, array, index, result) {
+        let element = helpers::element(ctx, array, f64::from_bits(index))?;
+        slots_mut(result, 1)[0] = element.as_mut_ptr() as u64;
+        Ok(())
+    }
+
+    /// Stores the number of elements in `result`.
+    fn calyx_array_length(ctx, array, result) {
+        slots_mut(result, 1)[0] = helpers::array_length(ctx, array)?.to_bits();
+        Ok(())
+    }
+
+    /// Appends an element of `count` slots.
+    fn calyx_array_push(ctx, array, address, count) {
+        helpers::push(ctx, array, slots(address, count))
+    }
+
+    /// Replaces the arrays in a value of `count` slots by copies.
+    fn calyx_copy(ctx, repr_address, repr_count, address, count) {
+        helpers::copy(ctx, &repr(repr_address, repr_count)?, slots_mut(address, count))
+    }
+
+    /// Appends text to the string under construction.
+    fn calyx_text(ctx, address, count) {
+        ctx.text.push_str(text(address, count)?);
+        Ok(())
+    }
+
+    /// Appends a value to the string under construction.
+    fn calyx_text_value(ctx, repr_address, repr_count, address, count, factor, unit, unit_count) {
+        let repr = repr(repr_address, repr_count)?;
+        helpers::append_value(ctx, &repr, slots(address, count), f64::from_bits(factor), text(unit, unit_count)?)
+    }
+
+    /// Ends the string under construction; stores its id in `result`.
+    fn calyx_text_finish(ctx, result) {
+        slots_mut(result, 1)[0] = helpers::finish_text(ctx);
+        Ok(())
+    }
+
+    /// Compares two values of `count` slots; stores 1 or 0 in `result`.
+    fn calyx_equal(ctx, repr_address, repr_count, a, b, count, result) {
+        let equal = helpers::equal(ctx, &repr(repr_address, repr_count)?, slots(a, count), slots(b, count))?;
+        slots_mut(result, 1)[0] = u64::from(equal);
+        Ok(())
+    }
+
+    /// Executes a `:=` with `count` captured slots, whose kinds are as many bytes; stores its id in `result`.
+    fn calyx_make_symbolic(ctx, site, repr_address, repr_count, kinds, address, count, result) {
+        let repr = repr(repr_address, repr_count)?;
+        let captured = slots(address, count);
+        let id = helpers::make_symbolic(ctx, site as usize, repr, bytes(kinds, count), captured)?;
+        slots_mut(result, 1)[0] = id;
+        Ok(())
+    }
+
+    /// Stores the value of a symbolic value at a time in the `count` slots of `result`.
+    fn calyx_eval_symbolic(ctx, value, time, result, count) {
+        helpers::eval_symbolic(ctx, value, f64::from_bits(time), slots_mut(result, count))
+    }
+
+    /// Stores the `count` slots of a param in `result`.
+    fn calyx_param(ctx, offset, result, count) {
+        helpers::param(ctx, offset as usize, slots_mut(result, count))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::context::codes;
+
+    #[test]
+    fn panics_become_a_status_with_a_place() {
+        let mut ctx = Context::new(Box::new(()));
+        ctx.place = (1, 2, 3);
+        // SAFETY: the context is a local variable.
+        let status = unsafe { guarded(&mut ctx, |_| panic!("broken")) };
+        assert_eq!(status, Status::Failed as i32);
+        let error = ctx.error.unwrap();
+        assert_eq!((error.code.as_str(), error.place), (codes::INTERNAL, Some((1, 2, 3))));
+    }
+
+    #[test]
+    fn the_table_counts_arguments() {
+        let table = entry_points();
+        let arguments = |symbol| table.iter().find(|row| row.symbol == symbol).map(|row| row.arguments);
+        assert_eq!(arguments("calyx_refuel"), Some(0));
+        assert_eq!(arguments("calyx_array_element"), Some(3));
+    }
+}

@@ -1,0 +1,382 @@
+//! What programs need beside arithmetic: arrays, strings, symbolic values, limits.
+//!
+//! The interpreter calls these functions; machine code calls them through [`crate::entry`]. One definition each, so
+//! that both do the same and fail with the same words.
+
+use crate::call::{Extern, Repr, Slot, Status};
+use crate::context::{Context, MAX_DEPTH, RuntimeError, codes};
+use crate::heap::{HeapId, Object, SymbolicValue};
+use std::ops::Range;
+use std::sync::Arc;
+use std::sync::atomic::Ordering;
+
+/// Basic blocks between two looks at [`Context::cancel`].
+const GRANT: u64 = 4096;
+
+/// A slot that does not hold what its representation says: the compiler's fault.
+pub fn malformed(what: &str) -> RuntimeError {
+    RuntimeError::new(codes::INTERNAL, format!("internal error: {what}"), "please report it with the model")
+}
+
+/// Grants more basic blocks to the program.
+///
+/// # Errors
+/// The program is cancelled or its limit is reached.
+pub fn refuel(ctx: &mut Context) -> Result<(), RuntimeError> {
+    if ctx.cancel.load(Ordering::Relaxed) {
+        return Err(RuntimeError::new(codes::CANCELLED, "the run was cancelled", ""));
+    }
+    if ctx.fuel == 0 {
+        return Err(RuntimeError::new(
+            codes::LIMIT,
+            "the program ran for longer than it may here",
+            "look for a loop that does not end",
+        ));
+    }
+    let grant = ctx.fuel.min(GRANT);
+    ctx.fuel -= grant;
+    ctx.granted += grant;
+    Ok(())
+}
+
+/// Counts the basic block about to be entered.
+///
+/// # Errors
+/// As [`refuel`].
+pub fn enter_block(ctx: &mut Context) -> Result<(), RuntimeError> {
+    if ctx.granted == 0 {
+        refuel(ctx)?;
+    }
+    ctx.granted -= 1;
+    Ok(())
+}
+
+/// The error of a call beyond [`MAX_DEPTH`].
+pub fn too_deep() -> RuntimeError {
+    RuntimeError::new(
+        codes::DEPTH,
+        format!("functions call each other more than {MAX_DEPTH} deep"),
+        "give the recursion an end, or write it as a loop",
+    )
+}
+
+/// Calls a function of the engine.
+///
+/// # Errors
+/// What the function fails with; its place is that of the call ([`Context::place`]) unless it named one.
+pub fn call_extern(
+    function: &Extern,
+    ctx: &mut Context,
+    arguments: &[Slot],
+    result: &mut [Slot],
+) -> Result<(), RuntimeError> {
+    let expected: usize = function.params.iter().map(|(_, repr)| repr().slots()).sum();
+    if arguments.len() != expected || result.len() != (function.result)().slots() {
+        return Err(malformed(&format!("`{}` is called with the wrong number of slots", function.symbol)));
+    }
+    // SAFETY: the row promises a function of the calling convention with these many slots, which was just checked.
+    let status = unsafe { (function.call)(ctx, arguments.as_ptr(), result.as_mut_ptr()) };
+    outcome(ctx, status)
+}
+
+/// The error behind a status.
+///
+/// # Errors
+/// [`Context::error`], if the status is not `Ok`.
+pub fn outcome(ctx: &mut Context, status: i32) -> Result<(), RuntimeError> {
+    if status == Status::Ok as i32 {
+        return Ok(());
+    }
+    let mut error = ctx.error.take().unwrap_or_else(|| malformed("a function failed without saying why"));
+    error.place.get_or_insert(ctx.place);
+    Err(error)
+}
+
+/// A new array of elements of `stride` slots.
+pub fn new_array(ctx: &mut Context, stride: usize, slots: Vec<Slot>) -> HeapId {
+    ctx.heap.insert(Object::Array { stride, slots })
+}
+
+fn array(ctx: &mut Context, id: HeapId) -> Result<(&mut Vec<Slot>, usize), RuntimeError> {
+    match ctx.heap.get_mut(id) {
+        Some(Object::Array { stride, slots }) => Ok((slots, *stride)),
+        _ => Err(malformed("not an array")),
+    }
+}
+
+fn length(slots: usize, stride: usize) -> usize {
+    slots.checked_div(stride).unwrap_or(0)
+}
+
+/// Number of elements of an array.
+///
+/// # Errors
+/// Internal, if it is none.
+pub fn array_length(ctx: &mut Context, id: HeapId) -> Result<f64, RuntimeError> {
+    let (slots, stride) = array(ctx, id)?;
+    Ok(length(slots.len(), stride) as f64)
+}
+
+/// The slots of an element.
+///
+/// # Errors
+/// E0701 unless the index is a whole number from 0 to the length less one.
+pub fn element(ctx: &mut Context, id: HeapId, index: f64) -> Result<&mut [Slot], RuntimeError> {
+    let (slots, stride) = array(ctx, id)?;
+    let range = element_range(index, slots.len(), stride)?;
+    Ok(&mut slots[range])
+}
+
+fn element_range(index: f64, slots: usize, stride: usize) -> Result<Range<usize>, RuntimeError> {
+    let length = length(slots, stride);
+    if index >= 0.0 && index < length as f64 && index.fract() == 0.0 {
+        // Whole and less than a length that is in memory, so the conversion is exact.
+        let start = index as usize * stride;
+        return Ok(start..start + stride);
+    }
+    let shown = crate::text::number(index);
+    Err(if index.fract() != 0.0 || index.is_nan() {
+        let help = "an index counts elements from 0; round() makes a number whole";
+        RuntimeError::new(codes::INDEX, format!("the index {shown} is not a whole number"), help)
+    } else {
+        let elements = if length == 1 { "element" } else { "elements" };
+        let help = match length {
+            0 => "the array is empty".to_string(),
+            _ => format!("indices go from 0 to {}", length - 1),
+        };
+        RuntimeError::new(codes::INDEX, format!("index {shown} of an array of {length} {elements}"), help)
+    })
+}
+
+/// Appends an element to an array.
+///
+/// # Errors
+/// Internal, if it is no array of such elements.
+pub fn push(ctx: &mut Context, id: HeapId, value: &[Slot]) -> Result<(), RuntimeError> {
+    let (slots, stride) = array(ctx, id)?;
+    if value.len() != stride {
+        return Err(malformed("an element of the wrong size"));
+    }
+    slots.extend_from_slice(value);
+    Ok(())
+}
+
+/// Replaces the arrays inside a value by copies that share nothing with the originals.
+///
+/// # Errors
+/// Internal, if the slots do not hold such a value.
+pub fn copy(ctx: &mut Context, repr: &Repr, slots: &mut [Slot]) -> Result<(), RuntimeError> {
+    ctx.heap.copy_value(slots, repr).ok_or_else(|| malformed("not a value that can be copied"))
+}
+
+/// Appends a value to the string under construction ([`Context::text`]).
+///
+/// # Errors
+/// Internal, if the slots do not hold such a value.
+pub fn append_value(
+    ctx: &mut Context,
+    repr: &Repr,
+    slots: &[Slot],
+    factor: f64,
+    unit: &str,
+) -> Result<(), RuntimeError> {
+    crate::text::append(&ctx.heap, repr, slots, factor, unit, &mut ctx.text)
+        .ok_or_else(|| malformed("not a value that can be shown"))
+}
+
+/// Makes a string of the text under construction and begins anew.
+pub fn finish_text(ctx: &mut Context) -> HeapId {
+    let text = std::mem::take(&mut ctx.text);
+    ctx.heap.string(&text)
+}
+
+/// Whether two values are equal: numbers as IEEE 754 says, the rest by content.
+///
+/// # Errors
+/// Internal, if the slots do not hold such values.
+pub fn equal(ctx: &Context, repr: &Repr, a: &[Slot], b: &[Slot]) -> Result<bool, RuntimeError> {
+    equal_values(ctx, repr, a, b).ok_or_else(|| malformed("not values that can be compared"))
+}
+
+fn equal_values(ctx: &Context, repr: &Repr, a: &[Slot], b: &[Slot]) -> Option<bool> {
+    let numbers = |count| Some((0..count).all(|i| f64::from_bits(a[i]) == f64::from_bits(b[i])));
+    if a.len() < repr.slots() || b.len() < repr.slots() {
+        return None;
+    }
+    match repr {
+        Repr::Unit => Some(true),
+        Repr::Number | Repr::Vector | Repr::Transform => numbers(repr.slots()),
+        Repr::Bool | Repr::Handle | Repr::Symbolic(_) => Some(a[0] == b[0]),
+        Repr::String => Some(ctx.heap.str(a[0])? == ctx.heap.str(b[0])?),
+        Repr::Array(element) => {
+            let ((a, stride), (b, _)) = (ctx.heap.array(a[0])?, ctx.heap.array(b[0])?);
+            if a.len() != b.len() {
+                return Some(false);
+            }
+            let stride = stride.max(1);
+            for (a, b) in a.chunks(stride).zip(b.chunks(stride)) {
+                if !equal_values(ctx, element, a, b)? {
+                    return Some(false);
+                }
+            }
+            Some(true)
+        }
+        Repr::Tuple(parts) => {
+            let mut at = 0;
+            for part in parts {
+                if !equal_values(ctx, part, &a[at..], &b[at..])? {
+                    return Some(false);
+                }
+                at += part.slots();
+            }
+            Some(true)
+        }
+    }
+}
+
+/// How a captured slot becomes a number of [`SymbolicValue::captured`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u8)]
+pub enum CaptureKind {
+    /// Bits of a number.
+    Number = 0,
+    /// 0 or 1.
+    Bool = 1,
+    /// Index of an observable.
+    Observable = 2,
+}
+
+impl CaptureKind {
+    /// The kinds of the slots of one capture.
+    pub fn of_slots(repr: &Repr, observable: bool) -> impl Iterator<Item = CaptureKind> {
+        let kind = match repr {
+            _ if observable => CaptureKind::Observable,
+            Repr::Bool => CaptureKind::Bool,
+            _ => CaptureKind::Number,
+        };
+        std::iter::repeat_n(kind, repr.slots())
+    }
+}
+
+/// Executes a `:=`: a symbolic value of the site with the captured slots. `kinds` holds [`CaptureKind`]s as bytes.
+///
+/// # Errors
+/// Internal, if the module has no kernel for the site.
+pub fn make_symbolic(
+    ctx: &mut Context,
+    site: usize,
+    repr: Repr,
+    kinds: &[u8],
+    slots: &[Slot],
+) -> Result<HeapId, RuntimeError> {
+    let kernel = ctx.kernels.get(site).cloned().ok_or_else(|| malformed("a symbolic site without kernel"))?;
+    let is = |index: usize, kind: CaptureKind| kinds.get(index) == Some(&(kind as u8));
+    let captured = slots.iter().enumerate().map(|(index, &slot)| {
+        if is(index, CaptureKind::Number) { f64::from_bits(slot) } else { slot as f64 }
+    });
+    let captured = captured.collect();
+    let observables = (0..slots.len()).filter(|&index| is(index, CaptureKind::Observable)).collect();
+    let value = SymbolicValue { site, repr, kernel, captured, observables };
+    Ok(ctx.heap.insert(Object::Symbolic(Arc::new(value))))
+}
+
+/// The value of a symbolic value at a time, at present params, without its derivatives.
+///
+/// # Errors
+/// E0706 if it depends on an observable; internal if `id` is no symbolic value of this size.
+pub fn eval_symbolic(
+    ctx: &mut Context,
+    id: HeapId,
+    time: f64,
+    result: &mut [Slot],
+) -> Result<(), RuntimeError> {
+    let value = ctx.heap.symbolic(id).ok_or_else(|| malformed("not a symbolic value"))?;
+    if !value.observables.is_empty() {
+        return Err(RuntimeError::new(
+            codes::OBSERVABLE,
+            "an observable has no value before the analysis has run",
+            "make it an `output`, which is evaluated at every step",
+        ));
+    }
+    let mut inputs = Vec::with_capacity(1 + ctx.params.len() + value.captured.len());
+    inputs.push(time);
+    inputs.extend_from_slice(&ctx.params);
+    inputs.extend_from_slice(&value.captured);
+    let mut outputs = vec![0.0; value.kernel.outputs()];
+    if inputs.len() != value.kernel.inputs() || outputs.len() < result.len() {
+        return Err(malformed("a kernel of another size"));
+    }
+    value.kernel.eval(&inputs, &mut outputs);
+    for (slot, output) in result.iter_mut().zip(outputs) {
+        *slot = output.to_bits();
+    }
+    Ok(())
+}
+
+/// Reads the slots of a param; `offset` counts the slots of the params before it.
+///
+/// # Errors
+/// Internal, if the params have not been set.
+pub fn param(ctx: &Context, offset: usize, result: &mut [Slot]) -> Result<(), RuntimeError> {
+    let slots = ctx
+        .param_slots
+        .get(offset..offset + result.len())
+        .ok_or_else(|| malformed("a param without value"))?;
+    result.copy_from_slice(slots);
+    Ok(())
+}
+
+/// The value that stands for the result of a function that was not called: zeros, an empty string, an empty array.
+pub fn zero_value(ctx: &mut Context, repr: &Repr) -> Vec<Slot> {
+    match repr {
+        Repr::String => vec![ctx.heap.string("")],
+        Repr::Array(element) => vec![new_array(ctx, element.slots(), Vec::new())],
+        Repr::Tuple(parts) => parts.iter().flat_map(|part| zero_value(ctx, part)).collect(),
+        _ => vec![0; repr.slots()],
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn indices_are_whole_and_within_bounds() {
+        let mut ctx = Context::new(Box::new(()));
+        let id = new_array(&mut ctx, 2, vec![1, 2, 3, 4]);
+        assert_eq!(element(&mut ctx, id, 1.0).unwrap(), [3, 4]);
+        assert_eq!(element(&mut ctx, id, -0.0).unwrap(), [1, 2]);
+        for bad in [-1.0, 2.0, 0.5, f64::NAN, f64::INFINITY, 1e300] {
+            assert_eq!(element(&mut ctx, id, bad).unwrap_err().code, codes::INDEX, "{bad}");
+        }
+    }
+
+    #[test]
+    fn limits_and_cancellation_stop_a_program() {
+        let mut ctx = Context::new(Box::new(()));
+        ctx.fuel = 5000;
+        let entered = (0..).take_while(|_| enter_block(&mut ctx).is_ok()).count();
+        assert_eq!(entered, 5000);
+        assert_eq!(refuel(&mut ctx).unwrap_err().status(), Status::Cancelled);
+        ctx.fuel = u64::MAX;
+        ctx.cancel.store(true, Ordering::Relaxed);
+        assert_eq!(refuel(&mut ctx).unwrap_err().code, codes::CANCELLED);
+    }
+
+    #[test]
+    fn equality_goes_by_content() {
+        let mut ctx = Context::new(Box::new(()));
+        let strings = |ctx: &mut Context| {
+            let elements = vec![ctx.heap.string("a"), ctx.heap.string("b")];
+            new_array(ctx, 1, elements)
+        };
+        let (a, b) = (strings(&mut ctx), strings(&mut ctx));
+        let repr = Repr::Array(Box::new(Repr::String));
+        assert!(equal(&ctx, &repr, &[a], &[b]).unwrap());
+        let c = ctx.heap.string("c");
+        push(&mut ctx, b, &[c]).unwrap();
+        assert!(!equal(&ctx, &repr, &[a], &[b]).unwrap());
+        assert!(!equal(&ctx, &Repr::Number, &[f64::NAN.to_bits()], &[f64::NAN.to_bits()]).unwrap());
+        assert!(equal(&ctx, &Repr::Number, &[f64::NAN.to_bits()], &[]).is_err());
+    }
+}
