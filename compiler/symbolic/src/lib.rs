@@ -1,3 +1,37 @@
-//! Symbolic expressions: hash-consed graph, simplification at construction, derivatives, frames, kernels.
+//! Symbolic expressions: a hash-consed graph, its derivatives, frames, and kernels made of them.
+//!
+//! A [`Graph`] holds scalar expressions, each distinct one once. Building an expression simplifies it by the short
+//! list of rules in [`simplify`]; [`Graph::derivative`] differentiates it; a [`Frame`] keeps a chain of
+//! translations and rotations as structure, so that velocities and accelerations come from rigid-body algebra and
+//! not from differentiating matrices entry by entry. [`Graph::schedule`] turns the expressions asked for into a
+//! [`Tape`], which is interpreted, or compiled elsewhere.
+//!
+//! ```
+//! use calyx_symbolic::{Frame, Graph};
+//!
+//! const TIME: u32 = 0;
+//! let mut graph = Graph::new();
+//! let (time, zero, one) = (graph.symbol(TIME), graph.constant(0.0), graph.constant(1.0));
+//! let angle = { let rate = graph.constant(3.0); graph.multiply(rate, time) };
+//! // A frame moved by e1, after it has been turned about e3: read right to left, from ground.
+//! let turned = Frame::rotate(angle, [zero, zero, one]);
+//! let arm = Frame::translate([one, zero, zero]).after(&turned);
+//! let velocity = arm.velocity(&mut graph, TIME);
+//! let tape = graph.schedule(1, &velocity);
+//! let mut outputs = [0.0; 3];
+//! tape.eval(&[0.0], &mut Vec::new(), &mut outputs);
+//! assert_eq!(outputs, [0.0, 3.0, 0.0]);
+//! ```
 
+mod derivative;
+mod frame;
+mod graph;
+mod schedule;
+pub mod simplify;
 pub mod tape;
+mod vector;
+
+pub use frame::{Factor, Frame, Pose};
+pub use graph::{Binary, Graph, Node, NodeId, Unary};
+pub use tape::{Instruction, Tape, TapeKernel};
+pub use vector::{Matrix3, Vector3};

@@ -46,6 +46,47 @@ pub enum Instruction {
     Select(ValueId, ValueId, ValueId),
 }
 
+impl Instruction {
+    /// The instruction's value, given those of the inputs and of its operands.
+    #[inline]
+    pub fn evaluate(self, inputs: &[f64], v: impl Fn(ValueId) -> f64) -> f64 {
+        use Instruction as I;
+        match self {
+            I::Constant(value) => value,
+            I::Input(index) => inputs[index as usize],
+            I::Negate(a) => -v(a),
+            I::Abs(a) => math::abs(v(a)),
+            I::Sqrt(a) => math::sqrt(v(a)),
+            I::Sin(a) => math::sin(v(a)),
+            I::Cos(a) => math::cos(v(a)),
+            I::Tan(a) => math::tan(v(a)),
+            I::Asin(a) => math::asin(v(a)),
+            I::Acos(a) => math::acos(v(a)),
+            I::Atan(a) => math::atan(v(a)),
+            I::Exp(a) => math::exp(v(a)),
+            I::Log(a) => math::log(v(a)),
+            I::Floor(a) => math::floor(v(a)),
+            I::Ceil(a) => math::ceil(v(a)),
+            I::Round(a) => math::round(v(a)),
+            I::Not(a) => math::not(v(a)),
+            I::Add(a, b) => v(a) + v(b),
+            I::Subtract(a, b) => v(a) - v(b),
+            I::Multiply(a, b) => v(a) * v(b),
+            I::Divide(a, b) => v(a) / v(b),
+            I::Power(a, b) => math::pow(v(a), v(b)),
+            I::Atan2(a, b) => math::atan2(v(a), v(b)),
+            I::Min(a, b) => math::min(v(a), v(b)),
+            I::Max(a, b) => math::max(v(a), v(b)),
+            I::Less(a, b) => math::less(v(a), v(b)),
+            I::LessEqual(a, b) => math::less_equal(v(a), v(b)),
+            I::Equal(a, b) => math::equal(v(a), v(b)),
+            I::And(a, b) => math::and(v(a), v(b)),
+            I::Or(a, b) => math::or(v(a), v(b)),
+            I::Select(c, a, b) => math::select(v(c), v(a), v(b)),
+        }
+    }
+}
+
 /// A kernel ready to run: operands always stand before their use.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Tape {
@@ -59,44 +100,10 @@ impl Tape {
     ///
     /// `inputs` holds [`Tape::inputs`] numbers, `outputs` receives one per element of [`Tape::outputs`].
     pub fn eval(&self, inputs: &[f64], scratch: &mut Vec<f64>, outputs: &mut [f64]) {
-        use Instruction as I;
         scratch.clear();
         scratch.reserve(self.instructions.len());
         for instruction in &self.instructions {
-            let v = |id: ValueId| scratch[id as usize];
-            let value = match *instruction {
-                I::Constant(value) => value,
-                I::Input(index) => inputs[index as usize],
-                I::Negate(a) => -v(a),
-                I::Abs(a) => math::abs(v(a)),
-                I::Sqrt(a) => math::sqrt(v(a)),
-                I::Sin(a) => math::sin(v(a)),
-                I::Cos(a) => math::cos(v(a)),
-                I::Tan(a) => math::tan(v(a)),
-                I::Asin(a) => math::asin(v(a)),
-                I::Acos(a) => math::acos(v(a)),
-                I::Atan(a) => math::atan(v(a)),
-                I::Exp(a) => math::exp(v(a)),
-                I::Log(a) => math::log(v(a)),
-                I::Floor(a) => math::floor(v(a)),
-                I::Ceil(a) => math::ceil(v(a)),
-                I::Round(a) => math::round(v(a)),
-                I::Not(a) => math::not(v(a)),
-                I::Add(a, b) => v(a) + v(b),
-                I::Subtract(a, b) => v(a) - v(b),
-                I::Multiply(a, b) => v(a) * v(b),
-                I::Divide(a, b) => v(a) / v(b),
-                I::Power(a, b) => math::pow(v(a), v(b)),
-                I::Atan2(a, b) => math::atan2(v(a), v(b)),
-                I::Min(a, b) => math::min(v(a), v(b)),
-                I::Max(a, b) => math::max(v(a), v(b)),
-                I::Less(a, b) => math::less(v(a), v(b)),
-                I::LessEqual(a, b) => math::less_equal(v(a), v(b)),
-                I::Equal(a, b) => math::equal(v(a), v(b)),
-                I::And(a, b) => math::and(v(a), v(b)),
-                I::Or(a, b) => math::or(v(a), v(b)),
-                I::Select(c, a, b) => math::select(v(c), v(a), v(b)),
-            };
+            let value = instruction.evaluate(inputs, |id| scratch[id as usize]);
             scratch.push(value);
         }
         for (output, &id) in outputs.iter_mut().zip(&self.outputs) {

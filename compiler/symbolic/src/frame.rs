@@ -1,0 +1,424 @@
+//! Frames as chains of translations and rotations, and their motion by rigid-body algebra.
+//!
+//! A frame is a change of coordinates, from ground into the frame, in the convention of the report (sections 2.4.1
+//! and 3.1.2): `Translate(v)` takes coordinates into a frame moved by `v`, `x' = x - v`; `Rotate(a, n)` into one
+//! turned by the angle `a` about the unit axis `n`, `x' = Q^T x` where `Q` is the right-handed rotation. In `A * B`
+//! the change `B` is made first, so a chain is read right to left, from ground.
+//!
+//! The chain is kept as structure. A vector and its time derivatives (a *jet*) pass through it factor by factor:
+//! through a rotation with angular velocity `w = a' n` and angular acceleration `e = a'' n`,
+//! `(Q x)' = Q (x' + w x x)` and `(Q x)'' = Q (x'' + e x x + w x (2 x' + w x x))`. Tip to base this costs
+//! some thirty operations a joint, a third of what differentiated matrix products cost. Factors that are not of
+//! this form (an axis that moves, a choice between frames) are differentiated entry by entry.
+
+use crate::graph::{Graph, NodeId, Unary};
+use crate::vector::{Matrix3, Vector3, transposed};
+
+/// One change of coordinates.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Factor {
+    /// `x' = x - v`
+    Translate(Vector3),
+    /// `x' = Q(angle, axis)^T x`; the axis has length one.
+    Rotate { angle: NodeId, axis: Vector3 },
+    /// `x' = R x + t` with any orthonormal `R`.
+    Rigid { rotation: Matrix3, translation: Vector3 },
+}
+
+/// Rotation matrix (ground to frame, row by row) and translation: `x' = R x + t`.
+pub type Pose = [NodeId; 12];
+
+/// A vector and its first, second ... time derivatives.
+type Jet = Vec<Vector3>;
+
+/// A chain of changes of coordinates.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Frame {
+    /// In order of application: the first one starts at ground.
+    factors: Vec<Factor>,
+}
+
+impl Frame {
+    /// Ground itself.
+    pub fn ground() -> Self {
+        Self::default()
+    }
+
+    pub fn translate(v: Vector3) -> Self {
+        Frame { factors: vec![Factor::Translate(v)] }
+    }
+
+    pub fn rotate(angle: NodeId, axis: Vector3) -> Self {
+        Frame { factors: vec![Factor::Rotate { angle, axis }] }
+    }
+
+    pub fn rigid(rotation: Matrix3, translation: Vector3) -> Self {
+        Frame { factors: vec![Factor::Rigid { rotation, translation }] }
+    }
+
+    /// The frame of a pose, for instance of twelve inputs.
+    pub fn from_pose(pose: Pose) -> Self {
+        let row = |i: usize| [pose[3 * i], pose[3 * i + 1], pose[3 * i + 2]];
+        Self::rigid([row(0), row(1), row(2)], row(3))
+    }
+
+    /// The factors, in order of application from ground.
+    pub fn factors(&self) -> &[Factor] {
+        &self.factors
+    }
+
+    /// `self * first`: `first` is applied first.
+    pub fn after(&self, first: &Frame) -> Self {
+        Frame { factors: first.factors.iter().chain(&self.factors).copied().collect() }
+    }
+
+    /// The change of coordinates back to ground.
+    pub fn inverse(&self, graph: &mut Graph) -> Self {
+        let invert = |factor: &Factor| match *factor {
+            Factor::Translate(v) => Factor::Translate(graph.negate_vector(v)),
+            Factor::Rotate { angle, axis } => Factor::Rotate { angle: graph.negate(angle), axis },
+            Factor::Rigid { rotation, translation } => {
+                let back = transposed(rotation);
+                let moved = graph.transform(back, translation);
+                Factor::Rigid { rotation: back, translation: graph.negate_vector(moved) }
+            }
+        };
+        Frame { factors: self.factors.iter().rev().map(invert).collect() }
+    }
+
+    /// The frame with every expression in it replaced by another.
+    pub fn map(&self, mut replace: impl FnMut(NodeId) -> NodeId) -> Self {
+        let mapped = |factor: &Factor| match *factor {
+            Factor::Translate(v) => Factor::Translate(v.map(&mut replace)),
+            Factor::Rotate { angle, axis } => {
+                Factor::Rotate { angle: replace(angle), axis: axis.map(&mut replace) }
+            }
+            Factor::Rigid { rotation, translation } => Factor::Rigid {
+                rotation: rotation.map(|row| row.map(&mut replace)),
+                translation: translation.map(&mut replace),
+            },
+        };
+        Frame { factors: self.factors.iter().map(mapped).collect() }
+    }
+
+    /// The frame that is `then` where the condition is true, else `otherwise`.
+    pub fn select(graph: &mut Graph, condition: NodeId, then: &Frame, otherwise: &Frame) -> Self {
+        if then == otherwise {
+            return then.clone();
+        }
+        let (then, otherwise) = (then.pose(graph), otherwise.pose(graph));
+        let mut chosen = then;
+        for (entry, other) in chosen.iter_mut().zip(otherwise) {
+            *entry = graph.select(condition, *entry, other);
+        }
+        Self::from_pose(chosen)
+    }
+
+    /// Coordinates in the frame of a point given in ground coordinates.
+    pub fn apply(&self, graph: &mut Graph, point: Vector3) -> Vector3 {
+        self.factors.iter().fold(point, |x, factor| factor.enter(graph, vec![x], None)[0])
+    }
+
+    /// The frame's origin in ground coordinates.
+    pub fn origin(&self, graph: &mut Graph) -> Vector3 {
+        let zero = graph.zero_vector();
+        self.point_to_ground(graph, vec![zero], None)[0]
+    }
+
+    /// In ground coordinates, the direction of a vector given in the frame.
+    pub fn direction(&self, graph: &mut Graph, vector: Vector3) -> Vector3 {
+        self.factors.iter().rev().fold(vector, |x, factor| factor.turn_out(graph, vec![x], None)[0])
+    }
+
+    /// Velocity of the origin relative to ground, in ground coordinates. `time` is the symbol of time.
+    pub fn velocity(&self, graph: &mut Graph, time: u32) -> Vector3 {
+        let rest = vec![graph.zero_vector(); 2];
+        self.point_to_ground(graph, rest, Some(time))[1]
+    }
+
+    /// Acceleration of the origin relative to ground, in ground coordinates.
+    pub fn acceleration(&self, graph: &mut Graph, time: u32) -> Vector3 {
+        let rest = vec![graph.zero_vector(); 3];
+        self.point_to_ground(graph, rest, Some(time))[2]
+    }
+
+    /// Angular velocity relative to ground, in ground coordinates.
+    pub fn angular_velocity(&self, graph: &mut Graph, time: u32) -> Vector3 {
+        self.spin_in_ground(graph, time, 1)[0]
+    }
+
+    /// Angular acceleration relative to ground, in ground coordinates.
+    pub fn angular_acceleration(&self, graph: &mut Graph, time: u32) -> Vector3 {
+        self.spin_in_ground(graph, time, 2)[1]
+    }
+
+    /// The chain as one rotation and translation.
+    pub fn pose(&self, graph: &mut Graph) -> Pose {
+        let rotation = self.rotation(graph);
+        let zero = graph.zero_vector();
+        let translation = self.apply(graph, zero);
+        join(rotation, translation)
+    }
+
+    /// The pose, then its first, second ... time derivative, up to `order` at most 2.
+    pub fn pose_with_derivatives(&self, graph: &mut Graph, time: u32, order: usize) -> Vec<Pose> {
+        let order = order.min(2);
+        let mut rotations = vec![self.rotation(graph)];
+        if order > 0 {
+            let spin = self.spin_in_frame(graph, time, order);
+            rotations = turning(graph, rotations[0], &spin);
+        }
+        // The translation is ground's origin in coordinates of the frame.
+        let mut ground = vec![graph.zero_vector(); order + 1];
+        for factor in &self.factors {
+            ground = factor.enter(graph, ground, Some(time));
+        }
+        rotations.into_iter().zip(ground).map(|(rotation, translation)| join(rotation, translation)).collect()
+    }
+
+    /// Rotation matrix from ground into the frame.
+    fn rotation(&self, graph: &mut Graph) -> Matrix3 {
+        let mut matrix = graph.identity_matrix();
+        for factor in &self.factors {
+            matrix = match *factor {
+                Factor::Translate(_) => continue,
+                Factor::Rotate { angle, axis } => {
+                    let turn = transposed(rotation_matrix(graph, angle, axis));
+                    graph.multiply_matrices(turn, matrix)
+                }
+                Factor::Rigid { rotation, .. } => graph.multiply_matrices(rotation, matrix),
+            };
+        }
+        matrix
+    }
+
+    /// A point given in the frame with its time derivatives there, as seen from ground.
+    fn point_to_ground(&self, graph: &mut Graph, point: Jet, time: Option<u32>) -> Jet {
+        self.factors.iter().rev().fold(point, |x, factor| match *factor {
+            Factor::Translate(v) => {
+                let v = jet(graph, v, x.len(), time);
+                x.into_iter().zip(v).map(|(x, v)| graph.add_vectors(x, v)).collect()
+            }
+            Factor::Rotate { .. } => factor.turn_out(graph, x, time),
+            Factor::Rigid { translation, .. } => {
+                let t = jet(graph, translation, x.len(), time);
+                let shifted = x.into_iter().zip(t).map(|(x, t)| graph.subtract_vectors(x, t)).collect();
+                factor.turn_out(graph, shifted, time)
+            }
+        })
+    }
+
+    /// Angular velocity and its time derivatives, `len` vectors in all, in ground coordinates.
+    fn spin_in_ground(&self, graph: &mut Graph, time: u32, len: usize) -> Jet {
+        let rest = vec![graph.zero_vector(); len];
+        self.factors.iter().rev().fold(rest, |spin, factor| {
+            // A factor's own spin is resolved in the frame it leads to, where the spins beyond it live too.
+            let Some(own) = factor.spin(graph, time, len) else { return spin };
+            let sum = spin.into_iter().zip(own).map(|(a, b)| graph.add_vectors(a, b)).collect();
+            factor.turn_out(graph, sum, Some(time))
+        })
+    }
+
+    /// Angular velocity and its time derivatives in the frame's own coordinates.
+    fn spin_in_frame(&self, graph: &mut Graph, time: u32, len: usize) -> Jet {
+        let rest = vec![graph.zero_vector(); len];
+        self.factors.iter().fold(rest, |spin, factor| {
+            let Some(own) = factor.spin(graph, time, len) else { return spin };
+            let turned = factor.turn_in(graph, spin, Some(time));
+            turned.into_iter().zip(own).map(|(a, b)| graph.add_vectors(a, b)).collect()
+        })
+    }
+}
+
+impl Factor {
+    /// Takes a point with its time derivatives into the frame this factor leads to.
+    fn enter(&self, graph: &mut Graph, x: Jet, time: Option<u32>) -> Jet {
+        match *self {
+            Factor::Translate(v) => {
+                let v = jet(graph, v, x.len(), time);
+                x.into_iter().zip(v).map(|(x, v)| graph.subtract_vectors(x, v)).collect()
+            }
+            Factor::Rotate { .. } => self.turn_in(graph, x, time),
+            Factor::Rigid { translation, .. } => {
+                let t = jet(graph, translation, x.len(), time);
+                let turned = self.turn_in(graph, x, time);
+                turned.into_iter().zip(t).map(|(x, t)| graph.add_vectors(x, t)).collect()
+            }
+        }
+    }
+
+    /// The rotation of this factor alone, applied to a vector with its time derivatives.
+    fn turn_in(&self, graph: &mut Graph, x: Jet, time: Option<u32>) -> Jet {
+        match *self {
+            Factor::Translate(_) => x,
+            Factor::Rotate { angle, axis } => {
+                let turn = transposed(rotation_matrix(graph, angle, axis));
+                let reversed = graph.negate(angle);
+                turn_jet(graph, turn, reversed, axis, x, time)
+            }
+            Factor::Rigid { rotation, .. } => matrix_times_jet(graph, rotation, x, time),
+        }
+    }
+
+    /// The same backwards: out of the frame this factor leads to.
+    fn turn_out(&self, graph: &mut Graph, x: Jet, time: Option<u32>) -> Jet {
+        match *self {
+            Factor::Translate(_) => x,
+            Factor::Rotate { angle, axis } => {
+                let turn = rotation_matrix(graph, angle, axis);
+                turn_jet(graph, turn, angle, axis, x, time)
+            }
+            Factor::Rigid { rotation, .. } => matrix_times_jet(graph, transposed(rotation), x, time),
+        }
+    }
+
+    /// Angular velocity that this factor adds and its time derivatives, in the frame the factor leads to.
+    /// None for a translation.
+    fn spin(&self, graph: &mut Graph, time: u32, len: usize) -> Option<Jet> {
+        let velocity = match *self {
+            Factor::Translate(_) => return None,
+            Factor::Rotate { angle, axis } if is_at_rest(graph, axis, time) => {
+                let rate = graph.derivative(angle, time);
+                graph.scale_vector(rate, axis)
+            }
+            Factor::Rotate { angle, axis } => {
+                let rotation = transposed(rotation_matrix(graph, angle, axis));
+                spin_of_matrix(graph, rotation, time)
+            }
+            Factor::Rigid { rotation, .. } => spin_of_matrix(graph, rotation, time),
+        };
+        Some(jet(graph, velocity, len, Some(time)))
+    }
+}
+
+/// `Q x` and its time derivatives, where `Q` turns by `angle` about `axis`.
+fn turn_jet(
+    graph: &mut Graph,
+    matrix: Matrix3,
+    angle: NodeId,
+    axis: Vector3,
+    x: Jet,
+    time: Option<u32>,
+) -> Jet {
+    let time = match time {
+        Some(time) if x.len() > 1 => time,
+        _ => return x.into_iter().map(|x| graph.transform(matrix, x)).collect(),
+    };
+    if !is_at_rest(graph, axis, time) {
+        return matrix_times_jet(graph, matrix, x, Some(time));
+    }
+    let rate = graph.derivative(angle, time);
+    let spin = graph.scale_vector(rate, axis);
+    let swept = graph.cross(spin, x[0]);
+    let first = graph.add_vectors(x[1], swept);
+    let mut inside = vec![x[0], first];
+    if let Some(&second) = x.get(2) {
+        let rate_of_change = graph.derivative(rate, time);
+        let change = graph.scale_vector(rate_of_change, axis);
+        let changing = graph.cross(change, x[0]);
+        let twice = graph.add_vectors(x[1], first);
+        let sweeping = graph.cross(spin, twice);
+        let sum = graph.add_vectors(second, changing);
+        inside.push(graph.add_vectors(sum, sweeping));
+    }
+    inside.into_iter().map(|x| graph.transform(matrix, x)).collect()
+}
+
+/// `M x` and its time derivatives by Leibniz' rule, entry by entry.
+fn matrix_times_jet(graph: &mut Graph, matrix: Matrix3, x: Jet, time: Option<u32>) -> Jet {
+    let mut matrices = vec![matrix];
+    if let Some(time) = time {
+        for order in 1..x.len() {
+            matrices.push(graph.matrix_derivative(matrices[order - 1], time));
+        }
+    }
+    let mut result = Vec::with_capacity(x.len());
+    for order in 0..x.len() {
+        let mut binomial = 1.0;
+        let mut sum = graph.transform(matrix, x[order]);
+        for moved in 1..=order.min(matrices.len() - 1) {
+            binomial = binomial * (order + 1 - moved) as f64 / moved as f64;
+            let term = graph.transform(matrices[moved], x[order - moved]);
+            let factor = graph.constant(binomial);
+            let term = graph.scale_vector(factor, term);
+            sum = graph.add_vectors(sum, term);
+        }
+        result.push(sum);
+    }
+    result
+}
+
+/// `R`, `R'`, `R''` of a rotation matrix into a frame that spins, from the spin in the frame's coordinates:
+/// a direction `r` fixed in ground has `r' = -w x r` there.
+fn turning(graph: &mut Graph, rotation: Matrix3, spin: &Jet) -> Vec<Matrix3> {
+    let columns = transposed(rotation);
+    let firsts = columns.map(|r| {
+        let swept = graph.cross(r, spin[0]);
+        (r, swept)
+    });
+    let mut result = vec![rotation, transposed(firsts.map(|(_, first)| first))];
+    if let Some(&change) = spin.get(1) {
+        let seconds = firsts.map(|(r, first)| {
+            let (changing, sweeping) = (graph.cross(r, change), graph.cross(first, spin[0]));
+            graph.add_vectors(changing, sweeping)
+        });
+        result.push(transposed(seconds));
+    }
+    result
+}
+
+/// Angular velocity, in the frame's coordinates, of a rotation matrix into the frame: `R' R^T` is the cross
+/// product with it, negated.
+fn spin_of_matrix(graph: &mut Graph, rotation: Matrix3, time: u32) -> Vector3 {
+    let rate = graph.matrix_derivative(rotation, time);
+    [(1, 2), (2, 0), (0, 1)].map(|(i, j)| graph.dot(rate[i], rotation[j]))
+}
+
+/// The right-handed rotation by an angle about a unit axis (Rodrigues' formula).
+fn rotation_matrix(graph: &mut Graph, angle: NodeId, axis: Vector3) -> Matrix3 {
+    let (sine, cosine) = (graph.unary(Unary::Sin, angle), graph.unary(Unary::Cos, angle));
+    let one = graph.constant(1.0);
+    let versine = graph.subtract(one, cosine);
+    let mut matrix = [[one; 3]; 3];
+    for i in 0..3 {
+        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+        // Along a coordinate axis the diagonal is exact and costs nothing.
+        matrix[i][i] = match graph.constant_value(axis[i]) {
+            Some(n) if n.abs() == 1.0 => one,
+            Some(0.0) => cosine,
+            _ => {
+                let square = graph.multiply(axis[i], axis[i]);
+                let share = graph.multiply(square, versine);
+                graph.add(share, cosine)
+            }
+        };
+        let product = graph.multiply(axis[i], axis[j]);
+        let symmetric = graph.multiply(product, versine);
+        let skew = graph.multiply(axis[k], sine);
+        matrix[i][j] = graph.subtract(symmetric, skew);
+        matrix[j][i] = graph.add(symmetric, skew);
+    }
+    matrix
+}
+
+/// A vector with its time derivatives, `len` in all; without a symbol of time just the vector.
+fn jet(graph: &mut Graph, vector: Vector3, len: usize, time: Option<u32>) -> Jet {
+    let mut result = vec![vector];
+    if let Some(time) = time {
+        for order in 1..len {
+            result.push(graph.vector_derivative(result[order - 1], time));
+        }
+    }
+    result
+}
+
+fn is_at_rest(graph: &mut Graph, vector: Vector3, time: u32) -> bool {
+    let rate = graph.vector_derivative(vector, time);
+    rate.iter().all(|&component| graph.is_zero(component))
+}
+
+fn join(rotation: Matrix3, translation: Vector3) -> Pose {
+    let [a, b, c] = rotation;
+    let [[a1, a2, a3], [b1, b2, b3], [c1, c2, c3], [t1, t2, t3]] = [a, b, c, translation];
+    [a1, a2, a3, b1, b2, b3, c1, c2, c3, t1, t2, t3]
+}

@@ -1,0 +1,251 @@
+//! The arena of expressions: every distinct expression exists once, so equality is equality of ids.
+//!
+//! Sharing is what keeps derivatives small: the second derivative of a chain of eight joints is some hundred
+//! operations as a graph and tens of thousands as trees. Operands are made before what uses them, so ascending
+//! ids are a topological order, and every pass over the graph is a loop: no recursion, however deep a chain.
+
+use crate::tape::{Instruction, ValueId};
+use std::collections::HashMap;
+
+/// One expression of a [`Graph`]. Ids of different graphs must not be mixed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct NodeId(u32);
+
+impl NodeId {
+    pub(crate) fn index(self) -> usize {
+        self.0 as usize
+    }
+
+    /// The node's place in its arena, and back.
+    pub(crate) fn place(self) -> ValueId {
+        self.0
+    }
+
+    pub(crate) fn at(place: ValueId) -> Self {
+        NodeId(place)
+    }
+}
+
+/// Operations on one number. Semantics: the function of the same name in [`calyx_abi::math`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Unary {
+    Negate,
+    Abs,
+    Sqrt,
+    Sin,
+    Cos,
+    Tan,
+    Asin,
+    Acos,
+    Atan,
+    Exp,
+    Log,
+    Floor,
+    Ceil,
+    Round,
+    Not,
+}
+
+/// Operations on two numbers. Semantics: the function of the same name in [`calyx_abi::math`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Binary {
+    Add,
+    Subtract,
+    Multiply,
+    Divide,
+    Power,
+    Atan2,
+    Min,
+    Max,
+    Less,
+    LessEqual,
+    Equal,
+    And,
+    Or,
+}
+
+/// One operation and its operands. Truth values are 1.0 and 0.0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Node {
+    /// The bits of a number, so that nodes can be compared.
+    Constant(u64),
+    /// An input of the kernel, by index.
+    Symbol(u32),
+    Unary(Unary, NodeId),
+    Binary(Binary, NodeId, NodeId),
+    /// The second operand where the first is true, else the third.
+    Select(NodeId, NodeId, NodeId),
+}
+
+impl Node {
+    /// The operands, in order; unused places hold `None`.
+    pub fn operands(self) -> [Option<NodeId>; 3] {
+        match self {
+            Node::Constant(_) | Node::Symbol(_) => [None; 3],
+            Node::Unary(_, a) => [Some(a), None, None],
+            Node::Binary(_, a, b) => [Some(a), Some(b), None],
+            Node::Select(c, a, b) => [Some(c), Some(a), Some(b)],
+        }
+    }
+
+    /// The instruction that computes this node from the values at `place(operand)`.
+    pub(crate) fn instruction(self, place: impl Fn(NodeId) -> ValueId) -> Instruction {
+        use Instruction as I;
+        match self {
+            Node::Constant(bits) => I::Constant(f64::from_bits(bits)),
+            Node::Symbol(index) => I::Input(index),
+            Node::Unary(operation, a) => {
+                let make = match operation {
+                    Unary::Negate => I::Negate,
+                    Unary::Abs => I::Abs,
+                    Unary::Sqrt => I::Sqrt,
+                    Unary::Sin => I::Sin,
+                    Unary::Cos => I::Cos,
+                    Unary::Tan => I::Tan,
+                    Unary::Asin => I::Asin,
+                    Unary::Acos => I::Acos,
+                    Unary::Atan => I::Atan,
+                    Unary::Exp => I::Exp,
+                    Unary::Log => I::Log,
+                    Unary::Floor => I::Floor,
+                    Unary::Ceil => I::Ceil,
+                    Unary::Round => I::Round,
+                    Unary::Not => I::Not,
+                };
+                make(place(a))
+            }
+            Node::Binary(operation, a, b) => {
+                let make = match operation {
+                    Binary::Add => I::Add,
+                    Binary::Subtract => I::Subtract,
+                    Binary::Multiply => I::Multiply,
+                    Binary::Divide => I::Divide,
+                    Binary::Power => I::Power,
+                    Binary::Atan2 => I::Atan2,
+                    Binary::Min => I::Min,
+                    Binary::Max => I::Max,
+                    Binary::Less => I::Less,
+                    Binary::LessEqual => I::LessEqual,
+                    Binary::Equal => I::Equal,
+                    Binary::And => I::And,
+                    Binary::Or => I::Or,
+                };
+                make(place(a), place(b))
+            }
+            Node::Select(c, a, b) => I::Select(place(c), place(a), place(b)),
+        }
+    }
+}
+
+/// An arena of expressions. The functions that build expressions are documented in [`crate::simplify`].
+#[derive(Clone, Debug, Default)]
+pub struct Graph {
+    nodes: Vec<Node>,
+    ids: HashMap<Node, NodeId>,
+    /// Per symbol, the derivatives known so far, by node.
+    pub(crate) derivatives: HashMap<u32, Vec<Option<NodeId>>>,
+}
+
+impl Graph {
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Number of distinct expressions made so far, dead ones included.
+    pub fn len(&self) -> usize {
+        self.nodes.len()
+    }
+
+    pub fn is_empty(&self) -> bool {
+        self.nodes.is_empty()
+    }
+
+    pub fn node(&self, id: NodeId) -> Node {
+        self.nodes[id.index()]
+    }
+
+    /// The number a node stands for, if it is a constant.
+    pub fn constant_value(&self, id: NodeId) -> Option<f64> {
+        match self.node(id) {
+            Node::Constant(bits) => Some(f64::from_bits(bits)),
+            _ => None,
+        }
+    }
+
+    pub fn constant(&mut self, value: f64) -> NodeId {
+        self.intern(Node::Constant(value.to_bits()))
+    }
+
+    /// An input of the kernel, by index.
+    pub fn symbol(&mut self, index: u32) -> NodeId {
+        self.intern(Node::Symbol(index))
+    }
+
+    /// The id of a node as it stands, without simplification.
+    pub(crate) fn intern(&mut self, node: Node) -> NodeId {
+        if let Some(&id) = self.ids.get(&node) {
+            return id;
+        }
+        let id = NodeId(self.nodes.len() as u32);
+        self.nodes.push(node);
+        self.ids.insert(node, id);
+        id
+    }
+
+    /// Every node the roots depend on (roots included) for which `wanted` holds, operands before their users.
+    /// Nothing is looked for behind a node that is not wanted.
+    pub(crate) fn reachable(&self, roots: &[NodeId], wanted: impl Fn(NodeId) -> bool) -> Vec<NodeId> {
+        let mut seen = vec![false; self.nodes.len()];
+        let mut found = Vec::new();
+        let mut pending: Vec<NodeId> = roots.to_vec();
+        while let Some(id) = pending.pop() {
+            if !std::mem::replace(&mut seen[id.index()], true) && wanted(id) {
+                found.push(id);
+                pending.extend(self.node(id).operands().into_iter().flatten());
+            }
+        }
+        found.sort_unstable();
+        found
+    }
+
+    /// Whether any of the roots contains one of the symbols for which `is_wanted` holds.
+    pub fn depends_on(&self, roots: &[NodeId], is_wanted: impl Fn(u32) -> bool) -> bool {
+        self.reachable(roots, |_| true)
+            .into_iter()
+            .any(|id| matches!(self.node(id), Node::Symbol(index) if is_wanted(index)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn nodes_stay_small() {
+        assert!(size_of::<Node>() <= 16);
+    }
+
+    #[test]
+    fn equal_expressions_are_one_node() {
+        let mut g = Graph::new();
+        let (x, y) = (g.symbol(0), g.symbol(1));
+        let a = g.multiply(x, y);
+        let b = g.multiply(y, x);
+        assert_eq!(a, b);
+        let before = g.len();
+        let (s, t) = (g.sin(a), g.sin(b));
+        assert_eq!(s, t);
+        assert_eq!(g.len(), before + 1);
+    }
+
+    #[test]
+    fn dependence_is_structural() {
+        let mut g = Graph::new();
+        let (x, y) = (g.symbol(0), g.symbol(1));
+        let sum = g.add(x, y);
+        let difference = g.subtract(sum, sum);
+        assert!(g.depends_on(&[sum], |s| s == 1));
+        assert!(!g.depends_on(&[x], |s| s == 1));
+        assert!(!g.depends_on(&[difference], |_| true));
+    }
+}

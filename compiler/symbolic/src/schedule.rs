@@ -1,0 +1,118 @@
+//! From graph to tape: which operations are needed, and in which order.
+
+use crate::graph::{Graph, Node, NodeId, Unary};
+use crate::tape::{Tape, ValueId};
+
+/// Marks a node that has no place on the tape yet.
+const UNPLACED: ValueId = ValueId::MAX;
+
+impl Graph {
+    /// The operations that `outputs` need, each once, as a kernel with the given number of inputs.
+    ///
+    /// The order is depth first from the outputs, of two operands the one that keeps more values alive first
+    /// (Sethi and Ullman's order, exact for trees), which keeps live ranges short for the register allocator.
+    /// Cosine follows immediately on the sine of the same angle, so that both may come from one call.
+    pub fn schedule(&self, inputs: usize, outputs: &[NodeId]) -> Tape {
+        let live = self.reachable(outputs, |_| true);
+        let mut schedule = Schedule {
+            graph: self,
+            live: &live,
+            registers: Vec::new(),
+            places: vec![UNPLACED; self.len()],
+            partner: vec![None; self.len()],
+            tape: Tape { inputs, ..Tape::default() },
+        };
+        schedule.count_registers();
+        schedule.find_partners();
+        for &output in outputs {
+            schedule.emit(output);
+        }
+        let places = schedule.places;
+        let mut tape = schedule.tape;
+        tape.outputs = outputs.iter().map(|id| places[id.index()]).collect();
+        tape
+    }
+}
+
+struct Schedule<'a> {
+    graph: &'a Graph,
+    live: &'a [NodeId],
+    /// Values alive at once while a node is computed, if nothing were shared.
+    registers: Vec<u32>,
+    places: Vec<ValueId>,
+    /// The sine of an angle for its cosine and the reverse, where both are live.
+    partner: Vec<Option<NodeId>>,
+    tape: Tape,
+}
+
+impl Schedule<'_> {
+    fn count_registers(&mut self) {
+        self.registers = vec![1; self.graph.len()];
+        for &id in self.live {
+            let mut needs = self
+                .graph
+                .node(id)
+                .operands()
+                .map(|operand| operand.map_or(0, |operand| self.registers[operand.index()]));
+            needs.sort_unstable_by(|a, b| b.cmp(a));
+            let need =
+                (0u32..).zip(needs).filter(|&(_, need)| need > 0).map(|(held, need)| need + held).max();
+            self.registers[id.index()] = need.unwrap_or(1);
+        }
+    }
+
+    fn find_partners(&mut self) {
+        // By angle: its sine and its cosine, as they turn up.
+        let mut by_angle: Vec<[Option<NodeId>; 2]> = vec![[None; 2]; self.graph.len()];
+        for &id in self.live {
+            let (angle, which) = match self.graph.node(id) {
+                Node::Unary(Unary::Sin, angle) => (angle, 0),
+                Node::Unary(Unary::Cos, angle) => (angle, 1),
+                _ => continue,
+            };
+            by_angle[angle.index()][which] = Some(id);
+            if let [Some(sine), Some(cosine)] = by_angle[angle.index()] {
+                self.partner[sine.index()] = Some(cosine);
+                self.partner[cosine.index()] = Some(sine);
+            }
+        }
+    }
+
+    /// Puts a node and what it needs on the tape.
+    fn emit(&mut self, root: NodeId) {
+        // A node is met twice: first its operands are put above it, then it is placed.
+        let mut pending = vec![(root, false)];
+        while let Some((id, operands_are_placed)) = pending.pop() {
+            if self.places[id.index()] != UNPLACED {
+                continue;
+            }
+            if operands_are_placed {
+                match (self.graph.node(id), self.partner[id.index()]) {
+                    (Node::Unary(Unary::Cos, _), Some(sine)) => {
+                        self.place(sine);
+                        self.place(id);
+                    }
+                    (_, Some(cosine)) => {
+                        self.place(id);
+                        self.place(cosine);
+                    }
+                    _ => self.place(id),
+                }
+                continue;
+            }
+            pending.push((id, true));
+            let mut operands: Vec<NodeId> = self.graph.node(id).operands().into_iter().flatten().collect();
+            // The last one pushed is placed first; of equals, the first operand.
+            operands.reverse();
+            operands.sort_by_key(|operand| self.registers[operand.index()]);
+            pending.extend(operands.into_iter().map(|operand| (operand, false)));
+        }
+    }
+
+    fn place(&mut self, id: NodeId) {
+        let places = &self.places;
+        let instruction = self.graph.node(id).instruction(|operand| places[operand.index()]);
+        self.places[id.index()] = self.tape.instructions.len() as ValueId;
+        self.tape.instructions.push(instruction);
+    }
+}
