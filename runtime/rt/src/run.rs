@@ -1,0 +1,143 @@
+//! One run: params set, program run, its analysis watched and written down.
+
+use crate::directory::{StepTable, warnings, write_run};
+use crate::params::{self, ParamError};
+use crate::program::Program;
+use crate::progress::Progress;
+use crate::table;
+use calyx_abi::description::ModelDescription;
+use calyx_abi::{Context, RuntimeError};
+use calyx_gears::host::ModelHost;
+use calyx_runtime::analysis::{Event, Observer};
+use calyx_runtime::error::EngineError;
+use std::io;
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex};
+use std::time::Instant;
+
+pub struct RunOptions {
+    /// Where results go.
+    pub directory: PathBuf,
+    /// Params given by name, as text.
+    pub set: Vec<(String, String)>,
+    /// Nothing but what the program prints, and errors.
+    pub quiet: bool,
+}
+
+/// Why a run did not finish.
+#[derive(Debug)]
+pub enum RunError {
+    Param(ParamError),
+    /// The model or its analysis failed.
+    Model(RuntimeError),
+    Io {
+        path: PathBuf,
+        error: io::Error,
+    },
+}
+
+/// What a finished run says for people.
+pub struct RunReport {
+    /// The table of outputs.
+    pub summary: String,
+    /// What deserves a second look.
+    pub warnings: Vec<String>,
+}
+
+/// Runs a model and writes its run directory.
+pub fn run(program: &dyn Program, options: &RunOptions) -> Result<RunReport, RunError> {
+    let description = program.description();
+    let mut host = ModelHost::default();
+    let progress = Arc::new(Progress::new(options.quiet));
+    let failure = Arc::new(Mutex::new(None));
+    host.observer = Some(Box::new(Watcher {
+        directory: options.directory.clone(),
+        description: description.clone(),
+        table: None,
+        progress: progress.clone(),
+        failure: failure.clone(),
+    }));
+    let mut context = Context::new(Box::new(host));
+    context.kernels = program.kernels();
+    let shown = progress.clone();
+    context.print = Box::new(move |line| shown.print(line));
+    params::apply(program, &options.set, &mut context).map_err(RunError::Param)?;
+    let started = Instant::now();
+    let outcome = program.main(&mut context);
+    progress.finish();
+    if let Some(error) = failure.lock().ok().and_then(|mut failure| failure.take()) {
+        return Err(RunError::Io { path: options.directory.clone(), error });
+    }
+    outcome.map_err(RunError::Model)?;
+    let elapsed = started.elapsed();
+    let result = context.host::<ModelHost>().and_then(|host| host.result.take());
+    let Some(result) = result else {
+        return Err(RunError::Model(no_analysis()));
+    };
+    write_run(&options.directory, description, &context, &result, elapsed)
+        .map_err(|error| RunError::Io { path: options.directory.clone(), error })?;
+    let mut all_warnings: Vec<String> = result
+        .plan
+        .ignored
+        .iter()
+        .map(|ignored| format!("`{}` has no effect here: {}", ignored.input, ignored.reason))
+        .collect();
+    all_warnings.extend(warnings(&result));
+    Ok(RunReport { summary: table::summary(description, &result), warnings: all_warnings })
+}
+
+fn no_analysis() -> RuntimeError {
+    RuntimeError {
+        code: "E0705".into(),
+        message: "the model analyses nothing".into(),
+        help: "end it with `analyze(\"quasi_static\", over = gears.mesh_cycle(mesh, 32));`".into(),
+        argument: None,
+        place: None,
+    }
+}
+
+/// Writes rows as they come and keeps the progress bar.
+struct Watcher {
+    directory: PathBuf,
+    description: ModelDescription,
+    table: Option<StepTable>,
+    progress: Arc<Progress>,
+    /// An error of the file system, which ends the run but is not the model's.
+    failure: Arc<Mutex<Option<io::Error>>>,
+}
+
+impl Watcher {
+    /// Keeps the error for whoever started the run, and makes one that ends the analysis.
+    fn fail(&self, error: io::Error) -> EngineError {
+        let message = format!("cannot write to {}: {error}", self.directory.display());
+        if let Ok(mut failure) = self.failure.lock() {
+            *failure = Some(error);
+        }
+        EngineError::new("E0706", message, "choose another directory with --out")
+    }
+}
+
+impl Observer for Watcher {
+    fn observe(&mut self, event: Event<'_>) -> Result<(), EngineError> {
+        match event {
+            Event::Planned(_) => {
+                let table = StepTable::create(&self.directory, &self.description.outputs);
+                self.table = Some(table.map_err(|error| self.fail(error))?);
+            }
+            Event::Stage(name) => self.progress.stage(name),
+            Event::Step { index, count, row } => {
+                let written = self.table.as_mut().map_or(Ok(()), |table| table.write(index, row));
+                written.map_err(|error| self.fail(error))?;
+                self.progress.step(index, count);
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The default run directory: beside the model, named after it.
+pub fn default_directory(model: &Path) -> PathBuf {
+    let mut name = model.file_name().unwrap_or_default().to_owned();
+    name.push(".run");
+    model.with_file_name(name)
+}

@@ -1,0 +1,159 @@
+//! What an analysis yields: a row per position, a summary per output, and how long each stage took.
+
+use crate::analysis::Position;
+use crate::contact::Certificate;
+use crate::plan::Plan;
+use calyx_abi::SymbolicValue;
+use serde::Serialize;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+/// Where on a body something was found.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Place {
+    pub body: String,
+    pub tooth: u32,
+    /// rad; absent where there is no involute.
+    pub roll_angle: Option<f64>,
+    /// m
+    pub radius: f64,
+}
+
+/// The value of an observable at a position, and where it arose if it is a maximum over places.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Observed {
+    /// SI
+    pub value: f64,
+    pub place: Option<Place>,
+}
+
+/// A wanted output: a kernel over time, params and observables.
+#[derive(Clone)]
+pub struct OutputRequest {
+    pub name: String,
+    pub value: Arc<SymbolicValue>,
+    /// The kernel's param inputs.
+    pub params: Arc<[f64]>,
+}
+
+impl OutputRequest {
+    /// The output's value at `time` s, given the value of every observable of the scene.
+    pub fn evaluate(&self, time: f64, observed: &[Observed]) -> Observed {
+        let mut inputs = Vec::with_capacity(1 + self.params.len() + self.value.captured.len());
+        inputs.push(time);
+        inputs.extend_from_slice(&self.params);
+        let first = inputs.len();
+        inputs.extend_from_slice(&self.value.captured);
+        let mut place = None;
+        for &at in &self.value.observables {
+            let seen = observed.get(self.value.captured[at] as usize);
+            inputs[first + at] = seen.map_or(f64::NAN, |seen| seen.value);
+            // An output made of one observable keeps that one's place.
+            place = seen.filter(|_| self.value.observables.len() == 1).and_then(|seen| seen.place.clone());
+        }
+        let mut outputs = vec![f64::NAN; self.value.kernel.outputs()];
+        self.value.kernel.eval(&inputs, &mut outputs);
+        Observed { value: outputs[0], place }
+    }
+}
+
+/// A solved position, as reported.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StepRow {
+    pub position: Position,
+    /// One per output.
+    pub outputs: Vec<Observed>,
+    pub warnings: Vec<String>,
+}
+
+impl StepRow {
+    pub fn new(position: Position, requests: &[OutputRequest], observed: &[Observed], warnings: Vec<String>) -> Self {
+        let outputs = requests.iter().map(|request| request.evaluate(position.time, observed)).collect();
+        StepRow { position, outputs, warnings }
+    }
+}
+
+/// An output over all positions, SI.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OutputSummary {
+    pub min: f64,
+    pub max: f64,
+    /// Over time: the trapezoidal rule on the (not quite uniform) positions.
+    pub mean: f64,
+    pub peak_to_peak: f64,
+    /// Index of the position of the maximum, and where on the body it was.
+    pub at_max: usize,
+    pub place: Option<Place>,
+}
+
+/// Everything an analysis yields.
+#[derive(Clone, Debug)]
+pub struct AnalysisResult {
+    pub plan: Plan,
+    pub rows: Vec<StepRow>,
+    /// One per output.
+    pub summaries: Vec<OutputSummary>,
+    /// The worst residuals of all positions.
+    pub certificate: Certificate,
+    pub timing: Timing,
+}
+
+/// Summarises every output over the rows.
+pub fn summarize(rows: &[StepRow], outputs: &[OutputRequest]) -> Vec<OutputSummary> {
+    (0..outputs.len())
+        .map(|output| {
+            let value = |row: &StepRow| row.outputs[output].value;
+            let mut summary = OutputSummary {
+                min: f64::INFINITY,
+                max: f64::NEG_INFINITY,
+                mean: mean_over_time(rows, value),
+                peak_to_peak: 0.0,
+                at_max: 0,
+                place: None,
+            };
+            for (index, row) in rows.iter().enumerate() {
+                summary.min = summary.min.min(value(row));
+                if value(row) > summary.max {
+                    summary.max = value(row);
+                    summary.at_max = index;
+                    summary.place = row.outputs[output].place.clone();
+                }
+            }
+            summary.peak_to_peak = summary.max - summary.min;
+            summary
+        })
+        .collect()
+}
+
+fn mean_over_time(rows: &[StepRow], value: impl Fn(&StepRow) -> f64) -> f64 {
+    let (Some(first), Some(last)) = (rows.first(), rows.last()) else { return f64::NAN };
+    let span = last.position.time - first.position.time;
+    if span <= 0.0 {
+        return value(first);
+    }
+    let area: f64 = rows
+        .windows(2)
+        .map(|pair| 0.5 * (value(&pair[0]) + value(&pair[1])) * (pair[1].position.time - pair[0].position.time))
+        .sum();
+    area / span
+}
+
+/// Wall time of each stage, in order.
+#[derive(Clone, Debug, Default)]
+pub struct Timing {
+    pub stages: Vec<(&'static str, Duration)>,
+}
+
+impl Timing {
+    /// Runs `work` and records how long it took.
+    pub fn stage<T>(&mut self, name: &'static str, work: impl FnOnce() -> T) -> T {
+        let started = Instant::now();
+        let result = work();
+        self.add(name, started.elapsed());
+        result
+    }
+
+    pub fn add(&mut self, name: &'static str, time: Duration) {
+        self.stages.push((name, time));
+    }
+}
