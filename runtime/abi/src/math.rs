@@ -202,7 +202,8 @@ mod tests {
 
     #[test]
     fn minimum_and_maximum_follow_ieee_754_2019() {
-        let cases = [(1.0, 2.0, 1.0, 2.0), (-0.0, 0.0, -0.0, 0.0), (f64::NEG_INFINITY, 3.0, f64::NEG_INFINITY, 3.0)];
+        let cases =
+            [(1.0, 2.0, 1.0, 2.0), (-0.0, 0.0, -0.0, 0.0), (f64::NEG_INFINITY, 3.0, f64::NEG_INFINITY, 3.0)];
         for (a, b, least, greatest) in cases {
             for (a, b) in [(a, b), (b, a)] {
                 assert_eq!(min(a, b).to_bits(), f64::to_bits(least));
@@ -216,13 +217,18 @@ mod tests {
 
     #[test]
     fn sine_and_cosine_together_have_the_same_bits_as_apart() {
-        let angles = (0..20_000).map(|i| (f64::from(i) - 10_000.0) * 0.037).chain([1e9, -3e17, 1e300]).chain(SPECIAL);
+        let angles =
+            (0..20_000).map(|i| (f64::from(i) - 10_000.0) * 0.037).chain([1e9, -3e17, 1e300]).chain(SPECIAL);
         for angle in angles {
             let (mut s, mut c) = (0.0, 0.0);
             // SAFETY: both are local variables.
             unsafe { calyx_math_sincos(angle, &mut s, &mut c) };
             if angle.is_finite() {
-                assert_eq!((s.to_bits(), c.to_bits()), (sin(angle).to_bits(), cos(angle).to_bits()), "{angle}");
+                assert_eq!(
+                    (s.to_bits(), c.to_bits()),
+                    (sin(angle).to_bits(), cos(angle).to_bits()),
+                    "{angle}"
+                );
             } else {
                 assert!(s.is_nan() && c.is_nan());
             }
