@@ -1,0 +1,223 @@
+//! Plane meshes of quadrilaterals, with displacement nodes and coordinate nodes of their own, and chains of edges.
+
+use super::interpolation::{ElementOrder, Shape, side_place};
+use super::quadrature::gauss_legendre;
+use std::collections::BTreeMap;
+
+/// A plane mesh. Elements share the nodes of shared sides, both displacement and coordinate nodes.
+///
+/// Degrees of freedom are `2 * node` (x) and `2 * node + 1` (y) of the displacement nodes.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct PlaneMesh {
+    /// Displacement nodes, where the coordinate interpolation puts them, m.
+    pub nodes: Vec<[f64; 2]>,
+    /// Coordinate nodes, m.
+    pub coordinate_nodes: Vec<[f64; 2]>,
+    pub elements: Vec<Element>,
+    /// Named sets of element edges: `"bore"`, `"cut_left"`, `"flank_0"`.
+    pub chains: BTreeMap<String, EdgeChain>,
+}
+
+/// A quadrilateral. Where the coordinates are of no higher order than the displacements on every part, it has the
+/// rigid-body motions exactly; a curved element of linear displacements has not (its rotation strains it).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Element {
+    pub order: ElementOrder,
+    /// Into [`PlaneMesh::nodes`], in the numbering of [`ElementOrder`].
+    pub nodes: Vec<usize>,
+    pub coordinate_order: ElementOrder,
+    /// Into [`PlaneMesh::coordinate_nodes`].
+    pub coordinates: Vec<usize>,
+}
+
+/// A place in an element, by its local coordinates.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Place {
+    pub element: usize,
+    pub xi: f64,
+    pub eta: f64,
+}
+
+/// A side of an element as a part of a chain.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ElementEdge {
+    pub element: usize,
+    /// 0 to 3, see [`ElementOrder`].
+    pub side: usize,
+    /// Whether the chain runs against the side's direction, which is counter-clockwise around the element.
+    pub reversed: bool,
+    /// Arc length at the start and the end in the chain's direction; ascending, m.
+    pub s: [f64; 2],
+}
+
+/// How arc length is measured along a chain.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ArcLength {
+    /// On the true profile: within an edge it is proportional to the local coordinate, by construction of the mesh.
+    Profile,
+    /// On the interpolated coordinates, from 0 at the chain's start.
+    Mesh,
+}
+
+/// Edges in order of arc length. Chains measured on the mesh run with the material on the left (counter-clockwise
+/// around the body); those on a profile run as the profile does.
+#[derive(Clone, Debug, PartialEq)]
+pub struct EdgeChain {
+    pub edges: Vec<ElementEdge>,
+    pub measure: ArcLength,
+}
+
+/// A point of a chain.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct EdgePoint {
+    pub place: Place,
+    pub position: [f64; 2],
+    /// Unit tangent, towards growing arc length.
+    pub tangent: [f64; 2],
+    /// Unit normal, out of the element.
+    pub normal: [f64; 2],
+    /// Length of the interpolated curve per unit of the edge's coordinate `t`, m.
+    pub speed: f64,
+}
+
+impl EdgeChain {
+    /// Arc lengths of its two ends; zeros if it is empty.
+    pub fn range(&self) -> [f64; 2] {
+        match (self.edges.first(), self.edges.last()) {
+            (Some(first), Some(last)) => [first.s[0], last.s[1]],
+            _ => [0.0; 2],
+        }
+    }
+}
+
+impl PlaneMesh {
+    /// Number of displacement unknowns, two a node.
+    pub fn dof_count(&self) -> usize {
+        2 * self.nodes.len()
+    }
+
+    /// The chain of that name, if there is one.
+    pub fn chain(&self, name: &str) -> Option<&EdgeChain> {
+        self.chains.get(name)
+    }
+
+    /// Displacement nodes along a chain in its order, each once where edges join.
+    pub fn chain_nodes(&self, chain: &EdgeChain) -> Vec<usize> {
+        let mut nodes = Vec::new();
+        for edge in &chain.edges {
+            let element = &self.elements[edge.element];
+            let mut on_edge = element.order.side_nodes(edge.side);
+            if edge.reversed {
+                on_edge.reverse();
+            }
+            for node in on_edge.into_iter().map(|local| element.nodes[local]) {
+                if nodes.last() != Some(&node) {
+                    nodes.push(node);
+                }
+            }
+        }
+        // A closed chain comes back to its first node.
+        if nodes.len() > 1 && nodes.first() == nodes.last() {
+            nodes.pop();
+        }
+        nodes
+    }
+
+    /// Position of a place, m.
+    pub fn position(&self, place: Place) -> [f64; 2] {
+        self.map(place).0
+    }
+
+    /// `[[dx/dxi, dx/deta], [dy/dxi, dy/deta]]` at a place, m.
+    pub fn jacobian(&self, place: Place) -> [[f64; 2]; 2] {
+        self.map(place).1
+    }
+
+    fn map(&self, place: Place) -> ([f64; 2], [[f64; 2]; 2]) {
+        let element = &self.elements[place.element];
+        self.map_with(element, &element.coordinate_order.shapes(place.xi, place.eta))
+    }
+
+    /// Position and Jacobian from coordinate shape functions already evaluated.
+    pub(super) fn map_with(&self, element: &Element, shapes: &[Shape]) -> ([f64; 2], [[f64; 2]; 2]) {
+        let (mut position, mut jacobian) = ([0.0; 2], [[0.0; 2]; 2]);
+        for (shape, &node) in shapes.iter().zip(&element.coordinates) {
+            let point = self.coordinate_nodes[node];
+            for axis in 0..2 {
+                position[axis] += shape[0] * point[axis];
+                jacobian[axis][0] += shape[1] * point[axis];
+                jacobian[axis][1] += shape[2] * point[axis];
+            }
+        }
+        (position, jacobian)
+    }
+
+    /// The point of an edge at `t` in -1 ..= 1, along the chain's direction.
+    pub fn edge_point(&self, edge: &ElementEdge, t: f64) -> EdgePoint {
+        let direction = if edge.reversed { -1.0 } else { 1.0 };
+        let [xi, eta] = side_place(edge.side, direction * t);
+        let place = Place { element: edge.element, xi, eta };
+        let (position, jacobian) = self.map(place);
+        // d(xi, eta)/dt along the side's own, counter-clockwise, direction.
+        let [a, b] = [[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0]][edge.side];
+        let along = [jacobian[0][0] * a + jacobian[0][1] * b, jacobian[1][0] * a + jacobian[1][1] * b];
+        let speed = along[0].hypot(along[1]);
+        let tangent = [along[0] / speed, along[1] / speed];
+        EdgePoint {
+            place,
+            position,
+            tangent: tangent.map(|part| direction * part),
+            // The material is on the left of the side's direction.
+            normal: [tangent[1], -tangent[0]],
+            speed,
+        }
+    }
+
+    /// Arc length at `t` of an edge.
+    pub fn arc_length(&self, measure: ArcLength, edge: &ElementEdge, t: f64) -> f64 {
+        let fraction = 0.5 * (1.0 + t);
+        match measure {
+            ArcLength::Profile => edge.s[0] + fraction * (edge.s[1] - edge.s[0]),
+            ArcLength::Mesh => edge.s[0] + self.length_to(edge, t),
+        }
+    }
+
+    /// Length of the interpolated edge from its start to `t`, m.
+    pub(super) fn length_to(&self, edge: &ElementEdge, t: f64) -> f64 {
+        let half = 0.5 * (1.0 + t);
+        gauss_legendre(8)
+            .iter()
+            .map(|&(x, weight)| weight * half * self.edge_point(edge, -1.0 + half * (1.0 + x)).speed)
+            .sum()
+    }
+
+    /// Where arc length `s` lies on a chain: the edge's index and `t`. At a joint, the earlier edge.
+    /// `None` outside the chain by more than rounding, or in a gap of it.
+    pub fn locate(&self, chain: &EdgeChain, s: f64) -> Option<(usize, f64)> {
+        let [start, end] = chain.range();
+        let slack = 1e-9 * (end - start);
+        let index = chain.edges.iter().position(|edge| s <= edge.s[1] + slack)?;
+        let edge = &chain.edges[index];
+        if s < edge.s[0] - slack {
+            return None;
+        }
+        let mut t = (2.0 * (s - edge.s[0]) / (edge.s[1] - edge.s[0]) - 1.0).clamp(-1.0, 1.0);
+        if chain.measure == ArcLength::Mesh {
+            // Newton's method: the speed varies little along a sound edge.
+            for _ in 0..20 {
+                let step = (s - self.arc_length(chain.measure, edge, t)) / self.edge_point(edge, t).speed;
+                t = (t + step).clamp(-1.0, 1.0);
+                if step.abs() < 1e-14 {
+                    break;
+                }
+            }
+        }
+        Some((index, t))
+    }
+
+    /// The point of a chain at arc length `s`; `None` as in [`PlaneMesh::locate`].
+    pub fn chain_point(&self, chain: &EdgeChain, s: f64) -> Option<EdgePoint> {
+        let (index, t) = self.locate(chain, s)?;
+        Some(self.edge_point(&chain.edges[index], t))
+    }
+}

@@ -1,0 +1,51 @@
+//! Sparse vectors over degrees of freedom: loads, and rows of linear maps from displacements.
+
+use std::collections::BTreeMap;
+
+/// Entries by ascending, distinct degree of freedom.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct SparseVector {
+    pub entries: Vec<(usize, f64)>,
+}
+
+impl SparseVector {
+    /// Value of the row at a full displacement vector.
+    pub fn dot(&self, full: &[f64]) -> f64 {
+        self.entries.iter().map(|&(dof, value)| value * full[dof]).sum()
+    }
+
+    /// Adds `factor` times this to a full vector.
+    pub fn add_to(&self, factor: f64, full: &mut [f64]) {
+        for &(dof, value) in &self.entries {
+            full[dof] += factor * value;
+        }
+    }
+
+    pub fn to_full(&self, dof_count: usize) -> Vec<f64> {
+        let mut full = vec![0.0; dof_count];
+        self.add_to(1.0, &mut full);
+        full
+    }
+
+    /// The sum of vectors, each times its factor, added in the given order.
+    pub fn combination<'a>(terms: impl IntoIterator<Item = (f64, &'a SparseVector)>) -> Self {
+        let mut sum = BTreeMap::new();
+        for (factor, vector) in terms {
+            for &(dof, value) in &vector.entries {
+                *sum.entry(dof).or_insert(0.0) += factor * value;
+            }
+        }
+        sum.into_iter().collect()
+    }
+}
+
+/// Adds up what is given for the same degree of freedom.
+impl FromIterator<(usize, f64)> for SparseVector {
+    fn from_iter<T: IntoIterator<Item = (usize, f64)>>(entries: T) -> Self {
+        let mut sum = BTreeMap::new();
+        for (dof, value) in entries {
+            *sum.entry(dof).or_insert(0.0) += value;
+        }
+        Self { entries: sum.into_iter().collect() }
+    }
+}
