@@ -1,0 +1,174 @@
+//! Runs the typed program without compiling it: for `check` and the editor, and as the oracle of compiled code.
+//!
+//! Machine code must give the same bits, the same errors and the same places, so everything that could differ is
+//! defined elsewhere: scalar operations in [`calyx_abi::math`], vectors and frames in [`crate::operations`], arrays,
+//! strings and limits in [`calyx_abi::helpers`].
+
+mod blame;
+mod expression;
+mod scalar;
+mod statement;
+
+pub use blame::blame_argument;
+
+use crate::layout::running_sums;
+use crate::link::{LinkError, resolve_externs};
+use calyx_abi::context::{Context, MAX_DEPTH, RuntimeError};
+use calyx_abi::{Extern, Purity, Slot, helpers, stack};
+use calyx_lang::ir::{Function, FunctionId, LocalId, Mode, Program};
+use calyx_lang::span::Span;
+use std::ops::Range;
+
+/// A program and the engine it runs on.
+pub struct Interpreter<'p> {
+    program: &'p Program,
+    externs: Vec<&'p Extern>,
+    /// Calls that do more than this are not made.
+    allow: Purity,
+    frames: Vec<Frame>,
+    /// Slots of all params before each.
+    param_offsets: Vec<usize>,
+}
+
+/// Where the locals of a function stand in its frame.
+struct Frame {
+    offsets: Vec<usize>,
+    slots: usize,
+}
+
+impl<'p> Interpreter<'p> {
+    /// Prepares to run a program. Of the engine's functions only those are called that do no more than `allow`:
+    /// with `Purity::Scene`, as `check` uses it, an `Effect` is skipped and gives zeros, an empty string or an
+    /// empty array.
+    ///
+    /// # Errors
+    /// The engine lacks a function the program declares.
+    pub fn new(program: &'p Program, externs: &'p [Extern], allow: Purity) -> Result<Self, LinkError> {
+        let externs = resolve_externs(program, externs)?;
+        let frames = program.functions.iter().map(|function| {
+            let (offsets, slots) = running_sums(function.locals.iter().map(|local| local.repr.slots()));
+            Frame { offsets, slots }
+        });
+        let frames = frames.collect();
+        let (param_offsets, _) = running_sums(program.params.iter().map(|param| param.repr.slots()));
+        Ok(Interpreter { program, externs, allow, frames, param_offsets })
+    }
+
+    /// Runs the top level of the model.
+    ///
+    /// # Errors
+    /// What the program or the engine fails with, and where.
+    pub fn run_main(&self, ctx: &mut Context) -> Result<(), RuntimeError> {
+        self.run_function(self.program.main, &[], ctx).map(|_| ())
+    }
+
+    /// Runs one function (a param's default, say) and returns the slots of its result, followed by those of its
+    /// `out` and `inout` parameters. `arguments` holds the slots of its `in` and `inout` parameters.
+    ///
+    /// # Errors
+    /// As for [`Interpreter::run_main`].
+    pub fn run_function(
+        &self,
+        id: FunctionId,
+        arguments: &[Slot],
+        ctx: &mut Context,
+    ) -> Result<Vec<Slot>, RuntimeError> {
+        stack::with_stack(|| {
+            let depth = std::mem::take(&mut ctx.depth);
+            let (function, frame) = self.function(id)?;
+            let activation = Activation { function, frame, base: 0 };
+            let mut machine = Machine { interpreter: self, ctx, stack: arguments.to_vec(), activation };
+            machine.at(function.span);
+            let result = machine.call(id, 0);
+            let slots = machine.stack;
+            ctx.depth = depth;
+            result.map(|()| slots).map_err(|mut error| {
+                error.place.get_or_insert(ctx.place);
+                blame_argument(self.program, &mut error);
+                error
+            })
+        })?
+    }
+
+    fn function(&self, id: FunctionId) -> Result<(&'p Function, &Frame), RuntimeError> {
+        let index = id.0 as usize;
+        let function = self.program.functions.get(index).zip(self.frames.get(index));
+        function.ok_or_else(|| helpers::malformed("a function that is not there"))
+    }
+}
+
+/// One run. Frames and intermediate values share one stack of slots.
+struct Machine<'m, 'p> {
+    interpreter: &'m Interpreter<'p>,
+    ctx: &'m mut Context,
+    stack: Vec<Slot>,
+    activation: Activation<'m, 'p>,
+}
+
+/// The function at work.
+#[derive(Clone, Copy)]
+struct Activation<'m, 'p> {
+    function: &'p Function,
+    frame: &'m Frame,
+    /// Where its frame begins on the stack.
+    base: usize,
+}
+
+impl<'p> Machine<'_, 'p> {
+    /// Notes the source range of what is about to happen, for errors.
+    fn at(&mut self, span: Span) {
+        self.ctx.place = (span.file.0, span.start, span.end);
+    }
+
+    /// Calls a function whose arguments are the slots from `start` on, and replaces them by its results.
+    fn call(&mut self, id: FunctionId, start: usize) -> Result<(), RuntimeError> {
+        let (function, frame) = self.interpreter.function(id)?;
+        if self.ctx.depth >= MAX_DEPTH {
+            return Err(helpers::too_deep());
+        }
+        self.ctx.depth += 1;
+        let activation = Activation { function, frame, base: self.stack.len() };
+        let caller = std::mem::replace(&mut self.activation, activation);
+        let result = self.run(start);
+        self.activation = caller;
+        self.ctx.depth -= 1;
+        result
+    }
+
+    /// Runs the present function in a fresh frame.
+    fn run(&mut self, start: usize) -> Result<(), RuntimeError> {
+        let Activation { function, frame, base } = self.activation;
+        self.stack.resize(base + frame.slots, 0);
+        let mut argument = start;
+        for (local, mode) in &function.parameters {
+            if *mode != Mode::Out {
+                let target = self.local(*local)?;
+                let count = target.len();
+                if argument + count > base {
+                    return Err(helpers::malformed("a call with too few arguments"));
+                }
+                self.stack.copy_within(argument..argument + count, target.start);
+                argument += count;
+            }
+        }
+        self.run_blocks()?;
+        for (local, mode) in &function.parameters {
+            if *mode != Mode::In {
+                let slots = self.local(*local)?;
+                self.stack.extend_from_within(slots);
+            }
+        }
+        self.stack.drain(start..base + frame.slots);
+        Ok(())
+    }
+
+    /// Where the slots of a local stand on the stack.
+    fn local(&self, local: LocalId) -> Result<Range<usize>, RuntimeError> {
+        let Activation { function, frame, base } = self.activation;
+        let index = local.0 as usize;
+        match (frame.offsets.get(index), function.locals.get(index)) {
+            (Some(offset), Some(local)) => Ok(base + offset..base + offset + local.repr.slots()),
+            _ => Err(helpers::malformed("a local that is not there")),
+        }
+    }
+}

@@ -1,0 +1,97 @@
+//! From the name of an argument to the place where it was written.
+
+use calyx_abi::RuntimeError;
+use calyx_lang::ir::{Expr, ExprKind, FormatPart, Place, Program, Statement, Terminator};
+
+/// If the error blames an argument of the call at its place, moves the place to that argument.
+///
+/// Arguments that were left to their default keep the place of the call.
+pub fn blame_argument(program: &Program, error: &mut RuntimeError) {
+    let (Some(name), Some((file, start, end))) = (&error.argument, error.place) else { return };
+    let mut found = None;
+    for_each_expression(program, &mut |expr| {
+        let ExprKind::CallExtern(id, arguments) = &expr.kind else { return };
+        if (expr.span.file.0, expr.span.start, expr.span.end) != (file, start, end) {
+            return;
+        }
+        let Some(declaration) = program.externs.get(id.0 as usize) else { return };
+        let position = declaration.parameters.iter().position(|(parameter, _)| parameter == name);
+        if let Some(argument) = position.and_then(|position| arguments.get(position)) {
+            let span = argument.span;
+            // A default's text stands in the declaration, outside of the call.
+            if span.file.0 == file && span.start >= start && span.end <= end {
+                found = Some((file, span.start, span.end));
+            }
+        }
+    });
+    error.place = found.or(error.place);
+}
+
+fn for_each_expression<'p>(program: &'p Program, visit: &mut dyn FnMut(&'p Expr)) {
+    for block in program.functions.iter().flat_map(|function| &function.blocks) {
+        for statement in &block.statements {
+            match statement {
+                Statement::Assign { place, value, .. } | Statement::Push { place, value, .. } => {
+                    in_place(place, visit);
+                    in_expression(value, visit);
+                }
+                Statement::Eval(value) => in_expression(value, visit),
+                Statement::Call { result, arguments, copy_back, .. } => {
+                    arguments.iter().for_each(|argument| in_expression(argument, visit));
+                    result.iter().chain(copy_back).for_each(|place| in_place(place, visit));
+                }
+            }
+        }
+        match &block.terminator {
+            Terminator::Branch { condition: value, .. } | Terminator::Return(Some(value)) => {
+                in_expression(value, visit);
+            }
+            Terminator::Jump(_) | Terminator::Return(None) => {}
+        }
+    }
+}
+
+fn in_place<'p>(place: &'p Place, visit: &mut dyn FnMut(&'p Expr)) {
+    place.indices.iter().for_each(|index| in_expression(index, visit));
+}
+
+fn in_expression<'p>(expr: &'p Expr, visit: &mut dyn FnMut(&'p Expr)) {
+    visit(expr);
+    let mut each = |parts: &'p [Expr]| parts.iter().for_each(|part| in_expression(part, visit));
+    match &expr.kind {
+        ExprKind::Number(_)
+        | ExprKind::Bool(_)
+        | ExprKind::String(_)
+        | ExprKind::Local(_)
+        | ExprKind::Param(_) => {}
+        ExprKind::Op(_, parts)
+        | ExprKind::Call(_, parts)
+        | ExprKind::CallExtern(_, parts)
+        | ExprKind::Array(parts)
+        | ExprKind::Tuple(parts)
+        | ExprKind::MakeSymbolic { captures: parts, .. } => each(parts),
+        ExprKind::And(a, b) | ExprKind::Or(a, b) | ExprKind::Index(a, b) => {
+            each(std::slice::from_ref(a));
+            each(std::slice::from_ref(b));
+        }
+        ExprKind::EvalSymbolic { value, time } => {
+            each(std::slice::from_ref(value));
+            each(std::slice::from_ref(time));
+        }
+        ExprKind::If(condition, then, otherwise) => {
+            for part in [condition, then, otherwise] {
+                each(std::slice::from_ref(part));
+            }
+        }
+        ExprKind::TupleElement(part, _) | ExprKind::Copy(part) | ExprKind::Len(part) => {
+            each(std::slice::from_ref(part));
+        }
+        ExprKind::Format(parts) => {
+            for part in parts {
+                if let FormatPart::Value(value, _) = part {
+                    each(std::slice::from_ref(value));
+                }
+            }
+        }
+    }
+}

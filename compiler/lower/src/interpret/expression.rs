@@ -1,0 +1,217 @@
+//! Expressions: each leaves its slots on top of the stack.
+
+use super::Machine;
+use super::scalar::SlotScalars;
+use crate::layout::{shown, stride, tuple_offset};
+use crate::operations::{Scalars, expand, is_scalar};
+use calyx_abi::context::RuntimeError;
+use calyx_abi::helpers::{self, CaptureKind, malformed};
+use calyx_abi::{Purity, Repr};
+use calyx_lang::ir::{DisplayUnit, Expr, ExprKind, ExternId, FormatPart, Op, SiteId};
+use calyx_lang::span::Span;
+
+impl<'p> Machine<'_, 'p> {
+    /// Evaluates an expression onto the stack.
+    pub(super) fn eval(&mut self, expr: &'p Expr) -> Result<(), RuntimeError> {
+        match &expr.kind {
+            ExprKind::Number(value) => self.stack.push(value.to_bits()),
+            ExprKind::Bool(value) => self.stack.push(u64::from(*value)),
+            ExprKind::String(text) => self.stack.push(self.ctx.heap.string(text)),
+            ExprKind::Local(local) => {
+                let slots = self.local(*local)?;
+                self.stack.extend_from_within(slots);
+            }
+            ExprKind::Param(index) => {
+                let offsets = &self.interpreter.param_offsets;
+                let offset =
+                    *offsets.get(*index as usize).ok_or_else(|| malformed("a param that is not there"))?;
+                let start = self.reserve(expr.repr.slots());
+                self.at(expr.span);
+                helpers::param(self.ctx, offset, &mut self.stack[start..])?;
+            }
+            ExprKind::Op(op, operands) => self.operation(expr, *op, operands)?,
+            ExprKind::And(a, b) => {
+                let a = self.slot(a)?;
+                let value = if a == 0 { 0 } else { self.slot(b)? };
+                self.stack.push(value);
+            }
+            ExprKind::Or(a, b) => {
+                let a = self.slot(a)?;
+                let value = if a != 0 { 1 } else { self.slot(b)? };
+                self.stack.push(value);
+            }
+            ExprKind::If(condition, then, otherwise) => {
+                let branch = if self.slot(condition)? != 0 { then } else { otherwise };
+                self.eval(branch)?;
+            }
+            ExprKind::Call(callee, arguments) => {
+                let start = self.eval_all(arguments)?;
+                self.at(expr.span);
+                self.call(*callee, start)?;
+            }
+            ExprKind::CallExtern(id, arguments) => {
+                let start = self.eval_all(arguments)?;
+                self.call_extern(*id, start, &expr.repr, expr.span)?;
+            }
+            ExprKind::Array(elements) => {
+                let start = self.eval_all(elements)?;
+                let slots = self.stack.split_off(start);
+                let id = helpers::new_array(self.ctx, stride(&expr.repr), slots);
+                self.stack.push(id);
+            }
+            ExprKind::Index(array, index) => {
+                let array = self.slot(array)?;
+                let value = self.number(index)?;
+                self.at(index.span);
+                let element = helpers::element(self.ctx, array, value)?;
+                self.stack.extend_from_slice(element);
+            }
+            ExprKind::Tuple(elements) => {
+                self.eval_all(elements)?;
+            }
+            ExprKind::TupleElement(tuple, index) => {
+                let start = self.stack.len();
+                self.eval(tuple)?;
+                let before = tuple_offset(&tuple.repr, *index).ok_or_else(|| malformed("not a tuple"))?;
+                self.stack.copy_within(start + before..start + before + expr.repr.slots(), start);
+                self.stack.truncate(start + expr.repr.slots());
+            }
+            ExprKind::Copy(value) => {
+                let start = self.stack.len();
+                self.eval(value)?;
+                self.at(expr.span);
+                helpers::copy(self.ctx, &value.repr, &mut self.stack[start..])?;
+            }
+            ExprKind::Len(array) => {
+                let array = self.slot(array)?;
+                self.at(expr.span);
+                let length = helpers::array_length(self.ctx, array)?;
+                self.stack.push(length.to_bits());
+            }
+            ExprKind::Format(parts) => self.format(parts, expr.span)?,
+            ExprKind::MakeSymbolic { site, captures } => {
+                let start = self.eval_all(captures)?;
+                self.make_symbolic(*site, start, expr.span)?;
+            }
+            ExprKind::EvalSymbolic { value, time } => {
+                let value = self.slot(value)?;
+                let time = self.number(time)?;
+                let start = self.reserve(expr.repr.slots());
+                self.at(expr.span);
+                helpers::eval_symbolic(self.ctx, value, time, &mut self.stack[start..])?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Evaluates expressions one after another; returns where their slots begin.
+    fn eval_all(&mut self, parts: &'p [Expr]) -> Result<usize, RuntimeError> {
+        let start = self.stack.len();
+        for part in parts {
+            self.eval(part)?;
+        }
+        Ok(start)
+    }
+
+    /// Makes room for slots on the stack; returns where they begin.
+    fn reserve(&mut self, slots: usize) -> usize {
+        let start = self.stack.len();
+        self.stack.resize(start + slots, 0);
+        start
+    }
+
+    fn operation(&mut self, expr: &Expr, op: Op, operands: &'p [Expr]) -> Result<(), RuntimeError> {
+        let start = self.eval_all(operands)?;
+        let operands_repr = operands.first().map_or(&Repr::Unit, |operand| &operand.repr);
+        let equality = matches!(op, Op::Equal | Op::NotEqual);
+        let result = if equality && !matches!(operands_repr, Repr::Number | Repr::Vector) {
+            self.at(expr.span);
+            let (a, b) = self.stack[start..].split_at(operands_repr.slots());
+            vec![u64::from(helpers::equal(self.ctx, operands_repr, a, b)? == (op == Op::Equal))]
+        } else if is_scalar(op) && !(equality && *operands_repr == Repr::Vector) {
+            vec![SlotScalars.apply(op, &self.stack[start..])]
+        } else {
+            expand(&mut SlotScalars, op, &self.stack[start..])
+                .ok_or_else(|| malformed("an operation on other operands"))?
+        };
+        self.stack.truncate(start);
+        self.stack.extend(result);
+        Ok(())
+    }
+
+    fn call_extern(
+        &mut self,
+        id: ExternId,
+        start: usize,
+        result: &Repr,
+        span: Span,
+    ) -> Result<(), RuntimeError> {
+        let row = *self
+            .interpreter
+            .externs
+            .get(id.0 as usize)
+            .ok_or_else(|| malformed("a provided function that is not there"))?;
+        self.at(span);
+        if !allowed(row.purity, self.interpreter.allow) {
+            let zero = helpers::zero_value(self.ctx, result);
+            self.stack.truncate(start);
+            self.stack.extend(zero);
+            return Ok(());
+        }
+        let mut slots = vec![0; result.slots()];
+        helpers::call_extern(row, self.ctx, &self.stack[start..], &mut slots)?;
+        self.stack.truncate(start);
+        self.stack.extend(slots);
+        Ok(())
+    }
+
+    /// Evaluates all values first, then joins: a value may itself need the string under construction.
+    fn format(&mut self, parts: &'p [FormatPart], span: Span) -> Result<(), RuntimeError> {
+        let start = self.stack.len();
+        for part in parts {
+            if let FormatPart::Value(value, _) = part {
+                self.eval(value)?;
+            }
+        }
+        self.at(span);
+        let mut at = start;
+        for part in parts {
+            match part {
+                FormatPart::Text(text) => self.ctx.text.push_str(text),
+                FormatPart::Value(value, unit) => {
+                    let (factor, name) = shown(unit);
+                    let end = at + value.repr.slots();
+                    helpers::append_value(self.ctx, &value.repr, &self.stack[at..end], factor, name)?;
+                    at = end;
+                }
+            }
+        }
+        let id = helpers::finish_text(self.ctx);
+        self.stack.truncate(start);
+        self.stack.push(id);
+        Ok(())
+    }
+
+    fn make_symbolic(&mut self, id: SiteId, start: usize, span: Span) -> Result<(), RuntimeError> {
+        let sites = &self.interpreter.program.sites;
+        let site = sites.get(id.0 as usize).ok_or_else(|| malformed("a symbolic site that is not there"))?;
+        let captures = site.captures.iter();
+        let kinds = captures.flat_map(|capture| CaptureKind::of_slots(&capture.repr, capture.observable));
+        let kinds: Vec<u8> = kinds.map(|kind| kind as u8).collect();
+        self.at(span);
+        let id =
+            helpers::make_symbolic(self.ctx, id.0 as usize, site.repr.clone(), &kinds, &self.stack[start..])?;
+        self.stack.truncate(start);
+        self.stack.push(id);
+        Ok(())
+    }
+}
+
+/// Whether a function of some purity may be called where `limit` is allowed.
+fn allowed(purity: Purity, limit: Purity) -> bool {
+    match limit {
+        Purity::Pure => purity == Purity::Pure,
+        Purity::Scene => purity != Purity::Effect,
+        Purity::Effect => true,
+    }
+}

@@ -1,0 +1,59 @@
+//! Scalar operations on slots, as [`calyx_abi::math`] defines them.
+
+use crate::operations::Scalars;
+use calyx_abi::{Slot, math};
+use calyx_lang::ir::Op;
+
+/// Computes on slots.
+pub struct SlotScalars;
+
+impl Scalars for SlotScalars {
+    type Value = Slot;
+
+    fn number(&mut self, value: f64) -> Slot {
+        value.to_bits()
+    }
+
+    fn apply(&mut self, op: Op, operands: &[Slot]) -> Slot {
+        let x = |index: usize| f64::from_bits(operands.get(index).copied().unwrap_or_default());
+        let number = f64::to_bits;
+        let truth = u64::from;
+        match op {
+            Op::Add => number(x(0) + x(1)),
+            Op::Subtract => number(x(0) - x(1)),
+            Op::Multiply => number(x(0) * x(1)),
+            Op::Divide => number(x(0) / x(1)),
+            Op::Power => number(math::pow(x(0), x(1))),
+            Op::Negate => number(-x(0)),
+            Op::Not => truth(operands.first() == Some(&0)),
+            Op::Less => truth(x(0) < x(1)),
+            Op::LessEqual => truth(x(0) <= x(1)),
+            Op::Greater => truth(x(0) > x(1)),
+            Op::GreaterEqual => truth(x(0) >= x(1)),
+            Op::Equal => truth(x(0) == x(1)),
+            Op::NotEqual => truth(x(0) != x(1)),
+            Op::Sqrt => number(math::sqrt(x(0))),
+            Op::Abs => number(math::abs(x(0))),
+            Op::Sin => number(math::sin(x(0))),
+            Op::Cos => number(math::cos(x(0))),
+            Op::Tan => number(math::tan(x(0))),
+            Op::Asin => number(math::asin(x(0))),
+            Op::Acos => number(math::acos(x(0))),
+            Op::Atan => number(math::atan(x(0))),
+            Op::Exp => number(math::exp(x(0))),
+            Op::Log => number(math::log(x(0))),
+            Op::Floor => number(math::floor(x(0))),
+            Op::Ceil => number(math::ceil(x(0))),
+            Op::Round => number(math::round(x(0))),
+            Op::Atan2 => number(math::atan2(x(0), x(1))),
+            Op::Min => number(math::min(x(0), x(1))),
+            Op::Max => number(math::max(x(0), x(1))),
+            // `is_scalar` keeps all others away; what comes of them would be seen at once.
+            _ => number(f64::NAN),
+        }
+    }
+
+    fn both(&mut self, a: Slot, b: Slot) -> Slot {
+        a & b
+    }
+}

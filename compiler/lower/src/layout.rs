@@ -1,0 +1,46 @@
+//! What the interpreter and the code generator must see alike in the typed program: which slots go where.
+
+use calyx_abi::Repr;
+use calyx_lang::ir::{DisplayUnit, Expr, Function, Mode};
+
+/// For each size the sum of those before it, and the sum of all.
+pub fn running_sums(sizes: impl Iterator<Item = usize>) -> (Vec<usize>, usize) {
+    let mut sum = 0;
+    let mut before = Vec::new();
+    for size in sizes {
+        before.push(sum);
+        sum += size;
+    }
+    (before, sum)
+}
+
+/// The arguments that are passed: those of `in` and `inout` parameters. An `out` parameter's argument, where the
+/// call holds one, is not evaluated.
+pub fn passed<'e>(function: &Function, arguments: &'e [Expr]) -> Vec<&'e Expr> {
+    if arguments.len() != function.parameters.len() {
+        return arguments.iter().collect();
+    }
+    let pairs = function.parameters.iter().zip(arguments);
+    pairs.filter(|((_, mode), _)| *mode != Mode::Out).map(|(_, argument)| argument).collect()
+}
+
+/// Slots of an element of an array.
+pub fn stride(array: &Repr) -> usize {
+    match array {
+        Repr::Array(element) => element.slots(),
+        _ => 0,
+    }
+}
+
+/// First slot of an element of a tuple; `None` if it is no tuple.
+pub fn tuple_offset(tuple: &Repr, index: usize) -> Option<usize> {
+    match tuple {
+        Repr::Tuple(parts) => Some(parts.get(..index)?.iter().map(Repr::slots).sum()),
+        _ => None,
+    }
+}
+
+/// Factor and name of the unit a value is shown in.
+pub fn shown(unit: &Option<DisplayUnit>) -> (f64, &str) {
+    unit.as_ref().map_or((1.0, ""), |unit| (unit.factor, &unit.name))
+}

@@ -1,0 +1,49 @@
+//! Finds the functions of the engine that a program calls.
+
+use calyx_abi::Extern;
+use calyx_lang::ir::{ExternDecl, Program};
+use std::fmt;
+
+/// A function the program declares and the engine does not provide as declared.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct LinkError {
+    /// As the program names it.
+    pub name: String,
+    /// Link symbol.
+    pub symbol: String,
+    /// The engine has it, but with other parameters or another result.
+    pub differs: bool,
+}
+
+impl fmt::Display for LinkError {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let LinkError { name, symbol, .. } = self;
+        if self.differs {
+            write!(f, "the engine's `{symbol}` has other parameters or another result than `{name}` declares")
+        } else {
+            write!(f, "the engine has no function `{symbol}` for `{name}`")
+        }
+    }
+}
+
+impl std::error::Error for LinkError {}
+
+/// The engine's rows of all externs of a program, in order of `Program::externs`.
+///
+/// # Errors
+/// The first extern that is missing, or whose slots differ from the declaration.
+pub fn resolve_externs<'e>(program: &Program, externs: &'e [Extern]) -> Result<Vec<&'e Extern>, LinkError> {
+    let resolve = |declaration: &ExternDecl| {
+        let error = |differs| LinkError {
+            name: declaration.name.clone(),
+            symbol: declaration.symbol.clone(),
+            differs,
+        };
+        let row = externs.iter().find(|row| row.symbol == declaration.symbol).ok_or_else(|| error(false))?;
+        let provided = row.params.iter().map(|(_, repr)| repr().slots());
+        let declared = declaration.parameters.iter().map(|(_, repr)| repr.slots());
+        let same = provided.eq(declared) && (row.result)().slots() == declaration.result.slots();
+        if same { Ok(row) } else { Err(error(true)) }
+    };
+    program.externs.iter().map(resolve).collect()
+}
