@@ -201,18 +201,23 @@ impl PlaneMesh {
         if s < edge.s[0] - slack {
             return None;
         }
+        Some((index, self.edge_parameter(chain.measure, edge, s)))
+    }
+
+    /// The coordinate `t` in -1 ..= 1 at which an edge has arc length `s`; the nearer end if it lies outside.
+    pub fn edge_parameter(&self, measure: ArcLength, edge: &ElementEdge, s: f64) -> f64 {
         let mut t = (2.0 * (s - edge.s[0]) / (edge.s[1] - edge.s[0]) - 1.0).clamp(-1.0, 1.0);
-        if chain.measure == ArcLength::Mesh {
+        if measure == ArcLength::Mesh {
             // Newton's method: the speed varies little along a sound edge.
             for _ in 0..20 {
-                let step = (s - self.arc_length(chain.measure, edge, t)) / self.edge_point(edge, t).speed;
+                let step = (s - self.arc_length(measure, edge, t)) / self.edge_point(edge, t).speed;
                 t = (t + step).clamp(-1.0, 1.0);
                 if step.abs() < 1e-14 {
                     break;
                 }
             }
         }
-        Some((index, t))
+        t
     }
 
     /// The point of a chain at arc length `s`; `None` as in [`PlaneMesh::locate`].

@@ -3,12 +3,19 @@
 pub mod block;
 pub mod builder;
 pub mod interpolation;
+mod load;
 pub mod mesh;
+pub mod model;
 pub mod quadrature;
+pub mod solve;
 pub mod sparse;
+pub mod stress;
 
 pub use block::{Block, Curve, Side, graded, uniform};
 pub use builder::{MeshBuilder, MeshError};
 pub use interpolation::ElementOrder;
 pub use mesh::{ArcLength, EdgeChain, EdgePoint, Element, ElementEdge, Place, PlaneMesh};
+pub use model::{PlaneModel, principal_stresses};
+pub use solve::{Constraints, SolveError, Solver};
 pub use sparse::SparseVector;
+pub use stress::StressRecovery;

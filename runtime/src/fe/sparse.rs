@@ -1,5 +1,6 @@
-//! Sparse vectors over degrees of freedom: loads, and rows of linear maps from displacements.
+//! Sparse vectors over degrees of freedom (loads, and rows of linear maps from displacements) and sparse sums.
 
+use faer::sparse::{SparseColMat, SymbolicSparseColMat};
 use std::collections::BTreeMap;
 
 /// Entries by ascending, distinct degree of freedom.
@@ -48,4 +49,28 @@ impl FromIterator<(usize, f64)> for SparseVector {
         }
         Self { entries: sum.into_iter().collect() }
     }
+}
+
+/// The square sparse matrix of `(column, row, value)` entries, those of one place summed in the order given: symmetric
+/// contributions give a matrix symmetric to the bit.
+pub(super) fn summed(count: usize, mut entries: Vec<(usize, usize, f64)>) -> SparseColMat<usize, f64> {
+    // Stable, so that the order within a place remains.
+    entries.sort_by_key(|&(column, row, _)| (column, row));
+    entries.dedup_by(|next, sum| {
+        let same = (next.0, next.1) == (sum.0, sum.1);
+        if same {
+            sum.2 += next.2;
+        }
+        same
+    });
+    let mut starts = vec![0; count + 1];
+    for &(column, ..) in &entries {
+        starts[column + 1] += 1;
+    }
+    for column in 0..count {
+        starts[column + 1] += starts[column];
+    }
+    let rows = entries.iter().map(|entry| entry.1).collect();
+    let values = entries.iter().map(|entry| entry.2).collect();
+    SparseColMat::new(SymbolicSparseColMat::new_checked(count, count, starts, None, rows), values)
 }

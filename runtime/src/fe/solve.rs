@@ -1,0 +1,179 @@
+//! Direct solution of stiffness equations with prescribed displacements, for many loads.
+
+use super::sparse::summed;
+use faer::dyn_stack::{MemBuffer, MemStack};
+use faer::sparse::SparseColMat;
+use faer::sparse::linalg::cholesky::{
+    CholeskySymbolicParams, LltRef, SymbolicCholesky, SymmetricOrdering, factorize_symbolic_cholesky,
+};
+use faer::{Conj, Mat, MatRef, Par, Side};
+use std::collections::BTreeMap;
+
+/// A stiffness whose inverse is larger than this relative to its own diagonal leaves no digits: something can move.
+const SINGULAR: f64 = 1e14;
+
+/// Prescribed displacements by degree of freedom.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Constraints {
+    values: BTreeMap<usize, f64>,
+}
+
+impl Constraints {
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Holds a degree of freedom at a value; the last one said counts.
+    pub fn prescribe(&mut self, dof: usize, value: f64) -> &mut Self {
+        self.values.insert(dof, value);
+        self
+    }
+
+    /// Holds a node's x and y displacement, m.
+    pub fn prescribe_node(&mut self, node: usize, [x, y]: [f64; 2]) -> &mut Self {
+        self.prescribe(2 * node, x).prescribe(2 * node + 1, y)
+    }
+
+    pub fn fix_node(&mut self, node: usize) -> &mut Self {
+        self.prescribe_node(node, [0.0; 2])
+    }
+
+    pub fn values(&self) -> &BTreeMap<usize, f64> {
+        &self.values
+    }
+}
+
+/// Why equations cannot be solved.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum SolveError {
+    #[error("the stiffness is singular: the constraints leave a motion free, or an element has no stiffness")]
+    Singular,
+    #[error("not enough memory for the decomposition of {unknowns} unknowns")]
+    Memory { unknowns: usize },
+}
+
+/// A decomposed stiffness with its constraints.
+#[derive(Debug)]
+pub struct Solver {
+    dof_count: usize,
+    /// Unknown degrees of freedom, ascending.
+    free: Vec<usize>,
+    constraints: Constraints,
+    /// `(unknown, value)`: loads that prescribed displacements bring about.
+    reactions: Vec<(usize, f64)>,
+    symbolic: SymbolicCholesky<usize>,
+    factor: Vec<f64>,
+}
+
+impl Solver {
+    /// Decomposes the stiffness (symmetric, both triangles) of the degrees of freedom that are not prescribed.
+    /// Sequential: independent bodies are decomposed side by side.
+    ///
+    /// # Errors
+    /// The constraints leave the body free to move, or memory runs out.
+    pub fn new(stiffness: &SparseColMat<usize, f64>, constraints: Constraints) -> Result<Self, SolveError> {
+        let dof_count = stiffness.ncols();
+        let free = (0..dof_count).filter(|dof| !constraints.values.contains_key(dof)).collect::<Vec<_>>();
+        let mut unknown = vec![None; dof_count];
+        for (index, &dof) in free.iter().enumerate() {
+            unknown[dof] = Some(index);
+        }
+        let (mut entries, mut reactions, mut largest) = (Vec::new(), Vec::new(), 0.0_f64);
+        for entry in stiffness.triplet_iter() {
+            match (unknown[entry.row], unknown[entry.col]) {
+                (Some(row), Some(column)) => {
+                    entries.push((column, row, *entry.val));
+                    largest = largest.max(entry.val.abs());
+                }
+                (Some(row), None) => reactions.push((row, entry.val * constraints.values[&entry.col])),
+                (None, _) => {}
+            }
+        }
+        let reduced = summed(free.len(), entries);
+        let memory = || SolveError::Memory { unknowns: free.len() };
+
+        let symbolic = factorize_symbolic_cholesky(
+            reduced.symbolic(),
+            Side::Lower,
+            SymmetricOrdering::Amd,
+            CholeskySymbolicParams::default(),
+        )
+        .map_err(|_| memory())?;
+        let mut factor = vec![0.0; symbolic.len_val()];
+        let scratch = symbolic.factorize_numeric_llt_scratch::<f64>(Par::Seq, Default::default());
+        let mut scratch = MemBuffer::try_new(scratch).map_err(|_| memory())?;
+        symbolic
+            .factorize_numeric_llt(
+                &mut factor,
+                reduced.as_ref(),
+                Side::Lower,
+                Default::default(),
+                Par::Seq,
+                MemStack::new(&mut scratch),
+                Default::default(),
+            )
+            .map_err(|_| SolveError::Singular)?;
+        let solver = Self { dof_count, free, constraints, reactions, symbolic, factor };
+        solver.check_regular(largest)?;
+        Ok(solver)
+    }
+
+    /// Rounding can make the pivots of a free motion positive; then a load without order moves it vastly.
+    fn check_regular(&self, largest: f64) -> Result<(), SolveError> {
+        let mut load =
+            Mat::from_fn(self.free.len(), 1, |row, _| ((row as f64 + 1.0) * 0.618_033_988_75).fract() - 0.5);
+        self.solve_unknowns(&mut load)?;
+        let moved = load.col(0).iter().map(|value| value.abs()).fold(0.0, f64::max);
+        // Negated, so that what is not a number fails.
+        let regular = moved * largest <= SINGULAR || self.free.is_empty();
+        if regular { Ok(()) } else { Err(SolveError::Singular) }
+    }
+
+    fn solve_unknowns(&self, loads: &mut Mat<f64>) -> Result<(), SolveError> {
+        let scratch = self.symbolic.solve_in_place_scratch::<f64>(loads.ncols(), Par::Seq);
+        let mut scratch =
+            MemBuffer::try_new(scratch).map_err(|_| SolveError::Memory { unknowns: self.free.len() })?;
+        LltRef::new(&self.symbolic, &self.factor).solve_in_place_with_conj(
+            Conj::No,
+            loads.as_mut(),
+            Par::Seq,
+            MemStack::new(&mut scratch),
+        );
+        Ok(())
+    }
+
+    /// Displacements of all degrees of freedom for the loads in the columns (one row a degree of freedom). The
+    /// prescribed displacements act in every column.
+    ///
+    /// # Errors
+    /// Memory runs out.
+    pub fn solve(&self, loads: MatRef<'_, f64>) -> Result<Mat<f64>, SolveError> {
+        let mut unknowns =
+            Mat::from_fn(self.free.len(), loads.ncols(), |row, column| loads[(self.free[row], column)]);
+        for column in 0..loads.ncols() {
+            for &(row, reaction) in &self.reactions {
+                unknowns[(row, column)] -= reaction;
+            }
+        }
+        self.solve_unknowns(&mut unknowns)?;
+        let mut displacements = Mat::zeros(self.dof_count, loads.ncols());
+        for column in 0..loads.ncols() {
+            for (row, &dof) in self.free.iter().enumerate() {
+                displacements[(dof, column)] = unknowns[(row, column)];
+            }
+            for (&dof, &value) in &self.constraints.values {
+                displacements[(dof, column)] = value;
+            }
+        }
+        Ok(displacements)
+    }
+
+    /// As [`Solver::solve`], for one load.
+    ///
+    /// # Errors
+    /// Memory runs out.
+    pub fn solve_one(&self, load: &[f64]) -> Result<Vec<f64>, SolveError> {
+        let displacements = self.solve(MatRef::from_column_major_slice(load, self.dof_count, 1))?;
+        Ok(displacements.col(0).iter().copied().collect())
+    }
+}
