@@ -1,0 +1,114 @@
+//! The planned scene, built: structures condensed, freedoms numbered, loads gathered. What every position starts from.
+
+use crate::contact::Placement;
+use crate::error::EngineError;
+use crate::motion::PlanePose;
+use crate::plan::Plan;
+use crate::scene::{FREEDOMS, Scene, StructureOptions};
+use crate::structure::Structure;
+use rayon::prelude::*;
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+/// A free component of a body's frame.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Freedom {
+    pub body: usize,
+    /// Index in [`FREEDOMS`].
+    pub component: usize,
+}
+
+/// A pair of teeth of a surface pair.
+pub(crate) type Teeth = (usize, [u32; 2]);
+
+/// Everything that positions share.
+pub struct System<'s> {
+    pub(crate) scene: &'s Scene,
+    /// One per body; `None` for a body the plan left out.
+    pub(crate) structures: Vec<Option<Arc<dyn Structure>>>,
+    pub(crate) freedoms: Vec<Freedom>,
+    /// External generalised forces on the freedoms, per unit of face width (N/m, N).
+    pub(crate) load: Vec<f64>,
+    /// Width over which all plane quantities are spread, m.
+    pub(crate) face_width: f64,
+    /// Poses at time 0, from which kinematic angles are counted.
+    pub(crate) initial: Vec<PlanePose>,
+    /// Cells that carried load at the position before, by pair of teeth: the warm start.
+    pub(crate) warm: BTreeMap<Teeth, Vec<usize>>,
+}
+
+impl<'s> System<'s> {
+    /// Builds what the plan asks for. Bodies with the same prototype and options share one structure.
+    pub fn new(scene: &'s Scene, plan: &Plan) -> Result<Self, EngineError> {
+        let freedoms = number_freedoms(scene, plan);
+        let widths = scene.bodies.iter().zip(&plan.bodies).filter(|(_, body)| !body.left_out);
+        let face_width = widths.map(|(body, _)| body.prototype.face_width()).fold(f64::INFINITY, f64::min);
+        if !face_width.is_finite() {
+            return Err(EngineError::new(
+                "E0707",
+                "nothing in the scene touches anything",
+                "mesh two bodies, like `gears.mesh(pinion, gear)`",
+            ));
+        }
+        let load = freedoms.iter().map(|freedom| load_on(scene, *freedom) / face_width).collect();
+        let initial = scene.bodies.iter().map(|body| PlanePose::of(body.motion.as_ref(), 0.0)).collect::<Result<_, _>>()?;
+        let structures = build_structures(scene, plan)?;
+        Ok(System { scene, structures, freedoms, load, face_width, initial, warm: BTreeMap::new() })
+    }
+
+    /// Where a body's teeth coordinates lie at a time, with the body's phase.
+    pub(crate) fn placement(&self, body: usize, time: f64) -> Result<Placement, EngineError> {
+        let body = &self.scene.bodies[body];
+        let pose = PlanePose::of(body.motion.as_ref(), time)?;
+        Ok(Placement::new(pose.angle + body.phase, pose.origin))
+    }
+
+    /// Angle of a tooth in its body's coordinates, with its pitch error, rad.
+    pub(crate) fn tooth_angle(&self, body: usize, structure: &dyn Structure, tooth: u32) -> f64 {
+        structure.tooth_angle(tooth) + self.scene.bodies[body].prototype.pitch_error(tooth)
+    }
+
+    /// A freedom as people call it.
+    pub(crate) fn freedom_name(&self, index: usize) -> String {
+        let freedom = self.freedoms[index];
+        format!("{} of body \"{}\"", FREEDOMS[freedom.component], self.scene.bodies[freedom.body].name)
+    }
+}
+
+fn number_freedoms(scene: &Scene, plan: &Plan) -> Vec<Freedom> {
+    let bodies = scene.bodies.iter().zip(&plan.bodies).enumerate().filter(|(_, (_, plan))| !plan.left_out);
+    bodies
+        .flat_map(|(index, (body, _))| {
+            (0..6).filter(|&c| body.free[c]).map(move |component| Freedom { body: index, component })
+        })
+        .collect()
+}
+
+fn load_on(scene: &Scene, freedom: Freedom) -> f64 {
+    let body = &scene.bodies[freedom.body];
+    match freedom.component {
+        component @ 0..3 => body.force[component],
+        component => body.moment[component - 3],
+    }
+}
+
+fn build_structures(scene: &Scene, plan: &Plan) -> Result<Vec<Option<Arc<dyn Structure>>>, EngineError> {
+    // Bodies that differ in nothing but their motion share a structure; one that needs stresses serves all.
+    let key = |index: usize| Arc::as_ptr(&scene.bodies[index].prototype).cast::<()>();
+    let mut wanted: Vec<(usize, StructureOptions)> = Vec::new();
+    for (index, body) in plan.bodies.iter().enumerate().filter(|(_, body)| !body.left_out) {
+        match wanted.iter_mut().find(|(other, _)| key(*other) == key(index)) {
+            Some((_, options)) => options.stresses |= body.options.stresses,
+            None => wanted.push((index, body.options)),
+        }
+    }
+    let built: Vec<Arc<dyn Structure>> = wanted
+        .par_iter()
+        .map(|(index, options)| scene.bodies[*index].prototype.build(options))
+        .collect::<Result<_, _>>()?;
+    let of_body = |index: usize| {
+        let at = wanted.iter().position(|(other, _)| key(*other) == key(index))?;
+        built.get(at).cloned()
+    };
+    Ok((0..scene.bodies.len()).map(|index| if plan.bodies[index].left_out { None } else { of_body(index) }).collect())
+}

@@ -1,0 +1,23 @@
+//! The library's Calyx source, and the table of the functions behind it.
+
+use calyx_abi::Extern;
+
+/// A library module: its import path, the name it is shown by, its text.
+pub struct LibraryModule {
+    pub path: &'static str,
+    pub file: &'static str,
+    pub text: &'static str,
+}
+
+/// Names every model sees.
+pub const PRELUDE: LibraryModule =
+    LibraryModule { path: "std", file: "<library>/prelude.cx", text: include_str!("../calyx/prelude.cx") };
+
+/// Modules to import.
+pub const MODULES: &[LibraryModule] =
+    &[LibraryModule { path: "gears", file: "<library>/gears.cx", text: include_str!("../calyx/gears.cx") }];
+
+/// Every function the library declares `extern`.
+pub fn externs() -> &'static [Extern] {
+    crate::externs::EXTERNS
+}
