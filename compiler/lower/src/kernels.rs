@@ -1,0 +1,353 @@
+//! Symbolic sites to kernels: the expression as a graph, its time derivatives, and a schedule of what is left.
+
+use calyx_abi::Repr;
+use calyx_lang::ir::{Op, Program, Site, SiteId, SymExpr, SymKind, Symbol};
+use calyx_lang::span::Span;
+use calyx_symbolic::{Binary, Frame, Graph, NodeId, Pose, Tape, Unary, Vector3};
+use std::fmt;
+
+#[cfg(test)]
+mod tests;
+
+/// Index of time in every kernel's inputs; the params follow.
+const TIME: u32 = 0;
+
+/// Why a site has no kernel.
+#[derive(Clone, Debug, PartialEq)]
+pub struct KernelError {
+    pub message: String,
+    /// What to do about it; empty if nothing can be said.
+    pub help: String,
+    pub span: Span,
+}
+
+impl fmt::Display for KernelError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.message)
+    }
+}
+
+impl std::error::Error for KernelError {}
+
+/// The kernels of all sites, in order of site.
+pub fn lower_sites(program: &Program) -> Result<Vec<Tape>, KernelError> {
+    program.sites.iter().map(|site| lower(program, site)).collect()
+}
+
+/// The kernel of one site.
+///
+/// Inputs: time; every param of the program by index (NaN for those that are not numbers, which nothing reads);
+/// the captured values in order (a number, truth value or observable takes one, a vector 3, a transform 12).
+/// Outputs: the value (1, 3 or 12 numbers), then its time derivatives up to [`Site::order`] in the same layout.
+pub fn lower_site(program: &Program, site: SiteId) -> Result<Tape, KernelError> {
+    match program.sites.get(site.0 as usize) {
+        Some(site) => lower(program, site),
+        None => Err(KernelError {
+            message: format!("the program has no symbolic site {}", site.0),
+            help: String::new(),
+            span: Span::default(),
+        }),
+    }
+}
+
+fn lower(program: &Program, site: &Site) -> Result<Tape, KernelError> {
+    let mut lowering = Lowering::new(program, site);
+    let value = lowering.value(&site.expr)?;
+    if site.order > 0 {
+        lowering.reject_observables(&value, site.span)?;
+    }
+    let graph = &mut lowering.graph;
+    let order = usize::from(site.order);
+    let outputs = match &value {
+        Value::Frame(frame) => {
+            let poses = frame.pose_with_derivatives(graph, TIME, order);
+            if poses.len() <= order {
+                return Err(broken("a frame has at most two time derivatives", site.span));
+            }
+            poses.concat()
+        }
+        Value::Vector(vector) => with_derivatives(graph, vector, order),
+        Value::Number(number) => with_derivatives(graph, &[*number], order),
+    };
+    Ok(lowering.graph.schedule(lowering.inputs, &outputs))
+}
+
+/// Numbers, then all their first time derivatives, and so on.
+fn with_derivatives(graph: &mut Graph, value: &[NodeId], order: usize) -> Vec<NodeId> {
+    let mut outputs = value.to_vec();
+    for at in 0..value.len() * order {
+        let next = graph.derivative(outputs[at], TIME);
+        outputs.push(next);
+    }
+    outputs
+}
+
+/// A symbolic expression as nodes of the graph.
+#[derive(Clone, Debug)]
+enum Value {
+    /// Also a truth value.
+    Number(NodeId),
+    Vector(Vector3),
+    Frame(Frame),
+}
+
+struct Lowering<'a> {
+    graph: Graph,
+    site: &'a Site,
+    params: usize,
+    /// Index of each capture's first number in the inputs.
+    captures: Vec<u32>,
+    inputs: usize,
+}
+
+impl<'a> Lowering<'a> {
+    fn new(program: &Program, site: &'a Site) -> Self {
+        let mut inputs = 1 + program.params.len();
+        let mut captures = Vec::with_capacity(site.captures.len());
+        for capture in &site.captures {
+            captures.push(inputs as u32);
+            // An observable is replaced by its value, one number, at each step.
+            inputs += if capture.observable { 1 } else { capture.repr.slots() };
+        }
+        Lowering { graph: Graph::new(), site, params: program.params.len(), captures, inputs }
+    }
+
+    fn value(&mut self, expr: &SymExpr) -> Result<Value, KernelError> {
+        Ok(match &expr.kind {
+            SymKind::Number(value) => Value::Number(self.graph.constant(*value)),
+            SymKind::Bool(value) => Value::Number(self.graph.constant(if *value { 1.0 } else { 0.0 })),
+            SymKind::Time => Value::Number(self.graph.symbol(TIME)),
+            SymKind::Param(index) => {
+                let symbol = self.symbol(Symbol::Param(*index), expr.span)?;
+                Value::Number(self.graph.symbol(symbol))
+            }
+            SymKind::Capture(index) => self.capture(*index, expr.span)?,
+            SymKind::Op(op, operands) => {
+                let values = operands.iter().map(|o| self.value(o)).collect::<Result<Vec<_>, _>>()?;
+                self.operation(*op, &values, expr.span)?
+            }
+            SymKind::If(condition, then, otherwise) => {
+                let condition = self.number(condition)?;
+                let (then, otherwise) = (self.value(then)?, self.value(otherwise)?);
+                self.select(condition, then, otherwise, expr.span)?
+            }
+            SymKind::Derivative(inner, symbol) => {
+                let value = self.value(inner)?;
+                self.reject_observables(&value, inner.span)?;
+                let symbol = self.symbol(*symbol, expr.span)?;
+                match value {
+                    Value::Number(number) => Value::Number(self.graph.derivative(number, symbol)),
+                    Value::Vector(vector) => Value::Vector(self.graph.vector_derivative(vector, symbol)),
+                    Value::Frame(_) => {
+                        return Err(KernelError {
+                            message: "the derivative of a frame is not a frame".into(),
+                            help: "differentiate its origin(...) or direction(...), or use velocity(...), \
+                                   acceleration(...), angular_velocity(...)"
+                                .into(),
+                            span: expr.span,
+                        });
+                    }
+                }
+            }
+            SymKind::At(inner, symbol, replacement) => {
+                let (value, replacement) = (self.value(inner)?, self.number(replacement)?);
+                let symbol = self.symbol(*symbol, expr.span)?;
+                value.map(|node| self.graph.substitute(node, symbol, replacement))
+            }
+        })
+    }
+
+    fn number(&mut self, expr: &SymExpr) -> Result<NodeId, KernelError> {
+        match self.value(expr)? {
+            Value::Number(number) => Ok(number),
+            _ => Err(broken("a number is needed here", expr.span)),
+        }
+    }
+
+    fn symbol(&self, symbol: Symbol, span: Span) -> Result<u32, KernelError> {
+        match symbol {
+            Symbol::Time => Ok(TIME),
+            Symbol::Param(index) if (index as usize) < self.params => Ok(1 + index),
+            Symbol::Param(_) => Err(broken("no such param", span)),
+        }
+    }
+
+    fn capture(&mut self, index: u32, span: Span) -> Result<Value, KernelError> {
+        let place = index as usize;
+        let (Some(capture), Some(&first)) = (self.site.captures.get(place), self.captures.get(place)) else {
+            return Err(broken("no such capture", span));
+        };
+        if capture.observable {
+            return Ok(Value::Number(self.graph.symbol(first)));
+        }
+        match capture.repr {
+            Repr::Number | Repr::Bool => Ok(Value::Number(self.graph.symbol(first))),
+            Repr::Vector => Ok(Value::Vector([0, 1, 2].map(|i| self.graph.symbol(first + i)))),
+            Repr::Transform => {
+                let pose: Pose = std::array::from_fn(|i| self.graph.symbol(first + i as u32));
+                Ok(Value::Frame(Frame::from_pose(pose)))
+            }
+            _ => Err(broken("a capture must be a number, truth value, vector or transform", span)),
+        }
+    }
+
+    fn select(
+        &mut self,
+        condition: NodeId,
+        then: Value,
+        otherwise: Value,
+        span: Span,
+    ) -> Result<Value, KernelError> {
+        let graph = &mut self.graph;
+        Ok(match (then, otherwise) {
+            (Value::Number(a), Value::Number(b)) => Value::Number(graph.select(condition, a, b)),
+            (Value::Vector(a), Value::Vector(b)) => {
+                Value::Vector([0, 1, 2].map(|i| graph.select(condition, a[i], b[i])))
+            }
+            (Value::Frame(a), Value::Frame(b)) => Value::Frame(Frame::select(graph, condition, &a, &b)),
+            _ => return Err(broken("both branches must be of one kind", span)),
+        })
+    }
+
+    fn operation(&mut self, op: Op, operands: &[Value], span: Span) -> Result<Value, KernelError> {
+        use Value::{Frame as F, Number as N, Vector as V};
+        if matches!(op, Op::Velocity | Op::Acceleration | Op::AngularVelocity | Op::AngularAcceleration) {
+            for operand in operands {
+                self.reject_observables(operand, span)?;
+            }
+        }
+        let g = &mut self.graph;
+        let value = match (op, operands) {
+            (_, [N(a)]) if let Some(unary) = unary(op) => N(g.unary(unary, *a)),
+            (_, [N(a), N(b)]) if let Some(binary) = binary(op) => N(g.binary(binary, *a, *b)),
+            (Op::Greater, [N(a), N(b)]) => N(g.binary(Binary::Less, *b, *a)),
+            (Op::GreaterEqual, [N(a), N(b)]) => N(g.binary(Binary::LessEqual, *b, *a)),
+            (Op::Equal, [a, b]) if let Some(equal) = equal(g, a, b) => N(equal),
+            (Op::NotEqual, [a, b]) if let Some(equal) = equal(g, a, b) => N(g.unary(Unary::Not, equal)),
+            (Op::Vector, [N(a), N(b), N(c)]) => V([*a, *b, *c]),
+            (Op::X, [V(a)]) => N(a[0]),
+            (Op::Y, [V(a)]) => N(a[1]),
+            (Op::Z, [V(a)]) => N(a[2]),
+            (Op::Norm, [V(a)]) => N(g.norm(*a)),
+            (Op::AddVector, [V(a), V(b)]) => V(g.add_vectors(*a, *b)),
+            (Op::SubtractVector, [V(a), V(b)]) => V(g.subtract_vectors(*a, *b)),
+            (Op::Cross, [V(a), V(b)]) => V(g.cross(*a, *b)),
+            (Op::NegateVector, [V(a)]) => V(g.negate_vector(*a)),
+            (Op::Scale, [N(a), V(b)]) => V(g.scale_vector(*a, *b)),
+            (Op::Dot, [V(a), V(b)]) => N(g.dot(*a, *b)),
+            (Op::Translate, [V(v)]) => F(Frame::translate(*v)),
+            (Op::Rotate, [N(angle), V(axis)]) => F(Frame::rotate(*angle, *axis)),
+            (Op::Compose, [F(a), F(b)]) => F(a.after(b)),
+            (Op::Apply, [F(frame), V(point)]) => V(frame.apply(g, *point)),
+            (Op::Inverse, [F(frame)]) => F(frame.inverse(g)),
+            (Op::Origin, [F(frame)]) => V(frame.origin(g)),
+            (Op::Direction, [F(frame), V(vector)]) => V(frame.direction(g, *vector)),
+            (Op::Velocity, [F(frame)]) => V(frame.velocity(g, TIME)),
+            (Op::Acceleration, [F(frame)]) => V(frame.acceleration(g, TIME)),
+            (Op::AngularVelocity, [F(frame)]) => V(frame.angular_velocity(g, TIME)),
+            (Op::AngularAcceleration, [F(frame)]) => V(frame.angular_acceleration(g, TIME)),
+            _ => return Err(broken(&format!("operands do not fit {op:?}"), span)),
+        };
+        Ok(value)
+    }
+
+    /// An observable's value arrives step by step; how it changes is not known, so a derivative would be a silent
+    /// zero.
+    fn reject_observables(&self, value: &Value, span: Span) -> Result<(), KernelError> {
+        let observables: Vec<(u32, &str)> = self
+            .site
+            .captures
+            .iter()
+            .zip(&self.captures)
+            .filter(|(capture, _)| capture.observable)
+            .map(|(capture, &first)| (first, capture.name.as_str()))
+            .collect();
+        if observables.is_empty() {
+            return Ok(());
+        }
+        let mut nodes = Vec::new();
+        value.for_each(|node| nodes.push(node));
+        for (input, name) in observables {
+            if self.graph.depends_on(&nodes, |symbol| symbol == input) {
+                return Err(KernelError {
+                    message: format!("`{name}` is known only step by step, so it has no derivative here"),
+                    help: "differentiate the series of results instead".into(),
+                    span,
+                });
+            }
+        }
+        Ok(())
+    }
+}
+
+impl Value {
+    fn map(&self, mut replace: impl FnMut(NodeId) -> NodeId) -> Value {
+        match self {
+            Value::Number(number) => Value::Number(replace(*number)),
+            Value::Vector(vector) => Value::Vector(vector.map(replace)),
+            Value::Frame(frame) => Value::Frame(frame.map(replace)),
+        }
+    }
+
+    fn for_each(&self, mut visit: impl FnMut(NodeId)) {
+        self.map(|node| {
+            visit(node);
+            node
+        });
+    }
+}
+
+/// Whether two values are equal, component by component. None if they cannot be compared.
+fn equal(graph: &mut Graph, a: &Value, b: &Value) -> Option<NodeId> {
+    match (a, b) {
+        (Value::Number(a), Value::Number(b)) => Some(graph.binary(Binary::Equal, *a, *b)),
+        (Value::Vector(a), Value::Vector(b)) => {
+            let [x, y, z] = [0, 1, 2].map(|i| graph.binary(Binary::Equal, a[i], b[i]));
+            let first = graph.binary(Binary::And, x, y);
+            Some(graph.binary(Binary::And, first, z))
+        }
+        _ => None,
+    }
+}
+
+fn unary(op: Op) -> Option<Unary> {
+    Some(match op {
+        Op::Negate => Unary::Negate,
+        Op::Not => Unary::Not,
+        Op::Sqrt => Unary::Sqrt,
+        Op::Abs => Unary::Abs,
+        Op::Sin => Unary::Sin,
+        Op::Cos => Unary::Cos,
+        Op::Tan => Unary::Tan,
+        Op::Asin => Unary::Asin,
+        Op::Acos => Unary::Acos,
+        Op::Atan => Unary::Atan,
+        Op::Exp => Unary::Exp,
+        Op::Log => Unary::Log,
+        Op::Floor => Unary::Floor,
+        Op::Ceil => Unary::Ceil,
+        Op::Round => Unary::Round,
+        _ => return None,
+    })
+}
+
+fn binary(op: Op) -> Option<Binary> {
+    Some(match op {
+        Op::Add => Binary::Add,
+        Op::Subtract => Binary::Subtract,
+        Op::Multiply => Binary::Multiply,
+        Op::Divide => Binary::Divide,
+        Op::Power => Binary::Power,
+        Op::Less => Binary::Less,
+        Op::LessEqual => Binary::LessEqual,
+        Op::Atan2 => Binary::Atan2,
+        Op::Min => Binary::Min,
+        Op::Max => Binary::Max,
+        _ => return None,
+    })
+}
+
+/// A program that the checker should not have let through.
+fn broken(message: &str, span: Span) -> KernelError {
+    KernelError { message: format!("ill-typed symbolic expression: {message}"), help: String::new(), span }
+}
