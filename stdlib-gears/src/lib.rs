@@ -1,1 +1,12 @@
+//! Gears: geometry and tooth meshes in Rust, under a library written in Calyx.
 
+pub mod error;
+pub mod external;
+pub mod fillet;
+pub mod flank;
+pub mod internal;
+pub mod involute;
+pub mod mesh_geometry;
+pub mod modification;
+pub mod rack;
+mod root_finding;

@@ -1,0 +1,313 @@
+//! The true flank of a tooth, from the form circle over the tip edge: what contact sees.
+//!
+//! With `u(b)` and `v(b)` the radial and the counter-clockwise unit vectors at angle `b`, the involute of the base
+//! circle `r` at roll angle `g` is `r u + r g v`, where `b = (half angle at the base) - g`; its tangent is `u` and its
+//! outward normal `v`. A modification of amount `a(g)` moves the point by `-a v`, so that
+//! `dP/dg = (r g - a) u - a' v`: tangent, normal and curvature follow exactly.
+
+use crate::error::GeometryError;
+use crate::external::ExternalGear;
+use crate::fillet::Side;
+use crate::modification::{Modification, TipRelief};
+use crate::root_finding::solve_bracketed;
+use calyx_abi::math;
+use calyx_runtime::fe::quadrature::gauss_legendre;
+use calyx_runtime::profile::{Profile, ProfilePoint};
+
+/// One flank of a tooth in tooth coordinates (gear centre at the origin, tooth centreline along +x), metres.
+///
+/// Arc length runs from the form circle to the tip circle. Below the form circle the profile goes on straight along
+/// its tangent, beyond the edge along the tip circle.
+#[derive(Clone, Debug)]
+pub struct Flank {
+    side: Side,
+    base_radius: f64,
+    half_base_angle: f64,
+    form_roll: f64,
+    tip_roll: f64,
+    reliefs: Vec<TipRelief>,
+    /// Parts of the flank with smooth curvature, ascending; the first starts at the form circle.
+    parts: Vec<Part>,
+    edge: Edge,
+    breaks: Vec<f64>,
+    /// Points and weights for arc lengths of modified parts.
+    quadrature: Vec<(f64, f64)>,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Part {
+    start_roll: f64,
+    start_s: f64,
+    modified: bool,
+}
+
+/// The rounded tip edge: an arc tangent to the flank and to the tip circle.
+#[derive(Clone, Copy, Debug)]
+struct Edge {
+    centre: [f64; 2],
+    radius: f64,
+    tip_circle_radius: f64,
+    start_roll: f64,
+    start_s: f64,
+    end_s: f64,
+    /// Direction of the normal at the start; it turns clockwise.
+    start_angle: f64,
+    end_angle: f64,
+}
+
+/// A unit vector at an angle, and the one a right angle farther.
+fn directions(angle: f64) -> ([f64; 2], [f64; 2]) {
+    let (sine, cosine) = math::sincos(angle);
+    ([cosine, sine], [-sine, cosine])
+}
+
+fn combine(a: f64, u: [f64; 2], b: f64, v: [f64; 2]) -> [f64; 2] {
+    [a * u[0] + b * v[0], a * u[1] + b * v[1]]
+}
+
+impl Flank {
+    /// A flank of a gear. Lead crowns are not seen in the plane; reliefs must lie on the flank.
+    pub fn new(
+        gear: &ExternalGear,
+        modifications: &[Modification],
+        side: Side,
+    ) -> Result<Self, Vec<GeometryError>> {
+        let reliefs: Vec<TipRelief> = modifications
+            .iter()
+            .filter_map(|modification| match modification {
+                Modification::TipRelief(relief) if relief.depth != 0.0 => Some(*relief),
+                Modification::TipRelief(_) | Modification::LeadCrown { .. } => None,
+            })
+            .collect();
+        let errors: Vec<_> = reliefs
+            .iter()
+            .filter_map(|relief| relief.check(gear.form_roll, gear.tip_roll, gear.tip_thickness()).err())
+            .collect();
+        if !errors.is_empty() {
+            return Err(errors);
+        }
+        let mut flank = Self {
+            side,
+            base_radius: gear.base_radius,
+            half_base_angle: gear.half_base_angle,
+            form_roll: gear.form_roll,
+            tip_roll: gear.tip_roll,
+            reliefs,
+            parts: Vec::new(),
+            edge: Edge {
+                centre: [0.0; 2],
+                radius: gear.tip_edge_radius,
+                tip_circle_radius: gear.outer_radius,
+                start_roll: 0.0,
+                start_s: 0.0,
+                end_s: 0.0,
+                start_angle: 0.0,
+                end_angle: 0.0,
+            },
+            breaks: Vec::new(),
+            quadrature: gauss_legendre(16),
+        };
+        flank.place_edge();
+        flank.divide();
+        Ok(flank)
+    }
+
+    /// Which side of the tooth this is.
+    pub fn side(&self) -> Side {
+        self.side
+    }
+
+    /// Finds the roll angle at which the edge's arc leaves the flank, and the arc's centre.
+    fn place_edge(&mut self) {
+        let radius = self.edge.radius;
+        let centre_at = |roll: f64| {
+            let point = self.on_curve(roll);
+            combine(1.0, point.position, -radius, point.normal)
+        };
+        let beyond = |roll: f64| {
+            let [x, y] = centre_at(roll);
+            x.hypot(y) - (self.edge.tip_circle_radius - radius)
+        };
+        // A relieved flank meets the tip circle a little later than the involute does.
+        let last = self.tip_roll + 0.5 * (self.tip_roll - self.form_roll);
+        let start_roll = solve_bracketed(beyond, self.form_roll, last);
+        let centre = centre_at(start_roll);
+        let normal = self.on_curve(start_roll).normal;
+        self.edge.start_roll = start_roll;
+        self.edge.centre = centre;
+        self.edge.start_angle = math::atan2(normal[1], normal[0]);
+        self.edge.end_angle = math::atan2(centre[1], centre[0]);
+    }
+
+    /// Splits the flank where its curvature jumps, and measures the parts.
+    fn divide(&mut self) {
+        let mut rolls: Vec<f64> = self
+            .reliefs
+            .iter()
+            .flat_map(|relief| relief.breaks(self.form_roll, self.tip_roll))
+            .filter(|roll| (self.form_roll..self.edge.start_roll).contains(roll))
+            .collect();
+        rolls.push(self.form_roll);
+        rolls.sort_by(f64::total_cmp);
+        rolls.dedup();
+        let mut s = 0.0;
+        for (index, &start_roll) in rolls.iter().enumerate() {
+            let end = rolls.get(index + 1).copied().unwrap_or(self.edge.start_roll);
+            let modified = self.amount(0.5 * (start_roll + end))[0] != 0.0;
+            let part = Part { start_roll, start_s: s, modified };
+            self.parts.push(part);
+            if index > 0 {
+                self.breaks.push(s);
+            }
+            s = self.s_in_part(part, end);
+        }
+        self.breaks.push(s);
+        self.edge.start_s = s;
+        self.edge.end_s = s + self.edge.radius * (self.edge.start_angle - self.edge.end_angle);
+    }
+
+    /// Material taken off at a roll angle (m), and its first and second derivatives by roll.
+    fn amount(&self, roll: f64) -> [f64; 3] {
+        let mut total = [0.0; 3];
+        for relief in &self.reliefs {
+            let amount = relief.amount(roll, self.form_roll, self.tip_roll);
+            for order in 0..3 {
+                total[order] += amount[order];
+            }
+        }
+        total
+    }
+
+    /// The modified involute at a roll angle, on the counter-clockwise side.
+    fn on_curve(&self, roll: f64) -> ProfilePoint {
+        let [amount, slope, bend] = self.amount(roll);
+        let (u, v) = directions(self.half_base_angle - roll);
+        let (along, across) = (self.base_radius * roll - amount, -slope);
+        let speed = along.hypot(across);
+        // Rates of `along` and `across` by roll give the turn of the tangent against `u`, which itself turns by -1.
+        let turn = (along * -bend - across * (self.base_radius - slope)) / (speed * speed);
+        ProfilePoint {
+            position: combine(self.base_radius, u, along, v),
+            tangent: combine(along / speed, u, across / speed, v),
+            normal: combine(along / speed, v, -across / speed, u),
+            curvature: (1.0 - turn) / speed,
+        }
+    }
+
+    /// Length of the modified involute per unit of roll, m.
+    fn speed(&self, roll: f64) -> f64 {
+        let [amount, slope, _] = self.amount(roll);
+        (self.base_radius * roll - amount).hypot(slope)
+    }
+
+    fn s_in_part(&self, part: Part, roll: f64) -> f64 {
+        let half = 0.5 * (roll - part.start_roll);
+        if !part.modified {
+            // The involute's arc length is r roll^2 / 2.
+            return part.start_s + self.base_radius * half * (roll + part.start_roll);
+        }
+        let middle = part.start_roll + half;
+        let integral: f64 =
+            self.quadrature.iter().map(|&(x, weight)| weight * self.speed(middle + half * x)).sum();
+        part.start_s + half * integral
+    }
+
+    /// Arc length at a roll angle between the form circle and the edge, m; the nearer end outside.
+    pub fn s_at_roll(&self, roll: f64) -> f64 {
+        let roll = roll.clamp(self.form_roll, self.edge.start_roll);
+        let index = self.parts.partition_point(|part| part.start_roll <= roll).max(1) - 1;
+        self.s_in_part(self.parts[index], roll)
+    }
+
+    /// Roll angle at an arc length, rad. On the edge and beyond, that of the involute at the same radius.
+    pub fn roll_at(&self, s: f64) -> f64 {
+        if s > self.edge.start_s {
+            return crate::involute::roll_at_radius(self.base_radius, self.radius_at(s));
+        }
+        if s <= 0.0 {
+            return self.form_roll;
+        }
+        let index = self.parts.partition_point(|part| part.start_s <= s).max(1) - 1;
+        let part = self.parts[index];
+        let from_start = 2.0 * (s - part.start_s) / self.base_radius;
+        let unmodified = (part.start_roll * part.start_roll + from_start).sqrt();
+        if !part.modified {
+            return unmodified;
+        }
+        let mut roll = unmodified;
+        // Newton's method: reliefs are small against the flank, so that few steps are needed.
+        for _ in 0..20 {
+            let step = (self.s_in_part(part, roll) - s) / self.speed(roll);
+            roll -= step;
+            if step.abs() <= 4.0 * f64::EPSILON * roll {
+                break;
+            }
+        }
+        roll
+    }
+
+    /// Distance from the gear's centre at an arc length, m.
+    pub fn radius_at(&self, s: f64) -> f64 {
+        let [x, y] = self.at(s).position;
+        x.hypot(y)
+    }
+
+    /// Material taken off at an arc length, normal to the involute, m. (On the edge, that of the relief alone.)
+    pub fn relief_at(&self, s: f64) -> f64 {
+        self.amount(self.roll_at(s))[0]
+    }
+
+    /// Roll angle at which the rounded tip edge begins, rad.
+    pub fn edge_roll(&self) -> f64 {
+        self.edge.start_roll
+    }
+
+    /// Arc lengths at which the rounded tip edge begins and ends, m.
+    pub fn edge_range(&self) -> [f64; 2] {
+        [self.edge.start_s, self.edge.end_s]
+    }
+}
+
+impl Profile for Flank {
+    fn length(&self) -> f64 {
+        self.edge.end_s
+    }
+
+    fn at(&self, s: f64) -> ProfilePoint {
+        let edge = &self.edge;
+        let point = if s < 0.0 {
+            let form = self.on_curve(self.form_roll);
+            ProfilePoint {
+                position: combine(1.0, form.position, s, form.tangent),
+                curvature: 0.0,
+                ..form
+            }
+        } else if s <= edge.start_s {
+            self.on_curve(self.roll_at(s))
+        } else {
+            let on_edge = s.min(edge.end_s) - edge.start_s;
+            let beyond = (s - edge.end_s).max(0.0) / edge.tip_circle_radius;
+            let angle = if beyond > 0.0 {
+                edge.end_angle - beyond
+            } else {
+                edge.start_angle - on_edge / edge.radius
+            };
+            let (normal, right) = directions(angle);
+            let (position, curvature) = if beyond > 0.0 {
+                (combine(edge.tip_circle_radius, normal, 0.0, right), 1.0 / edge.tip_circle_radius)
+            } else {
+                (combine(1.0, edge.centre, edge.radius, normal), 1.0 / edge.radius)
+            };
+            ProfilePoint { position, tangent: [-right[0], -right[1]], normal, curvature }
+        };
+        self.side.place(point)
+    }
+
+    fn breaks(&self) -> &[f64] {
+        &self.breaks
+    }
+
+    fn edge_from(&self) -> Option<f64> {
+        Some(self.edge.start_s)
+    }
+}

@@ -1,0 +1,329 @@
+//! Two gears in mesh: operating pressure angle, path of contact, backlash; and what makes a pair impossible.
+
+use crate::error::{GeometryError, sentence};
+use crate::external::ExternalGear;
+use crate::internal::InternalGear;
+use crate::involute::{involute, radius_at_roll, roll_at_radius, roll_of_involute};
+use calyx_abi::math;
+use std::f64::consts::PI;
+
+/// The characteristic points of the path of contact, in its order on the first member (from its root to its tip).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PathOfContact {
+    /// SAP: the tip of the second member comes into contact.
+    pub start_of_active_profile: f64,
+    /// LPSTC: the pair before leaves contact.
+    pub lowest_single_tooth: f64,
+    pub pitch_point: f64,
+    /// HPSTC: the pair after comes into contact.
+    pub highest_single_tooth: f64,
+    /// EAP: the tip of the first member leaves contact.
+    pub end_of_active_profile: f64,
+}
+
+impl PathOfContact {
+    /// The points in order: SAP, LPSTC, pitch point, HPSTC, EAP. (With a contact ratio above two, the lowest
+    /// point of single-tooth contact lies below the start of the profile.)
+    pub fn points(&self) -> [f64; 5] {
+        [
+            self.start_of_active_profile,
+            self.lowest_single_tooth,
+            self.pitch_point,
+            self.highest_single_tooth,
+            self.end_of_active_profile,
+        ]
+    }
+}
+
+/// A pair at a centre distance. SI units; angles in rad.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MeshGeometry {
+    pub center_distance: f64,
+    pub operating_pressure_angle: f64,
+    pub base_pitch: f64,
+    /// Length of the path of contact between the outer circles.
+    pub line_of_action_length: f64,
+    pub contact_ratio: f64,
+    /// Base radii of the first and the second member.
+    pub base_radius: [f64; 2],
+    /// Roll angles of the first member.
+    pub first_roll: PathOfContact,
+    /// Distance between the points where the line of action touches the base circles: on external pairs the sum of
+    /// both members' tangents to a point of contact, on internal pairs their difference.
+    pub tangent_distance: f64,
+    pub internal: bool,
+    /// Along the operating pitch circles.
+    pub backlash: f64,
+    /// Along the line of action.
+    pub normal_backlash: f64,
+    /// Centre distance at which there is no backlash; `None` if there always is some.
+    pub zero_backlash_center_distance: Option<f64>,
+}
+
+impl MeshGeometry {
+    /// An external pair, with no judgement except that it can touch at all: see [`MeshGeometry::check_external`].
+    pub fn external(
+        first: &ExternalGear,
+        second: &ExternalGear,
+        center_distance: f64,
+    ) -> Result<Self, GeometryError> {
+        check_same_involutes(
+            [first.rack.module, second.rack.module],
+            [first.rack.pressure_angle, second.rack.pressure_angle],
+        )?;
+        let base_radius = [first.base_radius, second.base_radius];
+        let (base_sum, outer_sum) = (base_radius[0] + base_radius[1], first.outer_radius + second.outer_radius);
+        if !(center_distance > base_sum) {
+            return Err(GeometryError::error(
+                "E0631",
+                "second",
+                sentence![
+                    "the axes are ", length center_distance, " apart, less than the base circles need (",
+                    length base_sum, "): no line of action exists"
+                ],
+                sentence![
+                    "place the frames farther apart, near the standard distance of ",
+                    length first.pitch_radius + second.pitch_radius
+                ],
+            ));
+        }
+        if center_distance >= outer_sum {
+            return Err(GeometryError::error(
+                "E0632",
+                "second",
+                sentence![
+                    "the axes are ", length center_distance, " apart, but the outer circles reach only ",
+                    length outer_sum, ": the teeth cannot touch"
+                ],
+                sentence![
+                    "place the frames closer together, near the standard distance of ",
+                    length first.pitch_radius + second.pitch_radius
+                ],
+            ));
+        }
+        let tangent_distance = ((center_distance - base_sum) * (center_distance + base_sum)).sqrt();
+        let second_tip = base_radius[1] * second.tip_roll;
+        let angle = math::atan2(tangent_distance, base_sum);
+        let zero_involute = (f64::from(first.teeth) * first.half_base_angle
+            + f64::from(second.teeth) * second.half_base_angle
+            - PI)
+            / f64::from(first.teeth + second.teeth);
+        let normal_backlash = 2.0 * base_sum * (involute(angle) - zero_involute);
+        Ok(Self {
+            center_distance,
+            tangent_distance,
+            internal: false,
+            normal_backlash,
+            zero_backlash_center_distance: (zero_involute > 0.0)
+                .then(|| radius_at_roll(base_sum, roll_of_involute(zero_involute))),
+            ..Self::from_path(
+                base_radius,
+                first.base_pitch,
+                angle,
+                [tangent_distance - second_tip, base_radius[0] * first.tip_roll],
+                normal_backlash,
+            )
+        })
+    }
+
+    /// An external pinion in an internal gear.
+    pub fn internal(
+        first: &ExternalGear,
+        second: &InternalGear,
+        center_distance: f64,
+    ) -> Result<Self, GeometryError> {
+        check_same_involutes(
+            [first.rack.module, second.module],
+            [first.rack.pressure_angle, second.pressure_angle],
+        )?;
+        let base_radius = [first.base_radius, second.base_radius()];
+        let difference = base_radius[1] - base_radius[0];
+        if !(difference > 0.0 && center_distance > difference) {
+            return Err(GeometryError::error(
+                "E0631",
+                "second",
+                sentence![
+                    "the axes are ", length center_distance, " apart, less than the base circles need (",
+                    length difference, "): no line of action exists"
+                ],
+                sentence![
+                    "place the frames farther apart, near the standard distance of ",
+                    length second.pitch_radius() - first.pitch_radius
+                ],
+            ));
+        }
+        let tangent_distance = ((center_distance - difference) * (center_distance + difference)).sqrt();
+        let second_tip = base_radius[1] * roll_at_radius(base_radius[1], second.minor_radius);
+        let angle = math::atan2(tangent_distance, difference);
+        // The pinion's tooth in the gear's space, on the operating pitch circles.
+        let teeth = [f64::from(first.teeth), f64::from(second.teeth)];
+        let zero_involute = (teeth[1] * second.half_base_angle_of_space() - teeth[0] * first.half_base_angle)
+            / (teeth[1] - teeth[0]);
+        let normal_backlash = 2.0 * difference * (zero_involute - involute(angle));
+        Ok(Self {
+            center_distance,
+            tangent_distance,
+            internal: true,
+            zero_backlash_center_distance: (zero_involute > 0.0)
+                .then(|| radius_at_roll(difference, roll_of_involute(zero_involute))),
+            ..Self::from_path(
+                base_radius,
+                first.base_pitch,
+                angle,
+                [second_tip - tangent_distance, base_radius[0] * first.tip_roll],
+                normal_backlash,
+            )
+        })
+    }
+
+    /// From the first member's tangents (m) to the ends of the path of contact.
+    fn from_path(
+        base_radius: [f64; 2],
+        base_pitch: f64,
+        operating_pressure_angle: f64,
+        [start, end]: [f64; 2],
+        normal_backlash: f64,
+    ) -> Self {
+        let roll = |tangent: f64| tangent / base_radius[0];
+        Self {
+            center_distance: 0.0,
+            operating_pressure_angle,
+            base_pitch,
+            line_of_action_length: end - start,
+            contact_ratio: (end - start) / base_pitch,
+            base_radius,
+            first_roll: PathOfContact {
+                start_of_active_profile: roll(start),
+                lowest_single_tooth: roll(end - base_pitch),
+                pitch_point: math::tan(operating_pressure_angle),
+                highest_single_tooth: roll(start + base_pitch),
+                end_of_active_profile: roll(end),
+            },
+            tangent_distance: 0.0,
+            internal: false,
+            backlash: normal_backlash / math::cos(operating_pressure_angle),
+            normal_backlash,
+            zero_backlash_center_distance: None,
+        }
+    }
+
+    /// Roll angle of the second member where the first has the given one.
+    pub fn second_roll(&self, first_roll: f64) -> f64 {
+        let first_tangent = self.base_radius[0] * first_roll;
+        let second_tangent = if self.internal {
+            self.tangent_distance + first_tangent
+        } else {
+            self.tangent_distance - first_tangent
+        };
+        second_tangent / self.base_radius[1]
+    }
+
+    /// Radius on the first member at one of its roll angles, m.
+    pub fn first_radius(&self, first_roll: f64) -> f64 {
+        radius_at_roll(self.base_radius[0], first_roll)
+    }
+
+    /// An external pair that can run: its geometry and warnings, or all that is wrong with it.
+    pub fn check_external(
+        first: &ExternalGear,
+        second: &ExternalGear,
+        center_distance: f64,
+    ) -> Result<(Self, Vec<GeometryError>), Vec<GeometryError>> {
+        let mesh = Self::external(first, second, center_distance).map_err(|error| vec![error])?;
+        let (mut errors, mut warnings) = (Vec::new(), Vec::new());
+        if mesh.contact_ratio < 1.0 {
+            errors.push(GeometryError::error(
+                "E0633",
+                "second",
+                sentence![
+                    "the contact ratio is ", number mesh.contact_ratio,
+                    ", below 1: a pair of teeth leaves contact before the next one has come"
+                ],
+                sentence!["place the axes closer together than ", length center_distance, ", or enlarge the outer diameters"],
+            ));
+        }
+        let second_start = mesh.second_roll(mesh.first_roll.end_of_active_profile);
+        let reaches = [
+            ("first", first, mesh.first_roll.start_of_active_profile),
+            ("second", second, second_start),
+        ];
+        for (argument, gear, roll) in reaches {
+            if roll < gear.form_roll {
+                errors.push(fillet_interference(argument, gear, roll));
+            }
+        }
+        if mesh.normal_backlash < -1e-9 * mesh.base_pitch {
+            errors.push(GeometryError::error(
+                "E0635",
+                "second",
+                sentence![
+                    "the backlash is negative, ", length mesh.backlash, ": the teeth are thicker than the spaces at a centre distance of ",
+                    length center_distance
+                ],
+                match mesh.zero_backlash_center_distance {
+                    Some(distance) => sentence![
+                        "place the axes at least ", length distance, " apart, or reduce `tooth_thickness`"
+                    ],
+                    None => sentence!["reduce `tooth_thickness`"],
+                },
+            ));
+        }
+        for (argument, gear, mate) in [("first", first, second), ("second", second, first)] {
+            let clearance = center_distance - gear.root_radius - mate.outer_radius;
+            if clearance < -1e-9 * gear.rack.module {
+                errors.push(GeometryError::error(
+                    "E0636",
+                    argument,
+                    sentence![
+                        "the mate's tips reach ", length -clearance, " into the root circle of this gear (diameter ",
+                        length 2.0 * gear.root_radius, ")"
+                    ],
+                    sentence!["reduce `root_diameter` of this gear or `outer_diameter` of its mate, or place the axes farther apart"],
+                ));
+            } else if clearance < 0.05 * gear.rack.module {
+                warnings.push(GeometryError::warning(
+                    "E0637",
+                    argument,
+                    sentence![
+                        "the mate's tips clear the root circle of this gear by only ", length clearance.max(0.0)
+                    ],
+                    sentence!["a clearance of ", length 0.25 * gear.rack.module, " (0.25 modules) is usual"],
+                ));
+            }
+        }
+        if errors.is_empty() { Ok((mesh, warnings)) } else { Err(errors) }
+    }
+}
+
+fn check_same_involutes(module: [f64; 2], pressure_angle: [f64; 2]) -> Result<(), GeometryError> {
+    // Only the base pitch must agree for conjugate action.
+    let base_pitch = [0, 1].map(|member| PI * module[member] * math::cos(pressure_angle[member]));
+    if (base_pitch[0] - base_pitch[1]).abs() <= 1e-9 * base_pitch[0] {
+        return Ok(());
+    }
+    Err(GeometryError::error(
+        "E0630",
+        "second",
+        sentence![
+            "the gears have different base pitches, ", length base_pitch[0], " and ", length base_pitch[1],
+            ": their teeth cannot mesh smoothly"
+        ],
+        sentence!["give both gears a rack of the same module and pressure angle"],
+    ))
+}
+
+fn fillet_interference(argument: &'static str, gear: &ExternalGear, reach_roll: f64) -> GeometryError {
+    let reach = if reach_roll > 0.0 { gear.radius_at_roll(reach_roll) } else { gear.base_radius };
+    GeometryError::error(
+        "E0634",
+        argument,
+        sentence![
+            "the mate's tips reach down to radius ", length reach, " on this gear, but its involute begins only at ",
+            length gear.form_radius, ": the tips would run into the fillets"
+        ],
+        sentence![
+            "reduce `outer_diameter` of the mate, reduce `tip_radius` of this gear's rack, or place the axes farther apart"
+        ],
+    )
+}
+
