@@ -14,6 +14,8 @@ pub struct Ident {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Module {
     pub statements: Vec<Stmt>,
+    /// Text of a `///` block at the beginning of the file with a blank line after it.
+    pub doc: Option<String>,
 }
 
 #[derive(Clone, Debug, PartialEq)]

@@ -8,5 +8,7 @@ pub mod ast;
 pub mod diagnostic;
 pub mod dimension;
 pub mod ir;
+pub mod lexer;
+pub mod parser;
 pub mod span;
 pub mod units;

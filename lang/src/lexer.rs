@@ -1,0 +1,610 @@
+//! Text to tokens. Never fails: what belongs to no token is reported and skipped.
+//!
+//! Tokens hold no text, only their place, so they are small and the text is decoded once, by the parser.
+//! Strings with interpolated expressions become a flat run of tokens
+//! (`StringOpen StringText InterpolationOpen ... InterpolationClose StringClose`).
+
+use crate::diagnostic::Diagnostic;
+use crate::span::{FileId, Span};
+use std::collections::HashMap;
+
+/// What a token is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Kind {
+    Number,
+    Identifier,
+    StringOpen,
+    StringText,
+    InterpolationOpen,
+    InterpolationClose,
+    StringClose,
+
+    Var,
+    If,
+    Else,
+    For,
+    While,
+    Do,
+    Switch,
+    Case,
+    Default,
+    Break,
+    Continue,
+    Return,
+    Goto,
+    Throw,
+    Try,
+    Catch,
+    Function,
+    In,
+    Out,
+    InOut,
+    True,
+    False,
+
+    // Words only where another name follows, so that a program may still use them as names.
+    Import,
+    Units,
+    Param,
+    Output,
+    Extern,
+    At,
+
+    OpenParen,
+    CloseParen,
+    OpenBracket,
+    CloseBracket,
+    OpenBrace,
+    CloseBrace,
+    Comma,
+    Semicolon,
+    Colon,
+    Dot,
+    DotDot,
+    Assign,
+    Bind,
+    Arrow,
+    Plus,
+    Minus,
+    Star,
+    Slash,
+    Percent,
+    Caret,
+    Less,
+    LessEqual,
+    Greater,
+    GreaterEqual,
+    Equal,
+    NotEqual,
+    And,
+    Or,
+    AndAnd,
+    OrOr,
+    Not,
+}
+
+impl Kind {
+    /// How to name the token in a message.
+    pub fn describe(self) -> &'static str {
+        match self {
+            Kind::Number => "a number",
+            Kind::Identifier => "a name",
+            Kind::StringOpen | Kind::StringText | Kind::StringClose => "a string",
+            Kind::InterpolationOpen => "`{`",
+            Kind::InterpolationClose => "`}`",
+            other => KEYWORDS
+                .iter()
+                .chain(CONTEXTUAL)
+                .chain(SYMBOLS)
+                .find(|(_, kind, _)| *kind == other)
+                .map_or("this", |(_, _, quoted)| quoted),
+        }
+    }
+
+    /// Whether an expression can end with this token.
+    fn ends_expression(self) -> bool {
+        matches!(
+            self,
+            Kind::Number
+                | Kind::Identifier
+                | Kind::StringClose
+                | Kind::True
+                | Kind::False
+                | Kind::CloseParen
+                | Kind::CloseBracket
+                | Kind::Percent
+        )
+    }
+
+    /// Whether the token is a word that only begins statements.
+    pub fn begins_statement(self) -> bool {
+        matches!(
+            self,
+            Kind::Var
+                | Kind::For
+                | Kind::While
+                | Kind::Do
+                | Kind::Switch
+                | Kind::Case
+                | Kind::Default
+                | Kind::Break
+                | Kind::Continue
+                | Kind::Return
+                | Kind::Goto
+                | Kind::Throw
+                | Kind::Try
+                | Kind::Function
+                | Kind::Import
+                | Kind::Units
+                | Kind::Param
+                | Kind::Output
+                | Kind::Extern
+        )
+    }
+}
+
+type Spelling = (&'static str, Kind, &'static str);
+
+const KEYWORDS: &[Spelling] = &[
+    ("var", Kind::Var, "`var`"),
+    ("if", Kind::If, "`if`"),
+    ("else", Kind::Else, "`else`"),
+    ("for", Kind::For, "`for`"),
+    ("while", Kind::While, "`while`"),
+    ("do", Kind::Do, "`do`"),
+    ("switch", Kind::Switch, "`switch`"),
+    ("case", Kind::Case, "`case`"),
+    ("default", Kind::Default, "`default`"),
+    ("break", Kind::Break, "`break`"),
+    ("continue", Kind::Continue, "`continue`"),
+    ("return", Kind::Return, "`return`"),
+    ("goto", Kind::Goto, "`goto`"),
+    ("throw", Kind::Throw, "`throw`"),
+    ("try", Kind::Try, "`try`"),
+    ("catch", Kind::Catch, "`catch`"),
+    ("function", Kind::Function, "`function`"),
+    ("in", Kind::In, "`in`"),
+    ("out", Kind::Out, "`out`"),
+    ("inout", Kind::InOut, "`inout`"),
+    ("TRUE", Kind::True, "`TRUE`"),
+    ("FALSE", Kind::False, "`FALSE`"),
+];
+
+const CONTEXTUAL: &[Spelling] = &[
+    ("import", Kind::Import, "`import`"),
+    ("units", Kind::Units, "`units`"),
+    ("param", Kind::Param, "`param`"),
+    ("output", Kind::Output, "`output`"),
+    ("extern", Kind::Extern, "`extern`"),
+    ("at", Kind::At, "`at`"),
+];
+
+/// Longer spellings before their beginnings.
+const SYMBOLS: &[Spelling] = &[
+    ("..", Kind::DotDot, "`..`"),
+    (":=", Kind::Bind, "`:=`"),
+    ("->", Kind::Arrow, "`->`"),
+    ("<=", Kind::LessEqual, "`<=`"),
+    (">=", Kind::GreaterEqual, "`>=`"),
+    ("==", Kind::Equal, "`==`"),
+    ("!=", Kind::NotEqual, "`!=`"),
+    ("&&", Kind::AndAnd, "`&&`"),
+    ("||", Kind::OrOr, "`||`"),
+    ("(", Kind::OpenParen, "`(`"),
+    (")", Kind::CloseParen, "`)`"),
+    ("[", Kind::OpenBracket, "`[`"),
+    ("]", Kind::CloseBracket, "`]`"),
+    ("{", Kind::OpenBrace, "`{`"),
+    ("}", Kind::CloseBrace, "`}`"),
+    (",", Kind::Comma, "`,`"),
+    (";", Kind::Semicolon, "`;`"),
+    (":", Kind::Colon, "`:`"),
+    (".", Kind::Dot, "`.`"),
+    ("=", Kind::Assign, "`=`"),
+    ("+", Kind::Plus, "`+`"),
+    ("-", Kind::Minus, "`-`"),
+    ("*", Kind::Star, "`*`"),
+    ("/", Kind::Slash, "`/`"),
+    ("%", Kind::Percent, "`%`"),
+    ("^", Kind::Caret, "`^`"),
+    ("<", Kind::Less, "`<`"),
+    (">", Kind::Greater, "`>`"),
+    ("&", Kind::And, "`&`"),
+    ("|", Kind::Or, "`|`"),
+    ("!", Kind::Not, "`!`"),
+];
+
+/// Words that are always keywords, for completion and suggestions.
+pub fn keywords() -> impl Iterator<Item = &'static str> {
+    KEYWORDS.iter().chain(CONTEXTUAL).map(|(word, _, _)| *word)
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Token {
+    pub kind: Kind,
+    pub span: Span,
+}
+
+/// The tokens of a file.
+#[derive(Clone, Debug, Default)]
+pub struct Tokens {
+    pub tokens: Vec<Token>,
+    /// Text of the `///` block directly above a token, by the token's index.
+    pub docs: HashMap<usize, String>,
+    /// Text of a `///` block at the beginning of the file with a blank line after it.
+    pub file_doc: Option<String>,
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+pub fn lex(file: FileId, text: &str) -> Tokens {
+    let mut lexer = Lexer {
+        file,
+        text,
+        at: 0,
+        out: Tokens::default(),
+        open_strings: Vec::new(),
+        doc: None,
+        lines_since_doc: 0,
+    };
+    lexer.run();
+    let mut tokens = lexer.out;
+    mark_contextual_words(&mut tokens.tokens, text);
+    tokens
+}
+
+/// `param torque` declares, `param + 1` is a variable; two names never stand side by side elsewhere.
+fn mark_contextual_words(tokens: &mut [Token], text: &str) {
+    for i in 0..tokens.len() {
+        let token = tokens[i];
+        if token.kind != Kind::Identifier {
+            continue;
+        }
+        let word = &text[token.span.start as usize..token.span.end as usize];
+        let Some(&(_, kind, _)) = CONTEXTUAL.iter().find(|(w, _, _)| *w == word) else { continue };
+        let next = tokens.get(i + 1).map(|t| t.kind);
+        let previous = i.checked_sub(1).map(|p| tokens[p].kind);
+        let is_word = match kind {
+            Kind::At => next == Some(Kind::Identifier) && previous.is_some_and(Kind::ends_expression),
+            Kind::Extern => matches!(next, Some(Kind::Identifier | Kind::Function)),
+            _ => next == Some(Kind::Identifier),
+        };
+        if is_word {
+            tokens[i].kind = kind;
+        }
+    }
+}
+
+struct OpenString {
+    start: usize,
+    /// Whether we are in an interpolated expression of it.
+    interpolating: bool,
+}
+
+struct Lexer<'a> {
+    file: FileId,
+    text: &'a str,
+    at: usize,
+    out: Tokens,
+    /// The strings we are in, outermost first.
+    open_strings: Vec<OpenString>,
+    /// The `///` block being collected.
+    doc: Option<String>,
+    /// Line ends since its last line.
+    lines_since_doc: usize,
+}
+
+impl Lexer<'_> {
+    fn rest(&self) -> &str {
+        &self.text[self.at..]
+    }
+
+    fn peek(&self) -> Option<char> {
+        self.rest().chars().next()
+    }
+
+    fn span(&self, start: usize) -> Span {
+        Span::new(self.file, start, self.at)
+    }
+
+    fn push(&mut self, kind: Kind, start: usize) {
+        if let Some(doc) = self.take_doc() {
+            self.out.docs.insert(self.out.tokens.len(), doc);
+        }
+        self.out.tokens.push(Token { kind, span: self.span(start) });
+    }
+
+    /// The `///` block, if it is directly above. One with a blank line after it documents nothing but the file.
+    fn take_doc(&mut self) -> Option<String> {
+        let doc = self.doc.take()?;
+        if self.lines_since_doc <= 1 {
+            return Some(doc);
+        }
+        if self.out.tokens.is_empty() && self.out.file_doc.is_none() {
+            self.out.file_doc = Some(doc);
+        }
+        None
+    }
+
+    fn error(&mut self, code: &str, message: impl Into<String>, span: Span, label: &str, help: &str) {
+        self.out.diagnostics.push(Diagnostic::error(code, message, span, label).help(help));
+    }
+
+    fn run(&mut self) {
+        // A byte order mark is not text.
+        if self.text.starts_with('\u{feff}') {
+            self.at = '\u{feff}'.len_utf8();
+        }
+        while let Some(c) = self.peek() {
+            let start = self.at;
+            match c {
+                '\n' => {
+                    self.close_strings("the line ends inside it");
+                    self.lines_since_doc += 1;
+                    self.at += 1;
+                }
+                _ if c.is_whitespace() => self.at += c.len_utf8(),
+                '/' if self.rest().starts_with("//") => self.line_comment(),
+                '/' if self.rest().starts_with("/*") => self.block_comment(),
+                '"' => self.string(start),
+                '\'' => self.single_quoted(start),
+                '}' if !self.open_strings.is_empty() => {
+                    self.at += 1;
+                    self.push(Kind::InterpolationClose, start);
+                    self.set_interpolating(false);
+                    self.string_text();
+                }
+                '0'..='9' => self.number(start),
+                '.' if self.rest()[1..].starts_with(|d: char| d.is_ascii_digit()) => self.number(start),
+                _ if c.is_alphabetic() || c == '_' => self.word(start),
+                _ => self.symbol(start),
+            }
+        }
+        self.close_strings("the file ends inside it");
+        let _ = self.take_doc();
+    }
+
+    fn line_comment(&mut self) {
+        let length = self.rest().find('\n').unwrap_or(self.rest().len());
+        let line = self.rest()[..length].trim_end();
+        // `////` and more is a ruler, not documentation.
+        if let Some(content) = line.strip_prefix("///").filter(|rest| !rest.starts_with('/')) {
+            let content = content.strip_prefix(' ').unwrap_or(content).to_string();
+            match self.take_doc() {
+                Some(above) => self.doc = Some(above + "\n" + &content),
+                None => self.doc = Some(content),
+            }
+            self.lines_since_doc = 0;
+        }
+        self.at += length;
+    }
+
+    fn block_comment(&mut self) {
+        let start = self.at;
+        match self.rest()[2..].find("*/") {
+            Some(length) => self.at += length + 4,
+            None => {
+                self.at += 2;
+                let span = self.span(start);
+                self.error("E0102", "this comment does not end", span, "begins here", "close it with `*/`");
+                self.at = self.text.len();
+            }
+        }
+    }
+
+    fn number(&mut self, start: usize) {
+        self.digits();
+        let fraction = self.rest().strip_prefix('.').is_some_and(|rest| !rest.starts_with('.'));
+        if fraction {
+            self.at += 1;
+            self.digits();
+        }
+        if let Some(exponent) = self.rest().strip_prefix(['e', 'E']) {
+            let digits = exponent.strip_prefix(['+', '-']).unwrap_or(exponent);
+            if digits.starts_with(|d: char| d.is_ascii_digit()) {
+                self.at = self.text.len() - digits.len();
+                self.digits();
+            }
+        }
+        let second_point =
+            self.rest().strip_prefix('.').is_some_and(|r| r.starts_with(|d: char| d.is_ascii_digit()));
+        if second_point || self.rest().starts_with('_') {
+            while self.peek().is_some_and(|c| c.is_ascii_alphanumeric() || c == '_' || c == '.') {
+                self.at += 1;
+            }
+            let span = self.span(start);
+            self.error(
+                "E0105",
+                "this is not a number",
+                span,
+                "malformed",
+                "write numbers as `1250`, `0.15708` or `3e7`",
+            );
+        } else if self.text[start..self.at].parse::<f64>().is_ok_and(f64::is_infinite) {
+            let span = self.span(start);
+            self.error(
+                "E0105",
+                "this number is too large",
+                span,
+                "beyond 1.8e308",
+                "write `inf` for infinity",
+            );
+        }
+        self.push(Kind::Number, start);
+    }
+
+    fn digits(&mut self) {
+        self.at += self.rest().bytes().take_while(u8::is_ascii_digit).count();
+    }
+
+    fn word(&mut self, start: usize) {
+        let rest = self.rest();
+        let length = rest.find(|c: char| !c.is_alphanumeric() && c != '_').unwrap_or(rest.len());
+        let word = &rest[..length];
+        let kind =
+            KEYWORDS.iter().find(|(w, _, _)| *w == word).map_or(Kind::Identifier, |(_, kind, _)| *kind);
+        self.at += length;
+        self.push(kind, start);
+    }
+
+    fn symbol(&mut self, start: usize) {
+        if let Some(&(spelling, kind, _)) = SYMBOLS.iter().find(|(s, _, _)| self.rest().starts_with(s)) {
+            self.at += spelling.len();
+            self.push(kind, start);
+            return;
+        }
+        // One report for a run of such characters.
+        let begins_token = |c: char| {
+            c.is_whitespace()
+                || c.is_alphanumeric()
+                || "_\"'".contains(c)
+                || SYMBOLS.iter().any(|(s, _, _)| s.starts_with(c))
+        };
+        let rest = self.rest();
+        self.at += rest.find(begins_token).unwrap_or(rest.len());
+        let shown: String = self.text[start..self.at].chars().take(10).collect();
+        let span = self.span(start);
+        let message = format!("`{}` has no meaning here", shown.escape_debug());
+        self.error("E0101", message, span, "not part of the language", "remove it");
+    }
+
+    fn single_quoted(&mut self, start: usize) {
+        self.at += 1;
+        let line = self.rest().find('\n').unwrap_or(self.rest().len());
+        let content_end = self.rest()[..line].find('\'');
+        self.push(Kind::StringOpen, start);
+        let content_start = self.at;
+        self.at += content_end.unwrap_or(line);
+        if self.at > content_start {
+            self.push(Kind::StringText, content_start);
+        }
+        let close = self.at;
+        self.at += usize::from(content_end.is_some());
+        self.push(Kind::StringClose, close);
+        let span = self.span(start);
+        let fixed = format!("\"{}\"", &self.text[content_start..close]);
+        let mut problem = Diagnostic::error("E0103", "strings stand in double quotes", span, "single quotes")
+            .help("use `\"`");
+        if content_end.is_some() && !fixed[1..fixed.len() - 1].contains(['"', '{', '}', '\\']) {
+            problem = problem.fix("use double quotes", span, fixed);
+        }
+        self.out.diagnostics.push(problem);
+    }
+
+    fn string(&mut self, start: usize) {
+        self.at += 1;
+        self.push(Kind::StringOpen, start);
+        self.open_strings.push(OpenString { start, interpolating: false });
+        self.string_text();
+    }
+
+    /// Literal text up to the closing quote, an interpolation, or the end of the line.
+    fn string_text(&mut self) {
+        let start = self.at;
+        loop {
+            let here = self.at;
+            let rest = &self.text[here..];
+            let Some(c) = rest.chars().next() else { break };
+            if c == '\n' {
+                break;
+            }
+            if rest.starts_with("{{") || rest.starts_with("}}") {
+                self.at += 2;
+            } else if c == '"' {
+                self.flush_text(start, here);
+                self.at = here + 1;
+                self.push(Kind::StringClose, here);
+                self.open_strings.pop();
+                return;
+            } else if c == '{' {
+                self.flush_text(start, here);
+                self.at = here + 1;
+                self.push(Kind::InterpolationOpen, here);
+                self.set_interpolating(true);
+                return;
+            } else if c == '}' {
+                self.at += 1;
+                let span = self.span(here);
+                self.out.diagnostics.push(
+                    Diagnostic::error("E0104", "`}` in a string closes nothing", span, "no `{` before it")
+                        .help("write `}}` for the character itself")
+                        .fix("double it", span, "}}"),
+                );
+            } else if c == '\\' {
+                self.escape(here);
+            } else {
+                self.at += c.len_utf8();
+            }
+        }
+        let end = self.at;
+        self.flush_text(start, end);
+    }
+
+    fn flush_text(&mut self, start: usize, end: usize) {
+        self.at = end;
+        if end > start {
+            self.push(Kind::StringText, start);
+        }
+    }
+
+    fn escape(&mut self, start: usize) {
+        self.at += 1;
+        match self.peek() {
+            Some('n' | 't' | '"' | '\\') => self.at += 1,
+            // The end of the line is reported as the end of the string.
+            None | Some('\n') => {}
+            Some(other) => {
+                self.at += other.len_utf8();
+                let span = self.span(start);
+                let message = format!("`\\{}` is no escape", other.escape_debug());
+                let help = "the escapes are `\\n`, `\\t`, `\\\"` and `\\\\`; braces are doubled";
+                self.error("E0104", message, span, "unknown escape", help);
+            }
+        }
+    }
+
+    /// Ends every string that the end of a line leaves open, so that the next line is read afresh.
+    fn close_strings(&mut self, reason: &str) {
+        let Some(outermost) = self.open_strings.first() else { return };
+        let span = Span::new(self.file, outermost.start, self.at);
+        let help = "close it with `\"` on the same line; `\\n` stands for a line end";
+        self.error("E0103", "this string does not end", span, reason, help);
+        while let Some(open) = self.open_strings.pop() {
+            let here = self.at;
+            if open.interpolating {
+                self.push(Kind::InterpolationClose, here);
+            }
+            self.push(Kind::StringClose, here);
+        }
+    }
+
+    fn set_interpolating(&mut self, interpolating: bool) {
+        if let Some(open) = self.open_strings.last_mut() {
+            open.interpolating = interpolating;
+        }
+    }
+}
+
+/// The characters a `StringText` token stands for. Unknown escapes (already reported) stay as written.
+pub fn unescape(raw: &str) -> String {
+    let mut text = String::with_capacity(raw.len());
+    let mut characters = raw.chars().peekable();
+    while let Some(c) = characters.next() {
+        match (c, characters.peek()) {
+            ('{', Some('{')) | ('}', Some('}')) => {
+                characters.next();
+                text.push(c);
+            }
+            ('\\', Some(&escaped)) => {
+                characters.next();
+                match escaped {
+                    'n' => text.push('\n'),
+                    't' => text.push('\t'),
+                    '"' | '\\' => text.push(escaped),
+                    _ => text.extend(['\\', escaped]),
+                }
+            }
+            _ => text.push(c),
+        }
+    }
+    text
+}

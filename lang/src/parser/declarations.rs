@@ -1,0 +1,294 @@
+//! Functions, their parameters and types, and the declarations that make a model's interface.
+
+use super::Problem;
+use super::Rule;
+use super::expressions::Expressions;
+use super::recovery::{Reader, close, expect, identifier, name, position, semicolon, when};
+use super::source::Source;
+use crate::ast::{
+    Bind, Domain, Expr, FunctionBody, FunctionDecl, Ident, Mode, ParamDecl, Parameter, Stmt, StmtKind,
+    TypeExpr, TypeKind,
+};
+use crate::diagnostic::Diagnostic;
+use crate::lexer::Kind;
+use chumsky::pratt::{infix, left, postfix};
+use chumsky::prelude::*;
+
+/// `import`, `units`, `param` and `output`, which stand at the top level only.
+pub(super) fn interface<'a>(source: &'a Source<'a>, e: &Expressions<'a>) -> Rule<'a, StmtKind> {
+    let end = semicolon(source);
+    let path = name(source, "the module")
+        .then(just(Kind::Dot).ignore_then(name(source, "the module")).repeated().collect::<Vec<_>>());
+    let import = just(Kind::Import).ignore_then(path).then_ignore(end.clone()).map(|(first, rest)| {
+        let path: Option<Vec<Ident>> = std::iter::once(first).chain(rest).collect();
+        path.map_or(StmtKind::Error, StmtKind::Import)
+    });
+    let units = just(Kind::Units)
+        .ignore_then(name(source, "the unit system"))
+        .then_ignore(end.clone())
+        .map(|system| system.map_or(StmtKind::Error, StmtKind::Units));
+    let param = just(Kind::Param)
+        .ignore_then(name(source, "the param"))
+        .then_ignore(expect(source, Kind::Assign, "before the default of a param"))
+        .then(e.full.clone())
+        .then(domain(source, e).or_not())
+        .then_ignore(end.clone())
+        .map(|((name, default), domain)| match name {
+            Some(name) => StmtKind::Param(ParamDecl { name, default, domain }),
+            None => StmtKind::Error,
+        });
+    let output = just(Kind::Output)
+        .ignore_then(name(source, "the output"))
+        .then_ignore(expect(source, Kind::Bind, "before the value of an output"))
+        .then(e.full.clone())
+        .then_ignore(end)
+        .map(|(name, value)| name.map_or(StmtKind::Error, |name| StmtKind::Output { name, value }));
+    top_level_only(source).ignore_then(choice((import, units, param, output))).boxed()
+}
+
+/// Reports the next token if it begins a declaration inside a block, a function or another statement.
+fn top_level_only<'a>(source: &'a Source<'a>) -> Rule<'a, ()> {
+    custom(move |input: &mut Reader<'a, '_>| {
+        let at = position(input);
+        if !matches!(source.kind(at), Some(Kind::Import | Kind::Units | Kind::Param | Kind::Output)) {
+            return Err(Problem(None));
+        }
+        let after_statement = matches!(source.previous(at), None | Some(Kind::Semicolon | Kind::CloseBrace));
+        let inside = source.open_bracket(at);
+        if inside.is_some() || !(after_statement || source.begins_line(at)) {
+            let message = format!("{} stands at the top level of the file only", source.describe(at));
+            let mut problem =
+                Diagnostic::error("E0123", message, source.place(at), "inside another statement")
+                    .help("move it out");
+            if let Some(open) = inside {
+                problem = problem.label(source.place(open), "inside this block");
+            }
+            input.emit(problem.into());
+        }
+        Ok(())
+    })
+    .boxed()
+}
+
+/// `in low .. high`, `in ["a", "b"]`
+fn domain<'a>(source: &'a Source<'a>, e: &Expressions<'a>) -> Rule<'a, Domain> {
+    let choices = e.list.clone().map_with(|values, extra| (values, source.range(extra.span())));
+    let bound = when(move |at| {
+        super::expressions::may_begin(source.kind(at)) && source.kind(at) != Some(Kind::DotDot)
+    })
+    .ignore_then(e.operators.clone());
+    // After `..` the end of the parameter or of the statement means that there is no bound.
+    let upper = when(move |at| source.kind(at) != Some(Kind::Comma)).ignore_then(bound.clone()).or_not();
+    let range = bound
+        .or_not()
+        .then_ignore(expect(source, Kind::DotDot, "between the ends of the range"))
+        .then(upper)
+        .map_with(|(low, high), extra| Domain::Range { low, high, span: source.range(extra.span()) });
+    just(Kind::In)
+        .ignore_then(choice((choices.map(|(values, span)| Domain::Choices { values, span }), range)))
+        .boxed()
+}
+
+/// `function f(...) statement`, `function p(...) := e;`, `extern pure function f(...) -> T;`
+pub(super) fn function<'a>(
+    source: &'a Source<'a>,
+    e: &Expressions<'a>,
+    body: Rule<'a, Stmt>,
+) -> Rule<'a, StmtKind> {
+    let types = type_expression(source);
+    let parameters = expect(source, Kind::OpenParen, "before the parameters")
+        .ignore_then(
+            parameter(source, e, types.clone())
+                .separated_by(just(Kind::Comma))
+                .allow_trailing()
+                .collect::<Vec<Option<Parameter>>>(),
+        )
+        .then_ignore(close(source, Kind::CloseParen, "`,` or `)`"))
+        .map(|parameters| parameters.into_iter().flatten().collect::<Vec<_>>())
+        .boxed();
+    let signature = just(Kind::Function)
+        .ignore_then(name(source, "the function"))
+        .then(parameters)
+        .then(just(Kind::Arrow).ignore_then(types).or_not())
+        .boxed();
+    let purity = identifier(source).or_not();
+    let external = just(Kind::Extern)
+        .ignore_then(purity)
+        .then(signature.clone())
+        .then_ignore(semicolon(source))
+        .map(|(purity, signature)| (signature, FunctionBody::Extern { purity }));
+    let symbolic = just(Kind::Bind).ignore_then(e.full.clone()).then_ignore(semicolon(source));
+    let defined = signature.then(choice((
+        symbolic.map(FunctionBody::Symbolic),
+        body.map(|body| FunctionBody::Statement(Box::new(body))),
+    )));
+    external
+        .or(defined)
+        .map(|(((name, parameters), result), body)| match name {
+            Some(name) => StmtKind::Function(FunctionDecl { name, parameters, result, body }),
+            None => StmtKind::Error,
+        })
+        .boxed()
+}
+
+fn parameter<'a>(
+    source: &'a Source<'a>,
+    e: &Expressions<'a>,
+    types: Rule<'a, TypeExpr>,
+) -> Rule<'a, Option<Parameter>> {
+    let mode = select! { Kind::In => Mode::In, Kind::Out => Mode::Out, Kind::InOut => Mode::InOut };
+    // Before a name alone: `function f(a)`.
+    let no_mode = custom(move |input: &mut Reader<'a, '_>| {
+        let at = position(input);
+        if source.kind(at) != Some(Kind::Identifier) {
+            return Err(Problem(None));
+        }
+        let place = source.place(at);
+        let before = crate::span::Span { end: place.start, ..place };
+        let message = format!("the parameter `{}` says neither `in`, `out` nor `inout`", source.text(at));
+        input.emit(
+            Diagnostic::error("E0120", message, place, "how is it passed?")
+                .help("`in` passes a value, `out` and `inout` copy one back")
+                .fix("pass it by value", before, "in ")
+                .into(),
+        );
+        Ok(Mode::In)
+    });
+    let bind = select! { Kind::Assign => Bind::Evaluate, Kind::Bind => Bind::Symbolic };
+    let value =
+        when(move |at| !matches!(source.kind(at), None | Some(Kind::Comma | Kind::CloseParen | Kind::In)))
+            .ignore_then(e.full.clone());
+    let default = custom(move |input: &mut Reader<'a, '_>| {
+        // `in b =` lacks its value; only `:=` can do without.
+        let at = position(input);
+        let ends = matches!(source.kind(at + 1), Some(Kind::Comma | Kind::CloseParen));
+        if source.kind(at) == Some(Kind::Assign) && ends {
+            let message = "the default of the parameter is missing";
+            input.emit(
+                Diagnostic::error("E0112", message, source.place(at + 1), "a value is expected here").into(),
+            );
+        }
+        Ok(())
+    })
+    .ignore_then(bind.then(value.or_not()));
+    mode.or(no_mode)
+        .then(name(source, "the parameter"))
+        .then(just(Kind::Colon).ignore_then(types).or_not())
+        .then(default.or_not())
+        .then(domain(source, e).or_not())
+        .map_with(|((((mode, name), annotation), default), domain), extra| {
+            let doc = source.doc(extra.span().start);
+            name.map(|name| Parameter { mode, name, annotation, default, domain, doc })
+        })
+        .boxed()
+}
+
+/// `Length`, `Array(Number)`, `Force/Length^2`, `1/Length`
+fn type_expression<'a>(source: &'a Source<'a>) -> Rule<'a, TypeExpr> {
+    let mut any = Recursive::declare();
+    let spanned = |kind: Rule<'a, TypeKind>| {
+        kind.map_with(|kind, extra| TypeExpr { kind, span: source.range(extra.span()) }).boxed()
+    };
+    let arguments = just(Kind::OpenParen)
+        .ignore_then(any.clone().separated_by(just(Kind::Comma)).allow_trailing().collect())
+        .then_ignore(close(source, Kind::CloseParen, "`,` or `)`"));
+    let named = identifier(source).then(arguments.or_not()).map(|(name, arguments)| match arguments {
+        Some(arguments) => TypeKind::Apply(name, arguments),
+        None => TypeKind::Name(name),
+    });
+    // The `1` of `1/Length`.
+    let one = when(move |at| source.kind(at) == Some(Kind::Number) && source.text(at) == "1")
+        .ignore_then(just(Kind::Number))
+        .map_with(|_, extra| {
+            TypeKind::Name(Ident { name: "Number".into(), span: source.range(extra.span()) })
+        });
+    let missing = custom(move |input: &mut Reader<'a, '_>| {
+        let at = position(input);
+        let message = format!("a type is expected, not {}", source.describe(at));
+        input.emit(
+            Diagnostic::error("E0124", message, source.place(at), "a type is expected here")
+                .help("types are dimensions such as `Length`, or `Number`, `Bool`, `String`, `Array(Length)`")
+                .into(),
+        );
+        Ok(TypeKind::Error)
+    });
+    let inner =
+        just(Kind::OpenParen).ignore_then(any.clone()).then_ignore(close(source, Kind::CloseParen, "`)`"));
+    let atom =
+        choice((spanned(named.boxed()), spanned(one.boxed()), inner.boxed(), spanned(missing.boxed())))
+            .boxed();
+    let exponent = just(Kind::Caret)
+        .ignore_then(rational(source))
+        .map_with(|power, extra| (power, source.range(extra.span())))
+        .boxed();
+    let join = |left: TypeExpr, right: TypeExpr, node: fn(Box<TypeExpr>, Box<TypeExpr>) -> TypeKind| {
+        let span = left.span.to(right.span);
+        TypeExpr { kind: node(Box::new(left), Box::new(right)), span }
+    };
+    let grammar = atom.pratt((
+        postfix(
+            2,
+            exponent,
+            |base: TypeExpr, ((numerator, denominator), place): ((i32, i32), _), _: &mut _| {
+                let span = base.span.to(place);
+                TypeExpr { kind: TypeKind::Power(Box::new(base), numerator, denominator), span }
+            },
+        ),
+        infix(left(1), just(Kind::Star), move |l, _, r, _: &mut _| join(l, r, TypeKind::Product)),
+        infix(left(1), just(Kind::Slash), move |l, _, r, _: &mut _| join(l, r, TypeKind::Quotient)),
+    ));
+    any.define(grammar.boxed());
+    any.boxed()
+}
+
+/// The exponent of a dimension: `2`, `-1`, `(1/2)`.
+fn rational<'a>(source: &'a Source<'a>) -> Rule<'a, (i32, i32)> {
+    let integer = custom(move |input: &mut Reader<'a, '_>| {
+        let negative = source.kind(position(input)) == Some(Kind::Minus);
+        if negative {
+            input.next();
+        }
+        let at = position(input);
+        let value = match source.kind(at) {
+            Some(Kind::Number) => source.text(at).parse::<i32>().ok(),
+            _ => None,
+        };
+        let Some(value) = value else {
+            input.emit(
+                Diagnostic::error(
+                    "E0124",
+                    "the exponent of a dimension is a whole number or a fraction",
+                    source.place(at),
+                    "a whole number is expected here",
+                )
+                .help("write `Length^2` or `Length^(1/2)`")
+                .into(),
+            );
+            if source.kind(at) == Some(Kind::Number) {
+                input.next();
+            }
+            return Ok(1);
+        };
+        input.next();
+        Ok(if negative { -value } else { value })
+    })
+    .boxed();
+    let fraction = just(Kind::OpenParen)
+        .ignore_then(integer.clone())
+        .then(just(Kind::Slash).ignore_then(integer.clone()).or_not())
+        .then_ignore(close(source, Kind::CloseParen, "`)`"))
+        .map(|(numerator, denominator)| (numerator, denominator.unwrap_or(1)));
+    fraction.or(integer.map(|whole| (whole, 1))).boxed()
+}
+
+/// `var a = 1, b := 2, c`
+pub(super) fn variables<'a>(source: &'a Source<'a>, value: Rule<'a, Expr>) -> Rule<'a, StmtKind> {
+    let bind = select! { Kind::Assign => Bind::Evaluate, Kind::Bind => Bind::Symbolic };
+    let variable = name(source, "the variable")
+        .then(bind.then(value).or_not())
+        .map(|(name, init)| name.map(|name| crate::ast::VarDecl { name, init }));
+    just(Kind::Var)
+        .ignore_then(variable.separated_by(just(Kind::Comma)).at_least(1).collect::<Vec<_>>())
+        .map(|declared| StmtKind::Var(declared.into_iter().flatten().collect()))
+        .boxed()
+}

@@ -1,0 +1,427 @@
+//! Expressions, their literals and argument lists.
+
+use super::recovery::{Reader, advance_to, close, expect, identifier, index_of, name, position, when};
+use super::source::Source;
+use super::{Extra, Input, Problem, Rule};
+use crate::ast::{Argument, BinaryOp, Bind, Expr, ExprKind, Ident, StringPart, UnaryOp};
+use crate::diagnostic::Diagnostic;
+use crate::lexer::{Kind, unescape};
+use crate::span::Span;
+use crate::units::Unit;
+use chumsky::pratt::{infix, left, postfix, prefix, right};
+use chumsky::prelude::*;
+
+/// Rules for expressions. All of them succeed: where no expression stands they report it and yield an `Error` node.
+#[derive(Clone)]
+pub(super) struct Expressions<'a> {
+    /// Everything, `at` included.
+    pub full: Rule<'a, Expr>,
+    /// Without `at`: where a condition, a range bound or an `else` branch ends before it.
+    pub operators: Rule<'a, Expr>,
+    /// A condition in parentheses.
+    pub condition: Rule<'a, Expr>,
+    /// `[a, b, c]`, without the node around it.
+    pub list: Rule<'a, Vec<Expr>>,
+}
+
+// From loosest to tightest; `at` is looser than all and no operator here.
+const OR: u16 = 1;
+const AND: u16 = 2;
+const RELATION: u16 = 3;
+const SUM: u16 = 4;
+const PRODUCT: u16 = 5;
+const SIGN: u16 = 6;
+const POWER: u16 = 7;
+const SUFFIX: u16 = 8;
+
+pub(super) fn expressions<'a>(source: &'a Source<'a>) -> Expressions<'a> {
+    let mut full = Recursive::declare();
+    let mut operators = Recursive::declare();
+    let any = full.clone().boxed();
+
+    let list = list(source, any.clone());
+    let condition = condition(source, any.clone());
+    let atom = choice((
+        number(source),
+        string(source, any.clone()),
+        boolean(source),
+        variable(source),
+        parenthesised(source, any.clone()),
+        spanned(source, list.clone().map(ExprKind::List)),
+        conditional(source, condition.clone(), any.clone(), operators.clone().boxed()),
+        missing(source),
+    ))
+    .boxed();
+    operators.define(operator_grammar(source, atom, any.clone()));
+    full.define(at_clause(source, operators.clone().boxed(), any.clone()));
+    Expressions { full: any, operators: operators.boxed(), condition, list }
+}
+
+/// Wraps a node with the place of its tokens.
+fn spanned<'a>(
+    source: &'a Source<'a>,
+    kind: impl Parser<'a, Input<'a>, ExprKind, Extra> + 'a,
+) -> Rule<'a, Expr> {
+    kind.map_with(|kind, extra| Expr { kind, span: source.range(extra.span()) }).boxed()
+}
+
+/// Whether an expression, rather than the end of one, may be meant at a token.
+pub(super) fn may_begin(kind: Option<Kind>) -> bool {
+    kind.is_some_and(|k| {
+        !k.begins_statement()
+            && !matches!(
+                k,
+                Kind::CloseParen
+                    | Kind::CloseBracket
+                    | Kind::CloseBrace
+                    | Kind::OpenBrace
+                    | Kind::InterpolationClose
+                    | Kind::Semicolon
+                    | Kind::Else
+                    | Kind::Catch
+                    | Kind::In
+                    | Kind::Out
+                    | Kind::InOut
+            )
+    })
+}
+
+/// A number, or a quantity where a unit follows it.
+fn number<'a>(source: &'a Source<'a>) -> Rule<'a, Expr> {
+    custom(move |input: &mut Reader<'a, '_>| {
+        let at = position(input);
+        if source.kind(at) != Some(Kind::Number) {
+            return Err(Problem(None));
+        }
+        input.next();
+        // Malformed numbers were reported with the text.
+        let value = source.text(at).parse().unwrap_or(f64::NAN);
+        let unit_at = at + 1;
+        let is_unit = match source.kind(unit_at) {
+            Some(Kind::Percent) => true,
+            // A name on the next line more likely begins a statement after a forgotten `;`.
+            Some(Kind::Identifier) => {
+                !source.begins_line(unit_at) || Unit::find(source.text(unit_at)).is_some()
+            }
+            _ => false,
+        };
+        if !is_unit {
+            return Ok(Expr { kind: ExprKind::Number(value), span: source.place(at) });
+        }
+        input.next();
+        let (exponent, exponent_span) = unit_exponent(source, input);
+        let unit = source.ident(unit_at);
+        let span = source.place(at).to(exponent_span.unwrap_or(unit.span));
+        Ok(Expr { kind: ExprKind::Quantity { value, unit, exponent, exponent_span }, span })
+    })
+    .boxed()
+}
+
+/// `^2`, `^-1` after a unit.
+fn unit_exponent<'a>(source: &'a Source<'a>, input: &mut Reader<'a, '_>) -> (i32, Option<Span>) {
+    let caret = position(input);
+    if source.kind(caret) != Some(Kind::Caret) {
+        return (1, None);
+    }
+    let negative = source.kind(caret + 1) == Some(Kind::Minus);
+    let digits = caret + 1 + usize::from(negative);
+    let magnitude = match source.kind(digits) {
+        Some(Kind::Number) => source.text(digits).parse::<i32>().ok(),
+        _ => None,
+    };
+    if let Some(magnitude) = magnitude {
+        advance_to(input, digits + 1);
+        let span = source.place(caret + 1).to(source.place(digits));
+        return (if negative { -magnitude } else { magnitude }, Some(span));
+    }
+    let span = source.place(caret).to(source.place(digits));
+    input.emit(
+        Diagnostic::error("E0121", "the exponent of a unit is a whole number", span, "not a whole number")
+            .help("put the quantity in parentheses to raise all of it to a power: `(2 inch)^x`")
+            .into(),
+    );
+    let end = match source.kind(digits) {
+        Some(Kind::Number | Kind::Identifier) => digits + 1,
+        _ => digits,
+    };
+    advance_to(input, end);
+    (1, None)
+}
+
+fn string<'a>(source: &'a Source<'a>, any: Rule<'a, Expr>) -> Rule<'a, Expr> {
+    let text = index_of(Kind::StringText).map(|at| StringPart::Text(unescape(source.text(at))));
+    let end = custom(move |input: &mut Reader<'a, '_>| {
+        let start = position(input);
+        let mut at = start;
+        while source.kind(at).is_some_and(|k| k != Kind::InterpolationClose) {
+            at = source.next(at);
+        }
+        if at > start {
+            let message = format!("{} does not belong here", source.describe(start));
+            let problem = Diagnostic::error("E0113", message, source.place(start), "not expected here")
+                .help("braces in a string hold one expression; write `{{` for the character itself");
+            input.emit(problem.into());
+        }
+        advance_to(input, at + 1);
+        Ok(())
+    });
+    let value = just(Kind::InterpolationOpen).ignore_then(any).then_ignore(end).map(StringPart::Value);
+    let parts =
+        text.or(value).repeated().collect().delimited_by(just(Kind::StringOpen), just(Kind::StringClose));
+    spanned(source, parts.map(ExprKind::String))
+}
+
+fn boolean<'a>(source: &'a Source<'a>) -> Rule<'a, Expr> {
+    let proper = select! { Kind::True => true, Kind::False => false };
+    // The spelling of most other languages.
+    let lower = custom(move |input: &mut Reader<'a, '_>| {
+        let at = position(input);
+        let value = match source.text(at) {
+            "true" => true,
+            "false" => false,
+            _ => return Err(Problem(None)),
+        };
+        input.next();
+        let (wrong, proper) = if value { ("true", "TRUE") } else { ("false", "FALSE") };
+        let place = source.place(at);
+        input.emit(
+            Diagnostic::error("E0119", format!("`{wrong}` is written `{proper}`"), place, "unknown spelling")
+                .help(format!("write `{proper}`"))
+                .fix(format!("write `{proper}`"), place, proper)
+                .into(),
+        );
+        Ok(value)
+    });
+    spanned(source, proper.or(lower).map(ExprKind::Bool))
+}
+
+fn variable<'a>(source: &'a Source<'a>) -> Rule<'a, Expr> {
+    let name = identifier(source);
+    spanned(source, name.map(ExprKind::Name))
+}
+
+fn parenthesised<'a>(source: &'a Source<'a>, any: Rule<'a, Expr>) -> Rule<'a, Expr> {
+    let inner = just(Kind::OpenParen).ignore_then(any).then_ignore(close(
+        source,
+        Kind::CloseParen,
+        "an operator or `)`",
+    ));
+    spanned(source, inner.map(|e| ExprKind::Paren(Box::new(e))))
+}
+
+/// Items up to a closing bracket; a trailing comma is allowed.
+fn items<'a, T: 'a>(source: &'a Source<'a>, item: Rule<'a, T>) -> Rule<'a, Vec<T>> {
+    when(move |at| may_begin(source.kind(at)))
+        .ignore_then(item)
+        .separated_by(just(Kind::Comma))
+        .allow_trailing()
+        .collect()
+        .boxed()
+}
+
+fn list<'a>(source: &'a Source<'a>, any: Rule<'a, Expr>) -> Rule<'a, Vec<Expr>> {
+    just(Kind::OpenBracket)
+        .ignore_then(items(source, any))
+        .then_ignore(close(source, Kind::CloseBracket, "`,` or `]`"))
+        .boxed()
+}
+
+fn arguments<'a>(source: &'a Source<'a>, any: Rule<'a, Expr>) -> Rule<'a, Vec<Argument>> {
+    let bind = select! { Kind::Assign => Bind::Evaluate, Kind::Bind => Bind::Symbolic };
+    let parameter = identifier(source).then(bind);
+    let argument = parameter.or_not().then(any).map(|(name, value)| Argument { name, value }).boxed();
+    just(Kind::OpenParen)
+        .ignore_then(items(source, argument))
+        .then_ignore(close(source, Kind::CloseParen, "`,` or `)`"))
+        .boxed()
+}
+
+/// The condition of `if`, `while`, `do` and the value of `switch`, in parentheses.
+fn condition<'a>(source: &'a Source<'a>, any: Rule<'a, Expr>) -> Rule<'a, Expr> {
+    let assignment = custom(move |input: &mut Reader<'a, '_>| {
+        let at = position(input);
+        if source.kind(at) != Some(Kind::Assign) {
+            return Err(Problem(None));
+        }
+        input.next();
+        let place = source.place(at);
+        input.emit(
+            Diagnostic::error("E0117", "`=` assigns and is no condition", place, "an assignment")
+                .help("compare with `==`")
+                .fix("write `==`", place, "==")
+                .into(),
+        );
+        Ok(place)
+    });
+    let value = any.clone().then(assignment.then(any.clone()).or_not()).map(|(left, rest)| match rest {
+        Some((op_span, right)) => binary(left, (BinaryOp::Equal, op_span), right),
+        None => left,
+    });
+    let inside = just(Kind::OpenParen).ignore_then(value).then_ignore(close(
+        source,
+        Kind::CloseParen,
+        "an operator or `)`",
+    ));
+    let bare = expect(source, Kind::OpenParen, "before the condition").ignore_then(any);
+    inside.or(bare).boxed()
+}
+
+/// `if (c) a else b` as a value. The `else` branch takes all operators that follow it.
+fn conditional<'a>(
+    source: &'a Source<'a>,
+    condition: Rule<'a, Expr>,
+    any: Rule<'a, Expr>,
+    operators: Rule<'a, Expr>,
+) -> Rule<'a, Expr> {
+    let parts = just(Kind::If)
+        .ignore_then(condition)
+        .then(any)
+        .then_ignore(expect(source, Kind::Else, "after the first value of the conditional expression"))
+        .then(operators);
+    let node = parts.map(|((condition, then), otherwise)| ExprKind::If {
+        condition: Box::new(condition),
+        then: Box::new(then),
+        otherwise: Box::new(otherwise),
+    });
+    spanned(source, node)
+}
+
+/// Where an operand must stand and none does. Reads nothing.
+fn missing<'a>(source: &'a Source<'a>) -> Rule<'a, Expr> {
+    custom(move |input: &mut Reader<'a, '_>| {
+        let at = position(input);
+        let message = format!("an expression is expected, not {}", source.describe(at));
+        let mut problem = Diagnostic::error("E0112", message, source.place(at), "a value is expected here");
+        let before = source.previous(at);
+        let doubled = at >= 2 && source.touches_previous(at - 1) && source.previous(at - 1) == before;
+        problem.help = match (before, source.kind(at)) {
+            (Some(Kind::Plus | Kind::Minus), _) if doubled => {
+                Some("there is no `++` or `--`; write `i = i + 1`".into())
+            }
+            (Some(Kind::Plus | Kind::Minus | Kind::Star | Kind::Slash), Some(Kind::Assign)) => {
+                Some("there are no assignments with an operator; write `a = a + b`".into())
+            }
+            (Some(Kind::Star), Some(Kind::Star)) => Some("the power is written `^`".into()),
+            _ => None,
+        };
+        input.emit(problem.into());
+        Ok(Expr { kind: ExprKind::Error, span: source.after(at) })
+    })
+    .boxed()
+}
+
+fn binary(left: Expr, (op, op_span): (BinaryOp, Span), right: Expr) -> Expr {
+    let span = left.span.to(right.span);
+    Expr { kind: ExprKind::Binary { op, op_span, left: Box::new(left), right: Box::new(right) }, span }
+}
+
+/// What may follow an operand.
+enum Suffix {
+    Call(Vec<Argument>),
+    Index(Expr),
+    Field(Option<Ident>),
+}
+
+fn operator_grammar<'a>(source: &'a Source<'a>, atom: Rule<'a, Expr>, any: Rule<'a, Expr>) -> Rule<'a, Expr> {
+    let operator =
+        |rule: Rule<'a, BinaryOp>| rule.map_with(|op, extra| (op, source.range(extra.span()))).boxed();
+    let or = operator(
+        select! { Kind::Or => BinaryOp::Or }.or(doubled(source, Kind::OrOr, BinaryOp::Or, "|")).boxed(),
+    );
+    let and = operator(
+        select! { Kind::And => BinaryOp::And }.or(doubled(source, Kind::AndAnd, BinaryOp::And, "&")).boxed(),
+    );
+    let relation = operator(
+        select! {
+            Kind::Less => BinaryOp::Less,
+            Kind::LessEqual => BinaryOp::LessEqual,
+            Kind::Greater => BinaryOp::Greater,
+            Kind::GreaterEqual => BinaryOp::GreaterEqual,
+            Kind::Equal => BinaryOp::Equal,
+            Kind::NotEqual => BinaryOp::NotEqual,
+        }
+        .boxed(),
+    );
+    let sum = operator(select! { Kind::Plus => BinaryOp::Add, Kind::Minus => BinaryOp::Subtract }.boxed());
+    let product =
+        operator(select! { Kind::Star => BinaryOp::Multiply, Kind::Slash => BinaryOp::Divide }.boxed());
+    let power = operator(select! { Kind::Caret => BinaryOp::Power }.boxed());
+    let sign =
+        select! { Kind::Plus => UnaryOp::Plus, Kind::Minus => UnaryOp::Minus, Kind::Not => UnaryOp::Not }
+            .map_with(|op, extra| (op, source.range(extra.span())))
+            .boxed();
+    let suffix = choice((
+        arguments(source, any.clone()).map(Suffix::Call),
+        just(Kind::OpenBracket)
+            .ignore_then(any)
+            .then_ignore(close(source, Kind::CloseBracket, "`]`"))
+            .map(Suffix::Index),
+        just(Kind::Dot).ignore_then(name(source, "the field")).map(Suffix::Field),
+    ))
+    .map_with(|suffix, extra| (suffix, source.range(extra.span())))
+    .boxed();
+
+    atom.pratt((
+        postfix(SUFFIX, suffix, |base: Expr, (suffix, suffix_span): (Suffix, Span), _: &mut _| {
+            let span = base.span.to(suffix_span);
+            let base = Box::new(base);
+            let kind = match suffix {
+                Suffix::Call(arguments) => ExprKind::Call { callee: base, arguments },
+                Suffix::Index(index) => ExprKind::Index { base, index: Box::new(index) },
+                Suffix::Field(Some(field)) => ExprKind::Field { base, field },
+                Suffix::Field(None) => ExprKind::Error,
+            };
+            Expr { kind, span }
+        }),
+        infix(right(POWER), power, |l, op, r, _: &mut _| binary(l, op, r)),
+        prefix(SIGN, sign, |(op, op_span): (UnaryOp, Span), operand: Expr, _: &mut _| {
+            let span = op_span.to(operand.span);
+            Expr { kind: ExprKind::Unary { op, operand: Box::new(operand) }, span }
+        }),
+        infix(left(PRODUCT), product, |l, op, r, _: &mut _| binary(l, op, r)),
+        infix(left(SUM), sum, |l, op, r, _: &mut _| binary(l, op, r)),
+        infix(left(RELATION), relation, |l, op, r, _: &mut _| binary(l, op, r)),
+        infix(left(AND), and, |l, op, r, _: &mut _| binary(l, op, r)),
+        infix(left(OR), or, |l, op, r, _: &mut _| binary(l, op, r)),
+    ))
+    .boxed()
+}
+
+/// `&&` and `||`, the spelling of C.
+fn doubled<'a>(source: &'a Source<'a>, kind: Kind, op: BinaryOp, single: &'static str) -> Rule<'a, BinaryOp> {
+    just(kind)
+        .map_with(move |_, extra| {
+            let place = source.range(extra.span());
+            let message = format!("{} is written `{single}`", kind.describe());
+            extra.emit(
+                Diagnostic::error("E0118", message, place, "unknown operator")
+                    .help(format!("`{single}` evaluates its right side only where that matters"))
+                    .fix(format!("write `{single}`"), place, single)
+                    .into(),
+            );
+            op
+        })
+        .boxed()
+}
+
+/// `value at Time = 0.1 s`
+fn at_clause<'a>(source: &'a Source<'a>, operators: Rule<'a, Expr>, any: Rule<'a, Expr>) -> Rule<'a, Expr> {
+    let clause = just(Kind::At)
+        .ignore_then(name(source, "the symbol"))
+        .then_ignore(expect(source, Kind::Assign, "after the symbol of `at`"))
+        .then(any);
+    operators
+        .then(clause.or_not())
+        .map(|(value, clause)| match clause {
+            None => value,
+            Some((symbol, at)) => {
+                let span = value.span.to(at.span);
+                let kind = match symbol {
+                    Some(symbol) => ExprKind::At { value: Box::new(value), symbol, at: Box::new(at) },
+                    None => ExprKind::Error,
+                };
+                Expr { kind, span }
+            }
+        })
+        .boxed()
+}

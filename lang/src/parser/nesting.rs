@@ -1,0 +1,90 @@
+//! Bounds the depth of the tree before it is built, so that no walk over it can run out of stack.
+
+use super::source::Source;
+use crate::diagnostic::Diagnostic;
+use crate::lexer::Kind;
+
+/// Brackets, interpolations and blocks inside one another.
+const MAX_BRACKETS: usize = 256;
+/// Levels of the tree: brackets, and everything that puts one node under the next (operators of one expression,
+/// `else if` chains, labels in a row).
+const MAX_LEVELS: usize = 1000;
+
+/// An error at the first token that goes too deep. A bound from above: each operator counts as one level until
+/// the next separator, as it is in `a - b - c`.
+pub(super) fn check(source: &Source<'_>) -> Result<(), Diagnostic> {
+    // Levels opened at each bracket that is open, outermost first.
+    let mut open = vec![0_usize];
+    let mut levels = 0_usize;
+    for index in 0..source.len() {
+        let Some(kind) = source.kind(index) else { break };
+        match kind {
+            Kind::OpenParen
+            | Kind::OpenBracket
+            | Kind::OpenBrace
+            | Kind::StringOpen
+            | Kind::InterpolationOpen => {
+                add(&mut open, &mut levels);
+                open.push(0);
+            }
+            Kind::CloseParen
+            | Kind::CloseBracket
+            | Kind::CloseBrace
+            | Kind::StringClose
+            | Kind::InterpolationClose => {
+                if open.len() > 1 {
+                    levels -= open.pop().unwrap_or(0);
+                }
+                if kind == Kind::CloseBrace && !continues(source, index) {
+                    reset(&mut open, &mut levels);
+                }
+            }
+            Kind::Comma => reset(&mut open, &mut levels),
+            Kind::Semicolon if !continues(source, index) => reset(&mut open, &mut levels),
+            Kind::Semicolon
+            | Kind::Number
+            | Kind::Identifier
+            | Kind::StringText
+            | Kind::True
+            | Kind::False
+            | Kind::In
+            | Kind::Out
+            | Kind::InOut => {}
+            _ => add(&mut open, &mut levels),
+        }
+        if open.len() > MAX_BRACKETS || levels > MAX_LEVELS {
+            let message = "this is nested too deeply";
+            return Err(Diagnostic::error(
+                "E0106",
+                message,
+                source.place(index),
+                "the limit is reached here",
+            )
+            .help(format!(
+                "split it into several statements; {MAX_BRACKETS} brackets or {MAX_LEVELS} operators inside \
+                     one another are allowed"
+            )));
+        }
+    }
+    Ok(())
+}
+
+fn add(open: &mut [usize], levels: &mut usize) {
+    if let Some(here) = open.last_mut() {
+        *here += 1;
+        *levels += 1;
+    }
+}
+
+/// A separator: what follows does not lie under what came before it.
+fn reset(open: &mut [usize], levels: &mut usize) {
+    if let Some(here) = open.last_mut() {
+        *levels -= *here;
+        *here = 0;
+    }
+}
+
+/// Whether the statement that ends here goes on with what lies one level deeper.
+fn continues(source: &Source<'_>, index: usize) -> bool {
+    matches!(source.kind(index + 1), Some(Kind::Else | Kind::Catch))
+}

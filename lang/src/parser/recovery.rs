@@ -1,0 +1,253 @@
+//! What rules expect, what they say when it is not there, and where they go on.
+
+use super::source::Source;
+use super::{Extra, Input, Problem, Rule};
+use crate::ast::Ident;
+use crate::diagnostic::Diagnostic;
+use crate::lexer::{self, Kind};
+use chumsky::input::InputRef;
+use chumsky::prelude::*;
+
+pub(super) type Reader<'a, 'p> = InputRef<'a, 'p, Input<'a>, Extra>;
+
+/// Index of the next token.
+pub(super) fn position(input: &Reader<'_, '_>) -> usize {
+    *input.cursor().inner()
+}
+
+pub(super) fn advance_to(input: &mut Reader<'_, '_>, index: usize) {
+    while position(input) < index && input.next().is_some() {}
+}
+
+/// Applies, without reading anything, where `test` says so of the index of the next token.
+pub(super) fn when<'a>(test: impl Fn(usize) -> bool + 'a) -> Rule<'a, ()> {
+    custom(move |input: &mut Reader<'a, '_>| if test(position(input)) { Ok(()) } else { Err(Problem(None)) })
+        .boxed()
+}
+
+/// Index of a token of a kind, where one stands.
+pub(super) fn index_of<'a>(kind: Kind) -> Rule<'a, usize> {
+    custom(move |input: &mut Reader<'a, '_>| {
+        let at = position(input);
+        if input.next() == Some(kind) { Ok(at) } else { Err(Problem(None)) }
+    })
+    .boxed()
+}
+
+/// A name, where one stands.
+pub(super) fn identifier<'a>(source: &'a Source<'a>) -> Rule<'a, Ident> {
+    index_of(Kind::Identifier).map(|at| source.ident(at)).boxed()
+}
+
+/// A token that must be here; `true` if it is. `context` says what for, e.g. "after the condition".
+pub(super) fn expect<'a>(source: &'a Source<'a>, kind: Kind, context: &'static str) -> Rule<'a, bool> {
+    custom(move |input: &mut Reader<'a, '_>| {
+        let at = position(input);
+        if source.kind(at) == Some(kind) {
+            input.next();
+            return Ok(true);
+        }
+        let message = format!("{} is expected {context}, not {}", kind.describe(), source.describe(at));
+        input.emit(Diagnostic::error("E0115", message, source.place(at), "found here").into());
+        Ok(false)
+    })
+    .boxed()
+}
+
+/// A name that must be here; `None` if it is not. `what` says of what, e.g. "the variable".
+pub(super) fn name<'a>(source: &'a Source<'a>, what: &'static str) -> Rule<'a, Option<Ident>> {
+    custom(move |input: &mut Reader<'a, '_>| {
+        let at = position(input);
+        if source.kind(at) == Some(Kind::Identifier) {
+            input.next();
+            return Ok(Some(source.ident(at)));
+        }
+        let reserved = lexer::keywords().any(|word| source.kind(at).is_some() && word == source.text(at));
+        let same_line = !source.begins_line(at);
+        let problem = if reserved && same_line {
+            input.next();
+            let message = format!("`{}` is a word of the language and cannot name {what}", source.text(at));
+            Diagnostic::error("E0114", message, source.place(at), "reserved").help("choose another name")
+        } else {
+            let message = format!("the name of {what} is expected, not {}", source.describe(at));
+            Diagnostic::error("E0114", message, source.place(at), "a name is expected here")
+        };
+        input.emit(problem.into());
+        Ok(None)
+    })
+    .boxed()
+}
+
+/// The `;` that ends a statement. Where it is missing the next statement is read as if it were there; where
+/// something else stands, everything up to the end of the statement is left out.
+pub(super) fn semicolon<'a>(source: &'a Source<'a>) -> Rule<'a, ()> {
+    custom(move |input: &mut Reader<'a, '_>| {
+        let at = position(input);
+        let found = source.kind(at);
+        if found == Some(Kind::Semicolon) {
+            input.next();
+            return Ok(());
+        }
+        let ended = found.is_none_or(|k| k.begins_statement() || matches!(k, Kind::CloseBrace | Kind::If));
+        if let Some(problem) = unknown_word(source, at) {
+            input.emit(problem.into());
+            skip_statement(source, input);
+        } else if ended || source.begins_line(at) {
+            let place = source.after(at);
+            let problem = Diagnostic::error("E0110", "a `;` is missing", place, "the statement ends here")
+                .help("end the statement with `;`")
+                .fix("insert `;`", place, ";");
+            input.emit(problem.into());
+        } else {
+            input.emit(unexpected(source, at).into());
+            // A block is read as a statement of its own, so that its errors show too.
+            if found != Some(Kind::OpenBrace) {
+                skip_statement(source, input);
+            }
+        }
+        Ok(())
+    })
+    .boxed()
+}
+
+/// `int x = 3;`, `parm torque = 1 N;`: two names in a row at the beginning of a statement.
+fn unknown_word(source: &Source<'_>, at: usize) -> Option<Diagnostic> {
+    let first = at.checked_sub(1)?;
+    let begins = matches!(
+        source.previous(first),
+        None | Some(Kind::Semicolon | Kind::OpenBrace | Kind::CloseBrace | Kind::Colon)
+    );
+    let names = source.kind(first) == Some(Kind::Identifier) && source.kind(at) == Some(Kind::Identifier);
+    if !begins || !names || source.begins_line(at) {
+        return None;
+    }
+    let word = source.text(first);
+    let place = source.place(first);
+    let message = format!("`{word}` begins no statement");
+    let problem = Diagnostic::error("E0113", message, place, "not a word of the language");
+    let types =
+        ["int", "double", "float", "real", "number", "let", "auto", "const", "bool", "string", "Number"];
+    if types.contains(&word) {
+        return Some(problem.help("declare variables with `var`; types are inferred").fix(
+            "write `var`",
+            place,
+            "var",
+        ));
+    }
+    let similar = lexer::keywords()
+        .map(|keyword| (strsim::jaro_winkler(keyword, word), keyword))
+        .filter(|(similarity, _)| *similarity > 0.85)
+        .max_by(|a, b| a.0.total_cmp(&b.0));
+    Some(match similar {
+        Some((_, keyword)) => problem.help(format!("did you mean `{keyword}`?")).fix(
+            format!("write `{keyword}`"),
+            place,
+            keyword,
+        ),
+        None => problem.help("an operator or `;` may be missing between the two names"),
+    })
+}
+
+/// A token no rule can use.
+pub(super) fn unexpected(source: &Source<'_>, at: usize) -> Diagnostic {
+    let place = source.place(at);
+    let problem = |what: String| Diagnostic::error("E0113", what, place, "not expected here");
+    match source.kind(at) {
+        Some(Kind::CloseParen | Kind::CloseBracket | Kind::CloseBrace) => {
+            let message = format!("{} closes nothing", source.describe(at));
+            Diagnostic::error("E0116", message, place, "no bracket is open here").help("remove it")
+        }
+        Some(Kind::Percent) => problem("`%` is a unit and follows a number".into())
+            .help("the remainder of a division is `a - b*floor(a/b)`"),
+        Some(Kind::OpenBrace) => problem("no block belongs here".into())
+            .help("the word before it may be misspelt: `if`, `while`, `for`, `switch` take blocks"),
+        Some(Kind::Else) => problem("this `else` belongs to no `if`".into())
+            .help("`else` follows the one statement or block of its `if`"),
+        Some(Kind::Catch) => problem("this `catch` belongs to no `try`".into())
+            .help("`catch` follows the one statement or block of its `try`"),
+        Some(Kind::Assign | Kind::Bind) => problem(format!("{} assigns nothing here", source.describe(at)))
+            .help("one statement assigns one value; compare with `==`"),
+        _ => problem(format!("{} does not belong here", source.describe(at)))
+            .help("an operator, a `,` or a `;` may be missing before it"),
+    }
+}
+
+/// Leaves out the rest of a statement: at least one token, then up to and with the next `;`, or up to the next
+/// brace or word that begins a statement on its own line.
+pub(super) fn skip_statement<'a>(source: &'a Source<'a>, input: &mut Reader<'a, '_>) {
+    let start = position(input);
+    let mut at = source.next(start);
+    while let Some(kind) = source.kind(at) {
+        // The skipped token before may already be the end.
+        if source.previous(at) == Some(Kind::Semicolon) {
+            break;
+        }
+        let begins = source.begins_line(at) && (kind.begins_statement() || kind == Kind::If);
+        if begins || matches!(kind, Kind::OpenBrace | Kind::CloseBrace) {
+            break;
+        }
+        at = source.next(at);
+    }
+    advance_to(input, at);
+}
+
+/// The bracket that closes a list. Where something else stands, what lies before a bracket that does close it
+/// is left out. `expected` names what could stand here, e.g. "`,` or `)`".
+pub(super) fn close<'a>(source: &'a Source<'a>, kind: Kind, expected: &'static str) -> Rule<'a, ()> {
+    custom(move |input: &mut Reader<'a, '_>| {
+        let at = position(input);
+        if source.kind(at) == Some(kind) {
+            input.next();
+            return Ok(());
+        }
+        let closing = closing_ahead(source, at, kind);
+        let place = source.after(at);
+        let mut problem = match closing {
+            Some(_) => {
+                let message = format!("{expected} is expected, not {}", source.describe(at));
+                Diagnostic::error("E0115", message, source.place(at), "found here")
+            }
+            None => {
+                let message = format!("a {} is missing", kind.describe());
+                Diagnostic::error("E0111", message, place, "it should be closed by here")
+                    .help(format!("close the bracket with {}", kind.describe()))
+            }
+        };
+        if let Some(open) = source.open_bracket(at) {
+            problem = problem.label(source.place(open), "opened here");
+        }
+        if closing.is_none() && source.kind(at) == Some(Kind::Semicolon) {
+            problem =
+                problem.fix(format!("insert {}", kind.describe()), place, kind.describe().trim_matches('`'));
+        }
+        input.emit(problem.into());
+        if let Some(closing) = closing {
+            advance_to(input, closing + 1);
+        }
+        Ok(())
+    })
+    .boxed()
+}
+
+/// The next bracket of `kind` that closes what is open at `at`, if the statement does not end before it.
+fn closing_ahead(source: &Source<'_>, at: usize, kind: Kind) -> Option<usize> {
+    let mut open = 0_usize;
+    let mut index = at;
+    while let Some(found) = source.kind(index) {
+        match found {
+            _ if found == kind && open == 0 => return Some(index),
+            Kind::OpenParen | Kind::OpenBracket => open += 1,
+            Kind::CloseParen | Kind::CloseBracket if open == 0 => return None,
+            Kind::CloseParen | Kind::CloseBracket => open -= 1,
+            Kind::Semicolon
+            | Kind::OpenBrace
+            | Kind::CloseBrace
+            | Kind::InterpolationClose
+            | Kind::StringClose => return None,
+            _ if found.begins_statement() => return None,
+            _ => {}
+        }
+        index = source.next(index);
+    }
+    None
+}

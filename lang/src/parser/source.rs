@@ -1,0 +1,132 @@
+//! What rules need to know of the file beside token kinds: places, texts, documentation.
+
+use crate::ast::Ident;
+use crate::lexer::{Kind, Token};
+use crate::span::{FileId, Span};
+use chumsky::span::SimpleSpan;
+use std::collections::HashMap;
+
+/// A lexed file. Tokens are addressed by index; an index past the end stands for the end of the file.
+pub(super) struct Source<'a> {
+    file: FileId,
+    text: &'a str,
+    tokens: &'a [Token],
+    docs: &'a HashMap<usize, String>,
+}
+
+impl<'a> Source<'a> {
+    pub(super) fn new(
+        file: FileId,
+        text: &'a str,
+        tokens: &'a [Token],
+        docs: &'a HashMap<usize, String>,
+    ) -> Self {
+        Source { file, text, tokens, docs }
+    }
+
+    pub(super) fn len(&self) -> usize {
+        self.tokens.len()
+    }
+
+    pub(super) fn kind(&self, index: usize) -> Option<Kind> {
+        self.tokens.get(index).map(|t| t.kind)
+    }
+
+    /// Kind of the token before `index`.
+    pub(super) fn previous(&self, index: usize) -> Option<Kind> {
+        index.checked_sub(1).and_then(|i| self.kind(i))
+    }
+
+    /// Place of a token; of the end of the file past the last one.
+    pub(super) fn place(&self, index: usize) -> Span {
+        self.tokens.get(index).map_or_else(|| self.after(index), |t| t.span)
+    }
+
+    /// The empty place right behind the token before `index`.
+    pub(super) fn after(&self, index: usize) -> Span {
+        let end = index.min(self.tokens.len()).checked_sub(1).map_or(0, |i| self.tokens[i].span.end as usize);
+        Span::new(self.file, end, end)
+    }
+
+    /// Place of a range of tokens, without the blanks around it.
+    pub(super) fn range(&self, tokens: SimpleSpan) -> Span {
+        if tokens.start < tokens.end {
+            self.place(tokens.start).to(self.place(tokens.end - 1))
+        } else {
+            self.after(tokens.start)
+        }
+    }
+
+    pub(super) fn text(&self, index: usize) -> &'a str {
+        let span = self.place(index);
+        &self.text[span.start as usize..span.end as usize]
+    }
+
+    pub(super) fn ident(&self, index: usize) -> Ident {
+        Ident { name: self.text(index).to_string(), span: self.place(index) }
+    }
+
+    pub(super) fn doc(&self, index: usize) -> Option<String> {
+        self.docs.get(&index).cloned()
+    }
+
+    /// Whether a token stands on a later line than the one before it.
+    pub(super) fn begins_line(&self, index: usize) -> bool {
+        let (from, to) = (self.after(index).start as usize, self.place(index).start as usize);
+        self.text[from..to.max(from)].contains('\n')
+    }
+
+    /// Whether a token follows the one before it without a blank.
+    pub(super) fn touches_previous(&self, index: usize) -> bool {
+        index > 0 && self.after(index).end == self.place(index).start
+    }
+
+    /// Whether only blanks stand between two byte positions.
+    pub(super) fn is_blank(&self, from: u32, to: u32) -> bool {
+        self.text.get(from as usize..to as usize).is_some_and(|t| t.trim().is_empty())
+    }
+
+    /// How to name a token in a message: its own text where that is short.
+    pub(super) fn describe(&self, index: usize) -> String {
+        match self.kind(index) {
+            None => "the end of the file".into(),
+            Some(Kind::Identifier | Kind::Number) if self.text(index).len() <= 30 => {
+                format!("`{}`", self.text(index))
+            }
+            Some(kind) => kind.describe().into(),
+        }
+    }
+
+    /// Index past a token, and past a whole string where one begins.
+    pub(super) fn next(&self, index: usize) -> usize {
+        if self.kind(index) != Some(Kind::StringOpen) {
+            return index + 1;
+        }
+        let mut open = 0_usize;
+        for (offset, token) in self.tokens[index..].iter().enumerate() {
+            match token.kind {
+                Kind::StringOpen => open += 1,
+                Kind::StringClose => open -= 1,
+                _ => {}
+            }
+            if open == 0 {
+                return index + offset + 1;
+            }
+        }
+        self.tokens.len()
+    }
+
+    /// The last bracket before `index` that is still open there.
+    pub(super) fn open_bracket(&self, index: usize) -> Option<usize> {
+        let mut closed = 0_usize;
+        for i in (0..index.min(self.tokens.len())).rev() {
+            match self.tokens[i].kind {
+                Kind::CloseParen | Kind::CloseBracket | Kind::CloseBrace => closed += 1,
+                Kind::OpenParen | Kind::OpenBracket | Kind::OpenBrace if closed == 0 => return Some(i),
+                Kind::OpenParen | Kind::OpenBracket | Kind::OpenBrace => closed -= 1,
+                _ => {}
+            }
+        }
+        None
+    }
+}

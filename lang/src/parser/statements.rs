@@ -1,0 +1,294 @@
+//! Statements and the file as a whole.
+
+use super::expressions::{Expressions, expressions, may_begin};
+use super::recovery::{
+    Reader, close, expect, identifier, name, position, semicolon, skip_statement, unexpected, when,
+};
+use super::source::Source;
+use super::{Extra, Input, Problem, Rule, declarations};
+use crate::ast::{Bind, Expr, ExprKind, Stmt, StmtKind};
+use crate::diagnostic::Diagnostic;
+use crate::lexer::Kind;
+use chumsky::prelude::*;
+
+/// A whole file.
+pub(super) fn file<'a>(source: &'a Source<'a>) -> Rule<'a, Vec<Stmt>> {
+    // Statements end before a `}`; one that closes no block is reported and left out.
+    let stray = custom(move |input: &mut Reader<'a, '_>| {
+        let at = position(input);
+        if source.kind(at) != Some(Kind::CloseBrace) {
+            return Err(Problem(None));
+        }
+        input.next();
+        input.emit(unexpected(source, at).into());
+        Ok(StmtKind::Error)
+    });
+    statement(source).or(spanned(source, stray)).repeated().collect().then_ignore(end()).boxed()
+}
+
+fn spanned<'a>(
+    source: &'a Source<'a>,
+    kind: impl Parser<'a, Input<'a>, StmtKind, Extra> + 'a,
+) -> Rule<'a, Stmt> {
+    kind.map_with(|kind, extra| {
+        let tokens = extra.span();
+        Stmt { kind, span: source.range(tokens), doc: source.doc(tokens.start) }
+    })
+    .boxed()
+}
+
+/// Any statement. Does not apply at a `}` and at the end of the file only.
+fn statement<'a>(source: &'a Source<'a>) -> Rule<'a, Stmt> {
+    let mut any = Recursive::declare();
+    let e = expressions(source);
+    // Where a statement must follow.
+    let body = any.clone().or(spanned(source, missing(source))).boxed();
+    let kind = choice((
+        declarations::interface(source, &e),
+        declarations::function(source, &e, body.clone()),
+        simple(source, &e).then_ignore(semicolon(source)).boxed(),
+        jump(source, &e).then_ignore(semicolon(source)).boxed(),
+        block(source, any.clone().boxed()),
+        conditional(source, &e, body.clone()),
+        loops(source, &e, body.clone()),
+        labelled(source, &e, body.clone()),
+        try_catch(source, body),
+        expression_or_assignment(source, &e).then_ignore(semicolon(source)).boxed(),
+        unusable(source),
+    ));
+    any.define(spanned(source, kind));
+    any.boxed()
+}
+
+/// `;` and `var`.
+fn simple<'a>(source: &'a Source<'a>, e: &Expressions<'a>) -> Rule<'a, StmtKind> {
+    let empty = when(move |at| source.kind(at) == Some(Kind::Semicolon)).to(StmtKind::Empty);
+    empty.or(declarations::variables(source, e.full.clone())).boxed()
+}
+
+/// `place = value`, `place := value` or an expression, without the `;`.
+fn expression_or_assignment<'a>(source: &'a Source<'a>, e: &Expressions<'a>) -> Rule<'a, StmtKind> {
+    let bind = select! { Kind::Assign => Bind::Evaluate, Kind::Bind => Bind::Symbolic };
+    // `name :` is a label, and was tried before.
+    when(move |at| may_begin(source.kind(at)) && begins_expression(source.kind(at)))
+        .ignore_then(e.full.clone())
+        .then(bind.then(e.full.clone()).or_not())
+        .map_with(|(place, assigned), extra| match assigned {
+            None => StmtKind::Expr(place),
+            Some((bind, value)) => {
+                if !is_place(&place) {
+                    extra.emit(
+                        Diagnostic::error(
+                            "E0122",
+                            "this cannot be assigned to",
+                            place.span,
+                            "a value, not a place",
+                        )
+                        .help("assign to a variable or an element of one; compare with `==`")
+                        .into(),
+                    );
+                }
+                StmtKind::Assign { place, bind, value }
+            }
+        })
+        .boxed()
+}
+
+/// Whether a statement that begins with this token is an expression rather than nonsense.
+fn begins_expression(kind: Option<Kind>) -> bool {
+    matches!(
+        kind,
+        Some(
+            Kind::Number
+                | Kind::Identifier
+                | Kind::StringOpen
+                | Kind::True
+                | Kind::False
+                | Kind::OpenParen
+                | Kind::OpenBracket
+                | Kind::Plus
+                | Kind::Minus
+                | Kind::Not
+        )
+    )
+}
+
+fn is_place(expr: &Expr) -> bool {
+    match &expr.kind {
+        ExprKind::Name(_) | ExprKind::Error => true,
+        ExprKind::Index { base, .. } | ExprKind::Field { base, .. } => is_place(base),
+        _ => false,
+    }
+}
+
+/// `break`, `continue`, `return`, `goto`, `throw`, without the `;`.
+fn jump<'a>(source: &'a Source<'a>, e: &Expressions<'a>) -> Rule<'a, StmtKind> {
+    // A value on the next line belongs to the next statement: there is a `;` missing.
+    let value =
+        when(move |at| may_begin(source.kind(at)) && !(source.begins_line(at) && ends_here(source, at)))
+            .ignore_then(e.full.clone())
+            .or_not();
+    choice((
+        just(Kind::Break).to(StmtKind::Break),
+        just(Kind::Continue).to(StmtKind::Continue),
+        just(Kind::Return).ignore_then(value.clone()).map(StmtKind::Return),
+        just(Kind::Throw).ignore_then(value).map(StmtKind::Throw),
+        just(Kind::Goto)
+            .ignore_then(name(source, "the label"))
+            .map(|label| label.map_or(StmtKind::Error, StmtKind::Goto)),
+    ))
+    .boxed()
+}
+
+/// Whether `return` or `throw` before `at` has no value: an assignment or a call cannot be one and follow on its
+/// own line.
+fn ends_here(source: &Source<'_>, at: usize) -> bool {
+    matches!(source.kind(at + 1), Some(Kind::Assign | Kind::Bind | Kind::Colon))
+        || source.kind(at) == Some(Kind::If)
+}
+
+fn block<'a>(source: &'a Source<'a>, statement: Rule<'a, Stmt>) -> Rule<'a, StmtKind> {
+    let end = custom(move |input: &mut Reader<'a, '_>| {
+        let at = position(input);
+        if source.kind(at) == Some(Kind::CloseBrace) {
+            input.next();
+            return Ok(());
+        }
+        let open = source.open_bracket(at).map_or_else(|| source.after(at), |open| source.place(open));
+        input.emit(
+            Diagnostic::error("E0111", "this block does not end", open, "opened here")
+                .label(source.after(at), "the file ends inside it")
+                .help("close it with `}`")
+                .into(),
+        );
+        Ok(())
+    });
+    just(Kind::OpenBrace)
+        .ignore_then(statement.repeated().collect())
+        .then_ignore(end)
+        .map(StmtKind::Block)
+        .boxed()
+}
+
+fn conditional<'a>(source: &'a Source<'a>, e: &Expressions<'a>, body: Rule<'a, Stmt>) -> Rule<'a, StmtKind> {
+    let branch = just(Kind::If)
+        .ignore_then(e.condition.clone())
+        .then(body.clone())
+        .then(just(Kind::Else).ignore_then(body.clone()).or_not())
+        .map(|((condition, then), otherwise)| StmtKind::If {
+            condition,
+            then: Box::new(then),
+            otherwise: otherwise.map(Box::new),
+        });
+    let switch = just(Kind::Switch)
+        .ignore_then(e.condition.clone())
+        .then_ignore(when(move |at| source.kind(at) == Some(Kind::OpenBrace)).or(not_a_block(source)))
+        .then(body)
+        .map(|(value, body)| StmtKind::Switch { value, body: Box::new(body) });
+    branch.or(switch).boxed()
+}
+
+/// Reports that a block must follow; the statement that does is taken for it.
+fn not_a_block<'a>(source: &'a Source<'a>) -> Rule<'a, ()> {
+    custom(move |input: &mut Reader<'a, '_>| {
+        let at = position(input);
+        let message = format!("`{{` is expected after `switch (...)`, not {}", source.describe(at));
+        input.emit(Diagnostic::error("E0115", message, source.place(at), "found here").into());
+        Ok(())
+    })
+    .boxed()
+}
+
+fn loops<'a>(source: &'a Source<'a>, e: &Expressions<'a>, body: Rule<'a, Stmt>) -> Rule<'a, StmtKind> {
+    let repeat = just(Kind::While)
+        .ignore_then(e.condition.clone())
+        .then(body.clone())
+        .map(|(condition, body)| StmtKind::While { condition, body: Box::new(body) });
+    let repeat_after = just(Kind::Do)
+        .ignore_then(body.clone())
+        .then_ignore(expect(source, Kind::While, "after the body of `do`"))
+        .then(e.condition.clone())
+        .then_ignore(semicolon(source))
+        .map(|(body, condition)| StmtKind::DoWhile { body: Box::new(body), condition });
+
+    // Nothing, as far as the header goes on.
+    let nothing = spanned(source, empty().to(StmtKind::Empty));
+    let step = spanned(source, expression_or_assignment(source, e)).or(nothing.clone()).boxed();
+    let init = spanned(source, declarations::variables(source, e.full.clone())).or(step.clone()).boxed();
+    let condition = when(move |at| may_begin(source.kind(at))).ignore_then(e.full.clone()).or_not();
+    let header = expect(source, Kind::OpenParen, "after `for`")
+        .ignore_then(init)
+        .then_ignore(expect(source, Kind::Semicolon, "after the beginning of a `for`"))
+        .then(condition)
+        .then_ignore(expect(source, Kind::Semicolon, "after the condition of a `for`"))
+        .then(step)
+        .then_ignore(close(source, Kind::CloseParen, "`)`"));
+    let count = just(Kind::For).ignore_then(header).then(body).map(|(((init, condition), step), body)| {
+        StmtKind::For { init: Box::new(init), condition, step: Box::new(step), body: Box::new(body) }
+    });
+    choice((repeat, repeat_after, count)).boxed()
+}
+
+/// `case e:`, `default:` and `label:`, with the statement each belongs to.
+fn labelled<'a>(source: &'a Source<'a>, e: &Expressions<'a>, body: Rule<'a, Stmt>) -> Rule<'a, StmtKind> {
+    let case = just(Kind::Case)
+        .ignore_then(e.full.clone())
+        .then_ignore(expect(source, Kind::Colon, "after the value of a `case`"))
+        .then(body.clone())
+        .map(|(value, statement)| StmtKind::Case { value, statement: Box::new(statement) });
+    let default = just(Kind::Default)
+        .ignore_then(expect(source, Kind::Colon, "after `default`"))
+        .ignore_then(body.clone())
+        .map(|statement| StmtKind::Default(Box::new(statement)));
+    let label = identifier(source)
+        .then_ignore(just(Kind::Colon))
+        .then(body)
+        .map(|(label, statement)| StmtKind::Label { label, statement: Box::new(statement) });
+    choice((case, default, label)).boxed()
+}
+
+fn try_catch<'a>(source: &'a Source<'a>, body: Rule<'a, Stmt>) -> Rule<'a, StmtKind> {
+    let error = identifier(source).or_not();
+    just(Kind::Try)
+        .ignore_then(body.clone())
+        .then_ignore(expect(source, Kind::Catch, "after the body of `try`"))
+        .then_ignore(expect(source, Kind::OpenParen, "after `catch`; write `catch ()` to ignore the error"))
+        .then(error)
+        .then_ignore(close(source, Kind::CloseParen, "a name or `)`"))
+        .then(body)
+        .map(|((body, error), handler)| StmtKind::Try {
+            body: Box::new(body),
+            error,
+            handler: Box::new(handler),
+        })
+        .boxed()
+}
+
+/// Where a statement must stand and none does. Reads nothing.
+fn missing<'a>(source: &'a Source<'a>) -> Rule<'a, StmtKind> {
+    custom(move |input: &mut Reader<'a, '_>| {
+        let at = position(input);
+        let message = format!("a statement is expected, not {}", source.describe(at));
+        input.emit(
+            Diagnostic::error("E0115", message, source.place(at), "a statement is expected here")
+                .help("`;` alone is a statement that does nothing")
+                .into(),
+        );
+        Ok(StmtKind::Error)
+    })
+    .boxed()
+}
+
+/// What begins no statement: left out up to the next one.
+fn unusable<'a>(source: &'a Source<'a>) -> Rule<'a, StmtKind> {
+    custom(move |input: &mut Reader<'a, '_>| {
+        let at = position(input);
+        if matches!(source.kind(at), None | Some(Kind::CloseBrace)) {
+            return Err(Problem(None));
+        }
+        input.emit(unexpected(source, at).into());
+        skip_statement(source, input);
+        Ok(StmtKind::Error)
+    })
+    .boxed()
+}
