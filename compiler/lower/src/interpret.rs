@@ -9,7 +9,7 @@ mod expression;
 mod scalar;
 mod statement;
 
-pub use blame::blame_argument;
+pub use blame::CallSites;
 
 use crate::layout::running_sums;
 use crate::link::{LinkError, resolve_externs};
@@ -28,6 +28,7 @@ pub struct Interpreter<'p> {
     frames: Vec<Frame>,
     /// Slots of all params before each.
     param_offsets: Vec<usize>,
+    call_sites: CallSites,
 }
 
 /// Where the locals of a function stand in its frame.
@@ -51,7 +52,8 @@ impl<'p> Interpreter<'p> {
         });
         let frames = frames.collect();
         let (param_offsets, _) = running_sums(program.params.iter().map(|param| param.repr.slots()));
-        Ok(Interpreter { program, externs, allow, frames, param_offsets })
+        let call_sites = CallSites::new(program);
+        Ok(Interpreter { program, externs, allow, frames, param_offsets, call_sites })
     }
 
     /// Runs the top level of the model.
@@ -84,7 +86,7 @@ impl<'p> Interpreter<'p> {
             ctx.depth = depth;
             result.map(|()| slots).map_err(|mut error| {
                 error.place.get_or_insert(ctx.place);
-                blame_argument(self.program, &mut error);
+                self.call_sites.blame(&mut error);
                 error
             })
         })?

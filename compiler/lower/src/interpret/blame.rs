@@ -2,29 +2,46 @@
 
 use calyx_abi::RuntimeError;
 use calyx_lang::ir::{Expr, ExprKind, FormatPart, Place, Program, Statement, Terminator};
+use std::collections::HashMap;
 
-/// If the error blames an argument of the call at its place, moves the place to that argument.
-///
-/// Arguments that were left to their default keep the place of the call.
-pub fn blame_argument(program: &Program, error: &mut RuntimeError) {
-    let (Some(name), Some((file, start, end))) = (&error.argument, error.place) else { return };
-    let mut found = None;
-    for_each_expression(program, &mut |expr| {
-        let ExprKind::CallExtern(id, arguments) = &expr.kind else { return };
-        if (expr.span.file.0, expr.span.start, expr.span.end) != (file, start, end) {
-            return;
+/// Byte range `(file, start, end)`.
+type Range = (u32, u32, u32);
+
+/// Where the arguments of all calls of provided functions are written.
+#[derive(Clone, Debug, Default)]
+pub struct CallSites {
+    /// By the place of the call: names and places of its arguments.
+    arguments: HashMap<Range, Vec<(String, Range)>>,
+}
+
+impl CallSites {
+    pub fn new(program: &Program) -> Self {
+        let range = |expr: &Expr| (expr.span.file.0, expr.span.start, expr.span.end);
+        let mut sites = CallSites::default();
+        for_each_expression(program, &mut |call| {
+            let ExprKind::CallExtern(id, arguments) = &call.kind else { return };
+            let Some(declaration) = program.externs.get(id.0 as usize) else { return };
+            let (file, start, end) = range(call);
+            // A default's text stands in the declaration, outside of the call: such an argument has no place.
+            let written = |at: &Range| at.0 == file && at.1 >= start && at.2 <= end;
+            let pairs = declaration.parameters.iter().zip(arguments);
+            let pairs = pairs.map(|((name, _), argument)| (name.clone(), range(argument)));
+            let pairs = pairs.filter(|(_, at)| written(at)).collect();
+            sites.arguments.insert((file, start, end), pairs);
+        });
+        sites
+    }
+
+    /// If the error blames an argument of the call at its place, moves the place to that argument.
+    /// Arguments left to their default keep the place of the call.
+    pub fn blame(&self, error: &mut RuntimeError) {
+        let arguments = error.place.and_then(|place| self.arguments.get(&place));
+        if let (Some(arguments), Some(name)) = (arguments, &error.argument)
+            && let Some((_, place)) = arguments.iter().find(|(argument, _)| argument == name)
+        {
+            error.place = Some(*place);
         }
-        let Some(declaration) = program.externs.get(id.0 as usize) else { return };
-        let position = declaration.parameters.iter().position(|(parameter, _)| parameter == name);
-        if let Some(argument) = position.and_then(|position| arguments.get(position)) {
-            let span = argument.span;
-            // A default's text stands in the declaration, outside of the call.
-            if span.file.0 == file && span.start >= start && span.end <= end {
-                found = Some((file, span.start, span.end));
-            }
-        }
-    });
-    error.place = found.or(error.place);
+    }
 }
 
 fn for_each_expression<'p>(program: &'p Program, visit: &mut dyn FnMut(&'p Expr)) {

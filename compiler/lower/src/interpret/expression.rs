@@ -7,7 +7,7 @@ use crate::operations::{Scalars, expand, is_scalar};
 use calyx_abi::context::RuntimeError;
 use calyx_abi::helpers::{self, CaptureKind, malformed};
 use calyx_abi::{Purity, Repr};
-use calyx_lang::ir::{DisplayUnit, Expr, ExprKind, ExternId, FormatPart, Op, SiteId};
+use calyx_lang::ir::{Expr, ExprKind, ExternId, FormatPart, Op, SiteId};
 use calyx_lang::span::Span;
 
 impl<'p> Machine<'_, 'p> {
@@ -129,7 +129,8 @@ impl<'p> Machine<'_, 'p> {
             let (a, b) = self.stack[start..].split_at(operands_repr.slots());
             vec![u64::from(helpers::equal(self.ctx, operands_repr, a, b)? == (op == Op::Equal))]
         } else if is_scalar(op) && !(equality && *operands_repr == Repr::Vector) {
-            vec![SlotScalars.apply(op, &self.stack[start..])]
+            let result = SlotScalars.apply(op, &self.stack[start..]);
+            vec![result.ok_or_else(|| malformed("an operation without operands"))?]
         } else {
             expand(&mut SlotScalars, op, &self.stack[start..])
                 .ok_or_else(|| malformed("an operation on other operands"))?

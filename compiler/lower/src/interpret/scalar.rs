@@ -14,18 +14,21 @@ impl Scalars for SlotScalars {
         value.to_bits()
     }
 
-    fn apply(&mut self, op: Op, operands: &[Slot]) -> Slot {
-        let x = |index: usize| f64::from_bits(operands.get(index).copied().unwrap_or_default());
+    fn apply(&mut self, op: Op, operands: &[Slot]) -> Option<Slot> {
+        let &first = operands.first()?;
+        // Operations of one operand do not look at the second.
+        let second = operands.get(1).copied().unwrap_or(first);
+        let x = |index: usize| f64::from_bits([first, second][index]);
         let number = f64::to_bits;
         let truth = u64::from;
-        match op {
+        Some(match op {
             Op::Add => number(x(0) + x(1)),
             Op::Subtract => number(x(0) - x(1)),
             Op::Multiply => number(x(0) * x(1)),
             Op::Divide => number(x(0) / x(1)),
             Op::Power => number(math::pow(x(0), x(1))),
             Op::Negate => number(-x(0)),
-            Op::Not => truth(operands.first() == Some(&0)),
+            Op::Not => truth(first == 0),
             Op::Less => truth(x(0) < x(1)),
             Op::LessEqual => truth(x(0) <= x(1)),
             Op::Greater => truth(x(0) > x(1)),
@@ -48,9 +51,8 @@ impl Scalars for SlotScalars {
             Op::Atan2 => number(math::atan2(x(0), x(1))),
             Op::Min => number(math::min(x(0), x(1))),
             Op::Max => number(math::max(x(0), x(1))),
-            // `is_scalar` keeps all others away; what comes of them would be seen at once.
-            _ => number(f64::NAN),
-        }
+            _ => return None,
+        })
     }
 
     fn both(&mut self, a: Slot, b: Slot) -> Slot {
