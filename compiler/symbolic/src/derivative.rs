@@ -15,6 +15,11 @@ use crate::graph::{Binary, Graph, Node, NodeId, Unary};
 impl Graph {
     /// The derivative of an expression by a symbol.
     pub fn derivative(&mut self, root: NodeId, symbol: u32) -> NodeId {
+        let found =
+            self.derivatives.get(&symbol).and_then(|known| known.get(root.index()).copied().flatten());
+        if let Some(found) = found {
+            return found;
+        }
         let zero = self.constant(0.0);
         let mut known = self.derivatives.remove(&symbol).unwrap_or_default();
         if known.len() <= root.index() {
