@@ -1,1 +1,21 @@
+//! The Calyx compiler as a library: check a model, compile it, run it.
+//!
+//! ```no_run
+//! let checked = calyx::check_file("examples/spur_pair.cx".as_ref())?;
+//! assert!(!checked.has_errors(), "{}", checked.render());
+//! let module = calyx::Module::compile(checked)?;
+//! let options = calyx::rt::RunOptions { directory: "results".into(), set: vec![], quiet: true };
+//! let report = calyx::rt::run(&module, &options).map_err(|error| format!("{error:?}"))?;
+//! println!("{}", report.summary);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
+mod check;
+mod interpreted;
+mod loader;
+mod module;
+
+pub use calyx_rt as rt;
+pub use check::{Checked, check_file, check_text};
+pub use interpreted::Interpreted;
+pub use module::{CompileError, Module};

@@ -64,7 +64,7 @@ impl PlanePose {
         let tilt = (f[8] - 1.0).abs() + f[2].abs() + f[5].abs() + f[6].abs() + f[7].abs();
         if f.iter().any(|entry| !entry.is_finite()) {
             return Err(EngineError::new(
-                "E0704",
+                "E0710",
                 format!("the body's frame is not a number at Time = {time} s"),
                 "look for a division by zero or the root of a negative number in the frame's expression",
             )

@@ -45,7 +45,7 @@ impl<'s> System<'s> {
         let face_width = widths.map(|(body, _)| body.prototype.face_width()).fold(f64::INFINITY, f64::min);
         if !face_width.is_finite() {
             return Err(EngineError::new(
-                "E0707",
+                "E0713",
                 "nothing in the scene touches anything",
                 "mesh two bodies, like `gears.mesh(pinion, gear)`",
             ));

@@ -88,7 +88,7 @@ pub fn run(program: &dyn Program, options: &RunOptions) -> Result<RunReport, Run
 
 fn no_analysis() -> RuntimeError {
     RuntimeError {
-        code: "E0705".into(),
+        code: "E0711".into(),
         message: "the model analyses nothing".into(),
         help: "end it with `analyze(\"quasi_static\", over = gears.mesh_cycle(mesh, 32));`".into(),
         argument: None,
@@ -113,7 +113,7 @@ impl Watcher {
         if let Ok(mut failure) = self.failure.lock() {
             *failure = Some(error);
         }
-        EngineError::new("E0706", message, "choose another directory with --out")
+        EngineError::new("E0712", message, "choose another directory with --out")
     }
 }
 

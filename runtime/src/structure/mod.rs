@@ -3,8 +3,40 @@
 //! Displacements are elastic only: what moves the body as a whole belongs to its frame.
 //! Everything here is per unit of face width (a plane model): forces in N/m, compliances in m/(N/m).
 
+mod condense;
+mod dense;
+pub mod elastic;
+pub mod kernel;
+pub mod rigid;
+pub mod ring;
+pub mod sampling;
+pub mod spline;
+
+pub use elastic::{ElasticStructure, Hold, RingSource, SurfaceSource};
+pub use rigid::RigidStructure;
+pub use sampling::SplitOptions;
+
+use crate::fe::SolveError;
 use crate::profile::Profile;
+use ring::FreeRing;
 use std::sync::Arc;
+
+/// Why a structure cannot be made of a mesh.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum StructureError {
+    #[error("the mesh has no chain of edges `{chain}`")]
+    NoChain { chain: String },
+    #[error("`{chain}` has too few elements: contact cannot be matched to the mesh on them")]
+    Coarse { chain: String },
+    #[error("the nodes of `{}`, turned by a pitch, are not those of `{}`", cuts[0], cuts[1])]
+    CutsDiffer { cuts: [String; 2] },
+    #[error("the mesh has no area")]
+    NoArea,
+    #[error(transparent)]
+    Ring(#[from] FreeRing),
+    #[error(transparent)]
+    Solve(#[from] SolveError),
+}
 
 /// A loadable surface of a structure: a flank of one tooth, or the rim of a disc.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]

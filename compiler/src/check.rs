@@ -1,0 +1,144 @@
+//! Everything that is wrong with a model: of the language, and of the gears it describes.
+
+use crate::interpreted::Interpreted;
+use crate::loader::ModelLoader;
+use calyx_abi::description::ModelDescription;
+use calyx_abi::{Context, Purity, RuntimeError};
+use calyx_gears::externs::check_plan;
+use calyx_gears::host::ModelHost;
+use calyx_lang::diagnostic::{Diagnostic, Severity};
+use calyx_lang::ir::{Program, SourceFile};
+use calyx_lang::render::render;
+use calyx_lang::span::{FileId, Span};
+use calyx_rt::{ParamError, Program as _, apply};
+use std::io::{self, IsTerminal};
+use std::path::Path;
+
+/// Basic blocks a program may enter while it is checked: models build and end; one that does not is stopped.
+const FUEL: u64 = 20_000_000;
+
+/// What checking a model found.
+pub struct Checked {
+    /// `None` if there are errors of the language.
+    pub program: Option<Program>,
+    /// What the model says of itself, with the defaults and ranges of its params.
+    pub description: ModelDescription,
+    pub diagnostics: Vec<Diagnostic>,
+    pub files: Vec<SourceFile>,
+}
+
+impl Checked {
+    pub fn has_errors(&self) -> bool {
+        self.diagnostics.iter().any(|diagnostic| diagnostic.severity == Severity::Error)
+    }
+
+    /// The diagnostics for people, in colour if standard error is a terminal.
+    pub fn render(&self) -> String {
+        render(&self.diagnostics, &self.files, io::stderr().is_terminal())
+    }
+}
+
+/// Checks the model in a file.
+///
+/// # Errors
+/// The file cannot be read. (A file that is not UTF-8 is readable, and wrong.)
+pub fn check_file(path: &Path) -> io::Result<Checked> {
+    let bytes = std::fs::read(path)?;
+    let name = path.display().to_string();
+    let folder = path.parent().map(Path::to_path_buf);
+    Ok(match String::from_utf8(bytes) {
+        Ok(text) => check_with(&name, &text, &ModelLoader { folder }),
+        Err(error) => not_utf8(&name, &error),
+    })
+}
+
+/// Checks a model given as text; it can import the library only.
+pub fn check_text(name: &str, text: &str) -> Checked {
+    check_with(name, text, &ModelLoader { folder: None })
+}
+
+fn check_with(name: &str, text: &str, loader: &ModelLoader) -> Checked {
+    let checked = calyx_lang::check::check_program(name, text, loader);
+    let mut result = Checked {
+        program: checked.program,
+        description: ModelDescription::default(),
+        diagnostics: checked.diagnostics,
+        files: checked.files,
+    };
+    if let Some(program) = &result.program {
+        let (description, found) = elaborate(program);
+        result.description = description;
+        result.diagnostics.extend(found);
+    }
+    result
+}
+
+/// Runs the program at default params, building a scene but solving nothing.
+fn elaborate(program: &Program) -> (ModelDescription, Vec<Diagnostic>) {
+    let mut interpreted = match Interpreted::new(program, Purity::Scene) {
+        Ok(interpreted) => interpreted,
+        Err(message) => return (ModelDescription::default(), vec![defect(&message)]),
+    };
+    let mut context = Context::new(Box::new(ModelHost::default()));
+    context.fuel = FUEL;
+    context.kernels = interpreted.kernels();
+    context.print = Box::new(|_| {});
+    let ran = apply(&interpreted, &[], &mut context).and_then(|()| {
+        interpreted.describe_params(&mut context)?;
+        interpreted.main(&mut context).map_err(ParamError::Model)
+    });
+    let mut found = Vec::new();
+    match ran {
+        Err(ParamError::Model(error)) => found.push(diagnostic(&error)),
+        Err(ParamError::Given { message, help }) => {
+            found.push(Diagnostic::error("E0205", message, Span::default(), "").help(help));
+        }
+        Ok(()) => {
+            if let Some(host) = context.host::<ModelHost>() {
+                found.extend(host.warnings.iter().map(warning));
+                if !host.scene.pairs.is_empty()
+                    && let Err(error) = check_plan(host)
+                {
+                    found.push(diagnostic(&error));
+                }
+            }
+        }
+    }
+    (interpreted.into_description(), found)
+}
+
+/// A run-time error as a diagnostic at its place.
+pub(crate) fn diagnostic(error: &RuntimeError) -> Diagnostic {
+    let label = if error.argument.is_some() { "because of this" } else { "it happened here" };
+    let diagnostic = Diagnostic::error(&error.code, &error.message, place(error.place), label);
+    if error.help.is_empty() { diagnostic } else { diagnostic.help(&error.help) }
+}
+
+fn warning(finding: &calyx_gears::host::Finding) -> Diagnostic {
+    let (code, message) = (finding.error.code.replace('E', "W"), finding.error.message.to_string());
+    Diagnostic::warning(&code, message, place(Some(finding.place)), "here").help(finding.error.help.to_string())
+}
+
+fn place(place: Option<(u32, u32, u32)>) -> Span {
+    let (file, start, end) = place.unwrap_or_default();
+    Span { file: FileId(file), start, end }
+}
+
+fn defect(message: &str) -> Diagnostic {
+    Diagnostic::error("E0799", message, Span::default(), "")
+        .help("this is a defect of Calyx; please report it with the model")
+}
+
+fn not_utf8(name: &str, error: &std::string::FromUtf8Error) -> Checked {
+    let start = error.utf8_error().valid_up_to();
+    let text = String::from_utf8_lossy(error.as_bytes()).into_owned();
+    let diagnostic =
+        Diagnostic::error("E0100", "the file is not UTF-8 text", Span::new(FileId(0), start, start + 1), "not a character")
+            .help("save it as UTF-8");
+    Checked {
+        program: None,
+        description: ModelDescription::default(),
+        diagnostics: vec![diagnostic],
+        files: vec![SourceFile { name: name.to_owned(), text }],
+    }
+}

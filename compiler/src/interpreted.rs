@@ -1,0 +1,96 @@
+//! A model run by the interpreter: what `check` does, and what compiled models are compared with.
+
+use calyx_abi::description::{ModelDescription, ParamValue};
+use calyx_abi::{Context, Kernel, Purity, Repr, RuntimeError, Slot};
+use calyx_gears::library::externs;
+use calyx_lang::ir::{FunctionId, Program};
+use calyx_lower::interpret::Interpreter;
+use calyx_lower::kernels::lower_sites;
+use calyx_rt::ParamError;
+use calyx_rt::program::ParamFunction;
+use calyx_symbolic::TapeKernel;
+use std::sync::Arc;
+
+/// A checked model and its interpreter.
+pub struct Interpreted<'p> {
+    program: &'p Program,
+    interpreter: Interpreter<'p>,
+    kernels: Vec<Arc<dyn Kernel>>,
+    description: ModelDescription,
+}
+
+impl<'p> Interpreted<'p> {
+    /// Prepares a model; of the engine's functions it calls only those that do no more than `allow`.
+    ///
+    /// # Errors
+    /// The library and the engine do not fit each other, or an expression cannot be made a kernel.
+    pub fn new(program: &'p Program, allow: Purity) -> Result<Self, String> {
+        let interpreter = Interpreter::new(program, externs(), allow).map_err(|error| error.to_string())?;
+        let tapes = lower_sites(program).map_err(|error| error.to_string())?;
+        let kernels = tapes.into_iter().map(|tape| Arc::new(TapeKernel::new(tape)) as Arc<dyn Kernel>).collect();
+        let description = calyx_lang::description::describe(program);
+        Ok(Interpreted { program, interpreter, kernels, description })
+    }
+
+    /// Fills in the defaults and ranges of the params, which `context` holds at their defaults.
+    pub(crate) fn describe_params(&mut self, context: &mut Context) -> Result<(), ParamError> {
+        for index in 0..self.description.params.len() {
+            let mut end = |which| {
+                let slot = self.function(index, which, context).map_err(ParamError::Model)?;
+                Ok::<_, ParamError>(slot.map(f64::from_bits))
+            };
+            let (low, high) = (end(ParamFunction::Low)?, end(ParamFunction::High)?);
+            let param = &mut self.description.params[index];
+            (param.low, param.high) = (low, high);
+            let slot = context.param_slots[index];
+            param.default = Some(match param.repr {
+                Repr::Bool => ParamValue::Bool(slot != 0),
+                Repr::String => ParamValue::String(context.heap.str(slot).unwrap_or_default().to_owned()),
+                _ => ParamValue::Number(f64::from_bits(slot)),
+            });
+        }
+        Ok(())
+    }
+
+    pub(crate) fn into_description(self) -> ModelDescription {
+        self.description
+    }
+
+    fn function(&self, param: usize, which: ParamFunction, context: &mut Context) -> Result<Option<Slot>, RuntimeError> {
+        let Some(id) = param_function(self.program, param, which) else { return Ok(None) };
+        Ok(self.interpreter.run_function(id, &[], context)?.first().copied())
+    }
+}
+
+/// The function that computes a param's default or an end of its range.
+pub(crate) fn param_function(program: &Program, param: usize, which: ParamFunction) -> Option<FunctionId> {
+    let param = program.params.get(param)?;
+    match which {
+        ParamFunction::Default => Some(param.default),
+        ParamFunction::Low => param.low,
+        ParamFunction::High => param.high,
+    }
+}
+
+impl calyx_rt::Program for Interpreted<'_> {
+    fn description(&self) -> &ModelDescription {
+        &self.description
+    }
+
+    fn kernels(&self) -> Vec<Arc<dyn Kernel>> {
+        self.kernels.clone()
+    }
+
+    fn param_function(
+        &self,
+        param: usize,
+        which: ParamFunction,
+        context: &mut Context,
+    ) -> Result<Option<Slot>, RuntimeError> {
+        self.function(param, which, context)
+    }
+
+    fn main(&self, context: &mut Context) -> Result<(), RuntimeError> {
+        self.interpreter.run_main(context)
+    }
+}

@@ -1,0 +1,102 @@
+//! A model compiled to machine code in memory.
+
+use crate::check::{Checked, diagnostic};
+use crate::interpreted::param_function;
+use calyx_abi::description::ModelDescription;
+use calyx_abi::{Context, Kernel, RuntimeError, Slot};
+use calyx_codegen::{CodegenError, JitModule, compile_jit, compile_object};
+use calyx_gears::library::externs;
+use calyx_lang::ir::{Program, SourceFile};
+use calyx_lang::render::render;
+use calyx_lower::interpret::CallSites;
+use calyx_rt::program::ParamFunction;
+use std::fmt;
+use std::io::{self, IsTerminal};
+use std::sync::Arc;
+
+/// Why a checked model could not be compiled.
+#[derive(Debug)]
+pub enum CompileError {
+    /// The model has errors; see its diagnostics.
+    NotChecked,
+    Code(CodegenError),
+    Description(serde_json::Error),
+}
+
+impl fmt::Display for CompileError {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            CompileError::NotChecked => write!(f, "the model has errors and cannot be compiled"),
+            CompileError::Code(error) => write!(f, "{error}"),
+            CompileError::Description(error) => write!(f, "the model's description cannot be written: {error}"),
+        }
+    }
+}
+
+impl std::error::Error for CompileError {}
+
+/// A compiled model. Its code is freed with it, when no value that came from it lives any more.
+pub struct Module {
+    program: Program,
+    description: ModelDescription,
+    files: Vec<SourceFile>,
+    code: JitModule,
+    call_sites: CallSites,
+}
+
+impl Module {
+    /// Compiles a checked model.
+    ///
+    /// # Errors
+    /// The model has errors, or code generation failed.
+    pub fn compile(checked: Checked) -> Result<Module, CompileError> {
+        if checked.has_errors() {
+            return Err(CompileError::NotChecked);
+        }
+        let program = checked.program.ok_or(CompileError::NotChecked)?;
+        let code = compile_jit(&program, externs()).map_err(CompileError::Code)?;
+        let call_sites = CallSites::new(&program);
+        Ok(Module { program, description: checked.description, files: checked.files, code, call_sites })
+    }
+
+    /// The model as an object file, to be linked with `calyx_rt`.
+    ///
+    /// # Errors
+    /// As for [`Module::compile`].
+    pub fn object(&self) -> Result<Vec<u8>, CompileError> {
+        let description =
+            calyx_lang::description::to_json(&self.description).map_err(CompileError::Description)?;
+        compile_object(&self.program, &description).map_err(CompileError::Code)
+    }
+
+    /// A run-time error for people, with the source it arose in.
+    pub fn render_error(&self, error: &RuntimeError) -> String {
+        let mut error = error.clone();
+        self.call_sites.blame(&mut error);
+        render(&[diagnostic(&error)], &self.files, io::stderr().is_terminal())
+    }
+}
+
+impl calyx_rt::Program for Module {
+    fn description(&self) -> &ModelDescription {
+        &self.description
+    }
+
+    fn kernels(&self) -> Vec<Arc<dyn Kernel>> {
+        self.code.kernels()
+    }
+
+    fn param_function(
+        &self,
+        param: usize,
+        which: ParamFunction,
+        context: &mut Context,
+    ) -> Result<Option<Slot>, RuntimeError> {
+        let Some(id) = param_function(&self.program, param, which) else { return Ok(None) };
+        Ok(self.code.run_function(id, &[], context)?.first().copied())
+    }
+
+    fn main(&self, context: &mut Context) -> Result<(), RuntimeError> {
+        self.code.run_main(context)
+    }
+}
