@@ -1,0 +1,505 @@
+//! An elastic body from finite elements, seen through its surfaces: a ring of equal sectors, or a single mesh.
+//!
+//! The compliance between two points of a surface is that of the half-plane, plus a smooth part. The smooth part is the
+//! difference of what the mesh and the half-plane answer to the same mollified loads, seen by the same mollifiers
+//! ([`super::kernel`]): symmetric by construction. Of a curved surface two terms are not smooth where both points meet:
+//! the half-plane's logarithm, and a kink. A normal force moves the half-plane's surface sideways too, away from itself
+//! by a constant amount; where the surface is curved this has a part along the normal of the other point,
+//! `kink (angle between the normals)`. The expansion of the exact solution for a disc (Fourier series of the normal
+//! displacement: `[(k + 1)/n + (1 - k)/n² + ...] / (4 mu)`, k Kolosov's constant) gives `kink = (k - 1) / (8 mu)`; the
+//! next term is of the order of the squared angle times its logarithm. The kink is taken out before interpolation
+//! and put back in closed form, like the logarithm, which stays with whoever integrates pressures.
+//!
+//! Tables are interpolated by splines in both variables. Only one orientation of each table is stored and it is always
+//! summed in the same order, so that exchanging load and observer gives the same bits.
+
+use super::condense::{Condensed, Support, condense, match_cuts};
+use super::kernel::{Mollifier, PairQuadrature};
+use super::ring::RingFlexibility;
+use super::sampling::{SplitOptions, sample};
+use super::spline::{Spline, Weights};
+use super::{Chart, StressPlace, Structure, StructureError, SurfaceLoad};
+use crate::fe::stress::StressRecovery;
+use crate::fe::{EdgeChain, PlaneModel, SparseVector};
+use crate::material::Plane;
+use crate::profile::Profile;
+use faer::{Mat, MatRef};
+use std::f64::consts::{PI, TAU};
+use std::sync::Arc;
+
+/// A loadable surface of a mesh. Chains are named as in [`crate::fe::PlaneMesh::chains`].
+#[derive(Clone)]
+pub struct SurfaceSource {
+    /// The true curve, in the coordinates of the mesh; the chain's arc length is this curve's.
+    pub profile: Arc<dyn Profile>,
+    /// Edges along the profile.
+    pub chain: String,
+    /// Whether the start and the end of the chain are sharp edges of the body. Elsewhere the body continues smoothly.
+    pub sharp: [bool; 2],
+    /// Edges of a free surface beside this one along which stress is recovered: the fillet.
+    pub stress_chain: Option<String>,
+    /// Places of recovered stress on each edge of that chain, at least 1.
+    pub stress_places_per_edge: usize,
+}
+
+/// How a single mesh is held.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Hold<'a> {
+    /// Its rigid-body motion belongs to the frame. Loads out of equilibrium are balanced by forces distributed like
+    /// inertia.
+    Free,
+    /// The nodes of this chain do not move.
+    Chain(&'a str),
+}
+
+/// Where and how a ring of sectors is joined.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct RingSource<'a> {
+    /// Number of equal sectors that make the whole ring, about the origin, at least 1.
+    pub sectors: u32,
+    /// The cut towards the previous sector (clockwise), and that towards the next one.
+    pub cuts: [&'a str; 2],
+    /// Held nodes of each sector.
+    pub bore: &'a str,
+    /// Sectors up to this far apart feel each other; further ones count as independent.
+    pub coupled: u32,
+}
+
+/// An elastic body from finite elements. See the module.
+pub struct ElasticStructure {
+    teeth: u32,
+    surface_modulus: f64,
+    reference_length: f64,
+    /// Displacement per angle between normals, m/(N/m).
+    kink: f64,
+    surfaces: Vec<Surface>,
+    /// By offset of the observing sector ahead of the loaded one.
+    offsets: Vec<OffsetTables>,
+}
+
+struct Surface {
+    profile: Arc<dyn Profile>,
+    spline: Spline,
+    /// Spline coefficients of the angle by which the normal has turned, positive where convex, rad.
+    turned: Vec<f64>,
+    stress_positions: Vec<[f64; 2]>,
+}
+
+/// Spline coefficients between a loaded sector and one that is some places ahead of it.
+struct OffsetTables {
+    /// `[observed surface][loaded surface]`, rows by observer.
+    compliance: Vec<Vec<Mat<f64>>>,
+    /// Stress on the sector ahead by loads on this one: `[observed surface][loaded surface]`, rows by place, Pa/(N/m).
+    stress_ahead: Vec<Vec<Mat<f64>>>,
+    /// Stress on this sector by loads on the one ahead.
+    stress_behind: Vec<Vec<Mat<f64>>>,
+}
+
+/// A surface with its loads and stress rows, before solution.
+struct Prepared {
+    surface: Surface,
+    mollifiers: Vec<Mollifier>,
+    loads: Vec<SparseVector>,
+    stress_rows: Vec<SparseVector>,
+}
+
+impl ElasticStructure {
+    /// A ring of equal sectors. `model` is one sector about the origin, surfaces are those of one sector.
+    ///
+    /// # Errors
+    /// Chains are missing or too coarse, cuts do not conform, or the ring is not held.
+    pub fn ring(
+        model: &PlaneModel,
+        ring: &RingSource<'_>,
+        surfaces: &[SurfaceSource],
+        options: &SplitOptions,
+    ) -> Result<Self, StructureError> {
+        let nodes = |name: &str| Ok::<_, StructureError>(model.mesh.chain_nodes(chain(model, name)?));
+        let (first, last, bore) = (nodes(ring.cuts[0])?, nodes(ring.cuts[1])?, nodes(ring.bore)?);
+        let angle = TAU / f64::from(ring.sectors.max(1));
+        let cuts = match_cuts(&model.mesh.nodes, &first, &last, &bore, angle)
+            .ok_or_else(|| StructureError::CutsDiffer { cuts: ring.cuts.map(String::from) })?;
+        let prepared = prepare(model, surfaces, options)?;
+        let (loads, rows) = gathered(&prepared);
+        let condensed = condense(model, &Support::Held(&bore), Some(&cuts), &loads, &rows)?;
+        let flexibility = match &condensed.stiffness {
+            Some(stiffness) => Some(RingFlexibility::new(stiffness, ring.sectors.max(1), ring.coupled)?),
+            None => None,
+        };
+        Ok(Self::assemble(model, ring.sectors.max(1), prepared, &condensed, flexibility.as_ref()))
+    }
+
+    /// A body of a single mesh.
+    ///
+    /// # Errors
+    /// Chains are missing or too coarse, or the mesh can deform without resistance.
+    pub fn single(
+        model: &PlaneModel,
+        hold: Hold<'_>,
+        surfaces: &[SurfaceSource],
+        options: &SplitOptions,
+    ) -> Result<Self, StructureError> {
+        let prepared = prepare(model, surfaces, options)?;
+        let (loads, rows) = gathered(&prepared);
+        let held;
+        let support = match hold {
+            Hold::Free => Support::Free,
+            Hold::Chain(name) => {
+                held = model.mesh.chain_nodes(chain(model, name)?);
+                Support::Held(&held)
+            }
+        };
+        let condensed = condense(model, &support, None, &loads, &rows)?;
+        Ok(Self::assemble(model, 1, prepared, &condensed, None))
+    }
+
+    fn assemble(
+        model: &PlaneModel,
+        teeth: u32,
+        prepared: Vec<Prepared>,
+        condensed: &Condensed,
+        ring: Option<&RingFlexibility>,
+    ) -> Self {
+        let surface_modulus = model.material.surface_modulus(model.plane);
+        let (young, ratio) = (model.material.youngs_modulus, model.material.poissons_ratio);
+        let kink = match model.plane {
+            Plane::Strain => 0.5 * (1.0 - 2.0 * ratio) * (1.0 + ratio) / young,
+            Plane::Stress => 0.5 * (1.0 - ratio) / young,
+        };
+        let reference_length = prepared.first().map_or(1.0, |first| first.surface.profile.length());
+        let mut structure = Self {
+            teeth,
+            surface_modulus,
+            reference_length,
+            kink,
+            surfaces: Vec::new(),
+            offsets: Vec::new(),
+        };
+        for offset in 0..=ring.map_or(0, RingFlexibility::window) {
+            structure.offsets.push(structure.tables(offset, &prepared, condensed, ring));
+        }
+        structure.surfaces = prepared.into_iter().map(|prepared| prepared.surface).collect();
+        structure
+    }
+
+    /// Tables of one offset: the response of the mesh, less what is not smooth, as spline coefficients.
+    fn tables(
+        &self,
+        offset: u32,
+        prepared: &[Prepared],
+        condensed: &Condensed,
+        ring: Option<&RingFlexibility>,
+    ) -> OffsetTables {
+        let response = response(condensed, ring, offset);
+        let load_starts = starts(prepared.iter().map(|surface| surface.loads.len()));
+        let row_starts = starts(prepared.iter().map(|surface| surface.stress_rows.len()));
+        let per_pair = |table: &dyn Fn(usize, usize) -> Mat<f64>| -> Vec<Vec<Mat<f64>>> {
+            let surfaces = 0..prepared.len();
+            surfaces.clone().map(|p| surfaces.clone().map(|q| table(p, q)).collect()).collect()
+        };
+        let stress = |all: &Mat<f64>| {
+            per_pair(&|p, q| {
+                let (rows, loads) = (row_starts[p]..row_starts[p + 1], load_starts[q]..load_starts[q + 1]);
+                let table = all.as_ref().submatrix(rows.start, loads.start, rows.len(), loads.len());
+                prepared[q].surface.spline.coefficients(table.transpose()).transpose().to_owned()
+            })
+        };
+        OffsetTables {
+            compliance: per_pair(&|p, q| {
+                let (rows, loads) = (load_starts[p]..load_starts[p + 1], load_starts[q]..load_starts[q + 1]);
+                let table =
+                    response.compliance.as_ref().submatrix(rows.start, loads.start, rows.len(), loads.len());
+                let (observed, loaded) = (&prepared[p].surface.spline, &prepared[q].surface.spline);
+                if offset == 0 && p == q {
+                    let smooth = self.smooth_part(&prepared[p], table);
+                    let mut coefficients = both_sides(observed, loaded, smooth.as_ref());
+                    super::dense::mirror_lower(&mut coefficients);
+                    coefficients
+                } else {
+                    both_sides(observed, loaded, table)
+                }
+            }),
+            stress_ahead: stress(&response.stress_ahead),
+            stress_behind: stress(&response.stress_behind),
+        }
+    }
+
+    /// The mesh's answers on one surface less the half-plane's and the kink's to the same mollifiers.
+    fn smooth_part(&self, prepared: &Prepared, answers: MatRef<'_, f64>) -> Mat<f64> {
+        let quadrature = PairQuadrature::default();
+        let log_factor = -2.0 / (PI * self.surface_modulus);
+        let log_length = self.reference_length.ln();
+        let surface = &prepared.surface;
+        let turned = |s: f64| surface.turned_at(&surface.spline.weights(s));
+        let mut smooth = answers.to_owned();
+        for (k, observer) in prepared.mollifiers.iter().enumerate() {
+            for (l, load) in prepared.mollifiers.iter().enumerate().take(k + 1) {
+                let logarithm = quadrature.logarithm(observer, load) - log_length;
+                // Apart from each other, the kink is smooth between them: its mean is its value.
+                let kink = if observer.overlaps(load) {
+                    quadrature.kink(observer, load, turned)
+                } else {
+                    turned(surface.spline.nodes()[k]) - turned(surface.spline.nodes()[l])
+                };
+                smooth[(k, l)] -= log_factor * logarithm + self.kink * kink;
+            }
+        }
+        super::dense::mirror_lower(&mut smooth);
+        smooth
+    }
+
+    /// Places ahead, going round, from one tooth to another.
+    fn places_ahead(&self, from: u32, to: u32) -> u32 {
+        (to % self.teeth + self.teeth - from % self.teeth) % self.teeth
+    }
+
+    fn surface(&self, chart: Chart) -> Option<&Surface> {
+        self.surfaces.get(chart.surface as usize)
+    }
+}
+
+impl Structure for ElasticStructure {
+    fn profile(&self, surface: u32) -> Arc<dyn Profile> {
+        self.surfaces[surface as usize].profile.clone()
+    }
+
+    fn tooth_angle(&self, tooth: u32) -> f64 {
+        TAU * f64::from(tooth % self.teeth) / f64::from(self.teeth)
+    }
+
+    fn teeth(&self) -> u32 {
+        self.teeth
+    }
+
+    fn surface_modulus(&self) -> f64 {
+        self.surface_modulus
+    }
+
+    fn reference_length(&self) -> f64 {
+        self.reference_length
+    }
+
+    fn add_compliance(
+        &self,
+        observe: Chart,
+        observe_s: &[f64],
+        load: Chart,
+        load_s: &[f64],
+        block: &mut [f64],
+    ) {
+        let (Some(observed), Some(loaded)) = (self.surface(observe), self.surface(load)) else {
+            return;
+        };
+        let ahead = self.places_ahead(load.tooth, observe.tooth);
+        let behind = self.places_ahead(observe.tooth, load.tooth);
+        let same_tooth = ahead == 0;
+        let same = same_tooth && observe.surface == load.surface;
+        // Of the two orientations, the stored one: the observer ahead, or on the higher surface of the same tooth. Half
+        // way round a ring of even number each is ahead of the other; the higher tooth decides.
+        let forward = if same_tooth {
+            observe.surface >= load.surface
+        } else if ahead == behind {
+            observe.tooth % self.teeth > load.tooth % self.teeth
+        } else {
+            ahead < behind
+        };
+        let Some(tables) = self.offsets.get(ahead.min(behind) as usize) else {
+            return;
+        };
+        let table = if forward {
+            &tables.compliance[observe.surface as usize][load.surface as usize]
+        } else {
+            &tables.compliance[load.surface as usize][observe.surface as usize]
+        };
+        let bilinear = |row: &Weights, column: &Weights| row.sum(|i| column.sum(|j| table[(i, j)]));
+        let load_weights: Vec<Weights> = load_s.iter().map(|&s| loaded.spline.weights(s)).collect();
+        let load_turned: Vec<f64> = load_weights.iter().map(|weights| loaded.turned_at(weights)).collect();
+        for (row, &s) in observe_s.iter().enumerate() {
+            let weights = observed.spline.weights(s);
+            let turned = observed.turned_at(&weights);
+            for (column, &at) in load_s.iter().enumerate() {
+                let other = &load_weights[column];
+                let value = if same {
+                    // The table is symmetric; the larger arc length goes first, whichever side it is on.
+                    let (high, low, turn) = if s >= at {
+                        (&weights, other, turned - load_turned[column])
+                    } else {
+                        (other, &weights, load_turned[column] - turned)
+                    };
+                    bilinear(high, low) + self.kink * turn
+                } else if forward {
+                    bilinear(&weights, other)
+                } else {
+                    bilinear(other, &weights)
+                };
+                block[row * load_s.len() + column] += value;
+            }
+        }
+    }
+
+    /// The stress along the surface: of a free surface, the principal stress that is not zero. A compressed place has
+    /// a negative one.
+    fn stresses(&self, tooth: u32, surface: u32, loads: &[SurfaceLoad]) -> Vec<(StressPlace, f64)> {
+        let Some(observed) = self.surfaces.get(surface as usize) else {
+            return Vec::new();
+        };
+        let mut stress = vec![0.0; observed.stress_positions.len()];
+        for load in loads {
+            let Some(loaded) = self.surface(load.chart) else {
+                continue;
+            };
+            let ahead = self.places_ahead(load.chart.tooth, tooth);
+            let behind = self.places_ahead(tooth, load.chart.tooth);
+            let Some(tables) = self.offsets.get(ahead.min(behind) as usize) else {
+                continue;
+            };
+            let side = if ahead <= behind { &tables.stress_ahead } else { &tables.stress_behind };
+            let table = &side[surface as usize][load.chart.surface as usize];
+            let weights = loaded.spline.weights(load.s);
+            for (row, value) in stress.iter_mut().enumerate() {
+                *value += load.force * weights.sum(|i| table[(row, i)]);
+            }
+        }
+        let (sin, cos) = self.tooth_angle(tooth).sin_cos();
+        let place = |&[x, y]: &[f64; 2]| StressPlace {
+            tooth,
+            surface,
+            position: [cos * x - sin * y, sin * x + cos * y],
+        };
+        observed.stress_positions.iter().map(place).zip(stress).collect()
+    }
+}
+
+impl Surface {
+    fn turned_at(&self, weights: &Weights) -> f64 {
+        weights.sum(|i| self.turned[i])
+    }
+}
+
+/// What the mesh answers to unit mollified loads on one sector.
+struct Response {
+    /// On the sector ahead, rows by observing mollifier.
+    compliance: Mat<f64>,
+    stress_ahead: Mat<f64>,
+    /// On this sector by loads on the sector ahead.
+    stress_behind: Mat<f64>,
+}
+
+fn response(condensed: &Condensed, ring: Option<&RingFlexibility>, offset: u32) -> Response {
+    let (own, rows_own) = (condensed.own.clone(), condensed.rows_own.clone());
+    let Some(ring) = ring else {
+        return Response { compliance: own, stress_ahead: rows_own.clone(), stress_behind: rows_own };
+    };
+    let cuts_ahead = ring.at(offset) * &condensed.on_cuts;
+    let cuts_behind = ring.at(offset).transpose() * &condensed.on_cuts;
+    let mut response = Response {
+        compliance: condensed.on_cuts.transpose() * &cuts_ahead,
+        stress_ahead: &condensed.rows_cuts * &cuts_ahead,
+        stress_behind: &condensed.rows_cuts * &cuts_behind,
+    };
+    if offset == 0 {
+        response.compliance += own;
+        response.stress_ahead += &rows_own;
+        response.stress_behind += rows_own;
+    }
+    response
+}
+
+/// Spline coefficients of a table in both variables.
+fn both_sides(rows: &Spline, columns: &Spline, table: MatRef<'_, f64>) -> Mat<f64> {
+    let by_row = rows.coefficients(table);
+    columns.coefficients(by_row.transpose()).transpose().to_owned()
+}
+
+fn starts(counts: impl Iterator<Item = usize>) -> Vec<usize> {
+    let mut starts = vec![0];
+    for count in counts {
+        starts.push(starts[starts.len() - 1] + count);
+    }
+    starts
+}
+
+fn gathered(prepared: &[Prepared]) -> (Vec<SparseVector>, Vec<SparseVector>) {
+    let loads = prepared.iter().flat_map(|surface| surface.loads.iter().cloned()).collect();
+    let rows = prepared.iter().flat_map(|surface| surface.stress_rows.iter().cloned()).collect();
+    (loads, rows)
+}
+
+fn chain<'a>(model: &'a PlaneModel, name: &str) -> Result<&'a EdgeChain, StructureError> {
+    model.mesh.chain(name).ok_or_else(|| StructureError::NoChain { chain: name.into() })
+}
+
+fn prepare(
+    model: &PlaneModel,
+    sources: &[SurfaceSource],
+    options: &SplitOptions,
+) -> Result<Vec<Prepared>, StructureError> {
+    let recovery = StressRecovery::new(model);
+    sources.iter().map(|source| prepare_surface(model, &recovery, source, options)).collect()
+}
+
+fn prepare_surface(
+    model: &PlaneModel,
+    recovery: &StressRecovery<'_>,
+    source: &SurfaceSource,
+    options: &SplitOptions,
+) -> Result<Prepared, StructureError> {
+    let loaded = chain(model, &source.chain)?;
+    let until = source.profile.edge_from().unwrap_or_else(|| source.profile.length());
+    let samples = sample(&model.mesh, loaded, until, source.sharp, options)
+        .ok_or_else(|| StructureError::Coarse { chain: source.chain.clone() })?;
+    let loads = samples
+        .mollifiers
+        .iter()
+        .map(|mollifier| {
+            model.edge_load_between(loaded, mollifier.support(), |s, point| {
+                point.normal.map(|part| -part * mollifier.value(s))
+            })
+        })
+        .collect();
+
+    let mut surface = Surface {
+        profile: source.profile.clone(),
+        spline: Spline::new(samples.s),
+        turned: Vec::new(),
+        stress_positions: Vec::new(),
+    };
+    surface.turned = turned_coefficients(&surface);
+    let mut stress_rows = Vec::new();
+    if let Some(name) = &source.stress_chain {
+        let free = chain(model, name)?;
+        let places = source.stress_places_per_edge.max(1);
+        for edge in &free.edges {
+            for place in 0..places {
+                let share = (place as f64 + 0.5) / places as f64;
+                let s = edge.s[0] + share * (edge.s[1] - edge.s[0]);
+                let found = recovery.surface_row(free, s).zip(model.mesh.chain_point(free, s));
+                if let Some((row, point)) = found {
+                    stress_rows.push(row);
+                    surface.stress_positions.push(point.position);
+                }
+            }
+        }
+    }
+    Ok(Prepared { surface, mollifiers: samples.mollifiers, loads, stress_rows })
+}
+
+/// Spline coefficients of the angle by which the normal has turned since the first sample, positive where convex.
+fn turned_coefficients(surface: &Surface) -> Vec<f64> {
+    let mut angles = Vec::with_capacity(surface.spline.nodes().len());
+    let mut previous: Option<[f64; 2]> = None;
+    let mut angle = 0.0;
+    for &s in surface.spline.nodes() {
+        let point = surface.profile.at(s);
+        let [x, y] = point.tangent;
+        if let Some([px, py]) = previous {
+            // With the material on the left of the tangent a convex curve turns left.
+            let left = y * point.normal[0] - x * point.normal[1];
+            angle += left.signum() * (px * y - py * x).atan2(px * x + py * y);
+        }
+        previous = Some(point.tangent);
+        angles.push(angle);
+    }
+    let table = Mat::from_fn(angles.len(), 1, |i, _| angles[i]);
+    surface.spline.coefficients(table.as_ref()).col(0).iter().copied().collect()
+}

@@ -1,0 +1,47 @@
+//! Bodies that do not deform.
+
+use super::{Chart, StressPlace, Structure, SurfaceLoad};
+use crate::profile::Profile;
+use std::f64::consts::TAU;
+use std::sync::Arc;
+
+/// Surfaces without compliance, repeated round a circle like those of a gear.
+pub struct RigidStructure {
+    surfaces: Vec<Arc<dyn Profile>>,
+    teeth: u32,
+}
+
+impl RigidStructure {
+    /// `surfaces` are those of tooth 0; `teeth` is at least 1.
+    pub fn new(surfaces: Vec<Arc<dyn Profile>>, teeth: u32) -> Self {
+        Self { surfaces, teeth: teeth.max(1) }
+    }
+}
+
+impl Structure for RigidStructure {
+    fn profile(&self, surface: u32) -> Arc<dyn Profile> {
+        self.surfaces[surface as usize].clone()
+    }
+
+    fn tooth_angle(&self, tooth: u32) -> f64 {
+        TAU * f64::from(tooth % self.teeth) / f64::from(self.teeth)
+    }
+
+    fn teeth(&self) -> u32 {
+        self.teeth
+    }
+
+    fn surface_modulus(&self) -> f64 {
+        f64::INFINITY
+    }
+
+    fn reference_length(&self) -> f64 {
+        self.surfaces.first().map_or(1.0, |profile| profile.length())
+    }
+
+    fn add_compliance(&self, _: Chart, _: &[f64], _: Chart, _: &[f64], _: &mut [f64]) {}
+
+    fn stresses(&self, _: u32, _: u32, _: &[SurfaceLoad]) -> Vec<(StressPlace, f64)> {
+        Vec::new()
+    }
+}

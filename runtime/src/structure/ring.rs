@@ -1,0 +1,155 @@
+//! A ring of equal sectors, known through the cuts between them (report section 2.6).
+//!
+//! A sector is condensed onto its two cuts: a stiffness of the cut degrees of freedom, and for every load inside the
+//! sector its equivalent on the cuts. Displacements of a cut are expressed in the frame of the sector that it is the
+//! *first* cut of, so that every sector has the same matrix, whatever the angle it stands at, and turning the ring only
+//! renumbers the sectors.
+//!
+//! The sectors that carry no load are joined two by two, four by four and so on: O(log N) condensations for N sectors.
+//! Joining eliminates the cut between two chains, and the stiffness of that cut with both ends held is positive
+//! definite even if the ring itself is free, so no step needs pivoting.
+
+use super::dense::{add_product, cholesky, half_solve, mirror_lower, solve};
+use faer::{Mat, MatRef};
+
+/// A sector, or a chain of them, condensed onto its first and last cut.
+#[derive(Clone, Debug)]
+pub struct CutStiffness {
+    /// Symmetric, first cut before last cut.
+    matrix: Mat<f64>,
+}
+
+/// The stiffness of a ring's cuts is not positive definite: something can move freely.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("the ring of sectors is not held: it can move without deforming")]
+pub struct FreeRing;
+
+impl CutStiffness {
+    /// `matrix` is symmetric of even size: the degrees of freedom of the first cut, then as many of the last, in N/m
+    /// per metre of face width. Only its lower triangle is read.
+    pub fn new(mut matrix: Mat<f64>) -> Self {
+        assert!(
+            matrix.nrows() == matrix.ncols() && matrix.nrows().is_multiple_of(2),
+            "two cuts of equal size"
+        );
+        mirror_lower(&mut matrix);
+        Self { matrix }
+    }
+
+    /// Degrees of freedom of one cut.
+    pub fn cut_size(&self) -> usize {
+        self.matrix.nrows() / 2
+    }
+
+    fn block(&self, row: usize, column: usize) -> MatRef<'_, f64> {
+        let n = self.cut_size();
+        self.matrix.as_ref().submatrix(row * n, column * n, n, n)
+    }
+
+    /// The chain of `self` followed by `next`, the cut between them condensed (report eq. 2.80).
+    fn joined(&self, next: &Self) -> Result<Self, FreeRing> {
+        let n = self.cut_size();
+        let between = self.block(1, 1) + next.block(0, 0);
+        let factor = cholesky(between).ok_or(FreeRing)?;
+        let mut coupling = Mat::zeros(n, 2 * n);
+        coupling.as_mut().submatrix_mut(0, 0, n, n).copy_from(self.block(1, 0));
+        coupling.as_mut().submatrix_mut(0, n, n, n).copy_from(next.block(0, 1));
+        let coupling = half_solve(factor.as_ref(), coupling);
+        let mut matrix = Mat::zeros(2 * n, 2 * n);
+        matrix.as_mut().submatrix_mut(0, 0, n, n).copy_from(self.block(0, 0));
+        matrix.as_mut().submatrix_mut(n, n, n, n).copy_from(next.block(1, 1));
+        add_product(matrix.as_mut(), -1.0, coupling.transpose(), coupling.as_ref());
+        Ok(Self::new(matrix))
+    }
+
+    /// The chain of `count >= 1` equal sectors, by doubling.
+    fn repeated(&self, count: u32) -> Result<Self, FreeRing> {
+        let mut power = self.clone();
+        let mut chain: Option<Self> = None;
+        let mut rest = count;
+        loop {
+            if rest & 1 == 1 {
+                chain = Some(match chain {
+                    None => power.clone(),
+                    Some(chain) => chain.joined(&power)?,
+                });
+            }
+            rest >>= 1;
+            match chain {
+                Some(chain) if rest == 0 => return Ok(chain),
+                _ => power = power.joined(&power)?,
+            }
+        }
+    }
+}
+
+/// Displacements of the cuts of every sector in a window, per unit force on the cuts of the first one.
+#[derive(Clone, Debug)]
+pub struct RingFlexibility {
+    /// By offset from the loaded sector: rows are the first and last cut of the observed sector, columns those of the
+    /// loaded one.
+    by_offset: Vec<Mat<f64>>,
+}
+
+impl RingFlexibility {
+    /// For a ring of `sectors` equal sectors: offsets `0 ..= window`, at most half way round.
+    ///
+    /// The `sectors - window - 1` sectors outside the window are condensed by doubling, the ring is closed, and the
+    /// cuts of the window are solved for.
+    pub fn new(sector: &CutStiffness, sectors: u32, window: u32) -> Result<Self, FreeRing> {
+        assert!(sectors >= 1, "a ring has sectors");
+        let window = window.min(sectors / 2).min(sectors - 1);
+        let n = sector.cut_size();
+        let outside = sectors - window - 1;
+        // With nothing outside the window, its last cut is its first.
+        let cuts = if outside > 0 { window + 2 } else { window + 1 } as usize;
+        let mut stiffness = Mat::<f64>::zeros(cuts * n, cuts * n);
+        let mut assemble = |element: &CutStiffness, first: usize, last: usize| {
+            let place = [first * n, last * n];
+            for (row, &to_row) in place.iter().enumerate() {
+                for (column, &to_column) in place.iter().enumerate() {
+                    let mut target = stiffness.as_mut().submatrix_mut(to_row, to_column, n, n);
+                    target += element.block(row, column);
+                }
+            }
+        };
+        for i in 0..=window as usize {
+            assemble(sector, i, (i + 1) % cuts);
+        }
+        if outside > 0 {
+            assemble(&sector.repeated(outside)?, cuts - 1, 0);
+        }
+        let factor = cholesky(stiffness).ok_or(FreeRing)?;
+        // With one cut only, both ends of the loaded sector are the same degrees of freedom.
+        let mut unit = Mat::zeros(cuts * n, 2 * n);
+        for i in 0..n {
+            unit[(i, i)] = 1.0;
+            unit[((1 % cuts) * n + i, n + i)] = 1.0;
+        }
+        let displacement = solve(factor.as_ref(), unit);
+        let by_offset = (0..=window as usize)
+            .map(|offset| {
+                let mut rows = Mat::zeros(2 * n, 2 * n);
+                for (end, cut) in [offset, (offset + 1) % cuts].into_iter().enumerate() {
+                    let from = displacement.as_ref().submatrix(cut * n, 0, n, 2 * n);
+                    rows.as_mut().submatrix_mut(end * n, 0, n, 2 * n).copy_from(from);
+                }
+                rows
+            })
+            .collect();
+        Ok(Self { by_offset })
+    }
+
+    /// The largest offset known.
+    pub fn window(&self) -> u32 {
+        self.by_offset.len() as u32 - 1
+    }
+
+    /// Cut displacements of the sector `offset` places further on, `2n` by `2n`. `offset <= window()`.
+    pub fn at(&self, offset: u32) -> MatRef<'_, f64> {
+        self.by_offset[offset as usize].as_ref()
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,115 @@
+//! Where the smooth part of a surface's compliance is sampled, and over which matching depth.
+//!
+//! The smooth part varies over the distance to the nearest sharp edge of the body, and over the size of the body away
+//! from edges. The matching depth follows that scale, but is never finer than the mesh resolves, and samples stand at a
+//! fixed fraction of it: dense towards a sharp edge, sparse elsewhere.
+
+use super::kernel::Mollifier;
+use crate::fe::{EdgeChain, PlaneMesh};
+
+/// How finely the split of the compliance is made.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SplitOptions {
+    /// Factor on the matching depth, 1 by default. Results must hardly depend on it: this is how that is shown.
+    pub matching_depth: f64,
+    /// Samples on each surface, at least 8.
+    pub samples: usize,
+}
+
+impl Default for SplitOptions {
+    fn default() -> Self {
+        Self { matching_depth: 1.0, samples: 64 }
+    }
+}
+
+/// Matching depth as a fraction of the distance to a sharp edge. The load's fourth-order tail is this to the fourth.
+const OF_EDGE_DISTANCE: f64 = 0.3;
+/// Matching depth as a fraction of the surface's length, far from edges.
+const OF_LENGTH: f64 = 0.06;
+/// The least matching depth in spacings of nodes along the surface.
+const OF_NODE_SPACING: f64 = 4.0;
+/// A mollifier ends at this fraction of the distance to a sharp edge, at least.
+const CLEAR_OF_EDGE: f64 = 0.75;
+/// Intervals of the table that spreads the samples.
+const INTERVALS: usize = 2000;
+
+/// Samples of one surface.
+#[derive(Clone, Debug)]
+pub(super) struct Samples {
+    /// Arc lengths, ascending, m.
+    pub s: Vec<f64>,
+    pub mollifiers: Vec<Mollifier>,
+}
+
+/// Places samples on a chain of edges up to arc length `until`. `sharp` says which ends of the chain are sharp edges of
+/// the body; at others the body continues smoothly. `None` if the chain is empty or too coarse for a matching depth.
+pub(super) fn sample(
+    mesh: &PlaneMesh,
+    chain: &EdgeChain,
+    until: f64,
+    sharp: [bool; 2],
+    options: &SplitOptions,
+) -> Option<Samples> {
+    let [start, end] = chain.range();
+    let length = end - start;
+    let from_edge = |s: f64| {
+        let distance = |sharp: bool, gap: f64| if sharp { gap } else { f64::INFINITY };
+        distance(sharp[0], s - start).min(distance(sharp[1], end - s))
+    };
+    let spacing = |s: f64| {
+        let index = mesh.locate(chain, s)?.0;
+        let edge = chain.edges.get(index)?;
+        let order = f64::from(mesh.elements.get(edge.element)?.order.sides[edge.side]);
+        Some((edge.s[1] - edge.s[0]) / order)
+    };
+    let depth = |s: f64| {
+        let ideal = (OF_EDGE_DISTANCE * from_edge(s)).min(OF_LENGTH * length);
+        Some(ideal.max(OF_NODE_SPACING * spacing(s)?))
+    };
+    let width = |s: f64| Some((options.matching_depth * depth(s)?).min(0.5 * length));
+    // From the middle towards an end, as far as a mollifier keeps clear of the edge.
+    let reach = |limit: f64| {
+        let clear = |s: f64| width(s).is_some_and(|width| width <= CLEAR_OF_EDGE * from_edge(s));
+        let (mut inside, mut outside) = (0.5 * (start + end), limit);
+        if clear(limit) {
+            return Some(limit);
+        }
+        if !clear(inside) {
+            return None;
+        }
+        for _ in 0..60 {
+            let middle = 0.5 * (inside + outside);
+            if clear(middle) {
+                inside = middle;
+            } else {
+                outside = middle;
+            }
+        }
+        Some(inside)
+    };
+    if !(length > 0.0) {
+        return None;
+    }
+    let (first, last) = (reach(start)?, reach(end.min(until))?);
+
+    // Equal shares of the number of matching depths between the ends.
+    let step = (last - first) / INTERVALS as f64;
+    let mut passed = vec![0.0];
+    for interval in 0..INTERVALS {
+        let middle = first + (interval as f64 + 0.5) * step;
+        passed.push(passed[interval] + step / depth(middle)?);
+    }
+    let count = options.samples.max(8);
+    let mut samples = Samples { s: Vec::with_capacity(count), mollifiers: Vec::with_capacity(count) };
+    for index in 0..count {
+        let share = passed[INTERVALS] * index as f64 / (count - 1) as f64;
+        let interval = passed.partition_point(|&p| p < share).clamp(1, INTERVALS);
+        let within = (share - passed[interval - 1]) / (passed[interval] - passed[interval - 1]);
+        let s = (first + (interval as f64 - 1.0 + within) * step).clamp(first, last);
+        let width = width(s)?;
+        let center = s.clamp(start + width, end - width);
+        samples.s.push(s);
+        samples.mollifiers.push(Mollifier::new(s, center, width));
+    }
+    samples.s.windows(2).all(|pair| pair[0] < pair[1]).then_some(samples)
+}
