@@ -1,1 +1,71 @@
+//! Machine code through Cranelift: in memory ([`compile_jit`]) or as an object file ([`compile_object`]).
+//!
+//! One lowering ([`module`], [`function`], [`kernel`]) serves both, generic over where the code goes
+//! ([`backend::Backend`]). No other crate names Cranelift. Compiled code gives the same bits, the same errors and the
+//! same places as the interpreter of `calyx-lower`: arithmetic is IEEE 754 without fused multiply-adds, everything
+//! else is a call of the one definition in `calyx-abi`. No call unwinds: each returns a status, checked at once.
 
+mod backend;
+mod error;
+mod expression;
+mod function;
+mod jit;
+mod kernel;
+mod module;
+mod object;
+mod scalar;
+mod statement;
+
+pub use backend::Backend;
+pub use error::CodegenError;
+pub use jit::JitModule;
+
+use calyx_abi::Extern;
+use calyx_lang::ir::Program;
+use calyx_lower::kernels::lower_sites;
+use calyx_symbolic::Tape;
+
+/// Compiles a program into memory. `externs` are the functions of the engine; the program's own declarations are
+/// looked up there by symbol, and code can reach nothing else.
+///
+/// # Errors
+/// The engine lacks a function the program declares, a symbolic expression cannot be made a kernel, or the machine
+/// is not one that Cranelift knows.
+pub fn compile_jit(program: &Program, externs: &[Extern]) -> Result<JitModule, CodegenError> {
+    compile_jit_with_tapes(program, &lower_sites(program).map_err(CodegenError::Kernel)?, externs)
+}
+
+/// As [`compile_jit`], with the kernels' tapes (one per site) made beforehand.
+///
+/// # Errors
+/// As [`compile_jit`].
+pub fn compile_jit_with_tapes(
+    program: &Program,
+    tapes: &[Tape],
+    externs: &[Extern],
+) -> Result<JitModule, CodegenError> {
+    backend::compile(jit::Jit::new(program, externs)?, program, tapes)
+}
+
+/// Compiles a program into an object file for this kind of machine, to be linked with `calyx-rt`.
+///
+/// It exports `calyx_model`, a [`calyx_abi::description::ModuleTable`], and `main`, which calls
+/// `calyx_rt_main(argc, argv, &calyx_model)`.
+///
+/// # Errors
+/// As [`compile_jit`], except that missing functions show when it is linked.
+pub fn compile_object(program: &Program, description_json: &str) -> Result<Vec<u8>, CodegenError> {
+    compile_object_with_tapes(program, &lower_sites(program).map_err(CodegenError::Kernel)?, description_json)
+}
+
+/// As [`compile_object`], with the kernels' tapes (one per site) made beforehand.
+///
+/// # Errors
+/// As [`compile_object`].
+pub fn compile_object_with_tapes(
+    program: &Program,
+    tapes: &[Tape],
+    description_json: &str,
+) -> Result<Vec<u8>, CodegenError> {
+    backend::compile(object::ObjectFile::new(program, description_json)?, program, tapes)
+}

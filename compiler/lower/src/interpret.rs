@@ -76,6 +76,7 @@ impl<'p> Interpreter<'p> {
         ctx: &mut Context,
     ) -> Result<Vec<Slot>, RuntimeError> {
         stack::with_stack(|| {
+            ctx.text.clear();
             let depth = std::mem::take(&mut ctx.depth);
             let (function, frame) = self.function(id)?;
             let activation = Activation { function, frame, base: 0 };

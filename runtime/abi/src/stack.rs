@@ -4,7 +4,9 @@
 //! recursion would overrun, and an overrun ends the process. So programs run on a thread of their own. Its memory is
 //! only reserved: pages cost something when they are first touched.
 
-use crate::context::{RuntimeError, codes};
+use crate::call::{Slot, SlotFn};
+use crate::context::{Context, RuntimeError, codes};
+use crate::helpers;
 use std::thread;
 
 /// Stack of the thread that runs a program.
@@ -29,6 +31,32 @@ pub fn with_stack<R: Send>(body: impl FnOnce() -> R + Send) -> Result<R, Runtime
             })?;
         thread.join().map_err(|payload| panicked(payload.as_ref()))
     })
+}
+
+/// Runs a compiled function from outside (a program's top level, a param's default) on a large stack, and returns
+/// the slots of its results. [`Context::place`] should tell where the function is.
+///
+/// # Errors
+/// What the function fails with, and where.
+///
+/// # Safety
+/// The function takes as many slots as `arguments` and returns `results`.
+pub unsafe fn run(
+    ctx: &mut Context,
+    function: SlotFn,
+    arguments: &[Slot],
+    results: usize,
+) -> Result<Vec<Slot>, RuntimeError> {
+    with_stack(|| {
+        ctx.text.clear();
+        // Calls that led here, through a function of the engine, are on another stack.
+        let depth = std::mem::take(&mut ctx.depth);
+        let mut slots = vec![0; results];
+        // SAFETY: promised by the caller; the context is borrowed for the whole call.
+        let status = unsafe { function(ctx, arguments.as_ptr(), slots.as_mut_ptr()) };
+        ctx.depth = depth;
+        helpers::outcome(ctx, status).map(|()| slots)
+    })?
 }
 
 /// The error that stands for a panic of the engine.

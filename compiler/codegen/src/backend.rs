@@ -1,0 +1,85 @@
+//! Where code goes: what the lowering needs of a back end, and the settings all back ends share.
+
+use crate::error::CodegenError;
+use crate::module::ModuleLowering;
+use calyx_lang::ir::Program;
+use calyx_symbolic::Tape;
+use cranelift_codegen::isa::{self, OwnedTargetIsa};
+use cranelift_codegen::settings::{self, Configurable};
+use cranelift_module::{FuncId, Module};
+
+/// A place for code: memory or an object file.
+pub trait Backend {
+    /// Cranelift's side of it.
+    type Module: Module;
+    /// What comes out.
+    type Artifact;
+
+    fn module(&mut self) -> &mut Self::Module;
+
+    /// Makes the artifact of a module all of whose functions are defined.
+    ///
+    /// # Errors
+    /// The code cannot be placed in memory or written.
+    fn finish(self, lowered: Lowered) -> Result<Self::Artifact, CodegenError>;
+}
+
+/// The functions of a lowered program.
+pub struct Lowered {
+    /// In order of `Program::functions`.
+    pub functions: Vec<FuncId>,
+    /// In order of `Program::sites`.
+    pub kernels: Vec<Kernel>,
+}
+
+/// A compiled kernel.
+pub struct Kernel {
+    pub function: FuncId,
+    pub inputs: usize,
+    pub outputs: usize,
+}
+
+/// Lowers a program and finishes it.
+pub fn compile<B: Backend>(
+    mut backend: B,
+    program: &Program,
+    tapes: &[Tape],
+) -> Result<B::Artifact, CodegenError> {
+    let lowered = ModuleLowering::new(backend.module(), program)?.lower(tapes)?;
+    backend.finish(lowered)
+}
+
+/// Settings of code in memory: this very machine.
+pub fn native_isa() -> Result<OwnedTargetIsa, CodegenError> {
+    let builder = cranelift_native::builder().map_err(|error| CodegenError::Cranelift(error.into()))?;
+    builder.finish(flags(false)?).map_err(|error| CodegenError::Cranelift(error.to_string()))
+}
+
+/// Settings of object files: every machine of this architecture (for x86-64 that is SSE2).
+///
+/// What the baseline lacks is called, never emulated differently: `floor` and its like are calls everywhere, and
+/// nothing is fused, so that object files give the bits of code in memory.
+pub fn baseline_isa() -> Result<OwnedTargetIsa, CodegenError> {
+    let triple =
+        cranelift_native::builder().map_err(|error| CodegenError::Cranelift(error.into()))?.triple().clone();
+    let builder = isa::lookup(triple).map_err(|error| CodegenError::Cranelift(error.to_string()))?;
+    builder.finish(flags(true)?).map_err(|error| CodegenError::Cranelift(error.to_string()))
+}
+
+fn flags(position_independent: bool) -> Result<settings::Flags, CodegenError> {
+    let mut builder = settings::builder();
+    let verify = if cfg!(debug_assertions) { "true" } else { "false" };
+    for (name, value) in [
+        ("opt_level", "speed"),
+        ("enable_verifier", verify),
+        ("is_pic", if position_independent { "true" } else { "false" }),
+        // Large frames touch their pages in order, so that an overrun meets the guard page.
+        ("enable_probestack", "true"),
+        ("probestack_strategy", "inline"),
+        // Calls into the engine may be anywhere in memory.
+        ("use_colocated_libcalls", "false"),
+    ] {
+        builder.set(name, value).map_err(|error| CodegenError::Cranelift(error.to_string()))?;
+    }
+    Ok(settings::Flags::new(builder))
+}

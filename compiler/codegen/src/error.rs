@@ -1,0 +1,45 @@
+//! Why code could not be generated.
+
+use calyx_lower::kernels::KernelError;
+use calyx_lower::link::LinkError;
+use cranelift_module::ModuleError;
+use std::fmt;
+
+/// Why code could not be generated. Only `Kernel` can be a mistake in the user's text; it says where.
+#[derive(Debug)]
+pub enum CodegenError {
+    /// The program declares a function that the engine does not provide.
+    Link(LinkError),
+    /// A symbolic expression could not be made a kernel.
+    Kernel(KernelError),
+    /// The typed program contradicts itself.
+    Malformed(&'static str),
+    /// Cranelift refuses this machine or this code.
+    Cranelift(String),
+}
+
+impl fmt::Display for CodegenError {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            CodegenError::Link(error) => error.fmt(f),
+            CodegenError::Kernel(error) => f.write_str(&error.message),
+            CodegenError::Malformed(what) => write!(f, "internal error: the typed program holds {what}"),
+            CodegenError::Cranelift(error) => write!(f, "the code generator failed: {error}"),
+        }
+    }
+}
+
+impl std::error::Error for CodegenError {}
+
+impl From<LinkError> for CodegenError {
+    fn from(error: LinkError) -> Self {
+        CodegenError::Link(error)
+    }
+}
+
+impl From<ModuleError> for CodegenError {
+    fn from(error: ModuleError) -> Self {
+        // The alternate form names the cause as well.
+        CodegenError::Cranelift(format!("{error:#}"))
+    }
+}

@@ -1,0 +1,270 @@
+//! Expressions: each becomes the values of its slots.
+
+use crate::error::CodegenError;
+use crate::function::{FunctionLowering, slot_types};
+use calyx_abi::helpers::CaptureKind;
+use calyx_abi::{Repr, repr_code};
+use calyx_lang::ir::{Expr, ExprKind, FormatPart, Op, SiteId};
+use calyx_lower::layout::{shown, stride, tuple_offset};
+use calyx_lower::operations::{Scalars, expand, is_scalar};
+use cranelift_codegen::ir::condcodes::IntCC;
+use cranelift_codegen::ir::{BlockArg, InstBuilder, Type, Value, types};
+use cranelift_module::Module;
+
+type Values = Result<Vec<Value>, CodegenError>;
+
+impl<'m, M: Module> FunctionLowering<'_, 'm, '_, M> {
+    /// The slots of an expression.
+    pub fn expression(&mut self, expr: &'m Expr) -> Values {
+        Ok(match &expr.kind {
+            ExprKind::Number(value) => vec![self.number(*value)],
+            ExprKind::Bool(value) => vec![self.word(usize::from(*value))],
+            ExprKind::String(text) => {
+                self.text(text)?;
+                self.finish_text()?
+            }
+            ExprKind::Local(local) => self.local(*local)?,
+            ExprKind::Param(index) => {
+                let offset = self.module.param_offsets.get(*index as usize);
+                let offset = *offset.ok_or(CodegenError::Malformed("a param that is not there"))?;
+                let types = slot_types(&expr.repr);
+                let (offset, count) = (self.word(offset), self.word(types.len()));
+                self.at(expr.span);
+                self.helper_into(&types, |f, into| f.helper("calyx_param", &[offset, into, count]))?
+            }
+            ExprKind::Op(op, operands) => self.operation(expr, *op, operands)?,
+            ExprKind::And(a, b) => {
+                let a = self.scalar(a)?;
+                let no = self.word(0);
+                self.choose(a, &[types::I64], |f| f.expression(b), |_| Ok(vec![no]))?
+            }
+            ExprKind::Or(a, b) => {
+                let a = self.scalar(a)?;
+                let yes = self.word(1);
+                self.choose(a, &[types::I64], |_| Ok(vec![yes]), |f| f.expression(b))?
+            }
+            ExprKind::If(condition, then, otherwise) => {
+                let condition = self.scalar(condition)?;
+                let types = slot_types(&expr.repr);
+                self.choose(condition, &types, |f| f.expression(then), |f| f.expression(otherwise))?
+            }
+            ExprKind::Call(id, arguments) => {
+                let arguments = self.expressions(arguments)?;
+                let id = self.module.functions.get(id.0 as usize);
+                let id = *id.ok_or(CodegenError::Malformed("a function that is not there"))?;
+                self.at(expr.span);
+                self.call_slots(id, &arguments, &slot_types(&expr.repr))?
+            }
+            ExprKind::CallExtern(id, arguments) => {
+                let arguments = self.expressions(arguments)?;
+                let id = self.module.externs.get(id.0 as usize);
+                let id = *id.ok_or(CodegenError::Malformed("a provided function that is not there"))?;
+                self.at(expr.span);
+                self.call_slots(id, &arguments, &slot_types(&expr.repr))?
+            }
+            ExprKind::Array(elements) => {
+                let values = self.expressions(elements)?;
+                self.store_buffer(0, &values);
+                let (from, into) = (self.buffer_address(0), self.buffer_address(values.len()));
+                let (stride, count) = (self.word(stride(&expr.repr)), self.word(values.len()));
+                self.helper("calyx_array_new", &[stride, from, count, into])?;
+                self.load_buffer(values.len(), &[types::I64])
+            }
+            ExprKind::Index(array, index) => {
+                let array = self.scalar(array)?;
+                let value = self.scalar(index)?;
+                self.at(index.span);
+                let element = self.element(array, value)?;
+                self.load_slots(element, 0, &slot_types(&expr.repr))
+            }
+            ExprKind::Tuple(elements) => self.expressions(elements)?,
+            ExprKind::TupleElement(tuple, index) => {
+                let values = self.expression(tuple)?;
+                let slots = tuple_offset(&tuple.repr, *index)
+                    .and_then(|before| values.get(before..before + expr.repr.slots()));
+                slots.ok_or(CodegenError::Malformed("an element of what is no tuple"))?.to_vec()
+            }
+            ExprKind::Copy(value) => {
+                let values = self.expression(value)?;
+                let types = slot_types(&value.repr);
+                self.at(expr.span);
+                self.store_buffer(0, &values);
+                let [code, length] = self.constant(&repr_code::encode(&value.repr))?;
+                let (address, count) = (self.buffer_address(0), self.word(values.len()));
+                self.helper("calyx_copy", &[code, length, address, count])?;
+                self.load_buffer(0, &types)
+            }
+            ExprKind::Len(array) => {
+                let array = self.scalar(array)?;
+                self.at(expr.span);
+                self.helper_into(&[types::F64], |f, into| f.helper("calyx_array_length", &[array, into]))?
+            }
+            ExprKind::Format(parts) => {
+                let mut values = Vec::new();
+                for part in parts {
+                    if let FormatPart::Value(value, _) = part {
+                        values.push(self.expression(value)?);
+                    }
+                }
+                self.at(expr.span);
+                self.format(parts, values)?
+            }
+            ExprKind::MakeSymbolic { site, captures } => {
+                let captures = self.expressions(captures)?;
+                self.at(expr.span);
+                self.make_symbolic(*site, &captures)?
+            }
+            ExprKind::EvalSymbolic { value, time } => {
+                let value = self.scalar(value)?;
+                let time = self.scalar(time)?;
+                let time = self.bits(time);
+                let types = slot_types(&expr.repr);
+                let count = self.word(types.len());
+                self.at(expr.span);
+                self.helper_into(&types, |f, into| {
+                    f.helper("calyx_eval_symbolic", &[value, time, into, count])
+                })?
+            }
+        })
+    }
+
+    /// The slots of expressions one after another.
+    pub fn expressions(&mut self, parts: impl IntoIterator<Item = &'m Expr>) -> Values {
+        let mut values = Vec::new();
+        for part in parts {
+            values.extend(self.expression(part)?);
+        }
+        Ok(values)
+    }
+
+    /// An expression of one slot.
+    pub fn scalar(&mut self, expr: &'m Expr) -> Result<Value, CodegenError> {
+        match self.expression(expr)?[..] {
+            [value] => Ok(value),
+            _ => Err(CodegenError::Malformed("an expression that is no scalar")),
+        }
+    }
+
+    /// Calls a helper that stores its results in the buffer.
+    fn helper_into(
+        &mut self,
+        types: &[Type],
+        call: impl FnOnce(&mut Self, Value) -> Result<(), CodegenError>,
+    ) -> Values {
+        let into = self.buffer_address(0);
+        call(self, into)?;
+        Ok(self.load_buffer(0, types))
+    }
+
+    /// Evaluates one of two branches.
+    fn choose(
+        &mut self,
+        condition: Value,
+        types: &[Type],
+        then: impl FnOnce(&mut Self) -> Values,
+        otherwise: impl FnOnce(&mut Self) -> Values,
+    ) -> Values {
+        let blocks = [self.builder.create_block(), self.builder.create_block()];
+        let join = self.builder.create_block();
+        for &ty in types {
+            self.builder.append_block_param(join, ty);
+        }
+        self.builder.ins().brif(condition, blocks[0], &[], blocks[1], &[]);
+        self.builder.switch_to_block(blocks[0]);
+        let values = then(self)?;
+        self.join(join, values);
+        self.builder.switch_to_block(blocks[1]);
+        let values = otherwise(self)?;
+        self.join(join, values);
+        self.builder.switch_to_block(join);
+        Ok(self.builder.block_params(join).to_vec())
+    }
+
+    fn join(&mut self, join: cranelift_codegen::ir::Block, values: Vec<Value>) {
+        let arguments: Vec<_> = values.into_iter().map(BlockArg::Value).collect();
+        self.builder.ins().jump(join, &arguments);
+    }
+
+    fn operation(&mut self, expr: &'m Expr, op: Op, operands: &'m [Expr]) -> Values {
+        let values = self.expressions(operands)?;
+        let repr = operands.first().map_or(&Repr::Unit, |operand| &operand.repr);
+        let unknown = CodegenError::Malformed("an operation on other operands");
+        if matches!(op, Op::Equal | Op::NotEqual) && !matches!(repr, Repr::Number | Repr::Vector) {
+            self.at(expr.span);
+            let equal = self.equal(repr, &values)?;
+            return Ok(vec![if op == Op::Equal {
+                equal
+            } else {
+                self.apply(Op::Not, &[equal]).ok_or(unknown)?
+            }]);
+        }
+        if is_scalar(op) && *repr != Repr::Vector {
+            return Ok(vec![self.apply(op, &values).ok_or(unknown)?]);
+        }
+        expand(self, op, &values).ok_or(unknown)
+    }
+
+    /// Whether two values, given one after the other, are equal.
+    fn equal(&mut self, repr: &Repr, values: &[Value]) -> Result<Value, CodegenError> {
+        if let (Repr::Bool | Repr::Handle, &[a, b]) = (repr, values) {
+            let equal = self.builder.ins().icmp(IntCC::Equal, a, b);
+            return Ok(self.builder.ins().uextend(types::I64, equal));
+        }
+        self.store_buffer(0, values);
+        let [code, length] = self.constant(&repr_code::encode(repr))?;
+        let (a, b) = (self.buffer_address(0), self.buffer_address(values.len() / 2));
+        let (count, into) = (self.word(values.len() / 2), self.buffer_address(values.len()));
+        self.helper("calyx_equal", &[code, length, a, b, count, into])?;
+        Ok(self.load_buffer(values.len(), &[types::I64])[0])
+    }
+
+    /// Appends text to the string under construction.
+    fn text(&mut self, text: &str) -> Result<(), CodegenError> {
+        let arguments = self.constant(text.as_bytes())?;
+        self.helper("calyx_text", &arguments)
+    }
+
+    fn finish_text(&mut self) -> Values {
+        self.helper_into(&[types::I64], |f, into| f.helper("calyx_text_finish", &[into]))
+    }
+
+    fn format(&mut self, parts: &'m [FormatPart], values: Vec<Vec<Value>>) -> Values {
+        let mut values = values.into_iter();
+        for part in parts {
+            match part {
+                FormatPart::Text(text) => self.text(text)?,
+                FormatPart::Value(expr, unit) => {
+                    let values = values.next().unwrap_or_default();
+                    let (factor, name) = shown(unit);
+                    self.store_buffer(0, &values);
+                    let [code, length] = self.constant(&repr_code::encode(&expr.repr))?;
+                    let (address, count) = (self.buffer_address(0), self.word(values.len()));
+                    let factor = self.builder.ins().iconst(types::I64, factor.to_bits() as i64);
+                    let [name, name_length] = self.constant(name.as_bytes())?;
+                    let arguments = [code, length, address, count, factor, name, name_length];
+                    self.helper("calyx_text_value", &arguments)?;
+                }
+            }
+        }
+        self.finish_text()
+    }
+
+    fn make_symbolic(&mut self, id: SiteId, captures: &[Value]) -> Values {
+        let site = self.module.program.sites.get(id.0 as usize);
+        let site = site.ok_or(CodegenError::Malformed("a symbolic site that is not there"))?;
+        let kinds = site.captures.iter();
+        let kinds = kinds.flat_map(|capture| CaptureKind::of_slots(&capture.repr, capture.observable));
+        let kinds: Vec<u8> = kinds.map(|kind| kind as u8).collect();
+        if kinds.len() != captures.len() {
+            return Err(CodegenError::Malformed("a symbolic value with other captures"));
+        }
+        self.store_buffer(0, captures);
+        let index = self.word(id.0 as usize);
+        let [code, length] = self.constant(&repr_code::encode(&site.repr))?;
+        let [kinds, _] = self.constant(&kinds)?;
+        let (from, into) = (self.buffer_address(0), self.buffer_address(captures.len()));
+        let count = self.word(captures.len());
+        self.helper("calyx_make_symbolic", &[index, code, length, kinds, from, count, into])?;
+        Ok(self.load_buffer(captures.len(), &[types::I64]))
+    }
+}

@@ -1,0 +1,442 @@
+//! Kernels: straight-line code from a tape.
+//!
+//! The cost of register allocation grows faster than the length of a function, so a long tape becomes several
+//! functions of about [`CHUNK`] operations, called one after another. What one computes and another needs passes
+//! through scratch memory in the kernel's frame, whose places are used again once nobody needs what they hold.
+
+use crate::error::CodegenError;
+use crate::function::{SLOT, TRUSTED};
+use crate::module::ModuleLowering;
+use calyx_symbolic::{Instruction, Tape};
+use cranelift_codegen::ir::condcodes::FloatCC;
+use cranelift_codegen::ir::{
+    AbiParam, FuncRef, InstBuilder, Signature, StackSlot, StackSlotData, StackSlotKind, Value, types,
+};
+use cranelift_frontend::FunctionBuilder;
+use cranelift_module::{FuncId, Linkage, Module};
+use std::collections::HashMap;
+
+/// Operations in one function: measured on graphs of 30,000 operations, both compile and run time are least here.
+const CHUNK: usize = 1000;
+
+/// A kernel's frame may hold this many scratch values (512 KiB): threads of pools have small stacks.
+const MAX_SCRATCH: usize = 1 << 16;
+
+/// Defines a kernel of signature [`calyx_abi::call::KernelFn`].
+pub fn lower<M: Module>(
+    module: &mut ModuleLowering<M>,
+    name: &str,
+    tape: &Tape,
+) -> Result<FuncId, CodegenError> {
+    let plan = Plan::new(tape)?;
+    let pointers = |count: usize| {
+        let mut signature = module.module.make_signature();
+        signature.params.extend(std::iter::repeat_n(AbiParam::new(types::I64), count));
+        signature
+    };
+    let (kernel_signature, chunk_signature) = (pointers(2), pointers(3));
+    let kernel = module.module.declare_function(name, Linkage::Local, &kernel_signature)?;
+    if let [range] = &plan.chunks[..] {
+        define_chunk(module, kernel, kernel_signature, tape, &plan, range.clone())?;
+        return Ok(kernel);
+    }
+    let mut chunks = Vec::new();
+    for range in &plan.chunks {
+        let id = module.module.declare_anonymous_function(&chunk_signature)?;
+        define_chunk(module, id, chunk_signature.clone(), tape, &plan, range.clone())?;
+        chunks.push(id);
+    }
+    module.define(kernel, kernel_signature, |module, mut builder| {
+        let [inputs, outputs] = entry(&mut builder)?;
+        let size = (plan.scratch * SLOT) as u32;
+        let scratch =
+            builder.create_sized_stack_slot(StackSlotData::new(StackSlotKind::ExplicitSlot, size, 3));
+        let scratch = builder.ins().stack_addr(types::I64, scratch, 0);
+        for id in chunks {
+            let chunk = module.module.declare_func_in_func(id, builder.func);
+            builder.ins().call(chunk, &[inputs, outputs, scratch]);
+        }
+        finish(module, builder);
+        Ok(())
+    })?;
+    Ok(kernel)
+}
+
+/// Which instructions go into which function, and what passes between them.
+struct Plan {
+    /// Ranges of instructions.
+    chunks: Vec<std::ops::Range<usize>>,
+    /// Place in scratch memory of each value that a later chunk needs.
+    places: HashMap<usize, usize>,
+    /// Number of places.
+    scratch: usize,
+}
+
+impl Plan {
+    fn new(tape: &Tape) -> Result<Plan, CodegenError> {
+        let count = tape.instructions.len();
+        for (index, instruction) in tape.instructions.iter().enumerate() {
+            if operands(instruction).any(|operand| operand >= index)
+                || !input_exists(instruction, tape.inputs)
+            {
+                return Err(CodegenError::Malformed("a tape that uses a value before it is there"));
+            }
+        }
+        if tape.outputs.iter().any(|&output| output as usize >= count) {
+            return Err(CodegenError::Malformed("a tape that outputs a value that is not there"));
+        }
+
+        // Equal shares; constants and inputs cost nothing, they are made where they are used.
+        let operations = tape.instructions.iter().filter(|instruction| !is_leaf(instruction)).count();
+        let share = operations.div_ceil(operations.div_ceil(CHUNK).max(1)).max(1);
+        let mut chunk_of = vec![0; count];
+        let mut done = 0;
+        for (index, instruction) in tape.instructions.iter().enumerate() {
+            chunk_of[index] = done / share;
+            done += usize::from(!is_leaf(instruction));
+        }
+        let last = chunk_of.last().copied().unwrap_or(0);
+        let start = |chunk| chunk_of.partition_point(|&c| c < chunk);
+        let chunks: Vec<_> = (0..=last).map(|chunk| start(chunk)..start(chunk + 1)).collect();
+
+        let mut last_use = chunk_of.clone();
+        for (index, instruction) in tape.instructions.iter().enumerate() {
+            for operand in operands(instruction) {
+                last_use[operand] = last_use[operand].max(chunk_of[index]);
+            }
+        }
+        let (mut places, mut free, mut scratch) = (HashMap::new(), Vec::new(), 0);
+        // Values by the chunk that needs them last; their places are free for what later chunks compute.
+        let mut ending = vec![Vec::new(); chunks.len()];
+        for (chunk, range) in chunks.iter().enumerate() {
+            for index in range.clone() {
+                if last_use[index] > chunk && !is_leaf(&tape.instructions[index]) {
+                    let place = free.pop().unwrap_or_else(|| {
+                        scratch += 1;
+                        scratch - 1
+                    });
+                    places.insert(index, place);
+                    ending[last_use[index]].push(place);
+                }
+            }
+            free.append(&mut ending[chunk]);
+        }
+        if scratch > MAX_SCRATCH {
+            return Err(CodegenError::Malformed("a kernel too large for its frame"));
+        }
+        Ok(Plan { chunks, places, scratch })
+    }
+}
+
+fn is_leaf(instruction: &Instruction) -> bool {
+    matches!(instruction, Instruction::Constant(_) | Instruction::Input(_))
+}
+
+fn input_exists(instruction: &Instruction, inputs: usize) -> bool {
+    !matches!(instruction, Instruction::Input(index) if *index as usize >= inputs)
+}
+
+fn operands(instruction: &Instruction) -> impl Iterator<Item = usize> {
+    use Instruction as I;
+    let (operands, count) = match *instruction {
+        I::Constant(_) | I::Input(_) => ([0; 3], 0),
+        I::Negate(a)
+        | I::Abs(a)
+        | I::Sqrt(a)
+        | I::Sin(a)
+        | I::Cos(a)
+        | I::Tan(a)
+        | I::Asin(a)
+        | I::Acos(a)
+        | I::Atan(a)
+        | I::Exp(a)
+        | I::Log(a)
+        | I::Floor(a)
+        | I::Ceil(a)
+        | I::Round(a)
+        | I::Not(a) => ([a, 0, 0], 1),
+        I::Add(a, b)
+        | I::Subtract(a, b)
+        | I::Multiply(a, b)
+        | I::Divide(a, b)
+        | I::Power(a, b)
+        | I::Atan2(a, b)
+        | I::Min(a, b)
+        | I::Max(a, b)
+        | I::Less(a, b)
+        | I::LessEqual(a, b)
+        | I::Equal(a, b)
+        | I::And(a, b)
+        | I::Or(a, b) => ([a, b, 0], 2),
+        I::Select(a, b, c) => ([a, b, c], 3),
+    };
+    operands.into_iter().take(count).map(|operand| operand as usize)
+}
+
+/// Begins a function and gives its parameters.
+fn entry<const N: usize>(builder: &mut FunctionBuilder) -> Result<[Value; N], CodegenError> {
+    let block = builder.create_block();
+    builder.append_block_params_for_function_params(block);
+    builder.switch_to_block(block);
+    let params = builder.block_params(block).get(..N).and_then(|params| params.try_into().ok());
+    params.ok_or(CodegenError::Malformed("a kernel of another signature"))
+}
+
+fn finish<M: Module>(module: &ModuleLowering<M>, mut builder: FunctionBuilder) {
+    builder.ins().return_(&[]);
+    builder.seal_all_blocks();
+    builder.finalize(module.module.target_config());
+}
+
+/// Defines the function of a range of instructions.
+fn define_chunk<M: Module>(
+    module: &mut ModuleLowering<M>,
+    id: FuncId,
+    signature: Signature,
+    tape: &Tape,
+    plan: &Plan,
+    range: std::ops::Range<usize>,
+) -> Result<(), CodegenError> {
+    module.define(id, signature, |module, mut builder| {
+        let [inputs, outputs] = entry(&mut builder)?;
+        let block = builder.current_block();
+        let scratch = block.and_then(|block| builder.block_params(block).get(2).copied());
+        let mut wanted: HashMap<usize, Vec<usize>> = HashMap::new();
+        for (position, &output) in tape.outputs.iter().enumerate() {
+            wanted.entry(output as usize).or_default().push(position);
+        }
+        let pairs = sine_cosine_pairs(tape, &range);
+        let mut chunk = Chunk {
+            module,
+            builder,
+            tape,
+            plan,
+            inputs,
+            scratch,
+            values: HashMap::new(),
+            references: HashMap::new(),
+            pairs,
+            pair_buffer: None,
+        };
+        for index in range {
+            let outputs_here = wanted.get(&index);
+            if is_leaf(&tape.instructions[index]) && outputs_here.is_none() {
+                continue;
+            }
+            let value = chunk.value(index)?;
+            if let Some(&place) = plan.places.get(&index)
+                && let Some(scratch) = scratch
+            {
+                chunk.builder.ins().store(TRUSTED, value, scratch, (place * SLOT) as i32);
+            }
+            for &position in outputs_here.into_iter().flatten() {
+                chunk.builder.ins().store(TRUSTED, value, outputs, (position * SLOT) as i32);
+            }
+        }
+        let Chunk { module, builder, .. } = chunk;
+        finish(module, builder);
+        Ok(())
+    })
+}
+
+/// Angles in a range of instructions of which both sine and cosine are wanted there.
+fn sine_cosine_pairs(tape: &Tape, range: &std::ops::Range<usize>) -> HashMap<u32, Option<[Value; 2]>> {
+    let mut wanted: HashMap<u32, (bool, bool)> = HashMap::new();
+    for instruction in &tape.instructions[range.clone()] {
+        match *instruction {
+            Instruction::Sin(angle) => wanted.entry(angle).or_default().0 = true,
+            Instruction::Cos(angle) => wanted.entry(angle).or_default().1 = true,
+            _ => {}
+        }
+    }
+    wanted.into_iter().filter(|(_, both)| *both == (true, true)).map(|(angle, _)| (angle, None)).collect()
+}
+
+/// A function of a kernel under construction.
+struct Chunk<'c, 'm, 'f, M: Module> {
+    module: &'c mut ModuleLowering<'m, M>,
+    builder: FunctionBuilder<'f>,
+    tape: &'c Tape,
+    plan: &'c Plan,
+    inputs: Value,
+    scratch: Option<Value>,
+    /// What this function has at hand, by instruction.
+    values: HashMap<usize, Value>,
+    references: HashMap<&'static str, FuncRef>,
+    /// Sine and cosine of angles that want both, once computed.
+    pairs: HashMap<u32, Option<[Value; 2]>>,
+    pair_buffer: Option<StackSlot>,
+}
+
+impl<M: Module> Chunk<'_, '_, '_, M> {
+    /// The value of an instruction: at hand, loaded from scratch memory, or computed.
+    fn value(&mut self, index: usize) -> Result<Value, CodegenError> {
+        if let Some(value) = self.values.get(&index) {
+            return Ok(*value);
+        }
+        let value = self.compute(index)?;
+        self.values.insert(index, value);
+        Ok(value)
+    }
+
+    /// An operand; only what another function computed is not at hand, and that is in scratch memory.
+    fn operand(&mut self, id: u32) -> Result<Value, CodegenError> {
+        let index = id as usize;
+        if !self.values.contains_key(&index)
+            && let (Some(&place), Some(scratch)) = (self.plan.places.get(&index), self.scratch)
+        {
+            let value = self.builder.ins().load(types::F64, TRUSTED, scratch, (place * SLOT) as i32);
+            self.values.insert(index, value);
+        }
+        self.value(index)
+    }
+
+    fn compute(&mut self, index: usize) -> Result<Value, CodegenError> {
+        use Instruction as I;
+        Ok(match self.tape.instructions[index] {
+            I::Constant(value) => self.builder.ins().f64const(value),
+            I::Input(input) => {
+                self.builder.ins().load(types::F64, TRUSTED, self.inputs, (input as usize * SLOT) as i32)
+            }
+            I::Negate(a) => {
+                let a = self.operand(a)?;
+                self.builder.ins().fneg(a)
+            }
+            I::Abs(a) => {
+                let a = self.operand(a)?;
+                self.builder.ins().fabs(a)
+            }
+            I::Sqrt(a) => {
+                let a = self.operand(a)?;
+                self.builder.ins().sqrt(a)
+            }
+            I::Sin(a) => match self.sine_cosine(a)? {
+                Some([sine, _]) => sine,
+                None => self.call("calyx_math_sin", &[a])?,
+            },
+            I::Cos(a) => match self.sine_cosine(a)? {
+                Some([_, cosine]) => cosine,
+                None => self.call("calyx_math_cos", &[a])?,
+            },
+            I::Tan(a) => self.call("calyx_math_tan", &[a])?,
+            I::Asin(a) => self.call("calyx_math_asin", &[a])?,
+            I::Acos(a) => self.call("calyx_math_acos", &[a])?,
+            I::Atan(a) => self.call("calyx_math_atan", &[a])?,
+            I::Exp(a) => self.call("calyx_math_exp", &[a])?,
+            I::Log(a) => self.call("calyx_math_log", &[a])?,
+            I::Floor(a) => self.call("calyx_math_floor", &[a])?,
+            I::Ceil(a) => self.call("calyx_math_ceil", &[a])?,
+            I::Round(a) => self.call("calyx_math_round", &[a])?,
+            I::Power(a, b) => self.call("calyx_math_pow", &[a, b])?,
+            I::Atan2(a, b) => self.call("calyx_math_atan2", &[a, b])?,
+            I::Add(a, b) => {
+                let (a, b) = (self.operand(a)?, self.operand(b)?);
+                self.builder.ins().fadd(a, b)
+            }
+            I::Subtract(a, b) => {
+                let (a, b) = (self.operand(a)?, self.operand(b)?);
+                self.builder.ins().fsub(a, b)
+            }
+            I::Multiply(a, b) => {
+                let (a, b) = (self.operand(a)?, self.operand(b)?);
+                self.builder.ins().fmul(a, b)
+            }
+            I::Divide(a, b) => {
+                let (a, b) = (self.operand(a)?, self.operand(b)?);
+                self.builder.ins().fdiv(a, b)
+            }
+            I::Min(a, b) => {
+                let (a, b) = (self.operand(a)?, self.operand(b)?);
+                self.builder.ins().fmin(a, b)
+            }
+            I::Max(a, b) => {
+                let (a, b) = (self.operand(a)?, self.operand(b)?);
+                self.builder.ins().fmax(a, b)
+            }
+            I::Less(a, b) => self.compare(FloatCC::LessThan, a, b)?,
+            I::LessEqual(a, b) => self.compare(FloatCC::LessThanOrEqual, a, b)?,
+            I::Equal(a, b) => self.compare(FloatCC::Equal, a, b)?,
+            I::Not(a) => {
+                let holds = self.holds(a)?;
+                let (no, yes) = self.truth_values();
+                self.builder.ins().select(holds, no, yes)
+            }
+            I::And(a, b) => {
+                let (a, b) = (self.holds(a)?, self.holds(b)?);
+                let both = self.builder.ins().band(a, b);
+                self.truth(both)
+            }
+            I::Or(a, b) => {
+                let (a, b) = (self.holds(a)?, self.holds(b)?);
+                let either = self.builder.ins().bor(a, b);
+                self.truth(either)
+            }
+            I::Select(condition, a, b) => {
+                let holds = self.holds(condition)?;
+                let (a, b) = (self.operand(a)?, self.operand(b)?);
+                self.builder.ins().select(holds, a, b)
+            }
+        })
+    }
+
+    fn compare(&mut self, condition: FloatCC, a: u32, b: u32) -> Result<Value, CodegenError> {
+        let (a, b) = (self.operand(a)?, self.operand(b)?);
+        let holds = self.builder.ins().fcmp(condition, a, b);
+        Ok(self.truth(holds))
+    }
+
+    /// Whether a truth value holds: it is not equal to zero, NaN included.
+    fn holds(&mut self, a: u32) -> Result<Value, CodegenError> {
+        let a = self.operand(a)?;
+        let zero = self.builder.ins().f64const(0.0);
+        Ok(self.builder.ins().fcmp(FloatCC::NotEqual, a, zero))
+    }
+
+    fn truth(&mut self, holds: Value) -> Value {
+        let (no, yes) = self.truth_values();
+        self.builder.ins().select(holds, yes, no)
+    }
+
+    fn truth_values(&mut self) -> (Value, Value) {
+        (self.builder.ins().f64const(0.0), self.builder.ins().f64const(1.0))
+    }
+
+    fn call(&mut self, symbol: &'static str, operands: &[u32]) -> Result<Value, CodegenError> {
+        let arguments = operands.iter().map(|&id| self.operand(id)).collect::<Result<Vec<_>, _>>()?;
+        let function = self.reference(symbol)?;
+        let call = self.builder.ins().call(function, &arguments);
+        let result = self.builder.inst_results(call).first().copied();
+        result.ok_or(CodegenError::Malformed("a call without result"))
+    }
+
+    /// Sine and cosine of an angle, by one call, if both are wanted.
+    fn sine_cosine(&mut self, angle: u32) -> Result<Option<[Value; 2]>, CodegenError> {
+        let known = match self.pairs.get(&angle) {
+            None => return Ok(None),
+            Some(known) => *known,
+        };
+        if known.is_some() {
+            return Ok(known);
+        }
+        let argument = self.operand(angle)?;
+        let data = StackSlotData::new(StackSlotKind::ExplicitSlot, 2 * SLOT as u32, 3);
+        let builder = &mut self.builder;
+        let buffer = *self.pair_buffer.get_or_insert_with(|| builder.create_sized_stack_slot(data));
+        let addresses = [0, SLOT as i32].map(|offset| builder.ins().stack_addr(types::I64, buffer, offset));
+        let function = self.reference("calyx_math_sincos")?;
+        self.builder.ins().call(function, &[argument, addresses[0], addresses[1]]);
+        let pair = addresses.map(|address| self.builder.ins().load(types::F64, TRUSTED, address, 0));
+        self.pairs.insert(angle, Some(pair));
+        Ok(Some(pair))
+    }
+
+    fn reference(&mut self, symbol: &'static str) -> Result<FuncRef, CodegenError> {
+        if let Some(reference) = self.references.get(symbol) {
+            return Ok(*reference);
+        }
+        let id = self.module.import(symbol)?;
+        let reference = self.module.module.declare_func_in_func(id, self.builder.func);
+        self.references.insert(symbol, reference);
+        Ok(reference)
+    }
+}

@@ -1,0 +1,142 @@
+//! A module under construction: what its functions may call and refer to.
+
+use crate::backend::{Kernel, Lowered};
+use crate::error::CodegenError;
+use crate::function::FunctionLowering;
+use crate::kernel;
+use calyx_abi::entry::entry_points;
+use calyx_abi::math::{self, MathFn};
+use calyx_lang::ir::Program;
+use calyx_lower::layout::running_sums;
+use calyx_symbolic::Tape;
+use cranelift_codegen::Context;
+use cranelift_codegen::ir::{AbiParam, Signature, types};
+use cranelift_frontend::{FunctionBuilder, FunctionBuilderContext};
+use cranelift_module::{DataDescription, DataId, FuncId, Linkage, Module};
+use std::collections::HashMap;
+
+/// What all functions of a module share.
+pub struct ModuleLowering<'m, M: Module> {
+    pub module: &'m mut M,
+    pub program: &'m Program,
+    /// In order of `Program::functions`.
+    pub functions: Vec<FuncId>,
+    /// In order of `Program::externs`.
+    pub externs: Vec<FuncId>,
+    /// Helpers and numeric functions, by link symbol.
+    imports: HashMap<&'static str, FuncId>,
+    /// Slots of all params before each.
+    pub param_offsets: Vec<usize>,
+    constants: HashMap<Vec<u8>, DataId>,
+    context: Context,
+    builder_context: FunctionBuilderContext,
+}
+
+impl<'m, M: Module> ModuleLowering<'m, M> {
+    /// Declares everything that functions of the program may call.
+    pub fn new(module: &'m mut M, program: &'m Program) -> Result<Self, CodegenError> {
+        let slot_fn = slot_signature(module);
+        let functions = (0..program.functions.len()).map(|index| {
+            module.declare_function(&format!("calyx_function_{index}"), Linkage::Local, &slot_fn)
+        });
+        let functions = functions.collect::<Result<_, _>>()?;
+        let externs = program.externs.iter();
+        let externs = externs.map(|row| module.declare_function(&row.symbol, Linkage::Import, &slot_fn));
+        let externs = externs.collect::<Result<_, _>>()?;
+        let mut imports = HashMap::new();
+        for helper in entry_points() {
+            let mut signature = module.make_signature();
+            let words = std::iter::repeat_n(AbiParam::new(types::I64), helper.arguments + 1);
+            signature.params.extend(words);
+            signature.returns.push(AbiParam::new(types::I32));
+            imports
+                .insert(helper.symbol, module.declare_function(helper.symbol, Linkage::Import, &signature)?);
+        }
+        for &(symbol, function) in math::FUNCTIONS {
+            let mut signature = module.make_signature();
+            let (params, returns): (&[_], &[_]) = match function {
+                MathFn::Unary(_) => (&[types::F64], &[types::F64]),
+                MathFn::Binary(_) => (&[types::F64, types::F64], &[types::F64]),
+                MathFn::Sincos(_) => (&[types::F64, types::I64, types::I64], &[]),
+            };
+            signature.params.extend(params.iter().copied().map(AbiParam::new));
+            signature.returns.extend(returns.iter().copied().map(AbiParam::new));
+            imports.insert(symbol, module.declare_function(symbol, Linkage::Import, &signature)?);
+        }
+        let (param_offsets, _) = running_sums(program.params.iter().map(|param| param.repr.slots()));
+        Ok(ModuleLowering {
+            module,
+            program,
+            functions,
+            externs,
+            imports,
+            param_offsets,
+            constants: HashMap::new(),
+            context: Context::new(),
+            builder_context: FunctionBuilderContext::new(),
+        })
+    }
+
+    /// Defines all functions and kernels.
+    pub fn lower(mut self, tapes: &[Tape]) -> Result<Lowered, CodegenError> {
+        let signature = slot_signature(self.module);
+        for (index, function) in self.program.functions.iter().enumerate() {
+            let id = self.functions[index];
+            self.define(id, signature.clone(), |module, builder| {
+                FunctionLowering::new(module, builder, function)?.lower()
+            })?;
+        }
+        let mut kernels = Vec::new();
+        for (index, tape) in tapes.iter().enumerate() {
+            let function = kernel::lower(&mut self, &format!("calyx_kernel_{index}"), tape)?;
+            kernels.push(Kernel { function, inputs: tape.inputs, outputs: tape.outputs.len() });
+        }
+        Ok(Lowered { functions: self.functions, kernels })
+    }
+
+    /// Builds the body of a declared function and defines it.
+    pub fn define(
+        &mut self,
+        id: FuncId,
+        signature: Signature,
+        build: impl FnOnce(&mut Self, FunctionBuilder) -> Result<(), CodegenError>,
+    ) -> Result<(), CodegenError> {
+        let mut context = std::mem::replace(&mut self.context, Context::new());
+        let mut builder_context = std::mem::take(&mut self.builder_context);
+        context.func.signature = signature;
+        let built = build(self, FunctionBuilder::new(&mut context.func, &mut builder_context));
+        if built.is_ok() {
+            self.module.define_function(id, &mut context)?;
+        }
+        context.clear();
+        self.context = context;
+        self.builder_context = builder_context;
+        built
+    }
+
+    /// A helper or numeric function.
+    pub fn import(&self, symbol: &str) -> Result<FuncId, CodegenError> {
+        self.imports.get(symbol).copied().ok_or(CodegenError::Malformed("a call of an unknown helper"))
+    }
+
+    /// Constant bytes; equal ones are stored once.
+    pub fn constant(&mut self, bytes: &[u8]) -> Result<DataId, CodegenError> {
+        if let Some(id) = self.constants.get(bytes) {
+            return Ok(*id);
+        }
+        let id = self.module.declare_anonymous_data(false, false)?;
+        let mut description = DataDescription::new();
+        description.define(bytes.into());
+        self.module.define_data(id, &description)?;
+        self.constants.insert(bytes.to_vec(), id);
+        Ok(id)
+    }
+}
+
+/// Signature of [`calyx_abi::SlotFn`].
+fn slot_signature<M: Module>(module: &M) -> Signature {
+    let mut signature = module.make_signature();
+    signature.params.extend([AbiParam::new(types::I64); 3]);
+    signature.returns.push(AbiParam::new(types::I32));
+    signature
+}
