@@ -2,7 +2,8 @@
 //!
 //! A short list of rules, each cheap, each local. `x y` are any expressions, `c d` constants. Rules never change
 //! which values are NaN or infinite, except those marked *finite*: they hold for finite operands, and there drop a
-//! NaN (`0 * inf`). The sign of a zero is not preserved, and rules that combine constants may change the last bit.
+//! NaN (`0 * inf`). The sign of a zero is not preserved; rules that combine constants and whole powers written as
+//! products may change the last bit.
 //!
 //! | made | becomes | |
 //! |---|---|---|
