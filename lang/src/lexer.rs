@@ -355,6 +355,7 @@ impl Lexer<'_> {
                 }
                 '0'..='9' => self.number(start),
                 '.' if self.rest()[1..].starts_with(|d: char| d.is_ascii_digit()) => self.number(start),
+                '#' => self.foreign_comment(start),
                 _ if c.is_alphabetic() || c == '_' => self.word(start),
                 _ => self.symbol(start),
             }
@@ -376,6 +377,14 @@ impl Lexer<'_> {
             self.lines_since_doc = 0;
         }
         self.at += length;
+    }
+
+    /// `# ...` as in other languages: the whole line is text.
+    fn foreign_comment(&mut self, start: usize) {
+        self.at += 1;
+        let span = self.span(start);
+        self.error("E0101", "`#` begins no comment", span, "not part of the language", "write `//`");
+        self.at += self.rest().find('\n').unwrap_or(self.rest().len());
     }
 
     fn block_comment(&mut self) {
@@ -459,6 +468,7 @@ impl Lexer<'_> {
                 || "_\"'".contains(c)
                 || SYMBOLS.iter().any(|(s, _, _)| s.starts_with(c))
         };
+        self.at += self.peek().map_or(0, char::len_utf8);
         let rest = self.rest();
         self.at += rest.find(begins_token).unwrap_or(rest.len());
         let shown: String = self.text[start..self.at].chars().take(10).collect();

@@ -96,14 +96,14 @@ pub(super) fn function<'a>(
     body: Rule<'a, Stmt>,
 ) -> Rule<'a, StmtKind> {
     let types = type_expression(source);
-    let parameters = expect(source, Kind::OpenParen, "before the parameters")
-        .ignore_then(
-            parameter(source, e, types.clone())
-                .separated_by(just(Kind::Comma))
-                .allow_trailing()
-                .collect::<Vec<Option<Parameter>>>(),
-        )
+    let listed = parameter(source, e, types.clone())
+        .separated_by(just(Kind::Comma))
+        .allow_trailing()
+        .collect::<Vec<Option<Parameter>>>();
+    let parameters = just(Kind::OpenParen)
+        .ignore_then(listed.clone())
         .then_ignore(close(source, Kind::CloseParen, "`,` or `)`"))
+        .or(expect(source, Kind::OpenParen, "before the parameters").ignore_then(listed))
         .map(|parameters| parameters.into_iter().flatten().collect::<Vec<_>>())
         .boxed();
     let signature = just(Kind::Function)

@@ -8,6 +8,7 @@ use crate::diagnostic::Diagnostic;
 use crate::lexer::{Kind, unescape};
 use crate::span::Span;
 use crate::units::Unit;
+use chumsky::input::MapExtra;
 use chumsky::pratt::{infix, left, postfix, prefix, right};
 use chumsky::prelude::*;
 
@@ -315,6 +316,24 @@ fn binary(left: Expr, (op, op_span): (BinaryOp, Span), right: Expr) -> Expr {
     Expr { kind: ExprKind::Binary { op, op_span, left: Box::new(left), right: Box::new(right) }, span }
 }
 
+/// `1/2 inch` may be meant as half an inch.
+fn divided_quantity(left: &Expr, op: BinaryOp, right: &Expr) -> Option<Diagnostic> {
+    let (BinaryOp::Divide, ExprKind::Number(above), ExprKind::Quantity { value, unit, .. }) =
+        (op, &left.kind, &right.kind)
+    else {
+        return None;
+    };
+    let message = format!("this is {above}/({value} {})", unit.name);
+    let help = format!(
+        "write `{above}/({value} {0})`, or `{above} {0} / {value}` to divide the quantity",
+        unit.name
+    );
+    Some(
+        Diagnostic::warning("W0125", message, left.span.to(right.span), "the unit belongs to the divisor")
+            .help(help),
+    )
+}
+
 /// What may follow an operand.
 enum Suffix {
     Call(Vec<Argument>),
@@ -378,7 +397,16 @@ fn operator_grammar<'a>(source: &'a Source<'a>, atom: Rule<'a, Expr>, any: Rule<
             let span = op_span.to(operand.span);
             Expr { kind: ExprKind::Unary { op, operand: Box::new(operand) }, span }
         }),
-        infix(left(PRODUCT), product, |l, op, r, _: &mut _| binary(l, op, r)),
+        infix(
+            left(PRODUCT),
+            product,
+            |l, op: (BinaryOp, Span), r, extra: &mut MapExtra<'a, '_, Input<'a>, Extra>| {
+                if let Some(hint) = divided_quantity(&l, op.0, &r) {
+                    extra.emit(hint.into());
+                }
+                binary(l, op, r)
+            },
+        ),
         infix(left(SUM), sum, |l, op, r, _: &mut _| binary(l, op, r)),
         infix(left(RELATION), relation, |l, op, r, _: &mut _| binary(l, op, r)),
         infix(left(AND), and, |l, op, r, _: &mut _| binary(l, op, r)),

@@ -117,6 +117,8 @@ fn is_place(expr: &Expr) -> bool {
     match &expr.kind {
         ExprKind::Name(_) | ExprKind::Error => true,
         ExprKind::Index { base, .. } | ExprKind::Field { base, .. } => is_place(base),
+        // `a += 1`: reported where the operand is missing.
+        ExprKind::Binary { right, .. } => matches!(right.kind, ExprKind::Error),
         _ => false,
     }
 }
@@ -248,18 +250,20 @@ fn labelled<'a>(source: &'a Source<'a>, e: &Expressions<'a>, body: Rule<'a, Stmt
 }
 
 fn try_catch<'a>(source: &'a Source<'a>, body: Rule<'a, Stmt>) -> Rule<'a, StmtKind> {
-    let error = identifier(source).or_not();
+    let header = just(Kind::Catch)
+        .ignore_then(expect(source, Kind::OpenParen, "after `catch`; write `catch ()` to ignore the error"))
+        .ignore_then(identifier(source).or_not())
+        .then_ignore(close(source, Kind::CloseParen, "a name or `)`"));
+    let handler = header.then(body.clone()).map(Some);
+    let no_handler = expect(source, Kind::Catch, "after the body of `try`").map(|_| None);
     just(Kind::Try)
-        .ignore_then(body.clone())
-        .then_ignore(expect(source, Kind::Catch, "after the body of `try`"))
-        .then_ignore(expect(source, Kind::OpenParen, "after `catch`; write `catch ()` to ignore the error"))
-        .then(error)
-        .then_ignore(close(source, Kind::CloseParen, "a name or `)`"))
-        .then(body)
-        .map(|((body, error), handler)| StmtKind::Try {
-            body: Box::new(body),
-            error,
-            handler: Box::new(handler),
+        .ignore_then(body)
+        .then(handler.or(no_handler))
+        .map(|(body, handler)| match handler {
+            Some((error, handler)) => {
+                StmtKind::Try { body: Box::new(body), error, handler: Box::new(handler) }
+            }
+            None => body.kind,
         })
         .boxed()
 }

@@ -1,0 +1,239 @@
+//! Prints syntax trees as nested lists, without places, for comparison with what fixtures expect.
+
+use calyx_lang::ast::*;
+
+/// One line per statement; blocks are indented.
+pub fn print(module: &Module) -> String {
+    let mut out = String::new();
+    if let Some(doc) = &module.doc {
+        out.push_str(&format!("(file-doc {doc:?})\n"));
+    }
+    for s in &module.statements {
+        statement(s, 0, &mut out);
+        out.push('\n');
+    }
+    out
+}
+
+fn open_line(depth: usize, out: &mut String) {
+    if !out.is_empty() && !out.ends_with('\n') {
+        out.push('\n');
+    }
+    out.push_str(&"  ".repeat(depth));
+}
+
+fn statement(s: &Stmt, depth: usize, out: &mut String) {
+    open_line(depth, out);
+    if let Some(doc) = &s.doc {
+        out.push_str(&format!("(doc {doc:?})"));
+        open_line(depth, out);
+    }
+    let mut children: Vec<&Stmt> = Vec::new();
+    let head = match &s.kind {
+        StmtKind::Empty => "(empty".into(),
+        StmtKind::Error => "(error".into(),
+        StmtKind::Import(path) => format!("(import {}", names(path, ".")),
+        StmtKind::Units(system) => format!("(units {}", system.name),
+        StmtKind::Param(p) => format!("(param {} {}{}", p.name.name, expr(&p.default), domain(&p.domain)),
+        StmtKind::Output { name, value } => format!("(output {} {}", name.name, expr(value)),
+        StmtKind::Var(declared) => {
+            let one = |d: &VarDecl| match &d.init {
+                None => format!(" {}", d.name.name),
+                Some((bind, e)) => format!(" ({} {} {})", bind_text(*bind), d.name.name, expr(e)),
+            };
+            format!("(var{}", declared.iter().map(one).collect::<String>())
+        }
+        StmtKind::Assign { place, bind, value } => {
+            format!("({} {} {}", bind_text(*bind), expr(place), expr(value))
+        }
+        StmtKind::Expr(e) => format!("(do {}", expr(e)),
+        StmtKind::Function(f) => {
+            let mut head = format!("(function {}", f.name.name);
+            for p in &f.parameters {
+                head.push_str(&parameter(p));
+            }
+            if let Some(result) = &f.result {
+                head.push_str(&format!(" -> {}", type_text(result)));
+            }
+            match &f.body {
+                FunctionBody::Statement(body) => children.push(body),
+                FunctionBody::Symbolic(e) => head.push_str(&format!(" := {}", expr(e))),
+                FunctionBody::Extern { purity } => {
+                    head.push_str(&format!(" extern {}", purity.as_ref().map_or("", |p| &p.name)));
+                }
+            }
+            head
+        }
+        StmtKind::Block(inner) => {
+            children.extend(inner);
+            "(block".into()
+        }
+        StmtKind::If { condition, then, otherwise } => {
+            children.push(then);
+            children.extend(otherwise.as_deref());
+            format!("(if {}", expr(condition))
+        }
+        StmtKind::While { condition, body } => {
+            children.push(body);
+            format!("(while {}", expr(condition))
+        }
+        StmtKind::DoWhile { body, condition } => {
+            children.push(body);
+            format!("(do-while {}", expr(condition))
+        }
+        StmtKind::For { init, condition, step, body } => {
+            children.extend([&**init, step, body]);
+            format!("(for {}", condition.as_ref().map_or("always".into(), expr))
+        }
+        StmtKind::Switch { value, body } => {
+            children.push(body);
+            format!("(switch {}", expr(value))
+        }
+        StmtKind::Case { value, statement } => {
+            children.push(statement);
+            format!("(case {}", expr(value))
+        }
+        StmtKind::Default(statement) => {
+            children.push(statement);
+            "(default".into()
+        }
+        StmtKind::Label { label, statement } => {
+            children.push(statement);
+            format!("(label {}", label.name)
+        }
+        StmtKind::Goto(label) => format!("(goto {}", label.name),
+        StmtKind::Break => "(break".into(),
+        StmtKind::Continue => "(continue".into(),
+        StmtKind::Return(value) => format!("(return{}", optional(value)),
+        StmtKind::Throw(value) => format!("(throw{}", optional(value)),
+        StmtKind::Try { body, error, handler } => {
+            children.extend([&**body, handler]);
+            format!("(try catch={}", error.as_ref().map_or("", |e| &e.name))
+        }
+    };
+    out.push_str(head.trim_end());
+    for child in children {
+        statement(child, depth + 1, out);
+    }
+    out.push(')');
+}
+
+fn names(path: &[Ident], separator: &str) -> String {
+    path.iter().map(|i| i.name.as_str()).collect::<Vec<_>>().join(separator)
+}
+
+fn bind_text(bind: Bind) -> &'static str {
+    match bind {
+        Bind::Evaluate => "=",
+        Bind::Symbolic => ":=",
+    }
+}
+
+fn optional(e: &Option<Expr>) -> String {
+    e.as_ref().map(|e| format!(" {}", expr(e))).unwrap_or_default()
+}
+
+fn domain(domain: &Option<Domain>) -> String {
+    match domain {
+        None => String::new(),
+        Some(Domain::Range { low, high, .. }) => {
+            let end = |e: &Option<Expr>| e.as_ref().map_or("_".into(), expr);
+            format!(" (in {} .. {})", end(low), end(high))
+        }
+        Some(Domain::Choices { values, .. }) => format!(" (in [{}])", list(values)),
+    }
+}
+
+fn parameter(p: &Parameter) -> String {
+    let mut text = format!(" ({:?} {}", p.mode, p.name.name).to_lowercase();
+    if let Some(annotation) = &p.annotation {
+        text.push_str(&format!(": {}", type_text(annotation)));
+    }
+    if let Some((bind, default)) = &p.default {
+        text.push_str(&format!(" {}{}", bind_text(*bind), optional(default)));
+    }
+    text.push_str(&domain(&p.domain));
+    if let Some(doc) = &p.doc {
+        text.push_str(&format!(" {doc:?}"));
+    }
+    text + ")"
+}
+
+fn type_text(t: &TypeExpr) -> String {
+    match &t.kind {
+        TypeKind::Name(name) => name.name.clone(),
+        TypeKind::Apply(name, arguments) => {
+            format!("{}({})", name.name, arguments.iter().map(type_text).collect::<Vec<_>>().join(", "))
+        }
+        TypeKind::Product(a, b) => format!("(* {} {})", type_text(a), type_text(b)),
+        TypeKind::Quotient(a, b) => format!("(/ {} {})", type_text(a), type_text(b)),
+        TypeKind::Power(base, n, d) => format!("(^ {} {n}/{d})", type_text(base)),
+        TypeKind::Error => "error".into(),
+    }
+}
+
+fn list(items: &[Expr]) -> String {
+    items.iter().map(expr).collect::<Vec<_>>().join(" ")
+}
+
+pub fn expr(e: &Expr) -> String {
+    match &e.kind {
+        ExprKind::Error => "error".into(),
+        ExprKind::Number(value) => format!("{value}"),
+        ExprKind::Quantity { value, unit, exponent: 1, exponent_span: None } => {
+            format!("{value}'{}", unit.name)
+        }
+        ExprKind::Quantity { value, unit, exponent, .. } => format!("{value}'{}^{exponent}", unit.name),
+        ExprKind::Bool(true) => "TRUE".into(),
+        ExprKind::Bool(false) => "FALSE".into(),
+        ExprKind::String(parts) => {
+            let part = |p: &StringPart| match p {
+                StringPart::Text(text) => format!(" {text:?}"),
+                StringPart::Value(value) => format!(" {}", expr(value)),
+            };
+            format!("(string{})", parts.iter().map(part).collect::<String>())
+        }
+        ExprKind::Name(name) => name.name.clone(),
+        ExprKind::Field { base, field } => format!("(. {} {})", expr(base), field.name),
+        ExprKind::Call { callee, arguments } => {
+            let one = |a: &Argument| match &a.name {
+                None => format!(" {}", expr(&a.value)),
+                Some((name, bind)) => format!(" {} {} {}", name.name, bind_text(*bind), expr(&a.value)),
+            };
+            format!("({}{})", expr(callee), arguments.iter().map(one).collect::<String>())
+        }
+        ExprKind::Index { base, index } => format!("([] {} {})", expr(base), expr(index)),
+        ExprKind::Unary { op, operand } => {
+            let sign = match op {
+                UnaryOp::Plus => "+",
+                UnaryOp::Minus => "-",
+                UnaryOp::Not => "!",
+            };
+            format!("({sign} {})", expr(operand))
+        }
+        ExprKind::Binary { op, left, right, .. } => {
+            let sign = match op {
+                BinaryOp::Or => "|",
+                BinaryOp::And => "&",
+                BinaryOp::Less => "<",
+                BinaryOp::LessEqual => "<=",
+                BinaryOp::Greater => ">",
+                BinaryOp::GreaterEqual => ">=",
+                BinaryOp::Equal => "==",
+                BinaryOp::NotEqual => "!=",
+                BinaryOp::Add => "+",
+                BinaryOp::Subtract => "-",
+                BinaryOp::Multiply => "*",
+                BinaryOp::Divide => "/",
+                BinaryOp::Power => "^",
+            };
+            format!("({sign} {} {})", expr(left), expr(right))
+        }
+        ExprKind::List(items) => format!("[{}]", list(items)),
+        ExprKind::If { condition, then, otherwise } => {
+            format!("(if {} {} {})", expr(condition), expr(then), expr(otherwise))
+        }
+        ExprKind::At { value, symbol, at } => format!("(at {} {} {})", expr(value), symbol.name, expr(at)),
+        ExprKind::Paren(inner) => format!("(paren {})", expr(inner)),
+    }
+}
