@@ -1,0 +1,23 @@
+//! Contact: where surfaces approach, which cells could carry pressure, and the pressures that hold the bodies.
+//!
+//! A step of an analysis goes through these modules in order: [`approach`] finds where two profiles come closest,
+//! [`grid`] lays cells there, [`assembly`] builds their compliance, [`problem`] states the contact problem and
+//! [`active_set`] solves it; [`pressure`] reads peak pressure and half-width off the solution.
+
+pub mod active_set;
+pub mod approach;
+pub mod assembly;
+pub mod clarabel_check;
+mod dense;
+mod feasibility;
+pub mod grid;
+pub mod half_plane;
+mod placement;
+pub mod pressure;
+pub mod problem;
+pub mod rigid_limit;
+
+pub use placement::{ContactFrame, Placement};
+
+#[cfg(test)]
+mod solver_tests;
