@@ -24,6 +24,9 @@ const GAP_TOLERANCE: f64 = 1e-13;
 /// Solves a contact problem. `warm_start` is a guess of the cells that carry force (from a neighbouring step, say);
 /// indices beyond the cells are ignored.
 ///
+/// Without any load the motion is one of many that leave no overlap: [`super::rigid_limit`] picks the one that a drive
+/// would leave.
+///
 /// # Errors
 /// [`ContactError::Infeasible`] and [`ContactError::Unconstrained`] name the motion at fault,
 /// [`ContactError::DependentCells`] the cell.
@@ -243,8 +246,10 @@ pub(super) fn free_motion(scaled_motion: &[f64], freedom_scale: &[f64]) -> FreeM
     FreeMotion { freedom, direction: own[freedom].signum(), motion: own.iter().map(|x| x / size).collect() }
 }
 
-fn force_tolerance(forces: &[f64]) -> f64 {
-    FORCE_TOLERANCE * forces.iter().fold(0.0f64, |a, q| a.max(q.abs()))
+/// What counts as zero beside these forces, or, should all be rounding, beside the force that a gap is worth.
+fn force_tolerance(scaled: &Scaled, forces: &[f64]) -> f64 {
+    let largest = |values: &[f64]| values.iter().fold(0.0f64, |a, v| a.max(v.abs()));
+    (FORCE_TOLERANCE * largest(forces)).max(1e-16 * largest(&scaled.gaps))
 }
 
 /// `None` if it does not converge, or meets a set of cells that does not hold all freedoms.
@@ -265,7 +270,7 @@ fn block_pivoting(
             }
             Err(Singular::Freedoms(_)) => return Ok(None),
         };
-        let tolerance = force_tolerance(&forces);
+        let tolerance = force_tolerance(scaled, &forces);
         let pulled: Vec<usize> =
             active.iter().zip(&forces).filter(|&(_, &q)| q < -tolerance).map(|(&i, _)| i).collect();
         let found = Found { active, forces, motion };
@@ -292,7 +297,7 @@ fn block_pivoting(
 /// Cells whose force is rounding are no part of the active set: which of them a search ends with depends on its start.
 fn without_idle_cells(scaled: &Scaled, mut found: Found) -> Result<Option<Found>, ContactError> {
     loop {
-        let tolerance = force_tolerance(&found.forces);
+        let tolerance = force_tolerance(scaled, &found.forces);
         let kept: Vec<usize> = found
             .active
             .iter()
@@ -307,8 +312,8 @@ fn without_idle_cells(scaled: &Scaled, mut found: Found) -> Result<Option<Found>
             Ok((forces, motion)) => found = Found { active: kept, forces, motion },
             // Idle cells alone fix some freedom (a load that vanishes in its direction): keep them, unloaded.
             Err(_) => {
-                for q in &mut found.forces {
-                    *q = q.max(0.0);
+                for q in found.forces.iter_mut().filter(|q| **q <= tolerance) {
+                    *q = 0.0;
                 }
                 return Ok(Some(found));
             }
@@ -344,7 +349,7 @@ fn single_pivoting(scaled: &Scaled, iterations: &mut usize) -> Result<Option<Fou
             }
             Err(Singular::Freedoms(_)) => return Ok(None),
         };
-        let tolerance = force_tolerance(&target);
+        let tolerance = force_tolerance(scaled, &target);
         // The first cell whose force reaches zero on the way to the target; ties by index.
         let blocking = active
             .iter()

@@ -24,7 +24,7 @@ fn random_problem(n: usize, m: usize, springs: bool, random: &mut Random) -> Con
     let factor = DMatrix::from_fn(n, n, |_, _| random.next());
     let matrix = &factor * factor.transpose() + DMatrix::identity(n, n) * (0.05 * n as f64);
     let arms: Vec<f64> = (0..n * m).map(|_| random.next()).collect();
-    let balancing: Vec<f64> = (0..n).map(|_| random.next().max(0.0)).collect();
+    let balancing: Vec<f64> = (0..n).map(|i| if i == 0 { 1.0 } else { random.next().max(0.0) }).collect();
     let load = (0..m).map(|k| -(0..n).map(|i| arms[i * m + k] * balancing[i]).sum::<f64>()).collect();
     let root = DMatrix::from_fn(m, m.saturating_sub(1), |_, _| random.next());
     let springs = if springs { &root * root.transpose() } else { DMatrix::zeros(m, m) };
@@ -56,11 +56,11 @@ fn by_enumeration(problem: &ContactProblem) -> Option<(Vec<f64>, Vec<f64>)> {
             (false, false) => -problem.stiffness[(r - k) * m + c - k],
         });
         let right = DVector::from_fn(k + m, |r, _| if r < k { -problem.gaps[active[r]] } else { -problem.load[r - k] });
-        let lu = matrix.full_piv_lu();
-        if !lu.is_invertible() {
+        let decomposition = matrix.svd(true, true);
+        if decomposition.singular_values.min() <= 1e-10 * decomposition.singular_values.max() {
             continue;
         }
-        let Some(unknowns) = lu.solve(&right) else { continue };
+        let Ok(unknowns) = decomposition.solve(&right, 0.0) else { continue };
         let mut forces = vec![0.0; n];
         for (r, &i) in active.iter().enumerate() {
             forces[i] = unknowns[r];
@@ -222,6 +222,15 @@ fn a_degenerate_cell_is_left_out_of_the_active_set() {
     assert_eq!(cold.active, vec![0, 2]);
     assert_eq!(warm.forces, cold.forces);
     assert!(cold.certificate.largest() <= 1e-15);
+}
+
+#[test]
+fn without_load_nothing_is_pressed() {
+    let mut problem = one_way(vec![0.3, 0.2, 0.1], 1, vec![0.0]);
+    problem.gaps = vec![0.1, 0.7, 0.3];
+    let solution = solve(&problem, None).unwrap();
+    assert_eq!(solution.forces, vec![0.0; 3]);
+    assert!(solution.gaps.iter().all(|&d| d > -1e-15));
 }
 
 #[test]
