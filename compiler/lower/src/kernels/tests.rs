@@ -332,3 +332,76 @@ fn what_has_no_derivative_is_refused_not_zero() {
     }
     assert!(lower_site(&Program::default(), SiteId(0)).is_err());
 }
+
+/// Evaluated expressions go through [`expand`], symbolic ones through the graph: on numbers both must agree.
+#[test]
+fn symbolic_operations_agree_with_evaluated_ones() {
+    use crate::operations::{Scalars, expand};
+
+    struct Folding(Graph);
+    impl Scalars for Folding {
+        type Value = NodeId;
+        fn number(&mut self, value: f64) -> NodeId {
+            self.0.constant(value)
+        }
+        fn apply(&mut self, op: Op, operands: &[NodeId]) -> Option<NodeId> {
+            match *operands {
+                [a] => Some(self.0.unary(unary(op)?, a)),
+                [a, b] => Some(match op {
+                    Op::Equal => self.0.binary(Binary::Equal, a, b),
+                    _ => self.0.binary(binary(op)?, a, b),
+                }),
+                _ => None,
+            }
+        }
+        fn both(&mut self, a: NodeId, b: NodeId) -> NodeId {
+            self.0.binary(Binary::And, a, b)
+        }
+    }
+
+    let (one, three, frame) = (vec![0.7], vec![0.36, -0.48, 0.8], {
+        let turned = op(Op::Rotate, vec![param(0), vector([0.6, 0.0, -0.8])]);
+        let moved = op(Op::Translate, vec![vector([1.0, 2.0, 3.0])]);
+        run(&program(op(Op::Compose, vec![turned, moved]), vec![], 0), &[0.0, 1.1, 0.0])
+    });
+    let (n, v, t) = (
+        || (Repr::Number, number.clone()),
+        || (Repr::Vector, vector.clone()),
+        || (Repr::Transform, frame.clone()),
+    );
+    let cases = [
+        (Op::Vector, vec![n(), n(), n()]),
+        (Op::X, vec![v()]),
+        (Op::Y, vec![v()]),
+        (Op::Z, vec![v()]),
+        (Op::Norm, vec![v()]),
+        (Op::AddVector, vec![v(), v()]),
+        (Op::SubtractVector, vec![v(), v()]),
+        (Op::NegateVector, vec![v()]),
+        (Op::Scale, vec![n(), v()]),
+        (Op::Dot, vec![v(), v()]),
+        (Op::Cross, vec![v(), v()]),
+        (Op::Equal, vec![v(), v()]),
+        (Op::NotEqual, vec![v(), v()]),
+        (Op::Translate, vec![v()]),
+        (Op::Rotate, vec![n(), v()]),
+        (Op::Compose, vec![t(), t()]),
+        (Op::Apply, vec![t(), v()]),
+        (Op::Inverse, vec![t()]),
+        (Op::Origin, vec![t()]),
+        (Op::Direction, vec![t(), v()]),
+    ];
+    for (operation, operands) in cases {
+        let captures: Vec<_> = operands.iter().map(|(repr, _)| (repr.clone(), false)).collect();
+        let symbols = operands.iter().zip(0..).map(|((repr, _), i)| capture(i, repr.clone())).collect();
+        let values: Vec<f64> = operands.into_iter().flat_map(|(_, values)| values).collect();
+        let actual = run(&program(op(operation, symbols), captures, 0), &[&[0.0; 3], &values[..]].concat());
+        let mut folding = Folding(Graph::new());
+        let nodes: Vec<NodeId> = values.iter().map(|&value| folding.0.constant(value)).collect();
+        let expected = expand(&mut folding, operation, &nodes).unwrap();
+        let expected: Vec<f64> =
+            expected.into_iter().map(|id| folding.0.constant_value(id).unwrap()).collect();
+        // Sums may be taken in another order: a few units in the last place of numbers below ten.
+        assert_close(&actual, &expected, 1e-14);
+    }
+}
