@@ -68,7 +68,7 @@ fn by_enumeration(problem: &ContactProblem) -> Option<(Vec<f64>, Vec<f64>)> {
         let motion: Vec<f64> = unknowns.iter().skip(k).copied().collect();
         let gaps = problem.gaps_at(&forces, &motion);
         let size = motion.iter().chain(&problem.gaps).fold(1.0f64, |a, v| a.max(v.abs()));
-        if forces.iter().all(|&p| p >= 0.0) && gaps.iter().all(|&d| d > -1e-9 * size) {
+        if forces.iter().all(|&p| p >= -1e-12) && gaps.iter().all(|&d| d > -1e-9 * size) {
             return Some((forces, motion));
         }
     }
