@@ -5,10 +5,13 @@
 //! diagnostics, none fails.
 
 pub mod ast;
+pub mod check;
+pub mod description;
 pub mod diagnostic;
 pub mod dimension;
 pub mod ir;
 pub mod lexer;
 pub mod parser;
+pub mod render;
 pub mod span;
 pub mod units;

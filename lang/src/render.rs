@@ -1,0 +1,212 @@
+//! Diagnostics for people (text with the source beside it) and for programs (one JSON object a line).
+
+use crate::diagnostic::{Diagnostic, Label as Note, Severity};
+use crate::ir::SourceFile;
+use crate::span::{FileId, Span};
+use ariadne::{Cache, Color, Config, IndexType, Label, Report, ReportKind, Source};
+use serde_json::{Value, json};
+
+/// Whether text may hold terminal colours.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Colour {
+    #[default]
+    Never,
+    Always,
+}
+
+/// Writes diagnostics with the source lines they are about.
+pub struct Renderer<'a> {
+    files: Files<'a>,
+    colour: Colour,
+}
+
+impl<'a> Renderer<'a> {
+    /// `files` are those that spans refer to, by index.
+    pub fn new(files: &'a [SourceFile], colour: Colour) -> Self {
+        let sources = files.iter().map(|f| Source::from(f.text.as_str())).collect();
+        Renderer { files: Files { files, sources }, colour }
+    }
+
+    /// One diagnostic; ends with a line end.
+    pub fn text(&mut self, diagnostic: &Diagnostic) -> String {
+        let (kind, colour_of_primary) = match diagnostic.severity {
+            Severity::Error => (ReportKind::Error, Color::Red),
+            Severity::Warning => (ReportKind::Warning, Color::Yellow),
+        };
+        let config =
+            Config::default().with_index_type(IndexType::Byte).with_color(self.colour == Colour::Always);
+        let files = self.files.files;
+        let primary = place(diagnostic.primary.span, files);
+        let main = Label::new(primary.clone())
+            .with_message(&diagnostic.primary.message)
+            .with_color(colour_of_primary);
+        let mut report = Report::build(kind, primary)
+            .with_config(config)
+            .with_code(&diagnostic.code)
+            .with_message(&diagnostic.message)
+            .with_label(main);
+        for label in &diagnostic.labels {
+            let place = place(label.span, files);
+            report =
+                report.with_label(Label::new(place).with_message(&label.message).with_color(Color::Blue));
+        }
+        if let Some(help) = &diagnostic.help {
+            report = report.with_help(help);
+        }
+        let mut out = Vec::new();
+        match (report.finish().write(&mut self.files, &mut out), String::from_utf8(out)) {
+            (Ok(()), Ok(text)) => text,
+            // Writing to memory does not fail; the message must reach the user in any case.
+            _ => format!("{}: {}\n", diagnostic.code, diagnostic.message),
+        }
+    }
+}
+
+/// The sources as the report writer asks for them: by index, shown by name.
+struct Files<'a> {
+    files: &'a [SourceFile],
+    sources: Vec<Source<&'a str>>,
+}
+
+impl<'f> Cache<usize> for Files<'f> {
+    type Storage = &'f str;
+
+    fn fetch(&mut self, id: &usize) -> Result<&Source<Self::Storage>, impl std::fmt::Debug> {
+        self.sources.get(*id).ok_or("no such file")
+    }
+
+    fn display<'a>(&self, id: &'a usize) -> Option<impl std::fmt::Display + 'a> {
+        self.files.get(*id).map(|f| f.name.clone())
+    }
+}
+
+/// Range of bytes in a file, by index; clipped to the text, so that no stale span can panic the renderer.
+fn place(span: Span, files: &[SourceFile]) -> (usize, std::ops::Range<usize>) {
+    let file = span.file.0 as usize;
+    let text = files.get(file).map_or("", |f| f.text.as_str());
+    let (start, end) = clipped(span, text);
+    (file, start..end)
+}
+
+fn clipped(span: Span, text: &str) -> (usize, usize) {
+    let boundary = |byte: u32| {
+        let mut byte = (byte as usize).min(text.len());
+        while !text.is_char_boundary(byte) {
+            byte -= 1;
+        }
+        byte
+    };
+    let start = boundary(span.start);
+    (start, boundary(span.end).max(start))
+}
+
+/// One diagnostic as a JSON object on one line, without the line end.
+///
+/// `{severity, code, message, primary: {file, line, column, byte_start, byte_end, message}, labels: [...], help, fix}`;
+/// lines and columns count from 1, columns in characters. `help` and `fix` are null where there is none.
+pub fn to_json(diagnostic: &Diagnostic, files: &[SourceFile]) -> String {
+    json!({
+        "severity": match diagnostic.severity { Severity::Error => "error", Severity::Warning => "warning" },
+        "code": diagnostic.code,
+        "message": diagnostic.message,
+        "primary": note_json(&diagnostic.primary, files),
+        "labels": diagnostic.labels.iter().map(|label| note_json(label, files)).collect::<Vec<_>>(),
+        "help": diagnostic.help,
+        "fix": diagnostic.fix.as_ref().map(|fix| {
+            let mut value = place_json(fix.span, files);
+            value["title"] = json!(fix.title);
+            value["replacement"] = json!(fix.replacement);
+            value
+        }),
+    })
+    .to_string()
+}
+
+fn note_json(note: &Note, files: &[SourceFile]) -> Value {
+    let mut value = place_json(note.span, files);
+    value["message"] = json!(note.message);
+    value
+}
+
+fn place_json(span: Span, files: &[SourceFile]) -> Value {
+    let (name, text) = file_of(span.file, files);
+    let (start, end) = clipped(span, text);
+    let (line, column) = line_column(text, start);
+    json!({ "file": name, "line": line, "column": column, "byte_start": start, "byte_end": end })
+}
+
+fn file_of(file: FileId, files: &[SourceFile]) -> (&str, &str) {
+    files.get(file.0 as usize).map_or(("", ""), |f| (f.name.as_str(), f.text.as_str()))
+}
+
+/// Line and column, both from 1, columns in characters, of a byte position.
+pub fn line_column(text: &str, byte: usize) -> (usize, usize) {
+    let before = text.get(..byte).unwrap_or(text);
+    let line_start = before.rfind('\n').map_or(0, |i| i + 1);
+    (before.bytes().filter(|b| *b == b'\n').count() + 1, before[line_start..].chars().count() + 1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn files() -> Vec<SourceFile> {
+        vec![
+            SourceFile { name: "model.cx".into(), text: "// Größe µ\nvar é = 1\nvar b = 2;\n".into() },
+            SourceFile {
+                name: "<library>/gears.cx".into(),
+                text: "extern function f(in a: Length);\n".into(),
+            },
+        ]
+    }
+
+    fn sample() -> Diagnostic {
+        let end = files()[0].text.find("= 1").unwrap() + 3;
+        let library = Span::new(FileId(1), 18, 30);
+        let place = Span::new(FileId(0), end, end);
+        Diagnostic::error("E0110", "a `;` is missing", place, "the statement ends here")
+            .label(library, "declared here")
+            .help("end the statement with `;`")
+            .fix("insert `;`", place, ";")
+    }
+
+    #[test]
+    fn text_shows_both_files_and_the_place_in_characters() {
+        let files = files();
+        let text = Renderer::new(&files, Colour::Never).text(&sample());
+        for part in [
+            "[E0110]",
+            "a `;` is missing",
+            "model.cx:2:10",
+            "var é = 1",
+            "<library>/gears.cx",
+            "declared here",
+        ] {
+            assert!(text.contains(part), "{part} is not in\n{text}");
+        }
+        assert!(!text.contains('\u{1b}'), "{text}");
+        assert!(Renderer::new(&files, Colour::Always).text(&sample()).contains('\u{1b}'));
+    }
+
+    #[test]
+    fn json_has_lines_and_columns_from_one() {
+        let value: Value = serde_json::from_str(&to_json(&sample(), &files())).unwrap();
+        assert_eq!(value["severity"], "error");
+        let primary = &value["primary"];
+        assert_eq!((&primary["line"], &primary["column"]), (&json!(2), &json!(10)));
+        assert_eq!(primary["byte_start"], json!(files()[0].text.find("\nvar b").unwrap()));
+        assert_eq!(value["labels"][0]["file"], "<library>/gears.cx");
+        assert_eq!(value["fix"]["replacement"], ";");
+        assert!(value["help"].is_string());
+    }
+
+    #[test]
+    fn spans_outside_the_text_are_clipped() {
+        let mut broken = sample();
+        broken.primary.span = Span { file: FileId(0), start: 6, end: 90_000 };
+        broken.labels[0].span = Span { file: FileId(9), start: 5, end: 3 };
+        let files = files();
+        assert!(Renderer::new(&files, Colour::Never).text(&broken).contains("E0110"));
+        assert!(to_json(&broken, &files).contains("E0110"));
+    }
+}
