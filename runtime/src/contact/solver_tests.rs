@@ -19,12 +19,12 @@ impl Random {
     }
 }
 
-/// A random problem whose load some contact forces balance.
+/// A random problem whose load contact forces balance, more of them than freedoms so that the motion is unique.
 fn random_problem(n: usize, m: usize, springs: bool, random: &mut Random) -> ContactProblem {
     let factor = DMatrix::from_fn(n, n, |_, _| random.next());
     let matrix = &factor * factor.transpose() + DMatrix::identity(n, n) * (0.05 * n as f64);
     let arms: Vec<f64> = (0..n * m).map(|_| random.next()).collect();
-    let balancing: Vec<f64> = (0..n).map(|i| if i == 0 { 1.0 } else { random.next().max(0.0) }).collect();
+    let balancing: Vec<f64> = (0..n).map(|i| if i <= m { 1.0 } else { random.next().max(0.0) }).collect();
     let load = (0..m).map(|k| -(0..n).map(|i| arms[i * m + k] * balancing[i]).sum::<f64>()).collect();
     let root = DMatrix::from_fn(m, m.saturating_sub(1), |_, _| random.next());
     let springs = if springs { &root * root.transpose() } else { DMatrix::zeros(m, m) };
