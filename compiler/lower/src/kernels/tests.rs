@@ -365,8 +365,8 @@ fn symbolic_operations_agree_with_evaluated_ones() {
         run(&program(op(Op::Compose, vec![turned, moved]), vec![], 0), &[0.0, 1.1, 0.0])
     });
     let (n, v, t) = (
-        || (Repr::Number, number.clone()),
-        || (Repr::Vector, vector.clone()),
+        || (Repr::Number, one.clone()),
+        || (Repr::Vector, three.clone()),
         || (Repr::Transform, frame.clone()),
     );
     let cases = [
