@@ -87,6 +87,9 @@ pub enum Purity {
     Effect,
 }
 
+/// Name and representation of a provided function's parameter.
+pub type ExternParameter = (&'static str, fn() -> Repr);
+
 /// One function that the engine provides to programs: the row from which the interpreter's table, the machine
 /// code's symbol table and the link symbols all come.
 #[derive(Clone)]
@@ -94,8 +97,8 @@ pub struct Extern {
     /// Link symbol, e.g. `calyx_gears_material`: `calyx_` + module + `_` + name in the Calyx declaration.
     pub symbol: &'static str,
     pub purity: Purity,
-    /// Parameter names and representations, in order.
-    pub params: &'static [(&'static str, fn() -> Repr)],
+    /// In order.
+    pub params: &'static [ExternParameter],
     pub result: fn() -> Repr,
     pub call: SlotFn,
 }
