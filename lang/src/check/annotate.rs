@@ -1,0 +1,177 @@
+//! Type annotations: from what is written to types.
+
+use super::dim::Dim;
+use super::infer::Checker;
+use super::names::similar;
+use super::types::Type;
+use crate::ast::{FunctionBody, FunctionDecl, StmtKind, TypeExpr, TypeKind};
+use crate::diagnostic::Diagnostic;
+use crate::dimension::{Dimension, Rational};
+use crate::span::Span;
+
+/// Type names that are no dimensions.
+const NAMES: &[&str] = &["Bool", "String", "Vector", "Transform", "Array", "Symbolic", "Observable"];
+
+impl<'a> Checker<'a> {
+    /// A capitalised name in an `extern` declaration that means nothing else is the name of something the engine makes.
+    pub(super) fn collect_handles(&mut self) {
+        fn names(ty: &TypeExpr, handles: &mut Vec<String>) {
+            match &ty.kind {
+                TypeKind::Name(name) => handles.push(name.name.clone()),
+                TypeKind::Apply(_, parts) => parts.iter().for_each(|part| names(part, handles)),
+                _ => {}
+            }
+        }
+        let mut found = Vec::new();
+        for info in &self.names.externs {
+            let annotations = info.decl.parameters.iter().filter_map(|p| p.annotation.as_ref());
+            annotations.chain(&info.decl.result).for_each(|ty| names(ty, &mut found));
+        }
+        self.handles = found
+            .into_iter()
+            .filter(|name| {
+                name.starts_with(char::is_uppercase)
+                    && !NAMES.contains(&name.as_str())
+                    && Dimension::from_name(name).is_none()
+            })
+            .collect();
+    }
+
+    /// The type an annotation stands for. `symbolic` allows what only the engine's functions take.
+    pub(super) fn annotation(&mut self, annotation: &TypeExpr, symbolic: bool) -> Type {
+        match &annotation.kind {
+            TypeKind::Error => Type::Error,
+            TypeKind::Name(name) => match name.name.as_str() {
+                "Bool" => Type::Bool,
+                "String" => Type::String,
+                "Transform" => Type::Transform,
+                // Of any dimension.
+                "Vector" => self.fresh_vector().0,
+                "Array" => Type::array(self.store.fresh()),
+                other if self.handles.contains(other) => Type::Handle(other.into()),
+                other => match Dimension::from_name(other) {
+                    Some(dimension) => Type::quantity(dimension),
+                    None => self.unknown_type(other, name.span),
+                },
+            },
+            TypeKind::Apply(name, arguments) => {
+                let [argument] = arguments.as_slice() else {
+                    return self.bad_annotation(format!("`{}` takes one type in parentheses", name.name), annotation.span);
+                };
+                match name.name.as_str() {
+                    "Array" => Type::array(self.annotation(argument, symbolic)),
+                    "Vector" => self.dimension(argument).map_or(Type::Error, |d| Type::Vector(Dim::known(d))),
+                    "Observable" => self.dimension(argument).map_or(Type::Error, |d| Type::Observable(Dim::known(d))),
+                    "Symbolic" if symbolic => Type::Symbolic(Box::new(self.annotation(argument, false))),
+                    "Symbolic" => {
+                        self.not_yet("symbolic values in user functions are", annotation.span);
+                        Type::Error
+                    }
+                    other => self.unknown_type(other, name.span),
+                }
+            }
+            TypeKind::Product(..) | TypeKind::Quotient(..) | TypeKind::Power(..) => {
+                self.dimension(annotation).map_or(Type::Error, Type::quantity)
+            }
+        }
+    }
+
+    fn dimension(&mut self, annotation: &TypeExpr) -> Option<Dimension> {
+        match &annotation.kind {
+            TypeKind::Name(name) => {
+                let found = Dimension::from_name(&name.name);
+                if found.is_none() {
+                    self.unknown_type(&name.name, name.span);
+                }
+                found
+            }
+            TypeKind::Product(a, b) => Some(self.dimension(a)?.times(self.dimension(b)?)),
+            TypeKind::Quotient(a, b) => Some(self.dimension(a)?.over(self.dimension(b)?)),
+            TypeKind::Power(base, n, d) => {
+                let base = self.dimension(base)?;
+                let power = Rational::new(i64::from(*n), i64::from(*d)).and_then(|e| base.power(e));
+                if power.is_none() {
+                    self.bad_annotation("this exponent is out of range".into(), annotation.span);
+                }
+                power
+            }
+            TypeKind::Apply(..) => {
+                self.bad_annotation("a dimension belongs here, such as `Length`".into(), annotation.span);
+                None
+            }
+            TypeKind::Error => None,
+        }
+    }
+
+    fn bad_annotation(&mut self, message: String, span: Span) -> Type {
+        self.report(
+            Diagnostic::error("E0308", message, span, "not a type")
+                .help("types are dimensions, Bool, String, Vector(...), Transform, Array(...), and the library's own"),
+        );
+        Type::Error
+    }
+
+    fn unknown_type(&mut self, name: &str, span: Span) -> Type {
+        let diagnostic = Diagnostic::error("E0309", format!("there is no type `{name}`"), span, "unknown type");
+        let handles: Vec<String> = self.handles.iter().cloned().collect();
+        let mut candidates: Vec<&str> = NAMES.iter().copied().chain(Dimension::names()).collect();
+        candidates.extend(handles.iter().map(String::as_str));
+        let diagnostic = match similar(name, candidates.into_iter()) {
+            Some(near) => {
+                diagnostic.help(format!("did you mean `{near}`?")).fix(format!("change to `{near}`"), span, near)
+            }
+            None => diagnostic
+                .help("types are dimensions (`Length`, `Force/Length`), Bool, String, Vector, Transform, Array(...), and the library's own"),
+        };
+        self.report(diagnostic);
+        Type::Error
+    }
+
+    /// Checks the declarations of the engine's functions once, called or not.
+    pub(super) fn check_extern_declarations(&mut self) {
+        let modules = self.modules;
+        for module in modules {
+            self.file = module.file;
+            for statement in &module.tree.statements {
+                if let StmtKind::Function(decl) = &statement.kind
+                    && let FunctionBody::Extern { purity } = &decl.body
+                {
+                    if let Some(purity) = purity
+                        && !["pure", "scene", "effect"].contains(&purity.name.as_str())
+                    {
+                        self.report(
+                            Diagnostic::error("E0213", format!("`{}` is no kind of function", purity.name), purity.span, "unknown word")
+                                .help("write `pure`, `scene` or `effect`"),
+                        );
+                    }
+                    self.check_extern(decl);
+                }
+            }
+        }
+    }
+
+    fn check_extern(&mut self, decl: &'a FunctionDecl) {
+        for parameter in &decl.parameters {
+            let Some(annotation) = &parameter.annotation else {
+                self.report(
+                    Diagnostic::error(
+                        "E0308",
+                        format!("parameter `{}` of an extern function needs a type", parameter.name.name),
+                        parameter.name.span,
+                        "no type",
+                    )
+                    .help("write `in name: Type`"),
+                );
+                continue;
+            };
+            let ty = self.annotation(annotation, true);
+            if let Some((_, Some(default))) = &parameter.default {
+                self.parameter_default(&ty, &parameter.name, default);
+            }
+            self.domain(&ty, parameter.domain.as_ref(), None, &parameter.name.name);
+        }
+        if let Some(result) = &decl.result {
+            self.annotation(result, true);
+        }
+    }
+}

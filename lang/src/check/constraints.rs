@@ -1,0 +1,324 @@
+//! Operators: what they demand of their operands, decided as soon as the operands' types allow it.
+
+use super::dim::Dim;
+use super::infer::Checker;
+use super::tree::{Constraint, ConstraintKind};
+use super::types::{Mismatch, Type};
+use crate::diagnostic::Diagnostic;
+
+/// What became of a constraint.
+enum Outcome {
+    Solved,
+    /// The types are not known yet.
+    Open,
+    Failed(Diagnostic),
+}
+
+use ConstraintKind::*;
+
+impl Constraint {
+    /// The types it is about.
+    pub fn types(&self) -> Vec<&Type> {
+        match &self.kind {
+            Multiply(a, b, c) | Divide(a, b, c) => vec![a, b, c],
+            Additive(a) | Comparable(a) | Printable(a) => vec![a],
+            Index(a, _, b) => vec![a, b],
+        }
+    }
+
+    /// The same of other types.
+    pub fn map(&self, mut f: impl FnMut(&Type) -> Type) -> ConstraintKind {
+        match &self.kind {
+            Multiply(a, b, c) => Multiply(f(a), f(b), f(c)),
+            Divide(a, b, c) => Divide(f(a), f(b), f(c)),
+            Additive(a) => Additive(f(a)),
+            Comparable(a) => Comparable(f(a)),
+            Printable(a) => Printable(f(a)),
+            Index(a, at, b) => Index(f(a), *at, f(b)),
+        }
+    }
+}
+
+impl Checker<'_> {
+    /// Adds a constraint, solving it at once if possible.
+    pub fn constrain(&mut self, constraint: Constraint) {
+        match self.try_solve(&constraint) {
+            Outcome::Solved => {}
+            Outcome::Open => self.pending.push(constraint),
+            Outcome::Failed(diagnostic) => self.report(diagnostic),
+        }
+    }
+
+    /// Solves what can be solved, until nothing more can.
+    pub fn solve_constraints(&mut self) {
+        loop {
+            let before = self.pending.len();
+            for constraint in std::mem::take(&mut self.pending) {
+                self.constrain(constraint);
+            }
+            if self.pending.len() >= before {
+                return;
+            }
+        }
+    }
+
+    /// The end of the program: what nothing decided is a number.
+    pub fn finish_constraints(&mut self) {
+        self.solve_constraints();
+        while let Some(constraint) = self.pending.first().cloned() {
+            let unknown = constraint
+                .types()
+                .into_iter()
+                .map(|ty| self.store.shallow(ty))
+                .find(|ty| matches!(ty, Type::Unknown(_)));
+            let Some(unknown) = unknown else {
+                // Open although everything is known: cannot be, but must not loop.
+                self.pending.remove(0);
+                continue;
+            };
+            let number = match &constraint.kind {
+                Index(..) => {
+                    let element = self.store.fresh();
+                    Type::array(element)
+                }
+                _ => self.fresh_number(),
+            };
+            // An unknown takes any type.
+            let _ = self.store.unify(&unknown, &number);
+            self.solve_constraints();
+        }
+    }
+
+    fn fit(&mut self, constraint: &Constraint, a: &Type, b: &Type) -> Outcome {
+        match self.store.unify(a, b) {
+            Ok(()) => Outcome::Solved,
+            Err(mismatch) => {
+                let (found, wanted) = (self.store.show(a), self.store.show(b));
+                let code = if matches!(mismatch, Mismatch::Dimension(..)) { "E0402" } else { "E0301" };
+                Outcome::Failed(
+                    Diagnostic::error(
+                        code,
+                        format!("this is used as a {found}, but it is a {wanted}"),
+                        constraint.span,
+                        format!("gives a {wanted}"),
+                    )
+                    .help("make both sides the same"),
+                )
+            }
+        }
+    }
+
+    fn try_solve(&mut self, constraint: &Constraint) -> Outcome {
+        match &constraint.kind {
+            Multiply(a, b, c) => {
+                let (left, right, result) = (self.store.shallow(a), self.store.shallow(b), self.store.shallow(c));
+                let number = |d: Dim| Type::Number(d);
+                let product = match (&left, &right) {
+                    (Type::Error, _) | (_, Type::Error) => Type::Error,
+                    (Type::Number(x), Type::Number(y)) => number(x.times(y)),
+                    (Type::Number(x), Type::Vector(y)) | (Type::Vector(x), Type::Number(y)) => {
+                        Type::Vector(x.times(y))
+                    }
+                    (Type::Transform, Type::Transform) => Type::Transform,
+                    (Type::Transform, Type::Vector(dim)) => {
+                        let length = super::length();
+                        if self.store.unify_dims(dim, &length).is_err() {
+                            let found = self.store.show(&right);
+                            return Outcome::Failed(
+                                Diagnostic::error(
+                                    "E0401",
+                                    format!("a frame takes a point, a Vector(Length), not a {found}"),
+                                    constraint.span,
+                                    "frame times vector",
+                                )
+                                .help("use `direction(frame, v)` for a vector that is no point"),
+                            );
+                        }
+                        Type::Vector(length)
+                    }
+                    (Type::Unknown(_), _) | (_, Type::Unknown(_)) => {
+                        // The result may decide: only numbers give a number, only frames a frame.
+                        let part = match result {
+                            Type::Number(_) => None,
+                            Type::Transform => Some(Type::Transform),
+                            _ => return Outcome::Open,
+                        };
+                        for side in [&left, &right] {
+                            let part = match &part {
+                                Some(part) => part.clone(),
+                                None => self.fresh_number(),
+                            };
+                            if let Outcome::Failed(diagnostic) = self.fit(constraint, side, &part) {
+                                return Outcome::Failed(diagnostic);
+                            }
+                        }
+                        return self.try_solve(constraint);
+                    }
+                    _ => return Outcome::Failed(self.bad_operands("multiply", "by", &left, &right, constraint)),
+                };
+                self.fit(constraint, c, &product)
+            }
+            Divide(a, b, c) => {
+                let (left, right) = (self.store.shallow(a), self.store.shallow(b));
+                if matches!(right, Type::Unknown(_)) {
+                    // Only numbers divide.
+                    let divisor = self.fresh_number();
+                    let _ = self.store.unify(&right, &divisor);
+                }
+                let right = self.store.shallow(b);
+                let quotient = match (&left, &right) {
+                    (Type::Error, _) | (_, Type::Error) => Type::Error,
+                    (Type::Number(x), Type::Number(y)) => Type::Number(x.over(y)),
+                    (Type::Vector(x), Type::Number(y)) => Type::Vector(x.over(y)),
+                    (Type::Unknown(_), _) => match self.store.shallow(c) {
+                        Type::Number(_) => {
+                            let dividend = self.fresh_number();
+                            let _ = self.store.unify(&left, &dividend);
+                            return self.try_solve(constraint);
+                        }
+                        _ => return Outcome::Open,
+                    },
+                    _ => return Outcome::Failed(self.bad_operands("divide", "by", &left, &right, constraint)),
+                };
+                self.fit(constraint, c, &quotient)
+            }
+            Additive(a) => match self.store.shallow(a) {
+                Type::Unknown(_) => Outcome::Open,
+                Type::Number(_) | Type::Vector(_) | Type::Error => Outcome::Solved,
+                Type::Observable(_) => Outcome::Failed(self.observable_as_value(constraint.span)),
+                other => {
+                    let shown = self.store.show(&other);
+                    let help = match other {
+                        Type::String => "put texts together by interpolation: `\"{a}{b}\"`",
+                        Type::Array(_) => "use `push` to append, or a loop to add element by element",
+                        Type::Transform => "frames are combined with `*`",
+                        _ => "only numbers and vectors add",
+                    };
+                    Outcome::Failed(
+                        Diagnostic::error(
+                            "E0304",
+                            format!("a {shown} cannot be added or subtracted"),
+                            constraint.span,
+                            format!("this is a {shown}"),
+                        )
+                        .help(help),
+                    )
+                }
+            },
+            Comparable(a) => match self.store.shallow(a) {
+                Type::Unknown(_) => Outcome::Open,
+                Type::Array(element) => {
+                    self.try_solve(&Constraint { kind: Comparable(*element), span: constraint.span })
+                }
+                Type::Tuple(parts) => {
+                    for part in parts {
+                        match self.try_solve(&Constraint { kind: Comparable(part), span: constraint.span }) {
+                            Outcome::Solved => {}
+                            other => return other,
+                        }
+                    }
+                    Outcome::Solved
+                }
+                Type::Number(_) | Type::Bool | Type::String | Type::Vector(_) | Type::Error => Outcome::Solved,
+                Type::Observable(_) => Outcome::Failed(self.observable_as_value(constraint.span)),
+                other => {
+                    let shown = self.store.show(&other);
+                    Outcome::Failed(
+                        Diagnostic::error(
+                            "E0304",
+                            format!("a {shown} cannot be compared"),
+                            constraint.span,
+                            format!("this is a {shown}"),
+                        )
+                        .help("numbers, truth values, strings, vectors, and arrays and tuples of them can"),
+                    )
+                }
+            },
+            Printable(a) => match self.store.shallow(a) {
+                Type::Unknown(_) => Outcome::Open,
+                Type::Number(_) | Type::Bool | Type::String | Type::Vector(_) | Type::Error => Outcome::Solved,
+                Type::Array(element) => {
+                    self.try_solve(&Constraint { kind: Printable(*element), span: constraint.span })
+                }
+                Type::Observable(_) => Outcome::Failed(self.observable_as_value(constraint.span)),
+                other => {
+                    let shown = self.store.show(&other);
+                    Outcome::Failed(
+                        Diagnostic::error(
+                            "E0304",
+                            format!("a {shown} has no text form"),
+                            constraint.span,
+                            format!("this is a {shown}"),
+                        )
+                        .help("print numbers, truth values, strings, vectors or arrays of them"),
+                    )
+                }
+            },
+            Index(base, at, element) => match (self.store.shallow(base), at) {
+                (Type::Error, _) => self.fit(constraint, element, &Type::Error),
+                (Type::Unknown(_), _) => Outcome::Open,
+                (Type::Array(inner), _) => self.fit(constraint, element, &inner),
+                (Type::Tuple(parts), Some(at)) => match parts.get(*at) {
+                    Some(part) => self.fit(constraint, element, part),
+                    None => Outcome::Failed(
+                        Diagnostic::error(
+                            "E0305",
+                            format!("this tuple has {} elements, there is no element {at}", parts.len()),
+                            constraint.span,
+                            "index out of range",
+                        )
+                        .help("indices start at 0"),
+                    ),
+                },
+                (Type::Tuple(_), None) => Outcome::Failed(
+                    Diagnostic::error(
+                        "E0305",
+                        "the index of a tuple must be a constant whole number",
+                        constraint.span,
+                        "its elements have different types",
+                    )
+                    .help("make the elements the same type to get an array"),
+                ),
+                (other, _) => {
+                    let shown = self.store.show(&other);
+                    Outcome::Failed(
+                        Diagnostic::error(
+                            "E0305",
+                            format!("a {shown} has no elements to index"),
+                            constraint.span,
+                            format!("this is a {shown}"),
+                        )
+                        .help("only arrays and tuples are indexed"),
+                    )
+                }
+            },
+        }
+    }
+
+    fn bad_operands(
+        &self,
+        verb: &str,
+        preposition: &str,
+        left: &Type,
+        right: &Type,
+        constraint: &Constraint,
+    ) -> Diagnostic {
+        if matches!(left, Type::Observable(_)) || matches!(right, Type::Observable(_)) {
+            return self.observable_as_value(constraint.span);
+        }
+        let (l, r) = (self.store.show(left), self.store.show(right));
+        let help = match (left, right) {
+            (Type::Vector(_), Type::Vector(_)) if verb == "multiply" => "use `dot(a, b)` or `cross(a, b)`",
+            (Type::Vector(_), Type::Transform) => "write the frame first: `frame * point`",
+            (_, Type::Transform) if verb == "divide" => "multiply by `inverse(frame)`",
+            _ => "numbers multiply and divide numbers and vectors; frames multiply frames and points",
+        };
+        Diagnostic::error(
+            "E0304",
+            format!("cannot {verb} a {l} {preposition} a {r}"),
+            constraint.span,
+            format!("{l} and {r}"),
+        )
+        .help(help)
+    }
+}

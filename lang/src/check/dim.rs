@@ -1,0 +1,92 @@
+//! Dimensions under inference: a known part times powers of unknown dimensions.
+//!
+//! These form a vector space over the rationals, so unification is solving one linear equation: any unknown that
+//! occurs can be expressed by the rest. Angle never decides (it is soft), but is carried along for display.
+
+use crate::dimension::{Dimension, Rational};
+use std::collections::BTreeMap;
+
+/// An unknown dimension.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct DimVar(pub u32);
+
+/// `fixed * v1^e1 * v2^e2 ...`; no exponent is zero.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct Dim {
+    pub fixed: Dimension,
+    pub unknowns: BTreeMap<DimVar, Rational>,
+}
+
+impl Dim {
+    pub fn none() -> Dim {
+        Dim::known(Dimension::NONE)
+    }
+
+    pub fn known(fixed: Dimension) -> Dim {
+        Dim { fixed, unknowns: BTreeMap::new() }
+    }
+
+    pub fn unknown(variable: DimVar) -> Dim {
+        Dim { fixed: Dimension::NONE, unknowns: BTreeMap::from([(variable, Rational::ONE)]) }
+    }
+
+    pub fn times(&self, other: &Dim) -> Dim {
+        let mut result = Dim { fixed: self.fixed.times(other.fixed), unknowns: self.unknowns.clone() };
+        for (&variable, &exponent) in &other.unknowns {
+            let sum = add(result.unknowns.get(&variable).copied().unwrap_or(Rational::ZERO), exponent);
+            if sum.is_zero() {
+                result.unknowns.remove(&variable);
+            } else {
+                result.unknowns.insert(variable, sum);
+            }
+        }
+        result
+    }
+
+    pub fn over(&self, other: &Dim) -> Dim {
+        // An exponent of -1 stays in every bound.
+        match other.power(Rational::integer(-1)) {
+            Some(inverse) => self.times(&inverse),
+            None => self.clone(),
+        }
+    }
+
+    /// `None` if an exponent becomes absurd (see [`Dimension::power`]).
+    pub fn power(&self, exponent: Rational) -> Option<Dim> {
+        if exponent.is_zero() {
+            return Some(Dim::none());
+        }
+        let mut unknowns = BTreeMap::new();
+        for (&variable, &e) in &self.unknowns {
+            unknowns.insert(variable, multiply(e, exponent)?);
+        }
+        Some(Dim { fixed: self.fixed.power(exponent)?, unknowns })
+    }
+
+    /// The dimension, once nothing is unknown.
+    pub fn as_known(&self) -> Option<Dimension> {
+        self.unknowns.is_empty().then_some(self.fixed)
+    }
+}
+
+fn add(a: Rational, b: Rational) -> Rational {
+    let (n, d) = (i64::from(a.numerator()), i64::from(a.denominator()));
+    let (m, e) = (i64::from(b.numerator()), i64::from(b.denominator()));
+    // Beyond 32 bits nothing meaningful is left; the old value keeps the checker total.
+    Rational::new(n * e + m * d, d * e).unwrap_or(a)
+}
+
+fn multiply(a: Rational, b: Rational) -> Option<Rational> {
+    Rational::new(
+        i64::from(a.numerator()) * i64::from(b.numerator()),
+        i64::from(a.denominator()) * i64::from(b.denominator()),
+    )
+    .filter(|e| e.numerator().abs() <= 1000 && e.denominator() <= 1000)
+}
+
+/// What the unknown must be for `dim` to be a pure number, given its exponent in `dim`.
+pub fn solve(dim: &Dim, variable: DimVar, exponent: Rational) -> Option<Dim> {
+    let mut rest = dim.clone();
+    rest.unknowns.remove(&variable);
+    rest.power(Rational::new(-i64::from(exponent.denominator()), i64::from(exponent.numerator()))?)
+}

@@ -1,0 +1,119 @@
+//! Ranges and choices: what a param or a library function's parameter may be. Constant values are checked here, others
+//! when the program runs.
+
+use super::constant;
+use super::infer::Checker;
+use super::names::similar;
+use super::tree::Expr;
+use super::types::Type;
+use crate::ast::Domain;
+use crate::diagnostic::Diagnostic;
+use crate::span::Span;
+
+/// A value and what it may be.
+pub struct Check {
+    name: String,
+    /// `None` to check the range alone.
+    value: Option<Expr>,
+    low: Option<Expr>,
+    high: Option<Expr>,
+    choices: Vec<String>,
+    span: Span,
+    /// The range as it is written.
+    text: String,
+}
+
+impl<'a> Checker<'a> {
+    /// Notes a domain to be checked when all types are known. Its ends must have the type `ty`.
+    pub(super) fn domain(&mut self, ty: &Type, domain: Option<&'a Domain>, value: Option<&Expr>, name: &str) {
+        let check = match domain {
+            None => return,
+            Some(Domain::Range { low, high, span }) => {
+                let around = self.constant_place.replace("a range");
+                let mut ends = [None, None];
+                for (end, e) in ends.iter_mut().zip([low, high]) {
+                    if let Some(e) = e {
+                        let e = self.as_value(|c| c.whole(e));
+                        self.expect(ty, &e, &format!("an end of the range of `{name}`"), None);
+                        *end = Some(e);
+                    }
+                }
+                self.constant_place = around;
+                let [low, high] = ends;
+                Check {
+                    name: name.into(),
+                    value: value.cloned(),
+                    low,
+                    high,
+                    choices: Vec::new(),
+                    span: *span,
+                    text: self.text(*span).to_string(),
+                }
+            }
+            Some(Domain::Choices { values, span }) => {
+                let around = self.constant_place.replace("a list of choices");
+                let mut choices = Vec::new();
+                for e in values {
+                    let e = self.as_value(|c| c.expr(e));
+                    self.expect(&Type::String, &e, "a choice", None);
+                    choices.extend(constant::text(&e).map(str::to_string));
+                }
+                self.constant_place = around;
+                let text = self.text(*span).to_string();
+                Check { name: name.into(), value: value.cloned(), low: None, high: None, choices, span: *span, text }
+            }
+        };
+        self.domains.push(check);
+    }
+
+    pub(super) fn check_domains(&mut self) {
+        for check in std::mem::take(&mut self.domains) {
+            let low = check.low.as_ref().and_then(|e| constant::number(e, &self.store));
+            let high = check.high.as_ref().and_then(|e| constant::number(e, &self.store));
+            if let (Some(low), Some(high)) = (low, high)
+                && low > high
+            {
+                self.report(
+                    Diagnostic::error("E0313", format!("the range of `{}` is empty", check.name), check.span, "low end above high end")
+                        .help("write the smaller end first"),
+                );
+            }
+            let Some(value) = &check.value else { continue };
+            if let Some(number) = constant::number(value, &self.store)
+                && (low.is_some_and(|low| number < low) || high.is_some_and(|high| number > high))
+            {
+                let range = check.text.trim_start_matches("in").trim();
+                self.report(
+                    Diagnostic::error(
+                        "E0314",
+                        format!("`{}` must lie in {range}", check.name),
+                        value.span,
+                        "outside the allowed range",
+                    )
+                    .label(check.span, "allowed here")
+                    .help(format!("choose a value in {range}, ends included")),
+                );
+            }
+            if let Some(text) = constant::text(value)
+                && !check.choices.is_empty()
+                && !check.choices.iter().any(|choice| choice == text)
+            {
+                let allowed = check.choices.iter().map(|c| format!("\"{c}\"")).collect::<Vec<_>>().join(", ");
+                let diagnostic = Diagnostic::error(
+                    "E0314",
+                    format!("`{}` cannot be \"{text}\"", check.name),
+                    value.span,
+                    "not among the allowed values",
+                )
+                .label(check.span, "allowed here");
+                let diagnostic = match similar(text, check.choices.iter().map(String::as_str)) {
+                    Some(near) => diagnostic
+                        .help(format!("did you mean \"{near}\"? Allowed: {allowed}"))
+                        .fix(format!("change to \"{near}\""), value.span, format!("\"{near}\"")),
+                    None => diagnostic.help(format!("allowed: {allowed}")),
+                };
+                self.report(diagnostic);
+            }
+        }
+    }
+}

@@ -1,0 +1,526 @@
+//! Expressions: from syntax to typed tree.
+
+use super::builtins::Builtin;
+use super::dim::Dim;
+use super::infer::Checker;
+use super::names::{Constant, NumberConstant, Res, VarKind};
+use super::tree::*;
+use super::types::Type;
+use crate::ast::{self, BinaryOp, ExprKind, UnaryOp};
+use crate::diagnostic::Diagnostic;
+use crate::dimension::{Base, Dimension, Rational};
+use crate::ir::Op;
+use crate::span::Span;
+use crate::units::{Unit, UnitSystem, literal_unit};
+
+/// Where an expression stands.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Position {
+    /// As a whole initialiser or argument: bare literals take their dimension from use.
+    Whole,
+    /// As a part of another expression: a bare literal is a pure number.
+    Part,
+}
+
+impl<'a> Checker<'a> {
+    /// A whole initialiser, argument, returned or assigned value.
+    pub fn whole(&mut self, e: &'a ast::Expr) -> Expr {
+        self.expr_at(e, Position::Whole)
+    }
+
+    pub fn expr(&mut self, e: &'a ast::Expr) -> Expr {
+        self.expr_at(e, Position::Part)
+    }
+
+    /// Checks in a value context (what stands there is computed at once).
+    pub fn as_value<T>(&mut self, work: impl FnOnce(&mut Self) -> T) -> T {
+        let symbolic = std::mem::replace(&mut self.symbolic, false);
+        let result = work(self);
+        self.symbolic = symbolic;
+        result
+    }
+
+    pub fn as_symbolic<T>(&mut self, work: impl FnOnce(&mut Self) -> T) -> T {
+        let symbolic = std::mem::replace(&mut self.symbolic, true);
+        let result = work(self);
+        self.symbolic = symbolic;
+        result
+    }
+
+    pub fn expr_at(&mut self, e: &'a ast::Expr, given: Position) -> Expr {
+        let position = if given == Position::Whole && is_bare(e) { Position::Whole } else { Position::Part };
+        let span = e.span;
+        let (kind, ty) = match &e.kind {
+            ExprKind::Error => (Kind::Error, Type::Error),
+            ExprKind::Number(value) => self.number(*value, position),
+            ExprKind::Quantity { value, unit, exponent, .. } => self.quantity(*value, unit, *exponent),
+            ExprKind::Bool(value) => (Kind::Bool(*value), Type::Bool),
+            ExprKind::String(parts) => self.string(parts),
+            ExprKind::Name(name) => return self.name(name, span),
+            ExprKind::Field { base, field } => return self.field(base, field, span),
+            ExprKind::Call { callee, arguments } => return self.call(callee, arguments, span),
+            ExprKind::Index { base, index } => return self.index(base, index, span),
+            ExprKind::Unary { op, operand } => {
+                let value = self.expr_at(operand, position);
+                let ty = match op {
+                    UnaryOp::Not => {
+                        self.expect(&Type::Bool, &value, "the operand of `!`", None);
+                        Type::Bool
+                    }
+                    UnaryOp::Plus | UnaryOp::Minus => {
+                        let kind = ConstraintKind::Additive(value.ty.clone());
+                        self.constrain(Constraint { kind, span: value.span });
+                        value.ty.clone()
+                    }
+                };
+                match (op, &value.kind) {
+                    (UnaryOp::Plus, _) => (value.kind, ty),
+                    _ => (Kind::Unary(*op, Box::new(value)), ty),
+                }
+            }
+            ExprKind::Binary { op, op_span, left, right } => {
+                return self.binary(*op, *op_span, left, right, position, span);
+            }
+            ExprKind::List(elements) => return self.list(elements, given, span),
+            ExprKind::If { condition, then, otherwise } => {
+                let condition = self.expr(condition);
+                self.expect(&Type::Bool, &condition, "the condition", None);
+                let (a, b) = (self.expr_at(then, given), self.expr_at(otherwise, given));
+                let cause = Some((a.span, format!("the other branch is a {}", self.store.show(&a.ty))));
+                let ty = a.ty.clone();
+                self.expect(&ty, &b, "this branch", cause);
+                (Kind::If(Box::new(condition), Box::new(a), Box::new(b)), ty)
+            }
+            ExprKind::At { value, symbol, at } => return self.at(value, symbol, at, span),
+            ExprKind::Paren(inner) => {
+                let inner = self.expr_at(inner, given);
+                return Expr { span, ..inner };
+            }
+        };
+        Expr { kind, ty, span }
+    }
+
+    fn number(&mut self, value: f64, position: Position) -> (Kind, Type) {
+        if value == 0.0 {
+            return (Kind::Number(value), Type::Number(self.store.fresh_dim()));
+        }
+        match (position, self.system()) {
+            (Position::Whole, Some(system)) => {
+                let dim = self.store.fresh_literal_dim();
+                (Kind::Bare(value, dim.clone(), system), Type::Number(dim))
+            }
+            _ => (Kind::Number(value), Type::number()),
+        }
+    }
+
+    fn quantity(&mut self, value: f64, unit: &ast::Ident, exponent: i32) -> (Kind, Type) {
+        match literal_unit(&unit.name, exponent) {
+            Some(found) => {
+                let dimension = Unit::find(&unit.name)
+                    .and_then(|u| u.dimension.power(Rational::integer(exponent)))
+                    .unwrap_or(Dimension::NONE);
+                (Kind::Number(value * found.factor), Type::quantity(dimension))
+            }
+            None => {
+                let diagnostic = Diagnostic::error(
+                    "E0403",
+                    format!("`{}` is not a unit", unit.name),
+                    unit.span,
+                    "a name right after a number must be a unit",
+                );
+                let diagnostic = match Unit::similar(&unit.name) {
+                    Some(near) => diagnostic.help(format!("did you mean `{near}`?")).fix(
+                        format!("change to `{near}`"),
+                        unit.span,
+                        near,
+                    ),
+                    None => diagnostic.help("write `*` between a number and a variable"),
+                };
+                self.report(diagnostic);
+                (Kind::Error, Type::Error)
+            }
+        }
+    }
+
+    fn string(&mut self, parts: &'a [ast::StringPart]) -> (Kind, Type) {
+        let pieces: Vec<Piece> = parts
+            .iter()
+            .map(|part| match part {
+                ast::StringPart::Text(text) => Piece::Text(text.clone()),
+                ast::StringPart::Value(value) => Piece::Value(self.printable(value)),
+            })
+            .collect();
+        let kind = match pieces.as_slice() {
+            [] => Kind::Text(String::new()),
+            [Piece::Text(text)] => Kind::Text(text.clone()),
+            _ => Kind::Format(pieces, self.system().unwrap_or_default()),
+        };
+        (kind, Type::String)
+    }
+
+    /// A value to be written into text.
+    pub(super) fn printable(&mut self, value: &'a ast::Expr) -> Expr {
+        let value = self.as_value(|c| c.expr(value));
+        let kind = ConstraintKind::Printable(value.ty.clone());
+        self.constrain(Constraint { kind, span: value.span });
+        value
+    }
+
+    fn name(&mut self, name: &ast::Ident, span: Span) -> Expr {
+        let res = self.names.uses.get(&name.span).copied().unwrap_or(Res::Unknown);
+        let (kind, ty) = match res {
+            Res::Var(id) => {
+                if let Some(place) = self.constant_place {
+                    self.report(
+                        Diagnostic::error(
+                            "E0212",
+                            format!("{place} cannot use a variable"),
+                            span,
+                            "this variable has no value yet when params are set",
+                        )
+                        .help("use literals, params declared earlier, and functions of them"),
+                    );
+                    return Expr::error(span);
+                }
+                if self.variable(id).kind == VarKind::Symbolic {
+                    return self.symbolic_name(id, span);
+                }
+                (Kind::Var(id), self.variable_type(id))
+            }
+            Res::Param(id) => match self.params.get(id as usize) {
+                Some(param) => (Kind::Param(id), param.ty.clone()),
+                None => (Kind::Error, Type::Error),
+            },
+            Res::Output(id) => match self.output_defs.get(&id).copied() {
+                Some(def) => return self.use_def(def, span),
+                None => (Kind::Error, Type::Error),
+            },
+            Res::Constant(constant) => return self.constant(constant, span),
+            Res::Unit(unit) => (Kind::Number(unit.factor), Type::quantity(unit.dimension)),
+            Res::Builtin(_) if Unit::find(&name.name).is_some() => {
+                // `min` is a function where it is called and the minute elsewhere.
+                let unit = Unit::find(&name.name);
+                let (factor, dimension) = unit.map_or((1.0, Dimension::NONE), |u| (u.factor, u.dimension));
+                (Kind::Number(factor), Type::quantity(dimension))
+            }
+            Res::Builtin(_) | Res::Function(_) | Res::Extern(_) => {
+                self.report(
+                    Diagnostic::error(
+                        "E0306",
+                        format!("`{}` is a function; functions are not values", name.name),
+                        span,
+                        "not called",
+                    )
+                    .help(format!("call it: `{}(...)`", name.name)),
+                );
+                (Kind::Error, Type::Error)
+            }
+            Res::Module(_) => {
+                self.report(
+                    Diagnostic::error("E0306", format!("`{}` is a module", name.name), span, "not a value")
+                        .help(format!("name something in it: `{}.name`", name.name)),
+                );
+                (Kind::Error, Type::Error)
+            }
+            Res::Unknown => (Kind::Error, Type::Error),
+        };
+        self.observed(Expr { kind, ty, span })
+    }
+
+    /// Inside a `:=` an observable counts as the number it will be.
+    pub(super) fn observed(&mut self, e: Expr) -> Expr {
+        match (self.symbolic, self.store.shallow(&e.ty)) {
+            (true, Type::Observable(dim)) => {
+                let span = e.span;
+                Expr { kind: Kind::Observe(Box::new(e)), ty: Type::Number(dim), span }
+            }
+            _ => e,
+        }
+    }
+
+    fn constant(&mut self, constant: Constant, span: Span) -> Expr {
+        let (kind, ty) = match constant {
+            Constant::Bool(value) => (Kind::Bool(value), Type::Bool),
+            Constant::Number(NumberConstant::Pi) => (Kind::Number(std::f64::consts::PI), Type::number()),
+            Constant::Number(NumberConstant::Infinity) => {
+                (Kind::Number(f64::INFINITY), Type::Number(self.store.fresh_dim()))
+            }
+            Constant::Number(NumberConstant::NotANumber) => {
+                (Kind::Number(f64::NAN), Type::Number(self.store.fresh_dim()))
+            }
+            Constant::Basis(axis) => {
+                let components = (0..3)
+                    .map(|i| Expr {
+                        kind: Kind::Number(f64::from(u8::from(i == axis))),
+                        ty: Type::number(),
+                        span,
+                    })
+                    .collect();
+                (Kind::Op(Op::Vector, components), Type::Vector(Dim::none()))
+            }
+            Constant::Time => {
+                let ty = Type::quantity(Dimension::of(Base::Time));
+                if !self.symbolic {
+                    self.report(self.time_as_value(span));
+                    return Expr { kind: Kind::Error, ty, span };
+                }
+                (Kind::Time, ty)
+            }
+        };
+        Expr { kind, ty, span }
+    }
+
+    fn field(&mut self, base: &'a ast::Expr, field: &'a ast::Ident, span: Span) -> Expr {
+        if let ExprKind::Name(name) = &base.kind
+            && let Some(Res::Module(_)) = self.names.uses.get(&name.span)
+        {
+            return self.name(field, span);
+        }
+        let base = self.expr(base);
+        let op = match field.name.as_str() {
+            "x" => Op::X,
+            "y" => Op::Y,
+            "z" => Op::Z,
+            _ => {
+                if !matches!(self.store.shallow(&base.ty), Type::Error) {
+                    self.report(
+                        Diagnostic::error(
+                            "E0307",
+                            format!("a {} has no field `{}`", self.store.show(&base.ty), field.name),
+                            field.span,
+                            "no such field",
+                        )
+                        .help("vectors have `.x`, `.y` and `.z`"),
+                    );
+                }
+                return Expr::error(span);
+            }
+        };
+        let (vector, dim) = self.fresh_vector();
+        self.expect(&vector, &base, &format!("what stands before `.{}`", field.name), None);
+        Expr { kind: Kind::Op(op, vec![base]), ty: Type::Number(dim), span }
+    }
+
+    fn index(&mut self, base: &'a ast::Expr, index: &'a ast::Expr, span: Span) -> Expr {
+        let constant = constant_index(index);
+        let (base, index) = self.as_value(|c| (c.expr(base), c.expr(index)));
+        self.expect(&Type::number(), &index, "an index", None);
+        let element = self.store.fresh();
+        let tuple = matches!(self.store.shallow(&base.ty), Type::Tuple(_));
+        self.constrain(Constraint {
+            kind: ConstraintKind::Index(base.ty.clone(), constant.filter(|_| tuple), element.clone()),
+            span,
+        });
+        let kind = match constant {
+            Some(at) if tuple => Kind::TupleElement(Box::new(base), at),
+            _ => Kind::Index(Box::new(base), Box::new(index)),
+        };
+        self.observed(Expr { kind, ty: element, span })
+    }
+
+    /// Brackets: an array, unless the elements are known to differ.
+    fn list(&mut self, elements: &'a [ast::Expr], given: Position, span: Span) -> Expr {
+        let elements: Vec<Expr> = elements.iter().map(|e| self.expr_at(e, given)).collect();
+        let element = self.store.fresh();
+        let trial = self.store.clone();
+        let same = elements.iter().all(|e| self.store.unify(&element, &e.ty).is_ok());
+        if same {
+            return Expr { kind: Kind::Array(elements), ty: Type::array(element), span };
+        }
+        self.store = trial;
+        let ty = Type::Tuple(elements.iter().map(|e| e.ty.clone()).collect());
+        Expr { kind: Kind::Tuple(elements), ty, span }
+    }
+
+    fn binary(
+        &mut self,
+        op: BinaryOp,
+        op_span: Span,
+        left: &'a ast::Expr,
+        right: &'a ast::Expr,
+        position: Position,
+        span: Span,
+    ) -> Expr {
+        if op == BinaryOp::Power {
+            return self.power(left, right, span);
+        }
+        if let (BinaryOp::Divide, ExprKind::Number(value), ExprKind::Quantity { .. }) = (op, &left.kind, &right.kind) {
+            let text = self.text(right.span).to_string();
+            self.report(
+                Diagnostic::warning(
+                    "W0401",
+                    format!("`{}` is {value}/({text})", self.text(span)),
+                    span,
+                    "a unit binds tighter than `/`",
+                )
+                .help("use parentheses to say which is meant"),
+            );
+        }
+        let (a, b) = (self.expr_at(left, position), self.expr_at(right, position));
+        let ty = match op {
+            BinaryOp::And | BinaryOp::Or => {
+                let what = if op == BinaryOp::And { "an operand of `&`" } else { "an operand of `|`" };
+                self.expect(&Type::Bool, &a, what, None);
+                self.expect(&Type::Bool, &b, what, None);
+                Type::Bool
+            }
+            BinaryOp::Less | BinaryOp::LessEqual | BinaryOp::Greater | BinaryOp::GreaterEqual => {
+                let number = self.fresh_number();
+                self.expect(&number, &a, "what is ordered", None);
+                self.same(&a, &b, op_span, "compare");
+                Type::Bool
+            }
+            BinaryOp::Equal | BinaryOp::NotEqual => {
+                self.same(&a, &b, op_span, "compare");
+                let kind = ConstraintKind::Comparable(a.ty.clone());
+                self.constrain(Constraint { kind, span: a.span });
+                Type::Bool
+            }
+            BinaryOp::Add | BinaryOp::Subtract => {
+                let kind = ConstraintKind::Additive(a.ty.clone());
+                self.constrain(Constraint { kind, span: a.span });
+                let verb = if op == BinaryOp::Add { "add" } else { "subtract" };
+                self.same(&a, &b, op_span, verb);
+                a.ty.clone()
+            }
+            BinaryOp::Multiply | BinaryOp::Divide => {
+                let result = self.store.fresh();
+                let (l, r) = (a.ty.clone(), b.ty.clone());
+                let kind = if op == BinaryOp::Multiply {
+                    ConstraintKind::Multiply(l, r, result.clone())
+                } else {
+                    ConstraintKind::Divide(l, r, result.clone())
+                };
+                self.constrain(Constraint { kind, span: op_span });
+                result
+            }
+            // Handled above.
+            BinaryOp::Power => Type::Error,
+        };
+        Expr { kind: Kind::Binary(op, Box::new(a), Box::new(b)), ty, span }
+    }
+
+    fn power(&mut self, left: &'a ast::Expr, right: &'a ast::Expr, span: Span) -> Expr {
+        let (base, exponent) = (self.expr(left), self.expr(right));
+        self.expect(&Type::number(), &exponent, "an exponent", None);
+        let dim = self.store.fresh_dim();
+        self.expect(&Type::Number(dim.clone()), &base, "the base of `^`", None);
+        let ty = match super::constant::number(&exponent, &self.store) {
+            Some(value) => match Rational::from_f64(value).and_then(|r| self.store.dim(&dim).power(r)) {
+                Some(power) => Type::Number(power),
+                None => self.pure_base(&base, "an exponent that is no simple fraction"),
+            },
+            None => self.pure_base(&base, "an exponent that is not constant"),
+        };
+        Expr { kind: Kind::Binary(BinaryOp::Power, Box::new(base), Box::new(exponent)), ty, span }
+    }
+
+    fn pure_base(&mut self, base: &Expr, why: &str) -> Type {
+        self.expect(&Type::number(), base, &format!("the base of {why}"), None);
+        Type::number()
+    }
+
+    fn at(&mut self, value: &'a ast::Expr, symbol: &ast::Ident, at: &'a ast::Expr, span: Span) -> Expr {
+        let Some((sym, dim)) = self.symbol(symbol) else {
+            return Expr::error(span);
+        };
+        let time = self.whole(at);
+        let what = format!("the value of `{}`", symbol.name);
+        self.expect(&Type::Number(dim), &time, &what, None);
+        let inner = self.as_symbolic(|c| c.expr(value));
+        let ty = inner.ty.clone();
+        if self.symbolic {
+            return Expr { kind: Kind::At(Box::new(inner), sym, Box::new(time)), ty, span };
+        }
+        match sym {
+            Sym::Time => {
+                let def = self.make_def("at", inner, span);
+                Expr { kind: Kind::Eval(def, Some(Box::new(time))), ty, span }
+            }
+            Sym::Param(_) => {
+                let whole = Expr { kind: Kind::At(Box::new(inner), sym, Box::new(time)), ty, span };
+                self.evaluate_now(whole, "at")
+            }
+        }
+    }
+
+    /// What can be differentiated by or given a value: `Time` or a number param.
+    pub(super) fn symbol(&mut self, name: &ast::Ident) -> Option<(Sym, Dim)> {
+        match self.names.uses.get(&name.span).copied() {
+            Some(Res::Constant(Constant::Time)) => Some((Sym::Time, Dim::known(Dimension::of(Base::Time)))),
+            Some(Res::Param(id)) => match self.params.get(id as usize).map(|param| self.store.shallow(&param.ty)) {
+                Some(Type::Number(dim)) => Some((Sym::Param(id), dim)),
+                Some(Type::Error) | None => None,
+                Some(_) => {
+                    self.bad_symbol(name, "this param is no number");
+                    None
+                }
+            },
+            Some(Res::Unknown) | None => None,
+            Some(_) => {
+                self.bad_symbol(name, "not a symbol");
+                None
+            }
+        }
+    }
+
+    fn bad_symbol(&mut self, name: &ast::Ident, label: &str) {
+        self.report(
+            Diagnostic::error("E0506", format!("`{}` is neither `Time` nor a number param", name.name), name.span, label)
+                .help("only `Time` and params stay symbols in an expression"),
+        );
+    }
+
+    /// Whether a name is a builtin where it is called.
+    pub(super) fn builtin(&self, name: &ast::Ident) -> Option<Builtin> {
+        match self.names.uses.get(&name.span) {
+            Some(Res::Builtin(builtin)) => Some(*builtin),
+            _ => None,
+        }
+    }
+
+    /// The unit system in which this file's text shows numbers.
+    pub(super) fn shown_system(&self) -> UnitSystem {
+        self.system().unwrap_or_default()
+    }
+}
+
+/// Whether bare literals in this expression take their dimension from use: a signed literal, a literal times a
+/// basis vector, sums of these. (Of arrays and choices each part is judged alone.)
+pub fn is_bare(e: &ast::Expr) -> bool {
+    match &e.kind {
+        ExprKind::Number(_) => true,
+        ExprKind::Paren(inner) => is_bare(inner),
+        ExprKind::Unary { op: UnaryOp::Plus | UnaryOp::Minus, operand } => is_bare(operand),
+        ExprKind::Binary { op: BinaryOp::Add | BinaryOp::Subtract, left, right, .. } => is_bare(left) && is_bare(right),
+        ExprKind::Binary { op: BinaryOp::Multiply, left, right, .. } => {
+            (is_literal(left) && is_basis(right)) || (is_basis(left) && is_literal(right))
+        }
+        _ => false,
+    }
+}
+
+fn is_literal(e: &ast::Expr) -> bool {
+    match &e.kind {
+        ExprKind::Number(_) => true,
+        ExprKind::Paren(inner) => is_literal(inner),
+        ExprKind::Unary { op: UnaryOp::Plus | UnaryOp::Minus, operand } => is_literal(operand),
+        _ => false,
+    }
+}
+
+fn is_basis(e: &ast::Expr) -> bool {
+    match &e.kind {
+        ExprKind::Name(name) => matches!(super::builtins::constant(&name.name), Some(Constant::Basis(_))),
+        ExprKind::Paren(inner) => is_basis(inner),
+        _ => false,
+    }
+}
+
+fn constant_index(e: &ast::Expr) -> Option<usize> {
+    match &e.kind {
+        ExprKind::Number(value) if *value >= 0.0 && value.fract() == 0.0 && *value < 1e6 => Some(*value as usize),
+        ExprKind::Paren(inner) => constant_index(inner),
+        _ => None,
+    }
+}

@@ -1,0 +1,553 @@
+//! Inference of types and dimensions: the state of it, and functions as a whole.
+//!
+//! Hindley and Milner's method with two kinds of unknowns. A function's scheme follows from its own body and the
+//! schemes of the functions it names; functions that name each other form a group and have one type inside it.
+
+use super::ModuleData;
+use super::dim::Dim;
+use super::names::{FunctionInfo, Names, VarKind, Variable};
+use super::tree::*;
+use super::types::{Mismatch, Store, Substitution, Type};
+use crate::ast;
+use crate::diagnostic::Diagnostic;
+use crate::span::{FileId, Span};
+use crate::units::UnitSystem;
+use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
+
+/// Which `:=` a symbolic name has at some point of the text.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Reaching {
+    One(DefId),
+    Several,
+}
+
+/// A function's type, known before its body is.
+#[derive(Clone, Debug)]
+pub struct Signature {
+    pub parameters: Vec<Type>,
+    pub result: Type,
+    /// `None` while its group is being inferred.
+    pub scheme: Option<Scheme>,
+}
+
+pub struct Checker<'a> {
+    pub modules: &'a [ModuleData],
+    pub names: Names<'a>,
+    pub store: Store,
+    pub diagnostics: Vec<Diagnostic>,
+    pub functions: HashMap<FuncId, Function>,
+    pub instances: Vec<Substitution>,
+    pub defs: Vec<Def>,
+    pub params: Vec<Param>,
+    pub outputs: Vec<Output>,
+    pub handles: BTreeSet<String>,
+    /// Who depends on whom, for derivatives by params of values.
+    pub dependence: super::dependence::Dependence,
+    pub(super) signatures: HashMap<FuncId, Signature>,
+    pub(super) pending: Vec<Constraint>,
+    pub(super) reaching: HashMap<VarId, Reaching>,
+    /// Symbolic names that are bound in more than one place.
+    pub(super) rebound: HashSet<VarId>,
+    /// Definitions of outputs, which may be named in later expressions.
+    pub(super) output_defs: HashMap<u32, DefId>,
+    /// Inside a `:=` expression.
+    pub(super) symbolic: bool,
+    /// In an expression that is evaluated before the program runs (`a param's default`).
+    pub(super) constant_place: Option<&'static str>,
+    /// `switch` statements around, innermost last: the value and the cases so far.
+    pub(super) switches: Vec<(Expr, Vec<Expr>)>,
+    /// Ranges and choices to check once types are known.
+    pub(super) domains: Vec<super::domains::Check>,
+    pub(super) function: FuncId,
+    pub(super) file: FileId,
+    groups: HashMap<FuncId, Vec<FuncId>>,
+    variable_types: HashMap<VarId, Type>,
+}
+
+impl<'a> Checker<'a> {
+    pub fn new(modules: &'a [ModuleData], names: Names<'a>) -> Self {
+        let groups = recursive_groups(&names.functions);
+        let mut checker = Checker {
+            modules,
+            names,
+            store: Store::default(),
+            diagnostics: Vec::new(),
+            functions: HashMap::new(),
+            instances: Vec::new(),
+            defs: Vec::new(),
+            params: Vec::new(),
+            outputs: Vec::new(),
+            handles: BTreeSet::new(),
+            dependence: Default::default(),
+            signatures: HashMap::new(),
+            pending: Vec::new(),
+            reaching: HashMap::new(),
+            rebound: HashSet::new(),
+            output_defs: HashMap::new(),
+            symbolic: false,
+            constant_place: None,
+            switches: Vec::new(),
+            domains: Vec::new(),
+            function: FuncId(0),
+            file: FileId(0),
+            groups,
+            variable_types: HashMap::new(),
+        };
+        checker.collect_handles();
+        checker
+    }
+
+    /// Infers the whole program. `functions[0]` is the model's top level afterwards.
+    pub fn program(&mut self) {
+        let modules = self.modules;
+        let Some(model) = modules.first() else { return };
+        self.declare_params();
+        self.find_rebound(&model.tree.statements);
+        let body = self.statements(&model.tree.statements);
+        let span = Span::new(FileId(0), 0, model.text.len());
+        self.functions.insert(
+            FuncId(0),
+            Function {
+                name: "main".into(),
+                parameters: Vec::new(),
+                result: Type::Unit,
+                body,
+                scheme: Scheme::default(),
+                span,
+            },
+        );
+        for index in 1..self.names.functions.len() {
+            self.ensure_inferred(FuncId(index as u32));
+        }
+        self.check_extern_declarations();
+        self.finish_constraints();
+        self.finish_params();
+        self.finish_definitions();
+        self.check_domains();
+    }
+
+    pub fn variable(&self, id: VarId) -> &Variable {
+        &self.names.variables[id.0 as usize]
+    }
+
+    pub fn variable_type(&mut self, id: VarId) -> Type {
+        if let Some(ty) = self.variable_types.get(&id) {
+            return ty.clone();
+        }
+        let ty = self.store.fresh();
+        self.variable_types.insert(id, ty.clone());
+        ty
+    }
+
+    /// The type found for a variable.
+    pub fn type_of(&self, id: VarId) -> Type {
+        self.variable_types.get(&id).cloned().unwrap_or(Type::Error)
+    }
+
+    /// A variable that holds a value captured by a `:=`, shown to people as `name`.
+    pub fn hidden_variable(&mut self, name: &str, span: Span, ty: Type) -> VarId {
+        let id = VarId(self.names.variables.len() as u32);
+        self.names.variables.push(Variable {
+            name: name.into(),
+            span,
+            kind: VarKind::Hidden,
+            owner: self.function,
+            reads: 1,
+        });
+        self.variable_types.insert(id, ty);
+        id
+    }
+
+    /// The unit system declared in the file being checked.
+    pub fn system(&self) -> Option<UnitSystem> {
+        self.modules.iter().find(|module| module.file == self.file).and_then(|module| module.system)
+    }
+
+    pub fn text(&self, span: Span) -> &'a str {
+        let modules = self.modules;
+        modules
+            .iter()
+            .find(|module| module.file == span.file)
+            .and_then(|module| module.text.get(span.start as usize..span.end as usize))
+            .unwrap_or("")
+    }
+
+    /// Reports once, however often a place is visited.
+    pub fn report(&mut self, diagnostic: Diagnostic) {
+        let known = self.diagnostics.iter().any(|other| {
+            other.code == diagnostic.code
+                && other.primary.span == diagnostic.primary.span
+                && other.message == diagnostic.message
+        });
+        if !known {
+            self.diagnostics.push(diagnostic);
+        }
+    }
+
+    pub fn not_yet(&mut self, what: &str, span: Span) {
+        self.report(
+            Diagnostic::error("E0190", format!("{what} not available yet"), span, "not supported by this version")
+                .help("write it another way for now"),
+        );
+    }
+
+    /// Demands that a checked expression has a type. `what` names the place it is put in (`argument `teeth``), `cause`
+    /// is where that place got its type.
+    pub fn expect(&mut self, expected: &Type, found: &Expr, what: &str, cause: Option<(Span, String)>) {
+        if let Err(mismatch) = self.store.unify(expected, &found.ty) {
+            self.mismatch(mismatch, expected, found, what, cause);
+        }
+    }
+
+    fn mismatch(
+        &mut self,
+        mismatch: Mismatch,
+        expected: &Type,
+        found: &Expr,
+        what: &str,
+        cause: Option<(Span, String)>,
+    ) {
+        let (wanted, got) = (self.store.show(expected), self.store.show(&found.ty));
+        if let Mismatch::Dimension(wanted, got) = mismatch {
+            return self.dimension_mismatch(&wanted, &got, found, what, cause);
+        }
+        let resolved = (self.store.shallow(expected), self.store.shallow(&found.ty));
+        let mut diagnostic = match (&mismatch, &resolved) {
+            (Mismatch::Infinite, _) => {
+                Diagnostic::error("E0302", "a value cannot contain itself", found.span, "its type would be infinite")
+                    .help("use another variable")
+            }
+            (_, (_, Type::Observable(_))) => self.observable_as_value(found.span),
+            (_, (_, Type::Unit)) => Diagnostic::error(
+                "E0303",
+                format!("{what} needs a value, and this call returns nothing"),
+                found.span,
+                "no value here",
+            )
+            .help("call it as a statement, or give the function a `return` with a value"),
+            _ => Diagnostic::error(
+                "E0301",
+                format!("{what} must be a {wanted}, not a {got}"),
+                found.span,
+                format!("this is a {got}"),
+            )
+            .help(self.kind_help(&resolved.0, &resolved.1)),
+        };
+        if let Some((span, message)) = cause {
+            diagnostic = diagnostic.label(span, message);
+        }
+        self.report(diagnostic);
+    }
+
+    fn kind_help(&self, expected: &Type, found: &Type) -> String {
+        match (expected, found) {
+            (Type::String, _) => "put it into a string: `\"{...}\"`".into(),
+            (Type::Array(_), _) => "put it into brackets: `[...]`".into(),
+            (Type::Vector(_), Type::Number(_)) => "multiply it by a basis vector: `... * e3`".into(),
+            (Type::Number(_), Type::Vector(_)) => "take a component (`.x`, `.y`, `.z`) or `norm(...)`".into(),
+            (Type::Bool, Type::Number(_)) => "compare it: `... != 0`".into(),
+            (Type::Transform, Type::Vector(_)) => "make a frame of it: `Translate(...)`".into(),
+            (Type::Handle(name), _) => format!("give a {name}"),
+            _ => format!("give a {}", self.store.show(expected)),
+        }
+    }
+
+    pub(super) fn observable_as_value(&self, span: Span) -> Diagnostic {
+        Diagnostic::error(
+            "E0505",
+            "an observable has a value only at each step of an analysis",
+            span,
+            "this is an observable",
+        )
+        .help("bind the expression with `:=`, or declare it as an `output`")
+    }
+
+    // Functions.
+
+    /// Infers a function and its group if that has not been done.
+    pub fn ensure_inferred(&mut self, id: FuncId) {
+        if self.signatures.contains_key(&id) {
+            return;
+        }
+        let Some(group) = self.groups.get(&id).cloned() else { return };
+        for &member in &group {
+            let callees: Vec<_> = self.names.functions[member.0 as usize].callees.iter().copied().collect();
+            for callee in callees.into_iter().filter(|callee| !group.contains(callee)) {
+                self.ensure_inferred(callee);
+            }
+        }
+        // A callee's body may have been reached through its enclosing function, which is in this group.
+        if self.signatures.contains_key(&id) {
+            return;
+        }
+        let outer_constraints = std::mem::take(&mut self.pending);
+        for &member in &group {
+            self.declare_signature(member);
+        }
+        for &member in &group {
+            self.function_body(member);
+        }
+        self.solve_constraints();
+        let inner = std::mem::replace(&mut self.pending, outer_constraints);
+        self.generalise(&group, inner);
+    }
+
+    fn declare_signature(&mut self, id: FuncId) {
+        let Some(decl) = self.names.functions[id.0 as usize].decl else { return };
+        let file = std::mem::replace(&mut self.file, self.names.functions[id.0 as usize].file);
+        let variables = self.names.functions[id.0 as usize].parameters.clone();
+        let mut parameters = Vec::new();
+        for (parameter, variable) in decl.parameters.iter().zip(variables) {
+            let ty = self.variable_type(variable);
+            if let Some(annotation) = &parameter.annotation {
+                let annotated = self.annotation(annotation, false);
+                // A fresh unknown takes any type.
+                let _ = self.store.unify(&ty, &annotated);
+            }
+            parameters.push(ty);
+        }
+        let result = match &decl.result {
+            Some(annotation) => self.annotation(annotation, false),
+            None => self.store.fresh(),
+        };
+        self.signatures.insert(id, Signature { parameters, result, scheme: None });
+        self.file = file;
+    }
+
+    fn function_body(&mut self, id: FuncId) {
+        let Some(decl) = self.names.functions[id.0 as usize].decl else { return };
+        let file = std::mem::replace(&mut self.file, self.names.functions[id.0 as usize].file);
+        let function = std::mem::replace(&mut self.function, id);
+        let symbolic = std::mem::replace(&mut self.symbolic, false);
+        let reaching = self.reaching.clone();
+        let variables = self.names.functions[id.0 as usize].parameters.clone();
+        for (parameter, &variable) in decl.parameters.iter().zip(&variables) {
+            match &parameter.default {
+                Some((ast::Bind::Evaluate, Some(default))) => {
+                    let ty = self.variable_type(variable);
+                    self.parameter_default(&ty, &parameter.name, default);
+                }
+                Some((ast::Bind::Symbolic, _)) => self.not_yet("symbolic parameters are", parameter.name.span),
+                _ => {}
+            }
+            if let Some(domain) = &parameter.domain {
+                let span = match domain {
+                    ast::Domain::Range { span, .. } | ast::Domain::Choices { span, .. } => *span,
+                };
+                self.not_yet("ranges and choices of a function's own parameters are", span);
+            }
+        }
+        let mut body = Vec::new();
+        match &decl.body {
+            ast::FunctionBody::Statement(statement) => match &statement.kind {
+                ast::StmtKind::Block(statements) => {
+                    self.find_rebound(statements);
+                    body = self.statements(statements);
+                }
+                _ => body.push(self.statement(statement)),
+            },
+            ast::FunctionBody::Symbolic(_) => self.not_yet("symbolic functions are", decl.name.span),
+            ast::FunctionBody::Extern { .. } => {}
+        }
+        let returns = body.iter().any(returns_value);
+        let result = self.signatures.get(&id).map_or(Type::Unit, |signature| signature.result.clone());
+        if !returns && matches!(self.store.shallow(&result), Type::Unknown(_)) {
+            let _ = self.store.unify(&result, &Type::Unit);
+        }
+        self.functions.insert(
+            id,
+            Function {
+                name: decl.name.name.clone(),
+                parameters: variables.iter().copied().zip(decl.parameters.iter().map(|p| p.mode)).collect(),
+                result,
+                body,
+                scheme: Scheme::default(),
+                span: decl.name.span,
+            },
+        );
+        self.reaching = reaching;
+        self.symbolic = symbolic;
+        self.function = function;
+        self.file = file;
+    }
+
+    /// Closes the types of a group over what nothing outside can still decide.
+    fn generalise(&mut self, group: &[FuncId], constraints: Vec<Constraint>) {
+        let (mut types, mut dims) = (BTreeSet::new(), BTreeSet::new());
+        for &member in group {
+            let Some(signature) = self.signatures.get(&member) else { continue };
+            for ty in signature.parameters.iter().chain([&signature.result]) {
+                self.store.unknowns(ty, &mut types, &mut dims);
+            }
+        }
+        // Unknowns of local variables that no parameter decides: they become defaults per instance.
+        let inside: BTreeSet<FuncId> = self.inside(group);
+        let (mut outer_types, mut outer_dims) = (BTreeSet::new(), BTreeSet::new());
+        for (id, ty) in &self.variable_types {
+            if !inside.contains(&self.names.variables[id.0 as usize].owner) {
+                self.store.unknowns(ty, &mut outer_types, &mut outer_dims);
+            }
+        }
+        for param in &self.params {
+            self.store.unknowns(&param.ty, &mut outer_types, &mut outer_dims);
+        }
+        types.retain(|v| !outer_types.contains(v));
+        dims.retain(|v| !outer_dims.contains(v) && !self.store.is_literal(*v));
+        // A constraint on a quantified type quantifies what else it mentions.
+        let mut own = Vec::new();
+        let mut rest = constraints;
+        loop {
+            let (taken, left): (Vec<_>, Vec<_>) = rest.into_iter().partition(|constraint| {
+                let (mut t, mut d) = (BTreeSet::new(), BTreeSet::new());
+                constraint.types().iter().for_each(|ty| self.store.unknowns(ty, &mut t, &mut d));
+                !t.is_disjoint(&types)
+            });
+            rest = left;
+            if taken.is_empty() {
+                break;
+            }
+            for constraint in taken {
+                let (mut t, mut d) = (BTreeSet::new(), BTreeSet::new());
+                constraint.types().iter().for_each(|ty| self.store.unknowns(ty, &mut t, &mut d));
+                types.extend(t.into_iter().filter(|v| !outer_types.contains(v)));
+                dims.extend(d.into_iter().filter(|v| !outer_dims.contains(v) && !self.store.is_literal(*v)));
+                own.push(constraint);
+            }
+        }
+        self.pending.extend(rest);
+        let scheme = Scheme {
+            types: types.into_iter().collect(),
+            dims: dims.into_iter().collect(),
+            constraints: own,
+        };
+        for member in group {
+            if let Some(signature) = self.signatures.get_mut(member) {
+                signature.scheme = Some(scheme.clone());
+            }
+            if let Some(function) = self.functions.get_mut(member) {
+                function.scheme = scheme.clone();
+            }
+        }
+    }
+
+    /// The functions of a group and those nested in them.
+    fn inside(&self, group: &[FuncId]) -> BTreeSet<FuncId> {
+        let mut inside: BTreeSet<FuncId> = group.iter().copied().collect();
+        // A nested function has a higher number than the one around it only within one block; look up the chain.
+        for index in 0..self.names.functions.len() {
+            let mut at = Some(FuncId(index as u32));
+            while let Some(id) = at {
+                if group.contains(&id) {
+                    inside.insert(FuncId(index as u32));
+                    break;
+                }
+                at = self.names.functions[id.0 as usize].parent;
+            }
+        }
+        inside
+    }
+
+    /// A use of a function: its parameter types and result with fresh unknowns.
+    pub fn instantiate(&mut self, id: FuncId, span: Span) -> (Vec<Type>, Type, UseId) {
+        self.ensure_inferred(id);
+        let Some(signature) = self.signatures.get(&id).cloned() else {
+            return (Vec::new(), Type::Error, UseId(0));
+        };
+        let mut substitution = Substitution::default();
+        if let Some(scheme) = &signature.scheme {
+            for &variable in &scheme.types {
+                let fresh = self.store.fresh();
+                substitution.types.insert(variable, fresh);
+            }
+            for &variable in &scheme.dims {
+                let fresh = self.store.fresh_dim();
+                substitution.dims.insert(variable, fresh);
+            }
+            for constraint in &scheme.constraints {
+                self.pending.push(Constraint {
+                    kind: constraint.map(|ty| substitution.ty(&self.store, ty)),
+                    span,
+                });
+            }
+        }
+        let parameters = signature.parameters.iter().map(|ty| substitution.ty(&self.store, ty)).collect();
+        let result = substitution.ty(&self.store, &signature.result);
+        self.instances.push(substitution);
+        (parameters, result, UseId(self.instances.len() as u32 - 1))
+    }
+
+    /// Types of what the model declares at its top level.
+    pub fn shown_types(&self) -> BTreeMap<String, String> {
+        let variables = self.names.variables.iter().enumerate().filter_map(|(index, variable)| {
+            let ty = self.variable_types.get(&VarId(index as u32))?;
+            let shown = variable.owner == FuncId(0) && variable.kind != VarKind::Hidden && variable.span.file == FileId(0);
+            shown.then(|| (variable.name.clone(), self.store.show(ty)))
+        });
+        let params = self.params.iter().map(|param| (param.name.clone(), self.store.show(&param.ty)));
+        let outputs = self.outputs.iter().map(|output| (output.name.clone(), self.store.show(&output.ty)));
+        variables.chain(params).chain(outputs).collect()
+    }
+
+    /// The result type of the function being checked; `Unit` at the top level.
+    pub fn current_result(&self) -> Type {
+        self.signatures.get(&self.function).map_or(Type::Unit, |signature| signature.result.clone())
+    }
+
+    pub fn fresh_number(&mut self) -> Type {
+        Type::Number(self.store.fresh_dim())
+    }
+
+    pub fn fresh_vector(&mut self) -> (Type, Dim) {
+        let dim = self.store.fresh_dim();
+        (Type::Vector(dim.clone()), dim)
+    }
+}
+
+fn returns_value(statement: &Stmt) -> bool {
+    let mut found = false;
+    statement.walk(&mut |s| found |= matches!(s.kind, StmtKind::Return(Some(_))));
+    found
+}
+
+/// Functions that name each other, by Tarjan's algorithm. The top level belongs to none.
+fn recursive_groups(functions: &[FunctionInfo<'_>]) -> HashMap<FuncId, Vec<FuncId>> {
+    struct Search<'s, 'a> {
+        functions: &'s [FunctionInfo<'a>],
+        index: HashMap<FuncId, (usize, usize)>,
+        stack: Vec<FuncId>,
+        groups: HashMap<FuncId, Vec<FuncId>>,
+    }
+    impl Search<'_, '_> {
+        fn visit(&mut self, id: FuncId) -> usize {
+            let own = self.index.len();
+            self.index.insert(id, (own, own));
+            self.stack.push(id);
+            let mut low = own;
+            let functions = self.functions;
+            for &callee in &functions[id.0 as usize].callees {
+                match self.index.get(&callee) {
+                    None => low = low.min(self.visit(callee)),
+                    Some(&(index, _)) if self.stack.contains(&callee) => low = low.min(index),
+                    _ => {}
+                }
+            }
+            if low == own {
+                let at = self.stack.iter().position(|other| *other == id).unwrap_or(0);
+                let mut group = self.stack.split_off(at);
+                group.sort();
+                for &member in &group {
+                    self.groups.insert(member, group.clone());
+                }
+            }
+            low
+        }
+    }
+    let mut search = Search { functions, index: HashMap::new(), stack: Vec::new(), groups: HashMap::new() };
+    for index in 1..functions.len() {
+        let id = FuncId(index as u32);
+        if !search.index.contains_key(&id) {
+            search.visit(id);
+        }
+    }
+    search.groups
+}

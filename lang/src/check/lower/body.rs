@@ -1,0 +1,532 @@
+//! One function: statements to a graph of basic blocks.
+
+use super::Lowering;
+use super::values::own_value;
+use crate::ast::Mode;
+use crate::check::flow;
+use crate::check::names::similar;
+use crate::check::tree::{Call, Expr, FuncId, Kind, Stmt, StmtKind, VarId};
+use crate::check::types::{Substitution, Type};
+use crate::diagnostic::Diagnostic;
+use crate::ir::{self, Block, BlockId, ExprKind, Function, Local, LocalId, Op, Statement, Terminator};
+use crate::span::{FileId, Span};
+use calyx_abi::{Purity, Repr};
+use std::collections::{HashMap, HashSet};
+
+/// Where `break` and `continue` lead.
+struct Exit {
+    on_break: usize,
+    on_continue: Option<usize>,
+}
+
+struct Draft {
+    statements: Vec<Statement>,
+    terminator: Option<Terminator>,
+}
+
+pub(super) struct Body<'l, 'c, 'a> {
+    pub(super) lowering: &'l mut Lowering<'c, 'a>,
+    /// Types of the unknowns of the function's scheme in this instance.
+    pub(super) types: Substitution,
+    /// Of the statement under way.
+    pub(super) span: Span,
+    function: FuncId,
+    locals: Vec<Local>,
+    by_variable: HashMap<VarId, LocalId>,
+    blocks: Vec<Draft>,
+    current: usize,
+    /// Control can get to where the next statement is put.
+    alive: bool,
+    reached: HashSet<usize>,
+    exits: Vec<Exit>,
+    labels: Vec<HashMap<String, usize>>,
+    cases: Vec<HashMap<Span, usize>>,
+}
+
+impl<'l, 'c, 'a> Body<'l, 'c, 'a> {
+    fn new(lowering: &'l mut Lowering<'c, 'a>, function: FuncId, types: Substitution) -> Self {
+        Body {
+            lowering,
+            types,
+            span: Span::default(),
+            function,
+            locals: Vec::new(),
+            by_variable: HashMap::new(),
+            blocks: vec![Draft { statements: Vec::new(), terminator: None }],
+            current: 0,
+            alive: true,
+            reached: HashSet::from([0]),
+            exits: Vec::new(),
+            labels: Vec::new(),
+            cases: Vec::new(),
+        }
+    }
+
+    /// Lowers a function and checks its flow of control.
+    pub(super) fn lower(lowering: &'l mut Lowering<'c, 'a>, id: FuncId, types: Substitution) -> Function {
+        let checker = lowering.checker;
+        let mut body = Body::new(lowering, id, types);
+        let Some(function) = checker.functions.get(&id) else {
+            return body.finish("", Vec::new(), Repr::Unit, Span::default());
+        };
+        let modes = body.lowering.modes(id);
+        let parameters: Vec<(LocalId, Mode)> = modes.into_iter().map(|(v, mode)| (body.local(v), mode)).collect();
+        let result = body.repr(&function.result);
+        body.span = function.span;
+        body.block(&function.body);
+        if body.alive {
+            if result != Repr::Unit {
+                body.lowering.report(
+                    Diagnostic::error(
+                        "E0317",
+                        format!("`{}` can end without returning a value", function.name),
+                        function.span,
+                        "not every way through it ends in `return`",
+                    )
+                    .help("add a `return` with a value at its end"),
+                );
+            }
+            body.end(Terminator::Return(None));
+        }
+        let lowered = body.finish(&function.name, parameters, result, function.span);
+        let shown = function.span.file == FileId(0);
+        let found = flow::check(&lowered, shown);
+        for diagnostic in found {
+            lowering.report(diagnostic);
+        }
+        lowered
+    }
+
+    /// A function that returns the value of an expression.
+    pub(super) fn lower_expression(lowering: &'l mut Lowering<'c, 'a>, name: &str, e: &Expr) -> Function {
+        let mut body = Body::new(lowering, FuncId(0), Substitution::default());
+        body.span = e.span;
+        let value = body.owned(e);
+        let repr = value.repr.clone();
+        body.end(Terminator::Return(Some(value)));
+        body.finish(name, Vec::new(), repr, e.span)
+    }
+
+    /// Drops what cannot be reached and numbers the rest in order.
+    fn finish(mut self, name: &str, parameters: Vec<(LocalId, Mode)>, result: Repr, span: Span) -> Function {
+        let mut order = Vec::new();
+        let mut number = HashMap::new();
+        let mut stack = vec![0];
+        while let Some(at) = stack.pop() {
+            if number.contains_key(&at) {
+                continue;
+            }
+            number.insert(at, BlockId(order.len() as u32));
+            order.push(at);
+            match &self.blocks[at].terminator {
+                Some(Terminator::Jump(to)) => stack.push(to.0 as usize),
+                Some(Terminator::Branch { then, otherwise, .. }) => {
+                    stack.push(otherwise.0 as usize);
+                    stack.push(then.0 as usize);
+                }
+                _ => {}
+            }
+        }
+        let renumber = |id: BlockId| number.get(&(id.0 as usize)).copied().unwrap_or(BlockId(0));
+        let mut blocks = Vec::new();
+        for at in order {
+            let draft = &mut self.blocks[at];
+            let terminator = match draft.terminator.take() {
+                Some(Terminator::Jump(to)) => Terminator::Jump(renumber(to)),
+                Some(Terminator::Branch { condition, then, otherwise }) => {
+                    Terminator::Branch { condition, then: renumber(then), otherwise: renumber(otherwise) }
+                }
+                Some(Terminator::Return(value)) => Terminator::Return(value),
+                None => Terminator::Return(None),
+            };
+            blocks.push(Block { statements: std::mem::take(&mut draft.statements), terminator });
+        }
+        Function { name: name.into(), parameters, result, locals: self.locals, blocks, span }
+    }
+
+    // Locals and types.
+
+    pub(super) fn repr(&self, ty: &Type) -> Repr {
+        let store = &self.lowering.checker.store;
+        store.repr(&self.types.ty(store, ty))
+    }
+
+    pub(super) fn local(&mut self, id: VarId) -> LocalId {
+        if let Some(local) = self.by_variable.get(&id) {
+            return *local;
+        }
+        let checker = self.lowering.checker;
+        let repr = self.repr(&checker.type_of(id));
+        self.locals.push(Local { name: checker.variable(id).name.clone(), repr });
+        let local = LocalId(self.locals.len() as u32 - 1);
+        self.by_variable.insert(id, local);
+        local
+    }
+
+    pub(super) fn local_repr(&self, local: LocalId) -> Repr {
+        self.locals[local.0 as usize].repr.clone()
+    }
+
+    fn temporary(&mut self, value: ir::Expr) -> LocalId {
+        let local = self.temporary_of(value.repr.clone());
+        let (repr, span) = (value.repr.clone(), value.span);
+        self.push(Statement::Assign { place: ir::Place { local, indices: Vec::new(), repr }, value, span });
+        local
+    }
+
+    fn temporary_of(&mut self, repr: Repr) -> LocalId {
+        self.locals.push(Local { name: String::new(), repr });
+        LocalId(self.locals.len() as u32 - 1)
+    }
+
+    // Blocks.
+
+    pub(super) fn push(&mut self, statement: Statement) {
+        self.blocks[self.current].statements.push(statement);
+    }
+
+    fn new_block(&mut self) -> usize {
+        self.blocks.push(Draft { statements: Vec::new(), terminator: None });
+        self.blocks.len() - 1
+    }
+
+    fn start(&mut self, block: usize) {
+        self.current = block;
+        self.alive = self.reached.contains(&block);
+    }
+
+    /// Ends the present block; what follows cannot be reached until a block is started.
+    fn end(&mut self, terminator: Terminator) {
+        if self.alive {
+            match &terminator {
+                Terminator::Jump(to) => {
+                    self.reached.insert(to.0 as usize);
+                }
+                Terminator::Branch { then, otherwise, .. } => {
+                    self.reached.extend([then.0 as usize, otherwise.0 as usize]);
+                }
+                Terminator::Return(_) => {}
+            }
+        }
+        self.blocks[self.current].terminator = Some(terminator);
+        self.current = self.new_block();
+        self.alive = false;
+    }
+
+    fn jump(&mut self, to: usize) {
+        self.end(Terminator::Jump(BlockId(to as u32)));
+    }
+
+    /// Branches on a condition; one that is written as a constant is no branch.
+    fn branch(&mut self, condition: &Expr, then: usize, otherwise: usize) {
+        match condition.kind {
+            Kind::Bool(true) => self.jump(then),
+            Kind::Bool(false) => self.jump(otherwise),
+            _ => {
+                let condition = self.value(condition);
+                self.branch_on(condition, then, otherwise);
+            }
+        }
+    }
+
+    fn branch_on(&mut self, condition: ir::Expr, then: usize, otherwise: usize) {
+        let (then, otherwise) = (BlockId(then as u32), BlockId(otherwise as u32));
+        self.end(Terminator::Branch { condition, then, otherwise });
+    }
+
+    // Statements.
+
+    fn block(&mut self, statements: &[Stmt]) {
+        let mut labels = HashMap::new();
+        for mut statement in statements {
+            while let StmtKind::Label(name, inner) = &statement.kind {
+                let block = self.new_block();
+                if labels.insert(name.clone(), block).is_some() {
+                    self.lowering.report(
+                        Diagnostic::error("E0202", format!("the label `{name}` stands twice in the same block"), statement.span, "again here")
+                            .help("choose another name"),
+                    );
+                }
+                statement = inner;
+            }
+        }
+        self.labels.push(labels);
+        let mut warned = false;
+        for statement in statements {
+            let entered = matches!(
+                statement.kind,
+                StmtKind::Nothing | StmtKind::Label(..) | StmtKind::Case(..) | StmtKind::Default(_)
+            );
+            if !self.alive && !warned && !entered {
+                warned = true;
+                if statement.span.file == FileId(0) {
+                    self.lowering.report(
+                        Diagnostic::warning("W0202", "this is never reached", statement.span, "unreachable")
+                            .help("remove it, or the `return`, `break` or `goto` before it"),
+                    );
+                }
+            }
+            self.statement(statement);
+        }
+        self.labels.pop();
+    }
+
+    fn nested(&mut self, statement: &Stmt) {
+        match &statement.kind {
+            StmtKind::Block(statements) => self.block(statements),
+            _ => self.block(std::slice::from_ref(statement)),
+        }
+    }
+
+    fn statement(&mut self, statement: &Stmt) {
+        let span = statement.span;
+        self.span = span;
+        match &statement.kind {
+            StmtKind::Nothing => {}
+            StmtKind::Assign(place, value) => {
+                let place = self.place(place);
+                match &value.kind {
+                    Kind::Call(call) if self.hands_back(call.function) => {
+                        self.call_statement(call, Some(place), value.span);
+                    }
+                    _ => {
+                        let value = self.owned(value);
+                        self.push(Statement::Assign { place, value, span });
+                    }
+                }
+            }
+            StmtKind::Bind(def) => self.bind(*def),
+            StmtKind::Eval(value) => {
+                let done = match &value.kind {
+                    Kind::Call(call) => self.call_statement(call, None, value.span),
+                    _ => false,
+                };
+                if !done {
+                    let value = self.value(value);
+                    self.push(Statement::Eval(value));
+                }
+            }
+            StmtKind::Push(place, value) => {
+                let place = self.place(place);
+                let value = self.owned(value);
+                self.push(Statement::Push { place, value, span });
+            }
+            StmtKind::Output(index, def) => {
+                self.bind(*def);
+                let value = self.make_symbolic(*def, span);
+                let checker = self.lowering.checker;
+                let name = checker.outputs.get(*index as usize).map(|output| output.name.clone()).unwrap_or_default();
+                if let (ExprKind::MakeSymbolic { site, .. }, Some(output)) =
+                    (&value.kind, self.lowering.program.outputs.get_mut(*index as usize))
+                {
+                    output.site = *site;
+                }
+                let name = ir::Expr { kind: ExprKind::String(name), repr: Repr::String, span };
+                let parameters = [("name", Repr::String), ("value", Repr::Symbolic(Box::new(Repr::Number)))];
+                let id = self.lowering.standard("output", Purity::Scene, &parameters);
+                let call = ExprKind::CallExtern(id, vec![name, value]);
+                self.push(Statement::Eval(ir::Expr { kind: call, repr: Repr::Unit, span }));
+            }
+            StmtKind::Block(statements) => self.block(statements),
+            StmtKind::If(condition, then, otherwise) => {
+                let (on_true, after) = (self.new_block(), self.new_block());
+                let on_false = if otherwise.is_some() { self.new_block() } else { after };
+                self.branch(condition, on_true, on_false);
+                self.start(on_true);
+                self.nested(then);
+                self.jump(after);
+                if let Some(otherwise) = otherwise {
+                    self.start(on_false);
+                    self.nested(otherwise);
+                    self.jump(after);
+                }
+                self.start(after);
+            }
+            StmtKind::While(condition, body) => {
+                let (test, inside, after) = (self.new_block(), self.new_block(), self.new_block());
+                self.jump(test);
+                self.start(test);
+                self.branch(condition, inside, after);
+                self.start(inside);
+                self.loop_body(body, after, test);
+                self.jump(test);
+                self.start(after);
+            }
+            StmtKind::DoWhile(body, condition) => {
+                let (inside, test, after) = (self.new_block(), self.new_block(), self.new_block());
+                self.jump(inside);
+                self.start(inside);
+                self.loop_body(body, after, test);
+                self.jump(test);
+                self.start(test);
+                self.branch(condition, inside, after);
+                self.start(after);
+            }
+            StmtKind::For { init, condition, step, body } => {
+                self.statement(init);
+                let (test, inside) = (self.new_block(), self.new_block());
+                let (next, after) = (self.new_block(), self.new_block());
+                self.jump(test);
+                self.start(test);
+                match condition {
+                    Some(condition) => self.branch(condition, inside, after),
+                    None => self.jump(inside),
+                }
+                self.start(inside);
+                self.loop_body(body, after, next);
+                self.jump(next);
+                self.start(next);
+                self.statement(step);
+                self.jump(test);
+                self.start(after);
+            }
+            StmtKind::Switch(value, body) => self.switch(value, body),
+            StmtKind::Case(_, inner) | StmtKind::Default(inner) => {
+                match self.cases.last().and_then(|cases| cases.get(&span).copied()) {
+                    Some(block) => {
+                        self.jump(block);
+                        self.start(block);
+                    }
+                    None => self.lowering.report(
+                        Diagnostic::error("E0214", "a case must stand directly in the body of its `switch`", span, "inside another statement")
+                            .help("move it out of the block around it"),
+                    ),
+                }
+                self.statement(inner);
+            }
+            StmtKind::Label(name, inner) => {
+                if let Some(block) = self.labels.last().and_then(|labels| labels.get(name).copied()) {
+                    self.jump(block);
+                    // A `goto` further down may lead here.
+                    self.reached.insert(block);
+                    self.start(block);
+                }
+                self.statement(inner);
+            }
+            StmtKind::Goto(name) => self.goto(name, span),
+            StmtKind::Break => match self.exits.last().map(|exit| exit.on_break) {
+                Some(to) => self.jump(to),
+                None => self.outside("break", "a loop or `switch`", span),
+            },
+            StmtKind::Continue => match self.exits.iter().rev().find_map(|exit| exit.on_continue) {
+                Some(to) => self.jump(to),
+                None => self.outside("continue", "a loop", span),
+            },
+            StmtKind::Return(value) => self.return_value(value.as_ref()),
+        }
+    }
+
+    fn return_value(&mut self, value: Option<&Expr>) {
+        let value = value.map(|value| match &value.kind {
+            Kind::Call(call) if self.hands_back(call.function) => self.called(call, value),
+            _ => self.owned(value),
+        });
+        self.end(Terminator::Return(value));
+    }
+
+    /// The result of a call that hands other things back too.
+    fn called(&mut self, call: &Call, value: &Expr) -> ir::Expr {
+        let repr = self.repr(&value.ty);
+        let local = self.temporary_of(repr.clone());
+        let place = ir::Place { local, indices: Vec::new(), repr: repr.clone() };
+        self.call_statement(call, Some(place), value.span);
+        own_value(ir::Expr { kind: ExprKind::Local(local), repr, span: value.span })
+    }
+
+    fn loop_body(&mut self, body: &Stmt, on_break: usize, on_continue: usize) {
+        self.exits.push(Exit { on_break, on_continue: Some(on_continue) });
+        self.nested(body);
+        self.exits.pop();
+    }
+
+    fn switch(&mut self, value: &Expr, body: &Stmt) {
+        let value = self.value(value);
+        let span = value.span;
+        let repr = value.repr.clone();
+        let local = self.temporary(value);
+        let statements = match &body.kind {
+            StmtKind::Block(statements) => statements.as_slice(),
+            _ => std::slice::from_ref(body),
+        };
+        let after = self.new_block();
+        let mut cases = HashMap::new();
+        let mut default = None;
+        let mut tests = Vec::new();
+        for mut statement in statements {
+            loop {
+                match &statement.kind {
+                    StmtKind::Case(value, inner) => {
+                        let block = self.new_block();
+                        cases.insert(statement.span, block);
+                        tests.push((value, block));
+                        statement = inner;
+                    }
+                    StmtKind::Default(inner) => {
+                        let block = self.new_block();
+                        cases.insert(statement.span, block);
+                        if default.replace(block).is_some() {
+                            self.lowering.report(
+                                Diagnostic::error("E0315", "this switch has two defaults", statement.span, "second default")
+                                    .help("remove one of them"),
+                            );
+                        }
+                        statement = inner;
+                    }
+                    StmtKind::Label(_, inner) => statement = inner,
+                    _ => break,
+                }
+            }
+        }
+        for (case, block) in tests {
+            let next = self.new_block();
+            let left = ir::Expr { kind: ExprKind::Local(local), repr: repr.clone(), span };
+            let right = self.value(case);
+            let kind = ExprKind::Op(Op::Equal, vec![left, right]);
+            self.branch_on(ir::Expr { kind, repr: Repr::Bool, span: case.span }, block, next);
+            self.start(next);
+        }
+        self.jump(default.unwrap_or(after));
+        self.cases.push(cases);
+        self.exits.push(Exit { on_break: after, on_continue: None });
+        self.block(statements);
+        self.exits.pop();
+        self.cases.pop();
+        self.jump(after);
+        self.start(after);
+    }
+
+    fn goto(&mut self, name: &str, span: Span) {
+        let found = self.labels.iter().rev().find_map(|labels| labels.get(name).copied());
+        match found {
+            Some(block) => self.jump(block),
+            None => {
+                let checker = self.lowering.checker;
+                let mut elsewhere = false;
+                if let Some(function) = checker.functions.get(&self.function) {
+                    for statement in &function.body {
+                        statement.walk(&mut |s| elsewhere |= matches!(&s.kind, StmtKind::Label(label, _) if label == name));
+                    }
+                }
+                let known = self.labels.iter().flat_map(|labels| labels.keys().map(String::as_str));
+                let diagnostic = if elsewhere {
+                    Diagnostic::error("E0215", format!("`goto {name}` would enter a block"), span, "the label is inside another block")
+                        .help("move the label out of that block")
+                } else {
+                    let diagnostic = Diagnostic::error("E0215", format!("there is no label `{name}` here"), span, "unknown label");
+                    match similar(name, known) {
+                        Some(near) => diagnostic.help(format!("did you mean `{near}`?")),
+                        None => diagnostic.help(format!("put `{name}:` before the statement to go to")),
+                    }
+                };
+                self.lowering.report(diagnostic);
+            }
+        }
+    }
+
+    fn outside(&mut self, word: &str, place: &str, span: Span) {
+        self.lowering.report(
+            Diagnostic::error("E0214", format!("`{word}` stands outside {place}"), span, "nothing to leave")
+                .help(format!("put it into {place}")),
+        );
+    }
+}

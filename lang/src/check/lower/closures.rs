@@ -1,0 +1,106 @@
+//! Variables that functions see around them, made explicit.
+//!
+//! The typed program knows no nesting: a function takes what it sees of its surroundings as further parameters, `in`
+//! where nobody below it assigns them, else `inout`.
+
+use crate::check::tree::{Def, DefId, Expr, FuncId, Function, Kind, StmtKind, VarId};
+use std::collections::{BTreeMap, HashMap, HashSet};
+
+/// Outer variables of a function and whether it assigns them.
+pub type Closure = BTreeMap<VarId, bool>;
+
+/// What every function needs of its surroundings, its callees' needs included.
+pub fn closures(
+    functions: &HashMap<FuncId, Function>,
+    defs: &[Def],
+    owner: &dyn Fn(VarId) -> FuncId,
+) -> HashMap<FuncId, Closure> {
+    let mut closures: HashMap<FuncId, Closure> = HashMap::new();
+    let mut callees: HashMap<FuncId, HashSet<FuncId>> = HashMap::new();
+    for (&id, function) in functions {
+        let mut walk = Walk { defs, used: BTreeMap::new(), called: HashSet::new(), seen: HashSet::new() };
+        for statement in &function.body {
+            statement.walk(&mut |s| {
+                match &s.kind {
+                    StmtKind::Assign(place, _) | StmtKind::Push(place, _) => {
+                        walk.used.insert(place.variable, true);
+                    }
+                    StmtKind::Bind(def) | StmtKind::Output(_, def) => walk.binding(*def),
+                    _ => {}
+                }
+                s.expressions().into_iter().for_each(|e| walk.expr(e));
+            });
+        }
+        walk.used.retain(|variable, _| owner(*variable) != id);
+        closures.insert(id, walk.used);
+        callees.insert(id, walk.called);
+    }
+    let mut changed = true;
+    while changed {
+        changed = false;
+        for (id, called) in &callees {
+            let needs: Vec<(VarId, bool)> = called
+                .iter()
+                .filter_map(|callee| closures.get(callee))
+                .flatten()
+                .map(|(variable, assigned)| (*variable, *assigned))
+                .filter(|(variable, _)| owner(*variable) != *id)
+                .collect();
+            let Some(own) = closures.get_mut(id) else { continue };
+            for (variable, assigned) in needs {
+                let entry = own.get(&variable).copied();
+                if entry.is_none_or(|known| assigned && !known) {
+                    own.insert(variable, assigned || entry == Some(true));
+                    changed = true;
+                }
+            }
+        }
+    }
+    closures
+}
+
+struct Walk<'d> {
+    defs: &'d [Def],
+    used: BTreeMap<VarId, bool>,
+    called: HashSet<FuncId>,
+    seen: HashSet<DefId>,
+}
+
+impl Walk<'_> {
+    fn expr(&mut self, e: &Expr) {
+        match &e.kind {
+            Kind::Var(id) => {
+                self.used.entry(*id).or_insert(false);
+            }
+            Kind::Def(def) => self.fused(*def),
+            Kind::MakeSymbolic(def) | Kind::Eval(def, _) if self.defs[def.0 as usize].stored => self.fused(*def),
+            Kind::MakeSymbolic(def) | Kind::Eval(def, _) => self.binding(*def),
+            Kind::Call(call) => {
+                self.called.insert(call.function);
+                for place in &call.copy_back {
+                    self.used.insert(place.variable, true);
+                }
+            }
+            _ => {}
+        }
+        e.children().into_iter().for_each(|child| self.expr(child));
+    }
+
+    /// A `:=` that executes here: its captures are read.
+    fn binding(&mut self, def: DefId) {
+        let defs = self.defs;
+        for (hidden, value) in &defs[def.0 as usize].captures {
+            self.used.insert(*hidden, true);
+            self.expr(value);
+        }
+        self.fused(def);
+    }
+
+    /// A `:=` that executed before: what it captured is read.
+    fn fused(&mut self, def: DefId) {
+        if self.seen.insert(def) {
+            let defs = self.defs;
+            self.expr(&defs[def.0 as usize].expr);
+        }
+    }
+}

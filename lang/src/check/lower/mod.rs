@@ -1,0 +1,297 @@
+//! From the typed tree to the typed program: one function per representation of its arguments, control flow as a graph.
+
+mod body;
+mod closures;
+mod sites;
+mod values;
+
+use super::infer::Checker;
+use super::tree::{self, FuncId, UseId};
+use super::types::{Substitution, Type};
+use crate::ast::{FunctionBody, Mode};
+use crate::diagnostic::Diagnostic;
+use crate::dimension::Dimension;
+use crate::ir::{
+    ExternDecl, ExternId, Function, FunctionId, Output, Param, Program, SiteId, SourceFile,
+};
+use crate::span::FileId;
+use crate::units::UnitSystem;
+use body::Body;
+use calyx_abi::{Purity, Repr};
+use closures::Closure;
+use std::collections::HashMap;
+
+/// A function to be lowered for given types of its scheme's unknowns.
+struct Wanted {
+    function: FuncId,
+    types: Substitution,
+    target: FunctionId,
+}
+
+pub(super) struct Lowering<'c, 'a> {
+    checker: &'c Checker<'a>,
+    program: Program,
+    instances: HashMap<(FuncId, Vec<Repr>, Vec<String>), FunctionId>,
+    wanted: Vec<Wanted>,
+    closures: HashMap<FuncId, Closure>,
+    externs: HashMap<String, ExternId>,
+    diagnostics: Vec<Diagnostic>,
+}
+
+/// The typed program, and what only the flow of control shows to be wrong.
+pub fn lower(checker: &Checker<'_>, files: Vec<SourceFile>) -> (Program, Vec<Diagnostic>) {
+    let owner = |id: tree::VarId| checker.variable(id).owner;
+    let system = checker.modules.first().and_then(|module| module.system).unwrap_or_default();
+    let mut lowering = Lowering {
+        checker,
+        program: Program {
+            files,
+            units: system.name().into(),
+            doc: checker.modules.first().and_then(|module| module.tree.doc.clone()).unwrap_or_default(),
+            ..Program::default()
+        },
+        instances: HashMap::new(),
+        wanted: Vec::new(),
+        closures: closures::closures(&checker.functions, &checker.defs, &owner),
+        externs: HashMap::new(),
+        diagnostics: Vec::new(),
+    };
+    lowering.params();
+    for output in &checker.outputs {
+        let dimension = known_dimension(checker, &output.ty);
+        lowering.program.outputs.push(Output {
+            name: output.name.clone(),
+            doc: output.doc.clone(),
+            // Set when the statement is lowered.
+            site: SiteId(0),
+            unit: system.unit_of(dimension),
+            si: UnitSystem::Si.unit_of(dimension).name,
+            span: output.span,
+        });
+    }
+    let main = lowering.instance(FuncId(0), Substitution::default());
+    lowering.program.main = main;
+    lowering.work();
+    // What nobody calls is still checked for its flow of control; only the model's own is reported.
+    let called: Vec<FuncId> = lowering.instances.keys().map(|(id, ..)| *id).collect();
+    let kept = lowering.program.clone();
+    for (&id, function) in &checker.functions {
+        if !called.contains(&id) && function.span.file == FileId(0) {
+            lowering.instance(id, Substitution::default());
+        }
+    }
+    lowering.work();
+    (kept, lowering.diagnostics)
+}
+
+fn known_dimension(checker: &Checker<'_>, ty: &Type) -> Dimension {
+    match checker.store.resolve(ty) {
+        Type::Number(dim) | Type::Vector(dim) | Type::Observable(dim) => dim.as_known().unwrap_or(dim.fixed),
+        _ => Dimension::NONE,
+    }
+}
+
+impl<'c, 'a> Lowering<'c, 'a> {
+    fn work(&mut self) {
+        while let Some(wanted) = self.wanted.pop() {
+            let function = Body::lower(self, wanted.function, wanted.types);
+            self.program.functions[wanted.target.0 as usize] = function;
+        }
+    }
+
+    fn params(&mut self) {
+        let checker = self.checker;
+        for (index, param) in checker.params.iter().enumerate() {
+            let repr = checker.store.repr(&param.ty);
+            let mut function = |what: &str, e: &tree::Expr| {
+                let name = format!("{}.{what}", param.name);
+                let lowered = Body::lower_expression(self, &name, e);
+                self.program.functions.push(lowered);
+                FunctionId(self.program.functions.len() as u32 - 1)
+            };
+            let default = function("default", &param.default);
+            let low = param.low.as_ref().map(|e| function("low", e));
+            let high = param.high.as_ref().map(|e| function("high", e));
+            let unit = param.unit.clone().unwrap_or_else(|| UnitSystem::Si.unit_of(Dimension::NONE));
+            debug_assert_eq!(index, self.program.params.len());
+            self.program.params.push(Param {
+                name: param.name.clone(),
+                doc: param.doc.clone(),
+                repr,
+                default,
+                low,
+                high,
+                choices: param.choices.clone(),
+                unit,
+                integral: param.whole,
+                span: param.span,
+            });
+        }
+    }
+
+    /// The function for the given types of a scheme's unknowns.
+    fn instance(&mut self, function: FuncId, types: Substitution) -> FunctionId {
+        let checker = self.checker;
+        let scheme = checker.functions.get(&function).map(|f| f.scheme.clone()).unwrap_or_default();
+        let reprs = scheme.types.iter().map(|v| checker.store.repr(&types.types.get(v).cloned().unwrap_or(Type::number())));
+        // Dimensions matter only to text that shows units; a function that makes none is shared by all of them.
+        let dims = match self.shows_units(function) {
+            true => scheme.dims.iter().map(|v| format!("{:?}", types.dims.get(v))).collect(),
+            false => Vec::new(),
+        };
+        let key = (function, reprs.collect(), dims);
+        if let Some(known) = self.instances.get(&key) {
+            return *known;
+        }
+        let target = FunctionId(self.program.functions.len() as u32);
+        self.program.functions.push(Function {
+            name: String::new(),
+            parameters: Vec::new(),
+            result: Repr::Unit,
+            locals: Vec::new(),
+            blocks: Vec::new(),
+            span: Default::default(),
+        });
+        self.instances.insert(key, target);
+        self.wanted.push(Wanted { function, types, target });
+        target
+    }
+
+    /// Whether a function, or one it calls, writes numbers into text.
+    fn shows_units(&self, function: FuncId) -> bool {
+        let mut stack = vec![function];
+        let mut seen = std::collections::HashSet::new();
+        while let Some(id) = stack.pop() {
+            if !seen.insert(id) {
+                continue;
+            }
+            let Some(function) = self.checker.functions.get(&id) else { continue };
+            let mut found = false;
+            for statement in &function.body {
+                statement.walk(&mut |s| {
+                    for e in s.expressions() {
+                        found |= formats(e, &mut stack);
+                    }
+                });
+            }
+            if found {
+                return true;
+            }
+        }
+        false
+    }
+
+    /// The function used at `instance`, seen from a body whose own unknowns are `types`.
+    fn used(&mut self, function: FuncId, instance: UseId, types: &Substitution) -> FunctionId {
+        let checker = self.checker;
+        let store = &checker.store;
+        let scheme = checker.functions.get(&function).map(|f| f.scheme.clone()).unwrap_or_default();
+        let at_use = checker.instances.get(instance.0 as usize).cloned().unwrap_or_default();
+        let mut concrete = Substitution::default();
+        for variable in scheme.types {
+            let ty = at_use.types.get(&variable).cloned().unwrap_or(Type::Unknown(variable));
+            concrete.types.insert(variable, types.ty(store, &ty));
+        }
+        for variable in scheme.dims {
+            let dim = at_use.dims.get(&variable).cloned().unwrap_or_else(|| super::dim::Dim::unknown(variable));
+            concrete.dims.insert(variable, types.dim(store, &dim));
+        }
+        self.instance(function, concrete)
+    }
+
+    /// The engine's function by its index among the declarations.
+    fn extern_id(&mut self, index: u32) -> (ExternId, Repr) {
+        let checker = self.checker;
+        let info = &checker.names.externs[index as usize];
+        let purity = match &info.decl.body {
+            FunctionBody::Extern { purity: Some(word) } if word.name == "pure" => Purity::Pure,
+            FunctionBody::Extern { purity: Some(word) } if word.name == "scene" => Purity::Scene,
+            _ => Purity::Effect,
+        };
+        let parameters: Vec<(String, Repr)> = info
+            .decl
+            .parameters
+            .iter()
+            .map(|p| (p.name.name.clone(), p.annotation.as_ref().map_or(Repr::Number, annotated_repr)))
+            .collect();
+        let result = info.decl.result.as_ref().map_or(Repr::Unit, annotated_repr);
+        let id = self.add_extern(ExternDecl {
+            symbol: info.symbol.clone(),
+            name: info.name.clone(),
+            purity,
+            parameters,
+            result: result.clone(),
+        });
+        (id, result)
+    }
+
+    fn standard(&mut self, name: &str, purity: Purity, parameters: &[(&str, Repr)]) -> ExternId {
+        self.add_extern(ExternDecl {
+            symbol: format!("calyx_std_{name}"),
+            name: name.into(),
+            purity,
+            parameters: parameters.iter().map(|(name, repr)| (name.to_string(), repr.clone())).collect(),
+            result: Repr::Unit,
+        })
+    }
+
+    fn add_extern(&mut self, decl: ExternDecl) -> ExternId {
+        if let Some(known) = self.externs.get(&decl.symbol) {
+            return *known;
+        }
+        let id = ExternId(self.program.externs.len() as u32);
+        self.externs.insert(decl.symbol.clone(), id);
+        self.program.externs.push(decl);
+        id
+    }
+
+    fn report(&mut self, diagnostic: Diagnostic) {
+        if !self.diagnostics.contains(&diagnostic) {
+            self.diagnostics.push(diagnostic);
+        }
+    }
+
+    /// A function's parameters as the typed program has them: its own, then what it sees around it.
+    fn modes(&self, function: FuncId) -> Vec<(tree::VarId, Mode)> {
+        let own = self.checker.functions.get(&function).map(|f| f.parameters.clone()).unwrap_or_default();
+        let outer = self.closures.get(&function).into_iter().flatten();
+        let outer = outer.map(|(id, assigned)| (*id, if *assigned { Mode::InOut } else { Mode::In }));
+        own.into_iter().chain(outer).collect()
+    }
+}
+
+fn formats(e: &tree::Expr, called: &mut Vec<FuncId>) -> bool {
+    match &e.kind {
+        tree::Kind::Format(..) | tree::Kind::Print(..) => return true,
+        tree::Kind::Call(call) => called.push(call.function),
+        _ => {}
+    }
+    e.children().into_iter().any(|child| formats(child, called))
+}
+
+/// The representation an annotation of an extern function stands for.
+fn annotated_repr(annotation: &crate::ast::TypeExpr) -> Repr {
+    use crate::ast::TypeKind;
+    match &annotation.kind {
+        TypeKind::Name(name) => match name.name.as_str() {
+            "Bool" => Repr::Bool,
+            "String" => Repr::String,
+            "Vector" => Repr::Vector,
+            "Transform" => Repr::Transform,
+            "Array" => Repr::Array(Box::new(Repr::Number)),
+            other if Dimension::from_name(other).is_some() => Repr::Number,
+            _ => Repr::Handle,
+        },
+        TypeKind::Apply(name, arguments) => {
+            let inner = arguments.first().map_or(Repr::Number, annotated_repr);
+            match name.name.as_str() {
+                "Array" => Repr::Array(Box::new(inner)),
+                "Vector" => Repr::Vector,
+                "Observable" => Repr::Symbolic(Box::new(Repr::Number)),
+                "Symbolic" => Repr::Symbolic(Box::new(inner)),
+                _ => inner,
+            }
+        }
+        TypeKind::Product(..) | TypeKind::Quotient(..) | TypeKind::Power(..) | TypeKind::Error => Repr::Number,
+    }
+}

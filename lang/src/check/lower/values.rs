@@ -1,0 +1,363 @@
+//! Expressions that are evaluated.
+
+use super::body::Body;
+use crate::ast::{BinaryOp, Mode, UnaryOp};
+use crate::check::tree::{Call, Expr, FuncId, Kind, Piece, Place};
+use crate::check::types::Type;
+use crate::dimension::Dimension;
+use crate::ir::{self, DisplayUnit, ExprKind, FormatPart, FunctionId, Op};
+use crate::span::Span;
+use crate::units::UnitSystem;
+use calyx_abi::{Purity, Repr};
+
+impl Body<'_, '_, '_> {
+    /// A value to be bound, passed or stored: an array that a place still holds is copied.
+    pub(super) fn owned(&mut self, e: &Expr) -> ir::Expr {
+        let value = self.value(e);
+        own(value)
+    }
+
+    pub(super) fn value(&mut self, e: &Expr) -> ir::Expr {
+        let span = e.span;
+        let make = |kind, repr| ir::Expr { kind, repr, span };
+        match &e.kind {
+            // Not reached: programs with errors are not lowered.
+            Kind::Error | Kind::Time | Kind::Derivative(..) | Kind::At(..) => make(ExprKind::Number(f64::NAN), self.repr(&e.ty)),
+            Kind::Number(value) => make(ExprKind::Number(*value), Repr::Number),
+            Kind::Bare(value, dim, system) => {
+                make(ExprKind::Number(value * self.bare_factor(dim, *system)), Repr::Number)
+            }
+            Kind::Bool(value) => make(ExprKind::Bool(*value), Repr::Bool),
+            Kind::Text(text) => make(ExprKind::String(text.clone()), Repr::String),
+            Kind::Var(id) => {
+                let local = self.local(*id);
+                let repr = self.local_repr(local);
+                make(ExprKind::Local(local), repr)
+            }
+            Kind::Param(id) => {
+                let repr = self.lowering.program.params.get(*id as usize).map_or(Repr::Number, |p| p.repr.clone());
+                make(ExprKind::Param(*id), repr)
+            }
+            Kind::Def(def) | Kind::MakeSymbolic(def) => self.make_symbolic(*def, span),
+            Kind::Eval(def, time) => {
+                let value = self.make_symbolic(*def, span);
+                let time = match time {
+                    Some(time) => self.value(time),
+                    None => make(ExprKind::Number(0.0), Repr::Number),
+                };
+                let repr = self.repr(&e.ty);
+                make(ExprKind::EvalSymbolic { value: Box::new(value), time: Box::new(time) }, repr)
+            }
+            Kind::Observe(inner) => self.value(inner),
+            Kind::Unary(op, a) => {
+                let a = self.value(a);
+                unary(*op, a, span)
+            }
+            Kind::Binary(BinaryOp::And, a, b) => {
+                let (a, b) = (self.value(a), self.value(b));
+                make(ExprKind::And(Box::new(a), Box::new(b)), Repr::Bool)
+            }
+            Kind::Binary(BinaryOp::Or, a, b) => {
+                let (a, b) = (self.value(a), self.value(b));
+                make(ExprKind::Or(Box::new(a), Box::new(b)), Repr::Bool)
+            }
+            Kind::Binary(op, a, b) => {
+                let (a, b) = (self.value(a), self.value(b));
+                binary(*op, a, b, span)
+            }
+            Kind::Op(op, all) => {
+                let all = all.iter().map(|a| self.value(a)).collect();
+                let repr = self.repr(&e.ty);
+                make(ExprKind::Op(*op, all), repr)
+            }
+            Kind::If(condition, a, b) => {
+                let (condition, a, b) = (self.value(condition), self.value(a), self.value(b));
+                let repr = a.repr.clone();
+                make(ExprKind::If(Box::new(condition), Box::new(a), Box::new(b)), repr)
+            }
+            Kind::Call(call) => self.call_value(call, span),
+            Kind::CallExtern(id, all) => {
+                // The engine only reads its arguments: nothing to copy.
+                let all = all.iter().map(|a| self.value(a)).collect();
+                let (id, repr) = self.lowering.extern_id(*id);
+                make(ExprKind::CallExtern(id, all), repr)
+            }
+            Kind::Print(values, system) => {
+                let mut parts = Vec::new();
+                for (index, value) in values.iter().enumerate() {
+                    if index > 0 {
+                        parts.push(FormatPart::Text(" ".into()));
+                    }
+                    self.format_part(value, *system, &mut parts);
+                }
+                let line = make(ExprKind::Format(parts), Repr::String);
+                let id = self.lowering.standard("print", Purity::Effect, &[("line", Repr::String)]);
+                make(ExprKind::CallExtern(id, vec![line]), Repr::Unit)
+            }
+            Kind::Assert(condition, message) => {
+                let all = vec![self.value(condition), self.value(message)];
+                let parameters = [("condition", Repr::Bool), ("message", Repr::String)];
+                let id = self.lowering.standard("assert", Purity::Pure, &parameters);
+                make(ExprKind::CallExtern(id, all), Repr::Unit)
+            }
+            Kind::Array(all) => {
+                let all: Vec<_> = all.iter().map(|a| self.owned(a)).collect();
+                make(ExprKind::Array(all), self.repr(&e.ty))
+            }
+            Kind::Tuple(all) => {
+                let all: Vec<_> = all.iter().map(|a| self.owned(a)).collect();
+                let repr = Repr::Tuple(all.iter().map(|a| a.repr.clone()).collect());
+                make(ExprKind::Tuple(all), repr)
+            }
+            Kind::Index(base, index) => {
+                let (base, index) = (self.value(base), self.value(index));
+                let repr = match &base.repr {
+                    Repr::Array(element) => (**element).clone(),
+                    _ => self.repr(&e.ty),
+                };
+                make(ExprKind::Index(Box::new(base), Box::new(index)), repr)
+            }
+            Kind::TupleElement(base, at) => {
+                let base = self.value(base);
+                let repr = match &base.repr {
+                    Repr::Tuple(parts) => parts.get(*at).cloned().unwrap_or(Repr::Number),
+                    _ => self.repr(&e.ty),
+                };
+                make(ExprKind::TupleElement(Box::new(base), *at), repr)
+            }
+            Kind::Len(array) => {
+                let array = self.value(array);
+                make(ExprKind::Len(Box::new(array)), Repr::Number)
+            }
+            Kind::Format(pieces, system) => {
+                let mut parts = Vec::new();
+                for piece in pieces {
+                    match piece {
+                        Piece::Text(text) => parts.push(FormatPart::Text(text.clone())),
+                        Piece::Value(value) => self.format_part(value, *system, &mut parts),
+                    }
+                }
+                make(ExprKind::Format(parts), Repr::String)
+            }
+        }
+    }
+
+    fn format_part(&mut self, value: &Expr, system: UnitSystem, parts: &mut Vec<FormatPart>) {
+        if let Kind::Text(text) = &value.kind {
+            return parts.push(FormatPart::Text(text.clone()));
+        }
+        let unit = self.shown_unit(&value.ty, system);
+        let value = self.value(value);
+        parts.push(FormatPart::Value(value, unit));
+    }
+
+    fn shown_unit(&self, ty: &Type, system: UnitSystem) -> Option<DisplayUnit> {
+        let store = &self.lowering.checker.store;
+        match self.types.ty(store, ty) {
+            Type::Number(dim) | Type::Vector(dim) => {
+                let dim = store.dim(&dim);
+                let dimension: Dimension = dim.as_known().unwrap_or(dim.fixed);
+                (!dimension.is_none()).then(|| system.unit_of(dimension))
+            }
+            Type::Array(element) => self.shown_unit(&element, system),
+            _ => None,
+        }
+    }
+
+    /// The call as a value; such a call hands nothing else back.
+    fn call_value(&mut self, call: &Call, span: Span) -> ir::Expr {
+        let modes = self.lowering.modes(call.function);
+        if modes.iter().any(|(_, mode)| *mode != Mode::In) {
+            let name = self.lowering.checker.names.functions[call.function.0 as usize].name.clone();
+            self.lowering.report(
+                crate::diagnostic::Diagnostic::error(
+                    "E0190",
+                    format!("calls of `{name}`, which assigns variables around it, inside an expression are not available yet"),
+                    span,
+                    "not supported by this version",
+                )
+                .help("assign its result to a variable first"),
+            );
+        }
+        let (function, repr) = self.callee(call);
+        let arguments = self.arguments(call);
+        ir::Expr { kind: ExprKind::Call(function, arguments), repr, span }
+    }
+
+    fn callee(&mut self, call: &Call) -> (FunctionId, Repr) {
+        let types = self.types.clone();
+        let function = self.lowering.used(call.function, call.instance, &types);
+        (function, self.call_repr(call))
+    }
+
+    fn call_repr(&self, call: &Call) -> Repr {
+        let checker = self.lowering.checker;
+        let Some(function) = checker.functions.get(&call.function) else { return Repr::Unit };
+        let at_use = checker.instances.get(call.instance.0 as usize).cloned().unwrap_or_default();
+        let result = at_use.ty(&checker.store, &function.result);
+        self.repr(&result)
+    }
+
+    /// Arguments of `in` and `inout` parameters, then what the function sees around it.
+    fn arguments(&mut self, call: &Call) -> Vec<ir::Expr> {
+        let modes = self.lowering.modes(call.function);
+        let own = call.arguments.len();
+        let mut arguments = Vec::new();
+        for ((_, mode), argument) in modes.iter().zip(&call.arguments) {
+            if *mode != Mode::Out {
+                arguments.push(self.owned(argument));
+            }
+        }
+        for (variable, mode) in modes.into_iter().skip(own) {
+            let local = self.local(variable);
+            let repr = self.local_repr(local);
+            let value = ir::Expr { kind: ExprKind::Local(local), repr, span: self.span };
+            // Nobody assigns an outer variable passed by `in` while the call lasts, so it can be shared.
+            arguments.push(if mode == Mode::In { value } else { own_value(value) });
+        }
+        arguments
+    }
+
+    /// A call whose `out` values are stored back. False if it hands nothing back and is an ordinary expression.
+    pub(super) fn call_statement(&mut self, call: &Call, result: Option<ir::Place>, span: Span) -> bool {
+        let modes = self.lowering.modes(call.function);
+        if modes.iter().all(|(_, mode)| *mode == Mode::In) {
+            return false;
+        }
+        let (function, _) = self.callee(call);
+        let around = std::mem::replace(&mut self.span, span);
+        let arguments = self.arguments(call);
+        self.span = around;
+        let mut copy_back: Vec<ir::Place> = call.copy_back.iter().map(|place| self.place(place)).collect();
+        for (variable, mode) in modes.into_iter().skip(call.arguments.len()) {
+            if mode != Mode::In {
+                let local = self.local(variable);
+                copy_back.push(ir::Place { local, indices: Vec::new(), repr: self.local_repr(local) });
+            }
+        }
+        self.push(ir::Statement::Call { result, function, arguments, copy_back, span });
+        true
+    }
+
+    pub(super) fn place(&mut self, place: &Place) -> ir::Place {
+        let local = self.local(place.variable);
+        let mut repr = self.local_repr(local);
+        let mut indices = Vec::new();
+        for index in &place.indices {
+            indices.push(self.value(index));
+            if let Repr::Array(element) = repr {
+                repr = *element;
+            }
+        }
+        ir::Place { local, indices, repr }
+    }
+
+    pub(super) fn bare_factor(&self, dim: &crate::check::dim::Dim, system: UnitSystem) -> f64 {
+        let dim = self.lowering.checker.store.dim(dim);
+        system.unit_of(dim.as_known().unwrap_or(dim.fixed)).factor
+    }
+
+    /// Whether a call needs a statement of its own.
+    pub(super) fn hands_back(&self, function: FuncId) -> bool {
+        self.lowering.modes(function).iter().any(|(_, mode)| *mode != Mode::In)
+    }
+}
+
+/// Copies what a place still holds, if it contains an array.
+pub(super) fn own_value(value: ir::Expr) -> ir::Expr {
+    own(value)
+}
+
+fn own(value: ir::Expr) -> ir::Expr {
+    if !contains_array(&value.repr) {
+        return value;
+    }
+    match value.kind {
+        ExprKind::Local(_) | ExprKind::Param(_) | ExprKind::Index(..) | ExprKind::TupleElement(..) => {
+            let (repr, span) = (value.repr.clone(), value.span);
+            ir::Expr { kind: ExprKind::Copy(Box::new(value)), repr, span }
+        }
+        ExprKind::If(condition, a, b) => {
+            ir::Expr { kind: ExprKind::If(condition, Box::new(own(*a)), Box::new(own(*b))), ..value }
+        }
+        _ => value,
+    }
+}
+
+fn contains_array(repr: &Repr) -> bool {
+    match repr {
+        Repr::Array(_) => true,
+        Repr::Tuple(parts) => parts.iter().any(contains_array),
+        _ => false,
+    }
+}
+
+/// The operation a unary operator is on operands of a representation.
+pub(super) fn unary_op(op: UnaryOp, repr: &Repr) -> Option<Op> {
+    match (op, repr) {
+        (UnaryOp::Plus, _) => None,
+        (UnaryOp::Minus, Repr::Vector) => Some(Op::NegateVector),
+        (UnaryOp::Minus, _) => Some(Op::Negate),
+        (UnaryOp::Not, _) => Some(Op::Not),
+    }
+}
+
+/// How a binary operator is carried out.
+pub(super) enum BinaryForm {
+    Plain(Op, Repr),
+    /// Operands exchanged.
+    Swapped(Op, Repr),
+    /// Vector by number: scale by the reciprocal.
+    DivideVector,
+}
+
+pub(super) fn binary_form(op: BinaryOp, left: &Repr, right: &Repr) -> BinaryForm {
+    use BinaryForm::{Plain, Swapped};
+    use Repr::{Bool, Number, Transform, Vector};
+    match (op, left, right) {
+        (BinaryOp::Add, Vector, _) => Plain(Op::AddVector, Vector),
+        (BinaryOp::Add, ..) => Plain(Op::Add, Number),
+        (BinaryOp::Subtract, Vector, _) => Plain(Op::SubtractVector, Vector),
+        (BinaryOp::Subtract, ..) => Plain(Op::Subtract, Number),
+        (BinaryOp::Multiply, Transform, Transform) => Plain(Op::Compose, Transform),
+        (BinaryOp::Multiply, Transform, _) => Plain(Op::Apply, Vector),
+        (BinaryOp::Multiply, Vector, _) => Swapped(Op::Scale, Vector),
+        (BinaryOp::Multiply, _, Vector) => Plain(Op::Scale, Vector),
+        (BinaryOp::Multiply, ..) => Plain(Op::Multiply, Number),
+        (BinaryOp::Divide, Vector, _) => BinaryForm::DivideVector,
+        (BinaryOp::Divide, ..) => Plain(Op::Divide, Number),
+        (BinaryOp::Power, ..) => Plain(Op::Power, Number),
+        (BinaryOp::Less, ..) => Plain(Op::Less, Bool),
+        (BinaryOp::LessEqual, ..) => Plain(Op::LessEqual, Bool),
+        (BinaryOp::Greater, ..) => Plain(Op::Greater, Bool),
+        (BinaryOp::GreaterEqual, ..) => Plain(Op::GreaterEqual, Bool),
+        (BinaryOp::Equal, ..) => Plain(Op::Equal, Bool),
+        (BinaryOp::NotEqual, ..) => Plain(Op::NotEqual, Bool),
+        // Handled where operands are evaluated only as needed.
+        (BinaryOp::And | BinaryOp::Or, ..) => Plain(Op::Equal, Bool),
+    }
+}
+
+fn unary(op: UnaryOp, a: ir::Expr, span: Span) -> ir::Expr {
+    match unary_op(op, &a.repr) {
+        None => a,
+        Some(op) => {
+            let repr = a.repr.clone();
+            ir::Expr { kind: ExprKind::Op(op, vec![a]), repr, span }
+        }
+    }
+}
+
+fn binary(op: BinaryOp, a: ir::Expr, b: ir::Expr, span: Span) -> ir::Expr {
+    let make = |op, all, repr| ir::Expr { kind: ExprKind::Op(op, all), repr, span };
+    match binary_form(op, &a.repr, &b.repr) {
+        BinaryForm::Plain(op, repr) => make(op, vec![a, b], repr),
+        // Evaluation has no effects here, so the order of the two cannot be seen.
+        BinaryForm::Swapped(op, repr) => make(op, vec![b, a], repr),
+        BinaryForm::DivideVector => {
+            let one = ir::Expr { kind: ExprKind::Number(1.0), repr: Repr::Number, span };
+            let reciprocal = make(Op::Divide, vec![one, b], Repr::Number);
+            make(Op::Scale, vec![reciprocal, a], Repr::Vector)
+        }
+    }
+}

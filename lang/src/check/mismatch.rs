@@ -1,0 +1,158 @@
+//! Dimension errors: both sides factor by factor, where each came from, and the factor that is missing.
+
+use super::dim::Dim;
+use super::infer::Checker;
+use super::tree::{Expr, Kind};
+use super::types::{Mismatch, Type};
+use crate::ast::BinaryOp;
+use crate::diagnostic::Diagnostic;
+use crate::dimension::{Dimension, Rational};
+use crate::span::Span;
+
+impl Checker<'_> {
+    /// Demands that the two sides of an operator have one type. The later side is to blame.
+    pub(super) fn same(&mut self, a: &Expr, b: &Expr, op_span: Span, verb: &str) {
+        let Err(mismatch) = self.store.unify(&a.ty, &b.ty) else { return };
+        let (left, right) = (self.store.show(&a.ty), self.store.show(&b.ty));
+        let diagnostic = match mismatch {
+            Mismatch::Dimension(x, y) => {
+                let (x, y) = (self.store.show_dim(&x), self.store.show_dim(&y));
+                let message = match verb {
+                    "compare" => format!("cannot compare a {x} with a {y}"),
+                    "add" => format!("cannot add a {y} to a {x}"),
+                    _ => format!("cannot {verb} a {y} from a {x}"),
+                };
+                let diagnostic =
+                    Diagnostic::error("E0401", message, b.span, format!("this is a {y}: {}", self.factors(b)))
+                        .label(a.span, format!("this is a {x}: {}", self.factors(a)));
+                let diagnostic = self.origins(diagnostic, &[a, b]);
+                match self.missing_factor(&a.ty, &b.ty) {
+                    Some(help) => diagnostic.help(help),
+                    None => diagnostic,
+                }
+            }
+            _ if [&a.ty, &b.ty].iter().any(|ty| matches!(self.store.shallow(ty), Type::Observable(_))) => {
+                self.observable_as_value(op_span)
+            }
+            _ => {
+                let message = match verb {
+                    "compare" => format!("cannot compare a {left} with a {right}"),
+                    "add" => format!("cannot add a {right} to a {left}"),
+                    _ => format!("cannot {verb} a {right} from a {left}"),
+                };
+                Diagnostic::error("E0301", message, b.span, format!("this is a {right}"))
+                    .label(a.span, format!("this is a {left}"))
+                    .help("both sides must have the same type")
+            }
+        };
+        self.report(diagnostic);
+    }
+
+    pub(super) fn dimension_mismatch(
+        &mut self,
+        wanted: &Dim,
+        got: &Dim,
+        found: &Expr,
+        what: &str,
+        cause: Option<(Span, String)>,
+    ) {
+        let (shown_wanted, shown_got) = (self.store.show_dim(wanted), self.store.show_dim(got));
+        let mut diagnostic = Diagnostic::error(
+            "E0401",
+            format!("{what} must be a {shown_wanted}, not a {shown_got}"),
+            found.span,
+            format!("this is a {shown_got}: {}", self.factors(found)),
+        );
+        if let Some((span, message)) = cause {
+            diagnostic = diagnostic.label(span, message);
+        }
+        diagnostic = self.origins(diagnostic, &[found]);
+        let types = (Type::Number(wanted.clone()), Type::Number(got.clone()));
+        if let Some(help) = self.missing_factor(&types.0, &types.1) {
+            diagnostic = diagnostic.help(help);
+        }
+        self.report(diagnostic);
+    }
+
+    /// The factors of a product with their dimensions: `torque [Moment] / radius [Length] = Force`.
+    fn factors(&self, e: &Expr) -> String {
+        let mut parts = Vec::new();
+        self.collect_factors(e, true, &mut parts);
+        let in_bases = |e: &Expr| match self.store.resolve(&e.ty) {
+            Type::Number(dim) | Type::Vector(dim) => dim.as_known().map(Dimension::in_bases),
+            _ => None,
+        };
+        let total = in_bases(e).unwrap_or_else(|| self.store.show(&e.ty));
+        if parts.len() < 2 || parts.len() > 8 {
+            return total;
+        }
+        let mut text = String::new();
+        for (index, (factor, above)) in parts.iter().enumerate() {
+            match (index, above) {
+                (0, true) => {}
+                (0, false) => text.push_str("1 / "),
+                (_, true) => text.push_str(" * "),
+                (_, false) => text.push_str(" / "),
+            }
+            let source = self.text(factor.span);
+            let short = if source.chars().count() <= 24 { source } else { "(...)" };
+            text.push_str(&format!("{short} [{}]", self.store.show(&factor.ty)));
+        }
+        format!("{text} = {total}")
+    }
+
+    fn collect_factors<'e>(&self, e: &'e Expr, above: bool, parts: &mut Vec<(&'e Expr, bool)>) {
+        match &e.kind {
+            Kind::Binary(op @ (BinaryOp::Multiply | BinaryOp::Divide), a, b) => {
+                self.collect_factors(a, above, parts);
+                self.collect_factors(b, above == (*op == BinaryOp::Multiply), parts);
+            }
+            Kind::Unary(_, a) => self.collect_factors(a, above, parts),
+            _ => parts.push((e, above)),
+        }
+    }
+
+    /// Labels where the variables and params in the given expressions were declared.
+    fn origins(&self, mut diagnostic: Diagnostic, sides: &[&Expr]) -> Diagnostic {
+        let mut seen = Vec::new();
+        for side in sides {
+            let mut parts = Vec::new();
+            self.collect_factors(side, true, &mut parts);
+            for (factor, _) in parts {
+                let (name, span) = match factor.kind {
+                    Kind::Var(id) => (&self.variable(id).name, self.variable(id).span),
+                    Kind::Param(id) => match self.params.get(id as usize) {
+                        Some(param) => (&param.name, param.span),
+                        None => continue,
+                    },
+                    _ => continue,
+                };
+                if !seen.contains(&span) && seen.len() < 4 {
+                    seen.push(span);
+                    diagnostic = diagnostic.label(span, format!("`{name}` is a {}", self.store.show(&factor.ty)));
+                }
+            }
+        }
+        diagnostic
+    }
+
+    /// What the second must be multiplied or divided by to have the dimension of the first.
+    fn missing_factor(&self, wanted: &Type, got: &Type) -> Option<String> {
+        let known = |ty: &Type| match self.store.resolve(ty) {
+            Type::Number(dim) | Type::Vector(dim) | Type::Observable(dim) => dim.as_known(),
+            _ => None,
+        };
+        let missing = known(wanted)?.over(known(got)?).without_angle();
+        let inverse = missing.power(Rational::integer(-1))?;
+        let unit = |d: Dimension| self.shown_system().unit_of(d).name;
+        let bare = known(got)?.without_angle().is_none();
+        Some(match (missing.known_name(), inverse.known_name()) {
+            (Some(name), _) if bare => format!("give it a unit of {name}, such as `{}`", unit(missing)),
+            (_, Some(name)) if missing.known_name().is_none() || name == "Length" || name == "Time" => {
+                format!("divide by a {name} (`{}`)", unit(inverse))
+            }
+            (Some(name), _) => format!("multiply by a {name} (`{}`)", unit(missing)),
+            _ => format!("a factor of {} is missing (`{}`)", missing.in_bases(), unit(missing)),
+        })
+    }
+}

@@ -1,0 +1,101 @@
+//! From syntax trees to a typed program: names, types, dimensions, then control flow.
+//!
+//! [`check_program`] loads the model's modules, resolves names ([`names`]), infers types and dimensions
+//! ([`infer`] and its neighbours) into a typed tree ([`tree`]), lowers that to the typed program ([`lower`]) and checks
+//! what only the flow of control shows ([`flow`]).
+
+mod annotate;
+mod builtins;
+mod calls;
+mod constant;
+mod constraints;
+mod dependence;
+mod dim;
+mod domains;
+mod expr;
+mod flow;
+mod infer;
+mod lower;
+mod mismatch;
+mod modules;
+mod names;
+mod params;
+mod statements;
+mod symbolic;
+mod tree;
+mod types;
+
+use crate::ast::Module;
+use crate::diagnostic::{Diagnostic, Severity};
+use crate::dimension::Dimension;
+use crate::ir::{Program, SourceFile};
+use crate::span::FileId;
+use crate::units::UnitSystem;
+use std::collections::BTreeMap;
+
+/// Finds modules. `import gears.helical;` asks for `["gears", "helical"]`.
+pub trait Loader {
+    /// Name shown to people and text of a module.
+    fn module(&self, path: &[String]) -> Option<(String, String)>;
+    /// Name and text of the module every program sees.
+    fn prelude(&self) -> (String, String);
+    /// Modules there are, for suggestions.
+    fn names(&self) -> Vec<String> {
+        Vec::new()
+    }
+}
+
+/// What checking a model gives.
+#[derive(Clone, Debug, Default)]
+pub struct Checked {
+    /// `None` if there are errors.
+    pub program: Option<Program>,
+    /// In order of file and place.
+    pub diagnostics: Vec<Diagnostic>,
+    /// By [`FileId`]; there even if checking failed.
+    pub files: Vec<SourceFile>,
+    /// Types of the model's top-level variables, params and outputs as shown to people.
+    pub types: BTreeMap<String, String>,
+}
+
+/// A parsed file.
+pub struct ModuleData {
+    /// As imported: `gears.helical`; empty for the model, `prelude` for the prelude.
+    pub name: String,
+    pub file: FileId,
+    pub text: String,
+    pub tree: Module,
+    /// `units ...;` if the file has it.
+    pub system: Option<UnitSystem>,
+}
+
+/// Checks a model and everything it imports. `name` is the model's file as shown to people.
+pub fn check_program(name: &str, text: &str, loader: &dyn Loader) -> Checked {
+    let (modules, files, mut diagnostics) = modules::load(name, text, loader);
+    let mut names = names::resolve(&modules, loader);
+    diagnostics.append(&mut names.diagnostics);
+    let mut checker = infer::Checker::new(&modules, names);
+    checker.program();
+    diagnostics.append(&mut checker.diagnostics);
+    let types = checker.shown_types();
+    let mut program = None;
+    if !has_errors(&diagnostics) {
+        let (lowered, mut found) = lower::lower(&checker, files.clone());
+        diagnostics.append(&mut found);
+        program = Some(lowered);
+    }
+    diagnostics.sort_by_key(|d| (d.primary.span.file, d.primary.span.start, d.primary.span.end));
+    diagnostics.dedup();
+    if has_errors(&diagnostics) {
+        program = None;
+    }
+    Checked { program, diagnostics, files, types }
+}
+
+fn has_errors(diagnostics: &[Diagnostic]) -> bool {
+    diagnostics.iter().any(|d| d.severity == Severity::Error)
+}
+
+fn length() -> dim::Dim {
+    dim::Dim::known(Dimension::whole([1, 0, 0, 0, 0]))
+}

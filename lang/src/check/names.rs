@@ -1,0 +1,675 @@
+//! Names: what every identifier of the program stands for.
+//!
+//! Runs before types are inferred, so that a misspelt name is reported whatever its type might have been.
+//! Functions are visible in their whole block, variables from their declaration on.
+
+use super::builtins::{self, Builtin};
+use super::tree::{FuncId, VarId};
+use super::{Loader, ModuleData};
+use crate::ast::*;
+use crate::diagnostic::Diagnostic;
+use crate::span::{FileId, Span};
+use crate::units::Unit;
+use std::collections::{BTreeSet, HashMap, HashSet};
+
+/// What an identifier stands for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Res {
+    Var(VarId),
+    Param(u32),
+    Output(u32),
+    Function(FuncId),
+    Extern(u32),
+    Module(u32),
+    Builtin(Builtin),
+    Constant(Constant),
+    Unit(&'static Unit),
+    /// Not found; reported.
+    Unknown,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Constant {
+    Time,
+    /// Basis vector by axis, 0 to 2.
+    Basis(u8),
+    Number(NumberConstant),
+    Bool(bool),
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NumberConstant {
+    Pi,
+    Infinity,
+    NotANumber,
+}
+
+/// How a variable came to be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum VarKind {
+    /// `var x = ...`
+    Value,
+    /// `var x := ...`
+    Symbolic,
+    Parameter(Mode),
+    /// Holds a value captured by a `:=`.
+    Hidden,
+}
+
+#[derive(Clone, Debug)]
+pub struct Variable {
+    pub name: String,
+    pub span: Span,
+    pub kind: VarKind,
+    pub owner: FuncId,
+    pub reads: u32,
+}
+
+#[derive(Clone, Debug)]
+pub struct FunctionInfo<'a> {
+    /// `None` for the model's top level.
+    pub decl: Option<&'a FunctionDecl>,
+    pub name: String,
+    pub file: FileId,
+    pub parent: Option<FuncId>,
+    pub parameters: Vec<VarId>,
+    /// Variables of functions around this one that it names.
+    pub outer: BTreeSet<VarId>,
+    /// Functions it names.
+    pub callees: BTreeSet<FuncId>,
+}
+
+#[derive(Clone, Debug)]
+pub struct ExternInfo<'a> {
+    pub decl: &'a FunctionDecl,
+    /// As the program names it, e.g. `gears.material`.
+    pub name: String,
+    pub symbol: String,
+    pub file: FileId,
+}
+
+/// The result of resolving names.
+#[derive(Default)]
+pub struct Names<'a> {
+    /// By the identifier's place; declarations too.
+    pub uses: HashMap<Span, Res>,
+    pub variables: Vec<Variable>,
+    pub functions: Vec<FunctionInfo<'a>>,
+    pub externs: Vec<ExternInfo<'a>>,
+    pub params: Vec<(&'a ParamDecl, Option<&'a str>)>,
+    pub outputs: Vec<(&'a Ident, &'a Expr, Option<&'a str>)>,
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+#[derive(Default)]
+struct Scope {
+    names: HashMap<String, (Res, Span)>,
+}
+
+struct Resolver<'a> {
+    names: Names<'a>,
+    modules: &'a [ModuleData],
+    loader: &'a dyn Loader,
+    /// Functions and externs by module and name.
+    exports: Vec<HashMap<String, (Res, Span)>>,
+    scopes: Vec<Scope>,
+    function: FuncId,
+    file: FileId,
+}
+
+/// Resolves all names. `modules[0]` is the model, `modules[1]` the prelude.
+pub fn resolve<'a>(modules: &'a [ModuleData], loader: &'a dyn Loader) -> Names<'a> {
+    let mut resolver = Resolver {
+        names: Names::default(),
+        modules,
+        loader,
+        exports: Vec::new(),
+        scopes: Vec::new(),
+        function: FuncId(0),
+        file: FileId(0),
+    };
+    resolver.names.functions.push(FunctionInfo {
+        decl: None,
+        name: "main".into(),
+        file: FileId(0),
+        parent: None,
+        parameters: Vec::new(),
+        outer: BTreeSet::new(),
+        callees: BTreeSet::new(),
+    });
+    for (index, module) in modules.iter().enumerate() {
+        let mut exports = HashMap::new();
+        if index > 0 {
+            resolver.file = module.file;
+            for statement in &module.tree.statements {
+                resolver.declare_function(statement, &mut exports, &module.name);
+            }
+        }
+        resolver.exports.push(exports);
+    }
+    // Modules first: a model's diagnostics then never depend on how far its modules were read.
+    for index in (0..modules.len()).rev() {
+        resolver.module(index);
+    }
+    let Resolver { mut names, .. } = resolver;
+    for variable in &names.variables {
+        if variable.reads == 0
+            && matches!(variable.kind, VarKind::Value | VarKind::Symbolic)
+            && !variable.name.starts_with('_')
+        {
+            names.diagnostics.push(
+                Diagnostic::warning(
+                    "W0201",
+                    format!("`{}` is never used", variable.name),
+                    variable.span,
+                    "declared here",
+                )
+                .help("remove it, or start its name with `_` to keep it"),
+            );
+        }
+    }
+    names
+}
+
+impl<'a> Resolver<'a> {
+    fn module(&mut self, index: usize) {
+        let module = &self.modules[index];
+        self.file = module.file;
+        self.function = FuncId(0);
+        let prelude = match index {
+            1 => Scope::default(),
+            _ => Scope { names: self.exports.get(1).cloned().unwrap_or_default() },
+        };
+        let own = Scope { names: self.exports[index].clone() };
+        self.scopes = vec![prelude, own];
+        if index == 0 {
+            self.declare_functions(&module.tree.statements);
+        }
+        for statement in &module.tree.statements {
+            if index > 0 {
+                match &statement.kind {
+                    StmtKind::Import(_)
+                    | StmtKind::Units(_)
+                    | StmtKind::Function(_)
+                    | StmtKind::Empty
+                    | StmtKind::Error => {}
+                    _ => self.report(
+                        Diagnostic::error(
+                            "E0210",
+                            "a module holds only functions, imports and units",
+                            statement.span,
+                            "not allowed in a module",
+                        )
+                        .help("move it to the model, or into a function"),
+                    ),
+                }
+            }
+            self.statement(statement, true);
+        }
+        self.scopes.clear();
+    }
+
+    fn report(&mut self, diagnostic: Diagnostic) {
+        self.names.diagnostics.push(diagnostic);
+    }
+
+    /// Declares the functions of a block before anything else in it.
+    fn declare_functions(&mut self, statements: &'a [Stmt]) {
+        for statement in statements {
+            let mut names = self.scopes.pop().unwrap_or_default().names;
+            self.declare_function(statement, &mut names, "");
+            self.scopes.push(Scope { names });
+        }
+    }
+
+    fn declare_function(
+        &mut self,
+        statement: &'a Stmt,
+        names: &mut HashMap<String, (Res, Span)>,
+        module: &str,
+    ) {
+        let StmtKind::Function(decl) = &statement.kind else { return };
+        let name = &decl.name;
+        let res = if matches!(decl.body, FunctionBody::Extern { .. }) {
+            // The prelude's functions are the standard ones, without a module name in the program.
+            let (shown, prefix) = match module {
+                "" | "prelude" => (name.name.clone(), "std".to_string()),
+                _ => (format!("{module}.{}", name.name), module.replace('.', "_")),
+            };
+            self.names.externs.push(ExternInfo {
+                decl,
+                name: shown,
+                symbol: format!("calyx_{prefix}_{}", name.name),
+                file: self.file,
+            });
+            Res::Extern(self.names.externs.len() as u32 - 1)
+        } else {
+            self.names.functions.push(FunctionInfo {
+                decl: Some(decl),
+                name: name.name.clone(),
+                file: self.file,
+                parent: Some(self.function),
+                parameters: Vec::new(),
+                outer: BTreeSet::new(),
+                callees: BTreeSet::new(),
+            });
+            Res::Function(FuncId(self.names.functions.len() as u32 - 1))
+        };
+        self.names.uses.insert(name.span, res);
+        self.insert(names, name, res);
+    }
+
+    /// Enters a name into a block, reporting a reserved or taken one.
+    fn insert(&mut self, names: &mut HashMap<String, (Res, Span)>, name: &Ident, res: Res) {
+        if builtins::constant(&name.name).is_some() {
+            self.report(
+                Diagnostic::error("E0203", format!("`{}` is reserved", name.name), name.span, "cannot be declared")
+                    .help("choose another name"),
+            );
+            return;
+        }
+        if let Some((_, first)) = names.get(&name.name) {
+            let diagnostic = Diagnostic::error(
+                "E0202",
+                format!("`{}` is declared twice in the same block", name.name),
+                name.span,
+                "declared again here",
+            )
+            .label(*first, "first declared here")
+            .help("choose another name, or assign without `var`");
+            self.report(diagnostic);
+            return;
+        }
+        names.insert(name.name.clone(), (res, name.span));
+    }
+
+    fn declare(&mut self, name: &Ident, res: Res) {
+        self.names.uses.insert(name.span, res);
+        let mut names = self.scopes.pop().unwrap_or_default().names;
+        self.insert(&mut names, name, res);
+        self.scopes.push(Scope { names });
+    }
+
+    fn variable(&mut self, name: &Ident, kind: VarKind) -> VarId {
+        let id = VarId(self.names.variables.len() as u32);
+        self.names.variables.push(Variable {
+            name: name.name.clone(),
+            span: name.span,
+            kind,
+            owner: self.function,
+            reads: 0,
+        });
+        self.declare(name, Res::Var(id));
+        id
+    }
+
+    fn scoped(&mut self, work: impl FnOnce(&mut Self)) {
+        self.scopes.push(Scope::default());
+        work(self);
+        self.scopes.pop();
+    }
+
+    fn statement(&mut self, statement: &'a Stmt, top: bool) {
+        match &statement.kind {
+            StmtKind::Empty
+            | StmtKind::Error
+            | StmtKind::Units(_)
+            | StmtKind::Goto(_)
+            | StmtKind::Break
+            | StmtKind::Continue => {}
+            StmtKind::Import(path) => self.import(path, top),
+            StmtKind::Param(decl) => {
+                self.expr(&decl.default);
+                match &decl.domain {
+                    Some(Domain::Range { low, high, .. }) => {
+                        low.iter().chain(high).for_each(|e| self.expr(e));
+                    }
+                    Some(Domain::Choices { values, .. }) => values.iter().for_each(|e| self.expr(e)),
+                    None => {}
+                }
+                if !top {
+                    self.only_at_top("param", statement.span);
+                    return;
+                }
+                let id = self.names.params.len() as u32;
+                self.names.params.push((decl, statement.doc.as_deref()));
+                self.declare(&decl.name, Res::Param(id));
+            }
+            StmtKind::Output { name, value } => {
+                self.expr(value);
+                if !top {
+                    self.only_at_top("output", statement.span);
+                    return;
+                }
+                let id = self.names.outputs.len() as u32;
+                self.names.outputs.push((name, value, statement.doc.as_deref()));
+                self.declare(name, Res::Output(id));
+            }
+            StmtKind::Var(decls) => {
+                for decl in decls {
+                    if let Some((_, value)) = &decl.init {
+                        self.expr(value);
+                    }
+                    let symbolic = matches!(decl.init, Some((Bind::Symbolic, _)));
+                    self.variable(&decl.name, if symbolic { VarKind::Symbolic } else { VarKind::Value });
+                }
+            }
+            StmtKind::Assign { place, value, .. } => {
+                self.place(place);
+                self.expr(value);
+            }
+            StmtKind::Expr(e) => self.expr(e),
+            StmtKind::Function(decl) => self.function(decl),
+            StmtKind::Block(statements) => self.scoped(|r| {
+                r.declare_functions(statements);
+                statements.iter().for_each(|s| r.statement(s, false));
+            }),
+            StmtKind::If { condition, then, otherwise } => {
+                self.expr(condition);
+                self.nested(then);
+                if let Some(otherwise) = otherwise {
+                    self.nested(otherwise);
+                }
+            }
+            StmtKind::While { condition, body } => {
+                self.expr(condition);
+                self.nested(body);
+            }
+            StmtKind::DoWhile { body, condition } => {
+                self.nested(body);
+                self.expr(condition);
+            }
+            StmtKind::For { init, condition, step, body } => self.scoped(|r| {
+                r.statement(init, false);
+                condition.iter().for_each(|e| r.expr(e));
+                r.statement(step, false);
+                r.nested(body);
+            }),
+            StmtKind::Switch { value, body } => {
+                self.expr(value);
+                self.nested(body);
+            }
+            StmtKind::Case { value, statement } => {
+                self.expr(value);
+                self.statement(statement, false);
+            }
+            StmtKind::Default(inner) => self.statement(inner, false),
+            StmtKind::Label { statement, .. } => self.statement(statement, false),
+            StmtKind::Return(value) | StmtKind::Throw(value) => value.iter().for_each(|e| self.expr(e)),
+            StmtKind::Try { body, error, handler } => {
+                self.nested(body);
+                self.scoped(|r| {
+                    if let Some(error) = error {
+                        let id = r.variable(error, VarKind::Value);
+                        r.names.variables[id.0 as usize].reads = 1;
+                    }
+                    r.nested(handler);
+                });
+            }
+        }
+    }
+
+    fn only_at_top(&mut self, what: &str, span: Span) {
+        self.report(
+            Diagnostic::error("E0211", format!("`{what}` stands only at the top level of a model"), span, "not here")
+                .help("move it out of the block"),
+        );
+    }
+
+    /// A statement that is a block of its own even without braces.
+    fn nested(&mut self, statement: &'a Stmt) {
+        self.scoped(|r| {
+            if let StmtKind::Function(_) = &statement.kind {
+                r.declare_functions(std::slice::from_ref(statement));
+            }
+            r.statement(statement, false);
+        });
+    }
+
+    fn import(&mut self, path: &'a [Ident], top: bool) {
+        let (Some(first), Some(last)) = (path.first(), path.last()) else { return };
+        let span = first.span.to(last.span);
+        if !top {
+            return self.only_at_top("import", span);
+        }
+        let name = path.iter().map(|ident| ident.name.as_str()).collect::<Vec<_>>().join(".");
+        match self.modules.iter().position(|module| module.name == name) {
+            Some(index) => self.declare(last, Res::Module(index as u32)),
+            // The loader has reported it.
+            None => self.declare(last, Res::Unknown),
+        }
+    }
+
+    fn function(&mut self, decl: &'a FunctionDecl) {
+        for parameter in &decl.parameters {
+            if let Some((_, Some(default))) = &parameter.default {
+                self.expr(default);
+            }
+            match &parameter.domain {
+                Some(Domain::Range { low, high, .. }) => low.iter().chain(high).for_each(|e| self.expr(e)),
+                Some(Domain::Choices { values, .. }) => values.iter().for_each(|e| self.expr(e)),
+                None => {}
+            }
+        }
+        let id = match self.names.uses.get(&decl.name.span) {
+            Some(Res::Function(id)) => *id,
+            // An extern function has no body. Its parameters' names must still differ.
+            _ => {
+                let mut seen = HashSet::new();
+                for parameter in &decl.parameters {
+                    if !seen.insert(&parameter.name.name) {
+                        self.twice(&parameter.name);
+                    }
+                }
+                return;
+            }
+        };
+        let around = std::mem::replace(&mut self.function, id);
+        self.scoped(|r| {
+            for parameter in &decl.parameters {
+                let variable = r.variable(&parameter.name, VarKind::Parameter(parameter.mode));
+                r.names.functions[id.0 as usize].parameters.push(variable);
+            }
+            match &decl.body {
+                FunctionBody::Statement(body) => match &body.kind {
+                    // Parameters and body share one block: a parameter cannot be declared again.
+                    StmtKind::Block(statements) => {
+                        r.declare_functions(statements);
+                        statements.iter().for_each(|s| r.statement(s, false));
+                    }
+                    _ => r.statement(body, false),
+                },
+                FunctionBody::Symbolic(e) => r.expr(e),
+                FunctionBody::Extern { .. } => {}
+            }
+        });
+        self.function = around;
+    }
+
+    fn twice(&mut self, name: &Ident) {
+        let message = format!("`{}` is declared twice in the same block", name.name);
+        self.report(
+            Diagnostic::error("E0202", message, name.span, "declared again here").help("choose another name"),
+        );
+    }
+
+    /// The target of an assignment: naming it is no use of it.
+    fn place(&mut self, place: &'a Expr) {
+        match &place.kind {
+            ExprKind::Name(name) => {
+                let res = self.lookup(name);
+                self.names.uses.insert(name.span, res);
+                if let Res::Var(id) = res {
+                    self.outer(id);
+                }
+            }
+            ExprKind::Index { base, index } => {
+                self.place(base);
+                self.expr(index);
+            }
+            ExprKind::Paren(inner) => self.place(inner),
+            _ => self.expr(place),
+        }
+    }
+
+    fn outer(&mut self, id: VarId) {
+        if self.names.variables[id.0 as usize].owner != self.function {
+            self.names.functions[self.function.0 as usize].outer.insert(id);
+        }
+    }
+
+    fn expr(&mut self, e: &'a Expr) {
+        match &e.kind {
+            ExprKind::Error | ExprKind::Number(_) | ExprKind::Quantity { .. } | ExprKind::Bool(_) => {}
+            ExprKind::String(parts) => {
+                for part in parts {
+                    if let StringPart::Value(value) = part {
+                        self.expr(value);
+                    }
+                }
+            }
+            ExprKind::Name(name) => self.name(name),
+            ExprKind::Field { base, field } => self.field(base, field),
+            ExprKind::Call { callee, arguments } => {
+                self.expr(callee);
+                arguments.iter().for_each(|argument| self.expr(&argument.value));
+            }
+            ExprKind::Index { base, index } => {
+                self.expr(base);
+                self.expr(index);
+            }
+            ExprKind::Unary { operand, .. } => self.expr(operand),
+            ExprKind::Binary { left, right, .. } => {
+                self.expr(left);
+                self.expr(right);
+            }
+            ExprKind::List(elements) => elements.iter().for_each(|e| self.expr(e)),
+            ExprKind::If { condition, then, otherwise } => {
+                self.expr(condition);
+                self.expr(then);
+                self.expr(otherwise);
+            }
+            ExprKind::At { value, symbol, at } => {
+                self.expr(value);
+                self.name(symbol);
+                self.expr(at);
+            }
+            ExprKind::Paren(inner) => self.expr(inner),
+        }
+    }
+
+    fn name(&mut self, name: &'a Ident) {
+        let res = self.lookup(name);
+        self.names.uses.insert(name.span, res);
+        match res {
+            Res::Var(id) => {
+                self.names.variables[id.0 as usize].reads += 1;
+                self.outer(id);
+            }
+            Res::Function(id) => {
+                self.names.functions[self.function.0 as usize].callees.insert(id);
+            }
+            _ => {}
+        }
+    }
+
+    fn field(&mut self, base: &'a Expr, field: &'a Ident) {
+        self.expr(base);
+        let ExprKind::Name(name) = &base.kind else { return };
+        let Some(Res::Module(module)) = self.names.uses.get(&name.span).copied() else { return };
+        let exports = &self.exports[module as usize];
+        let res = match exports.get(&field.name) {
+            Some((res, _)) => *res,
+            None => {
+                let mut diagnostic = Diagnostic::error(
+                    "E0204",
+                    format!("module `{}` has no function `{}`", name.name, field.name),
+                    field.span,
+                    "not found in the module",
+                );
+                diagnostic = match similar(&field.name, exports.keys().map(String::as_str)) {
+                    Some(near) => diagnostic.help(format!("did you mean `{near}`?")).fix(
+                        format!("change to `{near}`"),
+                        field.span,
+                        near,
+                    ),
+                    None => {
+                        let mut all: Vec<_> = exports.keys().map(|name| format!("`{name}`")).collect();
+                        all.sort();
+                        diagnostic.help(format!("it has {}", all.join(", ")))
+                    }
+                };
+                self.report(diagnostic);
+                Res::Unknown
+            }
+        };
+        self.names.uses.insert(field.span, res);
+        if let Res::Function(id) = res {
+            self.names.functions[self.function.0 as usize].callees.insert(id);
+        }
+    }
+
+    fn lookup(&mut self, name: &Ident) -> Res {
+        if let Some(constant) = builtins::constant(&name.name) {
+            return Res::Constant(constant);
+        }
+        for scope in self.scopes.iter().rev() {
+            if let Some((res, _)) = scope.names.get(&name.name) {
+                return *res;
+            }
+        }
+        if let Some(builtin) = Builtin::find(&name.name) {
+            return Res::Builtin(builtin);
+        }
+        if let Some(unit) = Unit::find(&name.name) {
+            return Res::Unit(unit);
+        }
+        self.unknown(name);
+        Res::Unknown
+    }
+
+    fn unknown(&mut self, name: &Ident) {
+        let diagnostic =
+            Diagnostic::error("E0201", format!("`{}` is not known here", name.name), name.span, "unknown name");
+        let reserved = match name.name.as_str() {
+            "true" | "True" => Some("TRUE"),
+            "false" | "False" => Some("FALSE"),
+            "t" | "T" | "time" => Some("Time"),
+            "Pi" | "PI" => Some("pi"),
+            "Inf" | "infinity" => Some("inf"),
+            "NaN" => Some("nan"),
+            _ => None,
+        };
+        let mut candidates: Vec<&str> = builtins::names().collect();
+        candidates.extend(self.scopes.iter().flat_map(|scope| scope.names.keys().map(String::as_str)));
+        let near = match reserved {
+            Some(near) => Some(near.to_string()),
+            None => similar(&name.name, candidates.into_iter())
+                .or_else(|| Unit::similar(&name.name).filter(|near| near.len() > 2).map(str::to_string)),
+        };
+        let diagnostic = match near {
+            Some(near) => diagnostic.help(format!("did you mean `{near}`?")).fix(
+                format!("change to `{near}`"),
+                name.span,
+                near,
+            ),
+            None if self.loader.module(std::slice::from_ref(&name.name)).is_some() => {
+                diagnostic.help(format!("add `import {};` to use the module", name.name))
+            }
+            None => diagnostic.help("declare it with `var` before this use"),
+        };
+        self.report(diagnostic);
+    }
+}
+
+/// The candidate spelt most like `name`, if one is near enough to be meant.
+pub fn similar<'s>(name: &str, candidates: impl Iterator<Item = &'s str>) -> Option<String> {
+    candidates
+        .map(|candidate| (strsim::damerau_levenshtein(name, candidate), candidate))
+        .filter(|(distance, candidate)| {
+            *distance <= (name.chars().count().max(candidate.chars().count()) / 3).max(1)
+                && *distance < name.chars().count()
+        })
+        .min_by(|a, b| a.cmp(b))
+        .map(|(_, candidate)| candidate.to_string())
+}

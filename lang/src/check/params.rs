@@ -1,0 +1,178 @@
+//! Params and outputs: the model's interface.
+
+use super::infer::Checker;
+use super::tree::{DefId, Output, Param, StmtKind};
+use super::types::Type;
+use crate::ast::{self, BinaryOp, Domain, ExprKind, UnaryOp};
+use crate::diagnostic::Diagnostic;
+use crate::dimension::{Dimension, Rational};
+use crate::ir::DisplayUnit;
+use crate::units::{Unit, literal_unit};
+
+impl<'a> Checker<'a> {
+    /// Params are set before the program runs, so all of them are checked before it.
+    pub(super) fn declare_params(&mut self) {
+        self.constant_place = Some("a param's default");
+        for (decl, doc) in self.names.params.clone() {
+            let default = self.whole(&decl.default);
+            let ty = default.ty.clone();
+            let (mut low, mut high, mut choices) = (None, None, Vec::new());
+            let name = &decl.name.name;
+            match &decl.domain {
+                Some(Domain::Range { low: l, high: h, .. }) => {
+                    let cause = Some((decl.default.span, format!("`{name}` is a {} by its default", self.store.show(&ty))));
+                    for (end, e) in [(&mut low, l), (&mut high, h)] {
+                        if let Some(e) = e {
+                            let e = self.whole(e);
+                            let number = self.fresh_number();
+                            self.expect(&number, &e, "an end of a range", None);
+                            self.expect(&ty, &e, &format!("an end of the range of `{name}`"), cause.clone());
+                            *end = Some(e);
+                        }
+                    }
+                }
+                Some(Domain::Choices { values, .. }) => {
+                    for value in values {
+                        let value = self.expr(value);
+                        self.expect(&Type::String, &value, "a choice", None);
+                        match super::constant::text(&value) {
+                            Some(text) => choices.push(text.to_string()),
+                            None if matches!(value.ty, Type::String) => {
+                                self.not_yet("choices that are computed are", value.span);
+                            }
+                            None => {}
+                        }
+                    }
+                    self.expect(&Type::String, &default, &format!("the default of `{name}`"), None);
+                }
+                None => {}
+            }
+            self.domain(&ty, decl.domain.as_ref(), Some(&default), name);
+            self.params.push(Param {
+                name: name.clone(),
+                doc: doc.unwrap_or_default().to_string(),
+                ty,
+                whole: is_whole(&decl.default),
+                default,
+                low,
+                high,
+                choices,
+                unit: None,
+                span: decl.name.span,
+            });
+        }
+        self.constant_place = None;
+    }
+
+    /// Once types are known: what kind of value each param is, and its unit.
+    pub(super) fn finish_params(&mut self) {
+        for index in 0..self.params.len() {
+            let (ty, span) = (self.store.resolve(&self.params[index].ty), self.params[index].span);
+            let decl = self.names.params[index].0;
+            match &ty {
+                Type::Number(dim) => {
+                    let dimension = dim.as_known().unwrap_or(Dimension::NONE);
+                    let written = written_unit(&decl.default)
+                        .filter(|unit| !unit.name.is_empty() || dimension.is_none())
+                        .unwrap_or_else(|| self.shown_system().unit_of(dimension));
+                    self.params[index].whole &= dimension.is_none();
+                    self.params[index].unit = Some(written);
+                }
+                Type::Bool | Type::String | Type::Error => self.params[index].whole = false,
+                Type::Unknown(_) => {}
+                other => {
+                    let shown = self.store.show(other);
+                    self.report(
+                        Diagnostic::error("E0312", format!("a param cannot be a {shown}"), span, "declared here")
+                            .help("params are numbers, truth values and strings"),
+                    );
+                }
+            }
+        }
+    }
+
+    /// The default of a function's parameter, checked where it is declared.
+    pub(super) fn parameter_default(&mut self, ty: &Type, name: &ast::Ident, default: &'a ast::Expr) {
+        let around = self.constant_place.replace("a default");
+        let value = self.as_value(|c| c.whole(default));
+        self.constant_place = around;
+        // Under a unit system a bare literal has the dimension of each call.
+        if !(super::expr::is_bare(default) && self.system().is_some()) || !matches!(self.store.shallow(ty), Type::Unknown(_)) {
+            self.expect(ty, &value, &format!("the default of `{}`", name.name), Some((name.span, "declared here".into())));
+        }
+    }
+
+    /// `output name := value;`
+    pub(super) fn output(&mut self, id: u32, name: &ast::Ident, value: &'a ast::Expr) -> StmtKind {
+        let e = self.as_symbolic(|c| c.whole(value));
+        let number = self.fresh_number();
+        self.expect(&number, &e, &format!("the output `{}`", name.name), None);
+        let (ty, span) = (e.ty.clone(), e.span);
+        let def: DefId = self.make_def(&name.name, e, span);
+        self.defs[def.0 as usize].stored = true;
+        self.output_defs.insert(id, def);
+        let doc = self.names.outputs.get(id as usize).and_then(|(_, _, doc)| *doc).unwrap_or_default().to_string();
+        self.outputs.push(Output { name: name.name.clone(), doc, ty, span: name.span });
+        StmtKind::Output(self.outputs.len() as u32 - 1, def)
+    }
+}
+
+/// A whole number without a unit, perhaps signed.
+fn is_whole(e: &ast::Expr) -> bool {
+    match &e.kind {
+        ExprKind::Number(value) => value.fract() == 0.0,
+        ExprKind::Unary { op: UnaryOp::Plus | UnaryOp::Minus, operand } => is_whole(operand),
+        ExprKind::Paren(inner) => is_whole(inner),
+        _ => false,
+    }
+}
+
+/// The unit an expression of literals is written in: `1000 lbf*inch` is in `lbf*inch`, `10 / inch` in `1/inch`.
+fn written_unit(e: &ast::Expr) -> Option<DisplayUnit> {
+    match &e.kind {
+        ExprKind::Number(_) => Some(pure()),
+        ExprKind::Quantity { unit, exponent, .. } => literal_unit(&unit.name, *exponent),
+        ExprKind::Name(name) => {
+            Unit::find(&name.name)?;
+            literal_unit(&name.name, 1)
+        }
+        ExprKind::Paren(inner) | ExprKind::Unary { operand: inner, .. } => written_unit(inner),
+        ExprKind::Binary { op: BinaryOp::Power, left, right, .. } => match (&left.kind, &right.kind) {
+            (ExprKind::Name(name), ExprKind::Number(exponent))
+                if exponent.fract() == 0.0 && exponent.abs() < 100.0 =>
+            {
+                literal_unit(&name.name, *exponent as i32)
+            }
+            _ => None,
+        },
+        ExprKind::Binary { op: op @ (BinaryOp::Multiply | BinaryOp::Divide), left, right, .. } => {
+            combined(&written_unit(left)?, &written_unit(right)?, *op == BinaryOp::Multiply)
+        }
+        _ => None,
+    }
+}
+
+fn pure() -> DisplayUnit {
+    DisplayUnit { name: String::new(), factor: 1.0, dimension: Dimension::NONE.exponents() }
+}
+
+fn combined(left: &DisplayUnit, right: &DisplayUnit, product: bool) -> Option<DisplayUnit> {
+    let group = |name: &str| if name.contains(['*', '/']) { format!("({name})") } else { name.to_string() };
+    let name = match (left.name.as_str(), right.name.as_str(), product) {
+        (left, "", _) => left.to_string(),
+        ("", right, true) => right.to_string(),
+        ("", right, false) => format!("1/{}", group(right)),
+        (left, right, true) => format!("{left}*{right}"),
+        (left, right, false) => format!("{left}/{}", group(right)),
+    };
+    let mut dimension = [(0, 1); 5];
+    for (i, to) in dimension.iter_mut().enumerate() {
+        let (a, b) = (left.dimension[i], right.dimension[i]);
+        let sign = if product { 1 } else { -1 };
+        let numerator = i64::from(a.0) * i64::from(b.1) + sign * i64::from(b.0) * i64::from(a.1);
+        let sum = Rational::new(numerator, i64::from(a.1) * i64::from(b.1))?;
+        *to = (sum.numerator(), sum.denominator());
+    }
+    let factor = if product { left.factor * right.factor } else { left.factor / right.factor };
+    Some(DisplayUnit { name, factor, dimension })
+}

@@ -1,0 +1,326 @@
+//! Statements: from syntax to typed tree.
+
+use super::builtins::Builtin;
+use super::constant;
+use super::infer::Checker;
+use super::names::{Res, VarKind};
+use super::tree::*;
+use super::types::Type;
+use crate::ast::{self, Bind, ExprKind};
+use crate::diagnostic::Diagnostic;
+use crate::span::Span;
+
+impl<'a> Checker<'a> {
+    pub(super) fn statements(&mut self, statements: &'a [ast::Stmt]) -> Vec<Stmt> {
+        let mut checked = Vec::new();
+        for s in statements {
+            checked.push(self.statement(s));
+            self.solve_constraints();
+        }
+        checked
+    }
+
+    pub(super) fn statement(&mut self, statement: &'a ast::Stmt) -> Stmt {
+        let kind = self.statement_kind(statement);
+        Stmt { kind, span: statement.span }
+    }
+
+    fn boxed(&mut self, statement: &'a ast::Stmt) -> Box<Stmt> {
+        Box::new(self.statement(statement))
+    }
+
+    fn statement_kind(&mut self, statement: &'a ast::Stmt) -> StmtKind {
+        use ast::StmtKind as Ast;
+        match &statement.kind {
+            Ast::Empty | Ast::Error | Ast::Import(_) | Ast::Param(_) => StmtKind::Nothing,
+            Ast::Units(name) => {
+                self.units(name);
+                StmtKind::Nothing
+            }
+            Ast::Output { name, value } => match self.names.uses.get(&name.span) {
+                Some(Res::Output(id)) => self.output(*id, name, value),
+                _ => StmtKind::Nothing,
+            },
+            Ast::Var(decls) => {
+                let all = decls.iter().map(|decl| Stmt { kind: self.variable_decl(decl), span: decl.name.span });
+                let mut all: Vec<Stmt> = all.collect();
+                match (all.len(), all.pop()) {
+                    (1, Some(only)) => only.kind,
+                    (_, Some(last)) => {
+                        all.push(last);
+                        StmtKind::Block(all)
+                    }
+                    (_, None) => StmtKind::Nothing,
+                }
+            }
+            Ast::Assign { place, bind, value } => self.assign(place, *bind, value),
+            Ast::Expr(e) => self.expression(e),
+            Ast::Function(decl) => {
+                if let Some(Res::Function(id)) = self.names.uses.get(&decl.name.span) {
+                    self.ensure_inferred(*id);
+                }
+                StmtKind::Nothing
+            }
+            Ast::Block(statements) => StmtKind::Block(self.statements(statements)),
+            Ast::If { condition, then, otherwise } => {
+                let condition = self.condition(condition);
+                let (then, otherwise) =
+                    self.either(|c| c.boxed(then), |c| otherwise.as_ref().map(|otherwise| c.boxed(otherwise)));
+                StmtKind::If(condition, then, otherwise)
+            }
+            Ast::While { condition, body } => self.repeated(&[body], |c| {
+                let condition = c.condition(condition);
+                StmtKind::While(condition, c.boxed(body))
+            }),
+            Ast::DoWhile { body, condition } => self.repeated(&[body], |c| {
+                let body = c.boxed(body);
+                StmtKind::DoWhile(body, c.condition(condition))
+            }),
+            Ast::For { init, condition, step, body } => {
+                let init = self.boxed(init);
+                self.repeated(&[step, body], |c| {
+                    let condition = condition.as_ref().map(|condition| c.condition(condition));
+                    let body = c.boxed(body);
+                    let step = c.boxed(step);
+                    StmtKind::For { init, condition, step, body }
+                })
+            }
+            Ast::Switch { value, body } => {
+                let value = self.expr(value);
+                let comparable = ConstraintKind::Comparable(value.ty.clone());
+                self.constrain(Constraint { kind: comparable, span: value.span });
+                self.switches.push((value.clone(), Vec::new()));
+                let body = self.repeated(&[body], |c| c.boxed(body));
+                self.switches.pop();
+                StmtKind::Switch(value, body)
+            }
+            Ast::Case { value, statement: inner } => {
+                self.forget_rebound();
+                let value = self.case(value, statement.span);
+                StmtKind::Case(value, self.boxed(inner))
+            }
+            Ast::Default(inner) => {
+                self.forget_rebound();
+                if self.switches.is_empty() {
+                    self.outside_switch("default", statement.span);
+                }
+                StmtKind::Default(self.boxed(inner))
+            }
+            Ast::Label { label, statement } => {
+                self.forget_rebound();
+                StmtKind::Label(label.name.clone(), self.boxed(statement))
+            }
+            Ast::Goto(label) => StmtKind::Goto(label.name.clone()),
+            Ast::Break => StmtKind::Break,
+            Ast::Continue => StmtKind::Continue,
+            Ast::Return(value) => self.return_value(value.as_ref(), statement.span),
+            Ast::Throw(value) => {
+                if let Some(value) = value {
+                    self.as_value(|c| c.expr(value));
+                }
+                self.not_yet("`throw` is", statement.span);
+                StmtKind::Nothing
+            }
+            Ast::Try { body, handler, .. } => {
+                self.either(|c| c.boxed(body), |c| c.boxed(handler));
+                self.not_yet("`try` is", statement.span);
+                StmtKind::Nothing
+            }
+        }
+    }
+
+    fn units(&mut self, name: &ast::Ident) {
+        if crate::units::UnitSystem::from_name(&name.name).is_none() {
+            let all = crate::units::UnitSystem::ALL.map(|system| format!("`{}`", system.name())).join(", ");
+            self.report(
+                Diagnostic::error("E0404", format!("there is no unit system `{}`", name.name), name.span, "unknown system")
+                    .help(format!("choose one of {all}")),
+            );
+        }
+    }
+
+    fn condition(&mut self, e: &'a ast::Expr) -> Expr {
+        let condition = self.expr(e);
+        self.expect(&Type::Bool, &condition, "a condition", None);
+        condition
+    }
+
+    /// A whole value that is stored or returned.
+    fn stored(&mut self, e: &'a ast::Expr) -> Expr {
+        let value = self.whole(e);
+        if matches!(self.store.shallow(&value.ty), Type::Unit) {
+            self.report(
+                Diagnostic::error("E0303", "a value is needed here, and this call returns nothing", value.span, "no value here")
+                    .help("call it as a statement, or give the function a `return` with a value"),
+            );
+            return Expr::error(value.span);
+        }
+        value
+    }
+
+    fn variable_decl(&mut self, decl: &'a ast::VarDecl) -> StmtKind {
+        let Some(Res::Var(id)) = self.names.uses.get(&decl.name.span).copied() else { return StmtKind::Nothing };
+        match &decl.init {
+            None => {
+                self.variable_type(id);
+                StmtKind::Nothing
+            }
+            Some((Bind::Symbolic, value)) => self.bind(id, value),
+            Some((Bind::Evaluate, value)) => {
+                let value = self.stored(value);
+                let ty = self.variable_type(id);
+                self.expect(&ty, &value, &format!("`{}`", decl.name.name), None);
+                self.dependence.variable(id, &value);
+                let place = Place { variable: id, indices: Vec::new(), ty, span: decl.name.span };
+                StmtKind::Assign(place, value)
+            }
+        }
+    }
+
+    fn assign(&mut self, place: &'a ast::Expr, bind: Bind, value: &'a ast::Expr) -> StmtKind {
+        if bind == Bind::Symbolic {
+            return self.rebind(place, value);
+        }
+        let target = self.place(place);
+        let value = self.stored(value);
+        let Some(target) = target else { return StmtKind::Nothing };
+        let variable = self.variable(target.variable).clone();
+        let what = match target.indices.is_empty() {
+            true => format!("`{}`", variable.name),
+            false => format!("an element of `{}`", variable.name),
+        };
+        let cause = (variable.span, format!("`{}` is declared here", variable.name));
+        self.expect(&target.ty.clone(), &value, &what, Some(cause));
+        self.dependence.variable(target.variable, &value);
+        StmtKind::Assign(target, value)
+    }
+
+    fn rebind(&mut self, place: &'a ast::Expr, value: &'a ast::Expr) -> StmtKind {
+        if let ExprKind::Name(name) = &place.kind
+            && let Some(Res::Var(id)) = self.names.uses.get(&name.span).copied()
+        {
+            let variable = self.variable(id).clone();
+            if variable.kind == VarKind::Symbolic {
+                if variable.owner != self.function {
+                    self.not_yet("binding a `:=` name of another function is", place.span);
+                }
+                return self.bind(id, value);
+            }
+            self.report(
+                Diagnostic::error(
+                    "E0503",
+                    format!("`{}` holds a value and cannot be bound with `:=`", variable.name),
+                    place.span,
+                    "a name's kind is fixed where it is declared",
+                )
+                .label(variable.span, "declared here")
+                .help(format!("write `{0} = ...`, or declare it with `var {0} := ...`", variable.name)),
+            );
+        } else if self.place(place).is_some() {
+            self.report(
+                Diagnostic::error("E0503", "only a name can be bound with `:=`", place.span, "not a name")
+                    .help("declare a name with `var name := ...`"),
+            );
+        }
+        self.as_symbolic(|c| c.whole(value));
+        StmtKind::Nothing
+    }
+
+    fn expression(&mut self, e: &'a ast::Expr) -> StmtKind {
+        if let ExprKind::Call { callee, arguments } = &e.kind
+            && let ExprKind::Name(name) = &callee.kind
+            && self.builtin(name) == Some(Builtin::Push)
+        {
+            return self.push(arguments, e.span);
+        }
+        let value = self.expr(e);
+        let call = matches!(
+            value.kind,
+            Kind::Call(_) | Kind::CallExtern(..) | Kind::Print(..) | Kind::Assert(..) | Kind::Error
+        );
+        if !call {
+            self.report(
+                Diagnostic::warning("W0203", "the value of this expression is not used", e.span, "computed for nothing")
+                    .help("assign it to a variable, or remove it"),
+            );
+        }
+        StmtKind::Eval(value)
+    }
+
+    fn push(&mut self, arguments: &'a [ast::Argument], span: Span) -> StmtKind {
+        let Some([array, value]) = self.plain("push", arguments, span, ["array", "value"]) else {
+            return StmtKind::Nothing;
+        };
+        let place = self.place(array);
+        let value = self.stored(value);
+        let Some(place) = place else { return StmtKind::Nothing };
+        let cause = (place.span, format!("this is an {}", self.store.show(&place.ty)));
+        let array = Type::array(value.ty.clone());
+        let pushed = Expr { kind: Kind::Error, ty: array, span: value.span };
+        self.expect(&place.ty.clone(), &pushed, "what is pushed, as an array,", Some(cause));
+        self.dependence.variable(place.variable, &value);
+        StmtKind::Push(place, value)
+    }
+
+    fn case(&mut self, value: &'a ast::Expr, span: Span) -> Expr {
+        let value = self.expr(value);
+        let Some((switched, earlier)) = self.switches.pop() else {
+            self.outside_switch("case", span);
+            return value;
+        };
+        self.same(&switched, &value, value.span, "compare");
+        let duplicate = earlier.iter().find(|e| constant::equal(e, &value, &self.store)).map(|e| e.span);
+        if let Some(first) = duplicate {
+            self.report(
+                Diagnostic::error("E0315", "this case stands twice", value.span, "never reached")
+                    .label(first, "first here")
+                    .help("remove one of them"),
+            );
+        }
+        let mut cases = earlier;
+        cases.push(value.clone());
+        self.switches.push((switched, cases));
+        value
+    }
+
+    fn outside_switch(&mut self, word: &str, span: Span) {
+        self.report(
+            Diagnostic::error("E0214", format!("`{word}` stands outside a `switch`"), span, "not in a switch")
+                .help("put it into the body of a `switch`"),
+        );
+    }
+
+    fn return_value(&mut self, value: Option<&'a ast::Expr>, span: Span) -> StmtKind {
+        let top = self.function == FuncId(0);
+        let result = self.current_result();
+        match value {
+            None => {
+                if !top && self.store.unify(&result, &Type::Unit).is_err() {
+                    self.report(
+                        Diagnostic::error("E0316", "this function returns a value", span, "returns nothing here")
+                            .help(format!("return a {}", self.store.show(&result))),
+                    );
+                }
+                StmtKind::Return(None)
+            }
+            Some(value) => {
+                let value = self.stored(value);
+                if top {
+                    self.report(
+                        Diagnostic::error("E0316", "the top level returns no value", span, "a value is returned here")
+                            .help("write `return;`"),
+                    );
+                    return StmtKind::Return(None);
+                }
+                let name = self.names.functions[self.function.0 as usize].name.clone();
+                let declared = self.names.functions[self.function.0 as usize].decl.map(|d| {
+                    (d.result.as_ref().map_or(d.name.span, |r| r.span), format!("result of `{name}`"))
+                });
+                self.expect(&result, &value, &format!("the result of `{name}`"), declared);
+                let function = self.function;
+                self.dependence.returned(function, &value);
+                StmtKind::Return(Some(value))
+            }
+        }
+    }
+}

@@ -1,0 +1,377 @@
+//! `:=`: expressions that stay symbolic, what they capture, and where they may be used.
+//!
+//! A `:=` is split into a symbolic part over `Time`, params and other `:=` names, and the values it takes when its
+//! binding executes. Those values go into hidden variables, so that an expression that uses the name later fuses
+//! with it and still sees the values of the binding.
+
+use super::infer::{Checker, Reaching};
+use super::names::Res;
+use super::tree::*;
+use super::types::Type;
+use crate::ast::{self, Bind, BinaryOp, ExprKind};
+use crate::diagnostic::Diagnostic;
+use crate::span::Span;
+use std::collections::{BTreeSet, HashMap};
+
+/// A definition under construction.
+struct Builder {
+    name: String,
+    captures: Vec<(VarId, Expr)>,
+    /// Variables already captured.
+    known: HashMap<VarId, VarId>,
+    on_time: bool,
+    observes: bool,
+}
+
+impl<'a> Checker<'a> {
+    pub(super) fn time_as_value(&self, span: Span) -> Diagnostic {
+        Diagnostic::error("E0501", "`Time` has no value here", span, "this is computed at once")
+            .help("bind the expression with `:=` to keep `Time` in it, or evaluate it with `... at Time = 0.1 s`")
+    }
+
+    /// A use of a `:=` name.
+    pub(super) fn symbolic_name(&mut self, id: VarId, span: Span) -> Expr {
+        let (name, declared, owner) = {
+            let variable = self.variable(id);
+            (variable.name.clone(), variable.span, variable.owner)
+        };
+        let reaching = match self.reaching.get(&id) {
+            Some(Reaching::Several) => None,
+            Some(_) if owner != self.function && self.rebound.contains(&id) => None,
+            other => other.copied(),
+        };
+        let Some(Reaching::One(def)) = reaching else {
+            let diagnostic = if self.reaching.contains_key(&id) {
+                Diagnostic::error(
+                    "E0504",
+                    format!("`{name}` may have one of several expressions here"),
+                    span,
+                    "which one depends on the way the program took",
+                )
+                .label(declared, "declared here")
+                .help("bind each expression to a name of its own; expressions chosen at run time are not available yet")
+            } else {
+                Diagnostic::error("E0504", format!("`{name}` has no expression yet"), span, "used before its binding")
+                    .label(declared, "bound here")
+                    .help("move the binding before this use")
+            };
+            self.report(diagnostic);
+            return Expr { kind: Kind::Error, ty: self.variable_type(id), span };
+        };
+        self.use_def(def, span)
+    }
+
+    pub(super) fn use_def(&mut self, def: DefId, span: Span) -> Expr {
+        let found = &self.defs[def.0 as usize];
+        let ty = found.expr.ty.clone();
+        if self.symbolic {
+            return Expr { kind: Kind::Def(def), ty, span };
+        }
+        self.evaluated(def, span)
+    }
+
+    /// The value of a definition that does not depend on time.
+    fn evaluated(&mut self, def: DefId, span: Span) -> Expr {
+        let found = &self.defs[def.0 as usize];
+        let (ty, name, bound) = (found.expr.ty.clone(), found.name.clone(), found.span);
+        if found.observes {
+            let diagnostic = self.observable_as_value(span).label(bound, "bound to an observable here");
+            self.report(diagnostic);
+        } else if found.on_time {
+            let diagnostic = if bound == span {
+                self.time_as_value(span)
+            } else {
+                Diagnostic::error(
+                    "E0502",
+                    format!("`{name}` depends on `Time`, so it has no value here"),
+                    span,
+                    "this is computed at once",
+                )
+                .label(bound, "bound to this expression")
+                .help(format!("bind with `:=` to keep `Time`, or say when: `{name} at Time = 0.1 s`"))
+            };
+            self.report(diagnostic);
+        }
+        Expr { kind: Kind::Eval(def, None), ty, span }
+    }
+
+    /// The value, now, of an expression checked as a symbolic one.
+    pub(super) fn evaluate_now(&mut self, e: Expr, name: &str) -> Expr {
+        let span = e.span;
+        let def = self.make_def(name, e, span);
+        self.evaluated(def, span)
+    }
+
+    /// `derivative(e, s)`.
+    pub(super) fn derivative(&mut self, arguments: &'a [ast::Argument], span: Span) -> Expr {
+        let Some([e, by]) = self.plain("derivative", arguments, span, ["e", "s"]) else { return Expr::error(span) };
+        let inner = self.as_symbolic(|c| c.expr(e));
+        let mut name = by;
+        while let ExprKind::Paren(inner) = &name.kind {
+            name = inner;
+        }
+        let ExprKind::Name(name) = &name.kind else {
+            self.report(
+                Diagnostic::error("E0506", "one differentiates by `Time` or a number param", by.span, "not a symbol")
+                    .help("write `derivative(e, Time)` or `derivative(e, some_param)`"),
+            );
+            return Expr::error(span);
+        };
+        let Some((sym, dim)) = self.symbol(name) else { return Expr::error(span) };
+        let quotient = self.store.fresh();
+        self.constrain(Constraint {
+            kind: ConstraintKind::Divide(inner.ty.clone(), Type::Number(dim), quotient.clone()),
+            span: inner.span,
+        });
+        let result = Expr { kind: Kind::Derivative(Box::new(inner), sym), ty: quotient, span };
+        if self.symbolic { result } else { self.evaluate_now(result, "derivative") }
+    }
+
+    // Binding.
+
+    /// `name := value`, in a declaration or an assignment.
+    pub(super) fn bind(&mut self, id: VarId, value: &'a ast::Expr) -> StmtKind {
+        let name = self.variable(id).name.clone();
+        let e = self.as_symbolic(|c| c.whole(value));
+        let ty = self.variable_type(id);
+        let cause = Some((self.variable(id).span, format!("`{name}` is declared here")));
+        self.expect(&ty, &e, &format!("`{name}`"), cause);
+        let def = self.make_def(&name, e, value.span);
+        self.defs[def.0 as usize].stored = true;
+        self.reaching.insert(id, Reaching::One(def));
+        StmtKind::Bind(def)
+    }
+
+    /// Splits a checked symbolic expression into its symbolic part and its captures.
+    pub(super) fn make_def(&mut self, name: &str, e: Expr, span: Span) -> DefId {
+        let mut builder = Builder {
+            name: name.into(),
+            captures: Vec::new(),
+            known: HashMap::new(),
+            on_time: false,
+            observes: false,
+        };
+        let expr = self.split(e, &mut builder);
+        let id = DefId(self.defs.len() as u32);
+        for (hidden, value) in &builder.captures {
+            self.dependence.variable(*hidden, value);
+        }
+        self.dependence.definition(id, &expr);
+        self.defs.push(Def {
+            name: builder.name,
+            expr,
+            captures: builder.captures,
+            on_time: builder.on_time,
+            observes: builder.observes,
+            stored: false,
+            span,
+        });
+        id
+    }
+
+    fn split(&mut self, e: Expr, to: &mut Builder) -> Expr {
+        let Expr { kind, ty, span } = e;
+        let kind = match kind {
+            Kind::Error | Kind::Number(_) | Kind::Bare(..) | Kind::Bool(_) => kind,
+            Kind::Time => {
+                to.on_time = true;
+                kind
+            }
+            Kind::Param(_) if matches!(self.store.shallow(&ty), Type::Number(_) | Type::Error) => kind,
+            Kind::Def(def) => {
+                let found = &self.defs[def.0 as usize];
+                to.on_time |= found.on_time;
+                to.observes |= found.observes;
+                kind
+            }
+            Kind::Unary(op, a) => Kind::Unary(op, self.split_box(a, to)),
+            Kind::Binary(op, a, b) => {
+                let comparison = matches!(op, BinaryOp::Equal | BinaryOp::NotEqual);
+                let of_values = matches!(
+                    self.store.shallow(&a.ty),
+                    Type::String | Type::Array(_) | Type::Tuple(_)
+                );
+                if comparison && of_values {
+                    // Strings and arrays never depend on time; their comparison is a captured truth value.
+                    return self.capture(Expr { kind: Kind::Binary(op, a, b), ty, span }, to);
+                }
+                Kind::Binary(op, self.split_box(a, to), self.split_box(b, to))
+            }
+            Kind::Op(op, all) => Kind::Op(op, all.into_iter().map(|a| self.split(a, to)).collect()),
+            Kind::If(a, b, c) => {
+                Kind::If(self.split_box(a, to), self.split_box(b, to), self.split_box(c, to))
+            }
+            Kind::Derivative(inner, sym) => {
+                let observed = std::mem::replace(&mut to.observes, false);
+                let inner = self.split_box(inner, to);
+                if to.observes {
+                    self.report(
+                        Diagnostic::error(
+                            "E0508",
+                            "an observable cannot be differentiated",
+                            span,
+                            "its values come from the analysis",
+                        )
+                        .help("differentiate expressions in `Time` and params only"),
+                    );
+                }
+                to.observes |= observed;
+                self.dependence.derivative(sym, &inner, &self.defs, span);
+                Kind::Derivative(inner, sym)
+            }
+            Kind::At(inner, sym, at) => {
+                let on_time = to.on_time;
+                let inner = self.split_box(inner, to);
+                if sym == Sym::Time {
+                    to.on_time = on_time;
+                }
+                Kind::At(inner, sym, self.split_box(at, to))
+            }
+            Kind::Observe(inner) => {
+                to.observes = true;
+                let inner = self.capture(*inner, to);
+                Kind::Observe(Box::new(inner))
+            }
+            value => return self.capture(Expr { kind: value, ty, span }, to),
+        };
+        Expr { kind, ty, span }
+    }
+
+    fn split_box(&mut self, e: Box<Expr>, to: &mut Builder) -> Box<Expr> {
+        Box::new(self.split(*e, to))
+    }
+
+    fn capture(&mut self, value: Expr, to: &mut Builder) -> Expr {
+        let (ty, span) = (value.ty.clone(), value.span);
+        if let Kind::Var(id) = value.kind
+            && let Some(&hidden) = to.known.get(&id)
+        {
+            return Expr { kind: Kind::Var(hidden), ty, span };
+        }
+        let name = match value.kind {
+            Kind::Var(id) => self.variable(id).name.clone(),
+            _ => to.name.clone(),
+        };
+        let hidden = self.hidden_variable(&name, span, ty.clone());
+        if let Kind::Var(id) = value.kind {
+            to.known.insert(id, hidden);
+        }
+        to.captures.push((hidden, value));
+        Expr { kind: Kind::Var(hidden), ty, span }
+    }
+
+    /// After inference: a definition is a number, a vector or a frame, and params are only differentiated by where
+    /// no captured value depends on them.
+    pub(super) fn finish_definitions(&mut self) {
+        for index in 0..self.defs.len() {
+            let def = &self.defs[index];
+            let (ty, span) = (self.store.resolve(&def.expr.ty), def.expr.span);
+            if !matches!(ty, Type::Number(_) | Type::Vector(_) | Type::Transform | Type::Unknown(_) | Type::Error) {
+                self.report(
+                    Diagnostic::error(
+                        "E0507",
+                        format!("a {} cannot stay symbolic", self.store.show(&ty)),
+                        span,
+                        "bound with `:=`",
+                    )
+                    .help("only numbers, vectors and frames do; use `=`"),
+                );
+            }
+        }
+        for (param, hidden, span) in self.dependence.blind_derivatives() {
+            let name = self.params.get(param as usize).map(|p| p.name.clone()).unwrap_or_default();
+            let captured = self.variable(hidden).clone();
+            self.report(
+                Diagnostic::error(
+                    "E0509",
+                    format!("this derivative by `{name}` would miss a dependence on it"),
+                    span,
+                    format!("`{}` was computed from `{name}` beforehand", captured.name),
+                )
+                .label(captured.span, "captured as a value here")
+                .help(format!("bind `{}` with `:=`, so that `{name}` stays a symbol in it", captured.name)),
+            );
+        }
+    }
+
+    // Which definition reaches a use.
+
+    /// Notes the `:=` names that statements bind again after their declaration.
+    pub(super) fn find_rebound(&mut self, statements: &'a [ast::Stmt]) {
+        let mut bound = BTreeSet::new();
+        statements.iter().for_each(|s| self.bound_in(s, &mut bound));
+        self.rebound.extend(bound);
+    }
+
+    /// The `:=` names assigned in a statement (declarations apart).
+    fn bound_in(&self, statement: &ast::Stmt, bound: &mut BTreeSet<VarId>) {
+        use ast::StmtKind::*;
+        match &statement.kind {
+            Assign { place, bind: Bind::Symbolic, .. } => {
+                if let ExprKind::Name(name) = &place.kind
+                    && let Some(Res::Var(id)) = self.names.uses.get(&name.span)
+                {
+                    bound.insert(*id);
+                }
+            }
+            Block(all) => all.iter().for_each(|s| self.bound_in(s, bound)),
+            If { then, otherwise, .. } => {
+                self.bound_in(then, bound);
+                otherwise.iter().for_each(|s| self.bound_in(s, bound));
+            }
+            While { body, .. } | DoWhile { body, .. } | Switch { body, .. } => self.bound_in(body, bound),
+            For { init, step, body, .. } => [init, step, body].iter().for_each(|s| self.bound_in(s, bound)),
+            Case { statement, .. } | Default(statement) | Label { statement, .. } => self.bound_in(statement, bound),
+            Try { body, handler, .. } => [body, handler].iter().for_each(|s| self.bound_in(s, bound)),
+            Function(decl) => {
+                if let ast::FunctionBody::Statement(body) = &decl.body {
+                    self.bound_in(body, bound);
+                }
+            }
+            _ => {}
+        }
+    }
+
+    /// Checks a part of the program that may run any number of times, or be entered in its middle: names bound in it
+    /// have no one definition at its start or after it.
+    pub(super) fn repeated<T>(&mut self, statements: &[&'a ast::Stmt], work: impl FnOnce(&mut Self) -> T) -> T {
+        let mut bound = BTreeSet::new();
+        statements.iter().for_each(|s| self.bound_in(s, &mut bound));
+        self.forget(&bound);
+        let result = work(self);
+        self.forget(&bound);
+        result
+    }
+
+    /// A place that control may reach from elsewhere.
+    pub(super) fn forget_rebound(&mut self) {
+        let rebound: BTreeSet<VarId> = self.rebound.iter().copied().collect();
+        self.forget(&rebound);
+    }
+
+    fn forget(&mut self, bound: &BTreeSet<VarId>) {
+        for id in bound {
+            if self.reaching.contains_key(id) {
+                self.reaching.insert(*id, Reaching::Several);
+            }
+        }
+    }
+
+    /// Checks two ways of which the program takes one.
+    pub(super) fn either<A, B>(
+        &mut self,
+        first: impl FnOnce(&mut Self) -> A,
+        second: impl FnOnce(&mut Self) -> B,
+    ) -> (A, B) {
+        let before = self.reaching.clone();
+        let a = first(self);
+        let after_first = std::mem::replace(&mut self.reaching, before);
+        let b = second(self);
+        for (id, reaching) in after_first {
+            if *self.reaching.entry(id).or_insert(reaching) != reaching {
+                self.reaching.insert(id, Reaching::Several);
+            }
+        }
+        (a, b)
+    }
+}

@@ -1,0 +1,309 @@
+//! The checked program as a tree: names resolved, every expression with its (perhaps still general) type.
+//!
+//! It stands between inference and the typed program: functions are kept once, with their type schemes, and lowered
+//! once per representation.
+
+use super::dim::{Dim, DimVar};
+use super::types::{Substitution, Type, TypeVar};
+use crate::ast::{BinaryOp, Mode, UnaryOp};
+use crate::ir::{DisplayUnit, Op};
+use crate::span::Span;
+use crate::units::UnitSystem;
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct VarId(pub u32);
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct FuncId(pub u32);
+/// A `:=` expression: of a name, an argument or an output.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct DefId(pub u32);
+/// One use of a function's type scheme.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct UseId(pub u32);
+
+/// What a symbolic expression can be differentiated by.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Sym {
+    Time,
+    Param(u32),
+}
+
+#[derive(Clone, Debug)]
+pub struct Expr {
+    pub kind: Kind,
+    pub ty: Type,
+    pub span: Span,
+}
+
+#[derive(Clone, Debug)]
+pub enum Kind {
+    /// Already reported.
+    Error,
+    /// In SI.
+    Number(f64),
+    /// A bare literal, in the unit that the file's system has for whatever dimension was inferred.
+    Bare(f64, Dim, UnitSystem),
+    Bool(bool),
+    Text(String),
+    Var(VarId),
+    Param(u32),
+    Time,
+    /// A `:=` expression in a symbolic one: fused.
+    Def(DefId),
+    /// A `:=` expression handed on as a value.
+    MakeSymbolic(DefId),
+    /// The value of a `:=` expression at a time (0 where it does not depend on time).
+    Eval(DefId, Option<Box<Expr>>),
+    /// An observable inside a symbolic expression.
+    Observe(Box<Expr>),
+    Unary(UnaryOp, Box<Expr>),
+    Binary(BinaryOp, Box<Expr>, Box<Expr>),
+    /// A function every program has, by the operation that it is.
+    Op(Op, Vec<Expr>),
+    If(Box<Expr>, Box<Expr>, Box<Expr>),
+    Call(Box<Call>),
+    CallExtern(u32, Vec<Expr>),
+    Print(Vec<Expr>, UnitSystem),
+    Assert(Box<Expr>, Box<Expr>),
+    Array(Vec<Expr>),
+    Tuple(Vec<Expr>),
+    Index(Box<Expr>, Box<Expr>),
+    TupleElement(Box<Expr>, usize),
+    Len(Box<Expr>),
+    /// Text and values in turn, numbers shown in the system's units.
+    Format(Vec<Piece>, UnitSystem),
+    Derivative(Box<Expr>, Sym),
+    At(Box<Expr>, Sym, Box<Expr>),
+}
+
+#[derive(Clone, Debug)]
+pub enum Piece {
+    Text(String),
+    Value(Expr),
+}
+
+#[derive(Clone, Debug)]
+pub struct Call {
+    pub function: FuncId,
+    pub instance: UseId,
+    /// One per parameter. For `out` parameters the expression is not evaluated.
+    pub arguments: Vec<Expr>,
+    /// Places of `out` and `inout` arguments, in order.
+    pub copy_back: Vec<Place>,
+}
+
+#[derive(Clone, Debug)]
+pub struct Place {
+    pub variable: VarId,
+    pub indices: Vec<Expr>,
+    pub ty: Type,
+    pub span: Span,
+}
+
+#[derive(Clone, Debug)]
+pub struct Stmt {
+    pub kind: StmtKind,
+    pub span: Span,
+}
+
+#[derive(Clone, Debug)]
+pub enum StmtKind {
+    /// Nothing to do (a declaration, or something already reported).
+    Nothing,
+    Assign(Place, Expr),
+    /// A `:=` executes: its captures are stored.
+    Bind(DefId),
+    Eval(Expr),
+    Push(Place, Expr),
+    /// An output, by index, is handed to the engine.
+    Output(u32, DefId),
+    Block(Vec<Stmt>),
+    If(Expr, Box<Stmt>, Option<Box<Stmt>>),
+    While(Expr, Box<Stmt>),
+    DoWhile(Box<Stmt>, Expr),
+    For { init: Box<Stmt>, condition: Option<Expr>, step: Box<Stmt>, body: Box<Stmt> },
+    Switch(Expr, Box<Stmt>),
+    Case(Expr, Box<Stmt>),
+    Default(Box<Stmt>),
+    Label(String, Box<Stmt>),
+    Goto(String),
+    Break,
+    Continue,
+    Return(Option<Expr>),
+}
+
+/// A `:=` expression, with the values it takes when its binding executes.
+#[derive(Clone, Debug)]
+pub struct Def {
+    /// The name bound, `body.frame` for an argument.
+    pub name: String,
+    pub expr: Expr,
+    /// Hidden variables and what they are set to when the binding executes.
+    pub captures: Vec<(VarId, Expr)>,
+    /// Its hidden variables are set by a statement; those of an argument where the argument stands.
+    pub stored: bool,
+    /// Depends on `Time`, directly or through other definitions.
+    pub on_time: bool,
+    /// Contains an observable, directly or through other definitions.
+    pub observes: bool,
+    pub span: Span,
+}
+
+/// A general type: what is unknown in a function's type when its body has been seen.
+#[derive(Clone, Debug, Default)]
+pub struct Scheme {
+    pub types: Vec<TypeVar>,
+    pub dims: Vec<DimVar>,
+    pub constraints: Vec<Constraint>,
+}
+
+/// What operators demand of types that are not known yet.
+#[derive(Clone, Debug)]
+pub struct Constraint {
+    pub kind: ConstraintKind,
+    pub span: Span,
+}
+
+#[derive(Clone, Debug)]
+pub enum ConstraintKind {
+    /// `left * right = result`
+    Multiply(Type, Type, Type),
+    /// `left / right = result`
+    Divide(Type, Type, Type),
+    /// Number or Vector.
+    Additive(Type),
+    /// Can be compared for equality.
+    Comparable(Type),
+    /// Can be written into a string.
+    Printable(Type),
+    /// `base[index] = result`, array or (with a constant index) tuple.
+    Index(Type, Option<usize>, Type),
+}
+
+/// A function's signature and body.
+#[derive(Clone, Debug)]
+pub struct Function {
+    pub name: String,
+    pub parameters: Vec<(VarId, Mode)>,
+    pub result: Type,
+    pub body: Vec<Stmt>,
+    pub scheme: Scheme,
+    pub span: Span,
+}
+
+/// The types that one use of a scheme gave its unknowns.
+pub type Instance = Substitution;
+
+#[derive(Clone, Debug)]
+pub struct Param {
+    pub name: String,
+    pub doc: String,
+    pub ty: Type,
+    pub default: Expr,
+    pub low: Option<Expr>,
+    pub high: Option<Expr>,
+    pub choices: Vec<String>,
+    pub unit: Option<DisplayUnit>,
+    /// The default was written as a bare whole number.
+    pub whole: bool,
+    pub span: Span,
+}
+
+#[derive(Clone, Debug)]
+pub struct Output {
+    pub name: String,
+    pub doc: String,
+    pub ty: Type,
+    pub span: Span,
+}
+
+impl Expr {
+    pub fn error(span: Span) -> Expr {
+        Expr { kind: Kind::Error, ty: Type::Error, span }
+    }
+
+    /// The expressions evaluated as part of this one.
+    pub fn children(&self) -> Vec<&Expr> {
+        match &self.kind {
+            Kind::Error
+            | Kind::Number(_)
+            | Kind::Bare(..)
+            | Kind::Bool(_)
+            | Kind::Text(_)
+            | Kind::Var(_)
+            | Kind::Param(_)
+            | Kind::Time
+            | Kind::Def(_)
+            | Kind::MakeSymbolic(_) => Vec::new(),
+            Kind::Eval(_, time) => time.iter().map(|e| &**e).collect(),
+            Kind::Observe(a)
+            | Kind::Unary(_, a)
+            | Kind::TupleElement(a, _)
+            | Kind::Len(a)
+            | Kind::Derivative(a, _) => vec![a],
+            Kind::Binary(_, a, b) | Kind::Index(a, b) | Kind::At(a, _, b) | Kind::Assert(a, b) => vec![a, b],
+            Kind::If(a, b, c) => vec![a, b, c],
+            Kind::Op(_, all)
+            | Kind::CallExtern(_, all)
+            | Kind::Print(all, _)
+            | Kind::Array(all)
+            | Kind::Tuple(all) => all.iter().collect(),
+            Kind::Call(call) => {
+                call.arguments.iter().chain(call.copy_back.iter().flat_map(|place| &place.indices)).collect()
+            }
+            Kind::Format(pieces, _) => pieces
+                .iter()
+                .filter_map(|piece| match piece {
+                    Piece::Text(_) => None,
+                    Piece::Value(value) => Some(value),
+                })
+                .collect(),
+        }
+    }
+}
+
+impl Stmt {
+    /// Calls `visit` on every statement, outermost first.
+    pub fn walk<'a>(&'a self, visit: &mut dyn FnMut(&'a Stmt)) {
+        visit(self);
+        match &self.kind {
+            StmtKind::Block(all) => all.iter().for_each(|s| s.walk(visit)),
+            StmtKind::If(_, then, otherwise) => {
+                then.walk(visit);
+                if let Some(otherwise) = otherwise {
+                    otherwise.walk(visit);
+                }
+            }
+            StmtKind::While(_, body)
+            | StmtKind::DoWhile(body, _)
+            | StmtKind::Switch(_, body)
+            | StmtKind::Case(_, body)
+            | StmtKind::Default(body)
+            | StmtKind::Label(_, body) => body.walk(visit),
+            StmtKind::For { init, step, body, .. } => {
+                init.walk(visit);
+                body.walk(visit);
+                step.walk(visit);
+            }
+            _ => {}
+        }
+    }
+
+    /// The expressions of this statement alone (not of those inside it).
+    pub fn expressions(&self) -> Vec<&Expr> {
+        match &self.kind {
+            StmtKind::Assign(place, value) | StmtKind::Push(place, value) => {
+                place.indices.iter().chain([value]).collect()
+            }
+            StmtKind::Eval(e)
+            | StmtKind::If(e, ..)
+            | StmtKind::While(e, _)
+            | StmtKind::DoWhile(_, e)
+            | StmtKind::Switch(e, _)
+            | StmtKind::Case(e, _)
+            | StmtKind::Return(Some(e)) => vec![e],
+            StmtKind::For { condition, .. } => condition.iter().collect(),
+            _ => Vec::new(),
+        }
+    }
+}

@@ -1,0 +1,324 @@
+//! Types under inference, and the store in which unknown ones are found.
+
+use super::dim::{Dim, DimVar, solve};
+use crate::dimension::Dimension;
+use calyx_abi::Repr;
+use std::collections::{BTreeSet, HashMap};
+
+/// An unknown type.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct TypeVar(pub u32);
+
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub enum Type {
+    Unknown(TypeVar),
+    /// Already reported; fits everything.
+    Error,
+    /// Result of a function that returns nothing.
+    Unit,
+    Number(Dim),
+    Bool,
+    String,
+    Vector(Dim),
+    Transform,
+    Array(Box<Type>),
+    Tuple(Vec<Type>),
+    /// A number that has a value at every step of an analysis.
+    Observable(Dim),
+    /// An expression handed to the engine unevaluated.
+    Symbolic(Box<Type>),
+    /// Something the engine made.
+    Handle(String),
+}
+
+impl Type {
+    pub fn number() -> Type {
+        Type::Number(Dim::none())
+    }
+
+    pub fn quantity(dimension: Dimension) -> Type {
+        Type::Number(Dim::known(dimension))
+    }
+
+    pub fn array(element: Type) -> Type {
+        Type::Array(Box::new(element))
+    }
+}
+
+/// Why two types do not fit.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Mismatch {
+    /// These two parts differ in kind.
+    Kind,
+    /// These two dimensions differ.
+    Dimension(Dim, Dim),
+    /// A type would contain itself.
+    Infinite,
+}
+
+/// What is known of unknown types and dimensions.
+#[derive(Clone, Debug, Default)]
+pub struct Store {
+    types: Vec<Option<Type>>,
+    dims: Vec<Option<Dim>>,
+    /// Unknown dimensions of bare literals. Such a literal is one number in the program, so it has one dimension:
+    /// these are never generalised.
+    literals: BTreeSet<DimVar>,
+}
+
+impl Store {
+    pub fn fresh(&mut self) -> Type {
+        self.types.push(None);
+        Type::Unknown(TypeVar(self.types.len() as u32 - 1))
+    }
+
+    pub fn fresh_dim(&mut self) -> Dim {
+        self.dims.push(None);
+        Dim::unknown(DimVar(self.dims.len() as u32 - 1))
+    }
+
+    pub fn fresh_literal_dim(&mut self) -> Dim {
+        self.dims.push(None);
+        let variable = DimVar(self.dims.len() as u32 - 1);
+        self.literals.insert(variable);
+        Dim::unknown(variable)
+    }
+
+    pub fn is_literal(&self, variable: DimVar) -> bool {
+        self.literals.contains(&variable)
+    }
+
+    /// The dimension with everything known put in.
+    pub fn dim(&self, dim: &Dim) -> Dim {
+        if dim.unknowns.keys().all(|v| self.dims[v.0 as usize].is_none()) {
+            return dim.clone();
+        }
+        let mut result = Dim::known(dim.fixed);
+        for (&variable, &exponent) in &dim.unknowns {
+            let part = match &self.dims[variable.0 as usize] {
+                Some(known) => self.dim(known),
+                None => Dim::unknown(variable),
+            };
+            result = result.times(&part.power(exponent).unwrap_or_else(Dim::none));
+        }
+        result
+    }
+
+    /// The outermost constructor, known if it can be.
+    pub fn shallow(&self, ty: &Type) -> Type {
+        let mut ty = ty;
+        while let Type::Unknown(variable) = ty {
+            match &self.types[variable.0 as usize] {
+                Some(known) => ty = known,
+                None => break,
+            }
+        }
+        ty.clone()
+    }
+
+    /// The type with everything known put in.
+    pub fn resolve(&self, ty: &Type) -> Type {
+        match self.shallow(ty) {
+            Type::Number(dim) => Type::Number(self.dim(&dim)),
+            Type::Vector(dim) => Type::Vector(self.dim(&dim)),
+            Type::Observable(dim) => Type::Observable(self.dim(&dim)),
+            Type::Array(element) => Type::array(self.resolve(&element)),
+            Type::Symbolic(inner) => Type::Symbolic(Box::new(self.resolve(&inner))),
+            Type::Tuple(parts) => Type::Tuple(parts.iter().map(|part| self.resolve(part)).collect()),
+            other => other,
+        }
+    }
+
+    pub fn unify_dims(&mut self, a: &Dim, b: &Dim) -> Result<(), Mismatch> {
+        let (a, b) = (self.dim(a), self.dim(b));
+        let difference = a.over(&b);
+        // Solving for a literal's dimension only where nothing else is unknown keeps generalisation away from it.
+        let unknown = difference
+            .unknowns
+            .iter()
+            .find(|(variable, _)| !self.literals.contains(variable))
+            .or_else(|| difference.unknowns.iter().next());
+        match unknown {
+            None if difference.fixed.fits(Dimension::NONE) => Ok(()),
+            None => Err(Mismatch::Dimension(a, b)),
+            Some((&variable, &exponent)) => {
+                let solution = solve(&difference, variable, exponent).ok_or(Mismatch::Dimension(a, b))?;
+                self.dims[variable.0 as usize] = Some(solution);
+                Ok(())
+            }
+        }
+    }
+
+    pub fn unify(&mut self, a: &Type, b: &Type) -> Result<(), Mismatch> {
+        let (a, b) = (self.shallow(a), self.shallow(b));
+        match (&a, &b) {
+            (Type::Error, _) | (_, Type::Error) => Ok(()),
+            (Type::Unknown(x), Type::Unknown(y)) if x == y => Ok(()),
+            (Type::Unknown(x), other) | (other, Type::Unknown(x)) => {
+                if self.occurs(*x, other) {
+                    return Err(Mismatch::Infinite);
+                }
+                self.types[x.0 as usize] = Some(other.clone());
+                Ok(())
+            }
+            (Type::Number(x), Type::Number(y))
+            | (Type::Vector(x), Type::Vector(y))
+            | (Type::Observable(x), Type::Observable(y)) => self.unify_dims(x, y),
+            (Type::Array(x), Type::Array(y)) | (Type::Symbolic(x), Type::Symbolic(y)) => self.unify(x, y),
+            (Type::Tuple(x), Type::Tuple(y)) if x.len() == y.len() => {
+                x.iter().zip(y).try_for_each(|(x, y)| self.unify(x, y))
+            }
+            _ if a == b => Ok(()),
+            _ => Err(Mismatch::Kind),
+        }
+    }
+
+    fn occurs(&self, variable: TypeVar, ty: &Type) -> bool {
+        match self.shallow(ty) {
+            Type::Unknown(other) => other == variable,
+            Type::Array(inner) | Type::Symbolic(inner) => self.occurs(variable, &inner),
+            Type::Tuple(parts) => parts.iter().any(|part| self.occurs(variable, part)),
+            _ => false,
+        }
+    }
+
+    /// Adds what is unknown in a type to the sets.
+    pub fn unknowns(&self, ty: &Type, types: &mut BTreeSet<TypeVar>, dims: &mut BTreeSet<DimVar>) {
+        match self.resolve(ty) {
+            Type::Unknown(variable) => {
+                types.insert(variable);
+            }
+            Type::Number(dim) | Type::Vector(dim) | Type::Observable(dim) => dims.extend(dim.unknowns.keys()),
+            Type::Array(inner) | Type::Symbolic(inner) => self.unknowns(&inner, types, dims),
+            Type::Tuple(parts) => parts.iter().for_each(|part| self.unknowns(part, types, dims)),
+            _ => {}
+        }
+    }
+
+    /// How values of the type lie in slots; what is still unknown is a number.
+    pub fn repr(&self, ty: &Type) -> Repr {
+        match self.shallow(ty) {
+            Type::Unknown(_) | Type::Error | Type::Number(_) => Repr::Number,
+            Type::Unit => Repr::Unit,
+            Type::Bool => Repr::Bool,
+            Type::String => Repr::String,
+            Type::Vector(_) => Repr::Vector,
+            Type::Transform => Repr::Transform,
+            Type::Array(element) => Repr::Array(Box::new(self.repr(&element))),
+            Type::Tuple(parts) => Repr::Tuple(parts.iter().map(|part| self.repr(part)).collect()),
+            Type::Observable(_) => Repr::Symbolic(Box::new(Repr::Number)),
+            Type::Symbolic(inner) => Repr::Symbolic(Box::new(self.repr(&inner))),
+            Type::Handle(_) => Repr::Handle,
+        }
+    }
+
+    /// As shown to people: `Length`, `Array(Vector(Force))`; what is unknown is `_`.
+    pub fn show(&self, ty: &Type) -> String {
+        match self.resolve(ty) {
+            Type::Unknown(_) | Type::Error => "_".into(),
+            Type::Unit => "nothing".into(),
+            Type::Number(dim) => self.show_dim(&dim),
+            Type::Bool => "Bool".into(),
+            Type::String => "String".into(),
+            Type::Vector(dim) => match self.show_dim(&dim).as_str() {
+                "Number" => "Vector".into(),
+                inner => format!("Vector({inner})"),
+            },
+            Type::Transform => "Transform".into(),
+            Type::Array(element) => format!("Array({})", self.show(&element)),
+            Type::Tuple(parts) => {
+                format!("[{}]", parts.iter().map(|part| self.show(part)).collect::<Vec<_>>().join(", "))
+            }
+            Type::Observable(dim) => format!("Observable({})", self.show_dim(&dim)),
+            Type::Symbolic(inner) => format!("Symbolic({})", self.show(&inner)),
+            Type::Handle(name) => name,
+        }
+    }
+
+    pub fn show_dim(&self, dim: &Dim) -> String {
+        let dim = self.dim(dim);
+        match (dim.as_known(), dim.fixed.is_none()) {
+            (Some(known), _) => known.to_string(),
+            (None, true) => "Number".into(),
+            (None, false) => format!("{}*_", dim.fixed),
+        }
+    }
+}
+
+/// What stands for the unknowns of a type scheme at one use of it.
+#[derive(Clone, Debug, Default)]
+pub struct Substitution {
+    pub types: HashMap<TypeVar, Type>,
+    pub dims: HashMap<DimVar, Dim>,
+}
+
+impl Substitution {
+    pub fn ty(&self, store: &Store, ty: &Type) -> Type {
+        match store.shallow(ty) {
+            Type::Unknown(variable) => self.types.get(&variable).cloned().unwrap_or(Type::Unknown(variable)),
+            Type::Number(dim) => Type::Number(self.dim(store, &dim)),
+            Type::Vector(dim) => Type::Vector(self.dim(store, &dim)),
+            Type::Observable(dim) => Type::Observable(self.dim(store, &dim)),
+            Type::Array(element) => Type::array(self.ty(store, &element)),
+            Type::Symbolic(inner) => Type::Symbolic(Box::new(self.ty(store, &inner))),
+            Type::Tuple(parts) => Type::Tuple(parts.iter().map(|part| self.ty(store, part)).collect()),
+            other => other,
+        }
+    }
+
+    pub fn dim(&self, store: &Store, dim: &Dim) -> Dim {
+        let dim = store.dim(dim);
+        let mut result = Dim::known(dim.fixed);
+        for (&variable, &exponent) in &dim.unknowns {
+            let part = self.dims.get(&variable).cloned().unwrap_or_else(|| Dim::unknown(variable));
+            result = result.times(&part.power(exponent).unwrap_or_else(Dim::none));
+        }
+        result
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dimension::Rational;
+
+    fn length() -> Dim {
+        Dim::known(Dimension::whole([1, 0, 0, 0, 0]))
+    }
+
+    #[test]
+    fn dimensions_are_solved_with_rational_exponents() {
+        // x^2 = Length gives x = Length^(1/2).
+        let mut store = Store::default();
+        let x = store.fresh_dim();
+        store.unify_dims(&x.power(Rational::integer(2)).unwrap(), &length()).unwrap();
+        assert_eq!(store.dim(&x), length().power(Rational::new(1, 2).unwrap()).unwrap());
+    }
+
+    #[test]
+    fn angle_never_blocks_and_is_carried() {
+        let mut store = Store::default();
+        let angle = Dim::known(Dimension::whole([0, 0, 0, 1, 0]));
+        assert!(store.unify_dims(&angle, &Dim::none()).is_ok());
+        let x = store.fresh_dim();
+        store.unify_dims(&x, &angle).unwrap();
+        assert_eq!(store.show_dim(&x), "Angle");
+        assert!(store.unify_dims(&x, &length()).is_err());
+    }
+
+    #[test]
+    fn a_literal_dimension_survives_as_the_unknown() {
+        let mut store = Store::default();
+        let (literal, other) = (store.fresh_literal_dim(), store.fresh_dim());
+        store.unify_dims(&literal, &other).unwrap();
+        let left = store.dim(&other);
+        assert!(left.unknowns.keys().all(|v| store.is_literal(*v)));
+    }
+
+    #[test]
+    fn a_type_never_contains_itself() {
+        let mut store = Store::default();
+        let x = store.fresh();
+        assert_eq!(store.unify(&x, &Type::array(x.clone())), Err(Mismatch::Infinite));
+    }
+}
