@@ -5,7 +5,7 @@ use super::block::{Block, NamedSide};
 use super::interpolation::{ElementOrder, side_place};
 use super::mesh::{ArcLength, EdgeChain, Element, ElementEdge, Place, PlaneMesh};
 use super::quadrature::gauss_legendre;
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 /// Coincidence of points, relative to the diagonal of the mesh's bounding box.
 const COINCIDENT: f64 = 1e-7;
@@ -25,12 +25,14 @@ pub enum MeshError {
     Degenerate { block: usize, at: [f64; 2] },
     #[error("blocks {} and {} share an edge but not its curve, near ({}, {})", blocks[0], blocks[1], at[0], at[1])]
     Mismatch { blocks: [usize; 2], at: [f64; 2] },
-    #[error("block {block}: more than two elements share an edge near ({}, {})", at[0], at[1])]
+    #[error("block {block}: elements overlap along an edge, or one is turned over, near ({}, {})", at[0], at[1])]
     Overlap { block: usize, at: [f64; 2] },
     #[error("block {block}: a corner of another element lies on an edge at ({}, {}); the divisions must agree", at[0], at[1])]
     Hanging { block: usize, at: [f64; 2] },
     #[error("block {block}: an element is folded or turned over at ({}, {})", at[0], at[1])]
     Folded { block: usize, at: [f64; 2] },
+    #[error("block {block}: its part of the profile of `{name}` has no length")]
+    EmptyProfile { block: usize, name: String },
     #[error("the edges of `{name}` lie partly on a profile and partly not")]
     MixedChain { name: String },
 }
@@ -214,10 +216,12 @@ impl MeshBuilder {
             for &(other, other_side) in others {
                 // Both curves at a place that is not their middle, where a differing parameter shows too.
                 let one = cells[*first].at(&self.blocks, side_place(*side, 1.0 / 3.0));
-                let same_way = cells[*first].side_corners(*side) == cells[other].side_corners(other_side);
-                let t = if same_way { 1.0 / 3.0 } else { -1.0 / 3.0 };
-                let agrees =
-                    distance(one, cells[other].at(&self.blocks, side_place(other_side, t))) <= tolerance;
+                // Neighbours run along their edge in opposite directions.
+                if cells[*first].side_corners(*side) == cells[other].side_corners(other_side) {
+                    return Err(MeshError::Overlap { block: cells[other].block, at });
+                }
+                let theirs = cells[other].at(&self.blocks, side_place(other_side, -1.0 / 3.0));
+                let agrees = distance(one, theirs) <= tolerance;
                 if !agrees {
                     return Err(MeshError::Mismatch {
                         blocks: [cells[*first].block, cells[other].block],
@@ -280,28 +284,27 @@ impl MeshBuilder {
 
     /// Blocks of differing divisions along a common line leave the corners of one on the edges of the other.
     fn check_hanging(&self, mesh: &PlaneMesh, cells: &[Cell], sides: &Sides) -> Result<(), MeshError> {
-        let boundary = sides.iter().filter(|(_, shared)| shared.len() == 1);
-        let boundary = boundary.map(|(&ends, shared)| (ends, shared[0])).collect::<Vec<_>>();
-        for &((a, b), (cell, side)) in &boundary {
-            let edge = ElementEdge { element: cell, side, reversed: false, s: [0.0; 2] };
+        let boundary = || sides.iter().filter(|(_, shared)| shared.len() == 1);
+        let corners = boundary().flat_map(|(&(a, b), _)| [a, b]).collect::<BTreeSet<_>>();
+        for (&(a, b), shared) in boundary() {
+            let (element, side) = shared[0];
+            let edge = ElementEdge { element, side, reversed: false, s: [0.0; 2] };
             let length = distance(mesh.nodes[a], mesh.nodes[b]);
-            for &((corner, other), _) in &boundary {
-                for corner in [corner, other] {
-                    let point = mesh.nodes[corner];
-                    let middle = mesh.edge_point(&edge, 0.0).position;
-                    if corner == a || corner == b || distance(point, middle) > length {
-                        continue;
-                    }
-                    // The foot of the perpendicular, by Newton's method from the middle.
-                    let mut t = 0.0;
-                    for _ in 0..8 {
-                        let at = mesh.edge_point(&edge, t);
-                        let along = (0..2).map(|axis| (point[axis] - at.position[axis]) * at.tangent[axis]);
-                        t = (t + along.sum::<f64>() / at.speed).clamp(-1.0, 1.0);
-                    }
-                    if distance(mesh.edge_point(&edge, t).position, point) < 1e-4 * length {
-                        return Err(MeshError::Hanging { block: cells[cell].block, at: point });
-                    }
+            let middle = mesh.edge_point(&edge, 0.0).position;
+            for &corner in corners.iter().filter(|&&corner| corner != a && corner != b) {
+                let point = mesh.nodes[corner];
+                if distance(point, middle) > length {
+                    continue;
+                }
+                // The foot of the perpendicular, by Newton's method from the middle.
+                let mut t = 0.0;
+                for _ in 0..8 {
+                    let at = mesh.edge_point(&edge, t);
+                    let along = (0..2).map(|axis| (point[axis] - at.position[axis]) * at.tangent[axis]);
+                    t = (t + along.sum::<f64>() / at.speed).clamp(-1.0, 1.0);
+                }
+                if distance(mesh.edge_point(&edge, t).position, point) < 1e-4 * length {
+                    return Err(MeshError::Hanging { block: cells[element].block, at: point });
                 }
             }
         }
@@ -312,6 +315,10 @@ impl MeshBuilder {
         let mut named = BTreeMap::<&str, (ArcLength, Vec<ElementEdge>)>::new();
         for (block_index, block) in self.blocks.iter().enumerate() {
             for NamedSide { side, name, profile } in &block.names {
+                let length = profile.map_or(1.0, |[from, to]| (to - from).abs());
+                if !(length.is_finite() && length > 0.0) {
+                    return Err(MeshError::EmptyProfile { block: block_index, name: name.clone() });
+                }
                 let measure = if profile.is_some() { ArcLength::Profile } else { ArcLength::Mesh };
                 let (known, edges) = named.entry(name.as_str()).or_insert((measure, Vec::new()));
                 if *known != measure {

@@ -142,12 +142,17 @@ fn what_is_not_a_mesh_is_refused() {
     assert!(matches!(build(vec![Block::quadrilateral([a, b, b, d])]), Err(Degenerate { block: 0, .. })));
     assert!(matches!(build(vec![bent, square(1.0)]), Err(Mismatch { blocks: [0, 1], .. })));
     assert!(matches!(build(vec![square(0.0), square(0.0), square(0.0)]), Err(Overlap { .. })));
+    assert!(matches!(build(vec![square(0.0), square(0.0)]), Err(Overlap { block: 1, .. })));
     assert!(matches!(build(vec![Block::quadrilateral([a, d, c, b])]), Err(Folded { block: 0, .. })));
     let dart = [a, b, [0.2, 0.2], d];
     assert!(matches!(build(vec![Block::quadrilateral(dart)]), Err(Folded { block: 0, .. })));
     let mismatched =
         vec![square(0.0).divided(uniform(2), uniform(2)), square(1.0).divided(uniform(2), uniform(3))];
     assert!(matches!(build(mismatched), Err(Hanging { .. })));
+    for profile in [[0.5, 0.5], [0.0, f64::NAN]] {
+        let block = square(0.0).on_profile(Side::Top, "top", profile);
+        assert_eq!(build(vec![block]), Err(EmptyProfile { block: 0, name: "top".to_owned() }));
+    }
     let mixed = square(0.0).named(Side::Top, "top").on_profile(Side::Left, "top", [0.0, 1.0]);
     assert_eq!(build(vec![mixed]), Err(MixedChain { name: "top".to_owned() }));
 }

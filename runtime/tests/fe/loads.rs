@@ -132,3 +132,17 @@ fn a_body_free_to_move_is_refused() {
         assert_eq!(Solver::new(&stiffness, constraints).err(), Some(SolveError::Singular));
     }
 }
+
+#[test]
+fn a_body_held_everywhere_has_what_is_prescribed() {
+    let model = sector(1);
+    let mut constraints = Constraints::new();
+    for node in 0..model.mesh.nodes.len() {
+        constraints.prescribe_node(node, [node as f64, -1.0]);
+    }
+    let solver = Solver::new(&model.stiffness(), constraints).expect("held");
+    let solved = solver.solve_one(&vec![1.0; model.dof_count()]).expect("solves");
+    for (node, solved) in solved.chunks(2).enumerate() {
+        assert_eq!(solved, [node as f64, -1.0]);
+    }
+}
