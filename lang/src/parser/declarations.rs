@@ -54,7 +54,7 @@ fn top_level_only<'a>(source: &'a Source<'a>) -> Rule<'a, ()> {
             return Err(Problem(None));
         }
         let after_statement = matches!(source.previous(at), None | Some(Kind::Semicolon | Kind::CloseBrace));
-        let inside = source.open_bracket(at);
+        let inside = source.opening(at, Kind::CloseBrace);
         if inside.is_some() || !(after_statement || source.begins_line(at)) {
             let message = format!("{} stands at the top level of the file only", source.describe(at));
             let mut problem =

@@ -24,7 +24,7 @@ use source::Source;
 pub fn parse(file: FileId, text: &str) -> (Module, Vec<Diagnostic>) {
     let Tokens { tokens, docs, file_doc, mut diagnostics } = lexer::lex(file, text);
     let source = Source::new(file, text, &tokens, &docs);
-    if let Err(too_deep) = nesting::check(&source) {
+    if let Some(too_deep) = nesting::too_deep(&source) {
         diagnostics.push(too_deep);
         return (Module { statements: Vec::new(), doc: file_doc }, in_order(diagnostics));
     }

@@ -12,7 +12,7 @@ const MAX_LEVELS: usize = 1000;
 
 /// An error at the first token that goes too deep. A bound from above: each operator counts as one level until
 /// the next separator, as it is in `a - b - c`.
-pub(super) fn check(source: &Source<'_>) -> Result<(), Diagnostic> {
+pub(super) fn too_deep(source: &Source<'_>) -> Option<Diagnostic> {
     // Levels opened at each bracket that is open, outermost first.
     let mut open = vec![0_usize];
     let mut levels = 0_usize;
@@ -54,19 +54,15 @@ pub(super) fn check(source: &Source<'_>) -> Result<(), Diagnostic> {
         }
         if open.len() > MAX_BRACKETS || levels > MAX_LEVELS {
             let message = "this is nested too deeply";
-            return Err(Diagnostic::error(
-                "E0106",
-                message,
-                source.place(index),
-                "the limit is reached here",
-            )
-            .help(format!(
-                "split it into several statements; {MAX_BRACKETS} brackets or {MAX_LEVELS} operators inside \
-                     one another are allowed"
-            )));
+            let help = format!(
+                "split it into several statements; {MAX_BRACKETS} brackets or {MAX_LEVELS} operators inside one \
+                 another are allowed"
+            );
+            let place = source.place(index);
+            return Some(Diagnostic::error("E0106", message, place, "the limit is reached here").help(help));
         }
     }
-    Ok(())
+    None
 }
 
 fn add(open: &mut [usize], levels: &mut usize) {

@@ -213,7 +213,7 @@ pub(super) fn close<'a>(source: &'a Source<'a>, kind: Kind, expected: &'static s
                     .help(format!("close the bracket with {}", kind.describe()))
             }
         };
-        if let Some(open) = source.open_bracket(at) {
+        if let Some(open) = source.opening(at, kind) {
             problem = problem.label(source.place(open), "opened here");
         }
         if closing.is_none() && source.kind(at) == Some(Kind::Semicolon) {

@@ -116,15 +116,22 @@ impl<'a> Source<'a> {
         self.tokens.len()
     }
 
-    /// The last bracket before `index` that is still open there.
-    pub(super) fn open_bracket(&self, index: usize) -> Option<usize> {
+    /// The last bracket before `index` that `close` would close there; other kinds of brackets do not count.
+    pub(super) fn opening(&self, index: usize, close: Kind) -> Option<usize> {
+        let open = match close {
+            Kind::CloseParen => Kind::OpenParen,
+            Kind::CloseBracket => Kind::OpenBracket,
+            _ => Kind::OpenBrace,
+        };
         let mut closed = 0_usize;
         for i in (0..index.min(self.tokens.len())).rev() {
-            match self.tokens[i].kind {
-                Kind::CloseParen | Kind::CloseBracket | Kind::CloseBrace => closed += 1,
-                Kind::OpenParen | Kind::OpenBracket | Kind::OpenBrace if closed == 0 => return Some(i),
-                Kind::OpenParen | Kind::OpenBracket | Kind::OpenBrace => closed -= 1,
-                _ => {}
+            let kind = self.tokens[i].kind;
+            if kind == close {
+                closed += 1;
+            } else if kind == open && closed == 0 {
+                return Some(i);
+            } else if kind == open {
+                closed -= 1;
             }
         }
         None

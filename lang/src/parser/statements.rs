@@ -156,7 +156,8 @@ fn block<'a>(source: &'a Source<'a>, statement: Rule<'a, Stmt>) -> Rule<'a, Stmt
             input.next();
             return Ok(());
         }
-        let open = source.open_bracket(at).map_or_else(|| source.after(at), |open| source.place(open));
+        let open =
+            source.opening(at, Kind::CloseBrace).map_or_else(|| source.after(at), |open| source.place(open));
         input.emit(
             Diagnostic::error("E0111", "this block does not end", open, "opened here")
                 .label(source.after(at), "the file ends inside it")
