@@ -26,6 +26,10 @@ pub struct ExternalGearData {
 /// Rounding of a tip edge of which nothing is said, in modules.
 pub const DEFAULT_TIP_EDGE: f64 = 0.02;
 
+/// Roll angle within which the fillet counts as meeting the involute on the base circle: where an undercut fillet
+/// crosses the involute is then beyond rounding, as the two differ by the cube of this.
+const AT_BASE_CIRCLE: f64 = 3e-5;
+
 /// A sound external gear and what follows from its data. SI units; angles in rad.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ExternalGear {
@@ -106,6 +110,10 @@ impl ExternalGear {
         let mut errors = Vec::new();
         if halfwidth < 0.0 {
             errors.push(gear.rack_tip_error());
+        } else if gear.form_roll.abs() < AT_BASE_CIRCLE {
+            // The involute has no direction on the base circle itself.
+            gear.form_roll = gear.form_roll.max(1e-6);
+            gear.form_radius = gear.radius_at_roll(gear.form_roll);
         } else if gear.undercut {
             match gear.undercut_inclination() {
                 Some(inclination) => {

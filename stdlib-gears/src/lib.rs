@@ -10,3 +10,4 @@ pub mod mesh_geometry;
 pub mod modification;
 pub mod rack;
 mod root_finding;
+pub mod sector_mesh;

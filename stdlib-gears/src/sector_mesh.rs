@@ -1,0 +1,539 @@
+//! The plane mesh of one tooth with its sector of the rim, from the middle of one tooth space to the next.
+//!
+//! A strip of elements follows the boundary from the root centre over fillet, flank, tip edge and tip: it carries the
+//! fine grading that loads and fillet stresses need. Inside it lie the core of the tooth and, below, the rim: one
+//! part under the tooth, one under the space. One half is laid out, with the tooth's centreline along +x; the other is its
+//! mirror image, so that the two cuts carry the same nodes.
+//!
+//! ```text
+//!            space : C ______                 C root centre      K middle of the fillet
+//!                    |  B0   \ K              M middle of the tip edge's arc, T tip centre
+//!              rim   C'-----. \_____________  (primed points: inner side of the strip)
+//!              under |       K'\  B1  B2  B3 \M
+//!   bore       space |        | `-----------M' |
+//!     E..............|........|    core     |  | B4, B5
+//!              under tooth    D-------------T'-T   centreline
+//! ```
+
+use crate::external::ExternalGear;
+use crate::fillet::{RootFillet, Side as ToothSide};
+use crate::flank::Flank;
+use calyx_abi::math;
+use calyx_runtime::fe::block::{graded, uniform};
+use calyx_runtime::fe::{Block, Curve, ElementOrder, MeshBuilder, MeshError, PlaneMesh, Side};
+use calyx_runtime::profile::{Profile, ProfilePoint};
+use std::sync::Arc;
+
+/// How fine a sector mesh is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Refinement {
+    /// Elements through the strip along the boundary.
+    pub layers: usize,
+    /// Elements from the strip to the tooth's centreline.
+    pub across: usize,
+    /// Largest length of an element along the flank, in modules.
+    pub flank: f64,
+    /// Elements along the fillet.
+    pub fillet: usize,
+    /// Elements over either half of the tip edge's arc.
+    pub edge: usize,
+    /// Ratio of successive element depths into the rim.
+    pub rim_growth: f64,
+    /// Of displacements and coordinates.
+    pub order: ElementOrder,
+}
+
+impl Refinement {
+    /// For a first look.
+    pub const COARSE: Self =
+        Self { layers: 2, across: 2, flank: 0.3, fillet: 4, edge: 1, rim_growth: 1.8, order: ElementOrder::CUBIC };
+    /// Fillet stresses and compliances to about one part in a thousand.
+    pub const MEDIUM: Self =
+        Self { layers: 3, across: 3, flank: 0.15, fillet: 7, edge: 1, rim_growth: 1.5, order: ElementOrder::CUBIC };
+    /// For convergence studies.
+    pub const FINE: Self =
+        Self { layers: 4, across: 5, flank: 0.09, fillet: 12, edge: 2, rim_growth: 1.3, order: ElementOrder::CUBIC };
+
+    /// `"coarse"`, `"medium"` or `"fine"`.
+    pub fn named(name: &str) -> Option<Self> {
+        match name {
+            "coarse" => Some(Self::COARSE),
+            "medium" => Some(Self::MEDIUM),
+            "fine" => Some(Self::FINE),
+            _ => None,
+        }
+    }
+}
+
+/// Thinnest material between root circle and bore that can be meshed, in modules.
+pub const THINNEST_RIM: f64 = 0.25;
+
+/// Half as long as the strip is thick at most, in modules.
+const STRIP_DEPTH: f64 = 0.25;
+
+/// The mesh of tooth 0 and its sector. `flanks` are the counter-clockwise and the clockwise flank; `bore_radius` (m)
+/// is at least [`THINNEST_RIM`] modules below the root radius.
+///
+/// Chains: `flank_0`, `flank_1` on the flank's profile from the form circle to the tip; `fillet_0`, `fillet_1` on the
+/// profile of [`ExternalGear::root_fillet`] from the form circle to the root centre; `tip`, `bore`; `cut_left` at
+/// half a pitch counter-clockwise and `cut_right` at half a pitch clockwise.
+///
+/// # Errors
+/// A fold, if the tooth is of a shape this layout cannot follow.
+pub fn sector_mesh(
+    gear: &ExternalGear,
+    flanks: [Arc<Flank>; 2],
+    bore_radius: f64,
+    refinement: &Refinement,
+) -> Result<PlaneMesh, MeshError> {
+    let mut builder = MeshBuilder::new();
+    // Both halves are laid out on the counter-clockwise side: of the clockwise flank, the mirror image.
+    for (side, flank) in [ToothSide::CounterClockwise, ToothSide::Clockwise].into_iter().zip(flanks) {
+        for half_block in Layout::new(gear, flank, bore_radius, refinement).blocks() {
+            builder.block(half_block.on(side));
+        }
+    }
+    builder.finish(refinement.order)
+}
+
+/// A block of the counter-clockwise half.
+struct HalfBlock {
+    /// Bottom, right, top, left as in [`Block::new`].
+    sides: [Curve; 4],
+    u: Vec<f64>,
+    v: Vec<f64>,
+    names: Vec<(Side, Name, Option<[f64; 2]>)>,
+}
+
+/// Names of chains, before the half is known.
+#[derive(Clone, Copy)]
+enum Name {
+    Flank,
+    Fillet,
+    Tip,
+    Bore,
+    Cut,
+}
+
+impl Name {
+    fn on(self, side: ToothSide) -> &'static str {
+        match (self, side) {
+            (Name::Flank, ToothSide::CounterClockwise) => "flank_0",
+            (Name::Flank, ToothSide::Clockwise) => "flank_1",
+            (Name::Fillet, ToothSide::CounterClockwise) => "fillet_0",
+            (Name::Fillet, ToothSide::Clockwise) => "fillet_1",
+            (Name::Cut, ToothSide::CounterClockwise) => "cut_left",
+            (Name::Cut, ToothSide::Clockwise) => "cut_right",
+            (Name::Tip, _) => "tip",
+            (Name::Bore, _) => "bore",
+        }
+    }
+}
+
+impl HalfBlock {
+    /// The block, or its mirror image with left and right exchanged to stay right-handed.
+    fn on(self, side: ToothSide) -> Block {
+        let [bottom, right, top, left] = self.sides;
+        let mut block = match side {
+            ToothSide::CounterClockwise => Block::new(bottom, right, top, left).divided(self.u, self.v),
+            ToothSide::Clockwise => {
+                let mirrored = |curve: Curve| {
+                    Curve::new(move |t| {
+                        let [x, y] = curve.at(t);
+                        [x, -y]
+                    })
+                };
+                let back = |curve: Curve| mirrored(Curve::new(move |t| curve.at(1.0 - t)));
+                let u = self.u.iter().rev().map(|u| 1.0 - u).collect();
+                Block::new(back(bottom), mirrored(left), back(top), mirrored(right)).divided(u, self.v)
+            }
+        };
+        for (place, name, s) in self.names {
+            let (place, s) = match (side, place) {
+                (ToothSide::CounterClockwise, _) => (place, s),
+                (ToothSide::Clockwise, Side::Left) => (Side::Right, s),
+                (ToothSide::Clockwise, Side::Right) => (Side::Left, s),
+                (ToothSide::Clockwise, _) => (place, s.map(|[from, to]| [to, from])),
+            };
+            block = match s {
+                Some(s) => block.on_profile(place, name.on(side), s),
+                None => block.named(place, name.on(side)),
+            };
+        }
+        block
+    }
+}
+
+/// The boundary of a half tooth by one coordinate `p` that grows from the root centre to the middle of the tip edge's
+/// arc, and the inner side of the strip along it.
+#[derive(Clone)]
+struct Boundary {
+    fillet: RootFillet,
+    flank: Arc<Flank>,
+    /// `p` at which the flank begins.
+    form: f64,
+    /// Thickness of the strip and direction into the material, between whose values it is interpolated linearly.
+    anchors: Vec<Anchor>,
+    /// Where the strip begins to make room for the tip's, and by how much it does at the end, m.
+    tip_start: f64,
+    tip_end: f64,
+    tip_depth: f64,
+}
+
+#[derive(Clone, Copy)]
+struct Anchor {
+    p: f64,
+    depth: f64,
+    /// Angle of the outward direction, rad.
+    angle: f64,
+}
+
+impl Boundary {
+    /// The true boundary.
+    fn outer(&self, p: f64) -> ProfilePoint {
+        if p < self.form { self.fillet.at(self.form - p) } else { self.flank_at(p - self.form) }
+    }
+
+    /// The flank on the counter-clockwise side, whichever it is.
+    fn flank_at(&self, s: f64) -> ProfilePoint {
+        self.flank.side().place(self.flank.at(s))
+    }
+
+    fn inner(&self, p: f64) -> [f64; 2] {
+        let [x, y] = self.outer(p).position;
+        let after = self.anchors.partition_point(|anchor| anchor.p <= p).clamp(1, self.anchors.len() - 1);
+        let (a, b) = (self.anchors[after - 1], self.anchors[after]);
+        let part = (p - a.p) / (b.p - a.p);
+        let depth = a.depth + part * (b.depth - a.depth);
+        let (sine, cosine) = math::sincos(a.angle + part * (b.angle - a.angle));
+        let into_tip = ((p - self.tip_start) / (self.tip_end - self.tip_start)).max(0.0);
+        [x - depth * cosine - self.tip_depth * into_tip * into_tip, y - depth * sine]
+    }
+}
+
+/// Everything needed to lay out the blocks of the counter-clockwise half.
+struct Layout {
+    boundary: Arc<Boundary>,
+    refinement: Refinement,
+    module: f64,
+    /// Divisions of the boundary by `p`: the ends of its parts, and the elements' ends in each.
+    parts: Vec<(Part, Vec<f64>)>,
+    tip_radius: f64,
+    /// Polar angle at which the tip edge's arc meets the tip circle.
+    tip_angle: f64,
+    bore_radius: f64,
+    cut_angle: f64,
+}
+
+/// Parts of the boundary, with `p` ascending.
+#[derive(Clone, Copy, PartialEq)]
+enum Part {
+    /// Below the middle of the fillet, with the root circle.
+    Root,
+    /// Above it.
+    Fillet,
+    Flank,
+    /// The first half of the tip edge's arc.
+    Edge,
+}
+
+impl Layout {
+    fn new(gear: &ExternalGear, flank: Arc<Flank>, bore_radius: f64, refinement: &Refinement) -> Self {
+        let module = gear.rack.module;
+        let fillet = gear.root_fillet(ToothSide::CounterClockwise);
+        let form = fillet.length();
+        let [edge_start, edge_end] = flank.edge_range();
+        let middle_of_fillet = form - fillet.at_turned_normal(0.5);
+        let edge = form + edge_start;
+        let end = form + 0.5 * (edge_start + edge_end);
+        let mut boundary = Boundary {
+            fillet,
+            flank,
+            form,
+            anchors: Vec::new(),
+            tip_start: 0.0,
+            tip_end: end,
+            tip_depth: 0.0,
+        };
+        let rim = gear.root_radius - bore_radius;
+        boundary.place_strip(module, rim, edge);
+
+        // A tiny root circle is not worth elements of its own: it joins the fillet.
+        let root_circle = form - boundary.fillet.fillet_length();
+        let fillet_size = boundary.fillet.fillet_length() / refinement.fillet as f64;
+        let mut root = Vec::new();
+        if root_circle > 0.3 * fillet_size {
+            root.extend(divisions(0.0, root_circle, |p| {
+                (fillet_size + 0.4 * (root_circle - p)).min(0.4 * module)
+            }));
+            root.pop();
+            root.extend(divisions(root_circle, middle_of_fillet, |_| fillet_size));
+        } else {
+            root.extend(divisions(0.0, middle_of_fillet, |_| fillet_size));
+        }
+        let edge_size = (end - edge) / refinement.edge as f64;
+        let flank_size = refinement.flank * module;
+        let parts = vec![
+            (Part::Root, root),
+            (Part::Fillet, divisions(middle_of_fillet, form, |_| fillet_size)),
+            (
+                Part::Flank,
+                divisions(form, edge, |p| {
+                    let from_fillet = fillet_size + 0.4 * (p - form);
+                    let from_edge = 1.5 * edge_size + 0.6 * (edge - p);
+                    flank_size.min(from_fillet).min(from_edge)
+                }),
+            ),
+            (Part::Edge, divisions(edge, end, |_| edge_size)),
+        ];
+        let [x, y] = boundary.flank_at(edge_end).position;
+        Self {
+            boundary: Arc::new(boundary),
+            refinement: *refinement,
+            module,
+            parts,
+            tip_radius: x.hypot(y),
+            tip_angle: math::atan2(y, x),
+            bore_radius,
+            cut_angle: 0.5 * gear.pitch_angle(),
+        }
+    }
+
+    fn inner(&self, from: f64, to: f64) -> Curve {
+        let boundary = Arc::clone(&self.boundary);
+        Curve::new(move |t| boundary.inner((1.0 - t) * from + t * to))
+    }
+
+    fn outer(&self, from: f64, to: f64) -> Curve {
+        let boundary = Arc::clone(&self.boundary);
+        Curve::new(move |t| boundary.outer((1.0 - t) * from + t * to).position)
+    }
+
+    /// Divisions through the strip from the inside, finer towards the boundary.
+    fn through_strip(&self) -> Vec<f64> {
+        graded(self.refinement.layers, 0.4)
+    }
+
+    fn blocks(&self) -> Vec<HalfBlock> {
+        let mut blocks = self.strip();
+        blocks.extend(self.tip());
+        blocks.extend(self.inside());
+        blocks
+    }
+
+    /// The strip from the root centre to the middle of the tip edge's arc.
+    fn strip(&self) -> Vec<HalfBlock> {
+        let boundary = &self.boundary;
+        let across = |p: f64| Curve::line(boundary.inner(p), boundary.outer(p).position);
+        let mut blocks = Vec::new();
+        for (part, at) in &self.parts {
+            let (from, to) = ends(at);
+            let mut names = match part {
+                Part::Root | Part::Fillet => {
+                    vec![(Side::Top, Name::Fillet, Some([boundary.form - from, boundary.form - to]))]
+                }
+                Part::Flank | Part::Edge => {
+                    vec![(Side::Top, Name::Flank, Some([from - boundary.form, to - boundary.form]))]
+                }
+            };
+            if *part == Part::Root {
+                names.push((Side::Left, Name::Cut, None));
+            }
+            blocks.push(HalfBlock {
+                sides: [self.inner(from, to), across(to), self.outer(from, to), across(from)],
+                u: normalised(at),
+                v: self.through_strip(),
+                names,
+            });
+        }
+        blocks
+    }
+
+    /// Corners of the inner side of the tip's strip: below the tip edge, below its end, and on the centreline.
+    fn tip_corners(&self) -> [[f64; 2]; 3] {
+        let corner = self.boundary.inner(self.boundary.tip_end);
+        // As deep below the middle of the tip as at its edge.
+        let centre = [corner[0] + 0.5 * (self.tip_radius - self.tip_radius * math::cos(self.tip_angle)), 0.0];
+        let edge = self.refinement.edge as f64 / (self.refinement.edge + self.refinement.across) as f64;
+        let between = [0, 1].map(|axis| (1.0 - edge) * corner[axis] + edge * centre[axis]);
+        [corner, between, centre]
+    }
+
+    /// The strip over the second half of the arc and along the tip circle.
+    fn tip(&self) -> [HalfBlock; 2] {
+        let boundary = &self.boundary;
+        let [corner, between, centre] = self.tip_corners();
+        let [_, edge_end] = boundary.flank.edge_range();
+        let (from, to) = (boundary.tip_end, boundary.form + edge_end);
+        let middle_line = Curve::line(corner, boundary.outer(from).position);
+        let on_circle = {
+            let (sine, cosine) = math::sincos(self.tip_angle);
+            [self.tip_radius * cosine, self.tip_radius * sine]
+        };
+        let arc = HalfBlock {
+            sides: [
+                Curve::line(corner, between),
+                Curve::line(between, on_circle),
+                self.outer(from, to),
+                middle_line,
+            ],
+            u: uniform(self.refinement.edge),
+            v: self.through_strip(),
+            names: vec![(Side::Top, Name::Flank, Some([from - boundary.form, edge_end]))],
+        };
+        let land = HalfBlock {
+            sides: [
+                Curve::line(between, centre),
+                Curve::line(centre, [self.tip_radius, 0.0]),
+                Curve::arc([0.0; 2], self.tip_radius, self.tip_angle, 0.0),
+                Curve::line(between, on_circle),
+            ],
+            u: uniform(self.refinement.across),
+            v: self.through_strip(),
+            names: vec![(Side::Top, Name::Tip, None)],
+        };
+        [arc, land]
+    }
+
+    /// The core of the tooth and the two parts of the rim.
+    fn inside(&self) -> [HalfBlock; 3] {
+        let boundary = &self.boundary;
+        let [corner, _, tip] = self.tip_corners();
+        let knee_p = self.parts[1].1[0];
+        let knee = boundary.inner(knee_p);
+        let root = boundary.inner(0.0);
+        let (knee_radius, knee_angle) = (knee[0].hypot(knee[1]), math::atan2(knee[1], knee[0]));
+        let depth = knee_radius - self.bore_radius;
+        let bottom = [knee[0] - (0.3 * knee[1]).min(0.3 * depth), 0.0];
+        let on_bore = |angle: f64| {
+            let (sine, cosine) = math::sincos(angle);
+            [self.bore_radius * cosine, self.bore_radius * sine]
+        };
+        let foot_angle = 0.9 * knee_angle;
+        let bore_arc = |from: f64, to: f64| Curve::arc([0.0; 2], self.bore_radius, from, to);
+
+        let across = self.refinement.edge + self.refinement.across;
+        let along = self.parts[1..].iter().fold(Vec::new(), |mut all: Vec<f64>, (_, at)| {
+            all.extend(if all.is_empty() { &at[..] } else { &at[1..] });
+            all
+        });
+        let core = HalfBlock {
+            sides: [
+                Curve::line(bottom, tip),
+                Curve::line(tip, corner),
+                self.inner(knee_p, boundary.tip_end),
+                Curve::line(bottom, knee),
+            ],
+            u: normalised(&along),
+            v: uniform(across),
+            names: Vec::new(),
+        };
+        let into_rim = self.into_rim(depth);
+        let under_tooth = HalfBlock {
+            sides: [
+                Curve::line(bottom, knee),
+                Curve::line(knee, on_bore(foot_angle)),
+                bore_arc(0.0, foot_angle),
+                Curve::line(bottom, [self.bore_radius, 0.0]),
+            ],
+            u: uniform(across),
+            v: into_rim.clone(),
+            names: vec![(Side::Top, Name::Bore, None)],
+        };
+        let root_at: Vec<f64> = self.parts[0].1.iter().rev().map(|p| knee_p - p).collect();
+        let under_space = HalfBlock {
+            sides: [
+                self.inner(knee_p, 0.0),
+                Curve::line(root, on_bore(self.cut_angle)),
+                bore_arc(foot_angle, self.cut_angle),
+                Curve::line(knee, on_bore(foot_angle)),
+            ],
+            u: normalised(&root_at),
+            v: into_rim,
+            names: vec![(Side::Top, Name::Bore, None), (Side::Right, Name::Cut, None)],
+        };
+        [core, under_tooth, under_space]
+    }
+
+    /// Divisions from the strip down to the bore, growing geometrically.
+    fn into_rim(&self, depth: f64) -> Vec<f64> {
+        let growth = self.refinement.rim_growth;
+        let first = self.refinement.flank * self.module;
+        let count = (math::log(1.0 + depth * (growth - 1.0) / first) / math::log(growth)).ceil().max(1.0) as usize;
+        graded(count, math::pow(growth, (count - 1) as f64))
+    }
+}
+
+impl Boundary {
+    /// Chooses thickness and direction of the strip.
+    fn place_strip(&mut self, module: f64, rim: f64, edge: f64) {
+        let form = self.form;
+        let fillet_end = form - self.fillet.fillet_length();
+        let angle_of = |[x, y]: [f64; 2]| math::atan2(y, x);
+        let below = angle_of(self.fillet.at(0.0).normal);
+        let above = angle_of(self.flank_at(0.0).normal);
+        // An undercut tooth has a corner at its form circle.
+        let at_form = 0.5 * (below + above);
+        let half_width = self.flank_at(0.0).position[1];
+        let tip_half_width = self.flank_at(edge - form).position[1];
+        let depth = (STRIP_DEPTH * module).min(0.3 * rim).min(0.3 * half_width);
+        let tip_depth = depth.min(0.35 * tip_half_width);
+        let at_fraction = |fraction: f64| form + fraction * (edge - form);
+        let flank_anchor = |fraction: f64| {
+            let p = at_fraction(fraction);
+            Anchor {
+                p,
+                depth: depth + fraction * (tip_depth - depth),
+                angle: angle_of(self.flank_at(p - form).normal),
+            }
+        };
+        let anchors = vec![
+            Anchor { p: 0.0, depth, angle: angle_of(self.outer(0.0).normal) },
+            Anchor { p: fillet_end, depth, angle: angle_of(self.outer(fillet_end).normal) },
+            Anchor { p: form, depth, angle: at_form },
+            flank_anchor(0.25),
+            flank_anchor(0.5),
+            flank_anchor(1.0),
+            // Over the arc the strip keeps the flank's direction.
+            Anchor { p: self.tip_end, ..flank_anchor(1.0) },
+        ];
+        self.anchors = anchors;
+        self.tip_depth = tip_depth.min(0.1 * (edge - form));
+        self.tip_start = self.tip_end - (4.0 * self.tip_depth).min(0.5 * (edge - form));
+    }
+}
+
+fn ends(at: &[f64]) -> (f64, f64) {
+    (at[0], at[at.len() - 1])
+}
+
+/// From 0 at the first value to 1 at the last, both exactly.
+fn normalised(at: &[f64]) -> Vec<f64> {
+    let (from, to) = ends(at);
+    let mut divisions: Vec<f64> = at.iter().map(|value| (value - from) / (to - from)).collect();
+    divisions[at.len() - 1] = 1.0;
+    divisions
+}
+
+/// Divides `from ..= to` so that elements have about the wished sizes, by the integral of 1 / size.
+fn divisions(from: f64, to: f64, size: impl Fn(f64) -> f64) -> Vec<f64> {
+    const SAMPLES: usize = 200;
+    let step = (to - from) / SAMPLES as f64;
+    let mut counts = vec![0.0];
+    let mut count = 0.0;
+    for sample in 0..SAMPLES {
+        count += step / size(from + (sample as f64 + 0.5) * step);
+        counts.push(count);
+    }
+    // Rounding keeps an exactly divided length from getting one element more.
+    let elements = (count - 1e-6).ceil().max(1.0) as usize;
+    let mut at = vec![from];
+    for element in 1..elements {
+        let target = count * element as f64 / elements as f64;
+        let after = counts.partition_point(|&sum| sum < target).max(1);
+        let within = (target - counts[after - 1]) / (counts[after] - counts[after - 1]);
+        at.push(from + (after as f64 - 1.0 + within) * step);
+    }
+    at.push(to);
+    at
+}

@@ -1,0 +1,40 @@
+//! Gears that several tests use.
+#![allow(dead_code, reason = "each test uses some of them")]
+
+use calyx_gears::external::{ExternalGear, ExternalGearData};
+use calyx_gears::rack::Rack;
+
+pub const INCH: f64 = 0.0254;
+
+/// The 20 or 40 tooth member of the report's chapter 5, by tip radius of the rack and tooth thickness in inches.
+pub fn chapter_5_data(teeth: u32, tip_radius: f64, thickness: f64) -> ExternalGearData {
+    let (outer, root) = if teeth == 20 { (1.09, 0.88) } else { (2.09, 1.89) };
+    let rack = Rack::new(0.1 * INCH, 20.0_f64.to_radians(), tip_radius * INCH).expect("a sound rack");
+    ExternalGearData {
+        teeth,
+        rack,
+        tooth_thickness: thickness * INCH,
+        outer_radius: outer * INCH,
+        root_radius: root * INCH,
+        tip_edge_radius: None,
+    }
+}
+
+pub fn chapter_5(teeth: u32) -> ExternalGear {
+    ExternalGear::new(chapter_5_data(teeth, 0.02, 0.15708)).expect("a sound gear")
+}
+
+/// A gear in modules of 1 mm, by profile shift and tip radius (in modules), with a root clearance of a quarter.
+pub fn standard_data(teeth: u32, shift: f64, tip_radius: f64) -> ExternalGearData {
+    let module = 1e-3;
+    let rack = Rack::new(module, 20.0_f64.to_radians(), tip_radius * module).expect("a sound rack");
+    let pitch_radius = 0.5 * f64::from(teeth) * module;
+    ExternalGearData {
+        teeth,
+        rack,
+        tooth_thickness: rack.thickness_of_shift(shift),
+        outer_radius: pitch_radius + (1.0 + shift) * module,
+        root_radius: pitch_radius - (1.25 - shift) * module,
+        tip_edge_radius: None,
+    }
+}
