@@ -54,6 +54,8 @@ impl Random {
 }
 
 const INPUTS: usize = 6;
+/// Evaluations of each tape.
+const RUNS: usize = 40;
 const KINDS: usize = 31;
 
 fn instruction(kind: usize, random: &mut Random, before: usize) -> Instruction {
@@ -117,13 +119,15 @@ fn random_tape(length: usize, seed: u64) -> Tape {
     Tape { inputs: INPUTS, instructions, outputs }
 }
 
-fn assert_same_bits(tape: &Tape, seed: u64) {
+/// Evaluates a tape both ways on many inputs. Returns the share of outputs that are finite and not whole: where it is
+/// small, the comparison says little.
+fn assert_same_bits(tape: &Tape, seed: u64) -> f64 {
     let module = compile_jit_with_tapes(&empty_program(), std::slice::from_ref(tape), &[]).unwrap();
     let kernel = &module.kernels()[0];
     assert_eq!((kernel.inputs(), kernel.outputs()), (tape.inputs, tape.outputs.len()));
     let mut random = Random(seed | 1);
-    let mut finite = 0;
-    for _ in 0..40 {
+    let mut ordinary = 0;
+    for _ in 0..RUNS {
         let inputs: Vec<f64> = (0..tape.inputs).map(|_| random.number()).collect();
         let mut expected = vec![0.0; tape.outputs.len()];
         let mut compiled = expected.clone();
@@ -131,7 +135,7 @@ fn assert_same_bits(tape: &Tape, seed: u64) {
         kernel.eval(&inputs, &mut compiled);
         for (position, (compiled, expected)) in compiled.iter().zip(&expected).enumerate() {
             let same = compiled.to_bits() == expected.to_bits() || compiled.is_nan() && expected.is_nan();
-            finite += usize::from(expected.is_finite());
+            ordinary += usize::from(expected.is_finite() && expected.fract() != 0.0);
             let id = tape.outputs[position];
             assert!(
                 same,
@@ -140,6 +144,7 @@ fn assert_same_bits(tape: &Tape, seed: u64) {
             );
         }
     }
+    ordinary as f64 / (RUNS * tape.outputs.len()) as f64
 }
 
 #[test]
@@ -147,7 +152,8 @@ fn random_tapes_have_the_same_bits() {
     // 1,000 operations are one function; more are several.
     for length in [1, 2, 40, 300, 999, 1100, 2500, 5000] {
         for seed in 1..=2 {
-            assert_same_bits(&random_tape(length, seed * 7919 + length as u64), seed);
+            let ordinary = assert_same_bits(&random_tape(length, seed * 7919 + length as u64), seed);
+            assert!(ordinary > 0.2, "{ordinary} of the values of a tape of {length} are ordinary");
         }
     }
 }
