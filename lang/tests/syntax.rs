@@ -171,3 +171,20 @@ fn offered_fixes_mend_their_errors() {
     }
     assert!(applied >= 8, "only {applied} fixes");
 }
+
+/// A code nobody shows is a code nobody checks. Nesting has its own tests.
+#[test]
+fn every_syntax_code_has_a_fixture() {
+    let mut sources = files(&folder("src/parser"), "rs");
+    sources.push(folder("src/lexer.rs"));
+    let mut used = BTreeSet::new();
+    for path in sources {
+        let text = fs::read_to_string(&path).unwrap();
+        used.extend(text.split('"').filter(|s| s.len() == 5 && s[1..].starts_with("01")).map(str::to_string));
+    }
+    assert!(used.len() > 15, "{used:?}");
+    let fixtures: String =
+        files(&folder("tests/syntax"), "md").iter().map(|p| fs::read_to_string(p).unwrap()).collect();
+    let missing: Vec<_> = used.iter().filter(|c| *c != "E0106" && !fixtures.contains(c.as_str())).collect();
+    assert!(missing.is_empty(), "{missing:?}");
+}

@@ -38,9 +38,7 @@ pub enum Shape {
     Angle,
     /// Number of dimension d.
     Any,
-    /// Second, independent dimension e.
-    Other,
-    /// Number of dimension d*e.
+    /// Number of dimension d*e, e being a second unknown dimension.
     Product,
     /// Vector of dimension d, e or d*e.
     VectorAny,

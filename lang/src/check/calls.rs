@@ -608,7 +608,6 @@ fn shape_type(shape: Shape, d: &Dim, e: &Dim) -> Type {
         Shape::Number => Type::number(),
         Shape::Angle => Type::Number(Dim::known(Dimension::of(Base::Angle))),
         Shape::Any => Type::Number(d.clone()),
-        Shape::Other => Type::Number(e.clone()),
         Shape::Product => Type::Number(d.times(e)),
         Shape::VectorAny => Type::Vector(d.clone()),
         Shape::VectorOther => Type::Vector(e.clone()),

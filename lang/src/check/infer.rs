@@ -322,6 +322,9 @@ impl<'a> Checker<'a> {
         let reaching = self.reaching.clone();
         let variables = self.names.functions[id.0 as usize].parameters.clone();
         for (parameter, &variable) in decl.parameters.iter().zip(&variables) {
+            if parameter.mode != ast::Mode::In {
+                self.dependence.function_on_variable(id, variable);
+            }
             match &parameter.default {
                 Some((ast::Bind::Evaluate, Some(default))) => {
                     let ty = self.variable_type(variable);

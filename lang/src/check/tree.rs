@@ -4,7 +4,7 @@
 //! once per representation.
 
 use super::dim::{Dim, DimVar};
-use super::types::{Substitution, Type, TypeVar};
+use super::types::{Type, TypeVar};
 use crate::ast::{BinaryOp, Mode, UnaryOp};
 use crate::ir::{DisplayUnit, Op};
 use crate::span::Span;
@@ -190,9 +190,6 @@ pub struct Function {
     pub scheme: Scheme,
     pub span: Span,
 }
-
-/// The types that one use of a scheme gave its unknowns.
-pub type Instance = Substitution;
 
 #[derive(Clone, Debug)]
 pub struct Param {
