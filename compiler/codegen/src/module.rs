@@ -36,13 +36,15 @@ impl<'m, M: Module> ModuleLowering<'m, M> {
     /// Declares everything that functions of the program may call.
     pub fn new(module: &'m mut M, program: &'m Program) -> Result<Self, CodegenError> {
         let slot_fn = slot_signature(module);
-        let functions = (0..program.functions.len()).map(|index| {
-            module.declare_function(&format!("calyx_function_{index}"), Linkage::Local, &slot_fn)
-        });
-        let functions = functions.collect::<Result<_, _>>()?;
-        let externs = program.externs.iter();
-        let externs = externs.map(|row| module.declare_function(&row.symbol, Linkage::Import, &slot_fn));
-        let externs = externs.collect::<Result<_, _>>()?;
+        let mut functions = Vec::new();
+        for index in 0..program.functions.len() {
+            let name = format!("calyx_function_{index}");
+            functions.push(module.declare_function(&name, Linkage::Local, &slot_fn)?);
+        }
+        let mut externs = Vec::new();
+        for row in &program.externs {
+            externs.push(module.declare_function(&row.symbol, Linkage::Import, &slot_fn)?);
+        }
         let mut imports = HashMap::new();
         for helper in entry_points() {
             let mut signature = module.make_signature();
