@@ -1,1 +1,93 @@
-//! x
+//! The compliance of all cells of all patches: half-planes where load and observer share a surface, structures where they share
+//! a body.
+//!
+//! Every entry is the same expression with its two cells exchanged, so the matrix is symmetric bit for bit; nothing is
+//! averaged with its transpose.
+
+use super::grid::Cell;
+use super::half_plane::HalfPlane;
+use crate::structure::{Chart, Structure};
+
+/// One body's part in a patch.
+#[derive(Clone, Copy)]
+pub struct Side<'a> {
+    /// Tells bodies apart: several may share a structure (planets made alike) without touching each other's displacements.
+    pub body: usize,
+    pub structure: &'a dyn Structure,
+    pub chart: Chart,
+}
+
+/// A patch: its two different bodies, in the order of its grid's sides, and its cells.
+#[derive(Clone, Copy)]
+pub struct Patch<'a> {
+    pub sides: [Side<'a>; 2],
+    pub cells: &'a [Cell],
+}
+
+/// A, row-major, cells in the order of the patches: growth of a cell's gap, averaged over it, per force on a cell,
+/// m/(N/m).
+pub fn compliance(patches: &[Patch]) -> Vec<f64> {
+    let starts: Vec<usize> = patches
+        .iter()
+        .scan(0, |next, patch| {
+            let start = *next;
+            *next += patch.cells.len();
+            Some(start)
+        })
+        .collect();
+    let n: usize = patches.iter().map(|patch| patch.cells.len()).sum();
+    let mut matrix = vec![0.0; n * n];
+    for (p, observing) in patches.iter().enumerate() {
+        for (q, loaded) in patches.iter().enumerate().skip(p) {
+            let block = block(observing, loaded);
+            let columns = loaded.cells.len();
+            debug_assert!(p != q || is_symmetric(&block, columns), "a structure's compliance is not symmetric");
+            for i in 0..observing.cells.len() {
+                for j in 0..columns {
+                    let value = block[i * columns + j];
+                    matrix[(starts[p] + i) * n + starts[q] + j] = value;
+                    matrix[(starts[q] + j) * n + starts[p] + i] = value;
+                }
+            }
+        }
+    }
+    matrix
+}
+
+fn is_symmetric(block: &[f64], n: usize) -> bool {
+    (0..n * n).all(|e| block[e].to_bits() == block[e % n * n + e / n].to_bits())
+}
+
+/// Growth of the gaps of one patch per force on the cells of another (or the same).
+fn block(observing: &Patch, loaded: &Patch) -> Vec<f64> {
+    let columns = loaded.cells.len();
+    let mut block = vec![0.0; observing.cells.len() * columns];
+    for (a, observer) in observing.sides.iter().enumerate() {
+        for (b, load) in loaded.sides.iter().enumerate() {
+            if observer.body != load.body {
+                continue;
+            }
+            let arcs = |patch: &Patch, side: usize| -> Vec<f64> { patch.cells.iter().map(|c| c.s[side]).collect() };
+            observer.structure.add_compliance(
+                observer.chart,
+                &arcs(observing, a),
+                load.chart,
+                &arcs(loaded, b),
+                &mut block,
+            );
+            if observer.chart != load.chart {
+                continue;
+            }
+            let half_plane = HalfPlane {
+                surface_modulus: observer.structure.surface_modulus(),
+                reference_length: observer.structure.reference_length(),
+            };
+            for (i, cell) in observing.cells.iter().enumerate() {
+                for (j, other) in loaded.cells.iter().enumerate() {
+                    block[i * columns + j] += half_plane.cell_compliance(cell.arc[a], other.arc[b]);
+                }
+            }
+        }
+    }
+    block
+}

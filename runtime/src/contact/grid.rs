@@ -1,4 +1,332 @@
-//! x
+//! The grid of a patch: cells in the common tangent plane, each with its piece of both surfaces and its gap.
+//!
+//! Cells are centred at the closest approach and measured by x along the tangent. Their gaps are exact separations of the true
+//! surfaces along the common normal, averaged over the cell as its pressure is uniform over it. Near a rounded edge the cells
+//! shrink geometrically to the size that a patch on the edge itself asks for, so that both are resolved alike.
+
+use super::approach::{Approach, PlacedProfile};
+use super::placement::{ContactFrame, dot, minus};
+use super::pressure::hertz_half_width;
+use crate::structure::Structure;
+
+/// A cell of a patch.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Cell { pub x: [f64; 2], pub edge: bool }
-impl Cell { pub fn center(&self) -> f64 { 0.5 * (self.x[0] + self.x[1]) } }
+pub struct Cell {
+    /// Its ends along the tangent, ascending, m.
+    pub x: [f64; 2],
+    /// Per side: arc lengths of the surface over the cell's ends, in the order of `x`.
+    pub arc: [[f64; 2]; 2],
+    /// Per side: arc length of the surface over the cell's centre.
+    pub s: [f64; 2],
+    /// Average separation of the undeformed surfaces, m; negative where they overlap.
+    pub gap: f64,
+    /// Whether either surface is on its rounded edge here.
+    pub edge: bool,
+}
+
+impl Cell {
+    pub fn width(&self) -> f64 {
+        self.x[1] - self.x[0]
+    }
+
+    pub fn center(&self) -> f64 {
+        0.5 * (self.x[0] + self.x[1])
+    }
+}
+
+/// How wide a grid is, measured on the flank.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Width {
+    /// m.
+    Total(f64),
+    /// [`MARGIN`] times the Hertzian contact of this force (N/m) with this E* (Pa).
+    Hertz { force: f64, contact_modulus: f64 },
+}
+
+/// Width of an automatic grid over that of the Hertzian contact: room for what load sharing and reliefs change,
+/// while three quarters of the cells are loaded.
+pub const MARGIN: f64 = 1.3;
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GridOptions {
+    /// M: a grid has 2M + 1 cells, more where it is graded towards an edge and fewer where a surface ends.
+    pub half_count: usize,
+    pub width: Width,
+    /// Whether cells may lie on the profiles' edges.
+    pub search_edges: bool,
+}
+
+/// The cells of a patch.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Grid {
+    pub frame: ContactFrame,
+    /// Ascending in x.
+    pub cells: Vec<Cell>,
+    /// Width asked for, m, and M.
+    pub width: f64,
+    pub half_count: usize,
+    /// Whether the grid ends on the left and right because a surface does.
+    pub surface_ends: [bool; 2],
+}
+
+/// Growth of cells per distance from an edge's start.
+const GRADING: f64 = 0.25;
+/// A surface that leans over by more than acos of this against the tangent plane ends there, as far as contact goes.
+const LEAST_COSINE: f64 = 0.2;
+/// Curvature just beside an edge's start is taken this far from it, relative to the profile's length.
+const BESIDE: f64 = 1e-9;
+
+/// E* of two bodies: 1/E* = 1/E'1 + 1/E'2 (Johnson, eq. 4.5). Infinite if both are rigid.
+pub fn contact_modulus(first: &dyn Structure, second: &dyn Structure) -> f64 {
+    (first.surface_modulus().recip() + second.surface_modulus().recip()).recip()
+}
+
+/// Lays the grid of the patch at a closest approach of `first` and `second`. No cells if the surfaces do not face each
+/// other over any width.
+pub fn lay(first: PlacedProfile, second: PlacedProfile, approach: &Approach, options: &GridOptions) -> Grid {
+    let placed = [first, second];
+    let frame = approach.frame;
+    let surfaces =
+        [0, 1].map(|side| Surface::new(placed[side], frame, approach.s[side], options.search_edges));
+    let flank: [f64; 2] = [0, 1].map(|side| curvature_beside_edge(&placed[side], approach.s[side], -1.0));
+    let width = match options.width {
+        Width::Total(width) => width,
+        Width::Hertz { force, contact_modulus } => {
+            2.0 * MARGIN * hertz_half_width(force, contact_modulus, flank[0] + flank[1])
+        }
+    };
+    let count = (2 * options.half_count + 1) as f64;
+
+    // Edges within reach, and the cells that a patch on them wants: Hertzian widths go by the root of curvature.
+    let mut edges = Vec::new();
+    for side in 0..2 {
+        let Some(start) = placed[side].profile.edge_from().filter(|_| options.search_edges) else { continue };
+        let edge_curvature = curvature_beside_edge(&placed[side], start, 1.0) + flank[1 - side];
+        let ratio = ((flank[0] + flank[1]) / edge_curvature).sqrt();
+        if ratio.is_finite() && start < placed[side].profile.length() {
+            let surface = &surfaces[side];
+            let x = surface.x_of(start.clamp(surface.arc[0], surface.arc[1]));
+            edges.push(Edge { x, towards: surface.sense, cell: width / count * ratio.min(1.0) });
+        }
+    }
+
+    let mut range = [-0.5 * width, 0.5 * width];
+    for edge in &edges {
+        // Beyond an edge's start, or the reference on it, half a grid of edge cells.
+        let side = if edge.towards > 0.0 { 1 } else { 0 };
+        let reach = 0.5 * count * edge.cell;
+        let limit = edge.towards * ((edge.towards * edge.x).max(0.0) + reach);
+        range[side] = edge.towards * (edge.towards * range[side]).min(edge.towards * limit);
+    }
+    let mut surface_ends = [false; 2];
+    for surface in &surfaces {
+        if surface.x[0] > range[0] {
+            range[0] = surface.x[0];
+            surface_ends[0] = true;
+        }
+        if surface.x[1] < range[1] {
+            range[1] = surface.x[1];
+            surface_ends[1] = true;
+        }
+    }
+    let bounds = if range[1] > range[0] { cell_bounds(range, width / count, &edges) } else { Vec::new() };
+    let cells = bounds
+        .windows(2)
+        .map(|x| {
+            let x = [x[0], x[1]];
+            let center = 0.5 * (x[0] + x[1]);
+            let s = [0, 1].map(|side| surfaces[side].arc_at(center));
+            Cell {
+                x,
+                arc: [0, 1].map(|side| x.map(|end| surfaces[side].arc_at(end))),
+                s,
+                gap: average_gap(&surfaces, x),
+                edge: placed[0].on_edge(s[0]) || placed[1].on_edge(s[1]),
+            }
+        })
+        .collect();
+    Grid { frame, cells, width, half_count: options.half_count, surface_ends }
+}
+
+/// Curvature of the flank (`side` -1) or the edge (+1) next to the edge's start, if `s` is beyond it; else at `s`.
+fn curvature_beside_edge(placed: &PlacedProfile, s: f64, side: f64) -> f64 {
+    match placed.profile.edge_from() {
+        Some(start) if s >= start => {
+            placed.profile.at(start + side * BESIDE * placed.profile.length()).curvature
+        }
+        _ => placed.profile.at(s).curvature,
+    }
+}
+
+/// Start of a rounded edge on the tangent line.
+struct Edge {
+    x: f64,
+    /// +1 if the edge lies at larger x, -1 if at smaller.
+    towards: f64,
+    /// Width of cells on it, m.
+    cell: f64,
+}
+
+/// Ends of the cells over `range`: of size `flank_cell`, shrinking towards edges, with ends at the edges' starts.
+fn cell_bounds(range: [f64; 2], flank_cell: f64, edges: &[Edge]) -> Vec<f64> {
+    let size_at = |x: f64| {
+        edges.iter().fold(flank_cell, |size, edge| {
+            let beyond = edge.towards * (x - edge.x);
+            size.min(edge.cell + GRADING * (-beyond).max(0.0))
+        })
+    };
+    let mut stops: Vec<f64> = edges.iter().map(|e| e.x).filter(|&x| x > range[0] && x < range[1]).collect();
+    stops.sort_by(f64::total_cmp);
+    stops.push(range[1]);
+    let mut bounds = vec![range[0]];
+    let mut from = range[0];
+    for to in stops {
+        let mut ends = Vec::new();
+        let mut x = from;
+        while x < to {
+            let size = size_at(x + 0.5 * size_at(x));
+            x += size;
+            // The last cell is kept if more than half of it lies inside; then all stretch or shrink a little.
+            if ends.is_empty() || x - 0.5 * size < to {
+                ends.push(x);
+            }
+        }
+        let stretch = ends.last().map_or(1.0, |last| (to - from) / (last - from));
+        bounds.extend(ends.iter().map(|end| from + stretch * (end - from)));
+        if let Some(last) = bounds.last_mut() {
+            *last = to;
+        }
+        from = to;
+    }
+    bounds
+}
+
+/// A profile as a function of x, from the reference point as far as it faces the other.
+struct Surface<'a> {
+    placed: PlacedProfile<'a>,
+    frame: ContactFrame,
+    /// +1 if arc length grows with x, -1 if it falls.
+    sense: f64,
+    /// Ascending.
+    arc: [f64; 2],
+    /// Ascending.
+    x: [f64; 2],
+}
+
+impl<'a> Surface<'a> {
+    fn new(placed: PlacedProfile<'a>, frame: ContactFrame, reference: f64, search_edges: bool) -> Self {
+        let cosine = |s: f64| dot(placed.at(s).tangent, frame.tangent);
+        let sense = cosine(reference).signum();
+        let arc = [0.0, placed.end(search_edges)].map(|end| {
+            if sense * cosine(end) >= LEAST_COSINE || reference == end {
+                return end;
+            }
+            let (mut faces, mut leans) = (reference, end);
+            for _ in 0..50 {
+                let middle = 0.5 * (faces + leans);
+                if sense * cosine(middle) >= LEAST_COSINE { faces = middle } else { leans = middle }
+            }
+            faces
+        });
+        let mut surface = Self { placed, frame, sense, arc, x: [0.0; 2] };
+        let x = arc.map(|s| surface.x_of(s));
+        surface.x = if sense > 0.0 { x } else { [x[1], x[0]] };
+        surface
+    }
+
+    fn x_of(&self, s: f64) -> f64 {
+        dot(minus(self.placed.at(s).position, self.frame.point), self.frame.tangent)
+    }
+
+    /// Arc length over x: Newton's method inside a shrinking bracket, as x grows or falls steadily with arc length.
+    fn arc_at(&self, x: f64) -> f64 {
+        let (mut low, mut high) = (self.arc[0], self.arc[1]);
+        let resolution = 2.0 * f64::EPSILON * high;
+        let mut s = low + (high - low) * {
+            let along = (x - self.x[0]) / (self.x[1] - self.x[0]);
+            (if self.sense > 0.0 { along } else { 1.0 - along }).clamp(0.0, 1.0)
+        };
+        for _ in 0..100 {
+            let point = self.placed.at(s);
+            let short = self.sense * (x - dot(minus(point.position, self.frame.point), self.frame.tangent));
+            if short > 0.0 { low = s } else { high = s }
+            let step = short / (self.sense * dot(point.tangent, self.frame.tangent));
+            let mut next = s + step;
+            if !(next >= low && next <= high) {
+                next = 0.5 * (low + high);
+            }
+            if (next - s).abs() <= resolution {
+                return next;
+            }
+            s = next;
+        }
+        s
+    }
+
+    /// Height over the tangent plane at x, along the common normal.
+    fn height(&self, x: f64) -> f64 {
+        dot(minus(self.placed.at(self.arc_at(x)).position, self.frame.point), self.frame.normal)
+    }
+}
+
+/// Average separation over a cell, by Gauss's three-point rule: exact for surfaces of fifth degree.
+fn average_gap(surfaces: &[Surface; 2], x: [f64; 2]) -> f64 {
+    const OUTER_POINT: f64 = 0.774_596_669_241_483_4;
+    let (center, half) = (0.5 * (x[0] + x[1]), 0.5 * (x[1] - x[0]));
+    let separation = |x: f64| surfaces[1].height(x) - surfaces[0].height(x);
+    (5.0 * (separation(center - OUTER_POINT * half) + separation(center + OUTER_POINT * half))
+        + 8.0 * separation(center))
+        / 18.0
+}
+
+/// What a solution says about its grid (report figures 3.40 to 3.42).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GridReport {
+    pub loaded_cells: usize,
+    /// Left, right: the outermost cell is loaded although the surfaces go on. Pressures are too high.
+    pub truncated: [bool; 2],
+    /// Fewer than five cells are loaded: the pressure has no shape.
+    pub under_resolved: bool,
+    /// A better width (m), for the same M.
+    pub recommended_width: Option<f64>,
+}
+
+/// Loaded cells without which a patch counts as under-resolved.
+pub const LEAST_LOADED_CELLS: usize = 5;
+
+/// Judges a grid by the pressures (Pa) found on it.
+pub fn assess(grid: &Grid, pressures: &[f64]) -> GridReport {
+    let cells = &grid.cells;
+    let loaded_cells = pressures.iter().filter(|&&p| p > 0.0).count();
+    let loaded = |p: Option<&f64>| p.is_some_and(|&p| p > 0.0);
+    let truncated = [
+        loaded(pressures.first()) && !grid.surface_ends[0],
+        loaded(pressures.last()) && !grid.surface_ends[1],
+    ];
+    // A patch that fills its surface from end to end, on few cells, cannot be helped by another width.
+    let under_resolved = loaded_cells > 0 && loaded_cells < LEAST_LOADED_CELLS.min(cells.len());
+    let recommended_width = if truncated[0] || truncated[1] {
+        // Where p² would reach zero, if that is outside; else the cut is too deep to tell.
+        let wanted = super::pressure::zeros_of_squared_pressure(cells, pressures)
+            .map(|zeros| 2.0 * MARGIN * zeros[0].abs().max(zeros[1].abs()))
+            .filter(|&w| w > 1.1 * grid.width);
+        Some(wanted.unwrap_or(2.0 * grid.width))
+    } else if under_resolved {
+        // The loaded cells' extent bounds the patch from above: on a grid fitted to it, at least as much is loaded again.
+        let farthest = cells
+            .iter()
+            .zip(pressures)
+            .filter(|&(_, &p)| p > 0.0)
+            .map(|(cell, _)| cell.x[0].abs().max(cell.x[1].abs()))
+            .fold(0.0, f64::max);
+        Some((2.0 * MARGIN * farthest).min(0.5 * grid.width))
+    } else {
+        None
+    };
+    GridReport { loaded_cells, truncated, under_resolved, recommended_width }
+}
+
+/// Pressure in each cell (Pa) for cell forces (N/m).
+pub fn pressures(cells: &[Cell], forces: &[f64]) -> Vec<f64> {
+    cells.iter().zip(forces).map(|(cell, force)| force / cell.width()).collect()
+}

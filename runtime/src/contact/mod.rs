@@ -20,4 +20,10 @@ pub mod rigid_limit;
 pub use placement::{ContactFrame, Placement};
 
 #[cfg(test)]
+mod geometry_tests;
+#[cfg(test)]
+mod hertz_tests;
+#[cfg(test)]
 mod solver_tests;
+#[cfg(test)]
+mod test_profiles;

@@ -5,6 +5,13 @@
 
 use super::grid::Cell;
 use nalgebra::{Matrix3, Vector3};
+use std::f64::consts::PI;
+
+/// Half-width of a Hertzian line contact, m: a² = 4 q / (pi E* k), for force `force` (q, N/m), E* in Pa and relative curvature
+/// in 1/m (Johnson, eq. 4.43).
+pub fn hertz_half_width(force: f64, contact_modulus: f64, relative_curvature: f64) -> f64 {
+    (4.0 * force / (PI * contact_modulus * relative_curvature)).sqrt()
+}
 
 /// Largest pressure of some cells of a patch.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -55,16 +62,21 @@ pub fn peak(cells: &[Cell], pressures: &[f64], region: Region) -> Option<Peak> {
     })
 }
 
-/// Half-width of the loaded zone, m: half the distance between the zeros of a parabola fitted to p² of the loaded cells
-/// without the outermost on each side, which are loaded over part of their width only. `None` with fewer than five loaded
-/// cells, or where p² is no parabola with two zeros.
+/// Half-width of the loaded zone, m: half the distance between the zeros of p² extrapolated. `None` with fewer than
+/// five loaded cells, or where p² is no parabola with two zeros.
 pub fn half_width(cells: &[Cell], pressures: &[f64]) -> Option<f64> {
+    zeros_of_squared_pressure(cells, pressures).map(|[left, right]| 0.5 * (right - left))
+}
+
+/// Where a parabola fitted to p² of the loaded cells is zero; without the outermost on each side, which are loaded over
+/// part of their width only.
+pub(super) fn zeros_of_squared_pressure(cells: &[Cell], pressures: &[f64]) -> Option<[f64; 2]> {
     let first = pressures.iter().position(|&p| p > 0.0)?;
     let last = pressures.iter().rposition(|&p| p > 0.0)?;
     if last < first + 4 {
         return None;
     }
-    Parabola::through(cells, pressures, first + 1, last - 1)?.half_distance_of_zeros()
+    Parabola::through(cells, pressures, first + 1, last - 1)?.zeros()
 }
 
 /// c0 + c1 u + c2 u², with u = (x - origin) / unit.
@@ -101,9 +113,12 @@ impl Parabola {
         Some((self.origin + self.unit * u, c0 + 0.5 * c1 * u))
     }
 
-    fn half_distance_of_zeros(&self) -> Option<f64> {
+    /// Ascending.
+    fn zeros(&self) -> Option<[f64; 2]> {
         let [c0, c1, c2] = self.coefficients;
         let discriminant = c1 * c1 - 4.0 * c2 * c0;
-        (c2 < 0.0 && discriminant > 0.0).then(|| self.unit * discriminant.sqrt() / (-2.0 * c2))
+        (c2 < 0.0 && discriminant > 0.0).then(|| {
+            [1.0, -1.0].map(|sign| self.origin + self.unit * (sign * discriminant.sqrt() - c1) / (2.0 * c2))
+        })
     }
 }
