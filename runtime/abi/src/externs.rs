@@ -1,10 +1,10 @@
 //! Functions the engine provides to programs: one macro turns a list of ordinary Rust bodies into the interpreter's
 //! table, the machine code's symbol table and the link symbols.
 
-use crate::call::{Repr, Slot, Status};
+use crate::call::{Repr, Slot};
 use crate::context::{Context, RuntimeError};
+use crate::entry::guarded;
 use crate::heap::{Object, SymbolicValue};
-use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 
 /// A value that crosses between programs and the engine.
@@ -168,41 +168,19 @@ pub unsafe fn call<T: Value>(
     ret: *mut Slot,
     body: impl FnOnce(&mut Context, Arguments) -> Result<T, RuntimeError>,
 ) -> i32 {
-    // SAFETY: the caller vouches for the pointers; a slice of no slots needs no valid pointer.
-    let (context, slots) = unsafe {
-        let slots = if count == 0 { &[][..] } else { std::slice::from_raw_parts(args, count) };
-        (&mut *ctx, slots)
+    let guarded_body = |context: &mut Context| {
+        // SAFETY: the caller vouches for the pointers; a slice of no slots needs no valid pointer.
+        let slots = if count == 0 { &[][..] } else { unsafe { std::slice::from_raw_parts(args, count) } };
+        let value = body(context, Arguments { slots })?;
+        let width = T::repr().slots();
+        // SAFETY: as above.
+        let ret =
+            if width == 0 { &mut [][..] } else { unsafe { std::slice::from_raw_parts_mut(ret, width) } };
+        value.write(context, ret);
+        Ok(())
     };
-    let outcome = catch_unwind(AssertUnwindSafe(|| body(context, Arguments { slots })));
-    let error = match outcome {
-        Ok(Ok(value)) => {
-            let width = T::repr().slots();
-            // SAFETY: as above.
-            let ret =
-                if width == 0 { &mut [][..] } else { unsafe { std::slice::from_raw_parts_mut(ret, width) } };
-            value.write(context, ret);
-            return Status::Ok as i32;
-        }
-        Ok(Err(error)) => error,
-        Err(panic) => RuntimeError {
-            code: "E0798".into(),
-            message: format!("the engine failed unexpectedly: {}", panic_text(panic.as_ref())),
-            help: "this is a defect of Calyx; please report it with the model".into(),
-            argument: None,
-            place: None,
-        },
-    };
-    let place = context.place;
-    context.error = Some(RuntimeError { place: error.place.or(Some(place)), ..error });
-    Status::Failed as i32
-}
-
-fn panic_text(panic: &(dyn std::any::Any + Send)) -> &str {
-    panic
-        .downcast_ref::<String>()
-        .map(String::as_str)
-        .or(panic.downcast_ref::<&str>().copied())
-        .unwrap_or("no message")
+    // SAFETY: the caller vouches for the context.
+    unsafe { guarded(ctx, guarded_body) }
 }
 
 /// Declares provided functions:
