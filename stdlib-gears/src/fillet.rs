@@ -8,7 +8,6 @@
 //! `d = -sin(g) u - cos(g) v` and `t = -y / tan(g)`. The inclination `g` of the normal runs from the pressure angle,
 //! where the straight flank of the rack takes over, to a right angle at the root circle.
 
-use crate::root_finding::solve_bracketed;
 use calyx_abi::math;
 use calyx_runtime::profile::{Profile, ProfilePoint};
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -86,12 +85,19 @@ impl RootGeneration {
     pub fn curvature_radius(&self, inclination: f64) -> f64 {
         let sine = math::sin(inclination);
         let turn_rate = self.tip_centre_depth / (self.pitch_radius * sine * sine);
-        (self.tip_radius + (self.tip_radius + self.tip_centre_depth / sine) * turn_rate) / (1.0 + turn_rate)
+        self.arc_rate(inclination) / (1.0 + turn_rate)
+    }
+
+    /// Length of the envelope per unit of inclination, m.
+    fn arc_rate(&self, inclination: f64) -> f64 {
+        let sine = math::sin(inclination);
+        let turn_rate = self.tip_centre_depth / (self.pitch_radius * sine * sine);
+        self.tip_radius + (self.tip_radius + self.tip_centre_depth / sine) * turn_rate
     }
 
     /// Length of the envelope up to an inclination, from an origin of its own.
     fn arc_length(&self, inclination: f64) -> f64 {
-        // The integral of rho + (rho + y / sin g) y / (r sin^2 g).
+        // The integral of the rate.
         let (sine, cosine) = math::sincos(inclination);
         let cotangent = cosine / sine;
         let depth = self.tip_centre_depth;
@@ -134,11 +140,20 @@ impl RootFillet {
 
     fn inclination_at(&self, s: f64) -> f64 {
         let target = self.generation.arc_length(self.form_inclination) + s;
-        solve_bracketed(
-            |inclination| self.generation.arc_length(inclination) - target,
-            0.5 * self.form_inclination,
-            FRAC_PI_2,
-        )
+        let (least, most) = (0.5 * self.form_inclination, FRAC_PI_2);
+        let mut inclination =
+            self.form_inclination + s / self.fillet_length() * (FRAC_PI_2 - self.form_inclination);
+        // Newton's method: the length grows steadily with the inclination.
+        for _ in 0..50 {
+            let miss = self.generation.arc_length(inclination) - target;
+            let next = (inclination - miss / self.generation.arc_rate(inclination)).clamp(least, most);
+            let step = (next - inclination).abs();
+            inclination = next;
+            if step <= 4.0 * f64::EPSILON {
+                break;
+            }
+        }
+        inclination
     }
 }
 

@@ -172,6 +172,8 @@ struct Boundary {
     flank: Arc<Flank>,
     /// `p` at which the flank begins.
     form: f64,
+    /// `p` at which the tip edge's arc begins.
+    edge: f64,
     /// Thickness of the strip and direction into the material, between whose values it is interpolated linearly.
     anchors: Vec<Anchor>,
     /// Where the strip begins to make room for the tip's, and by how much it does at the end, m.
@@ -200,7 +202,11 @@ impl Boundary {
     }
 
     fn inner(&self, p: f64) -> [f64; 2] {
-        let [x, y] = self.outer(p).position;
+        // Inside the tip edge's arc the strip goes on along the flank: following the arc would leave the core of a
+        // thin tip no corner.
+        let beyond = (p - self.edge).max(0.0);
+        let start = self.outer(p.min(self.edge));
+        let [x, y] = [0, 1].map(|axis| start.position[axis] + 0.7 * beyond * start.tangent[axis]);
         let after = self.anchors.partition_point(|anchor| anchor.p <= p).clamp(1, self.anchors.len() - 1);
         let (a, b) = (self.anchors[after - 1], self.anchors[after]);
         let part = (p - a.p) / (b.p - a.p);
@@ -250,13 +256,14 @@ impl Layout {
             fillet,
             flank,
             form,
+            edge,
             anchors: Vec::new(),
             tip_start: 0.0,
             tip_end: end,
             tip_depth: 0.0,
         };
         let rim = gear.root_radius - bore_radius;
-        boundary.place_strip(module, rim, edge);
+        boundary.place_strip(module, rim);
 
         // A tiny root circle is not worth elements of its own: it joins the fillet.
         let root_circle = form - boundary.fillet.fillet_length();
@@ -419,7 +426,7 @@ impl Layout {
         });
         let core = HalfBlock {
             sides: [
-                Curve::line(bottom, tip),
+                self.centreline(bottom[0], tip[0], knee_p),
                 Curve::line(tip, corner),
                 self.inner(knee_p, boundary.tip_end),
                 Curve::line(bottom, knee),
@@ -455,6 +462,19 @@ impl Layout {
         [core, under_tooth, under_space]
     }
 
+    /// The centreline of the core, divided like the inner side of the strip above it, so that elements of a thin tooth
+    /// stay upright.
+    fn centreline(&self, from_x: f64, to_x: f64, from: f64) -> Curve {
+        let boundary = Arc::clone(&self.boundary);
+        let to = boundary.tip_end;
+        let [start, end] = [from, to].map(|p| boundary.inner(p)[0]);
+        Curve::new(move |t| {
+            let x = boundary.inner((1.0 - t) * from + t * to)[0];
+            let part = (x - start) / (end - start);
+            [(1.0 - part) * from_x + part * to_x, 0.0]
+        })
+    }
+
     /// Divisions from the strip down to the bore, growing geometrically.
     fn into_rim(&self, depth: f64) -> Vec<f64> {
         let growth = self.refinement.rim_growth;
@@ -466,8 +486,8 @@ impl Layout {
 
 impl Boundary {
     /// Chooses thickness and direction of the strip.
-    fn place_strip(&mut self, module: f64, rim: f64, edge: f64) {
-        let form = self.form;
+    fn place_strip(&mut self, module: f64, rim: f64) {
+        let (form, edge) = (self.form, self.edge);
         let fillet_end = form - self.fillet.fillet_length();
         let angle_of = |[x, y]: [f64; 2]| math::atan2(y, x);
         let below = angle_of(self.fillet.at(0.0).normal);
@@ -498,8 +518,9 @@ impl Boundary {
             Anchor { p: self.tip_end, ..flank_anchor(1.0) },
         ];
         self.anchors = anchors;
-        self.tip_depth = tip_depth.min(0.1 * (edge - form));
-        self.tip_start = self.tip_end - (4.0 * self.tip_depth).min(0.5 * (edge - form));
+        self.tip_depth = tip_depth.min(0.06 * (edge - form));
+        // Gently, as the flank of a small gear leans far over at its tip.
+        self.tip_start = self.tip_end - 8.0 * self.tip_depth;
     }
 }
 
