@@ -2,13 +2,14 @@
 //!
 //! The compliance between two points of a surface is that of the half-plane, plus a smooth part. The smooth part is the
 //! difference of what the mesh and the half-plane answer to the same mollified loads, seen by the same mollifiers
-//! ([`super::kernel`]): symmetric by construction. Of a curved surface two terms are not smooth where both points meet:
-//! the half-plane's logarithm, and a kink. A normal force moves the half-plane's surface sideways too, away from itself
-//! by a constant amount; where the surface is curved this has a part along the normal of the other point,
-//! `kink (angle between the normals)`. The expansion of the exact solution for a disc (Fourier series of the normal
-//! displacement: `[(k + 1)/n + (1 - k)/n² + ...] / (4 mu)`, k Kolosov's constant) gives `kink = (k - 1) / (8 mu)`; the
-//! next term is of the order of the squared angle times its logarithm. The kink is taken out before interpolation
-//! and put back in closed form, like the logarithm, which stays with whoever integrates pressures.
+//! ([`super::kernel`]): symmetric by construction.
+//!
+//! Where both points meet, a curved surface has weaker singularities than the half-plane's logarithm. The exact solution
+//! for a disc shows them: the Fourier coefficients of its normal displacement are `[k/(n + 1) + 1/(n - 1)]/(4 mu)`, k
+//! Kolosov's constant, and their expansion `[(k + 1)/n + (1 - k)/n² + (k + 1)/n³ ...]/(4 mu)` sums to the logarithm, a
+//! kink `(k - 1)/(8 mu) |phi|` in the angle between the normals, and `phi² ln|phi|/(pi E')`. (The kink is the half-plane's
+//! sideways displacement, of constant size away from the load, seen along a turned normal.) Both are taken out before
+//! interpolation and put back in closed form; the logarithm stays with whoever integrates pressures.
 //!
 //! Tables are interpolated by splines in both variables. Only one orientation of each table is stored and it is always
 //! summed in the same order, so that exchanging load and observer gives the same bits.
@@ -80,6 +81,8 @@ pub struct ElasticStructure {
 struct Surface {
     profile: Arc<dyn Profile>,
     spline: Spline,
+    /// Arc lengths of the part that belongs to the mesh and to no rounded edge. Beyond it, its ends stand in.
+    range: [f64; 2],
     /// Spline coefficients of the angle by which the normal has turned, positive where convex, rad.
     turned: Vec<f64>,
     stress_positions: Vec<[f64; 2]>,
@@ -230,22 +233,33 @@ impl ElasticStructure {
         let log_factor = -2.0 / (PI * self.surface_modulus);
         let log_length = self.reference_length.ln();
         let surface = &prepared.surface;
-        let turned = |s: f64| surface.turned_at(&surface.spline.weights(s));
+        let curved = |s: f64, at: f64| self.curved_part(surface, surface.local(s), surface.local(at));
         let mut smooth = answers.to_owned();
         for (k, observer) in prepared.mollifiers.iter().enumerate() {
             for (l, load) in prepared.mollifiers.iter().enumerate().take(k + 1) {
                 let logarithm = quadrature.logarithm(observer, load) - log_length;
-                // Apart from each other, the kink is smooth between them: its mean is its value.
-                let kink = if observer.overlaps(load) {
-                    quadrature.kink(observer, load, turned)
+                // Apart from each other the curved part is smooth: its mean is its value.
+                let nodes = surface.spline.nodes();
+                let curved = if observer.overlaps(load) {
+                    quadrature.mean(observer, load, curved)
                 } else {
-                    turned(surface.spline.nodes()[k]) - turned(surface.spline.nodes()[l])
+                    curved(nodes[k], nodes[l])
                 };
-                smooth[(k, l)] -= log_factor * logarithm + self.kink * kink;
+                smooth[(k, l)] -= log_factor * logarithm + curved;
             }
         }
         super::dense::mirror_lower(&mut smooth);
         smooth
+    }
+
+    /// What curvature adds to the half-plane's logarithm and is not smooth where `a` and `b` meet.
+    fn curved_part(&self, surface: &Surface, a: Local, b: Local) -> f64 {
+        // Convex is positive: the angle grows with the arc length.
+        let turn = if a.s >= b.s { a.turned - b.turned } else { b.turned - a.turned };
+        // Compared with the length of the surface, so that a straight one has no term at all.
+        let distance = (a.s - b.s).abs() / surface.profile.length();
+        let logarithmic = if distance > 0.0 { turn * turn * distance.ln() } else { 0.0 };
+        self.kink * turn + logarithmic / (PI * self.surface_modulus)
     }
 
     /// Places ahead, going round, from one tooth to another.
@@ -311,27 +325,17 @@ impl Structure for ElasticStructure {
         } else {
             &tables.compliance[load.surface as usize][observe.surface as usize]
         };
-        let bilinear = |row: &Weights, column: &Weights| row.sum(|i| column.sum(|j| table[(i, j)]));
-        let load_weights: Vec<Weights> = load_s.iter().map(|&s| loaded.spline.weights(s)).collect();
-        let load_turned: Vec<f64> = load_weights.iter().map(|weights| loaded.turned_at(weights)).collect();
+        let loads: Vec<Local> = load_s.iter().map(|&s| loaded.local(s)).collect();
         for (row, &s) in observe_s.iter().enumerate() {
-            let weights = observed.spline.weights(s);
-            let turned = observed.turned_at(&weights);
-            for (column, &at) in load_s.iter().enumerate() {
-                let other = &load_weights[column];
-                let value = if same {
-                    // The table is symmetric; the larger arc length goes first, whichever side it is on.
-                    let (high, low, turn) = if s >= at {
-                        (&weights, other, turned - load_turned[column])
-                    } else {
-                        (other, &weights, load_turned[column] - turned)
-                    };
-                    bilinear(high, low) + self.kink * turn
-                } else if forward {
-                    bilinear(&weights, other)
-                } else {
-                    bilinear(other, &weights)
-                };
+            let observer = observed.local(s);
+            for (column, &load) in loads.iter().enumerate() {
+                // Within one table, which is symmetric, the larger arc length goes first, whichever side it is on.
+                let first = if same { observer.s >= load.s } else { forward };
+                let (first, second) = if first { (observer, load) } else { (load, observer) };
+                let mut value = first.weights.sum(|i| second.weights.sum(|j| table[(i, j)]));
+                if same {
+                    value += self.curved_part(observed, first, second);
+                }
                 block[row * load_s.len() + column] += value;
             }
         }
@@ -355,7 +359,7 @@ impl Structure for ElasticStructure {
             };
             let side = if ahead <= behind { &tables.stress_ahead } else { &tables.stress_behind };
             let table = &side[surface as usize][load.chart.surface as usize];
-            let weights = loaded.spline.weights(load.s);
+            let weights = loaded.local(load.s).weights;
             for (row, value) in stress.iter_mut().enumerate() {
                 *value += load.force * weights.sum(|i| table[(row, i)]);
             }
@@ -370,9 +374,20 @@ impl Structure for ElasticStructure {
     }
 }
 
+/// A point of a surface as its tables see it.
+#[derive(Clone, Copy)]
+struct Local {
+    /// Within the surface's range.
+    s: f64,
+    weights: Weights,
+    turned: f64,
+}
+
 impl Surface {
-    fn turned_at(&self, weights: &Weights) -> f64 {
-        weights.sum(|i| self.turned[i])
+    fn local(&self, s: f64) -> Local {
+        let s = s.clamp(self.range[0], self.range[1]);
+        let weights = self.spline.weights(s);
+        Local { s, weights, turned: weights.sum(|i| self.turned[i]) }
     }
 }
 
@@ -446,6 +461,7 @@ fn prepare_surface(
 ) -> Result<Prepared, StructureError> {
     let loaded = chain(model, &source.chain)?;
     let until = source.profile.edge_from().unwrap_or_else(|| source.profile.length());
+    let [start, end] = loaded.range();
     let samples = sample(&model.mesh, loaded, until, source.sharp, options)
         .ok_or_else(|| StructureError::Coarse { chain: source.chain.clone() })?;
     let loads = samples
@@ -461,6 +477,7 @@ fn prepare_surface(
     let mut surface = Surface {
         profile: source.profile.clone(),
         spline: Spline::new(samples.s),
+        range: [start, end.min(until)],
         turned: Vec::new(),
         stress_positions: Vec::new(),
     };

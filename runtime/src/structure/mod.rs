@@ -92,9 +92,19 @@ pub trait Structure: Send + Sync {
     /// Adds `R` to `block`, row-major, `observe_s.len()` rows by `load_s.len()` columns: inward normal displacement
     /// at `observe_s` on `observe` per unit inward normal force at `load_s` on `load`, m/(N/m).
     /// Symmetric: exchanging loads and observers transposes it, bit for bit.
-    fn add_compliance(&self, observe: Chart, observe_s: &[f64], load: Chart, load_s: &[f64], block: &mut [f64]);
+    fn add_compliance(
+        &self,
+        observe: Chart,
+        observe_s: &[f64],
+        load: Chart,
+        load_s: &[f64],
+        block: &mut [f64],
+    );
 
     /// Principal stress of largest tension (Pa) at each point where stress is recovered, for the given loads, on tooth
     /// `tooth`. Empty if the structure recovers none.
     fn stresses(&self, tooth: u32, surface: u32, loads: &[SurfaceLoad]) -> Vec<(StressPlace, f64)>;
 }
+
+#[cfg(test)]
+mod tests;

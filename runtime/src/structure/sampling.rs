@@ -29,7 +29,7 @@ const OF_LENGTH: f64 = 0.06;
 /// The least matching depth in spacings of nodes along the surface.
 const OF_NODE_SPACING: f64 = 4.0;
 /// A mollifier ends at this fraction of the distance to a sharp edge, at least.
-const CLEAR_OF_EDGE: f64 = 0.75;
+const CLEAR_OF_EDGE: f64 = 0.95;
 /// Intervals of the table that spreads the samples.
 const INTERVALS: usize = 2000;
 

@@ -45,10 +45,25 @@ impl Spline {
         &self.nodes
     }
 
-    /// Weights at `s`; beyond the nodes, those of the nearest one.
+    /// Weights at `s`; beyond the nodes, those of the straight continuation.
     pub fn weights(&self, s: f64) -> Weights {
-        let s = s.clamp(self.nodes[0], self.nodes[self.nodes.len() - 1]);
-        weights_at(&self.knots, s)
+        let [first, last] = [self.nodes[0], self.nodes[self.nodes.len() - 1]];
+        let inside = s.clamp(first, last);
+        let mut weights = weights_at(&self.knots, inside);
+        let beyond = s - inside;
+        if beyond != 0.0 {
+            // At an end knot only two splines have a slope: `3 / (gap to the next knot)`, and its opposite.
+            let (end, next) = if beyond < 0.0 { (0, 1) } else { (ORDER - 1, ORDER - 2) };
+            let gap = if beyond < 0.0 {
+                self.knots[ORDER] - first
+            } else {
+                last - self.knots[self.knots.len() - ORDER - 1]
+            };
+            let slope = (ORDER - 1) as f64 / gap * beyond.abs();
+            weights.values[end] += slope;
+            weights.values[next] -= slope;
+        }
+        weights
     }
 
     /// Coefficients of the splines through the columns of a table whose rows belong to the nodes.
@@ -120,9 +135,12 @@ mod tests {
     }
 
     #[test]
-    fn beyond_the_nodes_the_end_is_held() {
+    fn beyond_the_nodes_it_continues_straight() {
         let spline = Spline::new(graded(6));
-        assert_eq!(spline.weights(1.5), spline.weights(1.0));
-        assert_eq!(spline.weights(-1.5), spline.weights(0.0));
+        let table = Mat::from_fn(6, 1, |i, _| spline.nodes()[i].powi(3));
+        let coefficients = spline.coefficients(table.as_ref());
+        let value = |s: f64| spline.weights(s).sum(|i| coefficients[(i, 0)]);
+        assert!((value(1.5) - (1.0 + 3.0 * 0.5)).abs() < 1e-12);
+        assert!(value(-0.5).abs() < 1e-12);
     }
 }
