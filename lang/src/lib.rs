@@ -6,6 +6,7 @@
 
 pub mod ast;
 pub mod check;
+pub mod codes;
 pub mod db;
 pub mod description;
 pub mod diagnostic;

@@ -183,12 +183,12 @@ fn nesting_has_a_limit_and_an_error() {
 fn nesting_below_the_limit_parses() {
     for text in [
         "x = ".to_string() + &"(".repeat(250) + "1" + &")".repeat(250) + ";",
-        "x = ".to_string() + &"-".repeat(900) + "1;",
-        "x = 1".to_string() + &" + 1".repeat(900) + ";",
-        "x = 2".to_string() + &"^2".repeat(900) + ";",
+        "x = ".to_string() + &"-".repeat(390) + "1;",
+        "x = 1".to_string() + &" + 1".repeat(390) + ";",
+        "x = 2".to_string() + &"^2".repeat(390) + ";",
         "{".repeat(250) + &"}".repeat(250),
-        "if (a) ; else ".repeat(200) + ";",
-        "a: ".repeat(900) + ";",
+        "if (a) ; else ".repeat(120) + ";",
+        "a: ".repeat(390) + ";",
         "x = ".to_string() + &"[".repeat(250) + &"]".repeat(250) + ";",
         "x = [".to_string() + &"1, ".repeat(100_000) + "];",
         "x = 1;\n".repeat(10_000),

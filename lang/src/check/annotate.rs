@@ -2,7 +2,7 @@
 
 use super::dim::Dim;
 use super::infer::Checker;
-use super::names::similar;
+use super::symbols::similar;
 use super::types::Type;
 use crate::ast::{FunctionBody, FunctionDecl, StmtKind, TypeExpr, TypeKind};
 use crate::diagnostic::Diagnostic;
@@ -56,12 +56,17 @@ impl<'a> Checker<'a> {
             },
             TypeKind::Apply(name, arguments) => {
                 let [argument] = arguments.as_slice() else {
-                    return self.bad_annotation(format!("`{}` takes one type in parentheses", name.name), annotation.span);
+                    return self.bad_annotation(
+                        format!("`{}` takes one type in parentheses", name.name),
+                        annotation.span,
+                    );
                 };
                 match name.name.as_str() {
                     "Array" => Type::array(self.annotation(argument, symbolic)),
                     "Vector" => self.dimension(argument).map_or(Type::Error, |d| Type::Vector(Dim::known(d))),
-                    "Observable" => self.dimension(argument).map_or(Type::Error, |d| Type::Observable(Dim::known(d))),
+                    "Observable" => {
+                        self.dimension(argument).map_or(Type::Error, |d| Type::Observable(Dim::known(d)))
+                    }
                     "Symbolic" if symbolic => Type::Symbolic(Box::new(self.annotation(argument, false))),
                     "Symbolic" => {
                         self.not_yet("symbolic values in user functions are", annotation.span);
@@ -104,15 +109,15 @@ impl<'a> Checker<'a> {
     }
 
     fn bad_annotation(&mut self, message: String, span: Span) -> Type {
-        self.report(
-            Diagnostic::error("E0308", message, span, "not a type")
-                .help("types are dimensions, Bool, String, Vector(...), Transform, Array(...), and the library's own"),
-        );
+        self.report(Diagnostic::error("E0308", message, span, "not a type").help(
+            "types are dimensions, Bool, String, Vector(...), Transform, Array(...), and the library's own",
+        ));
         Type::Error
     }
 
     fn unknown_type(&mut self, name: &str, span: Span) -> Type {
-        let diagnostic = Diagnostic::error("E0309", format!("there is no type `{name}`"), span, "unknown type");
+        let diagnostic =
+            Diagnostic::error("E0309", format!("there is no type `{name}`"), span, "unknown type");
         let handles: Vec<String> = self.handles.iter().cloned().collect();
         let mut candidates: Vec<&str> = NAMES.iter().copied().chain(Dimension::names()).collect();
         candidates.extend(handles.iter().map(String::as_str));
@@ -140,8 +145,13 @@ impl<'a> Checker<'a> {
                         && !["pure", "scene", "effect"].contains(&purity.name.as_str())
                     {
                         self.report(
-                            Diagnostic::error("E0213", format!("`{}` is no kind of function", purity.name), purity.span, "unknown word")
-                                .help("write `pure`, `scene` or `effect`"),
+                            Diagnostic::error(
+                                "E0213",
+                                format!("`{}` is no kind of function", purity.name),
+                                purity.span,
+                                "unknown word",
+                            )
+                            .help("write `pure`, `scene` or `effect`"),
                         );
                     }
                     self.check_extern(decl);

@@ -1,6 +1,6 @@
 //! Names every program has without declaring or importing them.
 
-use super::names::{Constant, NumberConstant};
+use super::symbols::{Constant, NumberConstant};
 use crate::ir::Op;
 
 /// A function built into the language.

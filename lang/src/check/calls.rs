@@ -1,15 +1,11 @@
 //! Calls: arguments to parameters, and what each kind of function demands.
 
-use super::builtins::{Builtin, RateOf, Shape, Signature};
-use super::dim::Dim;
 use super::infer::Checker;
-use super::names::{Res, VarKind, similar};
+use super::symbols::{Res, VarKind, similar};
 use super::tree::*;
 use super::types::Type;
 use crate::ast::{self, Bind, ExprKind, Mode};
 use crate::diagnostic::Diagnostic;
-use crate::dimension::{Base, Dimension, Rational};
-use crate::ir::Op;
 use crate::span::Span;
 
 impl<'a> Checker<'a> {
@@ -27,7 +23,8 @@ impl<'a> Checker<'a> {
             Some(Res::Builtin(builtin)) => self.builtin_call(builtin, name, arguments, span),
             Some(Res::Unknown) | None => {
                 // Still look into the arguments.
-                if self.names.uses.contains_key(&name.span) || !matches!(callee.kind, ExprKind::Field { .. }) {
+                if self.names.uses.contains_key(&name.span) || !matches!(callee.kind, ExprKind::Field { .. })
+                {
                     self.check_loosely(arguments);
                     return Expr::error(span);
                 }
@@ -51,7 +48,7 @@ impl<'a> Checker<'a> {
     }
 
     /// Checks arguments of a call that makes no sense itself, for the errors in them.
-    fn check_loosely(&mut self, arguments: &'a [ast::Argument]) {
+    pub(super) fn check_loosely(&mut self, arguments: &'a [ast::Argument]) {
         for argument in arguments {
             let symbolic = matches!(argument.name, Some((_, Bind::Symbolic)));
             let around = self.symbolic;
@@ -62,7 +59,7 @@ impl<'a> Checker<'a> {
     }
 
     /// Gives each parameter its argument. `None` where the default stands in; errors are reported.
-    fn match_arguments(
+    pub(super) fn match_arguments(
         &mut self,
         function: &str,
         parameters: &[(&str, bool)],
@@ -86,14 +83,15 @@ impl<'a> Checker<'a> {
                                 name.span,
                                 "unknown parameter",
                             );
-                            let diagnostic = match similar(&name.name, parameters.iter().map(|(name, _)| *name)) {
-                                Some(near) => diagnostic.help(format!("did you mean `{near}`?")).fix(
-                                    format!("change to `{near}`"),
-                                    name.span,
-                                    near,
-                                ),
-                                None => diagnostic.help(format!("its parameters are {}", list())),
-                            };
+                            let diagnostic =
+                                match similar(&name.name, parameters.iter().map(|(name, _)| *name)) {
+                                    Some(near) => diagnostic.help(format!("did you mean `{near}`?")).fix(
+                                        format!("change to `{near}`"),
+                                        name.span,
+                                        near,
+                                    ),
+                                    None => diagnostic.help(format!("its parameters are {}", list())),
+                                };
                             self.report(diagnostic);
                             sound = false;
                             continue;
@@ -121,7 +119,11 @@ impl<'a> Checker<'a> {
                     self.report(
                         Diagnostic::error(
                             "E0206",
-                            format!("`{function}` takes {} arguments, not {}", parameters.len(), arguments.len()),
+                            format!(
+                                "`{function}` takes {} arguments, not {}",
+                                parameters.len(),
+                                arguments.len()
+                            ),
                             argument.value.span,
                             "one too many",
                         )
@@ -183,31 +185,44 @@ impl<'a> Checker<'a> {
             let info = &self.names.externs[id as usize];
             (info.decl, info.name.clone(), info.file)
         };
-        let parameters: Vec<(&str, bool)> =
-            decl.parameters.iter().map(|p| (p.name.name.as_str(), matches!(p.default, Some((_, Some(_)))))).collect();
+        let parameters: Vec<(&str, bool)> = decl
+            .parameters
+            .iter()
+            .map(|p| (p.name.name.as_str(), matches!(p.default, Some((_, Some(_))))))
+            .collect();
         let Some(given) = self.match_arguments(&shown, &parameters, arguments, span) else {
-            let result = self.in_file(file, |c| decl.result.as_ref().map_or(Type::Unit, |r| c.annotation(r, true)));
+            let result =
+                self.in_file(file, |c| decl.result.as_ref().map_or(Type::Unit, |r| c.annotation(r, true)));
             return self.observed(Expr { kind: Kind::Error, ty: result, span });
         };
         if let Some(place) = self.constant_place {
-            let pure = matches!(&decl.body, ast::FunctionBody::Extern { purity: Some(p) } if p.name == "pure");
+            let pure =
+                matches!(&decl.body, ast::FunctionBody::Extern { purity: Some(p) } if p.name == "pure");
             if !pure {
                 self.report(
-                    Diagnostic::error("E0212", format!("{place} cannot call `{shown}`"), span, "has an effect")
-                        .help("use functions that only compute"),
+                    Diagnostic::error(
+                        "E0212",
+                        format!("{place} cannot call `{shown}`"),
+                        span,
+                        "has an effect",
+                    )
+                    .help("use functions that only compute"),
                 );
             }
         }
         let mut values = Vec::new();
         for (parameter, argument) in decl.parameters.iter().zip(given) {
-            let ty = self
-                .in_file(file, |c| parameter.annotation.as_ref().map_or(Type::Error, |a| c.annotation(a, true)));
+            let ty = self.in_file(file, |c| {
+                parameter.annotation.as_ref().map_or(Type::Error, |a| c.annotation(a, true))
+            });
             if parameter.mode != Mode::In {
                 self.not_yet("out parameters of extern functions are", parameter.name.span);
             }
             let value = match (argument, &parameter.default) {
                 (Some(argument), _) => match &ty {
-                    Type::Symbolic(inner) => self.symbolic_argument(inner, &parameter.name, &ty, argument, arguments),
+                    Type::Symbolic(inner) => {
+                        self.symbolic_argument(inner, &parameter.name, &ty, argument, arguments)
+                    }
                     _ => self.value_argument(&ty, &parameter.name, argument),
                 },
                 (None, Some((_, Some(default)))) => self.in_file(file, |c| {
@@ -227,7 +242,8 @@ impl<'a> Checker<'a> {
             }
             values.push(value);
         }
-        let result = self.in_file(file, |c| decl.result.as_ref().map_or(Type::Unit, |r| c.annotation(r, true)));
+        let result =
+            self.in_file(file, |c| decl.result.as_ref().map_or(Type::Unit, |r| c.annotation(r, true)));
         let _ = name;
         self.observed(Expr { kind: Kind::CallExtern(id, values), ty: result, span })
     }
@@ -253,7 +269,8 @@ impl<'a> Checker<'a> {
             );
         }
         let value = self.as_value(|c| c.whole(&argument.value));
-        let cause = Some((parameter.span, format!("`{}` is declared as {}", parameter.name, self.store.show(ty))));
+        let cause =
+            Some((parameter.span, format!("`{}` is declared as {}", parameter.name, self.store.show(ty))));
         self.expect(ty, &value, &format!("`{}`", parameter.name), cause);
         value
     }
@@ -279,7 +296,8 @@ impl<'a> Checker<'a> {
             self.report(diagnostic);
         }
         let value = self.as_symbolic(|c| c.whole(&argument.value));
-        let cause = Some((parameter.span, format!("`{}` is declared as {}", parameter.name, self.store.show(ty))));
+        let cause =
+            Some((parameter.span, format!("`{}` is declared as {}", parameter.name, self.store.show(ty))));
         self.expect(inner, &value, &format!("`{}`", parameter.name), cause);
         // A body named by a plain text gives its kernel a telling name.
         let owner = all.iter().find_map(|argument| match &argument.value.kind {
@@ -298,13 +316,23 @@ impl<'a> Checker<'a> {
         Expr { kind: Kind::MakeSymbolic(def), ty: ty.clone(), span }
     }
 
-    fn user_call(&mut self, id: FuncId, name: &ast::Ident, arguments: &'a [ast::Argument], span: Span) -> Expr {
-        let (Some(decl), file) = (self.names.functions[id.0 as usize].decl, self.names.functions[id.0 as usize].file)
+    fn user_call(
+        &mut self,
+        id: FuncId,
+        name: &ast::Ident,
+        arguments: &'a [ast::Argument],
+        span: Span,
+    ) -> Expr {
+        let (Some(decl), file) =
+            (self.names.functions[id.0 as usize].decl, self.names.functions[id.0 as usize].file)
         else {
             return Expr::error(span);
         };
-        let parameters: Vec<(&str, bool)> =
-            decl.parameters.iter().map(|p| (p.name.name.as_str(), matches!(p.default, Some((_, Some(_)))))).collect();
+        let parameters: Vec<(&str, bool)> = decl
+            .parameters
+            .iter()
+            .map(|p| (p.name.name.as_str(), matches!(p.default, Some((_, Some(_))))))
+            .collect();
         let given = self.match_arguments(&name.name, &parameters, arguments, span);
         let (types, result, instance) = self.instantiate(id, span);
         let Some(given) = given else {
@@ -312,7 +340,9 @@ impl<'a> Checker<'a> {
         };
         let variables = self.names.functions[id.0 as usize].parameters.clone();
         let (mut values, mut copy_back) = (Vec::new(), Vec::new());
-        for (((parameter, argument), ty), variable) in decl.parameters.iter().zip(given).zip(&types).zip(variables) {
+        for (((parameter, argument), ty), variable) in
+            decl.parameters.iter().zip(given).zip(&types).zip(variables)
+        {
             let value = match (parameter.mode, argument) {
                 (Mode::In, Some(argument)) => self.value_argument(ty, &parameter.name, argument),
                 (Mode::In, None) => match &parameter.default {
@@ -326,12 +356,11 @@ impl<'a> Checker<'a> {
                     _ => Expr::error(span),
                 },
                 (_, Some(argument)) => {
-                    let Some(place) = self.as_value(|c| c.place(&argument.value)) else { return Expr::error(span) };
-                    let value = Expr {
-                        kind: place_value(&place),
-                        ty: place.ty.clone(),
-                        span: argument.value.span,
+                    let Some(place) = self.as_value(|c| c.place(&argument.value)) else {
+                        return Expr::error(span);
                     };
+                    let value =
+                        Expr { kind: place_value(&place), ty: place.ty.clone(), span: argument.value.span };
                     let cause = (parameter.span(), format!("`{}` is handed back here", parameter.name.name));
                     self.expect(ty, &value, &format!("`{}`", parameter.name.name), Some(cause));
                     self.dependence.variable_on_function(place.variable, id);
@@ -340,8 +369,13 @@ impl<'a> Checker<'a> {
                 }
                 (_, None) => {
                     self.report(
-                        Diagnostic::error("E0310", format!("`{}` needs a variable", parameter.name.name), span, "missing")
-                            .help("an `out` or `inout` parameter has no default"),
+                        Diagnostic::error(
+                            "E0310",
+                            format!("`{}` needs a variable", parameter.name.name),
+                            span,
+                            "missing",
+                        )
+                        .help("an `out` or `inout` parameter has no default"),
                     );
                     Expr::error(span)
                 }
@@ -368,7 +402,10 @@ impl<'a> Checker<'a> {
                     self.report(
                         Diagnostic::error(
                             "E0310",
-                            format!("`{}` is given to two out parameters", self.variable(later.variable).name),
+                            format!(
+                                "`{}` is given to two out parameters",
+                                self.variable(later.variable).name
+                            ),
                             later.span,
                             "given again here",
                         )
@@ -384,9 +421,12 @@ impl<'a> Checker<'a> {
     pub(super) fn place(&mut self, e: &'a ast::Expr) -> Option<Place> {
         match &e.kind {
             ExprKind::Name(name) => match self.names.uses.get(&name.span).copied() {
-                Some(Res::Var(id)) if self.variable(id).kind != VarKind::Symbolic => {
-                    Some(Place { variable: id, indices: Vec::new(), ty: self.variable_type(id), span: e.span })
-                }
+                Some(Res::Var(id)) if self.variable(id).kind != VarKind::Symbolic => Some(Place {
+                    variable: id,
+                    indices: Vec::new(),
+                    ty: self.variable_type(id),
+                    span: e.span,
+                }),
                 Some(Res::Var(id)) => {
                     let declared = self.variable(id).span;
                     self.report(
@@ -473,150 +513,6 @@ impl<'a> Checker<'a> {
             Diagnostic::error("E0208", "this cannot be assigned to", span, "not a variable")
                 .help("assign to a variable or an element of an array"),
         );
-    }
-
-    // Builtins.
-
-    fn builtin_call(
-        &mut self,
-        builtin: Builtin,
-        name: &'a ast::Ident,
-        arguments: &'a [ast::Argument],
-        span: Span,
-    ) -> Expr {
-        match builtin {
-            Builtin::Operation(signature) => self.operation(signature, arguments, span),
-            Builtin::Extreme(op) => {
-                if arguments.len() < 2 {
-                    return self.wrong_count(&name.name, "two or more numbers", arguments, span);
-                }
-                let ty = self.fresh_number();
-                let values: Vec<Expr> = arguments.iter().map(|a| self.expr(&a.value)).collect();
-                for value in &values {
-                    let cause = Some((values[0].span, format!("this is a {}", self.store.show(&values[0].ty))));
-                    self.expect(&ty, value, &format!("an argument of `{}`", name.name), cause);
-                }
-                let mut values = values.into_iter();
-                let first = values.next().unwrap_or_else(|| Expr::error(span));
-                values.fold(first, |a, b| Expr { kind: Kind::Op(op, vec![a, b]), ty: ty.clone(), span })
-            }
-            Builtin::Sqrt => {
-                let Some([x]) = self.plain(&name.name, arguments, span, ["x"]) else { return Expr::error(span) };
-                let x = self.expr(x);
-                let dim = self.store.fresh_dim();
-                self.expect(&Type::Number(dim.clone()), &x, "the argument of `sqrt`", None);
-                let half = Rational::new(1, 2).unwrap_or(Rational::ONE);
-                let root = self.store.dim(&dim).power(half).unwrap_or_else(Dim::none);
-                Expr { kind: Kind::Op(Op::Sqrt, vec![x]), ty: Type::Number(root), span }
-            }
-            Builtin::Derivative => self.derivative(arguments, span),
-            Builtin::Gradient => {
-                self.check_loosely(arguments);
-                self.not_yet("`gradient` is", span);
-                Expr::error(span)
-            }
-            Builtin::Print => {
-                let values: Vec<Expr> = arguments.iter().map(|a| self.printable(&a.value)).collect();
-                Expr { kind: Kind::Print(values, self.shown_system()), ty: Type::Unit, span }
-            }
-            Builtin::Assert => {
-                if arguments.is_empty() || arguments.len() > 2 {
-                    return self.wrong_count("assert", "a condition and a message", arguments, span);
-                }
-                let condition = self.as_value(|c| c.expr(&arguments[0].value));
-                self.expect(&Type::Bool, &condition, "what is asserted", None);
-                let message = match arguments.get(1) {
-                    Some(message) => {
-                        let message = self.as_value(|c| c.expr(&message.value));
-                        self.expect(&Type::String, &message, "the message", None);
-                        message
-                    }
-                    None => Expr {
-                        kind: Kind::Text(self.text(arguments[0].value.span).to_string()),
-                        ty: Type::String,
-                        span,
-                    },
-                };
-                Expr { kind: Kind::Assert(Box::new(condition), Box::new(message)), ty: Type::Unit, span }
-            }
-            Builtin::Len => {
-                let Some([array]) = self.plain("len", arguments, span, ["array"]) else { return Expr::error(span) };
-                let array = self.as_value(|c| c.expr(array));
-                let element = self.store.fresh();
-                self.expect(&Type::array(element), &array, "the argument of `len`", None);
-                Expr { kind: Kind::Len(Box::new(array)), ty: Type::number(), span }
-            }
-            Builtin::Push => {
-                self.check_loosely(arguments);
-                self.report(
-                    Diagnostic::error("E0311", "`push` is a statement", span, "gives no value")
-                        .help("write `push(array, value);` on its own"),
-                );
-                Expr::error(span)
-            }
-        }
-    }
-
-    fn wrong_count(&mut self, function: &str, wanted: &str, arguments: &'a [ast::Argument], span: Span) -> Expr {
-        self.check_loosely(arguments);
-        self.report(
-            Diagnostic::error("E0206", format!("`{function}` takes {wanted}"), span, "wrong number of arguments")
-                .help(format!("give `{function}` {wanted}")),
-        );
-        Expr::error(span)
-    }
-
-    /// Arguments of a builtin, in order of its parameters.
-    pub(super) fn plain<const N: usize>(
-        &mut self,
-        function: &str,
-        arguments: &'a [ast::Argument],
-        span: Span,
-        parameters: [&str; N],
-    ) -> Option<[&'a ast::Expr; N]> {
-        let parameters: Vec<(&str, bool)> = parameters.iter().map(|name| (*name, false)).collect();
-        let given = self.match_arguments(function, &parameters, arguments, span)?;
-        let values: Vec<&ast::Expr> = given.into_iter().flatten().map(|argument| &argument.value).collect();
-        values.try_into().ok()
-    }
-
-    fn operation(&mut self, signature: &'static Signature, arguments: &'a [ast::Argument], span: Span) -> Expr {
-        let parameters: Vec<(&str, bool)> = signature.parameters.iter().map(|(name, _)| (*name, false)).collect();
-        let Some(given) = self.match_arguments(signature.name, &parameters, arguments, span) else {
-            return Expr::error(span);
-        };
-        let (d, e) = (self.store.fresh_dim(), self.store.fresh_dim());
-        let around = self.symbolic;
-        self.symbolic |= signature.symbolic;
-        let mut values = Vec::new();
-        for ((name, shape), argument) in signature.parameters.iter().zip(given.into_iter().flatten()) {
-            let value = self.whole(&argument.value);
-            let ty = shape_type(*shape, &d, &e);
-            self.expect(&ty, &value, &format!("`{name}` of `{}`", signature.name), None);
-            values.push(value);
-        }
-        self.symbolic = around;
-        let ty = shape_type(signature.result, &d, &e);
-        let result = Expr { kind: Kind::Op(signature.op, values), ty, span };
-        if signature.symbolic && !self.symbolic { self.evaluate_now(result, signature.name) } else { result }
-    }
-}
-
-fn shape_type(shape: Shape, d: &Dim, e: &Dim) -> Type {
-    let known = |exponents| Dim::known(Dimension::whole(exponents));
-    match shape {
-        Shape::Number => Type::number(),
-        Shape::Angle => Type::Number(Dim::known(Dimension::of(Base::Angle))),
-        Shape::Any => Type::Number(d.clone()),
-        Shape::Product => Type::Number(d.times(e)),
-        Shape::VectorAny => Type::Vector(d.clone()),
-        Shape::VectorOther => Type::Vector(e.clone()),
-        Shape::VectorProduct => Type::Vector(d.times(e)),
-        Shape::VectorLength => Type::Vector(known([1, 0, 0, 0, 0])),
-        Shape::Axis => Type::Vector(Dim::none()),
-        Shape::VectorRate(RateOf::Length, n) => Type::Vector(known([1, 0, -i32::from(n), 0, 0])),
-        Shape::VectorRate(RateOf::Angle, n) => Type::Vector(known([0, 0, -i32::from(n), 1, 0])),
-        Shape::Transform => Type::Transform,
     }
 }
 

@@ -111,7 +111,8 @@ impl Checker<'_> {
     fn try_solve(&mut self, constraint: &Constraint) -> Outcome {
         match &constraint.kind {
             Multiply(a, b, c) => {
-                let (left, right, result) = (self.store.shallow(a), self.store.shallow(b), self.store.shallow(c));
+                let (left, right, result) =
+                    (self.store.shallow(a), self.store.shallow(b), self.store.shallow(c));
                 let number = |d: Dim| Type::Number(d);
                 let product = match (&left, &right) {
                     (Type::Error, _) | (_, Type::Error) => Type::Error,
@@ -154,7 +155,11 @@ impl Checker<'_> {
                         }
                         return self.try_solve(constraint);
                     }
-                    _ => return Outcome::Failed(self.bad_operands("multiply", "by", &left, &right, constraint)),
+                    _ => {
+                        return Outcome::Failed(
+                            self.bad_operands("multiply", "by", &left, &right, constraint),
+                        );
+                    }
                 };
                 self.fit(constraint, c, &product)
             }
@@ -178,7 +183,9 @@ impl Checker<'_> {
                         }
                         _ => return Outcome::Open,
                     },
-                    _ => return Outcome::Failed(self.bad_operands("divide", "by", &left, &right, constraint)),
+                    _ => {
+                        return Outcome::Failed(self.bad_operands("divide", "by", &left, &right, constraint));
+                    }
                 };
                 self.fit(constraint, c, &quotient)
             }
@@ -219,7 +226,9 @@ impl Checker<'_> {
                     }
                     Outcome::Solved
                 }
-                Type::Number(_) | Type::Bool | Type::String | Type::Vector(_) | Type::Error => Outcome::Solved,
+                Type::Number(_) | Type::Bool | Type::String | Type::Vector(_) | Type::Error => {
+                    Outcome::Solved
+                }
                 Type::Observable(_) => Outcome::Failed(self.observable_as_value(constraint.span)),
                 other => {
                     let shown = self.store.show(&other);
@@ -236,7 +245,12 @@ impl Checker<'_> {
             },
             Printable(a) => match self.store.shallow(a) {
                 Type::Unknown(_) => Outcome::Open,
-                Type::Number(_) | Type::Bool | Type::String | Type::Vector(_) | Type::Error => Outcome::Solved,
+                Type::Number(_)
+                | Type::Bool
+                | Type::String
+                | Type::Vector(_)
+                | Type::Transform
+                | Type::Error => Outcome::Solved,
                 Type::Array(element) => {
                     self.try_solve(&Constraint { kind: Printable(*element), span: constraint.span })
                 }
@@ -250,7 +264,7 @@ impl Checker<'_> {
                             constraint.span,
                             format!("this is a {shown}"),
                         )
-                        .help("print numbers, truth values, strings, vectors or arrays of them"),
+                        .help("print numbers, truth values, strings, vectors, frames or arrays of them"),
                     )
                 }
             },

@@ -3,7 +3,7 @@
 
 use super::constant;
 use super::infer::Checker;
-use super::names::similar;
+use super::symbols::similar;
 use super::tree::Expr;
 use super::types::Type;
 use crate::ast::Domain;
@@ -13,6 +13,7 @@ use crate::span::Span;
 /// A value and what it may be.
 pub struct Check {
     name: String,
+    ty: Type,
     /// `None` to check the range alone.
     value: Option<Expr>,
     low: Option<Expr>,
@@ -42,6 +43,7 @@ impl<'a> Checker<'a> {
                 let [low, high] = ends;
                 Check {
                     name: name.into(),
+                    ty: ty.clone(),
                     value: value.cloned(),
                     low,
                     high,
@@ -60,22 +62,52 @@ impl<'a> Checker<'a> {
                 }
                 self.constant_place = around;
                 let text = self.text(*span).to_string();
-                Check { name: name.into(), value: value.cloned(), low: None, high: None, choices, span: *span, text }
+                Check {
+                    name: name.into(),
+                    ty: ty.clone(),
+                    value: value.cloned(),
+                    low: None,
+                    high: None,
+                    choices,
+                    span: *span,
+                    text,
+                }
             }
         };
         self.domains.push(check);
+    }
+
+    /// Whether two types, all else decided, are of one kind and dimension.
+    fn fits(&self, a: &Type, b: &Type) -> bool {
+        match (self.store.resolve(a), self.store.resolve(b)) {
+            (Type::Number(a), Type::Number(b)) => match (a.as_known(), b.as_known()) {
+                (Some(a), Some(b)) => a.fits(b),
+                _ => true,
+            },
+            (a, b) => a == b,
+        }
     }
 
     pub(super) fn check_domains(&mut self) {
         for check in std::mem::take(&mut self.domains) {
             let low = check.low.as_ref().and_then(|e| constant::number(e, &self.store));
             let high = check.high.as_ref().and_then(|e| constant::number(e, &self.store));
+            let ends = [&check.low, &check.high];
+            let mut types = ends.into_iter().chain([&check.value]).flatten().map(|e| &e.ty);
+            if !types.all(|ty| self.fits(ty, &check.ty)) {
+                continue;
+            }
             if let (Some(low), Some(high)) = (low, high)
                 && low > high
             {
                 self.report(
-                    Diagnostic::error("E0313", format!("the range of `{}` is empty", check.name), check.span, "low end above high end")
-                        .help("write the smaller end first"),
+                    Diagnostic::error(
+                        "E0313",
+                        format!("the range of `{}` is empty", check.name),
+                        check.span,
+                        "low end above high end",
+                    )
+                    .help("write the smaller end first"),
                 );
             }
             let Some(value) = &check.value else { continue };

@@ -3,7 +3,7 @@
 use super::builtins::Builtin;
 use super::dim::Dim;
 use super::infer::Checker;
-use super::names::{Constant, NumberConstant, Res, VarKind};
+use super::symbols::{Constant, NumberConstant, Res, VarKind};
 use super::tree::*;
 use super::types::Type;
 use crate::ast::{self, BinaryOp, ExprKind, UnaryOp};
@@ -344,18 +344,6 @@ impl<'a> Checker<'a> {
         if op == BinaryOp::Power {
             return self.power(left, right, span);
         }
-        if let (BinaryOp::Divide, ExprKind::Number(value), ExprKind::Quantity { .. }) = (op, &left.kind, &right.kind) {
-            let text = self.text(right.span).to_string();
-            self.report(
-                Diagnostic::warning(
-                    "W0401",
-                    format!("`{}` is {value}/({text})", self.text(span)),
-                    span,
-                    "a unit binds tighter than `/`",
-                )
-                .help("use parentheses to say which is meant"),
-            );
-        }
         let (a, b) = (self.expr_at(left, position), self.expr_at(right, position));
         let ty = match op {
             BinaryOp::And | BinaryOp::Or => {
@@ -434,7 +422,11 @@ impl<'a> Checker<'a> {
         }
         match sym {
             Sym::Time => {
-                let def = self.make_def("at", inner, span);
+                let name = match &inner.kind {
+                    Kind::Def(def) => self.defs[def.0 as usize].name.clone(),
+                    _ => "at".to_string(),
+                };
+                let def = self.make_def(&name, inner, span);
                 Expr { kind: Kind::Eval(def, Some(Box::new(time))), ty, span }
             }
             Sym::Param(_) => {
@@ -448,14 +440,16 @@ impl<'a> Checker<'a> {
     pub(super) fn symbol(&mut self, name: &ast::Ident) -> Option<(Sym, Dim)> {
         match self.names.uses.get(&name.span).copied() {
             Some(Res::Constant(Constant::Time)) => Some((Sym::Time, Dim::known(Dimension::of(Base::Time)))),
-            Some(Res::Param(id)) => match self.params.get(id as usize).map(|param| self.store.shallow(&param.ty)) {
-                Some(Type::Number(dim)) => Some((Sym::Param(id), dim)),
-                Some(Type::Error) | None => None,
-                Some(_) => {
-                    self.bad_symbol(name, "this param is no number");
-                    None
+            Some(Res::Param(id)) => {
+                match self.params.get(id as usize).map(|param| self.store.shallow(&param.ty)) {
+                    Some(Type::Number(dim)) => Some((Sym::Param(id), dim)),
+                    Some(Type::Error) | None => None,
+                    Some(_) => {
+                        self.bad_symbol(name, "this param is no number");
+                        None
+                    }
                 }
-            },
+            }
             Some(Res::Unknown) | None => None,
             Some(_) => {
                 self.bad_symbol(name, "not a symbol");
@@ -466,8 +460,13 @@ impl<'a> Checker<'a> {
 
     fn bad_symbol(&mut self, name: &ast::Ident, label: &str) {
         self.report(
-            Diagnostic::error("E0506", format!("`{}` is neither `Time` nor a number param", name.name), name.span, label)
-                .help("only `Time` and params stay symbols in an expression"),
+            Diagnostic::error(
+                "E0506",
+                format!("`{}` is neither `Time` nor a number param", name.name),
+                name.span,
+                label,
+            )
+            .help("only `Time` and params stay symbols in an expression"),
         );
     }
 
@@ -492,7 +491,9 @@ pub fn is_bare(e: &ast::Expr) -> bool {
         ExprKind::Number(_) => true,
         ExprKind::Paren(inner) => is_bare(inner),
         ExprKind::Unary { op: UnaryOp::Plus | UnaryOp::Minus, operand } => is_bare(operand),
-        ExprKind::Binary { op: BinaryOp::Add | BinaryOp::Subtract, left, right, .. } => is_bare(left) && is_bare(right),
+        ExprKind::Binary { op: BinaryOp::Add | BinaryOp::Subtract, left, right, .. } => {
+            is_bare(left) && is_bare(right)
+        }
         ExprKind::Binary { op: BinaryOp::Multiply, left, right, .. } => {
             (is_literal(left) && is_basis(right)) || (is_basis(left) && is_literal(right))
         }
@@ -519,7 +520,9 @@ fn is_basis(e: &ast::Expr) -> bool {
 
 fn constant_index(e: &ast::Expr) -> Option<usize> {
     match &e.kind {
-        ExprKind::Number(value) if *value >= 0.0 && value.fract() == 0.0 && *value < 1e6 => Some(*value as usize),
+        ExprKind::Number(value) if *value >= 0.0 && value.fract() == 0.0 && *value < 1e6 => {
+            Some(*value as usize)
+        }
         ExprKind::Paren(inner) => constant_index(inner),
         _ => None,
     }

@@ -135,7 +135,10 @@ impl Finder<'_> {
                 self.diagnostics.push(
                     Diagnostic::error(
                         "E0218",
-                        format!("`{}` can end before its out parameter `{name}` has a value", self.function.name),
+                        format!(
+                            "`{}` can end before its out parameter `{name}` has a value",
+                            self.function.name
+                        ),
                         self.function.span,
                         "not every way through it assigns it",
                     )
@@ -159,8 +162,13 @@ impl Finder<'_> {
         self.reported.insert(local);
         let name = &self.function.locals[local.0 as usize].name;
         self.diagnostics.push(
-            Diagnostic::error("E0217", format!("`{name}` is read before it has a value"), span, "no value yet")
-                .help(format!("assign `{name}` on every way that leads here")),
+            Diagnostic::error(
+                "E0217",
+                format!("`{name}` is read before it has a value"),
+                span,
+                "no value yet",
+            )
+            .help(format!("assign `{name}` on every way that leads here")),
         );
     }
 

@@ -5,7 +5,7 @@
 
 use super::ModuleData;
 use super::dim::Dim;
-use super::names::{FunctionInfo, Names, VarKind, Variable};
+use super::symbols::{FunctionInfo, Names, VarKind, Variable};
 use super::tree::*;
 use super::types::{Mismatch, Store, Substitution, Type};
 use crate::ast;
@@ -186,8 +186,13 @@ impl<'a> Checker<'a> {
 
     pub fn not_yet(&mut self, what: &str, span: Span) {
         self.report(
-            Diagnostic::error("E0190", format!("{what} not available yet"), span, "not supported by this version")
-                .help("write it another way for now"),
+            Diagnostic::error(
+                "E0190",
+                format!("{what} not available yet"),
+                span,
+                "not supported by this version",
+            )
+            .help("write it another way for now"),
         );
     }
 
@@ -213,10 +218,13 @@ impl<'a> Checker<'a> {
         }
         let resolved = (self.store.shallow(expected), self.store.shallow(&found.ty));
         let mut diagnostic = match (&mismatch, &resolved) {
-            (Mismatch::Infinite, _) => {
-                Diagnostic::error("E0302", "a value cannot contain itself", found.span, "its type would be infinite")
-                    .help("use another variable")
-            }
+            (Mismatch::Infinite, _) => Diagnostic::error(
+                "E0302",
+                "a value cannot contain itself",
+                found.span,
+                "its type would be infinite",
+            )
+            .help("use another variable"),
             (_, (_, Type::Observable(_))) => self.observable_as_value(found.span),
             (_, (_, Type::Unit)) => Diagnostic::error(
                 "E0303",
@@ -330,7 +338,9 @@ impl<'a> Checker<'a> {
                     let ty = self.variable_type(variable);
                     self.parameter_default(&ty, &parameter.name, default);
                 }
-                Some((ast::Bind::Symbolic, _)) => self.not_yet("symbolic parameters are", parameter.name.span),
+                Some((ast::Bind::Symbolic, _)) => {
+                    self.not_yet("symbolic parameters are", parameter.name.span)
+                }
                 _ => {}
             }
             if let Some(domain) = &parameter.domain {
@@ -418,11 +428,8 @@ impl<'a> Checker<'a> {
             }
         }
         self.pending.extend(rest);
-        let scheme = Scheme {
-            types: types.into_iter().collect(),
-            dims: dims.into_iter().collect(),
-            constraints: own,
-        };
+        let scheme =
+            Scheme { types: types.into_iter().collect(), dims: dims.into_iter().collect(), constraints: own };
         for member in group {
             if let Some(signature) = self.signatures.get_mut(member) {
                 signature.scheme = Some(scheme.clone());
@@ -467,10 +474,8 @@ impl<'a> Checker<'a> {
                 substitution.dims.insert(variable, fresh);
             }
             for constraint in &scheme.constraints {
-                self.pending.push(Constraint {
-                    kind: constraint.map(|ty| substitution.ty(&self.store, ty)),
-                    span,
-                });
+                self.pending
+                    .push(Constraint { kind: constraint.map(|ty| substitution.ty(&self.store, ty)), span });
             }
         }
         let parameters = signature.parameters.iter().map(|ty| substitution.ty(&self.store, ty)).collect();
@@ -483,7 +488,9 @@ impl<'a> Checker<'a> {
     pub fn shown_types(&self) -> BTreeMap<String, String> {
         let variables = self.names.variables.iter().enumerate().filter_map(|(index, variable)| {
             let ty = self.variable_types.get(&VarId(index as u32))?;
-            let shown = variable.owner == FuncId(0) && variable.kind != VarKind::Hidden && variable.span.file == FileId(0);
+            let shown = variable.owner == FuncId(0)
+                && variable.kind != VarKind::Hidden
+                && variable.span.file == FileId(0);
             shown.then(|| (variable.name.clone(), self.store.show(ty)))
         });
         let params = self.params.iter().map(|param| (param.name.clone(), self.store.show(&param.ty)));

@@ -22,9 +22,13 @@ impl Checker<'_> {
                     "add" => format!("cannot add a {y} to a {x}"),
                     _ => format!("cannot {verb} a {y} from a {x}"),
                 };
-                let diagnostic =
-                    Diagnostic::error("E0401", message, b.span, format!("this is a {y}: {}", self.factors(b)))
-                        .label(a.span, format!("this is a {x}: {}", self.factors(a)));
+                let diagnostic = Diagnostic::error(
+                    "E0401",
+                    message,
+                    b.span,
+                    format!("this is a {y}: {}", self.factors(b)),
+                )
+                .label(a.span, format!("this is a {x}: {}", self.factors(a)));
                 let diagnostic = self.origins(diagnostic, &[a, b]);
                 match self.missing_factor(&a.ty, &b.ty) {
                     Some(help) => diagnostic.help(help),
@@ -129,7 +133,8 @@ impl Checker<'_> {
                 };
                 if !seen.contains(&span) && seen.len() < 4 {
                     seen.push(span);
-                    diagnostic = diagnostic.label(span, format!("`{name}` is a {}", self.store.show(&factor.ty)));
+                    diagnostic =
+                        diagnostic.label(span, format!("`{name}` is a {}", self.store.show(&factor.ty)));
                 }
             }
         }

@@ -5,6 +5,7 @@
 //! what only the flow of control shows ([`flow`]).
 
 mod annotate;
+mod builtin_calls;
 mod builtins;
 mod calls;
 mod constant;
@@ -22,6 +23,7 @@ mod names;
 mod params;
 mod statements;
 mod symbolic;
+mod symbols;
 mod tree;
 mod types;
 

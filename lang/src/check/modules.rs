@@ -1,6 +1,6 @@
 //! Loading: the model, the prelude and every module they import, each parsed once.
 
-use super::names::similar;
+use super::symbols::similar;
 use super::{Loader, ModuleData};
 use crate::ast::{Ident, StmtKind};
 use crate::diagnostic::Diagnostic;
@@ -11,7 +11,11 @@ use crate::units::UnitSystem;
 use std::collections::VecDeque;
 
 /// Parsed modules (the model first, the prelude second), their files, and what is wrong with their text.
-pub fn load(name: &str, text: &str, loader: &dyn Loader) -> (Vec<ModuleData>, Vec<SourceFile>, Vec<Diagnostic>) {
+pub fn load(
+    name: &str,
+    text: &str,
+    loader: &dyn Loader,
+) -> (Vec<ModuleData>, Vec<SourceFile>, Vec<Diagnostic>) {
     let mut loading = Loading::default();
     loading.add("", name.into(), text.into());
     let (prelude_name, prelude_text) = loader.prelude();
@@ -71,7 +75,9 @@ impl Loading {
                 first.span.to(last.span),
                 near,
             ),
-            None if known.is_empty() => diagnostic.help(format!("put `{}.cx` beside this file", module.replace('.', "/"))),
+            None if known.is_empty() => {
+                diagnostic.help(format!("put `{}.cx` beside this file", module.replace('.', "/")))
+            }
             None => diagnostic.help(format!("the library has {}", known.join(", "))),
         };
         self.diagnostics.push(diagnostic);

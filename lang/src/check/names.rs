@@ -4,6 +4,7 @@
 //! Functions are visible in their whole block, variables from their declaration on.
 
 use super::builtins::{self, Builtin};
+use super::symbols::*;
 use super::tree::{FuncId, VarId};
 use super::{Loader, ModuleData};
 use crate::ast::*;
@@ -11,95 +12,6 @@ use crate::diagnostic::Diagnostic;
 use crate::span::{FileId, Span};
 use crate::units::Unit;
 use std::collections::{BTreeSet, HashMap, HashSet};
-
-/// What an identifier stands for.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Res {
-    Var(VarId),
-    Param(u32),
-    Output(u32),
-    Function(FuncId),
-    Extern(u32),
-    Module(u32),
-    Builtin(Builtin),
-    Constant(Constant),
-    Unit(&'static Unit),
-    /// Not found; reported.
-    Unknown,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Constant {
-    Time,
-    /// Basis vector by axis, 0 to 2.
-    Basis(u8),
-    Number(NumberConstant),
-    Bool(bool),
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum NumberConstant {
-    Pi,
-    Infinity,
-    NotANumber,
-}
-
-/// How a variable came to be.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum VarKind {
-    /// `var x = ...`
-    Value,
-    /// `var x := ...`
-    Symbolic,
-    Parameter(Mode),
-    /// Holds a value captured by a `:=`.
-    Hidden,
-}
-
-#[derive(Clone, Debug)]
-pub struct Variable {
-    pub name: String,
-    pub span: Span,
-    pub kind: VarKind,
-    pub owner: FuncId,
-    pub reads: u32,
-}
-
-#[derive(Clone, Debug)]
-pub struct FunctionInfo<'a> {
-    /// `None` for the model's top level.
-    pub decl: Option<&'a FunctionDecl>,
-    pub name: String,
-    pub file: FileId,
-    pub parent: Option<FuncId>,
-    pub parameters: Vec<VarId>,
-    /// Variables of functions around this one that it names.
-    pub outer: BTreeSet<VarId>,
-    /// Functions it names.
-    pub callees: BTreeSet<FuncId>,
-}
-
-#[derive(Clone, Debug)]
-pub struct ExternInfo<'a> {
-    pub decl: &'a FunctionDecl,
-    /// As the program names it, e.g. `gears.material`.
-    pub name: String,
-    pub symbol: String,
-    pub file: FileId,
-}
-
-/// The result of resolving names.
-#[derive(Default)]
-pub struct Names<'a> {
-    /// By the identifier's place; declarations too.
-    pub uses: HashMap<Span, Res>,
-    pub variables: Vec<Variable>,
-    pub functions: Vec<FunctionInfo<'a>>,
-    pub externs: Vec<ExternInfo<'a>>,
-    pub params: Vec<(&'a ParamDecl, Option<&'a str>)>,
-    pub outputs: Vec<(&'a Ident, &'a Expr, Option<&'a str>)>,
-    pub diagnostics: Vec<Diagnostic>,
-}
 
 #[derive(Default)]
 struct Scope {
@@ -154,6 +66,7 @@ pub fn resolve<'a>(modules: &'a [ModuleData], loader: &'a dyn Loader) -> Names<'
     let Resolver { mut names, .. } = resolver;
     for variable in &names.variables {
         if variable.reads == 0
+            && variable.span.file == FileId(0)
             && matches!(variable.kind, VarKind::Value | VarKind::Symbolic)
             && !variable.name.starts_with('_')
         {
@@ -260,13 +173,19 @@ impl<'a> Resolver<'a> {
     }
 
     /// Enters a name into a block, reporting a reserved or taken one.
-    fn insert(&mut self, names: &mut HashMap<String, (Res, Span)>, name: &Ident, res: Res) {
+    /// False if it could not.
+    fn insert(&mut self, names: &mut HashMap<String, (Res, Span)>, name: &Ident, res: Res) -> bool {
         if builtins::constant(&name.name).is_some() {
             self.report(
-                Diagnostic::error("E0203", format!("`{}` is reserved", name.name), name.span, "cannot be declared")
-                    .help("choose another name"),
+                Diagnostic::error(
+                    "E0203",
+                    format!("`{}` is reserved", name.name),
+                    name.span,
+                    "cannot be declared",
+                )
+                .help("choose another name"),
             );
-            return;
+            return false;
         }
         if let Some((_, first)) = names.get(&name.name) {
             let diagnostic = Diagnostic::error(
@@ -278,16 +197,18 @@ impl<'a> Resolver<'a> {
             .label(*first, "first declared here")
             .help("choose another name, or assign without `var`");
             self.report(diagnostic);
-            return;
+            return false;
         }
         names.insert(name.name.clone(), (res, name.span));
+        true
     }
 
-    fn declare(&mut self, name: &Ident, res: Res) {
+    fn declare(&mut self, name: &Ident, res: Res) -> bool {
         self.names.uses.insert(name.span, res);
         let mut names = self.scopes.pop().unwrap_or_default().names;
-        self.insert(&mut names, name, res);
+        let sound = self.insert(&mut names, name, res);
         self.scopes.push(Scope { names });
+        sound
     }
 
     fn variable(&mut self, name: &Ident, kind: VarKind) -> VarId {
@@ -299,7 +220,10 @@ impl<'a> Resolver<'a> {
             owner: self.function,
             reads: 0,
         });
-        self.declare(name, Res::Var(id));
+        if !self.declare(name, Res::Var(id)) {
+            // Nothing can name it, and that has been reported.
+            self.names.variables[id.0 as usize].reads = 1;
+        }
         id
     }
 
@@ -327,8 +251,8 @@ impl<'a> Resolver<'a> {
                     Some(Domain::Choices { values, .. }) => values.iter().for_each(|e| self.expr(e)),
                     None => {}
                 }
+                // Inside a block it is out of place, which the parser has reported.
                 if !top {
-                    self.only_at_top("param", statement.span);
                     return;
                 }
                 let id = self.names.params.len() as u32;
@@ -337,8 +261,8 @@ impl<'a> Resolver<'a> {
             }
             StmtKind::Output { name, value } => {
                 self.expr(value);
+                // Inside a block it is out of place, which the parser has reported.
                 if !top {
-                    self.only_at_top("output", statement.span);
                     return;
                 }
                 let id = self.names.outputs.len() as u32;
@@ -409,13 +333,6 @@ impl<'a> Resolver<'a> {
         }
     }
 
-    fn only_at_top(&mut self, what: &str, span: Span) {
-        self.report(
-            Diagnostic::error("E0211", format!("`{what}` stands only at the top level of a model"), span, "not here")
-                .help("move it out of the block"),
-        );
-    }
-
     /// A statement that is a block of its own even without braces.
     fn nested(&mut self, statement: &'a Stmt) {
         self.scoped(|r| {
@@ -427,17 +344,13 @@ impl<'a> Resolver<'a> {
     }
 
     fn import(&mut self, path: &'a [Ident], top: bool) {
-        let (Some(first), Some(last)) = (path.first(), path.last()) else { return };
-        let span = first.span.to(last.span);
-        if !top {
-            return self.only_at_top("import", span);
-        }
+        let (Some(last), true) = (path.last(), top) else { return };
         let name = path.iter().map(|ident| ident.name.as_str()).collect::<Vec<_>>().join(".");
         match self.modules.iter().position(|module| module.name == name) {
             Some(index) => self.declare(last, Res::Module(index as u32)),
             // The loader has reported it.
             None => self.declare(last, Res::Unknown),
-        }
+        };
     }
 
     fn function(&mut self, decl: &'a FunctionDecl) {
@@ -629,8 +542,12 @@ impl<'a> Resolver<'a> {
     }
 
     fn unknown(&mut self, name: &Ident) {
-        let diagnostic =
-            Diagnostic::error("E0201", format!("`{}` is not known here", name.name), name.span, "unknown name");
+        let diagnostic = Diagnostic::error(
+            "E0201",
+            format!("`{}` is not known here", name.name),
+            name.span,
+            "unknown name",
+        );
         let reserved = match name.name.as_str() {
             "true" | "True" => Some("TRUE"),
             "false" | "False" => Some("FALSE"),
@@ -660,16 +577,4 @@ impl<'a> Resolver<'a> {
         };
         self.report(diagnostic);
     }
-}
-
-/// The candidate spelt most like `name`, if one is near enough to be meant.
-pub fn similar<'s>(name: &str, candidates: impl Iterator<Item = &'s str>) -> Option<String> {
-    candidates
-        .map(|candidate| (strsim::damerau_levenshtein(name, candidate), candidate))
-        .filter(|(distance, candidate)| {
-            *distance <= (name.chars().count().max(candidate.chars().count()) / 3).max(1)
-                && *distance < name.chars().count()
-        })
-        .min_by(|a, b| a.cmp(b))
-        .map(|(_, candidate)| candidate.to_string())
 }

@@ -20,7 +20,10 @@ impl<'a> Checker<'a> {
             let name = &decl.name.name;
             match &decl.domain {
                 Some(Domain::Range { low: l, high: h, .. }) => {
-                    let cause = Some((decl.default.span, format!("`{name}` is a {} by its default", self.store.show(&ty))));
+                    let cause = Some((
+                        decl.default.span,
+                        format!("`{name}` is a {} by its default", self.store.show(&ty)),
+                    ));
                     for (end, e) in [(&mut low, l), (&mut high, h)] {
                         if let Some(e) = e {
                             let e = self.whole(e);
@@ -83,8 +86,13 @@ impl<'a> Checker<'a> {
                 other => {
                     let shown = self.store.show(other);
                     self.report(
-                        Diagnostic::error("E0312", format!("a param cannot be a {shown}"), span, "declared here")
-                            .help("params are numbers, truth values and strings"),
+                        Diagnostic::error(
+                            "E0312",
+                            format!("a param cannot be a {shown}"),
+                            span,
+                            "declared here",
+                        )
+                        .help("params are numbers, truth values and strings"),
                     );
                 }
             }
@@ -97,8 +105,15 @@ impl<'a> Checker<'a> {
         let value = self.as_value(|c| c.whole(default));
         self.constant_place = around;
         // Under a unit system a bare literal has the dimension of each call.
-        if !(super::expr::is_bare(default) && self.system().is_some()) || !matches!(self.store.shallow(ty), Type::Unknown(_)) {
-            self.expect(ty, &value, &format!("the default of `{}`", name.name), Some((name.span, "declared here".into())));
+        if !(super::expr::is_bare(default) && self.system().is_some())
+            || !matches!(self.store.shallow(ty), Type::Unknown(_))
+        {
+            self.expect(
+                ty,
+                &value,
+                &format!("the default of `{}`", name.name),
+                Some((name.span, "declared here".into())),
+            );
         }
     }
 
@@ -111,7 +126,8 @@ impl<'a> Checker<'a> {
         let def: DefId = self.make_def(&name.name, e, span);
         self.defs[def.0 as usize].stored = true;
         self.output_defs.insert(id, def);
-        let doc = self.names.outputs.get(id as usize).and_then(|(_, _, doc)| *doc).unwrap_or_default().to_string();
+        let doc =
+            self.names.outputs.get(id as usize).and_then(|(_, _, doc)| *doc).unwrap_or_default().to_string();
         self.outputs.push(Output { name: name.name.clone(), doc, ty, span: name.span });
         StmtKind::Output(self.outputs.len() as u32 - 1, def)
     }

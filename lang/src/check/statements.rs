@@ -3,7 +3,7 @@
 use super::builtins::Builtin;
 use super::constant;
 use super::infer::Checker;
-use super::names::{Res, VarKind};
+use super::symbols::{Res, VarKind};
 use super::tree::*;
 use super::types::Type;
 use crate::ast::{self, Bind, ExprKind};
@@ -42,7 +42,8 @@ impl<'a> Checker<'a> {
                 _ => StmtKind::Nothing,
             },
             Ast::Var(decls) => {
-                let all = decls.iter().map(|decl| Stmt { kind: self.variable_decl(decl), span: decl.name.span });
+                let all =
+                    decls.iter().map(|decl| Stmt { kind: self.variable_decl(decl), span: decl.name.span });
                 let mut all: Vec<Stmt> = all.collect();
                 match (all.len(), all.pop()) {
                     (1, Some(only)) => only.kind,
@@ -64,8 +65,8 @@ impl<'a> Checker<'a> {
             Ast::Block(statements) => StmtKind::Block(self.statements(statements)),
             Ast::If { condition, then, otherwise } => {
                 let condition = self.condition(condition);
-                let (then, otherwise) =
-                    self.either(|c| c.boxed(then), |c| otherwise.as_ref().map(|otherwise| c.boxed(otherwise)));
+                let (then, otherwise) = self
+                    .either(|c| c.boxed(then), |c| otherwise.as_ref().map(|otherwise| c.boxed(otherwise)));
                 StmtKind::If(condition, then, otherwise)
             }
             Ast::While { condition, body } => self.repeated(&[body], |c| {
@@ -133,8 +134,13 @@ impl<'a> Checker<'a> {
         if crate::units::UnitSystem::from_name(&name.name).is_none() {
             let all = crate::units::UnitSystem::ALL.map(|system| format!("`{}`", system.name())).join(", ");
             self.report(
-                Diagnostic::error("E0404", format!("there is no unit system `{}`", name.name), name.span, "unknown system")
-                    .help(format!("choose one of {all}")),
+                Diagnostic::error(
+                    "E0404",
+                    format!("there is no unit system `{}`", name.name),
+                    name.span,
+                    "unknown system",
+                )
+                .help(format!("choose one of {all}")),
             );
         }
     }
@@ -150,8 +156,13 @@ impl<'a> Checker<'a> {
         let value = self.whole(e);
         if matches!(self.store.shallow(&value.ty), Type::Unit) {
             self.report(
-                Diagnostic::error("E0303", "a value is needed here, and this call returns nothing", value.span, "no value here")
-                    .help("call it as a statement, or give the function a `return` with a value"),
+                Diagnostic::error(
+                    "E0303",
+                    "a value is needed here, and this call returns nothing",
+                    value.span,
+                    "no value here",
+                )
+                .help("call it as a statement, or give the function a `return` with a value"),
             );
             return Expr::error(value.span);
         }
@@ -159,7 +170,9 @@ impl<'a> Checker<'a> {
     }
 
     fn variable_decl(&mut self, decl: &'a ast::VarDecl) -> StmtKind {
-        let Some(Res::Var(id)) = self.names.uses.get(&decl.name.span).copied() else { return StmtKind::Nothing };
+        let Some(Res::Var(id)) = self.names.uses.get(&decl.name.span).copied() else {
+            return StmtKind::Nothing;
+        };
         match &decl.init {
             None => {
                 self.variable_type(id);
@@ -181,7 +194,11 @@ impl<'a> Checker<'a> {
         if bind == Bind::Symbolic {
             return self.rebind(place, value);
         }
-        let target = self.place(place);
+        let target = match &place.kind {
+            ExprKind::Name(_) | ExprKind::Index { .. } | ExprKind::Paren(_) => self.place(place),
+            // The parser has reported it.
+            _ => None,
+        };
         let value = self.stored(value);
         let Some(target) = target else { return StmtKind::Nothing };
         let variable = self.variable(target.variable).clone();
@@ -240,8 +257,13 @@ impl<'a> Checker<'a> {
         );
         if !call {
             self.report(
-                Diagnostic::warning("W0203", "the value of this expression is not used", e.span, "computed for nothing")
-                    .help("assign it to a variable, or remove it"),
+                Diagnostic::warning(
+                    "W0203",
+                    "the value of this expression is not used",
+                    e.span,
+                    "computed for nothing",
+                )
+                .help("assign it to a variable, or remove it"),
             );
         }
         StmtKind::Eval(value)
@@ -285,8 +307,13 @@ impl<'a> Checker<'a> {
 
     fn outside_switch(&mut self, word: &str, span: Span) {
         self.report(
-            Diagnostic::error("E0214", format!("`{word}` stands outside a `switch`"), span, "not in a switch")
-                .help("put it into the body of a `switch`"),
+            Diagnostic::error(
+                "E0214",
+                format!("`{word}` stands outside a `switch`"),
+                span,
+                "not in a switch",
+            )
+            .help("put it into the body of a `switch`"),
         );
     }
 
@@ -297,8 +324,13 @@ impl<'a> Checker<'a> {
             None => {
                 if !top && self.store.unify(&result, &Type::Unit).is_err() {
                     self.report(
-                        Diagnostic::error("E0316", "this function returns a value", span, "returns nothing here")
-                            .help(format!("return a {}", self.store.show(&result))),
+                        Diagnostic::error(
+                            "E0316",
+                            "this function returns a value",
+                            span,
+                            "returns nothing here",
+                        )
+                        .help(format!("return a {}", self.store.show(&result))),
                     );
                 }
                 StmtKind::Return(None)
@@ -307,8 +339,13 @@ impl<'a> Checker<'a> {
                 let value = self.stored(value);
                 if top {
                     self.report(
-                        Diagnostic::error("E0316", "the top level returns no value", span, "a value is returned here")
-                            .help("write `return;`"),
+                        Diagnostic::error(
+                            "E0316",
+                            "the top level returns no value",
+                            span,
+                            "a value is returned here",
+                        )
+                        .help("write `return;`"),
                     );
                     return StmtKind::Return(None);
                 }

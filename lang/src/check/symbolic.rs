@@ -5,10 +5,10 @@
 //! with it and still sees the values of the binding.
 
 use super::infer::{Checker, Reaching};
-use super::names::Res;
+use super::symbols::Res;
 use super::tree::*;
 use super::types::Type;
-use crate::ast::{self, Bind, BinaryOp, ExprKind};
+use crate::ast::{self, BinaryOp, Bind, ExprKind};
 use crate::diagnostic::Diagnostic;
 use crate::span::Span;
 use std::collections::{BTreeSet, HashMap};
@@ -25,8 +25,9 @@ struct Builder {
 
 impl<'a> Checker<'a> {
     pub(super) fn time_as_value(&self, span: Span) -> Diagnostic {
-        Diagnostic::error("E0501", "`Time` has no value here", span, "this is computed at once")
-            .help("bind the expression with `:=` to keep `Time` in it, or evaluate it with `... at Time = 0.1 s`")
+        Diagnostic::error("E0501", "`Time` has no value here", span, "this is computed at once").help(
+            "bind the expression with `:=` to keep `Time` in it, or evaluate it with `... at Time = 0.1 s`",
+        )
     }
 
     /// A use of a `:=` name.
@@ -51,9 +52,14 @@ impl<'a> Checker<'a> {
                 .label(declared, "declared here")
                 .help("bind each expression to a name of its own; expressions chosen at run time are not available yet")
             } else {
-                Diagnostic::error("E0504", format!("`{name}` has no expression yet"), span, "used before its binding")
-                    .label(declared, "bound here")
-                    .help("move the binding before this use")
+                Diagnostic::error(
+                    "E0504",
+                    format!("`{name}` has no expression yet"),
+                    span,
+                    "used before its binding",
+                )
+                .label(declared, "bound here")
+                .help("move the binding before this use")
             };
             self.report(diagnostic);
             return Expr { kind: Kind::Error, ty: self.variable_type(id), span };
@@ -104,7 +110,9 @@ impl<'a> Checker<'a> {
 
     /// `derivative(e, s)`.
     pub(super) fn derivative(&mut self, arguments: &'a [ast::Argument], span: Span) -> Expr {
-        let Some([e, by]) = self.plain("derivative", arguments, span, ["e", "s"]) else { return Expr::error(span) };
+        let Some([e, by]) = self.plain("derivative", arguments, span, ["e", "s"]) else {
+            return Expr::error(span);
+        };
         let inner = self.as_symbolic(|c| c.expr(e));
         let mut name = by;
         while let ExprKind::Paren(inner) = &name.kind {
@@ -112,8 +120,13 @@ impl<'a> Checker<'a> {
         }
         let ExprKind::Name(name) = &name.kind else {
             self.report(
-                Diagnostic::error("E0506", "one differentiates by `Time` or a number param", by.span, "not a symbol")
-                    .help("write `derivative(e, Time)` or `derivative(e, some_param)`"),
+                Diagnostic::error(
+                    "E0506",
+                    "one differentiates by `Time` or a number param",
+                    by.span,
+                    "not a symbol",
+                )
+                .help("write `derivative(e, Time)` or `derivative(e, some_param)`"),
             );
             return Expr::error(span);
         };
@@ -187,10 +200,8 @@ impl<'a> Checker<'a> {
             Kind::Unary(op, a) => Kind::Unary(op, self.split_box(a, to)),
             Kind::Binary(op, a, b) => {
                 let comparison = matches!(op, BinaryOp::Equal | BinaryOp::NotEqual);
-                let of_values = matches!(
-                    self.store.shallow(&a.ty),
-                    Type::String | Type::Array(_) | Type::Tuple(_)
-                );
+                let of_values =
+                    matches!(self.store.shallow(&a.ty), Type::String | Type::Array(_) | Type::Tuple(_));
                 if comparison && of_values {
                     // Strings and arrays never depend on time; their comparison is a captured truth value.
                     return self.capture(Expr { kind: Kind::Binary(op, a, b), ty, span }, to);
@@ -250,7 +261,11 @@ impl<'a> Checker<'a> {
         }
         let name = match value.kind {
             Kind::Var(id) => self.variable(id).name.clone(),
-            _ => to.name.clone(),
+            // As it is written, where that is short: it names the captured value in results and messages.
+            _ => match self.text(span) {
+                text if text.len() <= 40 && !text.is_empty() && !text.contains('\n') => text.to_string(),
+                _ => to.name.clone(),
+            },
         };
         let hidden = self.hidden_variable(&name, span, ty.clone());
         if let Kind::Var(id) = value.kind {
@@ -266,7 +281,10 @@ impl<'a> Checker<'a> {
         for index in 0..self.defs.len() {
             let def = &self.defs[index];
             let (ty, span) = (self.store.resolve(&def.expr.ty), def.expr.span);
-            if !matches!(ty, Type::Number(_) | Type::Vector(_) | Type::Transform | Type::Unknown(_) | Type::Error) {
+            if !matches!(
+                ty,
+                Type::Number(_) | Type::Vector(_) | Type::Transform | Type::Unknown(_) | Type::Error
+            ) {
                 self.report(
                     Diagnostic::error(
                         "E0507",
@@ -321,7 +339,9 @@ impl<'a> Checker<'a> {
             }
             While { body, .. } | DoWhile { body, .. } | Switch { body, .. } => self.bound_in(body, bound),
             For { init, step, body, .. } => [init, step, body].iter().for_each(|s| self.bound_in(s, bound)),
-            Case { statement, .. } | Default(statement) | Label { statement, .. } => self.bound_in(statement, bound),
+            Case { statement, .. } | Default(statement) | Label { statement, .. } => {
+                self.bound_in(statement, bound)
+            }
             Try { body, handler, .. } => [body, handler].iter().for_each(|s| self.bound_in(s, bound)),
             Function(decl) => {
                 if let ast::FunctionBody::Statement(body) = &decl.body {
@@ -334,7 +354,11 @@ impl<'a> Checker<'a> {
 
     /// Checks a part of the program that may run any number of times, or be entered in its middle: names bound in it
     /// have no one definition at its start or after it.
-    pub(super) fn repeated<T>(&mut self, statements: &[&'a ast::Stmt], work: impl FnOnce(&mut Self) -> T) -> T {
+    pub(super) fn repeated<T>(
+        &mut self,
+        statements: &[&'a ast::Stmt],
+        work: impl FnOnce(&mut Self) -> T,
+    ) -> T {
         let mut bound = BTreeSet::new();
         statements.iter().for_each(|s| self.bound_in(s, &mut bound));
         self.forget(&bound);

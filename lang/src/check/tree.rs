@@ -121,7 +121,12 @@ pub enum StmtKind {
     If(Expr, Box<Stmt>, Option<Box<Stmt>>),
     While(Expr, Box<Stmt>),
     DoWhile(Box<Stmt>, Expr),
-    For { init: Box<Stmt>, condition: Option<Expr>, step: Box<Stmt>, body: Box<Stmt> },
+    For {
+        init: Box<Stmt>,
+        condition: Option<Expr>,
+        step: Box<Stmt>,
+        body: Box<Stmt>,
+    },
     Switch(Expr, Box<Stmt>),
     Case(Expr, Box<Stmt>),
     Default(Box<Stmt>),

@@ -133,11 +133,13 @@ impl Store {
         let (a, b) = (self.dim(a), self.dim(b));
         let difference = a.over(&b);
         // Solving for a literal's dimension only where nothing else is unknown keeps generalisation away from it.
+        // The youngest is solved for: what is known of it then points to older ones, and chains stay short.
         let unknown = difference
             .unknowns
             .iter()
+            .rev()
             .find(|(variable, _)| !self.literals.contains(variable))
-            .or_else(|| difference.unknowns.iter().next());
+            .or_else(|| difference.unknowns.iter().next_back());
         match unknown {
             None if difference.fixed.fits(Dimension::NONE) => Ok(()),
             None => Err(Mismatch::Dimension(a, b)),

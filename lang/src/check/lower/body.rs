@@ -4,7 +4,7 @@ use super::Lowering;
 use super::values::own_value;
 use crate::ast::Mode;
 use crate::check::flow;
-use crate::check::names::similar;
+use crate::check::symbols::similar;
 use crate::check::tree::{Call, Expr, FuncId, Kind, Stmt, StmtKind, VarId};
 use crate::check::types::{Substitution, Type};
 use crate::diagnostic::Diagnostic;
@@ -70,7 +70,8 @@ impl<'l, 'c, 'a> Body<'l, 'c, 'a> {
             return body.finish("", Vec::new(), Repr::Unit, Span::default());
         };
         let modes = body.lowering.modes(id);
-        let parameters: Vec<(LocalId, Mode)> = modes.into_iter().map(|(v, mode)| (body.local(v), mode)).collect();
+        let parameters: Vec<(LocalId, Mode)> =
+            modes.into_iter().map(|(v, mode)| (body.local(v), mode)).collect();
         let result = body.repr(&function.result);
         body.span = function.span;
         body.block(&function.body);
@@ -243,8 +244,13 @@ impl<'l, 'c, 'a> Body<'l, 'c, 'a> {
                 let block = self.new_block();
                 if labels.insert(name.clone(), block).is_some() {
                     self.lowering.report(
-                        Diagnostic::error("E0202", format!("the label `{name}` stands twice in the same block"), statement.span, "again here")
-                            .help("choose another name"),
+                        Diagnostic::error(
+                            "E0202",
+                            format!("the label `{name}` stands twice in the same block"),
+                            statement.span,
+                            "again here",
+                        )
+                        .help("choose another name"),
                     );
                 }
                 statement = inner;
@@ -315,7 +321,11 @@ impl<'l, 'c, 'a> Body<'l, 'c, 'a> {
                 self.bind(*def);
                 let value = self.make_symbolic(*def, span);
                 let checker = self.lowering.checker;
-                let name = checker.outputs.get(*index as usize).map(|output| output.name.clone()).unwrap_or_default();
+                let name = checker
+                    .outputs
+                    .get(*index as usize)
+                    .map(|output| output.name.clone())
+                    .unwrap_or_default();
                 if let (ExprKind::MakeSymbolic { site, .. }, Some(output)) =
                     (&value.kind, self.lowering.program.outputs.get_mut(*index as usize))
                 {
@@ -388,8 +398,13 @@ impl<'l, 'c, 'a> Body<'l, 'c, 'a> {
                         self.start(block);
                     }
                     None => self.lowering.report(
-                        Diagnostic::error("E0214", "a case must stand directly in the body of its `switch`", span, "inside another statement")
-                            .help("move it out of the block around it"),
+                        Diagnostic::error(
+                            "E0214",
+                            "a case must stand directly in the body of its `switch`",
+                            span,
+                            "inside another statement",
+                        )
+                        .help("move it out of the block around it"),
                     ),
                 }
                 self.statement(inner);
@@ -466,8 +481,13 @@ impl<'l, 'c, 'a> Body<'l, 'c, 'a> {
                         cases.insert(statement.span, block);
                         if default.replace(block).is_some() {
                             self.lowering.report(
-                                Diagnostic::error("E0315", "this switch has two defaults", statement.span, "second default")
-                                    .help("remove one of them"),
+                                Diagnostic::error(
+                                    "E0315",
+                                    "this switch has two defaults",
+                                    statement.span,
+                                    "second default",
+                                )
+                                .help("remove one of them"),
                             );
                         }
                         statement = inner;
@@ -504,15 +524,27 @@ impl<'l, 'c, 'a> Body<'l, 'c, 'a> {
                 let mut elsewhere = false;
                 if let Some(function) = checker.functions.get(&self.function) {
                     for statement in &function.body {
-                        statement.walk(&mut |s| elsewhere |= matches!(&s.kind, StmtKind::Label(label, _) if label == name));
+                        statement.walk(&mut |s| {
+                            elsewhere |= matches!(&s.kind, StmtKind::Label(label, _) if label == name)
+                        });
                     }
                 }
                 let known = self.labels.iter().flat_map(|labels| labels.keys().map(String::as_str));
                 let diagnostic = if elsewhere {
-                    Diagnostic::error("E0215", format!("`goto {name}` would enter a block"), span, "the label is inside another block")
-                        .help("move the label out of that block")
+                    Diagnostic::error(
+                        "E0215",
+                        format!("`goto {name}` would enter a block"),
+                        span,
+                        "the label is inside another block",
+                    )
+                    .help("move the label out of that block")
                 } else {
-                    let diagnostic = Diagnostic::error("E0215", format!("there is no label `{name}` here"), span, "unknown label");
+                    let diagnostic = Diagnostic::error(
+                        "E0215",
+                        format!("there is no label `{name}` here"),
+                        span,
+                        "unknown label",
+                    );
                     match similar(name, known) {
                         Some(near) => diagnostic.help(format!("did you mean `{near}`?")),
                         None => diagnostic.help(format!("put `{name}:` before the statement to go to")),

@@ -73,7 +73,9 @@ impl Walk<'_> {
                 self.used.entry(*id).or_insert(false);
             }
             Kind::Def(def) => self.fused(*def),
-            Kind::MakeSymbolic(def) | Kind::Eval(def, _) if self.defs[def.0 as usize].stored => self.fused(*def),
+            Kind::MakeSymbolic(def) | Kind::Eval(def, _) if self.defs[def.0 as usize].stored => {
+                self.fused(*def)
+            }
             Kind::MakeSymbolic(def) | Kind::Eval(def, _) => self.binding(*def),
             Kind::Call(call) => {
                 self.called.insert(call.function);

@@ -8,12 +8,10 @@ mod values;
 use super::infer::Checker;
 use super::tree::{self, FuncId, UseId};
 use super::types::{Substitution, Type};
-use crate::ast::{FunctionBody, Mode};
+use crate::ast::{FunctionBody, Mode, StmtKind};
 use crate::diagnostic::Diagnostic;
 use crate::dimension::Dimension;
-use crate::ir::{
-    ExternDecl, ExternId, Function, FunctionId, Output, Param, Program, SiteId, SourceFile,
-};
+use crate::ir::{ExternDecl, ExternId, Function, FunctionId, Output, Param, Program, SiteId, SourceFile};
 use crate::span::FileId;
 use crate::units::UnitSystem;
 use body::Body;
@@ -47,7 +45,7 @@ pub fn lower(checker: &Checker<'_>, files: Vec<SourceFile>) -> (Program, Vec<Dia
         program: Program {
             files,
             units: system.name().into(),
-            doc: checker.modules.first().and_then(|module| module.tree.doc.clone()).unwrap_or_default(),
+            doc: checker.modules.first().map(model_doc).unwrap_or_default(),
             ..Program::default()
         },
         instances: HashMap::new(),
@@ -82,6 +80,13 @@ pub fn lower(checker: &Checker<'_>, files: Vec<SourceFile>) -> (Program, Vec<Dia
     }
     lowering.work();
     (kept, lowering.diagnostics)
+}
+
+/// The comment that opens a file documents the file, also where an import or units follow without a blank line.
+fn model_doc(module: &super::ModuleData) -> String {
+    let first = module.tree.statements.first();
+    let first = first.filter(|s| matches!(s.kind, StmtKind::Import(_) | StmtKind::Units(_)));
+    module.tree.doc.clone().or_else(|| first?.doc.clone()).unwrap_or_default()
 }
 
 fn known_dimension(checker: &Checker<'_>, ty: &Type) -> Dimension {
@@ -133,7 +138,10 @@ impl<'c, 'a> Lowering<'c, 'a> {
     fn instance(&mut self, function: FuncId, types: Substitution) -> FunctionId {
         let checker = self.checker;
         let scheme = checker.functions.get(&function).map(|f| f.scheme.clone()).unwrap_or_default();
-        let reprs = scheme.types.iter().map(|v| checker.store.repr(&types.types.get(v).cloned().unwrap_or(Type::number())));
+        let reprs = scheme
+            .types
+            .iter()
+            .map(|v| checker.store.repr(&types.types.get(v).cloned().unwrap_or(Type::number())));
         // Dimensions matter only to text that shows units; a function that makes none is shared by all of them.
         let dims = match self.shows_units(function) {
             true => scheme.dims.iter().map(|v| format!("{:?}", types.dims.get(v))).collect(),
@@ -193,7 +201,8 @@ impl<'c, 'a> Lowering<'c, 'a> {
             concrete.types.insert(variable, types.ty(store, &ty));
         }
         for variable in scheme.dims {
-            let dim = at_use.dims.get(&variable).cloned().unwrap_or_else(|| super::dim::Dim::unknown(variable));
+            let dim =
+                at_use.dims.get(&variable).cloned().unwrap_or_else(|| super::dim::Dim::unknown(variable));
             concrete.dims.insert(variable, types.dim(store, &dim));
         }
         self.instance(function, concrete)
@@ -292,6 +301,8 @@ fn annotated_repr(annotation: &crate::ast::TypeExpr) -> Repr {
                 _ => inner,
             }
         }
-        TypeKind::Product(..) | TypeKind::Quotient(..) | TypeKind::Power(..) | TypeKind::Error => Repr::Number,
+        TypeKind::Product(..) | TypeKind::Quotient(..) | TypeKind::Power(..) | TypeKind::Error => {
+            Repr::Number
+        }
     }
 }

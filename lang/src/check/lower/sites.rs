@@ -12,11 +12,15 @@ use std::collections::HashMap;
 
 /// More nodes than any model needs; definitions that double at each step reach it.
 const MOST_NODES: usize = 200_000;
+/// Deeper than any model goes; a chain of definitions as long as a program reaches it.
+const MOST_LEVELS: usize = 2000;
 
 struct Captures {
     by_variable: HashMap<VarId, u32>,
     all: Vec<(VarId, Span)>,
     nodes: usize,
+    level: usize,
+    too_large: bool,
 }
 
 impl Body<'_, '_, '_> {
@@ -36,13 +40,17 @@ impl Body<'_, '_, '_> {
     pub(super) fn make_symbolic(&mut self, def: DefId, span: Span) -> ir::Expr {
         let checker = self.lowering.checker;
         let definition = &checker.defs[def.0 as usize];
-        let mut captures = Captures { by_variable: HashMap::new(), all: Vec::new(), nodes: 0 };
+        let mut captures =
+            Captures { by_variable: HashMap::new(), all: Vec::new(), nodes: 0, level: 0, too_large: false };
         let expr = self.symbolic(&definition.expr, &mut captures);
-        if captures.nodes > MOST_NODES {
+        if captures.too_large {
             self.lowering.report(
                 Diagnostic::error(
                     "E0510",
-                    format!("`{}` grows beyond {MOST_NODES} operations", definition.name),
+                    format!(
+                        "`{}` grows beyond {MOST_NODES} operations or {MOST_LEVELS} levels",
+                        definition.name
+                    ),
                     definition.span,
                     "with all definitions it names put in",
                 )
@@ -50,7 +58,8 @@ impl Body<'_, '_, '_> {
             );
         }
         let repr = expr.repr.clone();
-        let here: HashMap<VarId, &Expr> = definition.captures.iter().map(|(id, value)| (*id, value)).collect();
+        let here: HashMap<VarId, &Expr> =
+            definition.captures.iter().map(|(id, value)| (*id, value)).collect();
         // A binding executed earlier has set its hidden variables; an argument's captures are taken here.
         let bound_before = definition.stored;
         let mut values = Vec::new();
@@ -87,10 +96,18 @@ impl Body<'_, '_, '_> {
     }
 
     fn symbolic(&mut self, e: &Expr, captures: &mut Captures) -> SymExpr {
+        captures.level += 1;
+        let result = self.symbolic_node(e, captures);
+        captures.level -= 1;
+        result
+    }
+
+    fn symbolic_node(&mut self, e: &Expr, captures: &mut Captures) -> SymExpr {
         captures.nodes += 1;
         let span = e.span;
         let make = |kind, repr| SymExpr { kind, repr, span };
-        if captures.nodes > MOST_NODES {
+        if captures.nodes > MOST_NODES || captures.level > MOST_LEVELS {
+            captures.too_large = true;
             return make(SymKind::Number(f64::NAN), Repr::Number);
         }
         match &e.kind {
@@ -178,8 +195,10 @@ fn symbolic_binary(op: BinaryOp, a: SymExpr, b: SymExpr, span: Span) -> SymExpr 
         BinaryForm::Plain(op, repr) => make(SymKind::Op(op, vec![a, b]), repr),
         BinaryForm::Swapped(op, repr) => make(SymKind::Op(op, vec![b, a]), repr),
         BinaryForm::DivideVector => {
-            let reciprocal =
-                make(SymKind::Op(Op::Divide, vec![make(SymKind::Number(1.0), Repr::Number), b]), Repr::Number);
+            let reciprocal = make(
+                SymKind::Op(Op::Divide, vec![make(SymKind::Number(1.0), Repr::Number), b]),
+                Repr::Number,
+            );
             make(SymKind::Op(Op::Scale, vec![reciprocal, a]), Repr::Vector)
         }
     }

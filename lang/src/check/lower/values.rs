@@ -22,7 +22,9 @@ impl Body<'_, '_, '_> {
         let make = |kind, repr| ir::Expr { kind, repr, span };
         match &e.kind {
             // Not reached: programs with errors are not lowered.
-            Kind::Error | Kind::Time | Kind::Derivative(..) | Kind::At(..) => make(ExprKind::Number(f64::NAN), self.repr(&e.ty)),
+            Kind::Error | Kind::Time | Kind::Derivative(..) | Kind::At(..) => {
+                make(ExprKind::Number(f64::NAN), self.repr(&e.ty))
+            }
             Kind::Number(value) => make(ExprKind::Number(*value), Repr::Number),
             Kind::Bare(value, dim, system) => {
                 make(ExprKind::Number(value * self.bare_factor(dim, *system)), Repr::Number)
@@ -35,7 +37,8 @@ impl Body<'_, '_, '_> {
                 make(ExprKind::Local(local), repr)
             }
             Kind::Param(id) => {
-                let repr = self.lowering.program.params.get(*id as usize).map_or(Repr::Number, |p| p.repr.clone());
+                let repr =
+                    self.lowering.program.params.get(*id as usize).map_or(Repr::Number, |p| p.repr.clone());
                 make(ExprKind::Param(*id), repr)
             }
             Kind::Def(def) | Kind::MakeSymbolic(def) => self.make_symbolic(*def, span),

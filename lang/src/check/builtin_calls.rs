@@ -1,0 +1,178 @@
+//! Calls of the functions built into the language.
+
+use super::builtins::{Builtin, RateOf, Shape, Signature};
+use super::dim::Dim;
+use super::infer::Checker;
+use super::tree::*;
+use super::types::Type;
+use crate::ast;
+use crate::diagnostic::Diagnostic;
+use crate::dimension::{Base, Dimension, Rational};
+use crate::ir::Op;
+use crate::span::Span;
+
+impl<'a> Checker<'a> {
+    pub(super) fn builtin_call(
+        &mut self,
+        builtin: Builtin,
+        name: &'a ast::Ident,
+        arguments: &'a [ast::Argument],
+        span: Span,
+    ) -> Expr {
+        match builtin {
+            Builtin::Operation(signature) => self.operation(signature, arguments, span),
+            Builtin::Extreme(op) => {
+                if arguments.len() < 2 {
+                    return self.wrong_count(&name.name, "two or more numbers", arguments, span);
+                }
+                let ty = self.fresh_number();
+                let values: Vec<Expr> = arguments.iter().map(|a| self.expr(&a.value)).collect();
+                for value in &values {
+                    let cause =
+                        Some((values[0].span, format!("this is a {}", self.store.show(&values[0].ty))));
+                    self.expect(&ty, value, &format!("an argument of `{}`", name.name), cause);
+                }
+                let mut values = values.into_iter();
+                let first = values.next().unwrap_or_else(|| Expr::error(span));
+                values.fold(first, |a, b| Expr { kind: Kind::Op(op, vec![a, b]), ty: ty.clone(), span })
+            }
+            Builtin::Sqrt => {
+                let Some([x]) = self.plain(&name.name, arguments, span, ["x"]) else {
+                    return Expr::error(span);
+                };
+                let x = self.expr(x);
+                let dim = self.store.fresh_dim();
+                self.expect(&Type::Number(dim.clone()), &x, "the argument of `sqrt`", None);
+                let half = Rational::new(1, 2).unwrap_or(Rational::ONE);
+                let root = self.store.dim(&dim).power(half).unwrap_or_else(Dim::none);
+                Expr { kind: Kind::Op(Op::Sqrt, vec![x]), ty: Type::Number(root), span }
+            }
+            Builtin::Derivative => self.derivative(arguments, span),
+            Builtin::Gradient => {
+                self.check_loosely(arguments);
+                self.not_yet("`gradient` is", span);
+                Expr::error(span)
+            }
+            Builtin::Print => {
+                let values: Vec<Expr> = arguments.iter().map(|a| self.printable(&a.value)).collect();
+                Expr { kind: Kind::Print(values, self.shown_system()), ty: Type::Unit, span }
+            }
+            Builtin::Assert => {
+                if arguments.is_empty() || arguments.len() > 2 {
+                    return self.wrong_count("assert", "a condition and a message", arguments, span);
+                }
+                let condition = self.as_value(|c| c.expr(&arguments[0].value));
+                self.expect(&Type::Bool, &condition, "what is asserted", None);
+                let message = match arguments.get(1) {
+                    Some(message) => {
+                        let message = self.as_value(|c| c.expr(&message.value));
+                        self.expect(&Type::String, &message, "the message", None);
+                        message
+                    }
+                    None => Expr {
+                        kind: Kind::Text(self.text(arguments[0].value.span).to_string()),
+                        ty: Type::String,
+                        span,
+                    },
+                };
+                Expr { kind: Kind::Assert(Box::new(condition), Box::new(message)), ty: Type::Unit, span }
+            }
+            Builtin::Len => {
+                let Some([array]) = self.plain("len", arguments, span, ["array"]) else {
+                    return Expr::error(span);
+                };
+                let array = self.as_value(|c| c.expr(array));
+                let element = self.store.fresh();
+                self.expect(&Type::array(element), &array, "the argument of `len`", None);
+                Expr { kind: Kind::Len(Box::new(array)), ty: Type::number(), span }
+            }
+            Builtin::Push => {
+                self.check_loosely(arguments);
+                self.report(
+                    Diagnostic::error("E0311", "`push` is a statement", span, "gives no value")
+                        .help("write `push(array, value);` on its own"),
+                );
+                Expr::error(span)
+            }
+        }
+    }
+
+    fn wrong_count(
+        &mut self,
+        function: &str,
+        wanted: &str,
+        arguments: &'a [ast::Argument],
+        span: Span,
+    ) -> Expr {
+        self.check_loosely(arguments);
+        self.report(
+            Diagnostic::error(
+                "E0206",
+                format!("`{function}` takes {wanted}"),
+                span,
+                "wrong number of arguments",
+            )
+            .help(format!("give `{function}` {wanted}")),
+        );
+        Expr::error(span)
+    }
+
+    /// Arguments of a builtin, in order of its parameters.
+    pub(super) fn plain<const N: usize>(
+        &mut self,
+        function: &str,
+        arguments: &'a [ast::Argument],
+        span: Span,
+        parameters: [&str; N],
+    ) -> Option<[&'a ast::Expr; N]> {
+        let parameters: Vec<(&str, bool)> = parameters.iter().map(|name| (*name, false)).collect();
+        let given = self.match_arguments(function, &parameters, arguments, span)?;
+        let values: Vec<&ast::Expr> = given.into_iter().flatten().map(|argument| &argument.value).collect();
+        values.try_into().ok()
+    }
+
+    fn operation(
+        &mut self,
+        signature: &'static Signature,
+        arguments: &'a [ast::Argument],
+        span: Span,
+    ) -> Expr {
+        let parameters: Vec<(&str, bool)> =
+            signature.parameters.iter().map(|(name, _)| (*name, false)).collect();
+        let Some(given) = self.match_arguments(signature.name, &parameters, arguments, span) else {
+            return Expr::error(span);
+        };
+        let (d, e) = (self.store.fresh_dim(), self.store.fresh_dim());
+        let around = self.symbolic;
+        self.symbolic |= signature.symbolic;
+        let mut values = Vec::new();
+        for ((name, shape), argument) in signature.parameters.iter().zip(given.into_iter().flatten()) {
+            let value = self.whole(&argument.value);
+            let ty = shape_type(*shape, &d, &e);
+            self.expect(&ty, &value, &format!("`{name}` of `{}`", signature.name), None);
+            values.push(value);
+        }
+        self.symbolic = around;
+        let ty = shape_type(signature.result, &d, &e);
+        let result = Expr { kind: Kind::Op(signature.op, values), ty, span };
+        if signature.symbolic && !self.symbolic { self.evaluate_now(result, signature.name) } else { result }
+    }
+}
+
+fn shape_type(shape: Shape, d: &Dim, e: &Dim) -> Type {
+    let known = |exponents| Dim::known(Dimension::whole(exponents));
+    match shape {
+        Shape::Number => Type::number(),
+        Shape::Angle => Type::Number(Dim::known(Dimension::of(Base::Angle))),
+        Shape::Any => Type::Number(d.clone()),
+        Shape::Product => Type::Number(d.times(e)),
+        Shape::VectorAny => Type::Vector(d.clone()),
+        Shape::VectorOther => Type::Vector(e.clone()),
+        Shape::VectorProduct => Type::Vector(d.times(e)),
+        Shape::VectorLength => Type::Vector(known([1, 0, 0, 0, 0])),
+        Shape::Axis => Type::Vector(Dim::none()),
+        Shape::VectorRate(RateOf::Length, n) => Type::Vector(known([1, 0, -i32::from(n), 0, 0])),
+        Shape::VectorRate(RateOf::Angle, n) => Type::Vector(known([0, 0, -i32::from(n), 1, 0])),
+        Shape::Transform => Type::Transform,
+    }
+}

@@ -1,0 +1,110 @@
+//! What identifiers can stand for, and the tables that say what each one does.
+
+use super::builtins::Builtin;
+use super::tree::{FuncId, VarId};
+use crate::ast::{Expr, FunctionDecl, Ident, Mode, ParamDecl};
+use crate::diagnostic::Diagnostic;
+use crate::span::{FileId, Span};
+use crate::units::Unit;
+use std::collections::{BTreeSet, HashMap};
+
+/// What an identifier stands for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Res {
+    Var(VarId),
+    Param(u32),
+    Output(u32),
+    Function(FuncId),
+    Extern(u32),
+    Module(u32),
+    Builtin(Builtin),
+    Constant(Constant),
+    Unit(&'static Unit),
+    /// Not found; reported.
+    Unknown,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Constant {
+    Time,
+    /// Basis vector by axis, 0 to 2.
+    Basis(u8),
+    Number(NumberConstant),
+    Bool(bool),
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NumberConstant {
+    Pi,
+    Infinity,
+    NotANumber,
+}
+
+/// How a variable came to be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum VarKind {
+    /// `var x = ...`
+    Value,
+    /// `var x := ...`
+    Symbolic,
+    Parameter(Mode),
+    /// Holds a value captured by a `:=`.
+    Hidden,
+}
+
+#[derive(Clone, Debug)]
+pub struct Variable {
+    pub name: String,
+    pub span: Span,
+    pub kind: VarKind,
+    pub owner: FuncId,
+    pub reads: u32,
+}
+
+#[derive(Clone, Debug)]
+pub struct FunctionInfo<'a> {
+    /// `None` for the model's top level.
+    pub decl: Option<&'a FunctionDecl>,
+    pub name: String,
+    pub file: FileId,
+    pub parent: Option<FuncId>,
+    pub parameters: Vec<VarId>,
+    /// Variables of functions around this one that it names.
+    pub outer: BTreeSet<VarId>,
+    /// Functions it names.
+    pub callees: BTreeSet<FuncId>,
+}
+
+#[derive(Clone, Debug)]
+pub struct ExternInfo<'a> {
+    pub decl: &'a FunctionDecl,
+    /// As the program names it, e.g. `gears.material`.
+    pub name: String,
+    pub symbol: String,
+    pub file: FileId,
+}
+
+/// The result of resolving names.
+#[derive(Default)]
+pub struct Names<'a> {
+    /// By the identifier's place; declarations too.
+    pub uses: HashMap<Span, Res>,
+    pub variables: Vec<Variable>,
+    pub functions: Vec<FunctionInfo<'a>>,
+    pub externs: Vec<ExternInfo<'a>>,
+    pub params: Vec<(&'a ParamDecl, Option<&'a str>)>,
+    pub outputs: Vec<(&'a Ident, &'a Expr, Option<&'a str>)>,
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+/// The candidate spelt most like `name`, if one is near enough to be meant.
+pub fn similar<'s>(name: &str, candidates: impl Iterator<Item = &'s str>) -> Option<String> {
+    candidates
+        .map(|candidate| (strsim::damerau_levenshtein(name, candidate), candidate))
+        .filter(|(distance, candidate)| {
+            *distance <= (name.chars().count().max(candidate.chars().count()) / 3).max(1)
+                && *distance < name.chars().count()
+        })
+        .min_by(|a, b| a.cmp(b))
+        .map(|(_, candidate)| candidate.to_string())
+}

@@ -1,0 +1,143 @@
+//! The page behind every diagnostic code: what it means and what to do about it.
+
+/// A code with its explanation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Explanation {
+    pub code: &'static str,
+    /// The finding in a few words.
+    pub title: &'static str,
+    /// One paragraph: why it is reported and how to mend it.
+    pub text: &'static str,
+}
+
+/// The explanation of a code, written in any case.
+pub fn explain(code: &str) -> Option<&'static Explanation> {
+    CODES.iter().find(|e| e.code.eq_ignore_ascii_case(code))
+}
+
+/// All codes in order.
+pub fn all() -> &'static [Explanation] {
+    CODES
+}
+
+macro_rules! codes {
+    ($($code:literal $title:literal $text:literal)*) => {
+        &[$(Explanation { code: $code, title: $title, text: $text }),*]
+    };
+}
+
+const CODES: &[Explanation] = codes! {
+    "E0101" "a character that means nothing" "The text holds a character that is no part of the language outside strings and comments. Remove it, or put it into a string."
+    "E0102" "a comment without end" "A comment that starts with `/*` must be closed with `*/`."
+    "E0103" "a string without end or in single quotes" "Strings stand in double quotes. A string ends on the line it begins on. Close it with a quotation mark; write `\\n` for a line break inside it."
+    "E0104" "an unknown escape in a string" "The escapes of strings are `\\n`, `\\t`, `\\\"`, `\\\\`, and `{{` and `}}` for braces."
+    "E0105" "a malformed number" "A number is digits with an optional decimal part and an optional power of ten, such as `3`, `0.5` or `2e-3`."
+    "E0106" "nesting that is too deep" "Brackets, blocks and operators inside one another are limited, so that no text can exhaust the compiler. Split the expression into several statements."
+    "E0110" "a missing semicolon" "Every statement but a block ends with `;`."
+    "E0111" "a bracket or block without end" "Every `(`, `[` and `{` must be closed by its counterpart."
+    "E0112" "a missing value" "An expression is expected here: a number, a name, a call, or something in parentheses."
+    "E0113" "a word or sign that does not belong here" "What stands here begins nothing the language knows at this place."
+    "E0114" "a missing or reserved name" "A declaration needs a name that is no word of the language and none of `Time e1 e2 e3 pi inf nan TRUE FALSE`."
+    "E0115" "something else was expected" "The grammar requires another word or sign at this place; the message says which."
+    "E0116" "a bracket that closes nothing" "No bracket of this kind is open here. Remove it, or open one before it."
+    "E0117" "an assignment used as a condition" "`=` assigns. Compare with `==`."
+    "E0118" "an operator of another language" "Conditions are joined with `&` and `|`, which evaluate their right side only where it matters."
+    "E0119" "a word of another language" "The word has another spelling in this language; the message says which."
+    "E0120" "a parameter without its mode" "Parameters say how they are passed: `in` by value, `out` and `inout` copy a value back when the function returns."
+    "E0121" "a unit's exponent that is no whole number" "The exponent right after a unit belongs to the unit and is a whole number, as in `2 inch^2`. Put the quantity in parentheses to raise all of it to a power."
+    "E0122" "an assignment to something that is no place" "Only variables and elements of arrays can be assigned."
+    "E0123" "a top-level declaration inside a block" "`import`, `units`, `param` and `output` describe the model as a whole, so they stand outside blocks and functions."
+    "E0124" "a malformed type" "A type is a dimension such as `Length` or `Force/Length^2`, or `Bool`, `String`, `Vector(...)`, `Transform`, `Array(...)`."
+    "W0125" "a quantity as a divisor" "A unit binds tighter than any operator, so `1/2 inch` is 1/(2 inch). Write parentheses to say which is meant."
+    "E0190" "not available yet" "This part of the language is described, but this version does not compile it. The message names it; write it another way for now."
+    "E0201" "an unknown name" "Nothing of this name is visible here. Variables are visible from their declaration to the end of its block, functions in their whole block, functions of modules as `module.name` after `import module;`."
+    "W0201" "an unused variable" "The variable is never read. Remove it, or start its name with `_` to keep it."
+    "E0202" "a name declared twice" "A block declares a name once. An inner block may declare it anew; assignment needs no `var`."
+    "W0202" "unreachable statements" "No way through the program leads here: a `return`, `break`, `continue` or `goto` stands before it on every one."
+    "E0203" "a reserved name" "`Time e1 e2 e3 pi inf nan TRUE FALSE` have a fixed meaning."
+    "W0203" "a value that is not used" "The statement computes a value and drops it. Assign it, or remove the statement."
+    "E0204" "an unknown name in a module" "The module has no function of this name."
+    "E0205" "an unknown parameter" "The function has no parameter of the name given with this argument."
+    "E0206" "arguments that do not match" "Arguments are given in order or by name, each once, those without a name first; parameters without a default are required."
+    "E0207" "an assignment to a param" "Params are set from outside before the model runs and stay as they are. Copy one into a variable to change it."
+    "E0208" "something that cannot be assigned" "Only variables and elements of arrays can be assigned or handed back through `out`."
+    "E0209" "an unknown module" "The module is neither in the library nor beside the model's file."
+    "E0210" "a statement in a module" "A module declares functions. What runs belongs to the model."
+    "E0212" "a value that is not there yet" "Defaults, ranges and choices are computed before the program runs, from literals, params declared earlier and functions without effects."
+    "E0213" "an unknown kind of extern function" "An extern function is `pure` (depends on its arguments alone), `scene` (adds to the scene) or `effect`."
+    "E0214" "a statement outside what it belongs to" "`break` leaves a loop or switch, `continue` a loop; `case` and `default` stand directly in the body of a `switch`."
+    "E0215" "a goto that leads nowhere" "`goto` leads to a label in the same block or in one around it, never into a block, and never out of its function."
+    "E0217" "a variable read before it has a value" "On some way through the program the variable is read before anything was assigned to it. Give it a value where it is declared, or on every way."
+    "E0218" "an out parameter without a value" "A function assigns its `out` parameters on every way to its end."
+    "E0301" "a value of another type" "Every variable and parameter has one type. The message names the one needed and the one found."
+    "E0302" "a value inside itself" "The program would need a type that contains itself, such as an array that is its own element."
+    "E0303" "a call without a value used as one" "The function returns nothing. Call it as a statement."
+    "E0304" "an operator on types it is not made for" "Numbers and vectors add; numbers scale vectors; frames multiply frames and points; strings are joined by interpolation."
+    "E0305" "an index that does not fit" "Arrays are indexed by whole numbers from 0, tuples by constant ones."
+    "E0306" "a function or module used as a value, or a value called" "Functions are not values: call them. Only functions are called."
+    "E0307" "an unknown field" "Vectors have the components `.x`, `.y` and `.z`."
+    "E0308" "a malformed type annotation" "The parameters of extern functions have types; a dimension is written as a product of powers of dimensions."
+    "E0309" "an unknown type" "Nothing of this name is a dimension, a type of the language or something the library makes."
+    "E0310" "an out argument that does not fit" "`out` and `inout` arguments are variables or elements of arrays, and no two of a call are the same place."
+    "E0311" "push used as a value" "`push(array, value);` is a statement that appends to the array."
+    "E0312" "a param of a type params cannot have" "Params are numbers, truth values and strings: what can be given on a command line."
+    "E0313" "an empty range" "The low end of a range is above its high end."
+    "E0314" "a value outside its range or choices" "Params and the library's parameters may say what is allowed; this constant is not."
+    "E0315" "a case that stands twice" "Each constant case of a switch stands once, and there is one default."
+    "E0316" "a return that does not fit" "A function returns a value on all its ways or on none; the top level returns none."
+    "E0317" "a missing return" "The function returns values, and some way through it ends without one."
+    "E0401" "dimensions that do not fit" "Quantities add, compare and stand for one another only if their dimensions are equal (angles apart). The message shows both sides factor by factor and the factor that is missing."
+    "E0402" "a dimension that does not fit inside a function" "The arguments of this call give an operator inside the function operands it cannot take. Compare the dimensions of the arguments with what the function does with them."
+    "E0403" "an unknown unit" "The name right after a number must be a unit. Write `*` between a number and a variable."
+    "E0404" "an unknown unit system" "The unit systems are `SI`, `mm_N_s` and `inch_lbf_s`."
+    "E0501" "`Time` where a value is needed" "`=` computes at once, and `Time` has no value while the model is built. Keep the expression with `:=`, or evaluate it with `at Time = ...`."
+    "E0502" "a time-dependent name where a value is needed" "The name is bound with `:=` to an expression in `Time`. Use it inside another `:=`, or evaluate it with `at Time = ...`."
+    "E0503" "`=` and `:=` exchanged" "Whether a name holds a value or an expression is fixed where it is declared, and likewise for parameters."
+    "E0504" "a symbolic name with several definitions" "Which expression the name stands for here depends on the way the program took. Bind each expression to a name of its own."
+    "E0505" "an observable used as a value" "What the engine observes has a value at each step of an analysis, not while the model is built. Use it in an `output` or another `:=`."
+    "E0506" "something that is no symbol" "Expressions are differentiated by, and evaluated at, `Time` and number params."
+    "E0507" "an expression that cannot stay symbolic" "Numbers, vectors and frames can be bound with `:=`."
+    "E0508" "the derivative of an observable" "The values of an observable come from the analysis, so no derivative of it is known when the model is compiled."
+    "E0509" "a derivative that would miss something" "The expression captured a value that was computed from the param it is differentiated by, so the derivative would silently lack that part. Bind the captured name with `:=`."
+    "E0510" "a symbolic expression that grows without bound" "With every name put in, the expression has more operations than any model needs; usually definitions double at each step."
+};
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::BTreeSet;
+    use std::fs;
+    use std::path::Path;
+
+    fn codes_in(directory: &Path, codes: &mut BTreeSet<String>) {
+        for entry in fs::read_dir(directory).expect("sources") {
+            let path = entry.expect("a file").path();
+            if path.is_dir() {
+                codes_in(&path, codes);
+            } else if !path.ends_with("codes.rs") {
+                let text = fs::read_to_string(&path).expect("readable");
+                let is_code = |piece: &&str| {
+                    piece.len() == 5
+                        && piece.starts_with(['E', 'W'])
+                        && piece[1..].bytes().all(|b| b.is_ascii_digit())
+                };
+                codes.extend(text.split('"').filter(is_code).map(str::to_string));
+            }
+        }
+    }
+
+    #[test]
+    fn every_code_of_the_crate_is_explained_and_no_other() {
+        let mut used = BTreeSet::new();
+        codes_in(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src"), &mut used);
+        let explained: BTreeSet<String> = CODES.iter().map(|e| e.code.to_string()).collect();
+        assert_eq!(explained.len(), CODES.len(), "a code stands twice");
+        assert_eq!(used, explained);
+    }
+
+    #[test]
+    fn codes_are_found_in_any_case() {
+        assert_eq!(explain("e0401").map(|e| e.code), Some("E0401"));
+        assert_eq!(explain("E9999"), None);
+    }
+}
