@@ -461,3 +461,12 @@ fn missing_functions_are_found_before_anything_runs() {
     program.externs[0] = ExternDecl { result: S, parameters: vec![], ..program.externs[1].clone() };
     assert!(calyx_codegen::compile_jit(&program, &externs()).is_err());
 }
+
+#[test]
+fn programs_that_contradict_themselves_are_refused() {
+    for value in [n(3), call(9, vec![], N), call_extern(9, vec![], N), expr(ExprKind::Param(0), N)] {
+        let program = evaluates(vec![], vec![], value);
+        assert!(calyx_codegen::compile_jit(&program, &[]).is_err());
+        assert_eq!(interpreted(&program, &Start::default(), Purity::Effect).failure().0, "E0799");
+    }
+}
