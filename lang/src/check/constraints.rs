@@ -11,7 +11,13 @@ enum Outcome {
     Solved,
     /// The types are not known yet.
     Open,
-    Failed(Diagnostic),
+    Failed(Box<Diagnostic>),
+}
+
+impl Outcome {
+    fn failed(diagnostic: Diagnostic) -> Outcome {
+        Outcome::Failed(Box::new(diagnostic))
+    }
 }
 
 use ConstraintKind::*;
@@ -45,7 +51,7 @@ impl Checker<'_> {
         match self.try_solve(&constraint) {
             Outcome::Solved => {}
             Outcome::Open => self.pending.push(constraint),
-            Outcome::Failed(diagnostic) => self.report(diagnostic),
+            Outcome::Failed(diagnostic) => self.report(*diagnostic),
         }
     }
 
@@ -95,7 +101,7 @@ impl Checker<'_> {
             Err(mismatch) => {
                 let (found, wanted) = (self.store.show(a), self.store.show(b));
                 let code = if matches!(mismatch, Mismatch::Dimension(..)) { "E0402" } else { "E0301" };
-                Outcome::Failed(
+                Outcome::failed(
                     Diagnostic::error(
                         code,
                         format!("this is used as a {found}, but it is a {wanted}"),
@@ -125,7 +131,7 @@ impl Checker<'_> {
                         let length = super::length();
                         if self.store.unify_dims(dim, &length).is_err() {
                             let found = self.store.show(&right);
-                            return Outcome::Failed(
+                            return Outcome::failed(
                                 Diagnostic::error(
                                     "E0401",
                                     format!("a frame takes a point, a Vector(Length), not a {found}"),
@@ -156,7 +162,7 @@ impl Checker<'_> {
                         return self.try_solve(constraint);
                     }
                     _ => {
-                        return Outcome::Failed(
+                        return Outcome::failed(
                             self.bad_operands("multiply", "by", &left, &right, constraint),
                         );
                     }
@@ -184,7 +190,7 @@ impl Checker<'_> {
                         _ => return Outcome::Open,
                     },
                     _ => {
-                        return Outcome::Failed(self.bad_operands("divide", "by", &left, &right, constraint));
+                        return Outcome::failed(self.bad_operands("divide", "by", &left, &right, constraint));
                     }
                 };
                 self.fit(constraint, c, &quotient)
@@ -192,7 +198,7 @@ impl Checker<'_> {
             Additive(a) => match self.store.shallow(a) {
                 Type::Unknown(_) => Outcome::Open,
                 Type::Number(_) | Type::Vector(_) | Type::Error => Outcome::Solved,
-                Type::Observable(_) => Outcome::Failed(self.observable_as_value(constraint.span)),
+                Type::Observable(_) => Outcome::failed(self.observable_as_value(constraint.span)),
                 other => {
                     let shown = self.store.show(&other);
                     let help = match other {
@@ -201,7 +207,7 @@ impl Checker<'_> {
                         Type::Transform => "frames are combined with `*`",
                         _ => "only numbers and vectors add",
                     };
-                    Outcome::Failed(
+                    Outcome::failed(
                         Diagnostic::error(
                             "E0304",
                             format!("a {shown} cannot be added or subtracted"),
@@ -229,10 +235,10 @@ impl Checker<'_> {
                 Type::Number(_) | Type::Bool | Type::String | Type::Vector(_) | Type::Error => {
                     Outcome::Solved
                 }
-                Type::Observable(_) => Outcome::Failed(self.observable_as_value(constraint.span)),
+                Type::Observable(_) => Outcome::failed(self.observable_as_value(constraint.span)),
                 other => {
                     let shown = self.store.show(&other);
-                    Outcome::Failed(
+                    Outcome::failed(
                         Diagnostic::error(
                             "E0304",
                             format!("a {shown} cannot be compared"),
@@ -254,10 +260,10 @@ impl Checker<'_> {
                 Type::Array(element) => {
                     self.try_solve(&Constraint { kind: Printable(*element), span: constraint.span })
                 }
-                Type::Observable(_) => Outcome::Failed(self.observable_as_value(constraint.span)),
+                Type::Observable(_) => Outcome::failed(self.observable_as_value(constraint.span)),
                 other => {
                     let shown = self.store.show(&other);
-                    Outcome::Failed(
+                    Outcome::failed(
                         Diagnostic::error(
                             "E0304",
                             format!("a {shown} has no text form"),
@@ -274,7 +280,7 @@ impl Checker<'_> {
                 (Type::Array(inner), _) => self.fit(constraint, element, &inner),
                 (Type::Tuple(parts), Some(at)) => match parts.get(*at) {
                     Some(part) => self.fit(constraint, element, part),
-                    None => Outcome::Failed(
+                    None => Outcome::failed(
                         Diagnostic::error(
                             "E0305",
                             format!("this tuple has {} elements, there is no element {at}", parts.len()),
@@ -284,7 +290,7 @@ impl Checker<'_> {
                         .help("indices start at 0"),
                     ),
                 },
-                (Type::Tuple(_), None) => Outcome::Failed(
+                (Type::Tuple(_), None) => Outcome::failed(
                     Diagnostic::error(
                         "E0305",
                         "the index of a tuple must be a constant whole number",
@@ -295,7 +301,7 @@ impl Checker<'_> {
                 ),
                 (other, _) => {
                     let shown = self.store.show(&other);
-                    Outcome::Failed(
+                    Outcome::failed(
                         Diagnostic::error(
                             "E0305",
                             format!("a {shown} has no elements to index"),

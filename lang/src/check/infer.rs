@@ -213,8 +213,9 @@ impl<'a> Checker<'a> {
         cause: Option<(Span, String)>,
     ) {
         let (wanted, got) = (self.store.show(expected), self.store.show(&found.ty));
-        if let Mismatch::Dimension(wanted, got) = mismatch {
-            return self.dimension_mismatch(&wanted, &got, found, what, cause);
+        if let Mismatch::Dimension(dims) = &mismatch {
+            let (wanted, got) = &**dims;
+            return self.dimension_mismatch(wanted, got, found, what, cause);
         }
         let resolved = (self.store.shallow(expected), self.store.shallow(&found.ty));
         let mut diagnostic = match (&mismatch, &resolved) {

@@ -15,7 +15,8 @@ impl Checker<'_> {
         let Err(mismatch) = self.store.unify(&a.ty, &b.ty) else { return };
         let (left, right) = (self.store.show(&a.ty), self.store.show(&b.ty));
         let diagnostic = match mismatch {
-            Mismatch::Dimension(x, y) => {
+            Mismatch::Dimension(dims) => {
+                let (x, y) = *dims;
                 let (x, y) = (self.store.show_dim(&x), self.store.show_dim(&y));
                 let message = match verb {
                     "compare" => format!("cannot compare a {x} with a {y}"),

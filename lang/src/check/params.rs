@@ -105,9 +105,8 @@ impl<'a> Checker<'a> {
         let value = self.as_value(|c| c.whole(default));
         self.constant_place = around;
         // Under a unit system a bare literal has the dimension of each call.
-        if !(super::expr::is_bare(default) && self.system().is_some())
-            || !matches!(self.store.shallow(ty), Type::Unknown(_))
-        {
+        let open = matches!(self.store.shallow(ty), Type::Unknown(_));
+        if !(open && super::expr::is_bare(default) && self.system().is_some()) {
             self.expect(
                 ty,
                 &value,

@@ -248,8 +248,10 @@ impl<'a> Checker<'a> {
         Expr { kind, ty, span }
     }
 
-    fn split_box(&mut self, e: Box<Expr>, to: &mut Builder) -> Box<Expr> {
-        Box::new(self.split(*e, to))
+    fn split_box(&mut self, mut e: Box<Expr>, to: &mut Builder) -> Box<Expr> {
+        let inner = std::mem::replace(&mut *e, Expr::error(Span::default()));
+        *e = self.split(inner, to);
+        e
     }
 
     fn capture(&mut self, value: Expr, to: &mut Builder) -> Expr {

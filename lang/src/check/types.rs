@@ -51,7 +51,7 @@ pub enum Mismatch {
     /// These two parts differ in kind.
     Kind,
     /// These two dimensions differ.
-    Dimension(Dim, Dim),
+    Dimension(Box<(Dim, Dim)>),
     /// A type would contain itself.
     Infinite,
 }
@@ -142,9 +142,10 @@ impl Store {
             .or_else(|| difference.unknowns.iter().next_back());
         match unknown {
             None if difference.fixed.fits(Dimension::NONE) => Ok(()),
-            None => Err(Mismatch::Dimension(a, b)),
+            None => Err(Mismatch::Dimension(Box::new((a, b)))),
             Some((&variable, &exponent)) => {
-                let solution = solve(&difference, variable, exponent).ok_or(Mismatch::Dimension(a, b))?;
+                let solution = solve(&difference, variable, exponent)
+                    .ok_or_else(|| Mismatch::Dimension(Box::new((a, b))))?;
                 self.dims[variable.0 as usize] = Some(solution);
                 Ok(())
             }
