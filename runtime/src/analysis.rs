@@ -1,6 +1,6 @@
 //! Runs a frozen scene over a list of positions: plan, system, steps, results.
 
-use crate::contact::Certificate;
+use crate::contact::problem::Certificate;
 use crate::error::EngineError;
 use crate::plan::Plan;
 use crate::results::{AnalysisResult, OutputRequest, StepRow, Timing, summarize};
@@ -24,21 +24,17 @@ pub struct Position {
 /// One mesh cycle: `steps` uniform positions from the moment a pair enters contact, and the characteristic points of
 /// the path of contact.
 ///
-/// Where a pair of rigid teeth enters or leaves, loads jump; the cycle therefore ends with a position just before the
-/// next pair enters (highest point of single-tooth contact), and has one just after the leaving pair has left
-/// (lowest point of single-tooth contact), each a 1e-9 part of the cycle away from the jump.
+/// Where a pair of rigid teeth enters or leaves, loads jump. Positions stand a millionth of the cycle beside every jump, on
+/// both sides of it: just after a pair has entered and just before the next one does, just before the leaving pair leaves
+/// and just after.
 pub fn mesh_cycle(mesh: &GearMesh, steps: usize) -> Vec<Position> {
-    const BESIDE: f64 = 1e-9;
+    const BESIDE: f64 = 1e-6;
     let mut at: Vec<(f64, &'static str)> = (0..steps).map(|i| (i as f64 / steps as f64, "")).collect();
-    for &(time, name) in &mesh.characteristic {
-        let cycle = time / mesh.period;
-        let cycle = match name {
-            "LPSTC" => cycle + BESIDE,
-            "HPSTC" => cycle - BESIDE,
-            _ => cycle,
-        };
-        at.retain(|&(other, other_name)| !(other_name.is_empty() && (other - cycle).abs() < 1e-12));
-        at.push((cycle, name));
+    for point in &mesh.characteristic {
+        let cycle = point.time / mesh.period + BESIDE * if point.after { 1.0 } else { -1.0 };
+        // A uniform position at the jump itself would stand on neither side.
+        at.retain(|&(other, name)| !(name.is_empty() && (other - cycle).abs() < 2.0 * BESIDE));
+        at.push((cycle, point.name));
     }
     at.sort_by(|a, b| a.0.total_cmp(&b.0));
     at.into_iter()

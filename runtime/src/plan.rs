@@ -23,15 +23,16 @@ pub struct BodyPlan {
 }
 
 impl Plan {
-    /// Plans a scene at a fidelity with the given discretisation (its `stresses` is decided here).
+    /// Plans a scene at a fidelity with the given discretisation (its `stresses` and `sharp_edges` are decided here).
     pub fn new(scene: &Scene, fidelity: Fidelity, options: StructureOptions) -> Result<Plan, EngineError> {
-        let touches = |id: BodyId| scene.pairs.iter().any(|pair| pair.bodies.contains(&id));
+        let pairs_of = |id: BodyId| scene.pairs.iter().filter(move |pair| pair.bodies.contains(&id));
         let mut bodies = Vec::new();
         let mut ignored: Vec<Ignored> = Vec::new();
         for (index, body) in scene.bodies.iter().enumerate() {
             let id = BodyId(index);
             let stresses = scene.observables.contains(&Observable::MaxRootStress(id));
-            let left_out = !touches(id);
+            let left_out = pairs_of(id).next().is_none();
+            let sharp_edges = pairs_of(id).all(|pair| !pair.grid.edges);
             if !left_out {
                 ignored.extend(body.prototype.ignored(fidelity));
             }
@@ -39,7 +40,7 @@ impl Plan {
                 refuse_motion_out_of_plane(&body.name, body.free)?;
             }
             bodies.push(BodyPlan {
-                options: StructureOptions { stresses, ..options },
+                options: StructureOptions { stresses, sharp_edges, ..options },
                 reason: match (left_out, stresses) {
                     (true, _) => "left out: it touches nothing",
                     (false, true) => "elastic, with stress recovery: an output asks for its root stress",

@@ -1,7 +1,7 @@
 //! What an analysis yields: a row per position, a summary per output, and how long each stage took.
 
 use crate::analysis::Position;
-use crate::contact::Certificate;
+use crate::contact::problem::Certificate;
 use crate::plan::Plan;
 use calyx_abi::SymbolicValue;
 use serde::Serialize;

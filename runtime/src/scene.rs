@@ -72,11 +72,13 @@ pub struct StructureOptions {
     pub matching_depth: f64,
     /// Recover stresses (costs one map per structure).
     pub stresses: bool,
+    /// Surfaces run up to their nominal ends, without the rounding of edges: contact is confined to them.
+    pub sharp_edges: bool,
 }
 
 impl Default for StructureOptions {
     fn default() -> Self {
-        StructureOptions { refinement: 1.0, order: 3, matching_depth: 1.0, stresses: true }
+        StructureOptions { refinement: 1.0, order: 3, matching_depth: 1.0, stresses: true, sharp_edges: false }
     }
 }
 
@@ -145,11 +147,22 @@ pub struct GearMesh {
     /// Time at which it does, and the time of one pitch, s.
     pub start: f64,
     pub period: f64,
-    /// Times in the cycle, from `start`, at which a characteristic point of the path of contact is reached, with
-    /// their names: start and end of active profile, lowest and highest point of single tooth contact.
-    pub characteristic: Vec<(f64, &'static str)>,
+    /// The characteristic points of the path of contact, in order of time.
+    pub characteristic: Vec<CharacteristicPoint>,
     /// Roll angle of the entering pair's first tooth at the start, and its change over the cycle, rad.
     pub roll: [f64; 2],
+}
+
+/// A point of the path of contact where a pair of teeth enters or leaves, so that the load jumps on rigid teeth.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CharacteristicPoint {
+    /// `SAP` and `EAP`, start and end of active profile; `LPSTC` and `HPSTC`, lowest and highest point of single-tooth
+    /// contact.
+    pub name: &'static str,
+    /// s from the start of the cycle.
+    pub time: f64,
+    /// Whether the position of interest is just after the jump, or just before it.
+    pub after: bool,
 }
 
 /// A quantity of a solved position.

@@ -1,6 +1,6 @@
 //! The library's functions as programs call them: the Rust side of `gears.cx` and `prelude.cx`.
 
-use crate::error::{GeometryError, Severity};
+use crate::error::GeometryError;
 use crate::external::{ExternalGear, ExternalGearData, check_rim};
 use crate::host::{Finding, ModelHost, Rim, keep};
 use crate::mesh_geometry::MeshGeometry;
@@ -149,14 +149,10 @@ calyx_abi::externs! {
         let gears = [body_gear(host, ids[0])?, body_gear(host, ids[1])?];
         let poses = [pose(host, ids[0])?, pose(host, ids[1])?];
         let across = [0, 1].map(|i| poses[1].0.origin[i] - poses[0].0.origin[i]);
-        let found = MeshGeometry::external(&gears[0].gear, &gears[1].gear, across[0].hypot(across[1]))
-            .map_err(|error| geometry(&error))?;
-        for error in found.check_external(&gears[0].gear, &gears[1].gear) {
-            match error.severity {
-                Severity::Error => return Err(geometry(&error)),
-                Severity::Warning => host.warnings.push(Finding { error, place }),
-            }
-        }
+        let (found, warnings) =
+            MeshGeometry::check_external(&gears[0].gear, &gears[1].gear, across[0].hypot(across[1]))
+                .map_err(first_error)?;
+        host.warnings.extend(warnings.into_iter().map(|error| Finding { error, place }));
         let sense = drive_sense(&host.scene.bodies[ids[0].0], &host.scene.bodies[ids[1].0], poses[0].1);
         let mounting = Mounting {
             first: PlanePose { angle: poses[0].0.angle + host.scene.bodies[ids[0].0].phase, ..poses[0].0 },

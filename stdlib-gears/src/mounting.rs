@@ -10,7 +10,7 @@ use crate::error::{GeometryError, sentence};
 use crate::external::ExternalGear;
 use crate::mesh_geometry::MeshGeometry;
 use calyx_runtime::motion::PlanePose;
-use calyx_runtime::scene::GearMesh;
+use calyx_runtime::scene::{CharacteristicPoint, GearMesh};
 use std::f64::consts::{PI, TAU};
 
 /// How two gears stand to each other at time 0.
@@ -64,11 +64,10 @@ pub fn mount_external(
     let second_tooth = ((second_place - second_angle) / second_pitch).round();
 
     let leaves = geometry.contact_ratio.fract() * period;
-    let characteristic = if forward {
-        vec![(0.0, "SAP"), (leaves, "EAP"), (leaves, "LPSTC"), (period, "HPSTC")]
-    } else {
-        vec![(0.0, "EAP"), (leaves, "SAP"), (leaves, "HPSTC"), (period, "LPSTC")]
-    };
+    let names = if forward { ["SAP", "EAP", "LPSTC", "HPSTC"] } else { ["EAP", "SAP", "HPSTC", "LPSTC"] };
+    let point = |index: usize, time, after| CharacteristicPoint { name: names[index], time, after };
+    let characteristic =
+        vec![point(0, 0.0, true), point(1, leaves, false), point(2, leaves, true), point(3, period, false)];
     let mesh = GearMesh {
         teeth: [first.teeth, second.teeth],
         base_radii: geometry.base_radius,

@@ -1,0 +1,359 @@
+//! One position in equilibrium: teeth that may touch are found, grids laid, the contact problem solved.
+
+use crate::contact::approach::{Approach, PlacedProfile, closest_approach};
+use crate::contact::assembly::{self, compliance};
+use crate::contact::grid::{self, Cell, Grid, GridOptions, Width, assess, lay, pressures};
+use crate::contact::problem::{Certificate, ContactError, ContactProblem, FreeMotion};
+use crate::contact::rigid_limit::rigid_limit;
+use crate::contact::{ContactFrame, Placement, active_set};
+use crate::error::EngineError;
+use crate::profile::Profile;
+use crate::structure::{Chart, Structure};
+use crate::system::{Freedom, System, Teeth};
+use std::sync::Arc;
+
+/// A pair of tooth surfaces in (possible) contact at a position.
+#[derive(Clone, Debug)]
+pub struct Patch {
+    /// Index of the surface pair in the scene.
+    pub pair: usize,
+    pub teeth: [u32; 2],
+    pub surfaces: [u32; 2],
+    pub frame: ContactFrame,
+    pub cells: Vec<Cell>,
+    /// N per metre of face width, one a cell.
+    pub forces: Vec<f64>,
+}
+
+impl Patch {
+    /// N per metre of face width.
+    pub fn force(&self) -> f64 {
+        self.forces.iter().sum()
+    }
+}
+
+/// A solved position. Keeps the contact problem and its active cells, from which sensitivities follow.
+#[derive(Clone, Debug)]
+pub struct StepResult {
+    /// s
+    pub time: f64,
+    pub patches: Vec<Patch>,
+    /// Deviation of every freedom from its prescribed motion, m or rad.
+    pub motion: Vec<f64>,
+    pub problem: ContactProblem,
+    /// Cells that carry load, by index in the problem.
+    pub active: Vec<usize>,
+    pub certificate: Certificate,
+    pub warnings: Vec<String>,
+}
+
+/// A pair of teeth that could touch: what is known before anything is solved.
+struct Candidate {
+    teeth: Teeth,
+    profiles: [Arc<dyn Profile>; 2],
+    placements: [Placement; 2],
+    approach: Approach,
+    /// Growth of the gap by each freedom.
+    arms: Vec<f64>,
+}
+
+/// A grid is first laid where the gap is below this part of the profile's length; gaps that the solution closes beyond
+/// are found and added afterwards.
+const SEARCH_DEPTH: f64 = 0.01;
+
+impl System<'_> {
+    /// Brings the scene into equilibrium at a time (s).
+    pub fn solve(&mut self, time: f64) -> Result<StepResult, EngineError> {
+        let candidates = self.candidates(time)?;
+        let mut chosen: Vec<bool> = candidates
+            .iter()
+            .map(|candidate| candidate.approach.gap < SEARCH_DEPTH * candidate.profiles[0].length())
+            .collect();
+        loop {
+            let used: Vec<&Candidate> = candidates.iter().zip(&chosen).filter(|(_, used)| **used).map(|(c, _)| c).collect();
+            let step = self.solve_candidates(time, &used)?;
+            // Teeth that were left out and that the solution would push into each other.
+            let mut closed = false;
+            for (candidate, used) in candidates.iter().zip(&mut chosen).filter(|(_, used)| !**used) {
+                let rigid: f64 = candidate.arms.iter().zip(&step.motion).map(|(arm, motion)| arm * motion).sum();
+                if candidate.approach.gap + rigid < 0.0 {
+                    *used = true;
+                    closed = true;
+                }
+            }
+            if !closed {
+                return Ok(step);
+            }
+        }
+    }
+
+    fn solve_candidates(&mut self, time: f64, candidates: &[&Candidate]) -> Result<StepResult, EngineError> {
+        if self.load.iter().all(|&load| load == 0.0) {
+            return self.touch_without_load(time, candidates);
+        }
+        let grids: Vec<Grid> = candidates.iter().map(|candidate| self.grid(candidate)).collect();
+        let problem = self.problem(candidates, &grids)?;
+        let solution = active_set::solve(&problem, self.warm_start(candidates, &grids).as_deref())
+            .map_err(|error| self.explain(&error))?;
+
+        let mut warnings = Vec::new();
+        let mut patches = Vec::with_capacity(grids.len());
+        self.warm.clear();
+        let mut first = 0;
+        for (candidate, grid) in candidates.iter().zip(grids) {
+            let last = first + grid.cells.len();
+            let forces = solution.forces[first..last].to_vec();
+            let active = solution.active.iter().filter(|&&cell| (first..last).contains(&cell));
+            self.warm.insert(candidate.teeth, active.map(|cell| cell - first).collect());
+            warnings.extend(self.judge(candidate, &grid, &forces));
+            patches.push(self.patch(candidate, grid.cells, forces));
+            first = last;
+        }
+        Ok(StepResult {
+            time,
+            patches,
+            motion: solution.motion,
+            problem,
+            active: solution.active,
+            certificate: solution.certificate,
+            warnings,
+        })
+    }
+
+    /// Where bodies come to rest as the load vanishes: rigid contact at the closest approaches.
+    fn touch_without_load(&self, time: f64, candidates: &[&Candidate]) -> Result<StepResult, EngineError> {
+        let gaps: Vec<f64> = candidates.iter().map(|candidate| candidate.approach.gap).collect();
+        let arms: Vec<f64> = candidates.iter().flat_map(|candidate| candidate.arms.iter().copied()).collect();
+        let motion = if self.freedoms.is_empty() {
+            Vec::new()
+        } else {
+            let limit = rigid_limit(&gaps, &arms, &self.drive_direction());
+            limit.map_err(|error| self.explain(&error))?.motion
+        };
+        let patches = candidates.iter().map(|candidate| self.patch(candidate, Vec::new(), Vec::new())).collect();
+        let problem = ContactProblem {
+            compliance: Vec::new(),
+            arms: Vec::new(),
+            gaps: Vec::new(),
+            stiffness: vec![0.0; self.freedoms.len() * self.freedoms.len()],
+            load: self.load.clone(),
+        };
+        let (active, certificate, warnings) = (Vec::new(), Certificate::default(), Vec::new());
+        Ok(StepResult { time, patches, motion, problem, active, certificate, warnings })
+    }
+
+    /// The load whose limit is taken where there is none: meshes driven as their surfaces were chosen.
+    fn drive_direction(&self) -> Vec<f64> {
+        let mut direction = vec![0.0; self.freedoms.len()];
+        for pair in &self.scene.pairs {
+            let Some(mesh) = &pair.mesh else { continue };
+            for (side, sign) in [(0, 1.0), (1, mesh.sign)] {
+                let turn = Freedom { body: pair.bodies[side].0, component: 5 };
+                if let Some(at) = self.freedoms.iter().position(|freedom| *freedom == turn) {
+                    direction[at] = sign * mesh.drive_sense;
+                }
+            }
+        }
+        direction
+    }
+
+    /// Every pair of teeth near enough to face each other, in a fixed order.
+    fn candidates(&self, time: f64) -> Result<Vec<Candidate>, EngineError> {
+        let mut found = Vec::new();
+        for (index, pair) in self.scene.pairs.iter().enumerate() {
+            let bodies = pair.bodies.map(|body| body.0);
+            let placements = [self.placement(bodies[0], time)?, self.placement(bodies[1], time)?];
+            let structures = [0, 1].map(|side| self.structures[bodies[side]].clone());
+            let [Some(first), Some(second)] = structures else { continue };
+            let structures = [first, second];
+            let profiles = [0, 1].map(|side: usize| structures[side].profile(pair.surfaces[side]));
+            let near = [0, 1].map(|side: usize| {
+                let other = 1 - side;
+                let reach = self.scene.bodies[bodies[other]].prototype.enclosing_radius();
+                let body = (bodies[side], structures[side].as_ref(), profiles[side].as_ref());
+                self.teeth_near(body, placements[side], placements[other].origin(), reach)
+            });
+            let touching = 0.5 * (profiles[0].length() + profiles[1].length());
+            for (first, first_place, first_middle) in &near[0] {
+                for (second, second_place, second_middle) in &near[1] {
+                    if distance(*first_middle, *second_middle) > 1.5 * touching {
+                        continue;
+                    }
+                    let placements = [*first_place, *second_place];
+                    let placed = |side: usize| PlacedProfile {
+                        profile: profiles[side].as_ref(),
+                        placement: placements[side],
+                    };
+                    if let Some(approach) = closest_approach(placed(0), placed(1), pair.grid.edges) {
+                        let arms = self.arms(bodies, &approach.frame, time)?;
+                        let teeth = (index, [*first, *second]);
+                        found.push(Candidate { teeth, profiles: profiles.clone(), placements, approach, arms });
+                    }
+                }
+            }
+        }
+        Ok(found)
+    }
+
+    /// Teeth of a body whose surface comes within `reach` of a point: index, placement, middle of the surface.
+    fn teeth_near(
+        &self,
+        (body, structure, profile): (usize, &dyn Structure, &dyn Profile),
+        placement: Placement,
+        point: [f64; 2],
+        reach: f64,
+    ) -> Vec<(u32, Placement, [f64; 2])> {
+        let middle = profile.at(0.5 * profile.length()).position;
+        (0..structure.teeth())
+            .map(|tooth| {
+                let placement = placement.turned_first(self.tooth_angle(body, structure, tooth));
+                (tooth, placement, placement.point(middle))
+            })
+            .filter(|(_, _, middle)| distance(*middle, point) < reach + profile.length())
+            .collect()
+    }
+
+    /// Growth of the gap of a patch by each freedom, m per m or rad.
+    fn arms(&self, bodies: [usize; 2], frame: &ContactFrame, time: f64) -> Result<Vec<f64>, EngineError> {
+        let origins = [self.placement(bodies[0], time)?.origin(), self.placement(bodies[1], time)?.origin()];
+        let arm = |freedom: &Freedom| {
+            let sides = (0..2).filter(|&side| bodies[side] == freedom.body);
+            sides
+                .map(|side| match freedom.component {
+                    0 => frame.translation_arm(side, [1.0, 0.0]),
+                    1 => frame.translation_arm(side, [0.0, 1.0]),
+                    _ => frame.rotation_arm(side, origins[side]),
+                })
+                .sum()
+        };
+        Ok(self.freedoms.iter().map(arm).collect())
+    }
+
+    fn grid(&self, candidate: &Candidate) -> Grid {
+        let pair = &self.scene.pairs[candidate.teeth.0];
+        let placed = |side: usize| PlacedProfile {
+            profile: candidate.profiles[side].as_ref(),
+            placement: candidate.placements[side],
+        };
+        let width = match pair.grid.width {
+            Some(width) => Width::Total(width),
+            None => Width::Hertz { force: self.largest_force(candidate), contact_modulus: self.contact_modulus(pair.bodies.map(|b| b.0)) },
+        };
+        let options = GridOptions { half_count: pair.grid.half_cells, width, search_edges: pair.grid.edges };
+        lay(placed(0), placed(1), &candidate.approach, &options)
+    }
+
+    /// The force (N/m) on a patch that would balance the whole load alone.
+    fn largest_force(&self, candidate: &Candidate) -> f64 {
+        let balancing = candidate.arms.iter().zip(&self.load).filter(|(arm, _)| **arm != 0.0);
+        balancing.map(|(arm, load)| (load / arm).abs()).fold(0.0, f64::max)
+    }
+
+    fn contact_modulus(&self, bodies: [usize; 2]) -> f64 {
+        match bodies.map(|body| self.structures[body].as_deref()) {
+            [Some(first), Some(second)] => grid::contact_modulus(first, second),
+            _ => f64::INFINITY,
+        }
+    }
+
+    fn problem(&self, candidates: &[&Candidate], grids: &[Grid]) -> Result<ContactProblem, EngineError> {
+        let mut patches = Vec::with_capacity(candidates.len());
+        for (candidate, grid) in candidates.iter().zip(grids) {
+            let pair = &self.scene.pairs[candidate.teeth.0];
+            let side = |side: usize| {
+                let body = pair.bodies[side].0;
+                let structure = self.structures[body].as_deref()?;
+                let chart = Chart { tooth: candidate.teeth.1[side], surface: pair.surfaces[side] };
+                Some(assembly::Side { body, structure, chart })
+            };
+            if let (Some(first), Some(second)) = (side(0), side(1)) {
+                patches.push(assembly::Patch { sides: [first, second], cells: &grid.cells });
+            }
+        }
+        let cells = || candidates.iter().zip(grids).flat_map(|(c, grid)| grid.cells.iter().map(move |cell| (c, cell)));
+        Ok(ContactProblem {
+            compliance: compliance(&patches),
+            arms: cells().flat_map(|(candidate, _)| candidate.arms.iter().copied()).collect(),
+            gaps: cells().map(|(_, cell)| cell.gap).collect(),
+            stiffness: vec![0.0; self.freedoms.len() * self.freedoms.len()],
+            load: self.load.clone(),
+        })
+    }
+
+    /// The cells that carried load one position before, where grids are as long as they were.
+    fn warm_start(&self, candidates: &[&Candidate], grids: &[Grid]) -> Option<Vec<usize>> {
+        let mut start = Vec::new();
+        let mut first = 0;
+        for (candidate, grid) in candidates.iter().zip(grids) {
+            if let Some(active) = self.warm.get(&candidate.teeth) {
+                start.extend(active.iter().filter(|&&cell| cell < grid.cells.len()).map(|cell| cell + first));
+            }
+            first += grid.cells.len();
+        }
+        (!start.is_empty()).then_some(start)
+    }
+
+    fn patch(&self, candidate: &Candidate, cells: Vec<Cell>, forces: Vec<f64>) -> Patch {
+        let (pair, teeth) = candidate.teeth;
+        let surfaces = self.scene.pairs[pair].surfaces;
+        Patch { pair, teeth, surfaces, frame: candidate.approach.frame, cells, forces }
+    }
+
+    /// What the solution says against its grid (report figures 3.40 to 3.42).
+    fn judge(&self, candidate: &Candidate, grid: &Grid, forces: &[f64]) -> Option<String> {
+        let report = assess(grid, &pressures(&grid.cells, forces));
+        let better = report.recommended_width?;
+        let bodies = self.scene.pairs[candidate.teeth.0].bodies.map(|body| self.scene.bodies[body.0].name.as_str());
+        let trouble = if report.under_resolved {
+            "is too wide: only a few of its cells carry load"
+        } else {
+            "is too narrow: the pressure does not fall to zero inside it"
+        };
+        // To two digits, so that the positions of a cycle say the same.
+        let better: f64 = format!("{:.1e}", better * 1e3).parse().unwrap_or(better * 1e3);
+        Some(format!(
+            "the contact grid of \"{}\" and \"{}\" {trouble}; `grid_width = {better} mm` suits it",
+            bodies[0], bodies[1]
+        ))
+    }
+
+    /// A failure of the contact solver in the words of the model.
+    fn explain(&self, error: &ContactError) -> EngineError {
+        let named = |motion: &FreeMotion| {
+            let sense = if motion.direction > 0.0 { "positive" } else { "negative" };
+            format!("{} in the {sense} sense", self.freedom_name(motion.freedom))
+        };
+        match error {
+            ContactError::Infeasible(motion) => EngineError::new(
+                "E0714",
+                format!("no contact can hold the load: it drives {}", named(motion)),
+                "hold that freedom (take it out of `free`), or check the sign of the load and that the teeth are in mesh",
+            ),
+            ContactError::Unconstrained(motion) => EngineError::new(
+                "E0715",
+                format!("nothing holds {}", named(motion)),
+                "hold that freedom (take it out of `free`), or load it",
+            ),
+            ContactError::DependentCells { cell } => EngineError::new(
+                "E0716",
+                format!("the gap equations are not independent of each other at contact cell {cell}"),
+                "let at least one of the two bodies be elastic, and let no two surface pairs describe the same contact",
+            ),
+            ContactError::Jammed => EngineError::new(
+                "E0717",
+                "the bodies overlap in every position",
+                "move the frames apart; look at centre distance, thickness and pitch errors",
+            ),
+            ContactError::Invalid(what) => EngineError::new("E0718", format!("the contact problem is unusable: {what}"), ""),
+            ContactError::NotConverged => EngineError::new(
+                "E0719",
+                "the contact solver found no solution",
+                "please report the model: this should not happen",
+            ),
+        }
+    }
+}
+
+fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
+    (a[0] - b[0]).hypot(a[1] - b[1])
+}

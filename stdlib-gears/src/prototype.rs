@@ -1,0 +1,156 @@
+//! A gear as the engine's prototype of a body: its data, and the elastic structure made of them when the plan says so.
+
+use crate::error::GeometryError;
+use crate::external::ExternalGear;
+use crate::fillet::Side;
+use crate::flank::Flank;
+use crate::host::Rim;
+use crate::modification::Modification;
+use crate::sector_mesh::{Refinement, sector_mesh};
+use calyx_runtime::error::EngineError;
+use calyx_runtime::fe::{ElementOrder, PlaneModel};
+use calyx_runtime::material::{Material, Plane};
+use calyx_runtime::profile::Profile;
+use calyx_runtime::scene::{Fidelity, Ignored, Prototype, StructureOptions};
+use calyx_runtime::structure::{ElasticStructure, RingSource, SplitOptions, Structure, SurfaceSource};
+use std::sync::Arc;
+
+/// Loaded teeth this far apart feel each other's load through the rim; more distant ones hardly do.
+const COUPLED_TEETH: u32 = 3;
+/// Places of recovered stress on each element edge along a fillet.
+const STRESS_PLACES_PER_EDGE: usize = 4;
+/// Rounding in modules that stands for a sharp tip edge where contact is confined to the nominal path.
+const SHARP_EDGE: f64 = 1e-6;
+
+/// An external gear on its rim.
+pub struct GearPrototype {
+    pub gear: ExternalGear,
+    pub modifications: Vec<Modification>,
+    pub material: Material,
+    pub rim: Rim,
+    /// m.
+    pub face_width: f64,
+    /// Angle by which each tooth stands off its place, rad; teeth beyond the list stand right.
+    pub pitch_errors: Vec<f64>,
+    flanks: [Arc<Flank>; 2],
+}
+
+impl GearPrototype {
+    /// # Errors
+    /// The modifications do not fit the flanks.
+    pub fn new(
+        gear: ExternalGear,
+        modifications: Vec<Modification>,
+        material: Material,
+        rim: Rim,
+        face_width: f64,
+        pitch_errors: Vec<f64>,
+    ) -> Result<Self, Vec<GeometryError>> {
+        let flanks = flanks(&gear, &modifications)?;
+        Ok(GearPrototype { gear, modifications, material, rim, face_width, pitch_errors, flanks })
+    }
+
+    /// The flanks contact sees: counter-clockwise and clockwise.
+    pub fn flanks(&self) -> &[Arc<Flank>; 2] {
+        &self.flanks
+    }
+
+    /// Flanks whose involutes run up to the tip circle.
+    fn sharp_flanks(&self) -> Result<[Arc<Flank>; 2], Vec<GeometryError>> {
+        let tip_edge_radius = SHARP_EDGE * self.gear.rack.module;
+        flanks(&ExternalGear { tip_edge_radius, ..self.gear.clone() }, &self.modifications)
+    }
+}
+
+fn flanks(gear: &ExternalGear, modifications: &[Modification]) -> Result<[Arc<Flank>; 2], Vec<GeometryError>> {
+    let flank = |side| Flank::new(gear, modifications, side).map(Arc::new);
+    Ok([flank(Side::CounterClockwise)?, flank(Side::Clockwise)?])
+}
+
+/// The default mesh, `factor` times as fine in every direction.
+fn refinement(factor: f64, order: usize) -> Refinement {
+    let times = |count: usize| ((count as f64 * factor).round() as usize).max(1);
+    let base = Refinement::MEDIUM;
+    Refinement {
+        layers: times(base.layers),
+        across: times(base.across),
+        flank: base.flank / factor,
+        fillet: times(base.fillet),
+        edge: times(base.edge),
+        rim_growth: base.rim_growth.powf(1.0 / factor),
+        order: ElementOrder::full(order as u8),
+    }
+}
+
+impl Prototype for GearPrototype {
+    fn build(&self, options: &StructureOptions) -> Result<Arc<dyn Structure>, EngineError> {
+        if !(1..=3).contains(&options.order) || !(options.refinement > 0.0) {
+            return Err(EngineError::new("E0675", "a mesh needs elements of order 1 to 3 and a positive refinement", ""));
+        }
+        let refinement = refinement(options.refinement, options.order);
+        let mesh = sector_mesh(&self.gear, self.flanks.clone(), self.rim.inner_radius, &refinement).map_err(|error| {
+            EngineError::new(
+                "E0676",
+                format!("the gear cannot be meshed: {error}"),
+                "a rim thicker than a third of the module and a usual tooth form can; please report one that cannot",
+            )
+            .blame("rim")
+        })?;
+        let model = PlaneModel::new(mesh, self.material, Plane::Strain);
+        let contact = if options.sharp_edges {
+            self.sharp_flanks().map_err(|_| EngineError::new("E0677", "the flanks cannot run up to the tip circle", ""))?
+        } else {
+            self.flanks.clone()
+        };
+        let surfaces: Vec<SurfaceSource> = contact
+            .iter()
+            .enumerate()
+            .map(|(surface, flank)| SurfaceSource {
+                profile: flank.clone() as Arc<dyn Profile>,
+                chain: format!("flank_{surface}"),
+                sharp: [false, true],
+                stress_chain: options.stresses.then(|| format!("fillet_{surface}")),
+                stress_places_per_edge: STRESS_PLACES_PER_EDGE,
+            })
+            .collect();
+        let ring = RingSource {
+            sectors: self.gear.teeth,
+            cuts: ["cut_right", "cut_left"],
+            bore: "bore",
+            coupled: COUPLED_TEETH.min(self.gear.teeth / 2),
+        };
+        let split = SplitOptions { matching_depth: options.matching_depth, ..SplitOptions::default() };
+        let structure = ElasticStructure::ring(&model, &ring, &surfaces, &split)
+            .map_err(|error| EngineError::new("E0678", format!("the gear's structure cannot be condensed: {error}"), ""))?;
+        Ok(Arc::new(structure))
+    }
+
+    fn enclosing_radius(&self) -> f64 {
+        self.gear.outer_radius
+    }
+
+    fn roll_angle(&self, radius: f64) -> Option<f64> {
+        (radius >= self.gear.form_radius).then(|| self.gear.roll_at_radius(radius))
+    }
+
+    fn face_width(&self) -> f64 {
+        self.face_width
+    }
+
+    fn pitch_error(&self, tooth: u32) -> f64 {
+        self.pitch_errors.get(tooth as usize).copied().unwrap_or(0.0)
+    }
+
+    fn ignored(&self, fidelity: Fidelity) -> Vec<Ignored> {
+        match fidelity {
+            Fidelity::Plane => {
+                let crowned = self.modifications.iter().any(|m| matches!(m, Modification::LeadCrown { depth } if *depth > 0.0));
+                let ignored = Ignored {
+                    input: "lead_crown".into(),
+                    reason: "a plane model has no direction along the face".into(),
+                };
+                if crowned { vec![ignored] } else { Vec::new() }
+            }
+        }
+    }
+}
