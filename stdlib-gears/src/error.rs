@@ -101,39 +101,45 @@ impl fmt::Display for GeometryError {
 impl std::error::Error for GeometryError {}
 
 impl GeometryError {
-    pub(crate) fn error(code: &'static str, argument: &'static str, message: Sentence, help: Sentence) -> Self {
+    pub(crate) fn error(
+        code: &'static str,
+        argument: &'static str,
+        message: Sentence,
+        help: Sentence,
+    ) -> Self {
         Self { code, severity: Severity::Error, argument, message, help }
     }
 
-    pub(crate) fn warning(code: &'static str, argument: &'static str, message: Sentence, help: Sentence) -> Self {
+    pub(crate) fn warning(
+        code: &'static str,
+        argument: &'static str,
+        message: Sentence,
+        help: Sentence,
+    ) -> Self {
         Self { code, severity: Severity::Warning, argument, message, help }
     }
 }
 
 /// A [`Sentence`] from texts and quantities: `sentence!["the tip is ", length t, " thick"]`.
 macro_rules! sentence {
-    (@ $parts:ident;) => {};
-    (@ $parts:ident; length $value:expr $(, $($rest:tt)*)?) => {
-        $parts.push($crate::error::Part::Length($value));
-        $crate::error::sentence!(@ $parts; $($($rest)*)?)
+    (@ [$($part:expr,)*]) => {
+        $crate::error::Sentence(vec![$($part),*])
     };
-    (@ $parts:ident; angle $value:expr $(, $($rest:tt)*)?) => {
-        $parts.push($crate::error::Part::Angle($value));
-        $crate::error::sentence!(@ $parts; $($($rest)*)?)
+    (@ [$($part:expr,)*] length $value:expr $(, $($rest:tt)*)?) => {
+        $crate::error::sentence!(@ [$($part,)* $crate::error::Part::Length($value),] $($($rest)*)?)
     };
-    (@ $parts:ident; number $value:expr $(, $($rest:tt)*)?) => {
-        $parts.push($crate::error::Part::Number($value));
-        $crate::error::sentence!(@ $parts; $($($rest)*)?)
+    (@ [$($part:expr,)*] angle $value:expr $(, $($rest:tt)*)?) => {
+        $crate::error::sentence!(@ [$($part,)* $crate::error::Part::Angle($value),] $($($rest)*)?)
     };
-    (@ $parts:ident; $text:literal $(, $($rest:tt)*)?) => {
-        $parts.push($crate::error::Part::Text($text));
-        $crate::error::sentence!(@ $parts; $($($rest)*)?)
+    (@ [$($part:expr,)*] number $value:expr $(, $($rest:tt)*)?) => {
+        $crate::error::sentence!(@ [$($part,)* $crate::error::Part::Number($value),] $($($rest)*)?)
     };
-    ($($parts:tt)*) => {{
-        let mut parts = Vec::new();
-        $crate::error::sentence!(@ parts; $($parts)*);
-        $crate::error::Sentence(parts)
-    }};
+    (@ [$($part:expr,)*] $text:literal $(, $($rest:tt)*)?) => {
+        $crate::error::sentence!(@ [$($part,)* $crate::error::Part::Text($text),] $($($rest)*)?)
+    };
+    ($($parts:tt)*) => {
+        $crate::error::sentence!(@ [] $($parts)*)
+    };
 }
 pub(crate) use sentence;
 

@@ -57,8 +57,8 @@ pub struct ExternalGear {
     pub rack_tip_centre_halfwidth: f64,
     /// What an engineer should know of this gear (severity [`Severity::Warning`]).
     pub warnings: Vec<GeometryError>,
-    generation: RootGeneration,
-    form_inclination: f64,
+    pub(crate) generation: RootGeneration,
+    pub(crate) form_inclination: f64,
 }
 
 impl ExternalGear {
@@ -68,7 +68,8 @@ impl ExternalGear {
         if !errors.is_empty() {
             return Err(errors);
         }
-        let ExternalGearData { teeth, rack, tooth_thickness, outer_radius, root_radius, tip_edge_radius } = data;
+        let ExternalGearData { teeth, rack, tooth_thickness, outer_radius, root_radius, tip_edge_radius } =
+            data;
         let count = f64::from(teeth);
         let pitch_radius = 0.5 * count * rack.module;
         let (sine, cosine) = math::sincos(rack.pressure_angle);
@@ -225,7 +226,9 @@ impl ExternalGear {
                     "the rack's tooth comes to a point before it reaches the root circle of diameter ",
                     length 2.0 * self.root_radius
                 ],
-                sentence!["enlarge `root_diameter`, or reduce `tooth_thickness` so that the rack's tooth is thicker"],
+                sentence![
+                    "enlarge `root_diameter`, or reduce `tooth_thickness` so that the rack's tooth is thicker"
+                ],
             );
         }
         GeometryError::error(
@@ -287,10 +290,12 @@ impl ExternalGear {
         let edge = self.tip_edge_radius;
         let centre_radius = self.outer_radius - edge;
         // The involute's offset inwards is the involute of the same base circle, turned.
-        let end_roll = (edge + (centre_radius * centre_radius - self.base_radius * self.base_radius).max(0.0).sqrt())
+        let end_roll = (edge
+            + (centre_radius * centre_radius - self.base_radius * self.base_radius).max(0.0).sqrt())
             / self.base_radius;
         let centre_angle = self.half_base_angle - end_roll + math::atan(end_roll - edge / self.base_radius);
-        let fits = edge > 0.0 && centre_radius > self.form_radius && end_roll > self.form_roll && centre_angle > 0.0;
+        let fits =
+            edge > 0.0 && centre_radius > self.form_radius && end_roll > self.form_roll && centre_angle > 0.0;
         (!fits).then(|| {
             GeometryError::error(
                 "E0617",
@@ -329,7 +334,7 @@ fn check_data(data: &ExternalGearData) -> Vec<GeometryError> {
             sentence!["give a thickness near half the pitch, ", length 0.5 * pitch],
         ));
     }
-    if !(data.root_radius > 0.0) {
+    if data.root_radius.is_nan() || data.root_radius <= 0.0 {
         errors.push(GeometryError::error(
             "E0606",
             "root_diameter",

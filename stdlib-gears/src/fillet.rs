@@ -168,9 +168,8 @@ impl Profile for RootFillet {
         let point = if s < fillet {
             self.generation.at(self.inclination_at(s))
         } else {
-            let radius = self.generation.pitch_radius
-                - self.generation.tip_centre_depth
-                - self.generation.tip_radius;
+            let radius =
+                self.generation.pitch_radius - self.generation.tip_centre_depth - self.generation.tip_radius;
             let (sine, cosine) =
                 math::sincos(PI / f64::from(self.generation.teeth) - (self.length - s) / radius);
             ProfilePoint {

@@ -277,21 +277,14 @@ impl Profile for Flank {
         let edge = &self.edge;
         let point = if s < 0.0 {
             let form = self.on_curve(self.form_roll);
-            ProfilePoint {
-                position: combine(1.0, form.position, s, form.tangent),
-                curvature: 0.0,
-                ..form
-            }
+            ProfilePoint { position: combine(1.0, form.position, s, form.tangent), curvature: 0.0, ..form }
         } else if s <= edge.start_s {
             self.on_curve(self.roll_at(s))
         } else {
             let on_edge = s.min(edge.end_s) - edge.start_s;
             let beyond = (s - edge.end_s).max(0.0) / edge.tip_circle_radius;
-            let angle = if beyond > 0.0 {
-                edge.end_angle - beyond
-            } else {
-                edge.start_angle - on_edge / edge.radius
-            };
+            let angle =
+                if beyond > 0.0 { edge.end_angle - beyond } else { edge.start_angle - on_edge / edge.radius };
             let (normal, right) = directions(angle);
             let (position, curvature) = if beyond > 0.0 {
                 (combine(edge.tip_circle_radius, normal, 0.0, right), 1.0 / edge.tip_circle_radius)

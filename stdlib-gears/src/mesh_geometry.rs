@@ -7,6 +7,10 @@ use crate::involute::{involute, radius_at_roll, roll_at_radius, roll_of_involute
 use calyx_abi::math;
 use std::f64::consts::PI;
 
+/// Negative backlash and clearance up to this part of the pitch or module are put down to the rounding of data: half
+/// a pitch of 0.15708 is a thickness too large by 3e-6 of it.
+const ROUNDING_OF_DATA: f64 = 1e-4;
+
 /// The characteristic points of the path of contact, in its order on the first member (from its root to its tip).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PathOfContact {
@@ -72,8 +76,9 @@ impl MeshGeometry {
             [first.rack.pressure_angle, second.rack.pressure_angle],
         )?;
         let base_radius = [first.base_radius, second.base_radius];
-        let (base_sum, outer_sum) = (base_radius[0] + base_radius[1], first.outer_radius + second.outer_radius);
-        if !(center_distance > base_sum) {
+        let (base_sum, outer_sum) =
+            (base_radius[0] + base_radius[1], first.outer_radius + second.outer_radius);
+        if center_distance.is_nan() || center_distance <= base_sum {
             return Err(GeometryError::error(
                 "E0631",
                 "second",
@@ -138,7 +143,7 @@ impl MeshGeometry {
         )?;
         let base_radius = [first.base_radius, second.base_radius()];
         let difference = base_radius[1] - base_radius[0];
-        if !(difference > 0.0 && center_distance > difference) {
+        if center_distance.is_nan() || difference <= 0.0 || center_distance <= difference {
             return Err(GeometryError::error(
                 "E0631",
                 "second",
@@ -243,16 +248,14 @@ impl MeshGeometry {
             ));
         }
         let second_start = mesh.second_roll(mesh.first_roll.end_of_active_profile);
-        let reaches = [
-            ("first", first, mesh.first_roll.start_of_active_profile),
-            ("second", second, second_start),
-        ];
+        let reaches =
+            [("first", first, mesh.first_roll.start_of_active_profile), ("second", second, second_start)];
         for (argument, gear, roll) in reaches {
             if roll < gear.form_roll {
                 errors.push(fillet_interference(argument, gear, roll));
             }
         }
-        if mesh.normal_backlash < -1e-9 * mesh.base_pitch {
+        if mesh.normal_backlash < -ROUNDING_OF_DATA * mesh.base_pitch {
             errors.push(GeometryError::error(
                 "E0635",
                 "second",
@@ -270,7 +273,7 @@ impl MeshGeometry {
         }
         for (argument, gear, mate) in [("first", first, second), ("second", second, first)] {
             let clearance = center_distance - gear.root_radius - mate.outer_radius;
-            if clearance < -1e-9 * gear.rack.module {
+            if clearance < -ROUNDING_OF_DATA * gear.rack.module {
                 errors.push(GeometryError::error(
                     "E0636",
                     argument,
@@ -326,4 +329,3 @@ fn fillet_interference(argument: &'static str, gear: &ExternalGear, reach_roll: 
         ],
     )
 }
-

@@ -46,7 +46,9 @@ impl TipRelief {
                     "the tip relief starts at a roll angle of ", angle self.start_roll,
                     ", but the involute runs from ", angle form_roll, " to ", angle tip_roll
                 ],
-                sentence!["start the relief on the involute, usually near the highest point of single-tooth contact"],
+                sentence![
+                    "start the relief on the involute, usually near the highest point of single-tooth contact"
+                ],
             ));
         }
         if !(self.depth >= 0.0 && self.depth < 0.5 * tip_thickness) {
@@ -57,7 +59,9 @@ impl TipRelief {
                     "the tip relief is ", length self.depth, " deep, but must be between zero and half the tip thickness, ",
                     length 0.5 * tip_thickness
                 ],
-                sentence!["usual depths are near the deflection of the teeth under load, a few thousandths of a module"],
+                sentence![
+                    "usual depths are near the deflection of the teeth under load, a few thousandths of a module"
+                ],
             ));
         }
         Ok(())
@@ -93,7 +97,11 @@ impl TipRelief {
                     return [0.0; 3];
                 }
                 let part = from_start / range;
-                [self.depth * part * part, 2.0 * self.depth * part / range, 2.0 * self.depth / (range * range)]
+                [
+                    self.depth * part * part,
+                    2.0 * self.depth * part / range,
+                    2.0 * self.depth / (range * range),
+                ]
             }
             ReliefShape::Linear => {
                 let blend = self.blend(form_roll, tip_roll);

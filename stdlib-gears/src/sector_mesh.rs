@@ -45,14 +45,35 @@ pub struct Refinement {
 
 impl Refinement {
     /// For a first look.
-    pub const COARSE: Self =
-        Self { layers: 2, across: 2, flank: 0.3, fillet: 4, edge: 1, rim_growth: 1.8, order: ElementOrder::CUBIC };
+    pub const COARSE: Self = Self {
+        layers: 2,
+        across: 2,
+        flank: 0.3,
+        fillet: 4,
+        edge: 1,
+        rim_growth: 1.8,
+        order: ElementOrder::CUBIC,
+    };
     /// Fillet stresses and compliances to about one part in a thousand.
-    pub const MEDIUM: Self =
-        Self { layers: 3, across: 3, flank: 0.15, fillet: 7, edge: 1, rim_growth: 1.5, order: ElementOrder::CUBIC };
+    pub const MEDIUM: Self = Self {
+        layers: 3,
+        across: 3,
+        flank: 0.15,
+        fillet: 7,
+        edge: 1,
+        rim_growth: 1.5,
+        order: ElementOrder::CUBIC,
+    };
     /// For convergence studies.
-    pub const FINE: Self =
-        Self { layers: 4, across: 5, flank: 0.09, fillet: 12, edge: 2, rim_growth: 1.3, order: ElementOrder::CUBIC };
+    pub const FINE: Self = Self {
+        layers: 4,
+        across: 5,
+        flank: 0.09,
+        fillet: 12,
+        edge: 2,
+        rim_growth: 1.3,
+        order: ElementOrder::CUBIC,
+    };
 
     /// `"coarse"`, `"medium"` or `"fine"`.
     pub fn named(name: &str) -> Option<Self> {
@@ -435,7 +456,7 @@ impl Layout {
             v: uniform(across),
             names: Vec::new(),
         };
-        let into_rim = self.into_rim(depth);
+        let into_rim = self.depths_of_rim(depth);
         let under_tooth = HalfBlock {
             sides: [
                 Curve::line(bottom, knee),
@@ -476,10 +497,11 @@ impl Layout {
     }
 
     /// Divisions from the strip down to the bore, growing geometrically.
-    fn into_rim(&self, depth: f64) -> Vec<f64> {
+    fn depths_of_rim(&self, depth: f64) -> Vec<f64> {
         let growth = self.refinement.rim_growth;
         let first = self.refinement.flank * self.module;
-        let count = (math::log(1.0 + depth * (growth - 1.0) / first) / math::log(growth)).ceil().max(1.0) as usize;
+        let count =
+            (math::log(1.0 + depth * (growth - 1.0) / first) / math::log(growth)).ceil().max(1.0) as usize;
         graded(count, math::pow(growth, (count - 1) as f64))
     }
 }

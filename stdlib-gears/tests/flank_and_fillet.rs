@@ -79,11 +79,7 @@ fn flanks_and_fillets_have_consistent_geometry() {
         ("unmodified", 20, vec![]),
         ("quadratic", 20, vec![relief(ReliefShape::Quadratic, 27.25)]),
         ("linear", 40, vec![relief(ReliefShape::Linear, 22.0)]),
-        (
-            "both",
-            40,
-            vec![relief(ReliefShape::Linear, 24.0), relief(ReliefShape::Quadratic, 19.6)],
-        ),
+        ("both", 40, vec![relief(ReliefShape::Linear, 24.0), relief(ReliefShape::Quadratic, 19.6)]),
     ];
     for (name, teeth, modifications) in cases {
         let gear = chapter_5(teeth);
@@ -121,7 +117,8 @@ fn flanks_and_fillets_have_consistent_geometry() {
 #[test]
 fn arc_length_and_roll_are_inverse() {
     let gear = chapter_5(20);
-    let flank = Flank::new(&gear, &[relief(ReliefShape::Quadratic, 27.25)], Side::Clockwise).expect("a flank");
+    let flank =
+        Flank::new(&gear, &[relief(ReliefShape::Quadratic, 27.25)], Side::Clockwise).expect("a flank");
     for k in 0..=100 {
         let roll = gear.form_roll + (flank.edge_roll() - gear.form_roll) * f64::from(k) / 100.0;
         let back = flank.roll_at(flank.s_at_roll(roll));
@@ -170,7 +167,8 @@ fn involutes_are_conjugate_through_the_path_of_contact() {
         let mesh = MeshGeometry::external(&first, &second, distance).expect("a mesh");
         let path = mesh.first_roll;
         // Within the rounded edges.
-        let (start, end) = (path.start_of_active_profile + 0.02, flank.edge_roll().min(path.end_of_active_profile));
+        let (start, end) =
+            (path.start_of_active_profile + 0.02, flank.edge_roll().min(path.end_of_active_profile));
         for k in 0..=50 {
             let roll = start + (end - start) * f64::from(k) / 50.0;
             let second_roll = mesh.second_roll(roll);
@@ -178,7 +176,8 @@ fn involutes_are_conjugate_through_the_path_of_contact() {
             let on_second = mate.at(mate.s_at_roll(second_roll));
             // The normals lie along the line of action: at -a from the line of centres' normal on the first gear,
             // and opposite on the second, whose centre is at (distance, 0).
-            let turn = |point: &ProfilePoint, direction: f64| direction - point.normal[1].atan2(point.normal[0]);
+            let turn =
+                |point: &ProfilePoint, direction: f64| direction - point.normal[1].atan2(point.normal[0]);
             let action = 0.5 * PI - mesh.operating_pressure_angle;
             let (first_turn, second_turn) = (turn(&on_first, action), turn(&on_second, action + PI));
             let a = turned(on_first.position, first_turn);
@@ -187,8 +186,10 @@ fn involutes_are_conjugate_through_the_path_of_contact() {
             assert!(gap[0].hypot(gap[1]) < 1e-15 + 1e-13 * first.rack.module, "{k}: {gap:?}");
             // The angles of the teeth keep the ratio: both follow from the rolls.
             let first_expected = roll - first.half_base_angle - mesh.operating_pressure_angle;
-            assert!((first_turn - first_expected).rem_euclid(2.0 * PI).min(1.0).abs() < 1e-13
-                || (first_expected - first_turn).rem_euclid(2.0 * PI) < 1e-13);
+            assert!(
+                (first_turn - first_expected).rem_euclid(2.0 * PI).min(1.0).abs() < 1e-13
+                    || (first_expected - first_turn).rem_euclid(2.0 * PI) < 1e-13
+            );
         }
     }
 }
@@ -266,7 +267,8 @@ fn undercut_shortens_the_involute() {
         assert!((form.position[axis] - start.position[axis]).abs() < 1e-16, "they cross at the form circle");
     }
     // With the shift that the message proposes the undercut just ends.
-    let shift = (1.25 - 0.3 * (1.0 - 20.0_f64.to_radians().sin())) - 4.5 * 20.0_f64.to_radians().sin().powi(2);
+    let shift =
+        (1.25 - 0.3 * (1.0 - 20.0_f64.to_radians().sin())) - 4.5 * 20.0_f64.to_radians().sin().powi(2);
     for (more, undercut) in [(-1e-6, true), (1e-6, false)] {
         let gear = ExternalGear::new(standard_data(9, shift + more, 0.3)).expect("a gear");
         assert_eq!(gear.undercut, undercut);

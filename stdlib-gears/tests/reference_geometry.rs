@@ -36,7 +36,8 @@ fn external(object: &Value) -> ExternalGear {
     let module = 2.0 * number(object, "rp") / teeth;
     ExternalGear::new(ExternalGearData {
         teeth: teeth as u32,
-        rack: Rack::new(module, 20.0_f64.to_radians(), number(object, "rack_tip_radius")).expect("a sound rack"),
+        rack: Rack::new(module, 20.0_f64.to_radians(), number(object, "rack_tip_radius"))
+            .expect("a sound rack"),
         tooth_thickness: number(object, "pitch_thickness"),
         outer_radius: number(object, "ra"),
         root_radius: number(object, "root_r"),

@@ -41,17 +41,15 @@ fn check(name: &str, gear: &ExternalGear, rim: f64, refinement: &Refinement) {
     let mesh = sector_mesh(gear, flanks(gear), bore, refinement)
         .unwrap_or_else(|error| panic!("{name}, rim {} modules: {error}", rim / gear.rack.module));
     let worst = worst_distortion(&mesh);
-    assert!(worst > 0.02, "{name}, rim {} modules: distortion {worst}", rim / gear.rack.module);
-    if std::env::var("SHOW").is_ok() {
-        println!("{name} rim {:.2}: {} elements, {} nodes, {worst:.3}", rim / gear.rack.module, mesh.elements.len(), mesh.nodes.len());
-    }
+    // Every element keeps a good part of its mean area everywhere.
+    assert!(worst > 0.2, "{name}, rim {} modules: distortion {worst}", rim / gear.rack.module);
 }
 
 #[test]
 fn every_gear_of_the_examples_ranges_is_meshed() {
     for teeth in [20, 40] {
-        for tip_radius in [0.005, 0.01, 0.02, 0.03, 0.045] {
-            for thickness in [0.086, 0.1, 0.13, 0.15708, 0.16] {
+        for tip_radius in [0.005, 0.02, 0.045] {
+            for thickness in [0.086, 0.1, 0.16] {
                 let gear = match ExternalGear::new(chapter_5_data(teeth, tip_radius, thickness)) {
                     Ok(gear) => gear,
                     Err(errors) => panic!("{errors:?}"),
@@ -80,12 +78,18 @@ fn small_large_shifted_and_undercut_gears_are_meshed() {
     ] {
         let gear = ExternalGear::new(standard_data(teeth, shift, tip_radius)).expect("a sound gear");
         let module = gear.rack.module;
-        for rim in [THINNEST_RIM, 0.3, 1.0, 3.0, 12.0, 100.0] {
+        for rim in [THINNEST_RIM, 3.0, 100.0] {
             if rim * module < 0.95 * gear.root_radius {
                 let name = format!("{teeth} teeth, shift {shift}, tip radius {tip_radius}");
                 check(&name, &gear, rim * module, &Refinement::COARSE);
             }
         }
+    }
+    for tip_edge_radius in [0.01, 0.1, 0.2] {
+        let data = standard_data(25, 0.0, 0.3);
+        let tip_edge_radius = Some(tip_edge_radius * data.rack.module);
+        let gear = ExternalGear::new(ExternalGearData { tip_edge_radius, ..data }).expect("a sound gear");
+        check("rounded tips", &gear, 2.0 * gear.rack.module, &Refinement::COARSE);
     }
     // The shifted pair of the reference geometry, in metres.
     let rack = Rack::new(3e-3, 20.0_f64.to_radians(), 1.14e-3).expect("a rack");
@@ -128,13 +132,15 @@ fn cuts_are_turned_images_and_chains_lie_on_the_profiles() {
 
     for (surface, side) in [Side::CounterClockwise, Side::Clockwise].into_iter().enumerate() {
         let fillet = gear.root_fillet(side);
-        let profiles: [(&str, &dyn Profile); 2] =
-            [("flank", flanks[surface].as_ref()), ("fillet", &fillet)];
+        let profiles: [(&str, &dyn Profile); 2] = [("flank", flanks[surface].as_ref()), ("fillet", &fillet)];
         for (name, profile) in profiles {
             let name = format!("{name}_{surface}");
             let chain = mesh.chain(&name).unwrap_or_else(|| panic!("a chain {name}"));
             let [start, end] = chain.range();
-            assert!(start.abs() < 1e-17 && (end - profile.length()).abs() < 1e-17, "{name}: {start} to {end}");
+            assert!(
+                start.abs() < 1e-17 && (end - profile.length()).abs() < 1e-17,
+                "{name}: {start} to {end}"
+            );
             for pair in chain.edges.windows(2) {
                 assert!((pair[0].s[1] - pair[1].s[0]).abs() < 1e-17, "{name} has a gap");
             }
@@ -142,7 +148,8 @@ fn cuts_are_turned_images_and_chains_lie_on_the_profiles() {
                 let s = profile.length() * f64::from(k) / 200.0;
                 let point = mesh.chain_point(chain, s).expect("a point of the chain");
                 let exact = profile.at(s);
-                let gap = (point.position[0] - exact.position[0]).hypot(point.position[1] - exact.position[1]);
+                let gap =
+                    (point.position[0] - exact.position[0]).hypot(point.position[1] - exact.position[1]);
                 // Cubic interpolation of a curved edge; worst beside the base circle, where the involute has a cusp.
                 assert!(gap < 1e-4 * gear.rack.module, "{name} at {s}: {gap}");
                 let cosine = (0..2).map(|axis| point.normal[axis] * exact.normal[axis]).sum::<f64>();
