@@ -1,0 +1,77 @@
+//! From text to what runs: small models print the same lines by both evaluators, and the example compiles.
+
+#[allow(dead_code, reason = "shared by several tests")]
+mod common;
+
+use calyx_lang::check::{Loader, check_program};
+use calyx_lang::ir::Program;
+use common::*;
+use std::path::Path;
+
+/// The library's own sources.
+struct Library;
+
+fn read(path: &str) -> String {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(path);
+    std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+}
+
+impl Loader for Library {
+    fn module(&self, path: &[String]) -> Option<(String, String)> {
+        (path == ["gears"]).then(|| ("<library>/gears.cx".into(), read("stdlib-gears/calyx/gears.cx")))
+    }
+
+    fn prelude(&self) -> (String, String) {
+        ("<library>/prelude.cx".into(), read("stdlib-gears/calyx/prelude.cx"))
+    }
+}
+
+fn check(text: &str) -> Program {
+    let checked = check_program("model.cx", text, &Library);
+    checked.program.unwrap_or_else(|| {
+        let messages: Vec<_> = checked.diagnostics.iter().map(|d| (&d.message, &d.help)).collect();
+        panic!("{text}\n{messages:#?}")
+    })
+}
+
+/// Lines that a model prints, or the code of its error.
+const MODELS: [(&str, &[&str]); 7] = [
+    ("units inch_lbf_s; var x = 3 inch; print(\"{x} and {2 * x}\");", &["3 inch and 6 inch"]),
+    (
+        "var sum = 0; var i = 0; while (i < 5) { i = i + 1; if (i != 3) sum = sum + i^2; } print(\"{sum}\");",
+        &["46"],
+    ),
+    ("function f(in n) { return if (n < 2) 1 else n * f(n - 1); } print(\"{f(10)}\");", &["3628800"]),
+    (
+        "function swap(inout a, inout b) { var t = a; a = b; b = t; }
+         var v = [1, 2, 3]; swap(v[0], v[2]); push(v, 4); print(\"{v} {len(v)}\");",
+        &["[3, 2, 1, 4] 4"],
+    ),
+    ("var a = [1, 2]; var b = a; b[0] = 9; print(\"{a} {b} {a == b}\");", &["[1, 2] [9, 2] FALSE"]),
+    (
+        "var c = 2; var x := c * Time^2; var y = x at Time = 3 s; print(\"{y}\");
+         var v = velocity(Translate(3 m/s * Time * e1)) at Time = 1 s; print(\"{v.x}\");",
+        &["18 s^2", "3 m/s"],
+    ),
+    ("print(\"before\"); var a = [1]; print(\"{a[1]}\");", &["before", "E0701"]),
+];
+
+#[test]
+fn models_print_the_same_by_both_evaluators() {
+    for (text, expected) in MODELS {
+        let outcome = both(&check(text), &Start::default());
+        let mut lines = outcome.printed.clone();
+        if outcome.result.is_err() {
+            lines.push(outcome.failure().0.into());
+        }
+        assert_eq!(lines, expected, "{text}\n{:?}", outcome.result);
+    }
+}
+
+#[test]
+fn the_example_compiles() {
+    let program = check(&read("examples/spur_pair.cx"));
+    let description = calyx_lang::description::to_json(&calyx_lang::description::describe(&program)).unwrap();
+    let object = calyx_codegen::compile_object(&program, &description).unwrap();
+    assert!(object.len() > description.len());
+}
