@@ -1,7 +1,7 @@
 //! Machine code through Cranelift: in memory ([`compile_jit`]) or as an object file ([`compile_object`]).
 //!
-//! One lowering ([`module`], [`function`], [`kernel`]) serves both, generic over where the code goes
-//! ([`backend::Backend`]). No other crate names Cranelift. Compiled code gives the same bits, the same errors and the
+//! One lowering (modules `module`, `function`, `kernel`) serves both, generic over where the code goes
+//! ([`Backend`]). No other crate names Cranelift. Compiled code gives the same bits, the same errors and the
 //! same places as the interpreter of `calyx-lower`: arithmetic is IEEE 754 without fused multiply-adds, everything
 //! else is a call of the one definition in `calyx-abi`. No call unwinds: each returns a status, checked at once.
 
