@@ -89,7 +89,7 @@ impl Refinement {
 /// Thinnest material between root circle and bore that can be meshed, in modules.
 pub const THINNEST_RIM: f64 = 0.25;
 
-/// Half as long as the strip is thick at most, in modules.
+/// Largest thickness of the strip, in modules.
 const STRIP_DEPTH: f64 = 0.25;
 
 /// The mesh of tooth 0 and its sector. `flanks` are the counter-clockwise and the clockwise flank; `bore_radius` (m)

@@ -155,7 +155,9 @@ fn impossible_pairs_are_refused() {
     let round = [20, 40].map(|teeth| gear(chapter_5_data(teeth, 0.045, 0.13)));
     let other = gear(standard_data(30, 0.0, 0.3));
     let high = gear(ExternalGearData { outer_radius: 2.13 * INCH, ..chapter_5_data(40, 0.02, 0.15708) });
-    let rows: [(&str, [&ExternalGear; 2], f64, &str, &str, &str); 8] = [
+    /// What it is, the pair, centre distance in inches, code, argument, words of the message.
+    type Row<'a> = (&'a str, [&'a ExternalGear; 2], f64, &'a str, &'a str, &'a str);
+    let rows: [Row<'_>; 8] = [
         ("other module", [&first, &other], 3.0, "E0630", "second", "different base pitches, 0.29521 inch"),
         (
             "close axes",
