@@ -238,13 +238,7 @@ impl ElasticStructure {
         for (k, observer) in prepared.mollifiers.iter().enumerate() {
             for (l, load) in prepared.mollifiers.iter().enumerate().take(k + 1) {
                 let logarithm = quadrature.logarithm(observer, load) - log_length;
-                // Apart from each other the curved part is smooth: its mean is its value.
-                let nodes = surface.spline.nodes();
-                let curved = if observer.overlaps(load) {
-                    quadrature.mean(observer, load, curved)
-                } else {
-                    curved(nodes[k], nodes[l])
-                };
+                let curved = quadrature.mean(observer, load, curved);
                 smooth[(k, l)] -= log_factor * logarithm + curved;
             }
         }

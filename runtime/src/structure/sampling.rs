@@ -1,8 +1,9 @@
 //! Where the smooth part of a surface's compliance is sampled, and over which matching depth.
 //!
-//! The smooth part varies over the distance to the nearest sharp edge of the body, and over the size of the body away
-//! from edges. The matching depth follows that scale, but is never finer than the mesh resolves, and samples stand at a
-//! fixed fraction of it: dense towards a sharp edge, sparse elsewhere.
+//! The smooth part varies over the distance to the nearest sharp edge of the body, and over the length of the surface
+//! away from edges. A matching depth `w` makes an error of the order of (w / scale)⁴ by averaging and, with quadratic
+//! elements, of (spacing of nodes / w)⁴ by the mesh: it is the geometric mean of scale and spacing, but never finer
+//! than a load the mesh resolves. Samples stand at a fixed fraction of it: dense towards a sharp edge, sparse elsewhere.
 
 use super::kernel::Mollifier;
 use crate::fe::{EdgeChain, PlaneMesh};
@@ -22,12 +23,8 @@ impl Default for SplitOptions {
     }
 }
 
-/// Matching depth as a fraction of the distance to a sharp edge. The load's fourth-order tail is this to the fourth.
-const OF_EDGE_DISTANCE: f64 = 0.3;
-/// Matching depth as a fraction of the surface's length, far from edges.
-const OF_LENGTH: f64 = 0.06;
 /// The least matching depth in spacings of nodes along the surface.
-const OF_NODE_SPACING: f64 = 4.0;
+const LEAST_NODE_SPACINGS: f64 = 4.0;
 /// A mollifier ends at this fraction of the distance to a sharp edge, at least.
 const CLEAR_OF_EDGE: f64 = 0.95;
 /// Intervals of the table that spreads the samples.
@@ -63,8 +60,9 @@ pub(super) fn sample(
         Some((edge.s[1] - edge.s[0]) / order)
     };
     let depth = |s: f64| {
-        let ideal = (OF_EDGE_DISTANCE * from_edge(s)).min(OF_LENGTH * length);
-        Some(ideal.max(OF_NODE_SPACING * spacing(s)?))
+        let scale = from_edge(s).min(length);
+        let spacing = spacing(s)?;
+        Some((spacing * scale).sqrt().max(LEAST_NODE_SPACINGS * spacing))
     };
     let width = |s: f64| Some((options.matching_depth * depth(s)?).min(0.5 * length));
     // From the middle towards an end, as far as a mollifier keeps clear of the edge.
@@ -87,7 +85,7 @@ pub(super) fn sample(
         }
         Some(inside)
     };
-    if !(length > 0.0) {
+    if length.is_nan() || length <= 0.0 {
         return None;
     }
     let (first, last) = (reach(start)?, reach(end.min(until))?);

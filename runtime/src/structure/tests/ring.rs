@@ -116,3 +116,21 @@ fn wrong_meshes_are_named() {
     missing[1].chain = "flank".into();
     assert_eq!(ring(ring_source(8), &missing), Some(StructureError::NoChain { chain: "flank".into() }));
 }
+
+#[test]
+fn the_number_of_threads_changes_no_bit() {
+    let (model, surfaces) = toothed_sector(8, 1.0, COARSE);
+    let block = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        let structure = pool.install(|| {
+            ElasticStructure::ring(&model, &ring_source(8), &surfaces, &SplitOptions::default()).unwrap()
+        });
+        let points: Vec<f64> = [0.1, 0.5, 0.9].map(|share| share * structure.reference_length()).to_vec();
+        let mut block = vec![0.0; 9];
+        let [observe, load] = [3, 2].map(|tooth| Chart { tooth, surface: 1 });
+        structure.add_compliance(observe, &points, load, &points, &mut block);
+        structure.add_compliance(load, &points, load, &points, &mut block);
+        block.into_iter().map(f64::to_bits).collect::<Vec<_>>()
+    };
+    assert_eq!(block(1), block(3));
+}
