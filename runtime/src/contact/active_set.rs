@@ -34,18 +34,19 @@ pub fn solve(problem: &ContactProblem, warm_start: Option<&[usize]>) -> Result<S
     problem.validate()?;
     let scaled = Scaled::new(problem);
     scaled.check_freedoms()?;
-    let start = match warm_start {
-        Some(cells) => {
-            let mut cells: Vec<usize> = cells.iter().copied().filter(|&i| i < problem.cells()).collect();
-            cells.sort_unstable();
-            cells.dedup();
-            cells
-        }
-        None => (0..problem.cells()).collect(),
-    };
+    let mut warm: Vec<usize> =
+        warm_start.unwrap_or_default().iter().copied().filter(|&i| i < problem.cells()).collect();
+    warm.sort_unstable();
+    warm.dedup();
     let mut iterations = 0;
-    if let Some(found) = block_pivoting(&scaled, start, &mut iterations)? {
-        return Ok(scaled.solution(problem, found, Method::BlockPivoting, iterations));
+    // A warm start that leads nowhere (it may not even hold all freedoms) is followed by a cold one, from all cells.
+    for start in [warm, (0..problem.cells()).collect()] {
+        if start.is_empty() && problem.cells() > 0 {
+            continue;
+        }
+        if let Some(found) = block_pivoting(&scaled, start, &mut iterations)? {
+            return Ok(scaled.solution(problem, found, Method::BlockPivoting, iterations));
+        }
     }
     if let Some(found) = single_pivoting(&scaled, &mut iterations)? {
         return Ok(scaled.solution(problem, found, Method::SinglePivoting, iterations));
@@ -224,7 +225,13 @@ impl Scaled {
             .collect()
     }
 
-    fn solution(&self, problem: &ContactProblem, found: Found, method: Method, iterations: usize) -> Solution {
+    fn solution(
+        &self,
+        problem: &ContactProblem,
+        found: Found,
+        method: Method,
+        iterations: usize,
+    ) -> Solution {
         let mut forces = vec![0.0; self.cells()];
         for (&i, q) in found.active.iter().zip(&found.forces) {
             forces[i] = q * self.cell_scale[i];
@@ -370,7 +377,8 @@ fn single_pivoting(scaled: &Scaled, iterations: &mut usize) -> Result<Option<Fou
         }
         let found = Found { active, forces: target, motion };
         let overlapping = scaled.overlapping(&found);
-        let Some(&(cell, _)) = overlapping.iter().min_by(|a, b| a.1.total_cmp(&b.1).then(a.0.cmp(&b.0))) else {
+        let Some(&(cell, _)) = overlapping.iter().min_by(|a, b| a.1.total_cmp(&b.1).then(a.0.cmp(&b.0)))
+        else {
             return without_idle_cells(scaled, found);
         };
         active = found.active;
@@ -378,4 +386,24 @@ fn single_pivoting(scaled: &Scaled, iterations: &mut usize) -> Result<Option<Fou
         active.sort_unstable();
     }
     Ok(None)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::solver_tests::{Random, random_problem};
+    use super::*;
+
+    #[test]
+    fn single_pivoting_ends_where_block_pivoting_does() {
+        let mut random = Random(1618033988749895);
+        for trial in 0..60 {
+            let problem = random_problem(4 + trial % 30, trial % 4, trial % 3 == 0, &mut random);
+            let reference = solve(&problem, None).unwrap();
+            let scaled = Scaled::new(&problem);
+            let found = single_pivoting(&scaled, &mut 0).unwrap().expect("it ends");
+            let solution = scaled.solution(&problem, found, Method::SinglePivoting, 0);
+            assert_eq!(solution.forces, reference.forces, "trial {trial}");
+            assert_eq!(solution.motion, reference.motion, "trial {trial}");
+        }
+    }
 }

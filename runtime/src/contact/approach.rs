@@ -68,11 +68,7 @@ const FULL_STEPS: usize = 20;
 ///
 /// With `search_edges` the whole profiles are searched and, failing a common normal, their ends. Without, only contact with a
 /// common normal on both flanks proper, below their edges, counts: the nominal path of contact.
-pub fn closest_approach(
-    first: PlacedProfile,
-    second: PlacedProfile,
-    search_edges: bool,
-) -> Option<Approach> {
+pub fn closest_approach(first: PlacedProfile, second: PlacedProfile, search_edges: bool) -> Option<Approach> {
     let samples = [samples(&first, search_edges), samples(&second, search_edges)];
     let ends = [first.end(search_edges), second.end(search_edges)];
     let mut best: Option<Approach> = None;
@@ -199,8 +195,7 @@ fn newton(
         let step = [(b * turn - d * along) / determinant, (c * along - a * turn) / determinant];
         let size = step[0].abs().max(step[1].abs());
         let part = if iteration < FULL_STEPS { 1.0 } else { 0.5 };
-        let next =
-            [(s[0] + part * step[0]).clamp(0.0, ends[0]), (s[1] + part * step[1]).clamp(0.0, ends[1])];
+        let next = [(s[0] + part * step[0]).clamp(0.0, ends[0]), (s[1] + part * step[1]).clamp(0.0, ends[1])];
         // Held back at an end by more than rounding: the common normal lies outside.
         if next == s && size > 1e3 * settled {
             return None;

@@ -41,7 +41,10 @@ pub fn compliance(patches: &[Patch]) -> Vec<f64> {
         for (q, loaded) in patches.iter().enumerate().skip(p) {
             let block = block(observing, loaded);
             let columns = loaded.cells.len();
-            debug_assert!(p != q || is_symmetric(&block, columns), "a structure's compliance is not symmetric");
+            debug_assert!(
+                p != q || is_symmetric(&block, columns),
+                "a structure's compliance is not symmetric"
+            );
             for i in 0..observing.cells.len() {
                 for j in 0..columns {
                     let value = block[i * columns + j];
@@ -67,7 +70,8 @@ fn block(observing: &Patch, loaded: &Patch) -> Vec<f64> {
             if observer.body != load.body {
                 continue;
             }
-            let arcs = |patch: &Patch, side: usize| -> Vec<f64> { patch.cells.iter().map(|c| c.s[side]).collect() };
+            let arcs =
+                |patch: &Patch, side: usize| -> Vec<f64> { patch.cells.iter().map(|c| c.s[side]).collect() };
             observer.structure.add_compliance(
                 observer.chart,
                 &arcs(observing, a),

@@ -3,9 +3,7 @@
 use super::active_set::Scaled;
 use super::problem::{ContactError, ContactProblem};
 use clarabel::algebra::CscMatrix;
-use clarabel::solver::{
-    DefaultSettings, DefaultSolver, IPSolver, NonnegativeConeT, SolverStatus, ZeroConeT,
-};
+use clarabel::solver::{DefaultSettings, DefaultSolver, IPSolver, NonnegativeConeT, SolverStatus, ZeroConeT};
 
 /// Forces and motion, `(p, x)`, to interior-point accuracy.
 ///

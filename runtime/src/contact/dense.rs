@@ -1,7 +1,7 @@
 //! The equations of one active set: a dense Cholesky factor of its compliance and a Schur complement for the freedoms.
 
-use faer::linalg::cholesky::llt;
 use faer::dyn_stack::{MemBuffer, MemStack};
+use faer::linalg::cholesky::llt;
 use faer::{Mat, Par};
 
 /// Row-major rows by columns, as small and plain as the freedoms of a contact problem need.
@@ -74,11 +74,8 @@ fn cholesky(a: &mut Mat<f64>) -> Result<(), usize> {
 }
 
 fn solve_in_place(factor: &Mat<f64>, right: &mut Mat<f64>) {
-    let mut memory = MemBuffer::new(llt::solve::solve_in_place_scratch::<f64>(
-        factor.nrows(),
-        right.ncols(),
-        Par::Seq,
-    ));
+    let mut memory =
+        MemBuffer::new(llt::solve::solve_in_place_scratch::<f64>(factor.nrows(), right.ncols(), Par::Seq));
     llt::solve::solve_in_place(factor.as_ref(), right.as_mut(), Par::Seq, MemStack::new(&mut memory));
 }
 
@@ -161,9 +158,9 @@ pub(super) fn null_motion(matrix: &Matrix, tolerance: f64) -> Option<Vec<f64>> {
     }
     let mut remaining: Vec<usize> = (0..m).collect();
     let mut pivots = Vec::new();
-    while let Some(position) = (0..remaining.len())
-        .max_by(|&p, &q| a[(remaining[p], remaining[p])].total_cmp(&a[(remaining[q], remaining[q])]).then(q.cmp(&p)))
-    {
+    while let Some(position) = (0..remaining.len()).max_by(|&p, &q| {
+        a[(remaining[p], remaining[p])].total_cmp(&a[(remaining[q], remaining[q])]).then(q.cmp(&p))
+    }) {
         let k = remaining[position];
         if a[(k, k)] <= tolerance {
             // a v = 0 with v_k = 1: back through the eliminated rows.
@@ -181,7 +178,8 @@ pub(super) fn null_motion(matrix: &Matrix, tolerance: f64) -> Option<Vec<f64>> {
             return Some(motion.iter().map(|v| v / largest).collect());
         }
         remaining.swap_remove(position);
-        let row: Vec<f64> = (0..m).map(|l| if l == k || remaining.contains(&l) { a[(k, l)] } else { 0.0 }).collect();
+        let row: Vec<f64> =
+            (0..m).map(|l| if l == k || remaining.contains(&l) { a[(k, l)] } else { 0.0 }).collect();
         for &i in &remaining {
             let factor = a[(i, k)] / row[k];
             for &j in &remaining {

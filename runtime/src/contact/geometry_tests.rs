@@ -39,7 +39,10 @@ impl Pair {
     fn placed(&self, turn: f64) -> [PlacedProfile<'_>; 2] {
         let center = Placement::new(turn, [0.0, 0.0]).point(self.center);
         [
-            PlacedProfile { profile: &self.first, placement: Placement::new(self.turns[0] + turn, [0.0, 0.0]) },
+            PlacedProfile {
+                profile: &self.first,
+                placement: Placement::new(self.turns[0] + turn, [0.0, 0.0]),
+            },
             PlacedProfile { profile: &self.second, placement: Placement::new(self.turns[1] + turn, center) },
         ]
     }
@@ -79,7 +82,10 @@ fn arms_are_the_gap_s_derivatives() {
         pair.turns[1] += turn2;
         let [first, second] = pair.placed(0.0);
         let approach = closest_approach(first, second, true).unwrap();
-        (approach.gap, [approach.frame.rotation_arm(0, [0.0, 0.0]), approach.frame.rotation_arm(1, pair.center)])
+        (
+            approach.gap,
+            [approach.frame.rotation_arm(0, [0.0, 0.0]), approach.frame.rotation_arm(1, pair.center)],
+        )
     };
     let (gap, arms) = gap_at(0.0, 0.0);
     assert!(((gap_at(1e-4, 0.0).0 - gap) / 1e-4 - arms[0]).abs() < 1e-9);
@@ -110,7 +116,8 @@ fn circles_on_the_line_of_centres() {
 #[test]
 fn contact_beyond_an_end() {
     // The upper circle stands beyond the lower arc's end (0.3 rad to the left of its top).
-    let (lower, upper) = (circle(0.5 * PI, 0.05), Arcs::new([0.0, 0.0], 1.2 * PI, &[(0.02, 0.6 * PI)], false));
+    let (lower, upper) =
+        (circle(0.5 * PI, 0.05), Arcs::new([0.0, 0.0], 1.2 * PI, &[(0.02, 0.6 * PI)], false));
     let angle = 0.5 * PI + 0.4;
     let first = PlacedProfile { profile: &lower, placement: Placement::new(0.0, [0.0, 0.0]) };
     let shift = [0.071 * angle.cos(), 0.071 * angle.sin()];
@@ -165,7 +172,7 @@ fn gaps_are_those_of_the_parabola_nearby() {
         let curvature = first.at(approach.s[0]).curvature + second.at(approach.s[1]).curvature;
         let parabola = approach.gap + 0.5 * curvature * (x * x + h * h / 12.0);
         // The next term is cubic: the change of an involute's curvature, x³ k² cot / 6 or so.
-        assert!((cell.gap - parabola).abs() < curvature * curvature * x.abs().powi(3) + 1e-16, "{cell:?}");
+        assert!((cell.gap - parabola).abs() < curvature * curvature * (x.abs() + h).powi(3), "{cell:?}");
         for side in 0..2 {
             let direction = (cell.arc[side][1] - cell.arc[side][0]).signum();
             assert!((cell.s[side] - approach.s[side] - direction * x).abs() < 1e-8);
@@ -212,7 +219,7 @@ fn cells_shrink_towards_an_edge() {
     }
     for pair in grid.cells.windows(2) {
         assert_eq!(pair[0].x[1], pair[1].x[0]);
-        assert_eq!(pair[0].arc, [pair[0].arc[0], pair[0].arc[1]]);
+        assert!((0..2).all(|side| (pair[0].arc[side][1] - pair[1].arc[side][0]).abs() < 1e-15));
         let ratio = pair[1].width() / pair[0].width();
         assert!((0.7..1.4).contains(&ratio), "{ratio}");
     }
@@ -228,11 +235,17 @@ fn compliance_is_symmetric_bit_for_bit_across_patches() {
     let [first, second] = pair.placed(0.0);
     let approach = closest_approach(first, second, true).unwrap();
     let lay = |half_count, width| {
-        lay(first, second, &approach, &GridOptions { half_count, width: Width::Total(width), search_edges: true })
+        lay(
+            first,
+            second,
+            &approach,
+            &GridOptions { half_count, width: Width::Total(width), search_edges: true },
+        )
     };
     let (one, other) = (lay(4, 3e-4), lay(6, 5e-4));
     let body = HalfPlaneBody { surface_modulus: 2e11 };
-    let side = |body_number, tooth| Side { body: body_number, structure: &body, chart: Chart { tooth, surface: 0 } };
+    let side =
+        |body_number, tooth| Side { body: body_number, structure: &body, chart: Chart { tooth, surface: 0 } };
     let patches = [
         Patch { sides: [side(0, 0), side(1, 0)], cells: &one.cells },
         // Shares a chart with the first patch on body 0, another tooth of body 1.

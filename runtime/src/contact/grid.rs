@@ -73,6 +73,8 @@ pub struct Grid {
 const GRADING: f64 = 0.25;
 /// A surface that leans over by more than acos of this against the tangent plane ends there, as far as contact goes.
 const LEAST_COSINE: f64 = 0.2;
+/// Smallest size of edge cells beside flank cells.
+const SHARPEST_EDGE: f64 = 1e-5;
 /// Curvature just beside an edge's start is taken this far from it, relative to the profile's length.
 const BESIDE: f64 = 1e-9;
 
@@ -103,7 +105,8 @@ pub fn lay(first: PlacedProfile, second: PlacedProfile, approach: &Approach, opt
         let Some(start) = placed[side].profile.edge_from().filter(|_| options.search_edges) else { continue };
         let edge_curvature = curvature_beside_edge(&placed[side], start, 1.0) + flank[1 - side];
         let ratio = ((flank[0] + flank[1]) / edge_curvature).sqrt();
-        if ratio.is_finite() && start < placed[side].profile.length() {
+        // A sharper edge than this is a corner: no grid resolves it.
+        if ratio > SHARPEST_EDGE && start < placed[side].profile.length() {
             let surface = &surfaces[side];
             let x = surface.x_of(start.clamp(surface.arc[0], surface.arc[1]));
             edges.push(Edge { x, towards: surface.sense, cell: width / count * ratio.min(1.0) });
@@ -242,14 +245,19 @@ impl<'a> Surface<'a> {
     fn arc_at(&self, x: f64) -> f64 {
         let (mut low, mut high) = (self.arc[0], self.arc[1]);
         let resolution = 2.0 * f64::EPSILON * high;
-        let mut s = low + (high - low) * {
-            let along = (x - self.x[0]) / (self.x[1] - self.x[0]);
-            (if self.sense > 0.0 { along } else { 1.0 - along }).clamp(0.0, 1.0)
-        };
+        let mut s = low
+            + (high - low) * {
+                let along = (x - self.x[0]) / (self.x[1] - self.x[0]);
+                (if self.sense > 0.0 { along } else { 1.0 - along }).clamp(0.0, 1.0)
+            };
         for _ in 0..100 {
             let point = self.placed.at(s);
             let short = self.sense * (x - dot(minus(point.position, self.frame.point), self.frame.tangent));
-            if short > 0.0 { low = s } else { high = s }
+            if short > 0.0 {
+                low = s
+            } else {
+                high = s
+            }
             let step = short / (self.sense * dot(point.tangent, self.frame.tangent));
             let mut next = s + step;
             if !(next >= low && next <= high) {

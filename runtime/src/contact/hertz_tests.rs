@@ -29,7 +29,13 @@ fn cylinders() -> [Arcs; 2] {
 }
 
 /// The grid and the pressures of two placed profiles pressed together by `FORCE`.
-fn press(profiles: &[Arcs; 2], shift: [f64; 2], half_count: usize, width: Width, edges: bool) -> (Grid, Vec<f64>) {
+fn press(
+    profiles: &[Arcs; 2],
+    shift: [f64; 2],
+    half_count: usize,
+    width: Width,
+    edges: bool,
+) -> (Grid, Vec<f64>) {
     let body = steel();
     let placed = [
         PlacedProfile { profile: &profiles[0], placement: Placement::new(0.0, [0.0, 0.0]) },

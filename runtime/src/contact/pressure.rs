@@ -46,7 +46,10 @@ pub fn peak(cells: &[Cell], pressures: &[f64], region: Region) -> Option<Peak> {
         .max_by(|&i, &j| pressures[i].total_cmp(&pressures[j]).then(j.cmp(&i)))?;
     let own = Peak { pressure: pressures[largest], x: cells[largest].center(), cell: largest };
     let first = (0..=PEAK_REACH.min(largest)).take_while(|&k| belongs(largest - k)).last().unwrap_or(0);
-    let last = (0..=PEAK_REACH).take_while(|&k| largest + k < cells.len() && belongs(largest + k)).last().unwrap_or(0);
+    let last = (0..=PEAK_REACH)
+        .take_while(|&k| largest + k < cells.len() && belongs(largest + k))
+        .last()
+        .unwrap_or(0);
     if first == 0 || last == 0 {
         return Some(own);
     }

@@ -7,11 +7,11 @@ use super::rigid_limit::rigid_limit;
 use nalgebra::{DMatrix, DVector};
 
 /// Xorshift: the same numbers on every machine.
-struct Random(u64);
+pub(super) struct Random(pub u64);
 
 impl Random {
     /// Uniform over -1 .. 1.
-    fn next(&mut self) -> f64 {
+    pub fn next(&mut self) -> f64 {
         self.0 ^= self.0 << 13;
         self.0 ^= self.0 >> 7;
         self.0 ^= self.0 << 17;
@@ -20,7 +20,7 @@ impl Random {
 }
 
 /// A random problem whose load contact forces balance, more of them than freedoms so that the motion is unique.
-fn random_problem(n: usize, m: usize, springs: bool, random: &mut Random) -> ContactProblem {
+pub(super) fn random_problem(n: usize, m: usize, springs: bool, random: &mut Random) -> ContactProblem {
     let factor = DMatrix::from_fn(n, n, |_, _| random.next());
     let matrix = &factor * factor.transpose() + DMatrix::identity(n, n) * (0.05 * n as f64);
     let arms: Vec<f64> = (0..n * m).map(|_| random.next()).collect();
@@ -55,7 +55,11 @@ fn by_enumeration(problem: &ContactProblem) -> Option<(Vec<f64>, Vec<f64>)> {
             (false, true) => problem.arms[active[c] * m + r - k],
             (false, false) => -problem.stiffness[(r - k) * m + c - k],
         });
-        let right = DVector::from_fn(k + m, |r, _| if r < k { -problem.gaps[active[r]] } else { -problem.load[r - k] });
+        let right =
+            DVector::from_fn(
+                k + m,
+                |r, _| if r < k { -problem.gaps[active[r]] } else { -problem.load[r - k] },
+            );
         let decomposition = matrix.svd(true, true);
         if decomposition.singular_values.min() <= 1e-10 * decomposition.singular_values.max() {
             continue;
@@ -88,7 +92,9 @@ fn tiny_problems_by_enumeration() {
     for trial in 0..300 {
         let (n, m) = (3 + trial % 5, trial % 4);
         let problem = random_problem(n, m.min(n), trial % 2 == 1, &mut random);
-        let Some((forces, motion)) = by_enumeration(&problem) else { panic!("trial {trial} has no solution") };
+        let Some((forces, motion)) = by_enumeration(&problem) else {
+            panic!("trial {trial} has no solution")
+        };
         let solution = solve(&problem, None).unwrap_or_else(|e| panic!("trial {trial}: {e}"));
         assert_close(&solution.forces, &forces, 1e-9, "forces");
         assert_close(&solution.motion, &motion, 1e-8, "motion");
@@ -165,15 +171,17 @@ fn one_way(arms: Vec<f64>, m: usize, load: Vec<f64>) -> ContactProblem {
 #[test]
 fn loads_that_contact_cannot_balance_are_named() {
     // Moving freedom 0 forward opens every gap; pulled that way, it runs away.
-    let Err(ContactError::Infeasible(motion)) = solve(&one_way(vec![0.3, 0.2, 0.1], 1, vec![5.0]), None) else {
+    let Err(ContactError::Infeasible(motion)) = solve(&one_way(vec![0.3, 0.2, 0.1], 1, vec![5.0]), None)
+    else {
         panic!("the body should run away")
     };
     assert_eq!((motion.freedom, motion.direction), (0, 1.0));
     // Freedom 0 is pressed on and held; freedom 1 is pulled off, whatever its unit.
     for unit in [1.0, 1e3] {
-        let problem =
-            one_way(vec![0.3, 0.0, 0.2, 0.1 * unit, 0.1, 0.2 * unit], 2, vec![-5.0, 3.0 * unit]);
-        let Err(ContactError::Infeasible(motion)) = solve(&problem, None) else { panic!("it should run away") };
+        let problem = one_way(vec![0.3, 0.0, 0.2, 0.1 * unit, 0.1, 0.2 * unit], 2, vec![-5.0, 3.0 * unit]);
+        let Err(ContactError::Infeasible(motion)) = solve(&problem, None) else {
+            panic!("it should run away")
+        };
         assert_eq!((motion.freedom, motion.direction), (1, 1.0));
     }
 }
@@ -182,7 +190,8 @@ fn loads_that_contact_cannot_balance_are_named() {
 fn freedoms_that_nothing_holds_are_named() {
     // No cell sees freedom 1; without load it is merely undetermined, with load it runs away.
     let arms = vec![0.3, 0.0, 0.2, 0.0, 0.1, 0.0];
-    let Err(ContactError::Unconstrained(motion)) = solve(&one_way(arms.clone(), 2, vec![-5.0, 0.0]), None) else {
+    let Err(ContactError::Unconstrained(motion)) = solve(&one_way(arms.clone(), 2, vec![-5.0, 0.0]), None)
+    else {
         panic!("freedom 1 is free")
     };
     assert_eq!(motion.freedom, 1);
@@ -200,6 +209,15 @@ fn freedoms_that_nothing_holds_are_named() {
     let mut held = one_way(vec![0.3, 0.0, 0.2, 0.0, 0.1, 0.0], 2, vec![-5.0, 8.0]);
     held.stiffness = vec![0.0, 0.0, 0.0, 4.0];
     assert!((solve(&held, None).unwrap().motion[1] - 2.0).abs() < 1e-12);
+}
+
+#[test]
+fn without_cells_springs_hold_or_nothing_does() {
+    let mut problem = one_way(vec![], 1, vec![6.0]);
+    let Err(ContactError::Infeasible(motion)) = solve(&problem, None) else { panic!("nothing holds it") };
+    assert_eq!(motion.direction, 1.0);
+    problem.stiffness = vec![3.0];
+    assert_eq!(solve(&problem, None).unwrap().motion, vec![2.0]);
 }
 
 #[test]
@@ -259,7 +277,8 @@ fn the_rigid_limit_is_that_of_small_loads() {
         };
         let size = limit.motion.iter().fold(0.0f64, |a, x| a.max(x.abs()));
         for i in 0..12 {
-            let gap = problem.gaps[i] + (0..m).map(|k| problem.arms[i * m + k] * limit.motion[k]).sum::<f64>();
+            let gap =
+                problem.gaps[i] + (0..m).map(|k| problem.arms[i * m + k] * limit.motion[k]).sum::<f64>();
             assert!(gap >= -1e-12 * size.max(1.0), "trial {trial}");
         }
         for f in &mut problem.load {

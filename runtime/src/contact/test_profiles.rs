@@ -74,10 +74,7 @@ impl Profile for Involute {
         let roll = (self.roll[0] * self.roll[0] + 2.0 * s / self.base_radius).sqrt();
         let (sine, cosine) = roll.sin_cos();
         ProfilePoint {
-            position: [
-                self.base_radius * (cosine + roll * sine),
-                self.base_radius * (sine - roll * cosine),
-            ],
+            position: [self.base_radius * (cosine + roll * sine), self.base_radius * (sine - roll * cosine)],
             tangent: [cosine, sine],
             normal: [sine, -cosine],
             curvature: (self.base_radius * roll).recip(),
