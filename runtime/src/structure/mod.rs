@@ -101,8 +101,8 @@ pub trait Structure: Send + Sync {
         block: &mut [f64],
     );
 
-    /// Principal stress of largest tension (Pa; along the surface where that is free, negative if compressed) at each point where stress is recovered, for the given loads, on tooth
-    /// `tooth`. Empty if the structure recovers none.
+    /// Principal stress of largest tension (Pa) at each point where stress is recovered, for the given loads, on tooth
+    /// `tooth`: on a free surface the stress along it, negative where compressed. Empty if the structure recovers none.
     fn stresses(&self, tooth: u32, surface: u32, loads: &[SurfaceLoad]) -> Vec<(StressPlace, f64)>;
 }
 
