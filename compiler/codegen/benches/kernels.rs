@@ -56,7 +56,7 @@ fn compile(tape: &Tape) -> JitModule {
     compile_jit_with_tapes(&program, std::slice::from_ref(tape), &[]).expect("the bench compiles")
 }
 
-#[divan::bench]
+#[divan::bench(sample_size = 1000)]
 fn chain_compiled(bencher: Bencher) {
     let kernel = compile(&chain_tape()).kernels().remove(0);
     let mut outputs = [0.0; 3];
@@ -66,7 +66,7 @@ fn chain_compiled(bencher: Bencher) {
     });
 }
 
-#[divan::bench]
+#[divan::bench(sample_size = 1000)]
 fn chain_interpreted(bencher: Bencher) {
     let (tape, mut scratch, mut outputs) = (chain_tape(), Vec::new(), [0.0; 3]);
     bencher.bench_local(|| {
@@ -75,7 +75,7 @@ fn chain_interpreted(bencher: Bencher) {
     });
 }
 
-#[divan::bench]
+#[divan::bench(sample_size = 1000)]
 fn chain_written_by_hand(bencher: Bencher) {
     bencher.bench_local(|| chain_by_hand(black_box(0.7)));
 }
