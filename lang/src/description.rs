@@ -4,8 +4,8 @@ use crate::ir::{DisplayUnit, Program};
 use crate::units::Unit;
 use calyx_abi::ABI_VERSION;
 use calyx_abi::description::{
-    CaptureDescription, FileDescription, KernelDescription, ModelDescription, OutputDescription, ParamDescription,
-    UnitDescription,
+    CaptureDescription, FileDescription, KernelDescription, ModelDescription, OutputDescription,
+    ParamDescription, UnitDescription,
 };
 
 /// Describes a program. Defaults and ranges of params are left `None`: whoever elaborates the program fills them in.

@@ -192,3 +192,21 @@ fn the_example_becomes_a_program() {
     let json = calyx_lang::description::to_json(&description).expect("writes");
     assert_eq!(calyx_lang::description::from_json(&json).expect("reads"), description);
 }
+
+/// Broken programs of all kinds: every program of the corpus cut short, and with a word taken out.
+#[test]
+fn no_text_panics_the_checker() {
+    let directory = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/check");
+    for entry in fs::read_dir(directory).expect("the corpus") {
+        let text = fs::read_to_string(entry.expect("a file").path()).expect("readable");
+        for (_, block) in blocks(&text) {
+            let words: Vec<&str> = block.split_inclusive([' ', '(', ')', ';', '.', ',']).collect();
+            for skipped in (0..words.len()).step_by(3) {
+                let without: String =
+                    words.iter().enumerate().filter(|(i, _)| *i != skipped).map(|(_, w)| *w).collect();
+                check(&words[..skipped].concat());
+                check(&without);
+            }
+        }
+    }
+}

@@ -5,6 +5,9 @@ use super::infer::Checker;
 use super::tree::{Constraint, ConstraintKind};
 use super::types::{Mismatch, Type};
 use crate::diagnostic::Diagnostic;
+use std::collections::HashMap;
+use std::collections::hash_map::Entry;
+use std::mem::{Discriminant, discriminant};
 
 /// What became of a constraint.
 enum Outcome {
@@ -62,8 +65,37 @@ impl Checker<'_> {
             for constraint in std::mem::take(&mut self.pending) {
                 self.constrain(constraint);
             }
+            self.merge_constraints();
             if self.pending.len() >= before {
                 return;
+            }
+        }
+    }
+
+    /// Drops constraints that say the same. The operands of an operator decide its result, so equal operands have
+    /// equal results; without this, functions that call each other twice would double their schemes at each level.
+    fn merge_constraints(&mut self) {
+        let mut seen: HashMap<(Discriminant<ConstraintKind>, Vec<Type>), Type> = HashMap::new();
+        for constraint in std::mem::take(&mut self.pending) {
+            let kind = discriminant(&constraint.kind);
+            let mut operands: Vec<Type> =
+                constraint.types().into_iter().map(|ty| self.store.resolve(ty)).collect();
+            let result = match &constraint.kind {
+                Multiply(..) | Divide(..) | Index(..) => operands.pop(),
+                Additive(_) | Comparable(_) | Printable(_) => None,
+            };
+            match (seen.entry((kind, operands)), result) {
+                (Entry::Vacant(entry), result) => {
+                    entry.insert(result.unwrap_or(Type::Unit));
+                    self.pending.push(constraint);
+                }
+                (Entry::Occupied(entry), Some(result)) => {
+                    if self.store.unify(entry.get(), &result).is_err() {
+                        // Kept, to be reported when its operands are known.
+                        self.pending.push(constraint);
+                    }
+                }
+                (Entry::Occupied(_), None) => {}
             }
         }
     }

@@ -321,13 +321,14 @@ impl<'a> Checker<'a> {
     /// Brackets: an array, unless the elements are known to differ.
     fn list(&mut self, elements: &'a [ast::Expr], given: Position, span: Span) -> Expr {
         let elements: Vec<Expr> = elements.iter().map(|e| self.expr_at(e, given)).collect();
-        let element = self.store.fresh();
-        let trial = self.store.clone();
-        let same = elements.iter().all(|e| self.store.unify(&element, &e.ty).is_ok());
-        if same {
+        let first = elements.first().map(|e| e.ty.clone());
+        if first.is_none_or(|first| elements.iter().all(|e| !self.store.differ(&first, &e.ty))) {
+            let element = self.store.fresh();
+            for e in &elements {
+                self.expect(&element, e, "an element of this array", None);
+            }
             return Expr { kind: Kind::Array(elements), ty: Type::array(element), span };
         }
-        self.store = trial;
         let ty = Type::Tuple(elements.iter().map(|e| e.ty.clone()).collect());
         Expr { kind: Kind::Tuple(elements), ty, span }
     }

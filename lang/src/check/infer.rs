@@ -221,9 +221,9 @@ impl<'a> Checker<'a> {
         let mut diagnostic = match (&mismatch, &resolved) {
             (Mismatch::Infinite, _) => Diagnostic::error(
                 "E0302",
-                "a value cannot contain itself",
+                "a value cannot contain itself, nor more than 100 arrays inside one another",
                 found.span,
-                "its type would be infinite",
+                "its type would be infinite or too deep",
             )
             .help("use another variable"),
             (_, (_, Type::Observable(_))) => self.observable_as_value(found.span),

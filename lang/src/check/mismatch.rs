@@ -89,7 +89,7 @@ impl Checker<'_> {
         };
         let total = in_bases(e).unwrap_or_else(|| self.store.show(&e.ty));
         if parts.len() < 2 || parts.len() > 8 {
-            return total;
+            return self.text(e.span).chars().take(40).chain(" = ".chars()).collect::<String>() + &total;
         }
         let mut text = String::new();
         for (index, (factor, above)) in parts.iter().enumerate() {

@@ -206,7 +206,8 @@ impl<'a> Checker<'a> {
             true => format!("`{}`", variable.name),
             false => format!("an element of `{}`", variable.name),
         };
-        let cause = (variable.span, format!("`{}` is declared here", variable.name));
+        let shown = self.variable_type(target.variable);
+        let cause = (variable.span, format!("`{}` is a {}", variable.name, self.store.show(&shown)));
         self.expect(&target.ty.clone(), &value, &what, Some(cause));
         self.dependence.variable(target.variable, &value);
         StmtKind::Assign(target, value)

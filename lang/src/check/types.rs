@@ -45,6 +45,9 @@ impl Type {
     }
 }
 
+/// Arrays and tuples inside one another.
+const MOST_NESTED: usize = 100;
+
 /// Why two types do not fit.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Mismatch {
@@ -52,7 +55,7 @@ pub enum Mismatch {
     Kind,
     /// These two dimensions differ.
     Dimension(Box<(Dim, Dim)>),
-    /// A type would contain itself.
+    /// A type would contain itself, or nest too deeply.
     Infinite,
 }
 
@@ -152,13 +155,31 @@ impl Store {
         }
     }
 
+    /// Whether two types cannot be one, whatever is still unknown.
+    pub fn differ(&self, a: &Type, b: &Type) -> bool {
+        match (self.shallow(a), self.shallow(b)) {
+            (Type::Error | Type::Unknown(_), _) | (_, Type::Error | Type::Unknown(_)) => false,
+            (Type::Number(x), Type::Number(y))
+            | (Type::Vector(x), Type::Vector(y))
+            | (Type::Observable(x), Type::Observable(y)) => {
+                let difference = self.dim(&x).over(&self.dim(&y));
+                difference.as_known().is_some_and(|d| !d.fits(Dimension::NONE))
+            }
+            (Type::Array(x), Type::Array(y)) | (Type::Symbolic(x), Type::Symbolic(y)) => self.differ(&x, &y),
+            (Type::Tuple(x), Type::Tuple(y)) if x.len() == y.len() => {
+                x.iter().zip(&y).any(|(x, y)| self.differ(x, y))
+            }
+            (a, b) => a != b,
+        }
+    }
+
     pub fn unify(&mut self, a: &Type, b: &Type) -> Result<(), Mismatch> {
         let (a, b) = (self.shallow(a), self.shallow(b));
         match (&a, &b) {
             (Type::Error, _) | (_, Type::Error) => Ok(()),
             (Type::Unknown(x), Type::Unknown(y)) if x == y => Ok(()),
             (Type::Unknown(x), other) | (other, Type::Unknown(x)) => {
-                if self.occurs(*x, other) {
+                if self.occurs(*x, other, 0) {
                     return Err(Mismatch::Infinite);
                 }
                 self.types[x.0 as usize] = Some(other.clone());
@@ -176,11 +197,15 @@ impl Store {
         }
     }
 
-    fn occurs(&self, variable: TypeVar, ty: &Type) -> bool {
+    /// Whether a type contains the unknown, or nests so deeply that walks over it could run out of stack.
+    fn occurs(&self, variable: TypeVar, ty: &Type, depth: usize) -> bool {
+        if depth > MOST_NESTED {
+            return true;
+        }
         match self.shallow(ty) {
             Type::Unknown(other) => other == variable,
-            Type::Array(inner) | Type::Symbolic(inner) => self.occurs(variable, &inner),
-            Type::Tuple(parts) => parts.iter().any(|part| self.occurs(variable, part)),
+            Type::Array(inner) | Type::Symbolic(inner) => self.occurs(variable, &inner, depth + 1),
+            Type::Tuple(parts) => parts.iter().any(|part| self.occurs(variable, part, depth + 1)),
             _ => false,
         }
     }

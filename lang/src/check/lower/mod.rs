@@ -143,11 +143,16 @@ impl<'c, 'a> Lowering<'c, 'a> {
             .iter()
             .map(|v| checker.store.repr(&types.types.get(v).cloned().unwrap_or(Type::number())));
         // Dimensions matter only to text that shows units; a function that makes none is shared by all of them.
-        let dims = match self.shows_units(function) {
-            true => scheme.dims.iter().map(|v| format!("{:?}", types.dims.get(v))).collect(),
-            false => Vec::new(),
-        };
-        let key = (function, reprs.collect(), dims);
+        let mut shown = Vec::new();
+        if self.shows_units(function) {
+            shown.extend(
+                scheme.types.iter().filter_map(|v| types.types.get(v)).map(|ty| checker.store.show(ty)),
+            );
+            shown.extend(
+                scheme.dims.iter().filter_map(|v| types.dims.get(v)).map(|d| checker.store.show_dim(d)),
+            );
+        }
+        let key = (function, reprs.collect(), shown);
         if let Some(known) = self.instances.get(&key) {
             return *known;
         }

@@ -175,7 +175,7 @@ impl Body<'_, '_, '_> {
             self.lowering.report(
                 crate::diagnostic::Diagnostic::error(
                     "E0190",
-                    format!("calls of `{name}`, which assigns variables around it, inside an expression are not available yet"),
+                    format!("calls of `{name}`, which hands values back, inside an expression are not available yet"),
                     span,
                     "not supported by this version",
                 )
