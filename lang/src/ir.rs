@@ -220,11 +220,7 @@ pub struct Place {
 #[derive(Clone, Debug)]
 pub enum Terminator {
     Jump(BlockId),
-    Branch {
-        condition: Expr,
-        then: BlockId,
-        otherwise: BlockId,
-    },
+    Branch { condition: Expr, then: BlockId, otherwise: BlockId },
     Return(Option<Expr>),
 }
 
