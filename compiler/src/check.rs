@@ -8,7 +8,7 @@ use calyx_gears::externs::check_plan;
 use calyx_gears::host::ModelHost;
 use calyx_lang::diagnostic::{Diagnostic, Severity};
 use calyx_lang::ir::{Program, SourceFile};
-use calyx_lang::render::render;
+use calyx_lang::render::{Colour, Renderer};
 use calyx_lang::span::{FileId, Span};
 use calyx_rt::{ParamError, Program as _, apply};
 use std::io::{self, IsTerminal};
@@ -34,7 +34,7 @@ impl Checked {
 
     /// The diagnostics for people, in colour if standard error is a terminal.
     pub fn render(&self) -> String {
-        render(&self.diagnostics, &self.files, io::stderr().is_terminal())
+        render(&self.diagnostics, &self.files)
     }
 }
 
@@ -105,6 +105,13 @@ fn elaborate(program: &Program) -> (ModelDescription, Vec<Diagnostic>) {
         }
     }
     (interpreted.into_description(), found)
+}
+
+/// Diagnostics as text for standard error.
+pub(crate) fn render(diagnostics: &[Diagnostic], files: &[SourceFile]) -> String {
+    let colour = if io::stderr().is_terminal() { Colour::Always } else { Colour::Never };
+    let mut renderer = Renderer::new(files, colour);
+    diagnostics.iter().map(|diagnostic| renderer.text(diagnostic)).collect()
 }
 
 /// A run-time error as a diagnostic at its place.

@@ -27,7 +27,7 @@ impl<'p> Interpreted<'p> {
     pub fn new(program: &'p Program, allow: Purity) -> Result<Self, String> {
         let interpreter = Interpreter::new(program, externs(), allow).map_err(|error| error.to_string())?;
         let tapes = lower_sites(program).map_err(|error| error.to_string())?;
-        let kernels = tapes.into_iter().map(|tape| Arc::new(TapeKernel::new(tape)) as Arc<dyn Kernel>).collect();
+        let kernels = tapes.into_iter().map(|tape| Arc::new(TapeKernel(tape)) as Arc<dyn Kernel>).collect();
         let description = calyx_lang::description::describe(program);
         Ok(Interpreted { program, interpreter, kernels, description })
     }

@@ -23,6 +23,10 @@ impl Loader for ModelLoader {
         Some((file.display().to_string(), text))
     }
 
+    fn names(&self) -> Vec<String> {
+        MODULES.iter().map(|module| module.path.to_owned()).collect()
+    }
+
     fn prelude(&self) -> (String, String) {
         (PRELUDE.file.to_owned(), PRELUDE.text.to_owned())
     }

@@ -1,17 +1,15 @@
 //! A model compiled to machine code in memory.
 
-use crate::check::{Checked, diagnostic};
+use crate::check::{Checked, diagnostic, render};
 use crate::interpreted::param_function;
 use calyx_abi::description::ModelDescription;
 use calyx_abi::{Context, Kernel, RuntimeError, Slot};
 use calyx_codegen::{CodegenError, JitModule, compile_jit, compile_object};
 use calyx_gears::library::externs;
 use calyx_lang::ir::{Program, SourceFile};
-use calyx_lang::render::render;
 use calyx_lower::interpret::CallSites;
 use calyx_rt::program::ParamFunction;
 use std::fmt;
-use std::io::{self, IsTerminal};
 use std::sync::Arc;
 
 /// Why a checked model could not be compiled.
@@ -73,7 +71,7 @@ impl Module {
     pub fn render_error(&self, error: &RuntimeError) -> String {
         let mut error = error.clone();
         self.call_sites.blame(&mut error);
-        render(&[diagnostic(&error)], &self.files, io::stderr().is_terminal())
+        render(&[diagnostic(&error)], &self.files)
     }
 }
 

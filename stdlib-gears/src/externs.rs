@@ -231,7 +231,8 @@ calyx_abi::externs! {
 
 /// Plans and runs an analysis of the scene, and keeps its result.
 fn analyze(host: &mut ModelHost, over: Handle, fidelity: &str) -> Result<(), RuntimeError> {
-    let options = AnalysisOptions { fidelity: fidelity_named(fidelity)?, structure: StructureOptions::default() };
+    let options =
+        AnalysisOptions { fidelity: fidelity_named(fidelity)?, structure: StructureOptions::default() };
     let positions = entry(&host.positions, over)?.clone();
     let mut observer = host.observer.take();
     let mut unobserved = ();

@@ -1,6 +1,7 @@
 //! The library's Calyx source, and the table of the functions behind it.
 
-use calyx_abi::Extern;
+use calyx_abi::{Extern, standard};
+use std::sync::LazyLock;
 
 /// A library module: its import path, the name it is shown by, its text.
 pub struct LibraryModule {
@@ -17,7 +18,8 @@ pub const PRELUDE: LibraryModule =
 pub const MODULES: &[LibraryModule] =
     &[LibraryModule { path: "gears", file: "<library>/gears.cx", text: include_str!("../calyx/gears.cx") }];
 
-/// Every function the library declares `extern`.
+/// Every function that programs may call: the library's, and those of the language itself.
 pub fn externs() -> &'static [Extern] {
-    crate::externs::EXTERNS
+    static ALL: LazyLock<Vec<Extern>> = LazyLock::new(|| [crate::externs::EXTERNS, standard::EXTERNS].concat());
+    &ALL
 }

@@ -256,12 +256,12 @@ impl MeshGeometry {
             }
         }
         if mesh.normal_backlash < -ROUNDING_OF_DATA * mesh.base_pitch {
-            errors.push(GeometryError::error(
+            warnings.push(GeometryError::warning(
                 "E0635",
                 "second",
                 sentence![
                     "the backlash is negative, ", length mesh.backlash, ": the teeth are thicker than the spaces at a centre distance of ",
-                    length center_distance
+                    length center_distance, ". Contact is searched on the driving flanks only"
                 ],
                 match mesh.zero_backlash_center_distance {
                     Some(distance) => sentence![

@@ -42,9 +42,11 @@ pub fn mount_external(
     let speed = check_speeds(gears, mounting.angular_velocity)?;
 
     // Roll angle at time 0 of the first gear's tooth 0, were it in contact.
-    let roll_of_zero = sense * (mounting.first.angle - line_of_centres) + first.half_base_angle + pressure_angle;
+    let roll_of_zero =
+        sense * (mounting.first.angle - line_of_centres) + first.half_base_angle + pressure_angle;
     // Angle of the second gear's tooth that touches that one.
-    let opposite = line_of_centres + PI
+    let opposite = line_of_centres
+        + PI
         + sense * (geometry.second_roll(roll_of_zero) - second.half_base_angle - pressure_angle);
     let phase = nearest_to_zero(opposite - mounting.second.angle, second_pitch);
 
@@ -59,7 +61,8 @@ pub fn mount_external(
     let start = ((enters - roll_of_zero) / rate).rem_euclid(period);
     let tooth = (sense * (enters - rate * start - roll_of_zero) / pitch).round();
     let second_angle = mounting.second.angle + phase + mounting.angular_velocity[1] * start;
-    let second_place = line_of_centres + PI
+    let second_place = line_of_centres
+        + PI
         + sense * (geometry.second_roll(enters) - second.half_base_angle - pressure_angle);
     let second_tooth = ((second_place - second_angle) / second_pitch).round();
 
@@ -103,7 +106,9 @@ fn check_speeds(gears: [&ExternalGear; 2], speeds: [f64; 2]) -> Result<f64, Geom
                 number f64::from(gears[0].teeth), " and ", number f64::from(gears[1].teeth), " teeth it must turn ",
                 number fitting / first, " times"
             ],
-            sentence!["let the second frame's angle be minus the first's times the first's teeth over the second's"],
+            sentence![
+                "let the second frame's angle be minus the first's times the first's teeth over the second's"
+            ],
         ));
     }
     Ok(first)

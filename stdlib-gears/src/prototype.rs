@@ -62,7 +62,10 @@ impl GearPrototype {
     }
 }
 
-fn flanks(gear: &ExternalGear, modifications: &[Modification]) -> Result<[Arc<Flank>; 2], Vec<GeometryError>> {
+fn flanks(
+    gear: &ExternalGear,
+    modifications: &[Modification],
+) -> Result<[Arc<Flank>; 2], Vec<GeometryError>> {
     let flank = |side| Flank::new(gear, modifications, side).map(Arc::new);
     Ok([flank(Side::CounterClockwise)?, flank(Side::Clockwise)?])
 }
@@ -85,7 +88,11 @@ fn refinement(factor: f64, order: usize) -> Refinement {
 impl Prototype for GearPrototype {
     fn build(&self, options: &StructureOptions) -> Result<Arc<dyn Structure>, EngineError> {
         if !(1..=3).contains(&options.order) || !(options.refinement > 0.0) {
-            return Err(EngineError::new("E0675", "a mesh needs elements of order 1 to 3 and a positive refinement", ""));
+            return Err(EngineError::new(
+                "E0675",
+                "a mesh needs elements of order 1 to 3 and a positive refinement",
+                "",
+            ));
         }
         let refinement = refinement(options.refinement, options.order);
         let mesh = sector_mesh(&self.gear, self.flanks.clone(), self.rim.inner_radius, &refinement).map_err(|error| {
@@ -98,7 +105,8 @@ impl Prototype for GearPrototype {
         })?;
         let model = PlaneModel::new(mesh, self.material, Plane::Strain);
         let contact = if options.sharp_edges {
-            self.sharp_flanks().map_err(|_| EngineError::new("E0677", "the flanks cannot run up to the tip circle", ""))?
+            self.sharp_flanks()
+                .map_err(|_| EngineError::new("E0677", "the flanks cannot run up to the tip circle", ""))?
         } else {
             self.flanks.clone()
         };
@@ -120,8 +128,9 @@ impl Prototype for GearPrototype {
             coupled: COUPLED_TEETH.min(self.gear.teeth / 2),
         };
         let split = SplitOptions { matching_depth: options.matching_depth, ..SplitOptions::default() };
-        let structure = ElasticStructure::ring(&model, &ring, &surfaces, &split)
-            .map_err(|error| EngineError::new("E0678", format!("the gear's structure cannot be condensed: {error}"), ""))?;
+        let structure = ElasticStructure::ring(&model, &ring, &surfaces, &split).map_err(|error| {
+            EngineError::new("E0678", format!("the gear's structure cannot be condensed: {error}"), "")
+        })?;
         Ok(Arc::new(structure))
     }
 
@@ -144,7 +153,10 @@ impl Prototype for GearPrototype {
     fn ignored(&self, fidelity: Fidelity) -> Vec<Ignored> {
         match fidelity {
             Fidelity::Plane => {
-                let crowned = self.modifications.iter().any(|m| matches!(m, Modification::LeadCrown { depth } if *depth > 0.0));
+                let crowned = self
+                    .modifications
+                    .iter()
+                    .any(|m| matches!(m, Modification::LeadCrown { depth } if *depth > 0.0));
                 let ignored = Ignored {
                     input: "lead_crown".into(),
                     reason: "a plane model has no direction along the face".into(),
