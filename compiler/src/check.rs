@@ -123,7 +123,8 @@ pub(crate) fn diagnostic(error: &RuntimeError) -> Diagnostic {
 
 fn warning(finding: &calyx_gears::host::Finding) -> Diagnostic {
     let (code, message) = (finding.error.code.replace('E', "W"), finding.error.message.to_string());
-    Diagnostic::warning(&code, message, place(Some(finding.place)), "here").help(finding.error.help.to_string())
+    Diagnostic::warning(&code, message, place(Some(finding.place)), "here")
+        .help(finding.error.help.to_string())
 }
 
 fn place(place: Option<(u32, u32, u32)>) -> Span {
@@ -139,9 +140,13 @@ fn defect(message: &str) -> Diagnostic {
 fn not_utf8(name: &str, error: &std::string::FromUtf8Error) -> Checked {
     let start = error.utf8_error().valid_up_to();
     let text = String::from_utf8_lossy(error.as_bytes()).into_owned();
-    let diagnostic =
-        Diagnostic::error("E0100", "the file is not UTF-8 text", Span::new(FileId(0), start, start + 1), "not a character")
-            .help("save it as UTF-8");
+    let diagnostic = Diagnostic::error(
+        "E0100",
+        "the file is not UTF-8 text",
+        Span::new(FileId(0), start, start + 1),
+        "not a character",
+    )
+    .help("save it as UTF-8");
     Checked {
         program: None,
         description: ModelDescription::default(),

@@ -56,7 +56,12 @@ impl<'p> Interpreted<'p> {
         self.description
     }
 
-    fn function(&self, param: usize, which: ParamFunction, context: &mut Context) -> Result<Option<Slot>, RuntimeError> {
+    fn function(
+        &self,
+        param: usize,
+        which: ParamFunction,
+        context: &mut Context,
+    ) -> Result<Option<Slot>, RuntimeError> {
         let Some(id) = param_function(self.program, param, which) else { return Ok(None) };
         Ok(self.interpreter.run_function(id, &[], context)?.first().copied())
     }

@@ -26,7 +26,9 @@ impl fmt::Display for CompileError {
         match self {
             CompileError::NotChecked => write!(f, "the model has errors and cannot be compiled"),
             CompileError::Code(error) => write!(f, "{error}"),
-            CompileError::Description(error) => write!(f, "the model's description cannot be written: {error}"),
+            CompileError::Description(error) => {
+                write!(f, "the model's description cannot be written: {error}")
+            }
         }
     }
 }

@@ -1,7 +1,7 @@
 //! What can be read off a solved position.
 
 use crate::contact::grid::pressures;
-use crate::contact::pressure::{Peak, Region, peak};
+use crate::contact::pressure::{Peak, peak};
 use crate::motion::PlanePose;
 use crate::results::{Observed, Place};
 use crate::scene::{BodyId, GearMesh, Observable, PairId};
@@ -20,8 +20,8 @@ impl System<'_> {
             Observable::TransmissionError(pair) => self.transmission_error(step, pair),
             Observable::LoadShare(pair) => self.load_share(step, pair),
             Observable::MeshStiffness(pair) => self.mesh_stiffness(step, pair),
-            Observable::MaxContactPressure(pair) => self.max_pressure(step, pair, Region::Flank),
-            Observable::MaxEdgePressure(pair) => self.max_pressure(step, pair, Region::Edge),
+            Observable::MaxContactPressure(pair) => self.max_pressure(step, pair, false),
+            Observable::MaxEdgePressure(pair) => self.max_pressure(step, pair, true),
             Observable::MaxRootStress(body) => self.max_root_stress(step, body),
         }
     }
@@ -43,7 +43,8 @@ impl System<'_> {
         // Angles are known up to whole turns, and a mesh repeats with every tooth of the second gear.
         let pitch = 2.0 * PI / f64::from(mesh.teeth[1]);
         let kinematic = kinematic - (kinematic / pitch).round() * pitch;
-        let deflection = self.motion(step, first, THETA_Z) * ratio + mesh.sign * self.motion(step, second, THETA_Z);
+        let deflection =
+            self.motion(step, first, THETA_Z) * ratio + mesh.sign * self.motion(step, second, THETA_Z);
         number(mesh.drive_sense * (kinematic + deflection))
     }
 
@@ -86,11 +87,12 @@ impl System<'_> {
         number(self.face_width / gives)
     }
 
-    fn max_pressure(&self, step: &StepResult, pair: PairId, region: Region) -> Observed {
+    /// Of the patches that an edge cuts off, or of the others.
+    fn max_pressure(&self, step: &StepResult, pair: PairId, at_edge: bool) -> Observed {
         let mut largest = number(0.0);
-        for patch in step.patches.iter().filter(|patch| patch.pair == pair.0) {
+        for patch in step.patches.iter().filter(|patch| patch.pair == pair.0 && patch.at_edge == at_edge) {
             let pressures = pressures(&patch.cells, &patch.forces);
-            if let Some(Peak { pressure, cell, .. }) = peak(&patch.cells, &pressures, region)
+            if let Some(Peak { pressure, cell, .. }) = peak(&patch.cells, &pressures)
                 && pressure > largest.value
             {
                 let body = self.scene.pairs[pair.0].bodies[0];
@@ -113,7 +115,9 @@ impl System<'_> {
     }
 
     fn max_root_stress(&self, step: &StepResult, body: BodyId) -> Observed {
-        let Some(structure) = self.structures.get(body.0).and_then(Option::as_ref) else { return number(f64::NAN) };
+        let Some(structure) = self.structures.get(body.0).and_then(Option::as_ref) else {
+            return number(f64::NAN);
+        };
         let loads = self.surface_loads(step, body.0);
         let mut largest = number(0.0);
         for (tooth, surface) in neighbourhood(&loads, structure.as_ref()) {

@@ -60,7 +60,10 @@ fn refuse_motion_out_of_plane(body: &str, free: [bool; 6]) -> Result<(), EngineE
     match [2, 3, 4].into_iter().find(|&freedom| free[freedom]) {
         Some(freedom) => Err(EngineError::new(
             "E0611",
-            format!("body \"{body}\" is free in {}, and in a plane model nothing can hold it there", FREEDOMS[freedom]),
+            format!(
+                "body \"{body}\" is free in {}, and in a plane model nothing can hold it there",
+                FREEDOMS[freedom]
+            ),
             "remove it from `free`; the plane model has \"u_x\", \"u_y\" and \"theta_z\"",
         )
         .blame("free")),

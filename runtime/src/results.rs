@@ -67,7 +67,12 @@ pub struct StepRow {
 }
 
 impl StepRow {
-    pub fn new(position: Position, requests: &[OutputRequest], observed: &[Observed], warnings: Vec<String>) -> Self {
+    pub fn new(
+        position: Position,
+        requests: &[OutputRequest],
+        observed: &[Observed],
+        warnings: Vec<String>,
+    ) -> Self {
         let outputs = requests.iter().map(|request| request.evaluate(position.time, observed)).collect();
         StepRow { position, outputs, warnings }
     }
@@ -133,7 +138,9 @@ fn mean_over_time(rows: &[StepRow], value: impl Fn(&StepRow) -> f64) -> f64 {
     }
     let area: f64 = rows
         .windows(2)
-        .map(|pair| 0.5 * (value(&pair[0]) + value(&pair[1])) * (pair[1].position.time - pair[0].position.time))
+        .map(|pair| {
+            0.5 * (value(&pair[0]) + value(&pair[1])) * (pair[1].position.time - pair[0].position.time)
+        })
         .sum();
     area / span
 }

@@ -3,6 +3,7 @@
 use crate::error::EngineError;
 use crate::motion::Motion;
 use crate::structure::Structure;
+use std::f64::consts::TAU;
 use std::sync::Arc;
 
 /// The six freedoms of a frame, in the order of their indices.
@@ -78,7 +79,13 @@ pub struct StructureOptions {
 
 impl Default for StructureOptions {
     fn default() -> Self {
-        StructureOptions { refinement: 1.0, order: 3, matching_depth: 1.0, stresses: true, sharp_edges: false }
+        StructureOptions {
+            refinement: 1.0,
+            order: 3,
+            matching_depth: 1.0,
+            stresses: true,
+            sharp_edges: false,
+        }
     }
 }
 
@@ -122,7 +129,9 @@ pub struct GridOptions {
     pub half_cells: usize,
     /// Total width, m; `None` takes it from the Hertz half-width under the full load.
     pub width: Option<f64>,
-    /// Search for contact on rounded edges beyond the flanks.
+    /// Search for contact on rounded edges and beyond the nominal path of contact. Otherwise surfaces end sharply at
+    /// their nominal ends, and gear teeth touch on the nominal path only, even where a relief would let them touch a
+    /// little before and after.
     pub edges: bool,
 }
 
@@ -149,8 +158,24 @@ pub struct GearMesh {
     pub period: f64,
     /// The characteristic points of the path of contact, in order of time.
     pub characteristic: Vec<CharacteristicPoint>,
-    /// Roll angle of the entering pair's first tooth at the start, and its change over the cycle, rad.
+    /// Roll angle of the entering pair's first tooth at the start and at the end of the cycle, rad.
     pub roll: [f64; 2],
+    /// The nominal path of contact: least and greatest roll angle of the first gear, rad.
+    pub path: [f64; 2],
+    /// Roll angle of the first gear's tooth 0, were it in contact, where that gear's angle is zero, rad.
+    pub roll_at_zero: f64,
+}
+
+impl GearMesh {
+    /// Whether a tooth of the first gear, whose body stands at `angle` (with its phase), is on the nominal path of contact.
+    pub fn on_path(&self, tooth: u32, angle: f64) -> bool {
+        let turned = angle + TAU * f64::from(tooth) / f64::from(self.teeth[0]);
+        let roll = self.roll_at_zero + self.drive_sense * turned;
+        // Of all whole turns, the one that brings the tooth nearest to the middle of the path.
+        let middle = 0.5 * (self.path[0] + self.path[1]);
+        let roll = roll - TAU * ((roll - middle) / TAU).round();
+        (self.path[0]..=self.path[1]).contains(&roll)
+    }
 }
 
 /// A point of the path of contact where a pair of teeth enters or leaves, so that the load jumps on rigid teeth.

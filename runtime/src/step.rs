@@ -7,6 +7,7 @@ use crate::contact::problem::{Certificate, ContactError, ContactProblem, FreeMot
 use crate::contact::rigid_limit::rigid_limit;
 use crate::contact::{ContactFrame, Placement, active_set};
 use crate::error::EngineError;
+use crate::motion::PlanePose;
 use crate::profile::Profile;
 use crate::structure::{Chart, Structure};
 use crate::system::{Freedom, System, Teeth};
@@ -23,6 +24,8 @@ pub struct Patch {
     pub cells: Vec<Cell>,
     /// N per metre of face width, one a cell.
     pub forces: Vec<f64>,
+    /// The loaded part lies on an edge or is cut off by one.
+    pub at_edge: bool,
 }
 
 impl Patch {
@@ -60,6 +63,8 @@ struct Candidate {
 /// A grid is first laid where the gap is below this part of the profile's length; gaps that the solution closes beyond
 /// are found and added afterwards.
 const SEARCH_DEPTH: f64 = 0.01;
+/// How often the widths of grids may be mended at a position.
+const REGRIDS: usize = 3;
 
 impl System<'_> {
     /// Brings the scene into equilibrium at a time (s).
@@ -70,12 +75,14 @@ impl System<'_> {
             .map(|candidate| candidate.approach.gap < SEARCH_DEPTH * candidate.profiles[0].length())
             .collect();
         loop {
-            let used: Vec<&Candidate> = candidates.iter().zip(&chosen).filter(|(_, used)| **used).map(|(c, _)| c).collect();
+            let used: Vec<&Candidate> =
+                candidates.iter().zip(&chosen).filter(|(_, used)| **used).map(|(c, _)| c).collect();
             let step = self.solve_candidates(time, &used)?;
             // Teeth that were left out and that the solution would push into each other.
             let mut closed = false;
             for (candidate, used) in candidates.iter().zip(&mut chosen).filter(|(_, used)| !**used) {
-                let rigid: f64 = candidate.arms.iter().zip(&step.motion).map(|(arm, motion)| arm * motion).sum();
+                let rigid: f64 =
+                    candidate.arms.iter().zip(&step.motion).map(|(arm, motion)| arm * motion).sum();
                 if candidate.approach.gap + rigid < 0.0 {
                     *used = true;
                     closed = true;
@@ -91,10 +98,28 @@ impl System<'_> {
         if self.load.iter().all(|&load| load == 0.0) {
             return self.touch_without_load(time, candidates);
         }
-        let grids: Vec<Grid> = candidates.iter().map(|candidate| self.grid(candidate)).collect();
-        let problem = self.problem(candidates, &grids)?;
-        let solution = active_set::solve(&problem, self.warm_start(candidates, &grids).as_deref())
-            .map_err(|error| self.explain(&error))?;
+        let mut widths = vec![None; candidates.len()];
+        let mut rounds = REGRIDS;
+        let (grids, problem, solution) = loop {
+            let grids: Vec<Grid> = candidates
+                .iter()
+                .zip(&widths)
+                .map(|(candidate, &width)| self.grid(candidate, width))
+                .collect();
+            let problem = self.problem(candidates, &grids)?;
+            let warm_start = self.warm_start(candidates, &grids);
+            let solution =
+                active_set::solve(&problem, warm_start.as_deref()).map_err(|error| self.explain(&error))?;
+            // Widths nobody asked for follow what the patches turn out to carry.
+            let better = self.better_widths(candidates, &grids, &solution.forces);
+            if rounds == 0 || better.iter().all(Option::is_none) {
+                break (grids, problem, solution);
+            }
+            for (width, better) in widths.iter_mut().zip(better) {
+                *width = better.or(*width);
+            }
+            rounds -= 1;
+        };
 
         let mut warnings = Vec::new();
         let mut patches = Vec::with_capacity(grids.len());
@@ -106,7 +131,8 @@ impl System<'_> {
             let active = solution.active.iter().filter(|&&cell| (first..last).contains(&cell));
             self.warm.insert(candidate.teeth, active.map(|cell| cell - first).collect());
             warnings.extend(self.judge(candidate, &grid, &forces));
-            patches.push(self.patch(candidate, grid.cells, forces));
+            let at_edge = grid.at_edge(&forces);
+            patches.push(Patch { cells: grid.cells, forces, at_edge, ..self.empty_patch(candidate) });
             first = last;
         }
         Ok(StepResult {
@@ -130,7 +156,7 @@ impl System<'_> {
             let limit = rigid_limit(&gaps, &arms, &self.drive_direction());
             limit.map_err(|error| self.explain(&error))?.motion
         };
-        let patches = candidates.iter().map(|candidate| self.patch(candidate, Vec::new(), Vec::new())).collect();
+        let patches = candidates.iter().map(|candidate| self.empty_patch(candidate)).collect();
         let problem = ContactProblem {
             compliance: Vec::new(),
             arms: Vec::new(),
@@ -173,10 +199,14 @@ impl System<'_> {
                 let body = (bodies[side], structures[side].as_ref(), profiles[side].as_ref());
                 self.teeth_near(body, placements[side], placements[other].origin(), reach)
             });
+            let angle = PlanePose::of(self.scene.bodies[bodies[0]].motion.as_ref(), time)?.angle
+                + self.scene.bodies[bodies[0]].phase;
+            let nominal = pair.mesh.as_ref().filter(|_| !pair.grid.edges);
+            let on_path = |tooth: u32| nominal.is_none_or(|mesh| mesh.on_path(tooth, angle));
             let touching = 0.5 * (profiles[0].length() + profiles[1].length());
             for (first, first_place, first_middle) in &near[0] {
                 for (second, second_place, second_middle) in &near[1] {
-                    if distance(*first_middle, *second_middle) > 1.5 * touching {
+                    if distance(*first_middle, *second_middle) > 1.5 * touching || !on_path(*first) {
                         continue;
                     }
                     let placements = [*first_place, *second_place];
@@ -187,7 +217,13 @@ impl System<'_> {
                     if let Some(approach) = closest_approach(placed(0), placed(1), pair.grid.edges) {
                         let arms = self.arms(bodies, &approach.frame, time)?;
                         let teeth = (index, [*first, *second]);
-                        found.push(Candidate { teeth, profiles: profiles.clone(), placements, approach, arms });
+                        found.push(Candidate {
+                            teeth,
+                            profiles: profiles.clone(),
+                            placements,
+                            approach,
+                            arms,
+                        });
                     }
                 }
             }
@@ -229,15 +265,34 @@ impl System<'_> {
         Ok(self.freedoms.iter().map(arm).collect())
     }
 
-    fn grid(&self, candidate: &Candidate) -> Grid {
+    /// For each patch whose width was left open and turns out to be unsuitable, a better one.
+    fn better_widths(&self, candidates: &[&Candidate], grids: &[Grid], forces: &[f64]) -> Vec<Option<f64>> {
+        let mut first = 0;
+        candidates
+            .iter()
+            .zip(grids)
+            .map(|(candidate, grid)| {
+                let own = &forces[first..first + grid.cells.len()];
+                first += grid.cells.len();
+                let open = self.scene.pairs[candidate.teeth.0].grid.width.is_none();
+                open.then(|| assess(grid, &pressures(&grid.cells, own)).recommended_width).flatten()
+            })
+            .collect()
+    }
+
+    /// Lays the grid of a patch: `width` (m) if it is given, else that of the model, else one that suits the whole load.
+    fn grid(&self, candidate: &Candidate, width: Option<f64>) -> Grid {
         let pair = &self.scene.pairs[candidate.teeth.0];
         let placed = |side: usize| PlacedProfile {
             profile: candidate.profiles[side].as_ref(),
             placement: candidate.placements[side],
         };
-        let width = match pair.grid.width {
+        let width = match width.or(pair.grid.width) {
             Some(width) => Width::Total(width),
-            None => Width::Hertz { force: self.largest_force(candidate), contact_modulus: self.contact_modulus(pair.bodies.map(|b| b.0)) },
+            None => {
+                let contact_modulus = self.contact_modulus(pair.bodies.map(|body| body.0));
+                Width::Hertz { force: self.largest_force(candidate), contact_modulus }
+            }
         };
         let options = GridOptions { half_count: pair.grid.half_cells, width, search_edges: pair.grid.edges };
         lay(placed(0), placed(1), &candidate.approach, &options)
@@ -270,7 +325,9 @@ impl System<'_> {
                 patches.push(assembly::Patch { sides: [first, second], cells: &grid.cells });
             }
         }
-        let cells = || candidates.iter().zip(grids).flat_map(|(c, grid)| grid.cells.iter().map(move |cell| (c, cell)));
+        let cells = || {
+            candidates.iter().zip(grids).flat_map(|(c, grid)| grid.cells.iter().map(move |cell| (c, cell)))
+        };
         Ok(ContactProblem {
             compliance: compliance(&patches),
             arms: cells().flat_map(|(candidate, _)| candidate.arms.iter().copied()).collect(),
@@ -293,17 +350,19 @@ impl System<'_> {
         (!start.is_empty()).then_some(start)
     }
 
-    fn patch(&self, candidate: &Candidate, cells: Vec<Cell>, forces: Vec<f64>) -> Patch {
+    fn empty_patch(&self, candidate: &Candidate) -> Patch {
         let (pair, teeth) = candidate.teeth;
         let surfaces = self.scene.pairs[pair].surfaces;
-        Patch { pair, teeth, surfaces, frame: candidate.approach.frame, cells, forces }
+        let (cells, forces) = (Vec::new(), Vec::new());
+        Patch { pair, teeth, surfaces, frame: candidate.approach.frame, cells, forces, at_edge: false }
     }
 
     /// What the solution says against its grid (report figures 3.40 to 3.42).
     fn judge(&self, candidate: &Candidate, grid: &Grid, forces: &[f64]) -> Option<String> {
         let report = assess(grid, &pressures(&grid.cells, forces));
         let better = report.recommended_width?;
-        let bodies = self.scene.pairs[candidate.teeth.0].bodies.map(|body| self.scene.bodies[body.0].name.as_str());
+        let bodies =
+            self.scene.pairs[candidate.teeth.0].bodies.map(|body| self.scene.bodies[body.0].name.as_str());
         let trouble = if report.under_resolved {
             "is too wide: only a few of its cells carry load"
         } else {
@@ -344,7 +403,9 @@ impl System<'_> {
                 "the bodies overlap in every position",
                 "move the frames apart; look at centre distance, thickness and pitch errors",
             ),
-            ContactError::Invalid(what) => EngineError::new("E0718", format!("the contact problem is unusable: {what}"), ""),
+            ContactError::Invalid(what) => {
+                EngineError::new("E0718", format!("the contact problem is unusable: {what}"), "")
+            }
             ContactError::NotConverged => EngineError::new(
                 "E0719",
                 "the contact solver found no solution",

@@ -51,7 +51,11 @@ impl<'s> System<'s> {
             ));
         }
         let load = freedoms.iter().map(|freedom| load_on(scene, *freedom) / face_width).collect();
-        let initial = scene.bodies.iter().map(|body| PlanePose::of(body.motion.as_ref(), 0.0)).collect::<Result<_, _>>()?;
+        let initial = scene
+            .bodies
+            .iter()
+            .map(|body| PlanePose::of(body.motion.as_ref(), 0.0))
+            .collect::<Result<_, _>>()?;
         let structures = build_structures(scene, plan)?;
         Ok(System { scene, structures, freedoms, load, face_width, initial, warm: BTreeMap::new() })
     }
@@ -110,5 +114,7 @@ fn build_structures(scene: &Scene, plan: &Plan) -> Result<Vec<Option<Arc<dyn Str
         let at = wanted.iter().position(|(other, _)| key(*other) == key(index))?;
         built.get(at).cloned()
     };
-    Ok((0..scene.bodies.len()).map(|index| if plan.bodies[index].left_out { None } else { of_body(index) }).collect())
+    Ok((0..scene.bodies.len())
+        .map(|index| if plan.bodies[index].left_out { None } else { of_body(index) })
+        .collect())
 }

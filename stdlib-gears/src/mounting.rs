@@ -41,9 +41,9 @@ pub fn mount_external(
     let pressure_angle = geometry.operating_pressure_angle;
     let speed = check_speeds(gears, mounting.angular_velocity)?;
 
-    // Roll angle at time 0 of the first gear's tooth 0, were it in contact.
-    let roll_of_zero =
-        sense * (mounting.first.angle - line_of_centres) + first.half_base_angle + pressure_angle;
+    // Roll angle of the first gear's tooth 0, were it in contact: with the gear's angle at zero, and at time 0.
+    let roll_at_zero = first.half_base_angle + pressure_angle - sense * line_of_centres;
+    let roll_of_zero = roll_at_zero + sense * mounting.first.angle;
     // Angle of the second gear's tooth that touches that one.
     let opposite = line_of_centres
         + PI
@@ -81,6 +81,8 @@ pub fn mount_external(
         period,
         characteristic,
         roll: [enters, enters + step],
+        path: [points.start_of_active_profile, points.end_of_active_profile],
+        roll_at_zero,
     };
     Ok((phase, mesh))
 }

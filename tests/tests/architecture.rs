@@ -49,7 +49,8 @@ fn manifest(folder: &str) -> String {
 #[test]
 fn dependencies_go_one_way() {
     for (name, folder, allowed) in ALLOWED {
-        let ours = dependencies(&manifest(folder)).into_iter().filter(|d| d == "calyx" || d.starts_with("calyx-"));
+        let ours =
+            dependencies(&manifest(folder)).into_iter().filter(|d| d == "calyx" || d.starts_with("calyx-"));
         for dependency in ours {
             assert!(allowed.contains(&dependency.as_str()), "{name} must not depend on {dependency}");
         }
@@ -71,9 +72,11 @@ fn fast_moving_crates_stay_behind_one_of_ours() {
 #[test]
 fn every_member_is_listed_here() {
     let workspace = manifest(".");
-    let members = workspace.split("members = [").nth(1).and_then(|text| text.split(']').next()).expect("members");
+    let members =
+        workspace.split("members = [").nth(1).and_then(|text| text.split(']').next()).expect("members");
     for member in members.split(',').map(|m| m.trim().trim_matches('"')).filter(|m| !m.is_empty()) {
-        let known = ALLOWED.iter().any(|(_, folder, _)| *folder == member) || ["compiler", "tests"].contains(&member);
+        let known =
+            ALLOWED.iter().any(|(_, folder, _)| *folder == member) || ["compiler", "tests"].contains(&member);
         assert!(known, "{member} is not in the table of allowed arrows");
     }
 }

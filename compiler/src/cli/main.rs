@@ -38,7 +38,9 @@ enum Command {
     ///
     /// Prints a summary table and writes a directory with run.json (inputs, outputs, certificate), steps.csv (one row a
     /// position) and timing.json.
-    #[command(after_help = "Examples:\n  calyx run pair.cx\n  calyx run pair.cx --set torque=500 --set \"tip_radius=0.5 mm\"\n  calyx run pair.cx --out results/case-1 --quiet")]
+    #[command(
+        after_help = "Examples:\n  calyx run pair.cx\n  calyx run pair.cx --set torque=500 --set \"tip_radius=0.5 mm\"\n  calyx run pair.cx --out results/case-1 --quiet"
+    )]
     Run {
         /// The model, a .cx file
         file: PathBuf,
@@ -53,7 +55,9 @@ enum Command {
         quiet: bool,
     },
     /// Compile a model to an object file, to be linked with the calyx_rt library into an executable
-    #[command(after_help = "Example:\n  calyx object pair.cx -o pair.o\n  cc pair.o libcalyx_rt.a -lm -lpthread -ldl -o pair")]
+    #[command(
+        after_help = "Example:\n  calyx object pair.cx -o pair.o\n  cc pair.o libcalyx_rt.a -lm -lpthread -ldl -o pair"
+    )]
     Object {
         /// The model, a .cx file
         file: PathBuf,
@@ -124,7 +128,10 @@ fn run(file: &Path, out: Option<PathBuf>, set: Vec<(String, String)>, quiet: boo
             ExitCode::from(MODEL_ERROR)
         }
         Err(RunError::Io { path, error }) => {
-            eprintln!("error: cannot write results to {}: {error}\n  help: choose another directory with --out", path.display());
+            eprintln!(
+                "error: cannot write results to {}: {error}\n  help: choose another directory with --out",
+                path.display()
+            );
             ExitCode::from(MODEL_ERROR)
         }
     }
@@ -163,6 +170,9 @@ fn compile(file: &Path, quiet: bool) -> Result<Module, ExitCode> {
 }
 
 fn unreadable(file: &Path, error: &std::io::Error) -> ExitCode {
-    eprintln!("error: cannot read {}: {error}\n  help: give the path of a model, like examples/spur_pair.cx", file.display());
+    eprintln!(
+        "error: cannot read {}: {error}\n  help: give the path of a model, like examples/spur_pair.cx",
+        file.display()
+    );
     ExitCode::from(MODEL_ERROR)
 }

@@ -133,7 +133,8 @@ fn param_json(param: &ParamDescription, slot: u64, context: &Context) -> Value {
         Repr::String => json!({ "value": context.heap.str(slot) }),
         _ => {
             let value = f64::from_bits(slot);
-            let shown = value / param.unit.factor;
+            // What the conversion adds in the last digit is not the user's.
+            let shown: f64 = format!("{:.14e}", value / param.unit.factor).parse().unwrap_or(f64::NAN);
             json!({ "value": value, "display": { "unit": param.unit.name, "value": shown } })
         }
     }

@@ -5,7 +5,7 @@ use crate::program::{ParamFunction, Program};
 use crate::run::{RunError, RunOptions, run};
 use calyx_abi::call::KernelFn;
 use calyx_abi::description::{ModelDescription, ModuleTable};
-use calyx_abi::{ABI_VERSION, Context, Kernel, RuntimeError, Slot, SlotFn, Status};
+use calyx_abi::{ABI_VERSION, Context, Kernel, RuntimeError, Slot, stack};
 use clap::{Arg, ArgAction, Command};
 use std::ffi::{CStr, OsString, c_char, c_int};
 use std::os::unix::ffi::OsStringExt;
@@ -17,7 +17,11 @@ use std::sync::Arc;
 /// # Safety
 /// `argv` holds `argc` C strings and `module` is the model's table with static lifetime.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn calyx_rt_main(argc: c_int, argv: *const *const c_char, module: *const ModuleTable) -> c_int {
+pub unsafe extern "C" fn calyx_rt_main(
+    argc: c_int,
+    argv: *const *const c_char,
+    module: *const ModuleTable,
+) -> c_int {
     // SAFETY: as promised by the caller.
     let arguments: Vec<OsString> = (0..argc.max(0) as usize)
         .map(|i| OsString::from_vec(unsafe { CStr::from_ptr(*argv.add(i)) }.to_bytes().to_vec()))
@@ -51,8 +55,10 @@ impl LinkedProgram {
             ));
         }
         // SAFETY: the table states the length of its constant description.
-        let bytes = unsafe { std::slice::from_raw_parts(module.description, module.description_len as usize) };
-        let description = serde_json::from_slice(bytes).map_err(|e| format!("the model's description is damaged: {e}"))?;
+        let bytes =
+            unsafe { std::slice::from_raw_parts(module.description, module.description_len as usize) };
+        let description =
+            serde_json::from_slice(bytes).map_err(|e| format!("the model's description is damaged: {e}"))?;
         Ok(LinkedProgram { module, description })
     }
 }
@@ -66,7 +72,10 @@ struct LinkedKernel {
 
 impl Kernel for LinkedKernel {
     fn eval(&self, inputs: &[f64], outputs: &mut [f64]) {
-        assert!(inputs.len() >= self.inputs && outputs.len() >= self.outputs, "a kernel was given too few values");
+        assert!(
+            inputs.len() >= self.inputs && outputs.len() >= self.outputs,
+            "a kernel was given too few values"
+        );
         // SAFETY: the lengths were just checked against the description that was compiled with the code.
         unsafe { (self.function)(inputs.as_ptr(), outputs.as_mut_ptr()) }
     }
@@ -76,22 +85,6 @@ impl Kernel for LinkedKernel {
     fn outputs(&self) -> usize {
         self.outputs
     }
-}
-
-/// Calls a compiled function without arguments.
-fn call(function: SlotFn, context: &mut Context, result: &mut [Slot]) -> Result<(), RuntimeError> {
-    // SAFETY: the function takes no arguments and `result` has room for what it returns.
-    let status = unsafe { function(context, std::ptr::null(), result.as_mut_ptr()) };
-    if status == Status::Ok as i32 {
-        return Ok(());
-    }
-    Err(context.error.take().unwrap_or_else(|| RuntimeError {
-        code: "E0797".into(),
-        message: "the program stopped without saying why".into(),
-        help: "this is a defect of Calyx; please report it with the model".into(),
-        argument: None,
-        place: None,
-    }))
 }
 
 impl Program for LinkedProgram {
@@ -125,12 +118,14 @@ impl Program for LinkedProgram {
         let Some(function) = (unsafe { *self.module.param_functions.add(3 * param + which as usize) }) else {
             return Ok(None);
         };
-        let mut result = [0];
-        call(function, context, &mut result).map(|()| Some(result[0]))
+        // SAFETY: a param's function takes nothing and returns one slot.
+        let result = unsafe { stack::run(context, function, &[], 1) }?;
+        Ok(result.first().copied())
     }
 
     fn main(&self, context: &mut Context) -> Result<(), RuntimeError> {
-        call(self.module.main, context, &mut [])
+        // SAFETY: the top level takes and returns nothing.
+        unsafe { stack::run(context, self.module.main, &[], 0) }.map(|_| ())
     }
 }
 
@@ -140,7 +135,13 @@ fn run_as_command(program: &LinkedProgram, arguments: Vec<OsString>) -> c_int {
     let command = Command::new(description.name.clone())
         .about(description.doc.clone())
         .after_help(params_help(description))
-        .arg(Arg::new("out").long("out").value_name("DIR").help("Directory for the results").default_value("run"))
+        .arg(
+            Arg::new("out")
+                .long("out")
+                .value_name("DIR")
+                .help("Directory for the results")
+                .default_value("run"),
+        )
         .arg(
             Arg::new("set")
                 .long("set")

@@ -16,7 +16,11 @@ pub enum ParamError {
 
 /// Fills `context.params` and `context.param_slots` from the defaults and from `given` (name and text, the last of a
 /// name counts). Defaults are computed in order, so one that uses an earlier param follows its given value.
-pub fn apply(program: &dyn Program, given: &[(String, String)], context: &mut Context) -> Result<(), ParamError> {
+pub fn apply(
+    program: &dyn Program,
+    given: &[(String, String)],
+    context: &mut Context,
+) -> Result<(), ParamError> {
     let description = program.description();
     for (name, _) in given {
         if !description.params.iter().any(|param| param.name == *name) {
@@ -89,7 +93,10 @@ fn read_number(param: &ParamDescription, text: &str, units: &[UnitDescription]) 
     let value = if quantity.unit { quantity.value } else { quantity.value * param.unit.factor };
     if quantity.unit && !quantity::fits(quantity.dimension, param.unit.dimension) {
         return Err(given_error(
-            format!("`{name}` cannot be `{text}`: that is not the same kind of quantity as {}", kind(&param.unit)),
+            format!(
+                "`{name}` cannot be `{text}`: that is not the same kind of quantity as {}",
+                kind(&param.unit)
+            ),
             example(param),
         ));
     }
@@ -100,7 +107,11 @@ fn read_number(param: &ParamDescription, text: &str, units: &[UnitDescription]) 
 }
 
 fn kind(unit: &UnitDescription) -> String {
-    if unit.name.is_empty() { "a pure number".into() } else { format!("its default, which is in {}", unit.name) }
+    if unit.name.is_empty() {
+        "a pure number".into()
+    } else {
+        format!("its default, which is in {}", unit.name)
+    }
 }
 
 fn example(param: &ParamDescription) -> String {
@@ -129,7 +140,9 @@ fn check_range(
     let (low, high) = (end(ParamFunction::Low)?, end(ParamFunction::High)?);
     let value = context.params[index];
     if !value.is_finite() || low.is_some_and(|low| value < low) || high.is_some_and(|high| value > high) {
-        let shown = |si: f64| format!("{} {}", shortest(si / param.unit.factor), param.unit.name).trim_end().to_owned();
+        let shown = |si: f64| {
+            format!("{} {}", shortest(si / param.unit.factor), param.unit.name).trim_end().to_owned()
+        };
         let range = match (low, high) {
             (Some(low), Some(high)) => format!("{} .. {}", shown(low), shown(high)),
             (Some(low), None) => format!("{} or more", shown(low)),
@@ -147,5 +160,9 @@ fn check_range(
 /// A number for people: what a conversion adds in the sixteenth digit is not shown.
 pub fn shortest(value: f64) -> String {
     let rounded: f64 = format!("{value:.12e}").parse().unwrap_or(value);
-    if rounded != 0.0 && !(1e-4..1e7).contains(&rounded.abs()) { format!("{rounded:e}") } else { format!("{rounded}") }
+    if rounded != 0.0 && !(1e-4..1e7).contains(&rounded.abs()) {
+        format!("{rounded:e}")
+    } else {
+        format!("{rounded}")
+    }
 }

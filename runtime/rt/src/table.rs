@@ -6,7 +6,8 @@ use calyx_runtime::results::AnalysisResult;
 
 /// One line per output, in the model's units, with the position of its maximum.
 pub fn summary(description: &ModelDescription, result: &AnalysisResult) -> String {
-    let mut rows = vec![["output", "unit", "min", "mean", "max", "peak to peak", "maximum at"].map(String::from)];
+    let mut rows =
+        vec![["output", "unit", "min", "mean", "max", "peak to peak", "maximum at"].map(String::from)];
     for (output, summary) in description.outputs.iter().zip(&result.summaries) {
         let shown = |si: f64| number(si / output.unit.factor);
         rows.push([

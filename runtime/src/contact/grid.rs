@@ -334,6 +334,17 @@ pub fn assess(grid: &Grid, pressures: &[f64]) -> GridReport {
     GridReport { loaded_cells, truncated, under_resolved, recommended_width }
 }
 
+impl Grid {
+    /// Whether a loaded patch lies on a rounded edge or is cut off where a surface ends: its pressures are edge pressures.
+    pub fn at_edge(&self, forces: &[f64]) -> bool {
+        let loaded = |cell: Option<&f64>| cell.is_some_and(|&force| force > 0.0);
+        let on_edge = self.cells.iter().zip(forces).any(|(cell, &force)| cell.edge && force > 0.0);
+        on_edge
+            || (self.surface_ends[0] && loaded(forces.first()))
+            || (self.surface_ends[1] && loaded(forces.last()))
+    }
+}
+
 /// Pressure in each cell (Pa) for cell forces (N/m).
 pub fn pressures(cells: &[Cell], forces: &[f64]) -> Vec<f64> {
     cells.iter().zip(forces).map(|(cell, force)| force / cell.width()).collect()

@@ -5,7 +5,7 @@ use super::active_set::solve;
 use super::approach::{PlacedProfile, closest_approach};
 use super::assembly::{Patch, Side, compliance};
 use super::grid::{Grid, GridOptions, Width, assess, contact_modulus, lay, pressures};
-use super::pressure::{Region, half_width, peak};
+use super::pressure::{half_width, peak};
 use super::problem::ContactProblem;
 use super::test_profiles::{Arcs, HalfPlaneBody};
 use crate::structure::Chart;
@@ -73,7 +73,7 @@ fn cylinders_converge_to_hertz() {
         assert_eq!(grid.cells.len(), 2 * half_count + 1);
         let report = assess(&grid, &pressures);
         assert_eq!((report.truncated, report.under_resolved), ([false; 2], false));
-        let peak = peak(&grid.cells, &pressures, Region::Flank).unwrap();
+        let peak = peak(&grid.cells, &pressures).unwrap();
         let half_width = half_width(&grid.cells, &pressures).unwrap();
         errors.push([(peak.pressure / PEAK - 1.0).abs(), (half_width / HALF_WIDTH - 1.0).abs()]);
     }
@@ -100,7 +100,7 @@ fn grids_too_narrow_and_too_wide_are_reported() {
         }
         let (grid, pressures) = press(&profiles, [0.0, 0.15], 10, width, true);
         assert_eq!(assess(&grid, &pressures).recommended_width, None, "{factor}");
-        let ratio = peak(&grid.cells, &pressures, Region::Flank).unwrap().pressure / PEAK;
+        let ratio = peak(&grid.cells, &pressures).unwrap().pressure / PEAK;
         assert!((ratio - 1.0).abs() < 1e-2, "{ratio}");
     }
     let (grid, pressures) = press(&profiles, [0.0, 0.15], 10, total(12.0), true);
@@ -127,12 +127,12 @@ fn a_patch_on_an_edge_is_resolved_like_one_on_the_flank() {
     let relative_curvature = radius.recip() + RADII[1].recip();
     let modulus = contact_modulus(&steel(), &steel());
     let expected = (FORCE * modulus * relative_curvature / PI).sqrt();
-    let found = peak(&grid.cells, &pressures, Region::Edge).unwrap();
+    let found = peak(&grid.cells, &pressures).unwrap();
     // Hertz takes parabolas; over a/R = 0.1 the circle's next term adds (a/R)²/4-ish to the curvature.
     assert!((found.pressure / expected - 1.0).abs() < 5e-3, "{} {expected}", found.pressure);
     let report = assess(&grid, &pressures);
     assert!(!report.under_resolved && report.truncated == [false; 2], "{report:?}");
-    assert!(peak(&grid.cells, &pressures, Region::Flank).is_none());
+    assert!(grid.at_edge(&pressures));
 }
 
 #[test]
@@ -146,8 +146,8 @@ fn a_patch_across_the_start_of_an_edge() {
     let shift = [0.15 * angle.cos(), 0.15 * angle.sin()];
     let edge_peak = |half_count| {
         let (grid, pressures) = press(&profiles, shift, half_count, automatic(), true);
-        assert!(peak(&grid.cells, &pressures, Region::Flank).is_some());
-        peak(&grid.cells, &pressures, Region::Edge).unwrap().pressure
+        assert!(grid.at_edge(&pressures));
+        peak(&grid.cells, &pressures).unwrap().pressure
     };
     let (coarse, fine) = (edge_peak(10), edge_peak(40));
     assert!((coarse / fine - 1.0).abs() < 0.03, "{coarse} {fine}");

@@ -24,23 +24,14 @@ pub struct Peak {
     pub cell: usize,
 }
 
-/// Which cells a peak is looked for in.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Region {
-    /// Cells off the edges: contact pressure proper.
-    Flank,
-    /// Cells on an edge.
-    Edge,
-}
-
 /// Cells to either side of the largest that the parabola of the peak is fitted through.
 const PEAK_REACH: usize = 2;
 
-/// The peak pressure in a region: the vertex of a parabola through p² of the (at most five) loaded neighbours of the
-/// cell of largest pressure; that cell's own pressure where the maximum lies at the end of the region or of the patch.
-/// `None` if no cell of the region is loaded. `pressures` in Pa, one a cell.
-pub fn peak(cells: &[Cell], pressures: &[f64], region: Region) -> Option<Peak> {
-    let belongs = |i: usize| cells[i].edge == (region == Region::Edge) && pressures[i] > 0.0;
+/// The peak pressure: the vertex of a parabola through p² of the (at most five) loaded neighbours of the cell of largest
+/// pressure; that cell's own pressure where the maximum lies at the end of the patch. `None` if no cell is loaded.
+/// `pressures` in Pa, one a cell.
+pub fn peak(cells: &[Cell], pressures: &[f64]) -> Option<Peak> {
+    let belongs = |i: usize| pressures[i] > 0.0;
     let largest = (0..cells.len())
         .filter(|&i| belongs(i))
         .max_by(|&i, &j| pressures[i].total_cmp(&pressures[j]).then(j.cmp(&i)))?;
