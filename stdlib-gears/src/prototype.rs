@@ -87,7 +87,7 @@ fn refinement(factor: f64, order: usize) -> Refinement {
 
 impl Prototype for GearPrototype {
     fn build(&self, options: &StructureOptions) -> Result<Arc<dyn Structure>, EngineError> {
-        if !(1..=3).contains(&options.order) || !(options.refinement > 0.0) {
+        if !(1..=3).contains(&options.order) || options.refinement.is_nan() || options.refinement <= 0.0 {
             return Err(EngineError::new(
                 "E0675",
                 "a mesh needs elements of order 1 to 3 and a positive refinement",
