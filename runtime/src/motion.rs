@@ -46,18 +46,6 @@ pub struct PlanePose {
 }
 
 impl PlanePose {
-    /// Ground coordinates of a point given in the body's coordinates.
-    pub fn point(&self, p: [f64; 2]) -> [f64; 2] {
-        let d = self.direction(p);
-        [self.origin[0] + d[0], self.origin[1] + d[1]]
-    }
-
-    /// Ground components of a direction given in the body's coordinates.
-    pub fn direction(&self, d: [f64; 2]) -> [f64; 2] {
-        let (sin, cos) = self.angle.sin_cos();
-        [cos * d[0] - sin * d[1], sin * d[0] + cos * d[1]]
-    }
-
     /// The pose of `motion` at `time`, if its axis is parallel to e3.
     pub fn of(motion: &dyn Motion, time: f64) -> Result<PlanePose, EngineError> {
         let f = motion.frame(time);

@@ -223,8 +223,11 @@ calyx_abi::externs! {
         Ok(())
     }
 
-    Effect fn calyx_std_analyze(context, method: String, over: Handle, fidelity: String, label: String) -> () {
-        let _ = (method, label);
+    Effect fn calyx_std_analyze(context, method: String, over: Handle, fidelity: String) -> () {
+        if method != "quasi_static" {
+            return Err(refusal("E0679", "method", &format!("there is no analysis called \"{method}\""),
+                "choose \"quasi_static\""));
+        }
         analyze(host(context)?, over, &fidelity)
     }
 }
