@@ -228,7 +228,12 @@ calyx_abi::externs! {
             return Err(refusal("E0679", "method", &format!("there is no analysis called \"{method}\""),
                 "choose \"quasi_static\""));
         }
-        analyze(host(context)?, over, &fidelity)
+        let host = host(context)?;
+        if host.result.is_some() {
+            return Err(RuntimeError::new("E0680", "the model has a second analysis, and a run holds the results of one",
+                "keep one `analyze`; run the model twice with different params instead"));
+        }
+        analyze(host, over, &fidelity)
     }
 }
 
