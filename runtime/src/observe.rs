@@ -26,6 +26,26 @@ impl System<'_> {
         }
     }
 
+    /// What contact does to a body's frame, in the order of [`crate::scene::FREEDOMS`]: force (N) and moment about the
+    /// frame's origin (N m), along ground axes. Over all bodies forces, and moments about any one point, add up to zero.
+    ///
+    /// On a free freedom it balances the external load; what holds a held one bears it together with the load.
+    pub fn contact_force(&self, step: &StepResult, body: BodyId) -> [f64; 6] {
+        let pose = PlanePose::of(self.scene.bodies[body.0].motion.as_ref(), step.time);
+        let origin = pose.map_or([f64::NAN; 2], |pose| pose.origin);
+        let mut total = [0.0; 6];
+        for patch in &step.patches {
+            let bodies = self.scene.pairs[patch.pair].bodies;
+            let force = self.face_width * patch.force();
+            for side in (0..2).filter(|&side| bodies[side] == body) {
+                total[0] += force * patch.frame.translation_arm(side, [1.0, 0.0]);
+                total[1] += force * patch.frame.translation_arm(side, [0.0, 1.0]);
+                total[THETA_Z] += force * patch.frame.rotation_arm(side, origin);
+            }
+        }
+        total
+    }
+
     fn mesh(&self, pair: PairId) -> Option<&GearMesh> {
         self.scene.pairs.get(pair.0)?.mesh.as_ref()
     }

@@ -1,6 +1,8 @@
 //! Gears that several tests use.
 #![allow(dead_code, reason = "each test uses some of them")]
 
+pub mod pair;
+
 use calyx_gears::external::{ExternalGear, ExternalGearData};
 use calyx_gears::rack::Rack;
 

@@ -1,0 +1,296 @@
+//! A pair of gears as a scene of the engine, without the language: the second gear phased, the mesh found.
+
+use super::{INCH, chapter_5_data};
+use calyx_gears::external::{ExternalGear, ExternalGearData};
+use calyx_gears::host::Rim;
+use calyx_gears::mesh_geometry::MeshGeometry;
+use calyx_gears::modification::{Modification, ReliefShape, TipRelief};
+use calyx_gears::mounting::{Mounting, mount_external};
+use calyx_gears::prototype::GearPrototype;
+use calyx_runtime::error::EngineError;
+use calyx_runtime::material::Material;
+use calyx_runtime::motion::{Motion, PlanePose, SteadyRotation};
+use calyx_runtime::plan::Plan;
+use calyx_runtime::scene::{
+    Body, BodyId, Fidelity, GearMesh, GridOptions, Ignored, Observable, PairId, Prototype, Scene,
+    StructureOptions, SurfacePair,
+};
+use calyx_runtime::step::StepResult;
+use calyx_runtime::structure::Structure;
+use calyx_runtime::system::System;
+use std::f64::consts::TAU;
+use std::sync::{Arc, LazyLock, Mutex};
+
+pub const PSI: f64 = 6894.757293168361;
+pub const LBF: f64 = 4.4482216152605;
+/// 1000 lbf in, on the pinion.
+pub const TORQUE: f64 = 1000.0 * LBF * INCH;
+pub const MESH: PairId = PairId(0);
+pub const FIRST: BodyId = BodyId(0);
+pub const SECOND: BodyId = BodyId(1);
+
+type Structures = Arc<Mutex<Vec<(StructureOptions, Arc<dyn Structure>)>>>;
+
+/// A gear whose structures are made once, however many scenes it is put in.
+#[derive(Clone)]
+pub struct Member {
+    pub prototype: Arc<GearPrototype>,
+    /// Instead of the prototype's, rad: they leave the structure as it is.
+    pitch_errors: Vec<f64>,
+    structures: Structures,
+}
+
+impl Member {
+    pub fn new(prototype: GearPrototype) -> Self {
+        let pitch_errors = prototype.pitch_errors.clone();
+        Self { prototype: Arc::new(prototype), pitch_errors, structures: Structures::default() }
+    }
+
+    /// The same gear with one tooth out of its place, rad.
+    pub fn with_pitch_error(&self, tooth: u32, error: f64) -> Self {
+        let mut pitch_errors = vec![0.0; self.gear().teeth as usize];
+        pitch_errors[tooth as usize] = error;
+        Self { pitch_errors, ..self.clone() }
+    }
+
+    pub fn gear(&self) -> &ExternalGear {
+        &self.prototype.gear
+    }
+}
+
+impl Prototype for Member {
+    fn build(&self, options: &StructureOptions) -> Result<Arc<dyn Structure>, EngineError> {
+        let mut structures = self.structures.lock().expect("no build panics");
+        if let Some((_, built)) = structures.iter().find(|(known, _)| known == options) {
+            return Ok(built.clone());
+        }
+        let built = self.prototype.build(options)?;
+        structures.push((*options, built.clone()));
+        Ok(built)
+    }
+
+    fn enclosing_radius(&self) -> f64 {
+        self.prototype.enclosing_radius()
+    }
+
+    fn roll_angle(&self, radius: f64) -> Option<f64> {
+        self.prototype.roll_angle(radius)
+    }
+
+    fn face_width(&self) -> f64 {
+        self.prototype.face_width()
+    }
+
+    fn pitch_error(&self, tooth: u32) -> f64 {
+        self.pitch_errors.get(tooth as usize).copied().unwrap_or(0.0)
+    }
+
+    fn ignored(&self, fidelity: Fidelity) -> Vec<Ignored> {
+        self.prototype.ignored(fidelity)
+    }
+}
+
+pub fn steel() -> Material {
+    Material { youngs_modulus: 3e7 * PSI, poissons_ratio: 0.3, density: 7850.0 }
+}
+
+/// Factors on the chapter 5 pair: lengths and Young's modulus.
+#[derive(Clone, Copy)]
+pub struct Scale {
+    pub length: f64,
+    pub modulus: f64,
+}
+
+/// A member of the chapter 5 pair, with a quadratic tip relief of this depth in inches (none at 0), scaled.
+pub fn chapter_5_member(teeth: u32, relief: f64, scale: Scale) -> Member {
+    let Scale { length, modulus } = scale;
+    let mut data = chapter_5_data(teeth, 0.02, 0.15708);
+    data.rack.module *= length;
+    data.rack.tip_radius *= length;
+    data.tooth_thickness *= length;
+    data.outer_radius *= length;
+    data.root_radius *= length;
+    let (rim, start_roll) = if teeth == 20 { ([0.7, 0.6], 27.25) } else { ([1.7, 1.2], 19.60) };
+    let relief = (relief > 0.0).then(|| {
+        Modification::TipRelief(TipRelief {
+            depth: relief * INCH * length,
+            start_roll: f64::to_radians(start_roll),
+            shape: ReliefShape::Quadratic,
+        })
+    });
+    let material = Material { youngs_modulus: modulus * steel().youngs_modulus, ..steel() };
+    let [radius, inner_radius] = rim.map(|radius| radius * INCH * length);
+    let gear = ExternalGear::new(data).expect("a sound gear");
+    let modifications = relief.into_iter().collect();
+    let rim = Rim { radius, inner_radius };
+    let face_width = INCH * length;
+    Member::new(GearPrototype::new(gear, modifications, material, rim, face_width, Vec::new()).expect("a gear"))
+}
+
+/// A gear of steel on a rim three modules thick.
+pub fn member(data: ExternalGearData, face_width: f64) -> Member {
+    let rim = Rim { radius: data.root_radius - data.rack.module, inner_radius: data.root_radius - 3.0 * data.rack.module };
+    let gear = ExternalGear::new(data).expect("a sound gear");
+    Member::new(GearPrototype::new(gear, Vec::new(), steel(), rim, face_width, Vec::new()).expect("a gear"))
+}
+
+const UNSCALED: Scale = Scale { length: 1.0, modulus: 1.0 };
+
+/// The chapter 5 pair without modifications, and with its quadratic tip relief.
+pub static PLAIN: LazyLock<[Member; 2]> =
+    LazyLock::new(|| [20, 40].map(|teeth| chapter_5_member(teeth, 0.0, UNSCALED)));
+pub static RELIEVED: LazyLock<[Member; 2]> =
+    LazyLock::new(|| [20, 40].map(|teeth| chapter_5_member(teeth, 0.0005, UNSCALED)));
+
+/// How a pair is put together. The loaded gear is free to turn, the other is held.
+#[derive(Clone)]
+pub struct PairOptions {
+    pub gears: [Member; 2],
+    pub center_distance: f64,
+    /// Which gear is loaded and free.
+    pub loaded: usize,
+    /// On the loaded gear, counter-clockwise, N m. Its sign says which flanks touch; 0 is like a vanishing positive one.
+    pub moment: f64,
+    /// Angle of the first gear at time 0, and its speed, counter-clockwise.
+    pub start: f64,
+    pub speed: f64,
+    pub edges: bool,
+    pub grid_width: Option<f64>,
+    /// Where the first gear's axis is, and the direction of the second's from there.
+    pub origin: [f64; 2],
+    pub direction: f64,
+}
+
+impl PairOptions {
+    /// The chapter 5 pair at 3 rpm, contact on the nominal path only.
+    pub fn chapter_5(gears: &[Member; 2]) -> Self {
+        Self {
+            gears: gears.clone(),
+            center_distance: 3.0 * INCH,
+            loaded: 0,
+            moment: TORQUE,
+            start: 0.0,
+            speed: 0.05 * TAU,
+            edges: false,
+            grid_width: None,
+            origin: [0.0; 2],
+            direction: 0.0,
+        }
+    }
+}
+
+/// Everything observed of a pair, in the order of [`Values`].
+const OBSERVED: [Observable; 7] = [
+    Observable::TransmissionError(MESH),
+    Observable::LoadShare(MESH),
+    Observable::MeshStiffness(MESH),
+    Observable::MaxContactPressure(MESH),
+    Observable::MaxEdgePressure(MESH),
+    Observable::MaxRootStress(FIRST),
+    Observable::MaxRootStress(SECOND),
+];
+
+/// The scene of a pair, everything observed, and its mesh.
+pub fn pair(options: &PairOptions) -> (Scene, GearMesh) {
+    let [first, second] = [0, 1].map(|i| options.gears[i].gear());
+    let geometry = MeshGeometry::external(first, second, options.center_distance).expect("they mesh");
+    let (sin, cos) = options.direction.sin_cos();
+    let across = [cos, sin].map(|part| part * options.center_distance);
+    let origins = [options.origin, [0, 1].map(|axis| options.origin[axis] + across[axis])];
+    let speeds = [options.speed, -options.speed * f64::from(first.teeth) / f64::from(second.teeth)];
+    // As in the language: the flanks that touch are those the moment presses on.
+    let sense = if options.moment < 0.0 { -1.0 } else { 1.0 };
+    let mounting = Mounting {
+        first: PlanePose { origin: origins[0], angle: options.start },
+        second: PlanePose { origin: origins[1], angle: 0.0 },
+        angular_velocity: speeds,
+        sense,
+    };
+    let (phase, mesh) = mount_external([first, second], &geometry, &mounting).expect("they fit");
+
+    let mut scene = Scene::default();
+    for side in 0..2 {
+        let loaded = side == options.loaded;
+        scene.add_body(Body {
+            name: ["first", "second"][side].into(),
+            prototype: Arc::new(options.gears[side].clone()),
+            motion: Arc::new(SteadyRotation {
+                origin: origins[side],
+                start: [options.start, 0.0][side],
+                speed: speeds[side],
+            }) as Arc<dyn Motion>,
+            phase: [0.0, phase][side],
+            free: [false, false, false, false, false, loaded],
+            force: [0.0; 3],
+            moment: [0.0, 0.0, if loaded { options.moment } else { 0.0 }],
+        });
+    }
+    let surface = if sense > 0.0 { 0 } else { 1 };
+    scene.add_pair(SurfacePair {
+        bodies: [FIRST, SECOND],
+        surfaces: [surface; 2],
+        grid: GridOptions { width: options.grid_width, edges: options.edges, ..GridOptions::default() },
+        mesh: Some(mesh.clone()),
+    });
+    for observable in OBSERVED {
+        scene.observe(observable);
+    }
+    (scene, mesh)
+}
+
+/// What is observed of a solved pair, SI.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Values {
+    pub transmission_error: f64,
+    pub load_share: f64,
+    pub mesh_stiffness: f64,
+    pub contact_pressure: f64,
+    pub edge_pressure: f64,
+    pub root_stress: [f64; 2],
+}
+
+impl Values {
+    pub fn of(system: &System<'_>, step: &StepResult) -> Self {
+        let [transmission_error, load_share, mesh_stiffness, contact_pressure, edge_pressure, first, second] =
+            OBSERVED.map(|observable| system.value(step, observable).value);
+        Self {
+            transmission_error,
+            load_share,
+            mesh_stiffness,
+            contact_pressure,
+            edge_pressure,
+            root_stress: [first, second],
+        }
+    }
+
+    /// Largest relative difference of any value. Zero only equals zero.
+    pub fn difference(&self, other: &Self) -> f64 {
+        let list = |v: &Self| {
+            let [a, b] = v.root_stress;
+            [v.transmission_error, v.load_share, v.mesh_stiffness, v.contact_pressure, v.edge_pressure, a, b]
+        };
+        let pairs = list(self).into_iter().zip(list(other));
+        pairs.map(|(a, b)| if a == b { 0.0 } else { (a - b).abs() / a.abs().max(b.abs()) }).fold(0.0, |worst, d| {
+            // A number that is none must not pass for a small difference.
+            if d.is_nan() { f64::INFINITY } else { d.max(worst) }
+        })
+    }
+}
+
+pub fn system(scene: &Scene) -> System<'_> {
+    let plan = Plan::new(scene, Fidelity::Plane, StructureOptions::default()).expect("it can be planned");
+    System::new(scene, &plan).expect("it can be built")
+}
+
+/// The values of a pair at parts of its mesh cycle.
+pub fn solve_at(options: &PairOptions, cycles: &[f64]) -> Vec<Values> {
+    let (scene, mesh) = pair(options);
+    let mut system = system(&scene);
+    cycles
+        .iter()
+        .map(|cycle| {
+            let step = system.solve(mesh.start + cycle * mesh.period).expect("it is in equilibrium");
+            Values::of(&system, &step)
+        })
+        .collect()
+}

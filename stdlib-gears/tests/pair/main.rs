@@ -1,0 +1,13 @@
+//! Pairs of gears in equilibrium: what must hold exactly, what must not change the answer, and reference values.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod chapter_5;
+mod equilibrium;
+mod invariance;
+mod other_pairs;
+mod supports;
+
+/// Parts of the mesh cycle of the chapter 5 pair at which tests look: two pairs of teeth in contact up to 0.4925.
+const CYCLE: [f64; 5] = [0.02, 0.27, 0.47, 0.51, 0.83];

@@ -1,0 +1,76 @@
+//! What is said when a scene is not held, not loaded, or its grids do not suit.
+
+use crate::common::INCH;
+use crate::common::pair::{PLAIN, PairOptions, TORQUE, pair, system};
+use calyx_runtime::error::EngineError;
+use calyx_runtime::plan::Plan;
+use calyx_runtime::scene::{Body, Fidelity, StructureOptions};
+use calyx_runtime::system::System;
+
+/// What solving the chapter 5 pair ends in after its bodies have been changed.
+fn failure(options: &PairOptions, change: impl Fn(&mut Vec<Body>)) -> EngineError {
+    let (mut scene, mesh) = pair(options);
+    change(&mut scene.bodies);
+    let plan = match Plan::new(&scene, Fidelity::Plane, StructureOptions::default()) {
+        Ok(plan) => plan,
+        Err(error) => return error,
+    };
+    let mut system = System::new(&scene, &plan).expect("it can be built");
+    system.solve(mesh.start + 0.6 * mesh.period).expect_err("nothing holds it")
+}
+
+#[test]
+fn what_nothing_holds_is_named_with_its_direction() {
+    type Change = fn(&mut Vec<Body>);
+    let along_line_of_action = PairOptions { direction: 20.0_f64.to_radians(), ..PairOptions::chapter_5(&PLAIN) };
+    let plain = PairOptions::chapter_5(&PLAIN);
+    let apart = PairOptions { center_distance: 3.17 * INCH, ..plain.clone() };
+    let cases: [(&PairOptions, Change, &str, &str); 6] = [
+        (&plain, |bodies| bodies[1].free[5] = true, "E0714", "theta_z of body \"second\" in the negative sense"),
+        (&plain, |bodies| bodies[0].free[0] = true, "E0714", "u_x of body \"first\""),
+        (&plain, |bodies| bodies[1].free[1] = true, "E0714", "u_y of body \"second\""),
+        (&plain, |bodies| bodies[1].free[2] = true, "E0611", "body \"second\" is free in u_z"),
+        (&along_line_of_action, |bodies| bodies[1].free[0] = true, "E0715", "u_x of body \"second\""),
+        (&apart, |_| {}, "E0714", "theta_z of body \"first\" in the positive sense"),
+    ];
+    for (options, change, code, named) in cases {
+        let error = failure(options, change);
+        println!("{} {}", error.code, error.message);
+        assert_eq!(error.code, code, "{}", error.message);
+        assert!(error.message.contains(named), "{}: wanted {named}", error.message);
+        assert!(!error.help.is_empty());
+    }
+}
+
+/// The better width that warnings speak of, m.
+fn advice(warnings: &[String]) -> Option<f64> {
+    let warning = warnings.first()?;
+    let (_, rest) = warning.split_once("`grid_width = ")?;
+    let (width, _) = rest.split_once(" mm`")?;
+    Some(1e-3 * width.parse::<f64>().ok()?)
+}
+
+#[test]
+fn a_grid_that_does_not_suit_is_reported_with_one_that_does() {
+    let warned = |width: Option<f64>| {
+        let options = PairOptions { grid_width: width, moment: TORQUE, ..PairOptions::chapter_5(&PLAIN) };
+        let (scene, mesh) = pair(&options);
+        system(&scene).solve(mesh.start + 0.6 * mesh.period).expect("equilibrium").warnings
+    };
+    assert_eq!(warned(None), Vec::<String>::new());
+    // The patch is about 0.2 mm wide.
+    for (width, trouble) in [(0.05e-3, "too narrow"), (0.15e-3, "too narrow"), (5e-3, "too wide")] {
+        let mut width = width;
+        let mut warnings = warned(Some(width));
+        assert!(warnings[0].contains(trouble), "{warnings:?}");
+        // A deep cut only tells that the grid must be much wider: the advice may have to be followed again.
+        for _ in 0..4 {
+            match advice(&warnings) {
+                Some(better) => width = better,
+                None => break,
+            }
+            warnings = warned(Some(width));
+        }
+        assert_eq!(warnings, Vec::<String>::new(), "width {width}");
+    }
+}
