@@ -1,7 +1,7 @@
 //! Calls: arguments to parameters, and what each kind of function demands.
 
 use super::infer::Checker;
-use super::symbols::{Res, VarKind, similar};
+use super::symbols::{Res, VarKind, similar, with_article};
 use super::tree::*;
 use super::types::Type;
 use crate::ast::{self, Bind, ExprKind, Mode};
@@ -480,13 +480,13 @@ impl<'a> Checker<'a> {
                         return None;
                     }
                     other => {
-                        let shown = self.store.show(&other);
+                        let shown = with_article(&self.store.show(&other));
                         self.report(
                             Diagnostic::error(
                                 "E0305",
-                                format!("a {shown} has no elements to index"),
+                                format!("{shown} has no elements to index"),
                                 e.span,
-                                format!("this is a {shown}"),
+                                format!("this is {shown}"),
                             )
                             .help("only arrays and tuples are indexed"),
                         );

@@ -2,6 +2,7 @@
 
 use super::dim::Dim;
 use super::infer::Checker;
+use super::symbols::with_article;
 use super::tree::{Constraint, ConstraintKind};
 use super::types::{Mismatch, Type};
 use crate::diagnostic::Diagnostic;
@@ -131,14 +132,14 @@ impl Checker<'_> {
         match self.store.unify(a, b) {
             Ok(()) => Outcome::Solved,
             Err(mismatch) => {
-                let (found, wanted) = (self.store.show(a), self.store.show(b));
+                let (found, wanted) = (with_article(&self.store.show(a)), with_article(&self.store.show(b)));
                 let code = if matches!(mismatch, Mismatch::Dimension(..)) { "E0402" } else { "E0301" };
                 Outcome::failed(
                     Diagnostic::error(
                         code,
-                        format!("this is used as a {found}, but it is a {wanted}"),
+                        format!("this is used as {found}, but it is {wanted}"),
                         constraint.span,
-                        format!("gives a {wanted}"),
+                        format!("gives {wanted}"),
                     )
                     .help("make both sides the same"),
                 )
@@ -162,11 +163,11 @@ impl Checker<'_> {
                     (Type::Transform, Type::Vector(dim)) => {
                         let length = super::length();
                         if self.store.unify_dims(dim, &length).is_err() {
-                            let found = self.store.show(&right);
+                            let found = with_article(&self.store.show(&right));
                             return Outcome::failed(
                                 Diagnostic::error(
                                     "E0401",
-                                    format!("a frame takes a point, a Vector(Length), not a {found}"),
+                                    format!("a frame takes a point, a Vector(Length), not {found}"),
                                     constraint.span,
                                     "frame times vector",
                                 )
@@ -232,7 +233,7 @@ impl Checker<'_> {
                 Type::Number(_) | Type::Vector(_) | Type::Error => Outcome::Solved,
                 Type::Observable(_) => Outcome::failed(self.observable_as_value(constraint.span)),
                 other => {
-                    let shown = self.store.show(&other);
+                    let shown = with_article(&self.store.show(&other));
                     let help = match other {
                         Type::String => "put texts together by interpolation: `\"{a}{b}\"`",
                         Type::Array(_) => "use `push` to append, or a loop to add element by element",
@@ -242,9 +243,9 @@ impl Checker<'_> {
                     Outcome::failed(
                         Diagnostic::error(
                             "E0304",
-                            format!("a {shown} cannot be added or subtracted"),
+                            format!("{shown} cannot be added or subtracted"),
                             constraint.span,
-                            format!("this is a {shown}"),
+                            format!("this is {shown}"),
                         )
                         .help(help),
                     )
@@ -269,13 +270,13 @@ impl Checker<'_> {
                 }
                 Type::Observable(_) => Outcome::failed(self.observable_as_value(constraint.span)),
                 other => {
-                    let shown = self.store.show(&other);
+                    let shown = with_article(&self.store.show(&other));
                     Outcome::failed(
                         Diagnostic::error(
                             "E0304",
-                            format!("a {shown} cannot be compared"),
+                            format!("{shown} cannot be compared"),
                             constraint.span,
-                            format!("this is a {shown}"),
+                            format!("this is {shown}"),
                         )
                         .help("numbers, truth values, strings, vectors, and arrays and tuples of them can"),
                     )
@@ -294,13 +295,13 @@ impl Checker<'_> {
                 }
                 Type::Observable(_) => Outcome::failed(self.observable_as_value(constraint.span)),
                 other => {
-                    let shown = self.store.show(&other);
+                    let shown = with_article(&self.store.show(&other));
                     Outcome::failed(
                         Diagnostic::error(
                             "E0304",
-                            format!("a {shown} has no text form"),
+                            format!("{shown} has no text form"),
                             constraint.span,
-                            format!("this is a {shown}"),
+                            format!("this is {shown}"),
                         )
                         .help("print numbers, truth values, strings, vectors, frames or arrays of them"),
                     )
@@ -332,13 +333,13 @@ impl Checker<'_> {
                     .help("make the elements the same type to get an array"),
                 ),
                 (other, _) => {
-                    let shown = self.store.show(&other);
+                    let shown = with_article(&self.store.show(&other));
                     Outcome::failed(
                         Diagnostic::error(
                             "E0305",
-                            format!("a {shown} has no elements to index"),
+                            format!("{shown} has no elements to index"),
                             constraint.span,
-                            format!("this is a {shown}"),
+                            format!("this is {shown}"),
                         )
                         .help("only arrays and tuples are indexed"),
                     )
@@ -367,7 +368,7 @@ impl Checker<'_> {
         };
         Diagnostic::error(
             "E0304",
-            format!("cannot {verb} a {l} {preposition} a {r}"),
+            format!("cannot {verb} {} {preposition} {}", with_article(&l), with_article(&r)),
             constraint.span,
             format!("{l} and {r}"),
         )

@@ -5,7 +5,7 @@
 
 use super::ModuleData;
 use super::dim::Dim;
-use super::symbols::{FunctionInfo, Names, VarKind, Variable};
+use super::symbols::{FunctionInfo, Names, VarKind, Variable, with_article};
 use super::tree::*;
 use super::types::{Mismatch, Store, Substitution, Type};
 use crate::ast;
@@ -221,11 +221,11 @@ impl<'a> Checker<'a> {
         let mut diagnostic = match (&mismatch, &resolved) {
             (Mismatch::Infinite, _) => Diagnostic::error(
                 "E0302",
-                "a value cannot contain itself, nor more than 100 arrays inside one another",
+                "a value cannot contain itself, nor more than 100 arrays inside one another or 1000 parts",
                 found.span,
-                "its type would be infinite or too deep",
+                "its type would be infinite or too large",
             )
-            .help("use another variable"),
+            .help("use another variable, or an array of parts of one type"),
             (_, (_, Type::Observable(_))) => self.observable_as_value(found.span),
             (_, (_, Type::Unit)) => Diagnostic::error(
                 "E0303",
@@ -236,9 +236,9 @@ impl<'a> Checker<'a> {
             .help("call it as a statement, or give the function a `return` with a value"),
             _ => Diagnostic::error(
                 "E0301",
-                format!("{what} must be a {wanted}, not a {got}"),
+                format!("{what} must be {}, not {}", with_article(&wanted), with_article(&got)),
                 found.span,
-                format!("this is a {got}"),
+                format!("this is {}", with_article(&got)),
             )
             .help(self.kind_help(&resolved.0, &resolved.1)),
         };
@@ -256,8 +256,8 @@ impl<'a> Checker<'a> {
             (Type::Number(_), Type::Vector(_)) => "take a component (`.x`, `.y`, `.z`) or `norm(...)`".into(),
             (Type::Bool, Type::Number(_)) => "compare it: `... != 0`".into(),
             (Type::Transform, Type::Vector(_)) => "make a frame of it: `Translate(...)`".into(),
-            (Type::Handle(name), _) => format!("give a {name}"),
-            _ => format!("give a {}", self.store.show(expected)),
+            (Type::Handle(name), _) => format!("give {}", with_article(name)),
+            _ => format!("give {}", with_article(&self.store.show(expected))),
         }
     }
 

@@ -2,6 +2,7 @@
 
 use super::dim::Dim;
 use super::infer::Checker;
+use super::symbols::with_article;
 use super::tree::{Expr, Kind};
 use super::types::{Mismatch, Type};
 use crate::ast::BinaryOp;
@@ -13,23 +14,21 @@ impl Checker<'_> {
     /// Demands that the two sides of an operator have one type. The later side is to blame.
     pub(super) fn same(&mut self, a: &Expr, b: &Expr, op_span: Span, verb: &str) {
         let Err(mismatch) = self.store.unify(&a.ty, &b.ty) else { return };
-        let (left, right) = (self.store.show(&a.ty), self.store.show(&b.ty));
+        let shown = |ty| with_article(&self.store.show(ty));
+        let (left, right) = (shown(&a.ty), shown(&b.ty));
         let diagnostic = match mismatch {
             Mismatch::Dimension(dims) => {
                 let (x, y) = *dims;
-                let (x, y) = (self.store.show_dim(&x), self.store.show_dim(&y));
+                let shown = |dim| with_article(&self.store.show_dim(dim));
+                let (x, y) = (shown(&x), shown(&y));
                 let message = match verb {
-                    "compare" => format!("cannot compare a {x} with a {y}"),
-                    "add" => format!("cannot add a {y} to a {x}"),
-                    _ => format!("cannot {verb} a {y} from a {x}"),
+                    "compare" => format!("cannot compare {x} with {y}"),
+                    "add" => format!("cannot add {y} to {x}"),
+                    _ => format!("cannot {verb} {y} from {x}"),
                 };
-                let diagnostic = Diagnostic::error(
-                    "E0401",
-                    message,
-                    b.span,
-                    format!("this is a {y}: {}", self.factors(b)),
-                )
-                .label(a.span, format!("this is a {x}: {}", self.factors(a)));
+                let diagnostic =
+                    Diagnostic::error("E0401", message, b.span, format!("this is {y}: {}", self.factors(b)))
+                        .label(a.span, format!("this is {x}: {}", self.factors(a)));
                 let diagnostic = self.origins(diagnostic, &[a, b]);
                 match self.missing_factor(&a.ty, &b.ty) {
                     Some(help) => diagnostic.help(help),
@@ -41,12 +40,12 @@ impl Checker<'_> {
             }
             _ => {
                 let message = match verb {
-                    "compare" => format!("cannot compare a {left} with a {right}"),
-                    "add" => format!("cannot add a {right} to a {left}"),
-                    _ => format!("cannot {verb} a {right} from a {left}"),
+                    "compare" => format!("cannot compare {left} with {right}"),
+                    "add" => format!("cannot add {right} to {left}"),
+                    _ => format!("cannot {verb} {right} from {left}"),
                 };
-                Diagnostic::error("E0301", message, b.span, format!("this is a {right}"))
-                    .label(a.span, format!("this is a {left}"))
+                Diagnostic::error("E0301", message, b.span, format!("this is {right}"))
+                    .label(a.span, format!("this is {left}"))
                     .help("both sides must have the same type")
             }
         };
@@ -61,12 +60,13 @@ impl Checker<'_> {
         what: &str,
         cause: Option<(Span, String)>,
     ) {
-        let (shown_wanted, shown_got) = (self.store.show_dim(wanted), self.store.show_dim(got));
+        let shown = |dim| with_article(&self.store.show_dim(dim));
+        let (shown_wanted, shown_got) = (shown(wanted), shown(got));
         let mut diagnostic = Diagnostic::error(
             "E0401",
-            format!("{what} must be a {shown_wanted}, not a {shown_got}"),
+            format!("{what} must be {shown_wanted}, not {shown_got}"),
             found.span,
-            format!("this is a {shown_got}: {}", self.factors(found)),
+            format!("this is {shown_got}: {}", self.factors(found)),
         );
         if let Some((span, message)) = cause {
             diagnostic = diagnostic.label(span, message);
@@ -155,9 +155,9 @@ impl Checker<'_> {
         Some(match (missing.known_name(), inverse.known_name()) {
             (Some(name), _) if bare => format!("give it a unit of {name}, such as `{}`", unit(missing)),
             (_, Some(name)) if missing.known_name().is_none() || name == "Length" || name == "Time" => {
-                format!("divide by a {name} (`{}`)", unit(inverse))
+                format!("divide by {} (`{}`)", with_article(name), unit(inverse))
             }
-            (Some(name), _) => format!("multiply by a {name} (`{}`)", unit(missing)),
+            (Some(name), _) => format!("multiply by {} (`{}`)", with_article(name), unit(missing)),
             _ => format!("a factor of {} is missing (`{}`)", missing.in_bases(), unit(missing)),
         })
     }

@@ -347,10 +347,26 @@ impl<'a> Resolver<'a> {
         let (Some(last), true) = (path.last(), top) else { return };
         let name = path.iter().map(|ident| ident.name.as_str()).collect::<Vec<_>>().join(".");
         match self.modules.iter().position(|module| module.name == name) {
-            Some(index) => self.declare(last, Res::Module(index as u32)),
+            Some(index) => {
+                self.declare(last, Res::Module(index as u32));
+            }
             // The loader has reported it.
-            None => self.declare(last, Res::Unknown),
+            None => {
+                self.declare(last, Res::Unknown);
+                self.meant_module(&name, last);
+            }
         };
+    }
+
+    /// Where a module's name is misspelt in its import only, its right name is used everywhere else: one error is enough.
+    fn meant_module(&mut self, name: &str, declared: &Ident) {
+        let known = self.loader.names();
+        let Some(near) = similar(name, known.iter().map(String::as_str)) else { return };
+        if self.modules.iter().all(|module| module.name != near)
+            && let (Some(scope), Some(last)) = (self.scopes.last_mut(), near.rsplit('.').next())
+        {
+            scope.names.entry(last.into()).or_insert((Res::Unknown, declared.span));
+        }
     }
 
     fn function(&mut self, decl: &'a FunctionDecl) {
@@ -489,7 +505,14 @@ impl<'a> Resolver<'a> {
     fn field(&mut self, base: &'a Expr, field: &'a Ident) {
         self.expr(base);
         let ExprKind::Name(name) = &base.kind else { return };
-        let Some(Res::Module(module)) = self.names.uses.get(&name.span).copied() else { return };
+        let module = match self.names.uses.get(&name.span).copied() {
+            Some(Res::Module(module)) => module,
+            Some(Res::Unknown) => {
+                self.names.uses.insert(field.span, Res::Unknown);
+                return;
+            }
+            _ => return,
+        };
         let exports = &self.exports[module as usize];
         let res = match exports.get(&field.name) {
             Some((res, _)) => *res,

@@ -1,6 +1,7 @@
 //! Params and outputs: the model's interface.
 
 use super::infer::Checker;
+use super::symbols::with_article;
 use super::tree::{DefId, Output, Param, StmtKind};
 use super::types::Type;
 use crate::ast::{self, BinaryOp, Domain, ExprKind, UnaryOp};
@@ -84,11 +85,11 @@ impl<'a> Checker<'a> {
                 Type::Bool | Type::String | Type::Error => self.params[index].whole = false,
                 Type::Unknown(_) => {}
                 other => {
-                    let shown = self.store.show(other);
+                    let shown = with_article(&self.store.show(other));
                     self.report(
                         Diagnostic::error(
                             "E0312",
-                            format!("a param cannot be a {shown}"),
+                            format!("a param cannot be {shown}"),
                             span,
                             "declared here",
                         )

@@ -97,6 +97,13 @@ pub struct Names<'a> {
     pub diagnostics: Vec<Diagnostic>,
 }
 
+/// A word with its indefinite article: `a Length`, `an Angle`.
+pub fn with_article(word: &str) -> String {
+    // Nothing is known of a type shown as `_`. No type's name begins with a vowel that sounds like a consonant.
+    let article = if word.starts_with(['A', 'E', 'I', 'O', 'U']) { "an" } else { "a" };
+    format!("{article} {word}")
+}
+
 /// The candidate spelt most like `name`, if one is near enough to be meant.
 pub fn similar<'s>(name: &str, candidates: impl Iterator<Item = &'s str>) -> Option<String> {
     candidates

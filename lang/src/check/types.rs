@@ -48,6 +48,10 @@ impl Type {
 /// Arrays and tuples inside one another.
 const MOST_NESTED: usize = 100;
 
+/// Parts of a type, all that is nested in it included. A tuple of two tuples of two tuples ... has a short text and a
+/// type that doubles at every step.
+const MOST_PARTS: usize = 1000;
+
 /// Why two types do not fit.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Mismatch {
@@ -55,7 +59,7 @@ pub enum Mismatch {
     Kind,
     /// These two dimensions differ.
     Dimension(Box<(Dim, Dim)>),
-    /// A type would contain itself, or nest too deeply.
+    /// A type would contain itself, nest too deeply or have too many parts.
     Infinite,
 }
 
@@ -179,7 +183,7 @@ impl Store {
             (Type::Error, _) | (_, Type::Error) => Ok(()),
             (Type::Unknown(x), Type::Unknown(y)) if x == y => Ok(()),
             (Type::Unknown(x), other) | (other, Type::Unknown(x)) => {
-                if self.occurs(*x, other, 0) {
+                if self.occurs(*x, other, 0, &mut { MOST_PARTS }) {
                     return Err(Mismatch::Infinite);
                 }
                 self.types[x.0 as usize] = Some(other.clone());
@@ -197,15 +201,17 @@ impl Store {
         }
     }
 
-    /// Whether a type contains the unknown, or nests so deeply that walks over it could run out of stack.
-    fn occurs(&self, variable: TypeVar, ty: &Type, depth: usize) -> bool {
-        if depth > MOST_NESTED {
+    /// Whether a type contains the unknown, nests so deeply that walks over it could run out of stack, or has more
+    /// than `parts` parts, so that walks over it would take too long.
+    fn occurs(&self, variable: TypeVar, ty: &Type, depth: usize, parts: &mut usize) -> bool {
+        if depth > MOST_NESTED || *parts == 0 {
             return true;
         }
+        *parts -= 1;
         match self.shallow(ty) {
             Type::Unknown(other) => other == variable,
-            Type::Array(inner) | Type::Symbolic(inner) => self.occurs(variable, &inner, depth + 1),
-            Type::Tuple(parts) => parts.iter().any(|part| self.occurs(variable, part, depth + 1)),
+            Type::Array(inner) | Type::Symbolic(inner) => self.occurs(variable, &inner, depth + 1, parts),
+            Type::Tuple(inner) => inner.iter().any(|part| self.occurs(variable, part, depth + 1, parts)),
             _ => false,
         }
     }
@@ -348,5 +354,18 @@ mod tests {
         let mut store = Store::default();
         let x = store.fresh();
         assert_eq!(store.unify(&x, &Type::array(x.clone())), Err(Mismatch::Infinite));
+    }
+
+    #[test]
+    fn a_type_that_doubles_again_and_again_is_refused() {
+        let mut store = Store::default();
+        let mut part = Type::Bool;
+        let results = (0..60).map(|_| {
+            let next = store.fresh();
+            let fits = store.unify(&next, &Type::Tuple(vec![part.clone(), part.clone()]));
+            part = next;
+            fits
+        });
+        assert!(results.collect::<Vec<_>>().contains(&Err(Mismatch::Infinite)));
     }
 }
