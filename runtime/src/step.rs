@@ -11,6 +11,7 @@ use crate::motion::PlanePose;
 use crate::profile::Profile;
 use crate::structure::{Chart, Structure};
 use crate::system::{Freedom, System, Teeth};
+use std::f64::consts::PI;
 use std::sync::Arc;
 
 /// A pair of tooth surfaces in (possible) contact at a position.
@@ -63,6 +64,8 @@ struct Candidate {
 /// A grid is first laid where the gap is below this part of the profile's length; gaps that the solution closes beyond
 /// are found and added afterwards.
 const SEARCH_DEPTH: f64 = 0.01;
+/// A freedom that moves less than this part of the one that moves most is not named.
+const TAKES_PART: f64 = 1e-3;
 /// How often the widths of grids may be mended at a position.
 const REGRIDS: usize = 3;
 
@@ -99,12 +102,14 @@ impl System<'_> {
             return self.touch_without_load(time, candidates);
         }
         let mut widths = vec![None; candidates.len()];
+        let largest_forces = self.largest_forces(candidates);
         let mut rounds = REGRIDS;
         let (grids, problem, solution) = loop {
             let grids: Vec<Grid> = candidates
                 .iter()
+                .zip(&largest_forces)
                 .zip(&widths)
-                .map(|(candidate, &width)| self.grid(candidate, width))
+                .map(|((candidate, &force), &width)| self.grid(candidate, force, width))
                 .collect();
             let problem = self.problem(candidates, &grids)?;
             let warm_start = self.warm_start(candidates, &grids);
@@ -214,7 +219,9 @@ impl System<'_> {
                         profile: profiles[side].as_ref(),
                         placement: placements[side],
                     };
-                    if let Some(approach) = closest_approach(placed(0), placed(1), pair.grid.edges) {
+                    let approach = closest_approach(placed(0), placed(1), pair.grid.edges)
+                        .filter(|approach| self.faces(bodies, &placements, approach));
+                    if let Some(approach) = approach {
                         let arms = self.arms(bodies, &approach.frame, time)?;
                         let teeth = (index, [*first, *second]);
                         found.push(Candidate {
@@ -229,6 +236,16 @@ impl System<'_> {
             }
         }
         Ok(found)
+    }
+
+    /// Whether surfaces that approach like this belong together. Overlapping by half a pitch of either body's teeth, one
+    /// surface has passed the other: each belongs to the other's neighbour.
+    fn faces(&self, bodies: [usize; 2], placements: &[Placement; 2], approach: &Approach) -> bool {
+        let half_pitch = |side: usize| {
+            let teeth = self.structures[bodies[side]].as_ref().map_or(1, |structure| structure.teeth());
+            PI / f64::from(teeth) * distance(approach.frame.point, placements[side].origin())
+        };
+        approach.gap > -half_pitch(0).min(half_pitch(1))
     }
 
     /// Teeth of a body whose surface comes within `reach` of a point: index, placement, middle of the surface.
@@ -280,8 +297,8 @@ impl System<'_> {
             .collect()
     }
 
-    /// Lays the grid of a patch: `width` (m) if it is given, else that of the model, else one that suits the whole load.
-    fn grid(&self, candidate: &Candidate, width: Option<f64>) -> Grid {
+    /// Lays the grid of a patch: `width` (m) if it is given, else that of the model, else one that suits `force` (N/m).
+    fn grid(&self, candidate: &Candidate, force: f64, width: Option<f64>) -> Grid {
         let pair = &self.scene.pairs[candidate.teeth.0];
         let placed = |side: usize| PlacedProfile {
             profile: candidate.profiles[side].as_ref(),
@@ -291,17 +308,26 @@ impl System<'_> {
             Some(width) => Width::Total(width),
             None => {
                 let contact_modulus = self.contact_modulus(pair.bodies.map(|body| body.0));
-                Width::Hertz { force: self.largest_force(candidate), contact_modulus }
+                Width::Hertz { force, contact_modulus }
             }
         };
         let options = GridOptions { half_count: pair.grid.half_cells, width, search_edges: pair.grid.edges };
         lay(placed(0), placed(1), &candidate.approach, &options)
     }
 
-    /// The force (N/m) on a patch that would balance the whole load alone.
-    fn largest_force(&self, candidate: &Candidate) -> f64 {
-        let balancing = candidate.arms.iter().zip(&self.load).filter(|(arm, _)| **arm != 0.0);
-        balancing.map(|(arm, load)| (load / arm).abs()).fold(0.0, f64::max)
+    /// For each patch the force (N/m) that would balance the whole load alone. A patch that no load acts on directly passes
+    /// on what others carry.
+    fn largest_forces(&self, candidates: &[&Candidate]) -> Vec<f64> {
+        let alone = |candidate: &&Candidate| {
+            let balancing = candidate.arms.iter().zip(&self.load).filter(|(arm, _)| **arm != 0.0);
+            balancing.map(|(arm, load)| (load / arm).abs()).fold(0.0, f64::max)
+        };
+        let mut forces: Vec<f64> = candidates.iter().map(alone).collect();
+        let largest = forces.iter().copied().fold(0.0, f64::max);
+        for force in forces.iter_mut().filter(|force| **force == 0.0) {
+            *force = largest;
+        }
+        forces
     }
 
     fn contact_modulus(&self, bodies: [usize; 2]) -> f64 {
@@ -376,22 +402,38 @@ impl System<'_> {
         ))
     }
 
+    /// A motion as people call it: every freedom that takes part, with its sense.
+    fn motion_name(&self, motion: &[f64]) -> String {
+        // Turns compared with shifts by what they move on the rim.
+        let size = |at: usize| {
+            let Freedom { body, component } = self.freedoms[at];
+            let radius = self.scene.bodies[body].prototype.enclosing_radius();
+            motion[at].abs() * if component < 3 { 1.0 } else { radius }
+        };
+        let largest = (0..motion.len()).map(size).fold(0.0, f64::max);
+        let parts: Vec<String> = (0..motion.len())
+            .filter(|&at| size(at) > TAKES_PART * largest)
+            .map(|at| {
+                let sense = if motion[at] > 0.0 { "positive" } else { "negative" };
+                format!("{} in the {sense} sense", self.freedom_name(at))
+            })
+            .collect();
+        parts.join(" and ")
+    }
+
     /// A failure of the contact solver in the words of the model.
     fn explain(&self, error: &ContactError) -> EngineError {
-        let named = |motion: &FreeMotion| {
-            let sense = if motion.direction > 0.0 { "positive" } else { "negative" };
-            format!("{} in the {sense} sense", self.freedom_name(motion.freedom))
-        };
+        let named = |motion: &FreeMotion| self.motion_name(&motion.motion);
         match error {
             ContactError::Infeasible(motion) => EngineError::new(
                 "E0714",
                 format!("no contact can hold the load: it drives {}", named(motion)),
-                "hold that freedom (take it out of `free`), or check the sign of the load and that the teeth are in mesh",
+                "hold such a freedom (take it out of `free`), or check the sign of the load and that the teeth are in mesh",
             ),
             ContactError::Unconstrained(motion) => EngineError::new(
                 "E0715",
                 format!("nothing holds {}", named(motion)),
-                "hold that freedom (take it out of `free`), or load it",
+                "hold such a freedom (take it out of `free`), or load it",
             ),
             ContactError::DependentCells { cell } => EngineError::new(
                 "E0716",

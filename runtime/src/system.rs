@@ -98,7 +98,10 @@ fn load_on(scene: &Scene, freedom: Freedom) -> f64 {
 
 fn build_structures(scene: &Scene, plan: &Plan) -> Result<Vec<Option<Arc<dyn Structure>>>, EngineError> {
     // Bodies that differ in nothing but their motion share a structure; one that needs stresses serves all.
-    let key = |index: usize| Arc::as_ptr(&scene.bodies[index].prototype).cast::<()>();
+    let key = |index: usize| {
+        let prototype = Arc::as_ptr(&scene.bodies[index].prototype).cast::<()>();
+        (prototype, plan.bodies[index].options.sharp_edges)
+    };
     let mut wanted: Vec<(usize, StructureOptions)> = Vec::new();
     for (index, body) in plan.bodies.iter().enumerate().filter(|(_, body)| !body.left_out) {
         match wanted.iter_mut().find(|(other, _)| key(*other) == key(index)) {

@@ -171,37 +171,76 @@ struct Edge {
 }
 
 /// Ends of the cells over `range`: of size `flank_cell`, shrinking towards edges, with ends at the edges' starts.
+///
+/// Between such ends, cells hold equal shares of the integral of 1 / size, so that a patch seen from the other side has the
+/// same cells.
 fn cell_bounds(range: [f64; 2], flank_cell: f64, edges: &[Edge]) -> Vec<f64> {
-    let size_at = |x: f64| {
-        edges.iter().fold(flank_cell, |size, edge| {
-            let beyond = edge.towards * (x - edge.x);
-            size.min(edge.cell + GRADING * (-beyond).max(0.0))
-        })
-    };
-    let mut stops: Vec<f64> = edges.iter().map(|e| e.x).filter(|&x| x > range[0] && x < range[1]).collect();
+    let inside = |x: &f64| *x > range[0] && *x < range[1];
+    let mut stops: Vec<f64> = edges.iter().map(|edge| edge.x).filter(inside).collect();
     stops.sort_by(f64::total_cmp);
     stops.push(range[1]);
     let mut bounds = vec![range[0]];
     let mut from = range[0];
     for to in stops {
-        let mut ends = Vec::new();
-        let mut x = from;
-        while x < to {
-            let size = size_at(x + 0.5 * size_at(x));
-            x += size;
-            // The last cell is kept if more than half of it lies inside; then all stretch or shrink a little.
-            if ends.is_empty() || x - 0.5 * size < to {
-                ends.push(x);
+        let pieces = size_pieces([from, to], flank_cell, edges);
+        let total: f64 = pieces.iter().map(Piece::cells).sum();
+        let count = total.round().max(1.0);
+        let (mut piece, mut passed) = (0, 0.0);
+        for end in 1..count as usize {
+            let share = total * end as f64 / count;
+            while piece + 1 < pieces.len() && passed + pieces[piece].cells() < share {
+                passed += pieces[piece].cells();
+                piece += 1;
             }
+            bounds.push(pieces[piece].after(share - passed));
         }
-        let stretch = ends.last().map_or(1.0, |last| (to - from) / (last - from));
-        bounds.extend(ends.iter().map(|end| from + stretch * (end - from)));
-        if let Some(last) = bounds.last_mut() {
-            *last = to;
-        }
+        bounds.push(to);
         from = to;
     }
     bounds
+}
+
+/// A part of the tangent line over which the size of cells varies linearly.
+struct Piece {
+    x: [f64; 2],
+    size: [f64; 2],
+}
+
+impl Piece {
+    /// Number of cells, not whole: the integral of 1 / size.
+    fn cells(&self) -> f64 {
+        let [a, b] = self.size;
+        let length = self.x[1] - self.x[0];
+        // The logarithmic mean of the sizes, which rounds badly where they are nearly the same.
+        if (b - a).abs() < 1e-9 * a { length / a } else { length * (b / a).ln() / (b - a) }
+    }
+
+    /// Where `cells` cells from its start end.
+    fn after(&self, cells: f64) -> f64 {
+        let [a, b] = self.size;
+        let slope = (b - a) / (self.x[1] - self.x[0]);
+        let along = if (b - a).abs() < 1e-9 * a { a * cells } else { a * (slope * cells).exp_m1() / slope };
+        self.x[0] + along
+    }
+}
+
+/// The size of cells over `range`: the flank's, or what the nearest edge asks for, growing away from it.
+fn size_pieces(range: [f64; 2], flank_cell: f64, edges: &[Edge]) -> Vec<Piece> {
+    let asked = |edge: &Edge, x: f64| edge.cell + GRADING * (edge.towards * (edge.x - x)).max(0.0);
+    let size = |x: f64| edges.iter().fold(flank_cell, |size, edge| size.min(asked(edge, x)));
+    // Where an edge's demand meets the flank's size, and where two facing edges' demands meet.
+    let mut knots = vec![range[0], range[1]];
+    for edge in edges {
+        knots.push(edge.x - edge.towards * (flank_cell - edge.cell) / GRADING);
+        for other in edges.iter().filter(|other| other.towards != edge.towards) {
+            knots.push(0.5 * (edge.x + other.x + edge.towards * (edge.cell - other.cell) / GRADING));
+        }
+    }
+    knots.retain(|x| (range[0]..=range[1]).contains(x));
+    knots.sort_by(f64::total_cmp);
+    knots.dedup();
+    let piece = |x: &[f64]| Piece { x: [x[0], x[1]], size: [size(x[0]), size(x[1])] };
+    knots.windows(2).map(piece).collect()
 }
 
 /// A profile as a function of x, from the reference point as far as it faces the other.

@@ -124,12 +124,17 @@ pub fn chapter_5_member(teeth: u32, relief: f64, scale: Scale) -> Member {
     let modifications = relief.into_iter().collect();
     let rim = Rim { radius, inner_radius };
     let face_width = INCH * length;
-    Member::new(GearPrototype::new(gear, modifications, material, rim, face_width, Vec::new()).expect("a gear"))
+    Member::new(
+        GearPrototype::new(gear, modifications, material, rim, face_width, Vec::new()).expect("a gear"),
+    )
 }
 
 /// A gear of steel on a rim three modules thick.
 pub fn member(data: ExternalGearData, face_width: f64) -> Member {
-    let rim = Rim { radius: data.root_radius - data.rack.module, inner_radius: data.root_radius - 3.0 * data.rack.module };
+    let rim = Rim {
+        radius: data.root_radius - data.rack.module,
+        inner_radius: data.root_radius - 3.0 * data.rack.module,
+    };
     let gear = ExternalGear::new(data).expect("a sound gear");
     Member::new(GearPrototype::new(gear, Vec::new(), steel(), rim, face_width, Vec::new()).expect("a gear"))
 }
@@ -270,10 +275,13 @@ impl Values {
             [v.transmission_error, v.load_share, v.mesh_stiffness, v.contact_pressure, v.edge_pressure, a, b]
         };
         let pairs = list(self).into_iter().zip(list(other));
-        pairs.map(|(a, b)| if a == b { 0.0 } else { (a - b).abs() / a.abs().max(b.abs()) }).fold(0.0, |worst, d| {
-            // A number that is none must not pass for a small difference.
-            if d.is_nan() { f64::INFINITY } else { d.max(worst) }
-        })
+        pairs.map(|(a, b)| if a == b { 0.0 } else { (a - b).abs() / a.abs().max(b.abs()) }).fold(
+            0.0,
+            |worst, d| {
+                // A number that is none must not pass for a small difference.
+                if d.is_nan() { f64::INFINITY } else { d.max(worst) }
+            },
+        )
     }
 }
 

@@ -6,6 +6,9 @@ use calyx_runtime::analysis::mesh_cycle;
 use calyx_runtime::scene::GearMesh;
 use serde_json::Value;
 
+/// Enough to meet the peak of root stress, which with relief lies beyond the nominal single-tooth contact, to 0.1 %.
+const POSITIONS: usize = 128;
+
 fn reference() -> Value {
     serde_json::from_str(include_str!("../data/spur_pair.json")).expect("sound data")
 }
@@ -32,12 +35,14 @@ fn contact_pressure_follows_hertz_where_one_pair_carries() {
     let rolls: Vec<f64> = rows.iter().map(|row| row[0].as_f64().expect("a roll angle")).collect();
     let times = |mesh: &GearMesh| {
         let rate = mesh.roll[1] - mesh.roll[0];
-        rolls.iter().map(|roll| mesh.start + (roll.to_radians() - mesh.roll[0]) / rate * mesh.period).collect()
+        rolls
+            .iter()
+            .map(|roll| mesh.start + (roll.to_radians() - mesh.roll[0]) / rate * mesh.period)
+            .collect()
     };
     for (row, (roll, values)) in rows.iter().zip(cycle(&PLAIN, times)) {
         let expected = row[1].as_f64().expect("a pressure");
         let found = values.contact_pressure.max(values.edge_pressure) / PSI;
-        println!("roll {roll}: {found} {expected} {}", found / expected - 1.0);
         assert!((found / expected - 1.0).abs() < 0.01, "roll {roll}: {found} {expected}");
     }
 }
@@ -46,8 +51,9 @@ fn contact_pressure_follows_hertz_where_one_pair_carries() {
 fn fillet_stress_and_transmission_error_agree_with_independent_models() {
     let reference = reference();
     for (name, gears) in [("no_modification", &PLAIN), ("quadratic_tip_relief", &RELIEVED)] {
-        let expected = |key: &str| reference["independent_plane_strain"][name][key].as_f64().expect("a number");
-        let rows = cycle(gears, |mesh| mesh_cycle(mesh, 32).into_iter().map(|p| p.time).collect());
+        let expected =
+            |key: &str| reference["independent_plane_strain"][name][key].as_f64().expect("a number");
+        let rows = cycle(gears, |mesh| mesh_cycle(mesh, POSITIONS).into_iter().map(|p| p.time).collect());
         let largest = |value: fn(&Values) -> f64| {
             rows.iter().map(|(_, values)| value(values)).fold(f64::NEG_INFINITY, f64::max)
         };
@@ -57,12 +63,16 @@ fn fillet_stress_and_transmission_error_agree_with_independent_models() {
         for (key, found, tolerance) in [
             ("max_root_stress_pinion", largest(|v| v.root_stress[0]) / PSI, 0.01),
             ("max_root_stress_gear", largest(|v| v.root_stress[1]) / PSI, 0.01),
-            ("max_hertz_pressure", largest(|v| v.contact_pressure) / PSI, 0.01),
+            // Where one pair carries: near the ends of the path of contact, edges raise it.
+            (
+                "max_hertz_pressure",
+                largest(|v| if v.load_share == 1.0 { v.contact_pressure } else { 0.0 }) / PSI,
+                0.01,
+            ),
             ("te_peak_to_peak_inch", peak_to_peak, 0.02),
         ] {
-            println!("{name} {key}: {found} {} {}", expected(key), found / expected(key) - 1.0);
             let error = found / expected(key) - 1.0;
-            assert!(error.abs() < tolerance, "{name}, {key}: {found} for {}", expected(key));
+            assert!(error.abs() < tolerance, "{name}, {key}: {found} for {}, {error:+.4}", expected(key));
         }
     }
 }

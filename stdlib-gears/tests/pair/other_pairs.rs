@@ -1,10 +1,11 @@
 //! Pairs unlike the report's: a contact ratio above two, profile shift, equal gears.
 
-use crate::common::pair::{Member, PairOptions, Values, member, pair, system};
+use crate::common::pair::{MESH, Member, PairOptions, RELIEVED, Values, member, pair, system};
 use calyx_gears::external::ExternalGearData;
 use calyx_gears::mesh_geometry::MeshGeometry;
 use calyx_gears::rack::Rack;
 use calyx_runtime::analysis::mesh_cycle;
+use calyx_runtime::scene::{Body, BodyId, Observable, PairId};
 
 struct Case {
     name: &'static str,
@@ -51,12 +52,12 @@ fn cases() -> [Case; 3] {
 #[test]
 fn other_pairs_run_and_share_their_load() {
     for Case { name, gears, center_distance, shared_by } in cases() {
-        let geometry = MeshGeometry::external(gears[0].gear(), gears[1].gear(), center_distance).expect("a mesh");
+        let geometry =
+            MeshGeometry::external(gears[0].gear(), gears[1].gear(), center_distance).expect("a mesh");
         assert_eq!(geometry.contact_ratio.ceil() as usize, shared_by, "{name}");
         let moment = 2e9 * center_distance.powi(3) / 1e3;
         for edges in [false, true] {
-            let options =
-                PairOptions { center_distance, moment, edges, ..PairOptions::chapter_5(&gears) };
+            let options = PairOptions { center_distance, moment, edges, ..PairOptions::chapter_5(&gears) };
             let (scene, mesh) = pair(&options);
             let mut system = system(&scene);
             for position in mesh_cycle(&mesh, 3) {
@@ -84,8 +85,7 @@ fn other_pairs_run_and_share_their_load() {
 fn transmission_error_is_continuous_where_tip_edges_carry() {
     for Case { name, gears, center_distance, .. } in cases() {
         let moment = 2e9 * center_distance.powi(3) / 1e3;
-        let options =
-            PairOptions { center_distance, moment, edges: true, ..PairOptions::chapter_5(&gears) };
+        let options = PairOptions { center_distance, moment, edges: true, ..PairOptions::chapter_5(&gears) };
         let (scene, mesh) = pair(&options);
         let mut system = system(&scene);
         let mut at = |cycle: f64| {
@@ -93,7 +93,8 @@ fn transmission_error_is_continuous_where_tip_edges_carry() {
             Values::of(&system, &step).transmission_error
         };
         let coarse: Vec<f64> = (0..8).map(|i| at(f64::from(i) / 8.0)).collect();
-        let range = coarse.iter().copied().fold(f64::MIN, f64::max) - coarse.iter().copied().fold(f64::MAX, f64::min);
+        let range =
+            coarse.iter().copied().fold(f64::MIN, f64::max) - coarse.iter().copied().fold(f64::MAX, f64::min);
         // Around the points where pairs enter and leave, and in between.
         let ratio = mesh.characteristic[1].time / mesh.period;
         for cycle in [0.0, ratio, ratio - 0.01, ratio + 0.01, 0.99, 0.3] {
@@ -101,4 +102,32 @@ fn transmission_error_is_continuous_where_tip_edges_carry() {
             assert!(change < 0.02 * range, "{name} at {cycle}: {change:e} of {range:e}");
         }
     }
+}
+
+#[test]
+fn pairs_of_one_scene_do_not_disturb_each_other() {
+    // Two pairs of the same gears; one searches its tip edges and the other does not.
+    let [(mut scene, mesh), (other, _)] =
+        [false, true].map(|edges| pair(&PairOptions { edges, ..PairOptions::chapter_5(&RELIEVED) }));
+    let time = mesh.start + 0.51 * mesh.period;
+    let alone = [&scene, &other].map(|scene| {
+        let mut system = system(scene);
+        let step = system.solve(time).expect("equilibrium");
+        system.value(&step, Observable::TransmissionError(MESH)).value
+    });
+    for (index, body) in other.bodies.into_iter().enumerate() {
+        let prototype = scene.bodies[index].prototype.clone();
+        scene.add_body(Body { name: format!("{} again", body.name), prototype, ..body });
+    }
+    for mut pair in other.pairs {
+        pair.bodies = pair.bodies.map(|body| BodyId(body.0 + 2));
+        scene.add_pair(pair);
+    }
+    let mut system = system(&scene);
+    let step = system.solve(time).expect("equilibrium");
+    for (pair, alone) in alone.into_iter().enumerate() {
+        let together = system.value(&step, Observable::TransmissionError(PairId(pair))).value;
+        assert!((together / alone - 1.0).abs() < 1e-9, "{pair}: {together} {alone}");
+    }
+    assert!((alone[0] / alone[1] - 1.0).abs() > 1e-4, "the edges make a difference");
 }

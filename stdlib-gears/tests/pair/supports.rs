@@ -22,11 +22,17 @@ fn failure(options: &PairOptions, change: impl Fn(&mut Vec<Body>)) -> EngineErro
 #[test]
 fn what_nothing_holds_is_named_with_its_direction() {
     type Change = fn(&mut Vec<Body>);
-    let along_line_of_action = PairOptions { direction: 20.0_f64.to_radians(), ..PairOptions::chapter_5(&PLAIN) };
+    let along_line_of_action =
+        PairOptions { direction: 20.0_f64.to_radians(), ..PairOptions::chapter_5(&PLAIN) };
     let plain = PairOptions::chapter_5(&PLAIN);
     let apart = PairOptions { center_distance: 3.17 * INCH, ..plain.clone() };
     let cases: [(&PairOptions, Change, &str, &str); 6] = [
-        (&plain, |bodies| bodies[1].free[5] = true, "E0714", "theta_z of body \"second\" in the negative sense"),
+        (
+            &plain,
+            |bodies| bodies[1].free[5] = true,
+            "E0714",
+            "theta_z of body \"second\" in the negative sense",
+        ),
         (&plain, |bodies| bodies[0].free[0] = true, "E0714", "u_x of body \"first\""),
         (&plain, |bodies| bodies[1].free[1] = true, "E0714", "u_y of body \"second\""),
         (&plain, |bodies| bodies[1].free[2] = true, "E0611", "body \"second\" is free in u_z"),
@@ -35,7 +41,6 @@ fn what_nothing_holds_is_named_with_its_direction() {
     ];
     for (options, change, code, named) in cases {
         let error = failure(options, change);
-        println!("{} {}", error.code, error.message);
         assert_eq!(error.code, code, "{}", error.message);
         assert!(error.message.contains(named), "{}: wanted {named}", error.message);
         assert!(!error.help.is_empty());
