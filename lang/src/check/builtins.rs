@@ -141,7 +141,7 @@ pub fn constant(name: &str) -> Option<Constant> {
     CONSTANTS.iter().find(|(reserved, _)| *reserved == name).map(|(_, constant)| *constant)
 }
 
-/// All of them, for suggestions.
+/// Every name of this module, functions and reserved names, for suggestions and the reference.
 pub fn names() -> impl Iterator<Item = &'static str> {
     SIGNATURES
         .iter()

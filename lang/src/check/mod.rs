@@ -27,6 +27,8 @@ mod symbols;
 mod tree;
 mod types;
 
+pub use builtins::names as builtin_names;
+
 use crate::ast::Module;
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::dimension::Dimension;

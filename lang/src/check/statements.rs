@@ -195,7 +195,9 @@ impl<'a> Checker<'a> {
             return self.rebind(place, value);
         }
         let target = match &place.kind {
-            ExprKind::Name(_) | ExprKind::Index { .. } | ExprKind::Paren(_) => self.place(place),
+            ExprKind::Name(_) | ExprKind::Index { .. } | ExprKind::Field { .. } | ExprKind::Paren(_) => {
+                self.place(place)
+            }
             // The parser has reported it.
             _ => None,
         };
