@@ -4,12 +4,14 @@ use crate::interpreted::Interpreted;
 use crate::loader::ModelLoader;
 use calyx_abi::description::ModelDescription;
 use calyx_abi::{Context, Purity, RuntimeError};
+use calyx_gears::error::Severity as FindingSeverity;
 use calyx_gears::externs::check_plan;
-use calyx_gears::host::ModelHost;
+use calyx_gears::host::{Finding, ModelHost};
 use calyx_lang::diagnostic::{Diagnostic, Severity};
 use calyx_lang::ir::{Program, SourceFile};
 use calyx_lang::render::{Colour, Renderer};
 use calyx_lang::span::{FileId, Span};
+use calyx_lower::interpret::CallSites;
 use calyx_rt::{ParamError, Program as _, apply};
 use std::io::{self, IsTerminal};
 use std::path::Path;
@@ -79,7 +81,7 @@ fn elaborate(program: &Program) -> (ModelDescription, Vec<Diagnostic>) {
         Ok(interpreted) => interpreted,
         Err(message) => return (ModelDescription::default(), vec![defect(&message)]),
     };
-    let mut context = Context::new(Box::new(ModelHost::default()));
+    let mut context = Context::new(Box::new(ModelHost::new(&interpreted.description().units)));
     context.fuel = FUEL;
     context.kernels = interpreted.kernels();
     context.print = Box::new(|_| {});
@@ -88,22 +90,24 @@ fn elaborate(program: &Program) -> (ModelDescription, Vec<Diagnostic>) {
         interpreted.main(&mut context).map_err(ParamError::Model)
     });
     let mut found = Vec::new();
+    let sites = CallSites::new(program);
+    if let Some(host) = context.host::<ModelHost>() {
+        found.extend(host.findings.iter().map(|finding| finding_diagnostic(finding, &sites)));
+        if ran.is_ok()
+            && !host.scene.pairs.is_empty()
+            && let Err(error) = check_plan(host)
+        {
+            found.push(diagnostic(&error));
+        }
+    }
     match ran {
         Err(ParamError::Model(error)) => found.push(diagnostic(&error)),
         Err(ParamError::Given { message, help }) => {
             found.push(Diagnostic::error("E0205", message, Span::default(), "").help(help));
         }
-        Ok(()) => {
-            if let Some(host) = context.host::<ModelHost>() {
-                found.extend(host.warnings.iter().map(warning));
-                if !host.scene.pairs.is_empty()
-                    && let Err(error) = check_plan(host)
-                {
-                    found.push(diagnostic(&error));
-                }
-            }
-        }
+        Ok(()) => {}
     }
+    found.sort_by_key(|diagnostic| (diagnostic.primary.span.file, diagnostic.primary.span.start));
     (interpreted.into_description(), found)
 }
 
@@ -121,10 +125,17 @@ pub(crate) fn diagnostic(error: &RuntimeError) -> Diagnostic {
     if error.help.is_empty() { diagnostic } else { diagnostic.help(&error.help) }
 }
 
-fn warning(finding: &calyx_gears::host::Finding) -> Diagnostic {
-    let (code, message) = (finding.error.code.replace('E', "W"), finding.error.message.to_string());
-    Diagnostic::warning(&code, message, place(Some(finding.place)), "here")
-        .help(finding.error.help.to_string())
+/// What the library found beside the error that stopped the model, placed on the argument to blame.
+pub(crate) fn finding_diagnostic(finding: &Finding, sites: &CallSites) -> Diagnostic {
+    let mut error = finding.error.clone();
+    sites.blame(&mut error);
+    let found = diagnostic(&error);
+    match finding.severity {
+        FindingSeverity::Error => found,
+        FindingSeverity::Warning => {
+            Diagnostic { severity: Severity::Warning, code: found.code.replacen('E', "W", 1), ..found }
+        }
+    }
 }
 
 fn place(place: Option<(u32, u32, u32)>) -> Span {

@@ -4,7 +4,7 @@
 //! let checked = calyx::check_file("examples/spur_pair.cx".as_ref())?;
 //! assert!(!checked.has_errors(), "{}", checked.render());
 //! let module = calyx::Module::compile(checked)?;
-//! let options = calyx::rt::RunOptions { directory: "results".into(), set: vec![], quiet: true };
+//! let options = calyx::rt::RunOptions { directory: "results".into(), ..Default::default() };
 //! let report = calyx::rt::run(&module, &options).map_err(|error| format!("{error:?}"))?;
 //! println!("{}", report.summary);
 //! # Ok::<(), Box<dyn std::error::Error>>(())

@@ -1,11 +1,13 @@
 //! A model compiled to machine code in memory.
 
-use crate::check::{Checked, diagnostic, render};
+use crate::check::{Checked, diagnostic, finding_diagnostic, render};
 use crate::interpreted::param_function;
 use calyx_abi::description::ModelDescription;
 use calyx_abi::{Context, Kernel, RuntimeError, Slot};
 use calyx_codegen::{CodegenError, JitModule, compile_jit, compile_object};
+use calyx_gears::host::Finding;
 use calyx_gears::library::externs;
+use calyx_lang::diagnostic::Diagnostic;
 use calyx_lang::ir::{Program, SourceFile};
 use calyx_lower::interpret::CallSites;
 use calyx_rt::program::ParamFunction;
@@ -42,6 +44,8 @@ pub struct Module {
     files: Vec<SourceFile>,
     code: JitModule,
     call_sites: CallSites,
+    /// What checking found, at the params' defaults.
+    known: Vec<Diagnostic>,
 }
 
 impl Module {
@@ -56,7 +60,14 @@ impl Module {
         let program = checked.program.ok_or(CompileError::NotChecked)?;
         let code = compile_jit(&program, externs()).map_err(CompileError::Code)?;
         let call_sites = CallSites::new(&program);
-        Ok(Module { program, description: checked.description, files: checked.files, code, call_sites })
+        Ok(Module {
+            program,
+            description: checked.description,
+            files: checked.files,
+            code,
+            call_sites,
+            known: checked.diagnostics,
+        })
     }
 
     /// The model as an object file, to be linked with `calyx_rt`.
@@ -74,6 +85,13 @@ impl Module {
         let mut error = error.clone();
         self.call_sites.blame(&mut error);
         render(&[diagnostic(&error)], &self.files)
+    }
+
+    /// What a run found, for people, without what checking the model has said already.
+    pub fn render_findings(&self, findings: &[Finding]) -> String {
+        let found = findings.iter().map(|finding| finding_diagnostic(finding, &self.call_sites));
+        let new: Vec<Diagnostic> = found.filter(|diagnostic| !self.known.contains(diagnostic)).collect();
+        render(&new, &self.files)
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::error::GeometryError;
 use crate::external::{ExternalGear, ExternalGearData, check_rim};
-use crate::host::{Finding, ModelHost, Rim, keep};
+use crate::host::{ModelHost, Rim, keep};
 use crate::mesh_geometry::MeshGeometry;
 use crate::modification::{Modification, ReliefShape, TipRelief};
 use crate::mounting::{Mounting, mount_external};
@@ -49,8 +49,9 @@ calyx_abi::externs! {
                 "the rack has neither a positive module nor a positive diametral pitch",
                 "give its size, like `module = 2.5 mm` or `diametral_pitch = 10 / inch`")),
         };
-        let rack = Rack::new(module, pressure_angle, tip_radius).map_err(|error| geometry(&error))?;
-        Ok(keep(&mut host(context)?.racks, rack))
+        let (place, host) = (context.place, host(context)?);
+        let rack = Rack::new(module, pressure_angle, tip_radius).map_err(|error| host.told(&error, place))?;
+        Ok(keep(&mut host.racks, rack))
     }
 
     Pure fn calyx_gears_simple_rim(context, diameter: f64, inner_diameter: f64) -> Handle {
@@ -100,16 +101,16 @@ calyx_abi::externs! {
             root_radius: 0.5 * root_diameter,
             tip_edge_radius: (tip_edge_radius > 0.0).then_some(tip_edge_radius),
         })
-        .map_err(first_error)?;
-        check_rim(gear.root_radius, rim.radius, rim.inner_radius).map_err(|error| geometry(&error))?;
+        .map_err(|errors| refused(host, &errors, place))?;
+        check_rim(gear.root_radius, rim.radius, rim.inner_radius).map_err(|error| host.told(&error, place))?;
         let modifications: Vec<Modification> = modifications
             .into_iter()
             .map(|handle| entry(&host.modifications, handle).copied())
             .collect::<Result<_, _>>()?;
         let pitch_errors = pitch_errors.iter().map(|error| error / gear.pitch_radius).collect();
-        host.warnings.extend(gear.warnings.iter().map(|error| Finding { error: error.clone(), place }));
+        host.note(&gear.warnings, place);
         let prototype = GearPrototype::new(gear, modifications, material, rim, face_width, pitch_errors)
-            .map_err(first_error)?;
+            .map_err(|errors| refused(host, &of_modifications(errors), place))?;
         Ok(keep(&mut host.gears, Arc::new(prototype)))
     }
 
@@ -127,6 +128,7 @@ calyx_abi::externs! {
         }
         let motion = Arc::new(FrameMotion { value: frame.0, params: context.params.clone() });
         PlanePose::of(motion.as_ref(), 0.0).map_err(engine)?;
+        turns_in_the_plane(motion.as_ref())?;
         let host = host(context)?;
         if host.scene.bodies.iter().any(|body| body.name == name) {
             return Err(refusal("E0671", "name", &format!("there are two bodies called \"{name}\""),
@@ -151,8 +153,8 @@ calyx_abi::externs! {
         let across = [0, 1].map(|i| poses[1].0.origin[i] - poses[0].0.origin[i]);
         let (found, warnings) =
             MeshGeometry::check_external(&gears[0].gear, &gears[1].gear, across[0].hypot(across[1]))
-                .map_err(first_error)?;
-        host.warnings.extend(warnings.into_iter().map(|error| Finding { error, place }));
+                .map_err(|errors| refused(host, &errors, place))?;
+        host.note(&warnings, place);
         let sense = drive_sense(&host.scene.bodies[ids[0].0], &host.scene.bodies[ids[1].0], poses[0].1);
         let mounting = Mounting {
             first: PlanePose { angle: poses[0].0.angle + host.scene.bodies[ids[0].0].phase, ..poses[0].0 },
@@ -161,7 +163,7 @@ calyx_abi::externs! {
             sense,
         };
         let (phase, mesh) = mount_external([&gears[0].gear, &gears[1].gear], &found, &mounting)
-            .map_err(|error| geometry(&error))?;
+            .map_err(|error| host.told(&error, place))?;
         host.scene.bodies[ids[1].0].phase = phase;
         let surface = if sense > 0.0 { 0 } else { 1 };
         let pair = SurfacePair {
@@ -298,6 +300,22 @@ impl Motion for FrameMotion {
     }
 }
 
+/// A frame that is upright at Time = 0 may tilt later.
+fn turns_in_the_plane(motion: &dyn Motion) -> Result<(), RuntimeError> {
+    let rate = motion.rate(0.0);
+    // Row and column of e3 in the rotation: its rate is perpendicular to it, so these four hold all tilting.
+    let fastest = rate[..9].iter().fold(0.0, |most: f64, entry| most.max(entry.abs()));
+    if [2, 5, 6, 7].iter().any(|&entry| rate[entry].abs() > 1e-9 * fastest) {
+        return Err(refusal(
+            "E0610",
+            "frame",
+            "a plane model needs every body to turn about an axis parallel to e3",
+            "let the frame use rotations about e3 and translations in the plane only",
+        ));
+    }
+    Ok(())
+}
+
 /// Which way the first body pushes: as its moment turns it, else against the second one's moment, else as it moves.
 fn drive_sense(first: &Body, second: &Body, speed: f64) -> f64 {
     let moments = [first.moment[2], second.moment[2], speed];
@@ -347,13 +365,14 @@ fn refusal(code: &str, argument: &str, message: &str, help: &str) -> RuntimeErro
     }
 }
 
-fn geometry(error: &GeometryError) -> RuntimeError {
-    refusal(error.code, error.argument, &error.message.to_string(), &error.help.to_string())
+/// Findings that stop the model: the first goes to the program, the others to the host.
+fn refused(host: &mut ModelHost, errors: &[GeometryError], place: (u32, u32, u32)) -> RuntimeError {
+    host.refuse(errors, place).unwrap_or_else(|| defect("a gear was refused without a reason"))
 }
 
-/// The first of several findings; the others usually follow from it.
-fn first_error(errors: Vec<GeometryError>) -> RuntimeError {
-    errors.first().map_or_else(|| defect("a gear was refused without a reason"), geometry)
+/// Findings about a relief are known only where it meets its gear, whose argument for it is `modifications`.
+fn of_modifications(errors: Vec<GeometryError>) -> Vec<GeometryError> {
+    errors.into_iter().map(|error| GeometryError { argument: "modifications", ..error }).collect()
 }
 
 fn engine(error: EngineError) -> RuntimeError {

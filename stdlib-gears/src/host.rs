@@ -1,9 +1,10 @@
 //! What the library keeps for a running model: every gear, rack and material the program made, and the scene.
 
-use crate::error::GeometryError;
+use crate::error::{GeometryError, Severity};
 use crate::modification::Modification;
 use crate::prototype::GearPrototype;
 use crate::rack::Rack;
+use calyx_abi::RuntimeError;
 use calyx_abi::externs::Handle;
 use calyx_runtime::analysis::{Observer, Position};
 use calyx_runtime::material::Material;
@@ -18,9 +19,33 @@ pub struct Rim {
     pub inner_radius: f64,
 }
 
+/// The unit in which messages to the model's author give lengths.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LengthUnit {
+    pub name: &'static str,
+    pub metres: f64,
+}
+
+impl LengthUnit {
+    /// Millimetres, but for models that results print in inches.
+    pub fn of_system(system: &str) -> LengthUnit {
+        match system {
+            "inch_lbf_s" => LengthUnit { name: "inch", metres: 0.0254 },
+            _ => LengthUnit::default(),
+        }
+    }
+}
+
+impl Default for LengthUnit {
+    fn default() -> Self {
+        LengthUnit { name: "mm", metres: 1e-3 }
+    }
+}
+
 /// The state behind a model's handles.
 #[derive(Default)]
 pub struct ModelHost {
+    pub length_unit: LengthUnit,
     pub materials: Vec<Material>,
     pub racks: Vec<Rack>,
     pub rims: Vec<Rim>,
@@ -31,20 +56,63 @@ pub struct ModelHost {
     pub positions: Vec<Vec<Position>>,
     pub scene: Scene,
     pub outputs: Vec<OutputRequest>,
-    /// Findings that do not stop the model.
-    pub warnings: Vec<Finding>,
+    /// Findings beside the one that stopped the model, if any did.
+    pub findings: Vec<Finding>,
     /// Watches the analysis; without one it runs unobserved.
     pub observer: Option<Box<dyn Observer + Send>>,
     /// What the last analysis yielded.
     pub result: Option<AnalysisResult>,
 }
 
-/// A warning with the place of the call it arose in.
+impl ModelHost {
+    /// The state of a model whose results print in this unit system.
+    pub fn new(system: &str) -> ModelHost {
+        ModelHost { length_unit: LengthUnit::of_system(system), ..ModelHost::default() }
+    }
+
+    /// A finding about a gear or a pair in words for the model's author, who finds it at the call in `place`.
+    pub(crate) fn told(&self, error: &GeometryError, place: (u32, u32, u32)) -> RuntimeError {
+        let LengthUnit { name, metres } = self.length_unit;
+        RuntimeError {
+            code: error.code.into(),
+            message: error.message.in_unit(name, metres).to_string(),
+            help: error.help.in_unit(name, metres).to_string(),
+            argument: Some(error.argument.into()),
+            place: Some(place),
+        }
+    }
+
+    /// Keeps findings that do not stop the model.
+    pub(crate) fn note(&mut self, errors: &[GeometryError], place: (u32, u32, u32)) {
+        for error in errors {
+            let finding = Finding { severity: error.severity, error: self.told(error, place) };
+            // Both flanks of a tooth often have the same to say.
+            if !self.findings.contains(&finding) {
+                self.findings.push(finding);
+            }
+        }
+    }
+
+    /// The first of several findings that together stop the model; the others are kept.
+    pub(crate) fn refuse(
+        &mut self,
+        errors: &[GeometryError],
+        place: (u32, u32, u32),
+    ) -> Option<RuntimeError> {
+        let (first, others) = errors.split_first()?;
+        others
+            .iter()
+            .filter(|other| *other != first)
+            .for_each(|other| self.note(std::slice::from_ref(other), place));
+        Some(self.told(first, place))
+    }
+}
+
+/// Something an engineer should know, with the place of the call it arose in and the argument to blame.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Finding {
-    pub error: GeometryError,
-    /// `(file, start, end)`
-    pub place: (u32, u32, u32),
+    pub severity: Severity,
+    pub error: RuntimeError,
 }
 
 /// Puts a thing into its table and hands out its handle.

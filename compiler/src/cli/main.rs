@@ -7,6 +7,7 @@ use rt::params::ParamError;
 use rt::run::{RunError, RunOptions, default_directory};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use std::time::{Duration, Instant};
 
 /// The model, or its analysis, is wrong.
 const MODEL_ERROR: u8 = 1;
@@ -48,7 +49,7 @@ enum Command {
         #[arg(long, value_name = "DIR")]
         out: Option<PathBuf>,
         /// Set a param; a bare VALUE is in the unit of the param's default. May be given several times
-        #[arg(long, value_name = "NAME=VALUE", value_parser = name_and_value)]
+        #[arg(long, value_name = "NAME=VALUE", value_parser = rt::params::name_and_value)]
         set: Vec<(String, String)>,
         /// Print nothing but what the model prints
         #[arg(long)]
@@ -65,11 +66,6 @@ enum Command {
         #[arg(short, long, value_name = "FILE")]
         output: PathBuf,
     },
-}
-
-fn name_and_value(text: &str) -> Result<(String, String), String> {
-    let (name, value) = text.split_once('=').ok_or("there is no `=`; give it like `--set torque=500`")?;
-    Ok((name.trim().to_owned(), value.trim().to_owned()))
 }
 
 fn main() -> ExitCode {
@@ -99,18 +95,19 @@ fn check(file: &Path) -> ExitCode {
 }
 
 fn run(file: &Path, out: Option<PathBuf>, set: Vec<(String, String)>, quiet: bool) -> ExitCode {
-    let module = match compile(file, quiet) {
-        Ok(module) => module,
+    let (module, before) = match compile(file, quiet) {
+        Ok(compiled) => compiled,
         Err(status) => return status,
     };
     let directory = out.unwrap_or_else(|| default_directory(file));
-    let options = RunOptions { directory: directory.clone(), set, quiet };
+    let options = RunOptions { directory: directory.clone(), set, quiet, before };
     match rt::run(&module, &options) {
         Ok(report) => {
-            for warning in &report.warnings {
-                eprintln!("warning: {warning}");
-            }
             if !quiet {
+                eprint!("{}", module.render_findings(&report.findings));
+                for warning in &report.warnings {
+                    eprintln!("warning: {warning}");
+                }
                 eprint!("{}", report.summary);
                 eprintln!("results are in {}", directory.display());
             }
@@ -139,7 +136,7 @@ fn run(file: &Path, out: Option<PathBuf>, set: Vec<(String, String)>, quiet: boo
 
 fn object(file: &Path, output: &Path) -> ExitCode {
     let module = match compile(file, false) {
-        Ok(module) => module,
+        Ok((module, _)) => module,
         Err(status) => return status,
     };
     let written = module.object().map_err(|error| error.to_string()).and_then(|bytes| {
@@ -155,18 +152,23 @@ fn object(file: &Path, output: &Path) -> ExitCode {
 }
 
 /// Checks and compiles; prints diagnostics (only errors if `quiet`) and returns the exit status if there are errors.
-fn compile(file: &Path, quiet: bool) -> Result<Module, ExitCode> {
+/// Beside the module, how long each took.
+fn compile(file: &Path, quiet: bool) -> Result<(Module, Vec<(&'static str, Duration)>), ExitCode> {
+    let started = Instant::now();
     let checked = check_file(file).map_err(|error| unreadable(file, &error))?;
+    let checking = started.elapsed();
     if !quiet || checked.has_errors() {
         eprint!("{}", checked.render());
     }
     if checked.has_errors() {
         return Err(ExitCode::from(MODEL_ERROR));
     }
-    Module::compile(checked).map_err(|error| {
+    let started = Instant::now();
+    let module = Module::compile(checked).map_err(|error| {
         eprintln!("error: {error}");
         ExitCode::from(MODEL_ERROR)
-    })
+    })?;
+    Ok((module, vec![("check", checking), ("compile", started.elapsed())]))
 }
 
 fn unreadable(file: &Path, error: &std::io::Error) -> ExitCode {
@@ -174,5 +176,5 @@ fn unreadable(file: &Path, error: &std::io::Error) -> ExitCode {
         "error: cannot read {}: {error}\n  help: give the path of a model, like examples/spur_pair.cx",
         file.display()
     );
-    ExitCode::from(MODEL_ERROR)
+    ExitCode::from(USAGE)
 }

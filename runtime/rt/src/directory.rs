@@ -1,6 +1,6 @@
 //! The run directory: `run.json`, `timing.json` and `steps.csv`, each position on disk before the next begins.
 
-use calyx_abi::description::{ModelDescription, OutputDescription, ParamDescription};
+use calyx_abi::description::{FileDescription, ModelDescription, OutputDescription, ParamDescription};
 use calyx_abi::{Context, Repr};
 use calyx_runtime::results::{AnalysisResult, OutputSummary, StepRow, Timing};
 use serde_json::{Map, Value, json};
@@ -8,6 +8,19 @@ use sha2::{Digest, Sha256};
 use std::fs::{self, File};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+/// Makes the directory, and removes the results of an earlier run: what a run leaves behind belongs together.
+pub fn prepare(directory: &Path) -> io::Result<()> {
+    fs::create_dir_all(directory)?;
+    for name in ["run.json", "timing.json", "steps.csv"] {
+        match fs::remove_file(directory.join(name)) {
+            Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(error),
+            _ => {}
+        }
+    }
+    Ok(())
+}
 
 /// Writes one row per position as it is solved.
 pub struct StepTable {
@@ -15,9 +28,8 @@ pub struct StepTable {
 }
 
 impl StepTable {
-    /// Makes the directory and the table with its header. All columns are SI; units stand in `run.json`.
+    /// Begins the table in a directory with its header. All columns are SI; units stand in `run.json`.
     pub fn create(directory: &Path, outputs: &[OutputDescription]) -> io::Result<StepTable> {
-        fs::create_dir_all(directory)?;
         let mut writer = csv::Writer::from_path(directory.join("steps.csv"))?;
         let header = ["step", "time", "cycle", "roll_angle", "point"].into_iter();
         writer.write_record(header.chain(outputs.iter().map(|output| output.name.as_str())))?;
@@ -37,41 +49,51 @@ impl StepTable {
     }
 }
 
-/// Writes `run.json` and `timing.json` of a finished run.
+/// Writes `run.json` and `timing.json` of a finished run. `result` is `None` for a model without an analysis.
 pub fn write_run(
     directory: &Path,
     description: &ModelDescription,
     context: &Context,
-    result: &AnalysisResult,
-    program_time: std::time::Duration,
+    result: Option<&AnalysisResult>,
+    warnings: &[String],
+    stages: &Stages,
 ) -> io::Result<()> {
-    fs::create_dir_all(directory)?;
-    let mut outputs = Map::new();
-    for (output, summary) in description.outputs.iter().zip(&result.summaries) {
-        outputs.insert(output.name.clone(), output_json(output, summary, result));
-    }
-    let ignored: Map<String, Value> =
-        result.plan.ignored.iter().map(|ignored| (ignored.input.clone(), json!(ignored.reason))).collect();
-    let run = json!({
+    let mut run = json!({
         "calyx": env!("CARGO_PKG_VERSION"),
         "abi": calyx_abi::ABI_VERSION,
         "model": description.name,
         "source": source_json(description),
         "params": params_json(description, context),
-        "fidelity": result.plan.fidelity.name(),
-        "positions": result.rows.len(),
-        "outputs": outputs,
-        "certificate": {
+    });
+    if let Some(result) = result {
+        let summaries = description.outputs.iter().zip(&result.summaries);
+        let outputs =
+            summaries.map(|(output, summary)| (output.name.clone(), output_json(output, summary, result)));
+        let ignored =
+            result.plan.ignored.iter().map(|ignored| (ignored.input.clone(), json!(ignored.reason)));
+        run["fidelity"] = json!(result.plan.fidelity.name());
+        run["positions"] = json!(result.rows.len());
+        run["outputs"] = json!(outputs.collect::<Map<_, _>>());
+        run["certificate"] = json!({
             "complementarity": result.certificate.complementarity,
             "penetration": result.certificate.penetration,
             "tension": result.certificate.tension,
             "equilibrium": result.certificate.equilibrium,
-        },
-        "ignored_inputs": ignored,
-        "warnings": warnings(result),
-    });
+        });
+        run["ignored_inputs"] = json!(ignored.collect::<Map<_, _>>());
+    }
+    run["warnings"] = json!(warnings);
     write_json(directory.join("run.json"), &run)?;
-    write_json(directory.join("timing.json"), &timing_json(&result.timing, program_time))
+    write_json(directory.join("timing.json"), &timing_json(result.map(|result| &result.timing), stages))
+}
+
+/// How long what surrounds the analysis took.
+#[derive(Clone, Debug, Default)]
+pub struct Stages {
+    /// What went before, like checking and compiling.
+    pub before: Vec<(&'static str, Duration)>,
+    /// The program, its analysis included.
+    pub program: Duration,
 }
 
 /// Every distinct warning of the positions, once.
@@ -140,30 +162,30 @@ fn param_json(param: &ParamDescription, slot: u64, context: &Context) -> Value {
     }
 }
 
-/// Name and hash of every file the model consists of; the first is the model itself.
+/// The model's hash, and name and hash of every file it consists of.
 fn source_json(description: &ModelDescription) -> Value {
-    let mut all = Sha256::new();
-    let mut files = Vec::new();
-    for file in &description.files {
-        all.update(file.name.as_bytes());
-        all.update([0]);
-        all.update(file.text.as_bytes());
-        all.update([0]);
-        files.push(json!({ "name": file.name, "sha256": hex(&Sha256::digest(file.text.as_bytes())) }));
-    }
-    json!({ "sha256": hex(&all.finalize()), "files": files })
+    let hash = |file: &FileDescription| hex(&Sha256::digest(file.text.as_bytes()));
+    let files: Vec<Value> =
+        description.files.iter().map(|file| json!({ "name": file.name, "sha256": hash(file) })).collect();
+    json!({ "sha256": description.files.first().map(hash), "files": files })
 }
 
 fn hex(bytes: &[u8]) -> String {
     bytes.iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
-fn timing_json(timing: &Timing, program: std::time::Duration) -> Value {
+fn timing_json(analysis: Option<&Timing>, around: &Stages) -> Value {
     let mut stages: Map<String, Value> = Map::new();
-    let inside: f64 = timing.stages.iter().map(|(_, time)| time.as_secs_f64()).sum();
-    stages.insert("program".into(), json!((program.as_secs_f64() - inside).max(0.0)));
-    for (name, time) in &timing.stages {
-        stages.insert((*name).into(), json!(time.as_secs_f64()));
+    let mut add = |name: &str, time: f64| stages.insert(name.into(), json!(time));
+    for (name, time) in &around.before {
+        add(name, time.as_secs_f64());
     }
-    json!({ "unit": "s", "total": program.as_secs_f64(), "stages": stages })
+    let inside = analysis.map_or(&[][..], |timing| &timing.stages);
+    let solving: f64 = inside.iter().map(|(_, time)| time.as_secs_f64()).sum();
+    add("program", (around.program.as_secs_f64() - solving).max(0.0));
+    for (name, time) in inside {
+        add(name, time.as_secs_f64());
+    }
+    let before: Duration = around.before.iter().map(|(_, time)| *time).sum();
+    json!({ "unit": "s", "total": (before + around.program).as_secs_f64(), "stages": stages })
 }

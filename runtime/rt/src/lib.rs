@@ -8,6 +8,7 @@ pub mod params;
 pub mod program;
 pub mod progress;
 pub mod quantity;
+pub mod report;
 pub mod run;
 pub mod table;
 

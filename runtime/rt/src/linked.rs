@@ -1,16 +1,22 @@
 //! The entry point of executables linked from object files.
 
-use crate::params::ParamError;
+use crate::params::{self, ParamError};
 use crate::program::{ParamFunction, Program};
+use crate::report::problem;
 use crate::run::{RunError, RunOptions, run};
 use calyx_abi::call::KernelFn;
-use calyx_abi::description::{ModelDescription, ModuleTable};
+use calyx_abi::description::{ModelDescription, ModuleTable, ParamValue};
 use calyx_abi::{ABI_VERSION, Context, Kernel, RuntimeError, Slot, stack};
 use clap::{Arg, ArgAction, Command};
 use std::ffi::{CStr, OsString, c_char, c_int};
 use std::os::unix::ffi::OsStringExt;
 use std::path::PathBuf;
 use std::sync::Arc;
+
+/// The model, or its analysis, is wrong.
+const MODEL_ERROR: c_int = 1;
+/// The command was not used as it can be.
+const USAGE: c_int = 2;
 
 /// Runs a linked model as a program. Called by the `main` of its object file.
 ///
@@ -32,11 +38,11 @@ pub unsafe extern "C" fn calyx_rt_main(
             Ok(program) => run_as_command(&program, arguments),
             Err(message) => {
                 eprintln!("error: {message}");
-                1
+                MODEL_ERROR
             }
         }
     })
-    .unwrap_or(1)
+    .unwrap_or(MODEL_ERROR)
 }
 
 /// A model whose code is part of this program.
@@ -130,9 +136,8 @@ impl Program for LinkedProgram {
 }
 
 /// The command line every executable has.
-fn run_as_command(program: &LinkedProgram, arguments: Vec<OsString>) -> c_int {
-    let description = program.description();
-    let command = Command::new(description.name.clone())
+fn command(description: &ModelDescription) -> Command {
+    Command::new(description.name.clone())
         .about(description.doc.clone())
         .after_help(params_help(description))
         .arg(
@@ -149,32 +154,48 @@ fn run_as_command(program: &LinkedProgram, arguments: Vec<OsString>) -> c_int {
                 .action(ArgAction::Append)
                 .help("Set a param; a bare value is in the unit of its default"),
         )
-        .arg(Arg::new("quiet").long("quiet").action(ArgAction::SetTrue).help("No progress, no summary"));
-    let matches = match command.try_get_matches_from(arguments) {
+        .arg(
+            Arg::new("quiet")
+                .long("quiet")
+                .action(ArgAction::SetTrue)
+                .help("Print nothing but what the model prints"),
+        )
+}
+
+fn run_as_command(program: &LinkedProgram, arguments: Vec<OsString>) -> c_int {
+    let description = program.description();
+    let matches = match command(description).try_get_matches_from(arguments) {
         Ok(matches) => matches,
         Err(error) => {
             let _ = error.print();
             return error.exit_code();
         }
     };
-    let mut set = Vec::new();
+    let mut options = RunOptions {
+        directory: matches.get_one::<String>("out").map_or_else(|| "run".into(), PathBuf::from),
+        quiet: matches.get_flag("quiet"),
+        ..RunOptions::default()
+    };
     for given in matches.get_many::<String>("set").into_iter().flatten() {
-        let Some((name, value)) = given.split_once('=') else {
-            eprintln!("error: `--set {given}` has no `=`; give it like `--set torque=500`");
-            return 2;
-        };
-        set.push((name.trim().to_owned(), value.trim().to_owned()));
-    }
-    let directory = matches.get_one::<String>("out").map_or_else(|| "run".into(), PathBuf::from);
-    let quiet = matches.get_flag("quiet");
-    match run(program, &RunOptions { directory: directory.clone(), set, quiet }) {
-        Ok(report) => {
-            for warning in &report.warnings {
-                eprintln!("warning: {warning}");
+        match params::name_and_value(given) {
+            Ok(pair) => options.set.push(pair),
+            Err(message) => {
+                eprintln!("error: `--set {given}`: {message}");
+                return USAGE;
             }
-            if !quiet {
+        }
+    }
+    match run(program, &options) {
+        Ok(report) => {
+            if !options.quiet {
+                for finding in &report.findings {
+                    eprint!("{}", problem("warning", &finding.error, description));
+                }
+                for warning in &report.warnings {
+                    eprintln!("warning: {warning}");
+                }
                 eprint!("{}", report.summary);
-                eprintln!("results are in {}", directory.display());
+                eprintln!("results are in {}", options.directory.display());
             }
             0
         }
@@ -182,11 +203,22 @@ fn run_as_command(program: &LinkedProgram, arguments: Vec<OsString>) -> c_int {
     }
 }
 
+/// Every param with its default, what it takes, and its doc comment.
 fn params_help(description: &ModelDescription) -> String {
     let mut text = String::from("Params:\n");
     for param in &description.params {
-        let unit = if param.unit.name.is_empty() { String::new() } else { format!(" [{}]", param.unit.name) };
-        text += &format!("  {}{unit}  {}\n", param.name, param.doc);
+        let default = match &param.default {
+            Some(ParamValue::Number(si)) => params::shown(param, *si),
+            Some(ParamValue::Bool(value)) => (if *value { "TRUE" } else { "FALSE" }).into(),
+            Some(ParamValue::String(value)) => format!("\"{value}\""),
+            None => "?".into(),
+        };
+        let domain = params::domain(param, param.low, param.high);
+        let domain = if domain.is_empty() { domain } else { format!(" [{domain}]") };
+        text += &format!("  {} = {default}{domain}\n", param.name);
+        for line in param.doc.lines() {
+            text += &format!("      {line}\n");
+        }
     }
     text
 }
@@ -199,30 +231,18 @@ fn report_failure(error: &RunError, description: &ModelDescription) -> c_int {
             if !help.is_empty() {
                 eprintln!("  help: {help}");
             }
-            2
+            USAGE
         }
         RunError::Param(ParamError::Model(error)) | RunError::Model(error) => {
-            eprintln!("error[{}]: {}", error.code, error.message);
-            if let Some(place) = error.place.and_then(|place| line_of(place, description)) {
-                eprintln!("  at {place}");
-            }
-            if !error.help.is_empty() {
-                eprintln!("  help: {}", error.help);
-            }
-            1
+            eprint!("{}", problem("error", error, description));
+            MODEL_ERROR
         }
         RunError::Io { path, error } => {
-            eprintln!("error: cannot write results to {}: {error}", path.display());
-            1
+            eprintln!(
+                "error: cannot write results to {}: {error}\n  help: choose another directory with --out",
+                path.display()
+            );
+            MODEL_ERROR
         }
     }
-}
-
-/// `file:line:column` of a place in the sources the description carries.
-fn line_of((file, start, _): (u32, u32, u32), description: &ModelDescription) -> Option<String> {
-    let file = description.files.get(file as usize)?;
-    let before = file.text.get(..start as usize)?;
-    let line = before.matches('\n').count() + 1;
-    let column = before.chars().rev().take_while(|&c| c != '\n').count() + 1;
-    Some(format!("{}:{line}:{column}", file.name))
 }

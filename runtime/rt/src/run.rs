@@ -1,20 +1,22 @@
 //! One run: params set, program run, its analysis watched and written down.
 
-use crate::directory::{StepTable, warnings, write_run};
+use crate::directory::{Stages, StepTable, prepare, warnings, write_run};
 use crate::params::{self, ParamError};
 use crate::program::Program;
 use crate::progress::Progress;
 use crate::table;
 use calyx_abi::description::ModelDescription;
 use calyx_abi::{Context, RuntimeError};
-use calyx_gears::host::ModelHost;
+use calyx_gears::host::{Finding, ModelHost};
 use calyx_runtime::analysis::{Event, Observer};
 use calyx_runtime::error::EngineError;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
+/// What a run is to do.
+#[derive(Clone, Debug, Default)]
 pub struct RunOptions {
     /// Where results go.
     pub directory: PathBuf,
@@ -22,6 +24,8 @@ pub struct RunOptions {
     pub set: Vec<(String, String)>,
     /// Nothing but what the program prints, and errors.
     pub quiet: bool,
+    /// Names and times of what went before, for `timing.json`.
+    pub before: Vec<(&'static str, Duration)>,
 }
 
 /// Why a run did not finish.
@@ -38,16 +42,19 @@ pub enum RunError {
 
 /// What a finished run says for people.
 pub struct RunReport {
-    /// The table of outputs.
+    /// The table of outputs; empty for a model without an analysis.
     pub summary: String,
     /// What deserves a second look.
     pub warnings: Vec<String>,
+    /// What the library found, with places in the source.
+    pub findings: Vec<Finding>,
 }
 
 /// Runs a model and writes its run directory.
 pub fn run(program: &dyn Program, options: &RunOptions) -> Result<RunReport, RunError> {
     let description = program.description();
-    let mut host = ModelHost::default();
+    let unwritable = |error| RunError::Io { path: options.directory.clone(), error };
+    let mut host = ModelHost::new(&description.units);
     let progress = Arc::new(Progress::new(options.quiet));
     let failure = Arc::new(Mutex::new(None));
     host.observer = Some(Box::new(Watcher {
@@ -61,38 +68,49 @@ pub fn run(program: &dyn Program, options: &RunOptions) -> Result<RunReport, Run
     context.kernels = program.kernels();
     let shown = progress.clone();
     context.print = Box::new(move |line| shown.print(line));
-    params::apply(program, &options.set, &mut context).map_err(RunError::Param)?;
-    let started = Instant::now();
-    let outcome = program.main(&mut context);
+    let outcome = params::apply(program, &options.set, &mut context).map_err(RunError::Param);
+    let outcome = outcome.and_then(|()| prepare(&options.directory).map_err(unwritable)).and_then(|()| {
+        let started = Instant::now();
+        program.main(&mut context).map_err(RunError::Model)?;
+        Ok(started.elapsed())
+    });
     progress.finish();
     if let Some(error) = failure.lock().ok().and_then(|mut failure| failure.take()) {
-        return Err(RunError::Io { path: options.directory.clone(), error });
+        return Err(unwritable(error));
     }
-    outcome.map_err(RunError::Model)?;
-    let elapsed = started.elapsed();
-    let result = context.host::<ModelHost>().and_then(|host| host.result.take());
-    let Some(result) = result else {
-        return Err(RunError::Model(no_analysis()));
+    let stages = Stages { before: options.before.clone(), program: outcome? };
+    let (result, findings) = match context.host::<ModelHost>() {
+        Some(host) => (host.result.take(), std::mem::take(&mut host.findings)),
+        None => (None, Vec::new()),
     };
-    write_run(&options.directory, description, &context, &result, elapsed)
-        .map_err(|error| RunError::Io { path: options.directory.clone(), error })?;
-    let mut all_warnings: Vec<String> = result
-        .plan
-        .ignored
-        .iter()
-        .map(|ignored| format!("`{}` has no effect here: {}", ignored.input, ignored.reason))
-        .collect();
-    all_warnings.extend(warnings(&result));
-    Ok(RunReport { summary: table::summary(description, &result), warnings: all_warnings })
+    if result.is_none() && !description.outputs.is_empty() {
+        return Err(RunError::Model(no_analysis(description)));
+    }
+    let all_warnings = result.as_ref().map(warnings).unwrap_or_default();
+    let mut written: Vec<String> =
+        findings.iter().map(|finding| format!("{}: {}", finding.error.code, finding.error.message)).collect();
+    written.extend(all_warnings.iter().cloned());
+    write_run(&options.directory, description, &context, result.as_ref(), &written, &stages)
+        .map_err(unwritable)?;
+    let ignored = result.iter().flat_map(|result| &result.plan.ignored);
+    let ignored =
+        ignored.map(|ignored| format!("`{}` has no effect here: {}", ignored.input, ignored.reason));
+    Ok(RunReport {
+        summary: result.as_ref().map(|result| table::summary(description, result)).unwrap_or_default(),
+        warnings: ignored.chain(all_warnings).collect(),
+        findings,
+    })
 }
 
-fn no_analysis() -> RuntimeError {
+/// The place is the end of the model, where an analysis would stand.
+fn no_analysis(description: &ModelDescription) -> RuntimeError {
+    let end = description.files.first().map_or(0, |file| file.text.trim_end().len() as u32);
     RuntimeError {
         code: "E0711".into(),
-        message: "the model analyses nothing".into(),
+        message: "the model declares outputs and analyses nothing".into(),
         help: "end it with `analyze(\"quasi_static\", over = gears.mesh_cycle(mesh, 32));`".into(),
         argument: None,
-        place: None,
+        place: Some((0, end.saturating_sub(1), end)),
     }
 }
 

@@ -2,12 +2,12 @@
 
 use crate::params::shortest;
 use calyx_abi::description::ModelDescription;
-use calyx_runtime::results::AnalysisResult;
+use calyx_runtime::results::{AnalysisResult, Place};
 
 /// One line per output, in the model's units, with the position of its maximum.
 pub fn summary(description: &ModelDescription, result: &AnalysisResult) -> String {
     let mut rows =
-        vec![["output", "unit", "min", "mean", "max", "peak to peak", "maximum at"].map(String::from)];
+        vec![["output", "unit", "min", "mean", "max", "peak to peak", "maximum at roll"].map(String::from)];
     for (output, summary) in description.outputs.iter().zip(&result.summaries) {
         let shown = |si: f64| number(si / output.unit.factor);
         rows.push([
@@ -29,19 +29,16 @@ fn number(value: f64) -> String {
     shortest(rounded)
 }
 
-fn place(result: &AnalysisResult, step: usize, place: Option<&calyx_runtime::results::Place>) -> String {
+/// Roll angle of the position, its name if it has one, and body and tooth of the place. Radius and roll angle of the
+/// place itself stand in `run.json`: the table is to fit a terminal.
+fn place(result: &AnalysisResult, step: usize, place: Option<&Place>) -> String {
     let Some(row) = result.rows.get(step) else { return String::new() };
-    let roll = row.position.roll.to_degrees();
-    let mut text = format!("roll {roll:.2} deg");
+    let mut text = format!("{:.2} deg", row.position.roll.to_degrees());
     if !row.position.name.is_empty() {
-        text += &format!(" ({})", row.position.name);
+        text += &format!(" {}", row.position.name);
     }
     if let Some(place) = place {
-        text += &format!(", {} tooth {}, ", place.body, place.tooth);
-        if let Some(angle) = place.roll_angle {
-            text += &format!("roll {:.2} deg there, ", angle.to_degrees());
-        }
-        text += &format!("radius {} mm", number(place.radius * 1e3));
+        text += &format!(", {} tooth {}", place.body, place.tooth);
     }
     text
 }

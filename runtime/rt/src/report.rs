@@ -1,0 +1,66 @@
+//! Errors and warnings of a running model as text with the source line, for executables that carry no compiler.
+
+use calyx_abi::RuntimeError;
+use calyx_abi::description::{FileDescription, ModelDescription};
+
+/// `error[E0670]: ...` with the place, its line underlined, and the remedy. `kind` is `error` or `warning`.
+pub fn problem(kind: &str, error: &RuntimeError, description: &ModelDescription) -> String {
+    let mut text = format!("{kind}[{}]: {}\n", error.code, error.message);
+    let place = error.place.and_then(|(file, start, end)| {
+        excerpt(description.files.get(file as usize)?, start as usize, end as usize)
+    });
+    text += place.as_deref().unwrap_or_default();
+    if !error.help.is_empty() {
+        text += &format!("  help: {}\n", error.help);
+    }
+    text
+}
+
+/// `--> file:line:column`, and the line with a mark under the bytes from `start` to `end`; `None` if the file has no
+/// such bytes.
+fn excerpt(file: &FileDescription, start: usize, end: usize) -> Option<String> {
+    let (before, after) = (file.text.get(..start)?, file.text.get(start..)?);
+    let number = before.matches('\n').count() + 1;
+    let begin = before.rfind('\n').map_or(0, |at| at + 1);
+    let line = &file.text[begin..start + after.find('\n').unwrap_or(after.len())];
+    let indent = before[begin..].chars().count();
+    // What continues on the next line is marked to the end of this one.
+    let marked =
+        file.text.get(start..end.min(begin + line.len())).map_or(1, |text| text.chars().count().max(1));
+    let margin = " ".repeat(number.to_string().len());
+    // Tabs stay tabs under tabs, so that the mark stands where the text does.
+    let fill: String = line.chars().take(indent).map(|c| if c == '\t' { '\t' } else { ' ' }).collect();
+    Some(format!(
+        "  --> {}:{number}:{}\n {margin} |\n {number} | {line}\n {margin} | {fill}{}\n",
+        file.name,
+        indent + 1,
+        "^".repeat(marked)
+    ))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_line_is_shown_and_marked() {
+        let description = ModelDescription {
+            files: vec![FileDescription {
+                name: "m.cx".into(), text: "var é = 1;\n\tprint(é[3]);\n".into()
+            }],
+            ..ModelDescription::default()
+        };
+        let error = RuntimeError {
+            code: "E0701".into(),
+            message: "index 3".into(),
+            help: "less".into(),
+            argument: None,
+            place: Some((0, 22, 23)),
+        };
+        let expected = "error[E0701]: index 3\n  --> m.cx:2:10\n   |\n 2 | \tprint(é[3]);\n   | \t        ^\n  help: less\n";
+        assert_eq!(problem("error", &error, &description), expected);
+        // A place that is not in the file is left out.
+        let nowhere = RuntimeError { place: Some((0, 400, 401)), ..error };
+        assert_eq!(problem("error", &nowhere, &description), "error[E0701]: index 3\n  help: less\n");
+    }
+}
