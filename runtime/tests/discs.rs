@@ -92,7 +92,7 @@ impl Disc {
         let surfaces = [0, 1].map(|surface| SurfaceSource {
             profile: Arc::new(Quarter { radius, middle: [FRAC_PI_2, -FRAC_PI_2][surface] }),
             chain: format!("quarter_{surface}"),
-            sharp: [false; 2],
+            edges: [None; 2],
             stress_chain: None,
             stress_places_per_edge: 1,
         });

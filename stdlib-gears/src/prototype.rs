@@ -21,6 +21,10 @@ const COUPLED_TEETH: u32 = 3;
 const STRESS_PLACES_PER_EDGE: usize = 4;
 /// Rounding in modules that stands for a sharp tip edge where contact is confined to the nominal path.
 const SHARP_EDGE: f64 = 1e-6;
+/// Largest rounding in modules of such an edge in the mesh, which cannot do without.
+const SHARP_EDGE_IN_MESH: f64 = 5e-3;
+/// Largest length of cubic elements per distance from the tip edge.
+const COARSEST_TIP_GROWTH: f64 = 0.4;
 
 /// An external gear on its rim.
 pub struct GearPrototype {
@@ -55,10 +59,10 @@ impl GearPrototype {
         &self.flanks
     }
 
-    /// Flanks whose involutes run up to the tip circle.
-    fn sharp_flanks(&self) -> Result<[Arc<Flank>; 2], Vec<GeometryError>> {
-        let tip_edge_radius = SHARP_EDGE * self.gear.rack.module;
+    /// Flanks with another rounding of the tip edge, m.
+    fn flanks_with_edge(&self, tip_edge_radius: f64) -> Result<[Arc<Flank>; 2], EngineError> {
         flanks(&ExternalGear { tip_edge_radius, ..self.gear.clone() }, &self.modifications)
+            .map_err(|_| EngineError::new("E0677", "the flanks cannot run up to the tip circle", ""))
     }
 }
 
@@ -80,6 +84,8 @@ fn refinement(factor: f64, order: usize) -> Refinement {
         flank: base.flank / factor,
         fillet: times(base.fillet),
         edge: times(base.edge),
+        // Matching depths count nodes, and must stay well below the distance from the tip edge.
+        tip_growth: (base.tip_growth / factor).min(COARSEST_TIP_GROWTH) * order as f64 / 3.0,
         rim_growth: base.rim_growth.powf(1.0 / factor),
         order: ElementOrder::full(order as u8),
     }
@@ -95,7 +101,15 @@ impl Prototype for GearPrototype {
             ));
         }
         let refinement = refinement(options.refinement, options.order);
-        let mesh = sector_mesh(&self.gear, self.flanks.clone(), self.rim.inner_radius, &refinement).map_err(|error| {
+        // Surfaces of contact, and those of the mesh.
+        let (module, own) = (self.gear.rack.module, self.gear.tip_edge_radius);
+        let rounding = if options.sharp_edges { own.min(SHARP_EDGE_IN_MESH * module) } else { own };
+        let [contact, meshed] = if options.sharp_edges {
+            [self.flanks_with_edge(SHARP_EDGE * module)?, self.flanks_with_edge(rounding)?]
+        } else {
+            [self.flanks.clone(), self.flanks.clone()]
+        };
+        let mesh = sector_mesh(&self.gear, meshed, self.rim.inner_radius, &refinement).map_err(|error| {
             EngineError::new(
                 "E0676",
                 format!("the gear cannot be meshed: {error}"),
@@ -104,19 +118,13 @@ impl Prototype for GearPrototype {
             .blame("rim")
         })?;
         let model = PlaneModel::new(mesh, self.material, Plane::Strain);
-        let contact = if options.sharp_edges {
-            self.sharp_flanks()
-                .map_err(|_| EngineError::new("E0677", "the flanks cannot run up to the tip circle", ""))?
-        } else {
-            self.flanks.clone()
-        };
         let surfaces: Vec<SurfaceSource> = contact
             .iter()
             .enumerate()
             .map(|(surface, flank)| SurfaceSource {
                 profile: flank.clone() as Arc<dyn Profile>,
                 chain: format!("flank_{surface}"),
-                sharp: [false, true],
+                edges: [None, Some(rounding)],
                 stress_chain: options.stresses.then(|| format!("fillet_{surface}")),
                 stress_places_per_edge: STRESS_PLACES_PER_EDGE,
             })

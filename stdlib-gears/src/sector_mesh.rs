@@ -18,6 +18,7 @@
 use crate::external::ExternalGear;
 use crate::fillet::{RootFillet, Side as ToothSide};
 use crate::flank::Flank;
+use crate::root_finding::solve_bracketed;
 use calyx_abi::math;
 use calyx_runtime::fe::block::{graded, uniform};
 use calyx_runtime::fe::{Block, Curve, ElementOrder, MeshBuilder, MeshError, PlaneMesh, Side};
@@ -37,6 +38,8 @@ pub struct Refinement {
     pub fillet: usize,
     /// Elements over either half of the tip edge's arc.
     pub edge: usize,
+    /// Length of elements along the flank per distance from the tip edge.
+    pub tip_growth: f64,
     /// Ratio of successive element depths into the rim.
     pub rim_growth: f64,
     /// Of displacements and coordinates.
@@ -46,31 +49,34 @@ pub struct Refinement {
 impl Refinement {
     /// For a first look.
     pub const COARSE: Self = Self {
-        layers: 2,
-        across: 2,
+        layers: 3,
+        across: 3,
         flank: 0.3,
         fillet: 4,
         edge: 1,
+        tip_growth: 0.4,
         rim_growth: 1.8,
         order: ElementOrder::CUBIC,
     };
     /// Fillet stresses and compliances to about one part in a thousand.
     pub const MEDIUM: Self = Self {
-        layers: 3,
-        across: 3,
+        layers: 5,
+        across: 5,
         flank: 0.15,
         fillet: 7,
         edge: 1,
+        tip_growth: 0.27,
         rim_growth: 1.5,
         order: ElementOrder::CUBIC,
     };
     /// For convergence studies.
     pub const FINE: Self = Self {
-        layers: 4,
-        across: 5,
+        layers: 6,
+        across: 6,
         flank: 0.09,
         fillet: 12,
         edge: 2,
+        tip_growth: 0.2,
         rim_growth: 1.3,
         order: ElementOrder::CUBIC,
     };
@@ -91,11 +97,20 @@ pub const THINNEST_RIM: f64 = 0.25;
 
 /// Largest thickness of the strip, in modules.
 const STRIP_DEPTH: f64 = 0.25;
+/// Depth of the outermost layer of the strip over the length of the flank's elements above it.
+const OUTERMOST_LAYER: f64 = 0.4;
+/// Growth of the length of elements per distance from the fillet.
+const FILLET_GROWTH: f64 = 0.4;
+/// Length of the last element of the flank over that of the edge's.
+const FLANK_BESIDE_EDGE: f64 = 0.25;
+/// Length of the first element of the tip land over that of the edge's.
+const LAND_GROWTH: f64 = 1.5;
 
 /// The mesh of tooth 0 and its sector. `flanks` are the counter-clockwise and the clockwise flank; `bore_radius` (m)
 /// is at least [`THINNEST_RIM`] modules below the root radius.
 ///
-/// Chains: `flank_0`, `flank_1` on the flank's profile from the form circle to the tip; `fillet_0`, `fillet_1` on the
+/// Chains: `flank_0`, `flank_1` on the flank's profile from the form circle to the tip edge, `edge_0`, `edge_1` on it
+/// over the rounded edge; `fillet_0`, `fillet_1` on the
 /// profile of [`ExternalGear::root_fillet`] from the form circle to the root centre; `tip`, `bore`; `cut_left` at
 /// half a pitch counter-clockwise and `cut_right` at half a pitch clockwise.
 ///
@@ -117,12 +132,16 @@ pub fn sector_mesh(
     builder.finish(refinement.order)
 }
 
+type Mapping = Arc<dyn Fn(f64, f64) -> [f64; 2] + Send + Sync>;
+
 /// A block of the counter-clockwise half.
 struct HalfBlock {
     /// Bottom, right, top, left as in [`Block::new`].
     sides: [Curve; 4],
     u: Vec<f64>,
     v: Vec<f64>,
+    /// Replaces the blending of the sides.
+    mapping: Option<Mapping>,
     names: Vec<(Side, Name, Option<[f64; 2]>)>,
 }
 
@@ -130,6 +149,7 @@ struct HalfBlock {
 #[derive(Clone, Copy)]
 enum Name {
     Flank,
+    Edge,
     Fillet,
     Tip,
     Bore,
@@ -141,6 +161,8 @@ impl Name {
         match (self, side) {
             (Name::Flank, ToothSide::CounterClockwise) => "flank_0",
             (Name::Flank, ToothSide::Clockwise) => "flank_1",
+            (Name::Edge, ToothSide::CounterClockwise) => "edge_0",
+            (Name::Edge, ToothSide::Clockwise) => "edge_1",
             (Name::Fillet, ToothSide::CounterClockwise) => "fillet_0",
             (Name::Fillet, ToothSide::Clockwise) => "fillet_1",
             (Name::Cut, ToothSide::CounterClockwise) => "cut_left",
@@ -169,6 +191,15 @@ impl HalfBlock {
                 Block::new(back(bottom), mirrored(left), back(top), mirrored(right)).divided(u, self.v)
             }
         };
+        if let Some(mapping) = self.mapping {
+            block = match side {
+                ToothSide::CounterClockwise => block.mapped(move |u, v| mapping(u, v)),
+                ToothSide::Clockwise => block.mapped(move |u, v| {
+                    let [x, y] = mapping(1.0 - u, v);
+                    [x, -y]
+                }),
+            };
+        }
         for (place, name, s) in self.names {
             let (place, s) = match (side, place) {
                 (ToothSide::CounterClockwise, _) => (place, s),
@@ -191,6 +222,8 @@ impl HalfBlock {
 struct Boundary {
     fillet: RootFillet,
     flank: Arc<Flank>,
+    /// `p` at which the root circle ends and the fillet begins.
+    fillet_from: f64,
     /// `p` at which the flank begins.
     form: f64,
     /// `p` at which the tip edge's arc begins.
@@ -239,10 +272,14 @@ impl Boundary {
 }
 
 /// Everything needed to lay out the blocks of the counter-clockwise half.
+#[derive(Clone)]
 struct Layout {
     boundary: Arc<Boundary>,
     refinement: Refinement,
     module: f64,
+    /// Length of elements on the fillet and on the tip edge's arc, m.
+    fillet_size: f64,
+    edge_size: f64,
     /// Divisions of the boundary by `p`: the ends of its parts, and the elements' ends in each.
     parts: Vec<(Part, Vec<f64>)>,
     tip_radius: f64,
@@ -274,6 +311,7 @@ impl Layout {
         let edge = form + edge_start;
         let end = form + 0.5 * (edge_start + edge_end);
         let mut boundary = Boundary {
+            fillet_from: form - fillet.fillet_length(),
             fillet,
             flank,
             form,
@@ -287,12 +325,12 @@ impl Layout {
         boundary.place_strip(module, rim);
 
         // A tiny root circle is not worth elements of its own: it joins the fillet.
-        let root_circle = form - boundary.fillet.fillet_length();
+        let root_circle = boundary.fillet_from;
         let fillet_size = boundary.fillet.fillet_length() / refinement.fillet as f64;
         let mut root = Vec::new();
         if root_circle > 0.3 * fillet_size {
             root.extend(divisions(0.0, root_circle, |p| {
-                (fillet_size + 0.4 * (root_circle - p)).min(0.4 * module)
+                (fillet_size + FILLET_GROWTH * (root_circle - p)).min(0.4 * module)
             }));
             root.pop();
             root.extend(divisions(root_circle, middle_of_fillet, |_| fillet_size));
@@ -300,31 +338,26 @@ impl Layout {
             root.extend(divisions(0.0, middle_of_fillet, |_| fillet_size));
         }
         let edge_size = (end - edge) / refinement.edge as f64;
-        let flank_size = refinement.flank * module;
-        let parts = vec![
-            (Part::Root, root),
-            (Part::Fillet, divisions(middle_of_fillet, form, |_| fillet_size)),
-            (
-                Part::Flank,
-                divisions(form, edge, |p| {
-                    let from_fillet = fillet_size + 0.4 * (p - form);
-                    let from_edge = 1.5 * edge_size + 0.6 * (edge - p);
-                    flank_size.min(from_fillet).min(from_edge)
-                }),
-            ),
-            (Part::Edge, divisions(edge, end, |_| edge_size)),
-        ];
         let [x, y] = boundary.flank_at(edge_end).position;
-        Self {
+        let mut layout = Self {
             boundary: Arc::new(boundary),
             refinement: *refinement,
             module,
-            parts,
+            fillet_size,
+            edge_size,
+            parts: Vec::new(),
             tip_radius: x.hypot(y),
             tip_angle: math::atan2(y, x),
             bore_radius,
             cut_angle: 0.5 * gear.pitch_angle(),
-        }
+        };
+        layout.parts = vec![
+            (Part::Root, root),
+            (Part::Fillet, divisions(middle_of_fillet, form, |_| fillet_size)),
+            (Part::Flank, divisions(form, edge, |p| layout.size(p))),
+            (Part::Edge, uniform(refinement.edge).iter().map(|part| edge + part * (end - edge)).collect()),
+        ];
+        layout
     }
 
     fn inner(&self, from: f64, to: f64) -> Curve {
@@ -337,9 +370,29 @@ impl Layout {
         Curve::new(move |t| boundary.outer((1.0 - t) * from + t * to).position)
     }
 
-    /// Divisions through the strip from the inside, finer towards the boundary.
-    fn through_strip(&self) -> Vec<f64> {
-        graded(self.refinement.layers, 0.4)
+    /// Ends of the layers through the strip at `p`, as parts of the way from its inner side: finest at the boundary,
+    /// growing geometrically.
+    fn layers_at(&self, p: f64) -> Vec<f64> {
+        let boundary = &self.boundary;
+        let [from, to] = [boundary.inner(p), boundary.outer(p).position];
+        let depth = (to[0] - from[0]).hypot(to[1] - from[1]);
+        let layers = self.refinement.layers;
+        let outermost = (OUTERMOST_LAYER * self.size(p) / depth).min(1.0 / layers as f64);
+        let growth = growth(layers, outermost);
+        graded(layers, math::pow(growth, 1.0 - layers as f64))
+    }
+
+    /// Wished length of elements along the boundary, m.
+    fn size(&self, p: f64) -> f64 {
+        let boundary = &self.boundary;
+        if p > boundary.edge {
+            return self.edge_size;
+        }
+        let from_fillet = (boundary.fillet_from - p).max(p - boundary.form).max(0.0);
+        let from_edge =
+            FLANK_BESIDE_EDGE * self.edge_size + self.refinement.tip_growth * (self.boundary.edge - p).max(0.0);
+        let largest = self.refinement.flank * self.module;
+        from_edge.min(largest).min(self.fillet_size + FILLET_GROWTH * from_fillet)
     }
 
     fn blocks(&self) -> Vec<HalfBlock> {
@@ -352,7 +405,7 @@ impl Layout {
     /// The strip from the root centre to the middle of the tip edge's arc.
     fn strip(&self) -> Vec<HalfBlock> {
         let boundary = &self.boundary;
-        let across = |p: f64| Curve::line(boundary.inner(p), boundary.outer(p).position);
+        let layers = uniform(self.refinement.layers);
         let mut blocks = Vec::new();
         for (part, at) in &self.parts {
             let (from, to) = ends(at);
@@ -361,16 +414,29 @@ impl Layout {
                     vec![(Side::Top, Name::Fillet, Some([boundary.form - from, boundary.form - to]))]
                 }
                 Part::Flank | Part::Edge => {
-                    vec![(Side::Top, Name::Flank, Some([from - boundary.form, to - boundary.form]))]
+                    let name = if *part == Part::Flank { Name::Flank } else { Name::Edge };
+                    vec![(Side::Top, name, Some([from - boundary.form, to - boundary.form]))]
                 }
             };
             if *part == Part::Root {
                 names.push((Side::Left, Name::Cut, None));
             }
+            let layout = self.clone();
+            let through = move |u: f64, v: f64| {
+                let p = (1.0 - u) * from + u * to;
+                let v = piecewise_linear(&layout.layers_at(p), v);
+                let (inner, outer) = (layout.boundary.inner(p), layout.boundary.outer(p).position);
+                [0, 1].map(|axis| (1.0 - v) * inner[axis] + v * outer[axis])
+            };
+            let across = |u: f64| {
+                let through = through.clone();
+                Curve::new(move |v| through(u, v))
+            };
             blocks.push(HalfBlock {
-                sides: [self.inner(from, to), across(to), self.outer(from, to), across(from)],
+                sides: [self.inner(from, to), across(1.0), self.outer(from, to), across(0.0)],
                 u: normalised(at),
-                v: self.through_strip(),
+                v: layers.clone(),
+                mapping: Some(Arc::new(through)),
                 names,
             });
         }
@@ -398,6 +464,11 @@ impl Layout {
             let (sine, cosine) = math::sincos(self.tip_angle);
             [self.tip_radius * cosine, self.tip_radius * sine]
         };
+        // From the edge's elements to the middle of the land.
+        let on_land = Curve::arc([0.0; 2], self.tip_radius, self.tip_angle, 0.0);
+        let across = self.refinement.across;
+        let smallest = LAND_GROWTH * self.edge_size / (self.tip_radius * self.tip_angle);
+        let land = graded(across, math::pow(growth(across, smallest.min(1.0 / across as f64)), across as f64 - 1.0));
         let arc = HalfBlock {
             sides: [
                 Curve::line(corner, between),
@@ -406,18 +477,20 @@ impl Layout {
                 middle_line,
             ],
             u: uniform(self.refinement.edge),
-            v: self.through_strip(),
-            names: vec![(Side::Top, Name::Flank, Some([from - boundary.form, edge_end]))],
+            v: self.layers_at(boundary.tip_end),
+            mapping: None,
+            names: vec![(Side::Top, Name::Edge, Some([from - boundary.form, edge_end]))],
         };
         let land = HalfBlock {
             sides: [
                 Curve::line(between, centre),
                 Curve::line(centre, [self.tip_radius, 0.0]),
-                Curve::arc([0.0; 2], self.tip_radius, self.tip_angle, 0.0),
+                Curve::new(move |u| on_land.at(piecewise_linear(&land, u))),
                 Curve::line(between, on_circle),
             ],
-            u: uniform(self.refinement.across),
-            v: self.through_strip(),
+            u: uniform(across),
+            v: self.layers_at(boundary.tip_end),
+            mapping: None,
             names: vec![(Side::Top, Name::Tip, None)],
         };
         [arc, land]
@@ -454,6 +527,7 @@ impl Layout {
             ],
             u: normalised(&along),
             v: uniform(across),
+            mapping: None,
             names: Vec::new(),
         };
         let into_rim = self.depths_of_rim(depth);
@@ -466,6 +540,7 @@ impl Layout {
             ],
             u: uniform(across),
             v: into_rim.clone(),
+            mapping: None,
             names: vec![(Side::Top, Name::Bore, None)],
         };
         let root_at: Vec<f64> = self.parts[0].1.iter().rev().map(|p| knee_p - p).collect();
@@ -478,6 +553,7 @@ impl Layout {
             ],
             u: normalised(&root_at),
             v: into_rim,
+            mapping: None,
             names: vec![(Side::Top, Name::Bore, None), (Side::Right, Name::Cut, None)],
         };
         [core, under_tooth, under_space]
@@ -509,8 +585,7 @@ impl Layout {
 impl Boundary {
     /// Chooses thickness and direction of the strip.
     fn place_strip(&mut self, module: f64, rim: f64) {
-        let (form, edge) = (self.form, self.edge);
-        let fillet_end = form - self.fillet.fillet_length();
+        let (fillet_from, form, edge) = (self.fillet_from, self.form, self.edge);
         let angle_of = |[x, y]: [f64; 2]| math::atan2(y, x);
         let below = angle_of(self.fillet.at(0.0).normal);
         let above = angle_of(self.flank_at(0.0).normal);
@@ -531,7 +606,7 @@ impl Boundary {
         };
         let anchors = vec![
             Anchor { p: 0.0, depth, angle: angle_of(self.outer(0.0).normal) },
-            Anchor { p: fillet_end, depth, angle: angle_of(self.outer(fillet_end).normal) },
+            Anchor { p: fillet_from, depth, angle: angle_of(self.outer(fillet_from).normal) },
             Anchor { p: form, depth, angle: at_form },
             flank_anchor(0.25),
             flank_anchor(0.5),
@@ -579,4 +654,22 @@ fn divisions(from: f64, to: f64, size: impl Fn(f64) -> f64) -> Vec<f64> {
     }
     at.push(to);
     at
+}
+
+/// The ratio of successive lengths of `count` parts of a whole whose smallest is `smallest`, at most 1 / `count`.
+fn growth(count: usize, smallest: f64) -> f64 {
+    if count < 2 {
+        return 1.0;
+    }
+    let excess = |ratio: f64| smallest * (0..count).fold(0.0, |sum, _| sum * ratio + 1.0) - 1.0;
+    solve_bracketed(excess, 1.0, 1.0 + 1.0 / smallest)
+}
+
+/// The value at `u` of 0 ..= 1 of the function that takes given values at equal distances, linear between them.
+fn piecewise_linear(values: &[f64], u: f64) -> f64 {
+    let last = values.len() - 1;
+    let place = u * last as f64;
+    let first = (place.floor() as usize).min(last - 1);
+    let part = place - first as f64;
+    (1.0 - part) * values[first] + part * values[first + 1]
 }

@@ -132,20 +132,26 @@ fn cuts_are_turned_images_and_chains_lie_on_the_profiles() {
 
     for (surface, side) in [Side::CounterClockwise, Side::Clockwise].into_iter().enumerate() {
         let fillet = gear.root_fillet(side);
-        let profiles: [(&str, &dyn Profile); 2] = [("flank", flanks[surface].as_ref()), ("fillet", &fillet)];
-        for (name, profile) in profiles {
+        let flank = flanks[surface].as_ref();
+        let [edge_from, edge_to] = flank.edge_range();
+        let profiles: [(&str, &dyn Profile, [f64; 2]); 3] = [
+            ("flank", flank, [0.0, edge_from]),
+            ("edge", flank, [edge_from, edge_to]),
+            ("fillet", &fillet, [0.0, fillet.length()]),
+        ];
+        for (name, profile, [from, to]) in profiles {
             let name = format!("{name}_{surface}");
             let chain = mesh.chain(&name).unwrap_or_else(|| panic!("a chain {name}"));
             let [start, end] = chain.range();
             assert!(
-                start.abs() < 1e-17 && (end - profile.length()).abs() < 1e-17,
+                (start - from).abs() < 1e-17 && (end - to).abs() < 1e-17,
                 "{name}: {start} to {end}"
             );
             for pair in chain.edges.windows(2) {
                 assert!((pair[0].s[1] - pair[1].s[0]).abs() < 1e-17, "{name} has a gap");
             }
             for k in 0..=200 {
-                let s = profile.length() * f64::from(k) / 200.0;
+                let s = from + (to - from) * f64::from(k) / 200.0;
                 let point = mesh.chain_point(chain, s).expect("a point of the chain");
                 let exact = profile.at(s);
                 let gap =

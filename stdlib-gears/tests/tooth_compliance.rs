@@ -34,7 +34,7 @@ impl Member {
         let surfaces = [0, 1].map(|surface| SurfaceSource {
             profile: flanks[surface].clone() as Arc<dyn Profile>,
             chain: format!("flank_{surface}"),
-            sharp: [false, true],
+            edges: [None, Some(gear.tip_edge_radius)],
             stress_chain: Some(format!("fillet_{surface}")),
             stress_places_per_edge: 4,
         });

@@ -17,7 +17,7 @@
 use super::condense::{Condensed, Support, condense, match_cuts};
 use super::kernel::{Mollifier, PairQuadrature};
 use super::ring::RingFlexibility;
-use super::sampling::{SplitOptions, sample};
+use super::sampling::{SplitOptions, Stretch, sample};
 use super::spline::{Spline, Weights};
 use super::{Chart, StressPlace, Structure, StructureError, SurfaceLoad};
 use crate::fe::stress::StressRecovery;
@@ -33,10 +33,11 @@ use std::sync::Arc;
 pub struct SurfaceSource {
     /// The true curve, in the coordinates of the mesh; the chain's arc length is this curve's.
     pub profile: Arc<dyn Profile>,
-    /// Edges along the profile.
+    /// Edges along the profile, without a rounded edge of the body.
     pub chain: String,
-    /// Whether the start and the end of the chain are sharp edges of the body. Elsewhere the body continues smoothly.
-    pub sharp: [bool; 2],
+    /// Rounding (m) of the sharp edges of the body at the start and the end of the chain; `None` where the body
+    /// continues smoothly.
+    pub edges: [Option<f64>; 2],
     /// Edges of a free surface beside this one along which stress is recovered: the fillet.
     pub stress_chain: Option<String>,
     /// Places of recovered stress on each edge of that chain, at least 1.
@@ -76,12 +77,16 @@ pub struct ElasticStructure {
     surfaces: Vec<Surface>,
     /// By offset of the observing sector ahead of the loaded one.
     offsets: Vec<OffsetTables>,
+    /// By surface: the mixed derivative of its own table at the first and the last sample.
+    twists: Vec<[f64; 2]>,
 }
 
 struct Surface {
     profile: Arc<dyn Profile>,
+    stretch: Stretch,
+    /// Over the stretched coordinate.
     spline: Spline,
-    /// Arc lengths of the part that belongs to the mesh and to no rounded edge. Beyond it, its ends stand in.
+    /// Arc lengths of the chain. Beyond it, its ends stand in.
     range: [f64; 2],
     /// Spline coefficients of the angle by which the normal has turned, positive where convex, rad.
     turned: Vec<f64>,
@@ -177,10 +182,19 @@ impl ElasticStructure {
             kink,
             surfaces: Vec::new(),
             offsets: Vec::new(),
+            twists: Vec::new(),
         };
         for offset in 0..=ring.map_or(0, RingFlexibility::window) {
             structure.offsets.push(structure.tables(offset, &prepared, condensed, ring));
         }
+        let own = &structure.offsets[0].compliance;
+        let twist = |(p, prepared): (usize, &Prepared)| {
+            [0, 1].map(|end| {
+                let slopes = prepared.surface.spline.slopes(end);
+                slopes.sum(|i| slopes.sum(|j| own[p][p][(i, j)]))
+            })
+        };
+        structure.twists = prepared.iter().enumerate().map(twist).collect();
         structure.surfaces = prepared.into_iter().map(|prepared| prepared.surface).collect();
         structure
     }
@@ -256,6 +270,15 @@ impl ElasticStructure {
         self.kink * turn + logarithmic / (PI * self.surface_modulus)
     }
 
+    /// What continuing the table of a surface straight in both variables adds at its corner, and should not: towards a
+    /// free edge the compliance of a point grows with the logarithm of the distance, whatever that of its neighbours.
+    fn twist(&self, surface: u32, a: Local, b: Local) -> f64 {
+        if a.beyond * b.beyond <= 0.0 {
+            return 0.0;
+        }
+        a.beyond * b.beyond * self.twists[surface as usize][usize::from(a.beyond > 0.0)]
+    }
+
     /// Places ahead, going round, from one tooth to another.
     fn places_ahead(&self, from: u32, to: u32) -> u32 {
         (to % self.teeth + self.teeth - from % self.teeth) % self.teeth
@@ -328,6 +351,7 @@ impl Structure for ElasticStructure {
                 let (first, second) = if first { (observer, load) } else { (load, observer) };
                 let mut value = first.weights.sum(|i| second.weights.sum(|j| table[(i, j)]));
                 if same {
+                    value -= self.twist(observe.surface, first, second);
                     value += self.curved_part(observed, first, second);
                 }
                 block[row * load_s.len() + column] += value;
@@ -374,14 +398,17 @@ struct Local {
     /// Within the surface's range.
     s: f64,
     weights: Weights,
+    /// How far the stretched coordinate lies beyond the samples.
+    beyond: f64,
     turned: f64,
 }
 
 impl Surface {
     fn local(&self, s: f64) -> Local {
         let s = s.clamp(self.range[0], self.range[1]);
-        let weights = self.spline.weights(s);
-        Local { s, weights, turned: weights.sum(|i| self.turned[i]) }
+        let stretched = self.stretch.at(s);
+        let (weights, beyond) = (self.spline.weights(stretched), self.spline.beyond(stretched));
+        Local { s, weights, beyond, turned: weights.sum(|i| self.turned[i]) }
     }
 }
 
@@ -454,9 +481,7 @@ fn prepare_surface(
     options: &SplitOptions,
 ) -> Result<Prepared, StructureError> {
     let loaded = chain(model, &source.chain)?;
-    let until = source.profile.edge_from().unwrap_or_else(|| source.profile.length());
-    let [start, end] = loaded.range();
-    let samples = sample(&model.mesh, loaded, until, source.sharp, options)
+    let samples = sample(&model.mesh, loaded, source.edges, options)
         .ok_or_else(|| StructureError::Coarse { chain: source.chain.clone() })?;
     let loads = samples
         .mollifiers
@@ -470,12 +495,13 @@ fn prepare_surface(
 
     let mut surface = Surface {
         profile: source.profile.clone(),
-        spline: Spline::new(samples.s),
-        range: [start, end.min(until)],
+        spline: Spline::new(samples.s.iter().map(|&s| samples.stretch.at(s)).collect()),
+        stretch: samples.stretch,
+        range: loaded.range(),
         turned: Vec::new(),
         stress_positions: Vec::new(),
     };
-    surface.turned = turned_coefficients(&surface);
+    surface.turned = turned_coefficients(&surface, &samples.s);
     let mut stress_rows = Vec::new();
     if let Some(name) = &source.stress_chain {
         let free = chain(model, name)?;
@@ -496,11 +522,11 @@ fn prepare_surface(
 }
 
 /// Spline coefficients of the angle by which the normal has turned since the first sample, positive where convex.
-fn turned_coefficients(surface: &Surface) -> Vec<f64> {
-    let mut angles = Vec::with_capacity(surface.spline.nodes().len());
+fn turned_coefficients(surface: &Surface, samples: &[f64]) -> Vec<f64> {
+    let mut angles = Vec::with_capacity(samples.len());
     let mut previous: Option<[f64; 2]> = None;
     let mut angle = 0.0;
-    for &s in surface.spline.nodes() {
+    for &s in samples {
         let point = surface.profile.at(s);
         let [x, y] = point.tangent;
         if let Some([px, py]) = previous {

@@ -6,7 +6,7 @@
 //! than a load the mesh resolves. Samples stand at a fixed fraction of it: dense towards a sharp edge, sparse elsewhere.
 
 use super::kernel::Mollifier;
-use crate::fe::{EdgeChain, PlaneMesh};
+use crate::fe::{EdgeChain, ElementEdge, PlaneMesh};
 
 /// How finely the split of the compliance is made.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -26,42 +26,66 @@ impl Default for SplitOptions {
 /// The least matching depth in spacings of nodes along the surface.
 const LEAST_NODE_SPACINGS: f64 = 4.0;
 /// A mollifier ends at this fraction of the distance to a sharp edge, at least.
-const CLEAR_OF_EDGE: f64 = 0.95;
+const CLEAR_OF_EDGE: f64 = 0.7;
 /// Intervals of the table that spreads the samples.
 const INTERVALS: usize = 2000;
+
+/// A coordinate along a surface in which the smooth part is as smooth near a sharp edge as elsewhere: there it varies
+/// with the logarithm of the distance. Straight continuation beyond the last sample is the law of a free corner.
+#[derive(Clone, Debug)]
+pub(super) struct Stretch {
+    length: f64,
+    /// At the start and the end of the surface, if they are sharp.
+    edges: [Option<Edge>; 2],
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Edge {
+    at: f64,
+    /// Distance over which the edge is not sharp, on the body or in the mesh, m.
+    rounding: f64,
+}
+
+impl Stretch {
+    /// The coordinate at arc length `s`; it grows with `s`, at least by 1 over the surface.
+    pub fn at(&self, s: f64) -> f64 {
+        let logarithm = |edge: &Option<Edge>, sign: f64| {
+            edge.map_or(0.0, |edge| {
+                let distance = (sign * (s - edge.at)).max(0.0) + edge.rounding;
+                sign * (distance / self.length).ln()
+            })
+        };
+        s / self.length + logarithm(&self.edges[0], 1.0) + logarithm(&self.edges[1], -1.0)
+    }
+}
 
 /// Samples of one surface.
 #[derive(Clone, Debug)]
 pub(super) struct Samples {
+    pub stretch: Stretch,
     /// Arc lengths, ascending, m.
     pub s: Vec<f64>,
     pub mollifiers: Vec<Mollifier>,
 }
 
-/// Places samples on a chain of edges up to arc length `until`. `sharp` says which ends of the chain are sharp edges of
-/// the body; at others the body continues smoothly. `None` if the chain is empty or too coarse for a matching depth.
+/// Places samples on a chain of edges. `edges` are the ends of the chain that are sharp edges
+/// of the body, with their rounding (m); at others the body continues smoothly. `None` if the chain is empty or too coarse for a matching depth.
 pub(super) fn sample(
     mesh: &PlaneMesh,
     chain: &EdgeChain,
-    until: f64,
-    sharp: [bool; 2],
+    edges: [Option<f64>; 2],
     options: &SplitOptions,
 ) -> Option<Samples> {
     let [start, end] = chain.range();
     let length = end - start;
     let from_edge = |s: f64| {
-        let distance = |sharp: bool, gap: f64| if sharp { gap } else { f64::INFINITY };
-        distance(sharp[0], s - start).min(distance(sharp[1], end - s))
+        let distance = |edge: Option<f64>, gap: f64| edge.map_or(f64::INFINITY, |_| gap);
+        distance(edges[0], s - start).min(distance(edges[1], end - s))
     };
-    let spacing = |s: f64| {
-        let index = mesh.locate(chain, s)?.0;
-        let edge = chain.edges.get(index)?;
-        let order = f64::from(mesh.elements.get(edge.element)?.order.sides[edge.side]);
-        Some((edge.s[1] - edge.s[0]) / order)
-    };
+    let spacings = spacings(mesh, chain);
     let depth = |s: f64| {
         let scale = from_edge(s).min(length);
-        let spacing = spacing(s)?;
+        let spacing = spacing_at(&spacings, s)?;
         Some((spacing * scale).sqrt().max(LEAST_NODE_SPACINGS * spacing))
     };
     let width = |s: f64| Some((options.matching_depth * depth(s)?).min(0.5 * length));
@@ -88,7 +112,7 @@ pub(super) fn sample(
     if length.is_nan() || length <= 0.0 {
         return None;
     }
-    let (first, last) = (reach(start)?, reach(end.min(until))?);
+    let (first, last) = (reach(start)?, reach(end)?);
 
     // Equal shares of the number of matching depths between the ends.
     let step = (last - first) / INTERVALS as f64;
@@ -98,7 +122,14 @@ pub(super) fn sample(
         passed.push(passed[interval] + step / depth(middle)?);
     }
     let count = options.samples.max(8);
-    let mut samples = Samples { s: Vec::with_capacity(count), mollifiers: Vec::with_capacity(count) };
+    let edge = |rounding: Option<f64>, at: f64, element: Option<&ElementEdge>| {
+        let (rounding, element) = (rounding?, element?);
+        Some(Edge { at, rounding: rounding.max(element.s[1] - element.s[0]) })
+    };
+    let edges = [edge(edges[0], start, chain.edges.first()), edge(edges[1], end, chain.edges.last())];
+    let stretch = Stretch { length, edges };
+    let mut samples =
+        Samples { stretch, s: Vec::with_capacity(count), mollifiers: Vec::with_capacity(count) };
     for index in 0..count {
         let share = passed[INTERVALS] * index as f64 / (count - 1) as f64;
         let interval = passed.partition_point(|&p| p < share).clamp(1, INTERVALS);
@@ -110,4 +141,24 @@ pub(super) fn sample(
         samples.mollifiers.push(Mollifier::new(s, center, width));
     }
     samples.s.windows(2).all(|pair| pair[0] < pair[1]).then_some(samples)
+}
+
+/// Middles of a chain's edges, and the spacing of nodes on each.
+fn spacings(mesh: &PlaneMesh, chain: &EdgeChain) -> Vec<[f64; 2]> {
+    let spacing = |edge: &ElementEdge| {
+        let order = f64::from(mesh.elements[edge.element].order.sides[edge.side]);
+        [0.5 * (edge.s[0] + edge.s[1]), (edge.s[1] - edge.s[0]) / order]
+    };
+    chain.edges.iter().map(spacing).collect()
+}
+
+/// The spacing of nodes at `s`, linear between the middles of edges. `None` without edges.
+fn spacing_at(spacings: &[[f64; 2]], s: f64) -> Option<f64> {
+    let [first, last] = [spacings.first()?, spacings.last()?];
+    let after = spacings.partition_point(|[middle, _]| *middle <= s);
+    if after == 0 || after == spacings.len() {
+        return Some(if after == 0 { first[1] } else { last[1] });
+    }
+    let [[a, from], [b, to]] = [spacings[after - 1], spacings[after]];
+    Some(from + (s - a) / (b - a) * (to - from))
 }

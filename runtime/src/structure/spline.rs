@@ -47,23 +47,35 @@ impl Spline {
 
     /// Weights at `s`; beyond the nodes, those of the straight continuation.
     pub fn weights(&self, s: f64) -> Weights {
-        let [first, last] = [self.nodes[0], self.nodes[self.nodes.len() - 1]];
-        let inside = s.clamp(first, last);
-        let mut weights = weights_at(&self.knots, inside);
-        let beyond = s - inside;
+        let beyond = self.beyond(s);
+        let mut weights = weights_at(&self.knots, s - beyond);
         if beyond != 0.0 {
-            // At an end knot only two splines have a slope: `3 / (gap to the next knot)`, and its opposite.
-            let (end, next) = if beyond < 0.0 { (0, 1) } else { (ORDER - 1, ORDER - 2) };
-            let gap = if beyond < 0.0 {
-                self.knots[ORDER] - first
-            } else {
-                last - self.knots[self.knots.len() - ORDER - 1]
-            };
-            let slope = (ORDER - 1) as f64 / gap * beyond.abs();
-            weights.values[end] += slope;
-            weights.values[next] -= slope;
+            let slopes = self.slopes(usize::from(beyond > 0.0));
+            for (value, slope) in weights.values.iter_mut().zip(slopes.values) {
+                *value += beyond * slope;
+            }
         }
         weights
+    }
+
+    /// How far `s` lies beyond the last node, or, negative, before the first.
+    pub fn beyond(&self, s: f64) -> f64 {
+        s - s.clamp(self.nodes[0], self.nodes[self.nodes.len() - 1])
+    }
+
+    /// Rates of the weights at the first (0) or last (1) node.
+    pub fn slopes(&self, end: usize) -> Weights {
+        // At an end knot only two splines have a slope: `3 / (gap to the next knot)`, and its opposite.
+        let last = self.knots.len() - ORDER;
+        let (first, at, gap) = if end == 0 {
+            (0, 0, self.knots[ORDER] - self.knots[0])
+        } else {
+            (last - ORDER, ORDER - 2, self.knots[last] - self.knots[last - 1])
+        };
+        let mut values = [0.0; ORDER];
+        values[at] = -((ORDER - 1) as f64) / gap;
+        values[at + 1] = (ORDER - 1) as f64 / gap;
+        Weights { first, values }
     }
 
     /// Coefficients of the splines through the columns of a table whose rows belong to the nodes.

@@ -104,7 +104,7 @@ pub fn disc(radius: f64, divisions: usize) -> (PlaneModel, Vec<SurfaceSource>) {
         .map(|side| SurfaceSource {
             profile: Arc::new(Arc2 { radius, from: PI * side as f64 - FRAC_PI_4, angle: FRAC_PI_2 }),
             chain: format!("rim_{side}"),
-            sharp: [false; 2],
+            edges: [None; 2],
             stress_chain: None,
             stress_places_per_edge: 1,
         })
@@ -237,7 +237,7 @@ pub fn toothed_sector(teeth: u32, scale: f64, divisions: Divisions) -> (PlaneMod
         .map(|(side, line)| SurfaceSource {
             profile: Arc::new(line) as Arc<dyn Profile>,
             chain: format!("flank_{side}"),
-            sharp: [false, true],
+            edges: [None, Some(0.0)],
             stress_chain: Some(format!("root_{side}")),
             stress_places_per_edge: 2,
         })
