@@ -184,7 +184,8 @@ fn cell_bounds(range: [f64; 2], flank_cell: f64, edges: &[Edge]) -> Vec<f64> {
     for to in stops {
         let pieces = size_pieces([from, to], flank_cell, edges);
         let total: f64 = pieces.iter().map(Piece::cells).sum();
-        let count = total.round().max(1.0);
+        // No larger than asked; grids on edges hold half cells by design, which rounding must not push up and down.
+        let count = (total - 1e-6).ceil().max(1.0);
         let (mut piece, mut passed) = (0, 0.0);
         for end in 1..count as usize {
             let share = total * end as f64 / count;

@@ -60,12 +60,16 @@ impl Member {
 
 impl Prototype for Member {
     fn build(&self, options: &StructureOptions) -> Result<Arc<dyn Structure>, EngineError> {
-        let mut structures = self.structures.lock().expect("no build panics");
-        if let Some((_, built)) = structures.iter().find(|(known, _)| known == options) {
-            return Ok(built.clone());
-        }
-        let built = self.prototype.build(options)?;
-        structures.push((*options, built.clone()));
+        let known = || {
+            let structures = self.structures.lock().expect("nothing panics under the lock");
+            structures.iter().find(|(known, _)| known == options).map(|(_, built)| built.clone())
+        };
+        // Not built under the lock: a thread waiting for its share of the work may be given the same gear to build.
+        let built = match known() {
+            Some(built) => return Ok(built),
+            None => self.prototype.build(options)?,
+        };
+        self.structures.lock().expect("nothing panics under the lock").push((*options, built.clone()));
         Ok(built)
     }
 
@@ -285,12 +289,21 @@ impl Values {
     }
 }
 
+/// A mesh that builds fast: for what must hold on any mesh.
+pub const COARSE: StructureOptions =
+    StructureOptions { refinement: 0.5, order: 2, matching_depth: 1.0, stresses: true, sharp_edges: false };
+
+/// The scene on a coarse mesh.
 pub fn system(scene: &Scene) -> System<'_> {
-    let plan = Plan::new(scene, Fidelity::Plane, StructureOptions::default()).expect("it can be planned");
+    system_of(scene, COARSE)
+}
+
+pub fn system_of(scene: &Scene, structure: StructureOptions) -> System<'_> {
+    let plan = Plan::new(scene, Fidelity::Plane, structure).expect("it can be planned");
     System::new(scene, &plan).expect("it can be built")
 }
 
-/// The values of a pair at parts of its mesh cycle.
+/// The values of a pair at parts of its mesh cycle, on a coarse mesh.
 pub fn solve_at(options: &PairOptions, cycles: &[f64]) -> Vec<Values> {
     let (scene, mesh) = pair(options);
     let mut system = system(&scene);

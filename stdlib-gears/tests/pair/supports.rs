@@ -1,17 +1,17 @@
 //! What is said when a scene is not held, not loaded, or its grids do not suit.
 
 use crate::common::INCH;
-use crate::common::pair::{PLAIN, PairOptions, TORQUE, pair, system};
+use crate::common::pair::{COARSE, PLAIN, PairOptions, TORQUE, pair, system};
 use calyx_runtime::error::EngineError;
 use calyx_runtime::plan::Plan;
-use calyx_runtime::scene::{Body, Fidelity, StructureOptions};
+use calyx_runtime::scene::{Body, Fidelity};
 use calyx_runtime::system::System;
 
 /// What solving the chapter 5 pair ends in after its bodies have been changed.
 fn failure(options: &PairOptions, change: impl Fn(&mut Vec<Body>)) -> EngineError {
     let (mut scene, mesh) = pair(options);
     change(&mut scene.bodies);
-    let plan = match Plan::new(&scene, Fidelity::Plane, StructureOptions::default()) {
+    let plan = match Plan::new(&scene, Fidelity::Plane, COARSE) {
         Ok(plan) => plan,
         Err(error) => return error,
     };
