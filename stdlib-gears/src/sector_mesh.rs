@@ -63,7 +63,7 @@ impl Refinement {
         layers: 5,
         across: 5,
         flank: 0.15,
-        fillet: 7,
+        fillet: 10,
         edge: 1,
         tip_growth: 0.27,
         rim_growth: 1.5,
@@ -389,8 +389,8 @@ impl Layout {
             return self.edge_size;
         }
         let from_fillet = (boundary.fillet_from - p).max(p - boundary.form).max(0.0);
-        let from_edge =
-            FLANK_BESIDE_EDGE * self.edge_size + self.refinement.tip_growth * (self.boundary.edge - p).max(0.0);
+        let from_edge = FLANK_BESIDE_EDGE * self.edge_size
+            + self.refinement.tip_growth * (self.boundary.edge - p).max(0.0);
         let largest = self.refinement.flank * self.module;
         from_edge.min(largest).min(self.fillet_size + FILLET_GROWTH * from_fillet)
     }
@@ -468,7 +468,8 @@ impl Layout {
         let on_land = Curve::arc([0.0; 2], self.tip_radius, self.tip_angle, 0.0);
         let across = self.refinement.across;
         let smallest = LAND_GROWTH * self.edge_size / (self.tip_radius * self.tip_angle);
-        let land = graded(across, math::pow(growth(across, smallest.min(1.0 / across as f64)), across as f64 - 1.0));
+        let land =
+            graded(across, math::pow(growth(across, smallest.min(1.0 / across as f64)), across as f64 - 1.0));
         let arc = HalfBlock {
             sides: [
                 Curve::line(corner, between),
