@@ -111,11 +111,19 @@ fn elaborate(program: &Program) -> (ModelDescription, Vec<Diagnostic>) {
     (interpreted.into_description(), found)
 }
 
+/// Diagnostics that are shown at most; a text with more of them is not a model.
+const MOST_SHOWN: usize = 200;
+
 /// Diagnostics as text for standard error.
 pub(crate) fn render(diagnostics: &[Diagnostic], files: &[SourceFile]) -> String {
     let colour = if io::stderr().is_terminal() { Colour::Always } else { Colour::Never };
     let mut renderer = Renderer::new(files, colour);
-    diagnostics.iter().map(|diagnostic| renderer.text(diagnostic)).collect()
+    let shown = diagnostics.iter().take(MOST_SHOWN).map(|diagnostic| renderer.text(diagnostic));
+    let mut text: String = shown.collect();
+    if diagnostics.len() > MOST_SHOWN {
+        text += &format!("... and {} more\n", diagnostics.len() - MOST_SHOWN);
+    }
+    text
 }
 
 /// A run-time error as a diagnostic at its place.

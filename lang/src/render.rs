@@ -29,6 +29,9 @@ impl<'a> Renderer<'a> {
 
     /// One diagnostic; ends with a line end.
     pub fn text(&mut self, diagnostic: &Diagnostic) -> String {
+        if self.has_long_line(diagnostic) {
+            return self.without_source(diagnostic);
+        }
         let (kind, colour_of_primary) = match diagnostic.severity {
             Severity::Error => (ReportKind::Error, Color::Red),
             Severity::Warning => (ReportKind::Warning, Color::Yellow),
@@ -59,6 +62,40 @@ impl<'a> Renderer<'a> {
             // Writing to memory does not fail; the message must reach the user in any case.
             _ => format!("{}: {}\n", diagnostic.code, diagnostic.message),
         }
+    }
+}
+
+/// Characters of a source line that are shown at most. Nobody reads on, and every error of such a line would repeat it.
+const LONGEST_LINE: usize = 1000;
+
+impl Renderer<'_> {
+    fn has_long_line(&self, diagnostic: &Diagnostic) -> bool {
+        std::iter::once(&diagnostic.primary).chain(&diagnostic.labels).any(|note| {
+            let Some(text) = self.files.files.get(note.span.file.0 as usize).map(|file| &file.text) else {
+                return false;
+            };
+            let (start, end) = clipped(note.span, text);
+            let before = text[..start].rfind('\n').map_or(0, |at| at + 1);
+            let after = text[end..].find('\n').map_or(text.len(), |at| end + at);
+            text[before..after].split('\n').any(|line| line.len() > LONGEST_LINE)
+        })
+    }
+
+    fn without_source(&self, diagnostic: &Diagnostic) -> String {
+        let kind = match diagnostic.severity {
+            Severity::Error => "Error",
+            Severity::Warning => "Warning",
+        };
+        let place = place_json(diagnostic.primary.span, self.files.files);
+        let [file, line, column] = ["file", "line", "column"].map(|key| match &place[key] {
+            Value::String(text) => text.clone(),
+            other => other.to_string(),
+        });
+        let help = diagnostic.help.as_ref().map(|help| format!("    Help: {help}\n")).unwrap_or_default();
+        format!(
+            "[{}] {kind}: {}\n    at {file}:{line}:{column}: {}\n{help}",
+            diagnostic.code, diagnostic.message, diagnostic.primary.message
+        )
     }
 }
 

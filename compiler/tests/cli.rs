@@ -1,0 +1,342 @@
+//! The `calyx` command as its users meet it. What it says is fixed by the pages in `cli/`; what it writes, here.
+
+use serde_json::Value;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+/// One `## ` section of a page.
+#[derive(Default)]
+struct Case {
+    name: String,
+    /// Text of `model.cx`, if the case has one.
+    model: Option<String>,
+    commands: Vec<Expected>,
+}
+
+/// A command line and what it is to do.
+#[derive(Default)]
+struct Expected {
+    arguments: Vec<String>,
+    status: Option<i32>,
+    /// All of standard output.
+    out: Vec<String>,
+    /// Parts of standard output.
+    out_has: Vec<String>,
+    /// Parts of standard error, in this order.
+    err: Vec<String>,
+    err_lacks: Vec<String>,
+    silent: bool,
+}
+
+fn example() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples/spur_pair.cx")
+}
+
+/// The example after `old => new` on each line of `edits`.
+fn edited(edits: &[&str]) -> String {
+    let text = std::fs::read_to_string(example()).expect("the example is there");
+    edits.iter().fold(text, |text, edit| {
+        let (old, new) = edit.split_once(" => ").expect("`old => new`");
+        assert!(text.contains(old), "the example has no `{old}`");
+        text.replace(old, new)
+    })
+}
+
+fn cases(page: &str) -> Vec<Case> {
+    let mut cases: Vec<Case> = Vec::new();
+    let mut lines = page.lines();
+    while let Some(line) = lines.next() {
+        if let Some(name) = line.strip_prefix("## ") {
+            cases.push(Case { name: name.into(), ..Case::default() });
+        } else if let Some(kind) = line.strip_prefix("```") {
+            let block: Vec<&str> = lines.by_ref().take_while(|line| *line != "```").collect();
+            let case = cases.last_mut().expect("a block belongs to a section");
+            match kind {
+                "cx" => case.model = Some(block.join("\n")),
+                "edit" => case.model = Some(edited(&block)),
+                "console" => block.iter().for_each(|line| expectation(&mut case.commands, line)),
+                other => panic!("unknown block `{other}`"),
+            }
+        }
+    }
+    cases
+}
+
+fn expectation(commands: &mut Vec<Expected>, line: &str) {
+    if let Some(arguments) = line.strip_prefix("$ calyx") {
+        // Every second piece between quotes is one word.
+        let pieces = arguments.split('"').enumerate();
+        let words = pieces.flat_map(|(i, piece)| match i % 2 {
+            0 => piece.split_whitespace().map(str::to_owned).collect(),
+            _ => vec![piece.to_owned()],
+        });
+        commands.push(Expected { arguments: words.collect(), ..Expected::default() });
+        return;
+    }
+    let command = commands.last_mut().expect("a command comes first");
+    let (kind, text) = line.split_once("| ").unwrap_or((line, ""));
+    match kind {
+        "out" => command.out.push(text.into()),
+        "has out" => command.out_has.push(text.into()),
+        "err" => command.err.push(text.into()),
+        "no err" => command.err_lacks.push(text.into()),
+        "err none" => command.silent = true,
+        _ => command.status = Some(line.strip_prefix("exit ").and_then(|n| n.parse().ok()).expect(line)),
+    }
+}
+
+fn calyx(directory: &Path, arguments: &[String]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_calyx"))
+        .current_dir(directory)
+        .args(arguments)
+        .output()
+        .expect("calyx starts")
+}
+
+/// What is wrong with a command's output; `None` if nothing is.
+fn difference(expected: &Expected, output: &Output) -> Option<String> {
+    let (out, err) = (String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
+    if output.status.code() != expected.status {
+        return Some(format!("exit status {:?} instead of {:?}", output.status.code(), expected.status));
+    }
+    let all_of_out = expected.out_has.is_empty();
+    if all_of_out && out.lines().ne(expected.out.iter().map(String::as_str)) {
+        return Some("standard output differs".into());
+    }
+    if let Some(missing) = expected.out_has.iter().find(|part| !out.contains(part.as_str())) {
+        return Some(format!("standard output lacks `{missing}`"));
+    }
+    let mut rest = &err[..];
+    for part in &expected.err {
+        match rest.find(part) {
+            Some(at) => rest = &rest[at + part.len()..],
+            None => return Some(format!("standard error lacks `{part}`, or has it too early")),
+        }
+    }
+    if let Some(extra) = expected.err_lacks.iter().find(|part| err.contains(part.as_str())) {
+        return Some(format!("standard error has `{extra}`"));
+    }
+    (expected.silent && !err.is_empty()).then(|| "standard error is not empty".into())
+}
+
+fn hold(page: &str) {
+    let mut failures = String::new();
+    for case in cases(page) {
+        let directory = tempfile::tempdir().expect("a directory");
+        if let Some(model) = &case.model {
+            std::fs::write(directory.path().join("model.cx"), model).expect("the model is written");
+        }
+        assert!(!case.commands.is_empty(), "{} runs nothing", case.name);
+        for expected in &case.commands {
+            let output = calyx(directory.path(), &expected.arguments);
+            if let Some(difference) = difference(expected, &output) {
+                let (out, err) =
+                    (String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
+                failures += &format!(
+                    "## {}\n{difference}: calyx {}\n--- out\n{out}--- err\n{err}\n",
+                    case.name,
+                    expected.arguments.join(" ")
+                );
+            }
+        }
+    }
+    assert!(failures.is_empty(), "\n{failures}");
+}
+
+#[test]
+fn check_says_what_is_wrong() {
+    hold(include_str!("cli/check.md"));
+}
+
+#[test]
+fn wrong_usage_is_explained() {
+    hold(include_str!("cli/usage.md"));
+}
+
+#[test]
+fn runs_print_and_fail_as_they_should() {
+    hold(include_str!("cli/run.md"));
+}
+
+#[test]
+fn text_that_is_not_utf8_is_refused() {
+    let directory = tempfile::tempdir().unwrap();
+    std::fs::write(directory.path().join("model.cx"), b"var x = \"\xff\";\n").unwrap();
+    let output = calyx(directory.path(), &["check".into(), "model.cx".into()]);
+    assert_eq!(output.status.code(), Some(1));
+    let err = String::from_utf8_lossy(&output.stderr);
+    assert!(err.contains("[E0100]") && err.contains("model.cx:1:10"), "{err}");
+}
+
+/// Texts that made compilers hang, overflow their stack or run out of memory.
+#[test]
+fn no_text_makes_check_hang_or_crash() {
+    let doubling = |element: &str| {
+        let functions = (0..24).map(|i| {
+            format!(
+                "function f{i}(in a) {{ return {}; }}\n",
+                element.replace("f(a)", &format!("f{}(a)", i + 1))
+            )
+        });
+        functions.collect::<String>() + "function f24(in a) { return a; }\nvar x = f0(1);\nprint(len([x]));\n"
+    };
+    let variables = (0..24).map(|i| format!("var x{} = [x{i}, [x{i}, TRUE]];\n", i + 1)).collect::<String>();
+    let tokens =
+        ["var", "x", "=", "1", ";", "(", ")", "{", "}", "[", "]", "function", "in", "+", "3 mm", ":="];
+    // Knuth's multiplicative sequence: any text will do, as long as it is the same every time.
+    let pick = |i: u32| tokens[(i.wrapping_mul(2_654_435_761) >> 16) as usize % tokens.len()];
+    for (name, text) in [
+        ("arrays that double", doubling("[f(a), f(a)]")),
+        ("tuples that double", doubling("[f(a), [f(a), \"\"]]")),
+        ("variables that double", format!("var x0 = 1;\n{variables}")),
+        ("brackets", format!("var x = {}1{};", "(".repeat(100_000), ")".repeat(100_000))),
+        ("minus signs", format!("var x = {}1;", "-".repeat(100_000))),
+        ("blocks", "{".repeat(100_000)),
+        ("random tokens", (0..100_000).map(pick).collect::<Vec<_>>().join(" ")),
+    ] {
+        let directory = tempfile::tempdir().unwrap();
+        std::fs::write(directory.path().join("model.cx"), text).unwrap();
+        let output = calyx(directory.path(), &["check".into(), "model.cx".into()]);
+        // A crash has no exit status, a panic has 101.
+        assert_eq!(output.status.code(), Some(1), "{name}");
+        assert!(!output.stderr.is_empty(), "{name}");
+    }
+}
+
+fn json(path: PathBuf) -> Value {
+    serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap()
+}
+
+fn number(value: &Value) -> f64 {
+    value.as_f64().unwrap_or_else(|| panic!("{value} is not a number"))
+}
+
+/// Runs the example with few positions; returns run.json, what was written to standard error, and the directory.
+fn run_example(arguments: &[&str]) -> (Value, String, tempfile::TempDir) {
+    let directory = tempfile::tempdir().unwrap();
+    std::fs::copy(example(), directory.path().join("pair.cx")).unwrap();
+    let mut all = vec!["run".to_owned(), "pair.cx".into(), "--set".into(), "steps=2".into()];
+    all.extend(arguments.iter().map(|argument| (*argument).to_owned()));
+    let output = calyx(directory.path(), &all);
+    let err = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(output.status.code(), Some(0), "{err}");
+    assert!(output.stdout.is_empty(), "the model prints nothing");
+    (json(directory.path().join("pair.cx.run/run.json")), err, directory)
+}
+
+const OUTPUTS: [(&str, &str, &str); 8] = [
+    ("transmission_error", "rad", "rad"),
+    ("transmission_error_length", "m", "inch"),
+    ("load_share", "", ""),
+    ("mesh_stiffness", "N/m", "lbf/inch"),
+    ("max_contact_pressure", "Pa", "psi"),
+    ("max_edge_pressure", "Pa", "psi"),
+    ("max_root_stress_pinion", "Pa", "psi"),
+    ("max_root_stress_gear", "Pa", "psi"),
+];
+
+#[test]
+fn the_run_directory_of_the_example_is_complete() {
+    let (run, err, directory) = run_example(&["--set", "tip_radius=0.5 mm", "--set", "torque=500"]);
+    let directory = directory.path().join("pair.cx.run");
+
+    let params: Vec<&String> = run["params"].as_object().unwrap().keys().collect();
+    assert_eq!(
+        params,
+        [
+            "torque",
+            "center_distance",
+            "tip_radius",
+            "tooth_thickness",
+            "tip_relief",
+            "lead_crown",
+            "tip_corner_contact",
+            "steps",
+            "fidelity"
+        ]
+    );
+    assert_eq!(run["params"]["tip_radius"]["value"], 0.5e-3);
+    // 1 lbf*inch = 4.4482216152605 N * 0.0254 m
+    let torque = 500.0 * 4.4482216152605 * 0.0254;
+    assert!((number(&run["params"]["torque"]["value"]) - torque).abs() < 1e-13 * torque);
+    assert_eq!(run["params"]["torque"]["display"]["value"], 500.0);
+    assert_eq!(run["params"]["torque"]["display"]["unit"], "lbf*inch");
+    assert_eq!(run["params"]["tip_corner_contact"]["value"], true);
+    assert_eq!(run["params"]["fidelity"]["value"], "plane");
+
+    let outputs = run["outputs"].as_object().unwrap();
+    assert_eq!(outputs.keys().collect::<Vec<_>>(), OUTPUTS.map(|output| output.0));
+    let table = std::fs::read_to_string(directory.join("steps.csv")).unwrap();
+    let rows: Vec<Vec<&str>> = table.lines().map(|line| line.split(',').collect()).collect();
+    // Both uniform positions, and the characteristic points; the start of active profile is the start of the cycle.
+    let points: Vec<&str> = rows[1..].iter().map(|row| row[4]).collect();
+    for point in ["SAP", "EAP", "LPSTC", "HPSTC"] {
+        assert!(points.contains(&point), "{points:?}");
+    }
+    assert_eq!(run["positions"], rows.len() - 1);
+    for (name, unit, shown) in OUTPUTS {
+        let output = &outputs[name];
+        assert_eq!(
+            (output["unit"].as_str(), output["display"]["unit"].as_str()),
+            (Some(unit), Some(shown)),
+            "{name}"
+        );
+        assert_ne!(output["doc"], "", "{name}");
+        let column = rows[0].iter().position(|header| *header == name).unwrap();
+        let values: Vec<f64> = rows[1..].iter().map(|row| row[column].parse().unwrap()).collect();
+        let (min, max) = (number(&output["min"]), number(&output["max"]));
+        assert_eq!(min, values.iter().copied().fold(f64::INFINITY, f64::min), "{name}");
+        assert_eq!(max, values.iter().copied().fold(f64::NEG_INFINITY, f64::max), "{name}");
+        assert_eq!(number(&output["peak_to_peak"]), max - min, "{name}");
+        assert!((min..=max).contains(&number(&output["mean"])), "{name}");
+        let at = output["max_at"]["step"].as_u64().unwrap() as usize;
+        assert_eq!(values[at], max, "{name}");
+        let place = &output["max_at"]["place"];
+        if name.contains("stress") || name == "max_contact_pressure" {
+            let body = if name.ends_with("gear") { "gear" } else { "pinion" };
+            assert_eq!(place["body"], body, "{name}");
+            assert!(place["tooth"].is_u64() && number(&place["radius"]) > 0.02, "{name}: {place}");
+        }
+    }
+    let pressure = &outputs["max_contact_pressure"];
+    let psi = 4.4482216152605 / (0.0254 * 0.0254);
+    let shown = number(&pressure["display"]["max"]) * psi;
+    assert!((shown - number(&pressure["max"])).abs() < 1e-12 * shown);
+    assert!(number(&pressure["max_at"]["place"]["roll_angle"]) > 0.0);
+
+    for residual in ["complementarity", "penetration", "tension", "equilibrium"] {
+        assert!(number(&run["certificate"][residual]) <= 1e-12, "{residual}");
+    }
+    assert_eq!(run["calyx"], env!("CARGO_PKG_VERSION"));
+    let hash = run["source"]["sha256"].as_str().unwrap();
+    assert!(hash.len() == 64 && hash.chars().all(|c| c.is_ascii_hexdigit()));
+    assert_eq!(run["source"]["files"][0]["sha256"], hash);
+
+    let timing = json(directory.join("timing.json"));
+    let stages = timing["stages"].as_object().unwrap();
+    for stage in ["check", "compile", "program", "plan", "structures", "positions"] {
+        assert!(stages.contains_key(stage), "{stage}");
+    }
+    let sum: f64 = stages.values().map(number).sum();
+    assert!((sum - number(&timing["total"])).abs() <= 1e-9 * sum);
+
+    // The summary fits a terminal; its lines are in the model's units.
+    assert!(err.contains("max_contact_pressure       psi "), "{err}");
+    assert!(err.lines().all(|line| line.chars().count() <= 120), "{err}");
+    // An input the model cannot see is said and written.
+    assert_eq!(run["ignored_inputs"].as_object().unwrap().keys().collect::<Vec<_>>(), ["lead_crown"]);
+    assert_eq!(err.matches("warning: `lead_crown` has no effect here").count(), 1);
+}
+
+#[test]
+fn quiet_is_quiet_and_what_is_zero_is_not_ignored() {
+    let (run, err, directory) = run_example(&["--set", "lead_crown=0", "--quiet"]);
+    assert_eq!(err, "");
+    assert_eq!(run["ignored_inputs"], serde_json::json!({}));
+    // A run leaves no results of an earlier one behind, however it ends.
+    let model = edited(&["[\"theta_z\"], moment => [\"theta_z\", \"u_x\"], moment"]);
+    std::fs::write(directory.path().join("pair.cx"), model).unwrap();
+    let arguments = ["run", "pair.cx", "--set", "steps=2"].map(str::to_owned);
+    assert_eq!(calyx(directory.path(), &arguments).status.code(), Some(1));
+    assert!(!directory.path().join("pair.cx.run/run.json").exists());
+}
