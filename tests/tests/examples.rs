@@ -1,0 +1,35 @@
+//! Every example is right as it stands, and runs.
+
+use calyx::rt::{RunOptions, run};
+use calyx::{Module, check_file};
+use calyx_tests::root;
+
+#[test]
+fn every_example_checks_without_a_word_and_runs() {
+    let mut count = 0;
+    for entry in std::fs::read_dir(root().join("examples")).expect("there are examples") {
+        let path = entry.expect("an entry").path();
+        if path.extension().is_none_or(|extension| extension != "cx") {
+            continue;
+        }
+        count += 1;
+        let checked = check_file(&path).expect("examples can be read");
+        assert!(checked.diagnostics.is_empty(), "{}", checked.render());
+        let description = &checked.description;
+        assert!(!description.doc.is_empty(), "{} says what it is", path.display());
+        let named = description.params.iter().map(|param| (&param.name, &param.doc));
+        for (name, doc) in named.chain(description.outputs.iter().map(|output| (&output.name, &output.doc))) {
+            assert!(!doc.is_empty(), "{}: `{name}` has a doc comment", path.display());
+        }
+        // Few positions, where the example lets them be chosen.
+        let steps = description.params.iter().any(|param| param.name == "steps");
+        let set = if steps { vec![("steps".to_owned(), "2".to_owned())] } else { Vec::new() };
+        let directory = tempfile::tempdir().expect("a directory");
+        let options =
+            RunOptions { directory: directory.path().into(), set, quiet: true, ..RunOptions::default() };
+        let module = Module::compile(checked).expect("examples compile");
+        let report = run(&module, &options).unwrap_or_else(|error| panic!("{}: {error:?}", path.display()));
+        assert!(report.findings.is_empty(), "{}: {:?}", path.display(), report.findings);
+    }
+    assert!(count > 0);
+}

@@ -1,0 +1,99 @@
+//! What the library declares in Calyx and what the engine provides in Rust are the same functions.
+
+use calyx_abi::{Purity, Repr};
+use calyx_gears::library::{MODULES, PRELUDE, externs};
+use calyx_lang::ast::{FunctionBody, FunctionDecl, StmtKind, TypeExpr, TypeKind};
+use calyx_lang::dimension::Dimension;
+use calyx_lang::parser::parse;
+use calyx_lang::span::FileId;
+use std::collections::BTreeSet;
+
+/// Functions that the language itself calls: `print`, `assert` and `output` have their own syntax or types.
+const OF_THE_LANGUAGE: &[&str] = &["calyx_std_print", "calyx_std_assert", "calyx_std_output"];
+
+/// Link symbol, declaration and doc comment of every extern function of the library.
+fn declared() -> Vec<(String, FunctionDecl, Option<String>)> {
+    let modules = std::iter::once(&PRELUDE).chain(MODULES);
+    let functions = modules.flat_map(|module| {
+        let (tree, found) = parse(FileId(0), module.text);
+        assert!(found.is_empty(), "{}: {found:?}", module.file);
+        let functions = tree.statements.into_iter().filter_map(|statement| match statement.kind {
+            StmtKind::Function(decl) => Some((decl, statement.doc)),
+            _ => None,
+        });
+        let externs = functions.filter(|(decl, _)| matches!(decl.body, FunctionBody::Extern { .. }));
+        let prefix = module.path.replace('.', "_");
+        externs
+            .map(move |(decl, doc)| (format!("calyx_{prefix}_{}", decl.name.name), decl, doc))
+            .collect::<Vec<_>>()
+    });
+    functions.collect()
+}
+
+/// How the engine sees values of a declared type.
+fn repr(ty: &TypeExpr) -> Repr {
+    let inner = |arguments: &[TypeExpr]| Box::new(repr(&arguments[0]));
+    match &ty.kind {
+        TypeKind::Name(name) => match name.name.as_str() {
+            "Bool" => Repr::Bool,
+            "String" => Repr::String,
+            "Vector" => Repr::Vector,
+            "Transform" => Repr::Transform,
+            name if name == "Number" || Dimension::from_name(name).is_some() => Repr::Number,
+            _ => Repr::Handle,
+        },
+        TypeKind::Apply(name, arguments) => match name.name.as_str() {
+            "Array" => Repr::Array(inner(arguments)),
+            "Symbolic" => Repr::Symbolic(inner(arguments)),
+            "Vector" => Repr::Vector,
+            // The engine hands out an index; the program makes a symbol of it.
+            "Observable" => Repr::Handle,
+            other => panic!("what is {other}(...)?"),
+        },
+        // Dimensions joined.
+        _ => Repr::Number,
+    }
+}
+
+#[test]
+fn every_declared_function_is_provided_as_declared() {
+    for (symbol, decl, _) in declared() {
+        let row = externs().iter().find(|row| row.symbol == symbol);
+        let row = row.unwrap_or_else(|| panic!("the engine has no {symbol}"));
+        let provided: Vec<(String, Repr)> =
+            row.params.iter().map(|(name, repr)| ((*name).into(), repr())).collect();
+        let wanted = decl.parameters.iter().map(|parameter| {
+            let ty =
+                parameter.annotation.as_ref().unwrap_or_else(|| panic!("{symbol}: {}", parameter.name.name));
+            (parameter.name.name.clone(), repr(ty))
+        });
+        assert_eq!(provided, wanted.collect::<Vec<_>>(), "{symbol}");
+        assert_eq!((row.result)(), decl.result.as_ref().map_or(Repr::Unit, repr), "{symbol}");
+        let FunctionBody::Extern { purity } = &decl.body else { unreachable!("only externs are listed") };
+        let purity = match purity.as_ref().map(|purity| purity.name.as_str()) {
+            Some("pure") => Purity::Pure,
+            Some("scene") => Purity::Scene,
+            _ => Purity::Effect,
+        };
+        assert_eq!(row.purity, purity, "{symbol}");
+    }
+}
+
+#[test]
+fn every_provided_function_is_declared_once() {
+    let mut known: BTreeSet<String> = OF_THE_LANGUAGE.iter().map(|symbol| (*symbol).into()).collect();
+    for (symbol, ..) in declared() {
+        assert!(known.insert(symbol.clone()), "{symbol} is declared twice");
+    }
+    let provided: BTreeSet<String> = externs().iter().map(|row| row.symbol.to_owned()).collect();
+    assert_eq!(provided.len(), externs().len(), "a symbol is provided twice");
+    assert_eq!(provided, known);
+}
+
+#[test]
+fn every_function_of_the_library_is_documented() {
+    for (symbol, _, doc) in declared() {
+        let doc = doc.unwrap_or_default();
+        assert!(doc.ends_with(['.', '`']) && doc.starts_with(char::is_uppercase), "{symbol}: {doc:?}");
+    }
+}

@@ -1,0 +1,206 @@
+//! One program, three ways to run it: the interpreter, machine code in memory, and machine code linked into an
+//! executable. All build the same scene and write the same results, bit for bit.
+#![cfg(unix)]
+
+use calyx::rt::{Program, RunOptions, apply, run};
+use calyx::{Interpreted, Module, check_file, check_text};
+use calyx_abi::{Context, Purity, SymbolicValue};
+use calyx_gears::host::ModelHost;
+use calyx_tests::root;
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+use std::sync::{Arc, OnceLock};
+
+const SET: [(&str, &str); 3] = [("steps", "2"), ("torque", "700"), ("tip_radius", "0.5 mm")];
+
+fn set() -> Vec<(String, String)> {
+    SET.map(|(name, value)| (name.into(), value.into())).to_vec()
+}
+
+fn example() -> PathBuf {
+    root().join("examples/spur_pair.cx")
+}
+
+/// Times at which what depends on time is looked at, s.
+const TIMES: [f64; 4] = [0.0, 0.1, 1.4698981493578729, -3.7];
+
+/// Everything a program handed to the engine, as text that shows every bit of every number.
+fn scene(program: &dyn Program) -> String {
+    let mut context = Context::new(Box::new(ModelHost::default()));
+    context.kernels = program.kernels();
+    apply(program, &set(), &mut context).unwrap();
+    program.main(&mut context).unwrap();
+    let (params, slots) = (format!("{:?}", context.params), context.param_slots.len());
+    let host = context.host::<ModelHost>().unwrap();
+    let mut text = format!("{params} {slots}\n{:?}\n{:?}\n{:?}\n", host.materials, host.racks, host.rims);
+    for gear in &host.gears {
+        writeln!(text, "{:?} {:?} {:?}", gear.gear, gear.modifications, gear.material).unwrap();
+        writeln!(text, "{:?} {:?} {:?}", gear.rim, gear.face_width, gear.pitch_errors).unwrap();
+    }
+    writeln!(text, "{:?}\n{:?}", host.body_gears, host.positions).unwrap();
+    for body in &host.scene.bodies {
+        let (name, phase) = (&body.name, body.phase);
+        writeln!(text, "{name} {phase:?} {:?} {:?} {:?}", body.free, body.force, body.moment).unwrap();
+        for time in TIMES {
+            writeln!(text, "{:?} {:?}", body.motion.frame(time), body.motion.rate(time)).unwrap();
+        }
+    }
+    for pair in &host.scene.pairs {
+        writeln!(text, "{:?} {:?} {:?} {:?}", pair.bodies, pair.surfaces, pair.grid, pair.mesh).unwrap();
+    }
+    writeln!(text, "{:?}", host.scene.observables).unwrap();
+    for output in &host.outputs {
+        writeln!(text, "{} {:?} {}", output.name, output.params, symbolic(&output.value, &output.params))
+            .unwrap();
+    }
+    text
+}
+
+fn symbolic(value: &Arc<SymbolicValue>, params: &[f64]) -> String {
+    let values = TIMES.map(|time| {
+        let inputs = [&[time], params, &value.captured[..]].concat();
+        let mut outputs = vec![f64::NAN; value.kernel.outputs()];
+        value.kernel.eval(&inputs, &mut outputs);
+        outputs
+    });
+    format!("{} {:?} {:?} {:?} {values:?}", value.site, value.repr, value.captured, value.observables)
+}
+
+#[test]
+fn interpreter_and_machine_code_build_the_same_scene() {
+    // The scene is complete before the analysis, which is not needed here.
+    let text = std::fs::read_to_string(example()).unwrap().replace("analyze(", "// analyze(");
+    let checked = || check_text("spur_pair.cx", &text);
+    let program = checked().program.unwrap();
+    let interpreted = scene(&Interpreted::new(&program, Purity::Effect).unwrap());
+    let compiled = scene(&Module::compile(checked()).unwrap());
+    assert!(interpreted.lines().count() > 20, "{interpreted}");
+    assert_eq!(interpreted, compiled);
+}
+
+/// `steps.csv` of a run in this process.
+fn steps(program: &dyn Program) -> String {
+    let directory = tempfile::tempdir().unwrap();
+    let options =
+        RunOptions { directory: directory.path().into(), set: set(), quiet: true, ..RunOptions::default() };
+    run(program, &options).unwrap();
+    std::fs::read_to_string(directory.path().join("steps.csv")).unwrap()
+}
+
+#[test]
+fn all_three_ways_write_the_same_results() {
+    let program = check_file(&example()).unwrap().program.unwrap();
+    let interpreted = steps(&Interpreted::new(&program, Purity::Effect).unwrap());
+    assert!(interpreted.lines().count() > 4, "{interpreted}");
+    let compiled = steps(&Module::compile(check_file(&example()).unwrap()).unwrap());
+    assert_eq!(interpreted, compiled);
+
+    let directory = tempfile::tempdir().unwrap();
+    let mut arguments = vec!["--out".to_owned(), "results".into(), "--quiet".into()];
+    arguments.extend(SET.iter().flat_map(|(name, value)| ["--set".into(), format!("{name}={value}")]));
+    let output = linked(directory.path(), &arguments);
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    assert!(output.stdout.is_empty() && output.stderr.is_empty());
+    let linked = std::fs::read_to_string(directory.path().join("results/steps.csv")).unwrap();
+    assert_eq!(interpreted, linked);
+}
+
+/// Runs the example's executable in an empty environment, in a directory of its own.
+fn linked(directory: &Path, arguments: &[String]) -> Output {
+    static LINKED: OnceLock<(tempfile::TempDir, PathBuf)> = OnceLock::new();
+    let (_, executable) = LINKED.get_or_init(|| link(&example()));
+    Command::new(executable).args(arguments).env_clear().current_dir(directory).output().unwrap()
+}
+
+fn link(model: &Path) -> (tempfile::TempDir, PathBuf) {
+    let module = Module::compile(check_file(model).unwrap()).unwrap();
+    let directory = tempfile::tempdir().unwrap();
+    let (object, executable) = (directory.path().join("model.o"), directory.path().join("model"));
+    std::fs::write(&object, module.object().unwrap()).unwrap();
+    let linker = Command::new("cc")
+        .args([object, static_library()])
+        .args(["-lm", "-lpthread", "-ldl", "-o"])
+        .arg(&executable)
+        .output()
+        .unwrap();
+    assert!(linker.status.success(), "{}", String::from_utf8_lossy(&linker.stderr));
+    (directory, executable)
+}
+
+/// The static library of the runner that was built last beside this test, built now if there is none.
+fn static_library() -> PathBuf {
+    let this = std::env::current_exe().unwrap();
+    let beside = this.parent().unwrap();
+    let newest = |folder: &Path| {
+        let entries = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap());
+        let libraries = entries.filter(|entry| {
+            let name = entry.file_name().to_string_lossy().into_owned();
+            name.starts_with("libcalyx_rt") && name.ends_with(".a")
+        });
+        libraries.max_by_key(|entry| entry.metadata().unwrap().modified().unwrap()).map(|entry| entry.path())
+    };
+    newest(beside).unwrap_or_else(|| {
+        let profile = beside.parent().unwrap();
+        let name = profile.file_name().unwrap().to_string_lossy().into_owned();
+        let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
+        cargo.args(["build", "--package", "calyx-rt", "--target-dir"]).arg(profile.parent().unwrap());
+        cargo.args(["--profile", if name == "debug" { "dev" } else { &name }]).current_dir(root());
+        assert!(cargo.status().unwrap().success());
+        newest(beside).or_else(|| newest(profile)).expect("the static library was built")
+    })
+}
+
+#[test]
+fn executables_explain_themselves_and_their_errors() {
+    let directory = tempfile::tempdir().unwrap();
+    // Arguments, exit status, and parts of standard output or error, in this order.
+    let table: [(&[&str], i32, &[&str]); 6] = [
+        (
+            &["--help"],
+            0,
+            &[
+                "Spur pair",
+                "--set <NAME=VALUE>",
+                "torque = 1000 lbf*inch [0 lbf*inch .. 5000 lbf*inch]",
+                "Torque on the pinion.",
+                "tip_corner_contact = TRUE",
+                "steps = 32 [whole numbers 2 .. 10000]",
+                "fidelity = \"plane\" [\"plane\"]",
+            ],
+        ),
+        (&["--set", "torque"], 2, &["`--set torque`: there is no `=`"]),
+        (&["--set", "torqe=3"], 2, &["no param called `torqe`", "did you mean `torque`?"]),
+        (&["--set", "tip_radius=1"], 2, &["`tip_radius` = 1 inch", "0.005 inch .. 0.045 inch"]),
+        (&["--frob"], 2, &["--frob"]),
+        (
+            &["--set", "center_distance=2.98", "--set", "tooth_thickness=0.08", "--set", "tip_relief=0.005"],
+            1,
+            &["error[E06", "help: "],
+        ),
+    ];
+    for (arguments, status, parts) in table {
+        let arguments: Vec<String> = arguments.iter().map(|argument| (*argument).into()).collect();
+        let output = linked(directory.path(), &arguments);
+        let shown = if status == 0 { output.stdout } else { output.stderr };
+        let shown = String::from_utf8_lossy(&shown);
+        assert_eq!(output.status.code(), Some(status), "{arguments:?}: {shown}");
+        let mut rest = &shown[..];
+        for part in parts {
+            let at = rest.find(part).unwrap_or_else(|| panic!("{arguments:?} lacks `{part}`: {shown}"));
+            rest = &rest[at + part.len()..];
+        }
+    }
+    // An error of the model shows its line.
+    let model = directory.path().join("index.cx");
+    std::fs::write(&model, "param n = 1 in 0 .. 10;\nvar a = [1, 2, 3];\nprint(a[n]);\n").unwrap();
+    let (_kept, executable) = link(&model);
+    let run = |n: &str| {
+        Command::new(&executable).args(["--quiet", "--set", n]).current_dir(&directory).output().unwrap()
+    };
+    assert_eq!(String::from_utf8_lossy(&run("n=2").stdout), "3\n");
+    let failed = run("n=7");
+    let err = String::from_utf8_lossy(&failed.stderr);
+    assert_eq!(failed.status.code(), Some(1));
+    assert!(err.contains("index.cx:3:9") && err.contains(" 3 | print(a[n]);\n   |         ^\n"), "{err}");
+}
