@@ -192,6 +192,7 @@ fn no_text_makes_check_hang_or_crash() {
         ("brackets", format!("var x = {}1{};", "(".repeat(100_000), ")".repeat(100_000))),
         ("minus signs", format!("var x = {}1;", "-".repeat(100_000))),
         ("blocks", "{".repeat(100_000)),
+        ("unknown names", (0..20_000).map(|i| format!("var v{i} = w{i};\n")).collect()),
         ("random tokens", (0..100_000).map(pick).collect::<Vec<_>>().join(" ")),
     ] {
         let directory = tempfile::tempdir().unwrap();

@@ -4,10 +4,10 @@ use calyx::{Module, check_file, rt};
 use calyx_lang::diagnostic::Severity;
 use clap::{Parser, Subcommand};
 use rt::params::ParamError;
-use rt::run::{RunError, RunOptions, default_directory};
+use rt::run::{RunError, RunOptions, StageTimes, default_directory};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 /// The model, or its analysis, is wrong.
 const MODEL_ERROR: u8 = 1;
@@ -153,7 +153,7 @@ fn object(file: &Path, output: &Path) -> ExitCode {
 
 /// Checks and compiles; prints diagnostics (only errors if `quiet`) and returns the exit status if there are errors.
 /// Beside the module, how long each took.
-fn compile(file: &Path, quiet: bool) -> Result<(Module, Vec<(&'static str, Duration)>), ExitCode> {
+fn compile(file: &Path, quiet: bool) -> Result<(Module, StageTimes), ExitCode> {
     let started = Instant::now();
     let checked = check_file(file).map_err(|error| unreadable(file, &error))?;
     let checking = started.elapsed();

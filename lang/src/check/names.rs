@@ -84,6 +84,9 @@ pub fn resolve<'a>(modules: &'a [ModuleData], loader: &'a dyn Loader) -> Names<'
     names
 }
 
+/// Diagnostics after which unknown names get no suggestion any more.
+const MOST_SUGGESTIONS: usize = 200;
+
 impl<'a> Resolver<'a> {
     fn module(&mut self, index: usize) {
         let module = &self.modules[index];
@@ -580,8 +583,12 @@ impl<'a> Resolver<'a> {
             "NaN" => Some("nan"),
             _ => None,
         };
-        let mut candidates: Vec<&str> = builtins::names().collect();
-        candidates.extend(self.scopes.iter().flat_map(|scope| scope.names.keys().map(String::as_str)));
+        let mut candidates: Vec<&str> = Vec::new();
+        // Every name is compared with every other: in a text of many thousand errors nobody waits for that.
+        if self.names.diagnostics.len() < MOST_SUGGESTIONS {
+            candidates = builtins::names().collect();
+            candidates.extend(self.scopes.iter().flat_map(|scope| scope.names.keys().map(String::as_str)));
+        }
         let near = match reserved {
             Some(near) => Some(near.to_string()),
             None => similar(&name.name, candidates.into_iter())

@@ -1,5 +1,6 @@
 //! The run directory: `run.json`, `timing.json` and `steps.csv`, each position on disk before the next begins.
 
+use crate::run::StageTimes;
 use calyx_abi::description::{FileDescription, ModelDescription, OutputDescription, ParamDescription};
 use calyx_abi::{Context, Repr};
 use calyx_runtime::results::{AnalysisResult, OutputSummary, StepRow, Timing};
@@ -91,7 +92,7 @@ pub fn write_run(
 #[derive(Clone, Debug, Default)]
 pub struct Stages {
     /// What went before, like checking and compiling.
-    pub before: Vec<(&'static str, Duration)>,
+    pub before: StageTimes,
     /// The program, its analysis included.
     pub program: Duration,
 }

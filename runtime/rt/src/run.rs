@@ -15,6 +15,9 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
+/// Names of stages, in order, and the time each took.
+pub type StageTimes = Vec<(&'static str, Duration)>;
+
 /// What a run is to do.
 #[derive(Clone, Debug, Default)]
 pub struct RunOptions {
@@ -24,8 +27,8 @@ pub struct RunOptions {
     pub set: Vec<(String, String)>,
     /// Nothing but what the program prints, and errors.
     pub quiet: bool,
-    /// Names and times of what went before, for `timing.json`.
-    pub before: Vec<(&'static str, Duration)>,
+    /// What went before, for `timing.json`.
+    pub before: StageTimes,
 }
 
 /// Why a run did not finish.
