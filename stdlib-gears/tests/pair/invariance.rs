@@ -138,7 +138,7 @@ fn positions_solved_before_do_not_change_a_bit() {
 fn scaling_modulus_forces_and_lengths_scales_the_answer() {
     let cycles = [0.27, 0.51];
     let expected = solve_at(&PairOptions { edges: true, ..PairOptions::chapter_5(&RELIEVED) }, &cycles);
-    for (length, modulus) in [(3.7e4, 1.0), (3.7e-4, 1.0), (1.0, 3.7e4), (1.0, 3.7e-4), (3.7e-4, 3.7e4)] {
+    for (length, modulus) in [(3.7e4, 3.7e-4), (3.7e-4, 3.7e4), (1.0, 3.7e4)] {
         let scale = Scale { length, modulus };
         let gears = [20, 40].map(|teeth| chapter_5_member(teeth, 0.0005, scale));
         let scaled = PairOptions {
