@@ -11,7 +11,8 @@
 //! sideways displacement, of constant size away from the load, seen along a turned normal.) Both are taken out before
 //! interpolation and put back in closed form; the logarithm stays with whoever integrates pressures.
 //!
-//! Tables are interpolated by splines in both variables. Only one orientation of each table is stored and it is always
+//! Tables are interpolated by splines in both variables, that of a surface itself in a coordinate stretched towards sharp
+//! edges ([`super::sampling`]). Only one orientation of each table is stored and it is always
 //! summed in the same order, so that exchanging load and observer gives the same bits.
 
 use super::condense::{Condensed, Support, condense, match_cuts};
@@ -83,9 +84,11 @@ pub struct ElasticStructure {
 
 struct Surface {
     profile: Arc<dyn Profile>,
-    stretch: Stretch,
-    /// Over the stretched coordinate.
+    /// Over arc length: for everything but the surface's own compliance.
     spline: Spline,
+    stretch: Stretch,
+    /// Over the stretched coordinate: for the surface's own compliance.
+    stretched: Spline,
     /// Arc lengths of the chain. Beyond it, its ends stand in.
     range: [f64; 2],
     /// Spline coefficients of the angle by which the normal has turned, positive where convex, rad.
@@ -190,7 +193,7 @@ impl ElasticStructure {
         let own = &structure.offsets[0].compliance;
         let twist = |(p, prepared): (usize, &Prepared)| {
             [0, 1].map(|end| {
-                let slopes = prepared.surface.spline.slopes(end);
+                let slopes = prepared.surface.stretched.slopes(end);
                 slopes.sum(|i| slopes.sum(|j| own[p][p][(i, j)]))
             })
         };
@@ -226,14 +229,15 @@ impl ElasticStructure {
                 let (rows, loads) = (load_starts[p]..load_starts[p + 1], load_starts[q]..load_starts[q + 1]);
                 let table =
                     response.compliance.as_ref().submatrix(rows.start, loads.start, rows.len(), loads.len());
-                let (observed, loaded) = (&prepared[p].surface.spline, &prepared[q].surface.spline);
+                let (observed, loaded) = (&prepared[p].surface, &prepared[q].surface);
                 if offset == 0 && p == q {
                     let smooth = self.smooth_part(&prepared[p], table);
-                    let mut coefficients = both_sides(observed, loaded, smooth.as_ref());
+                    let mut coefficients =
+                        both_sides(&observed.stretched, &loaded.stretched, smooth.as_ref());
                     super::dense::mirror_lower(&mut coefficients);
                     coefficients
                 } else {
-                    both_sides(observed, loaded, table)
+                    both_sides(&observed.spline, &loaded.spline, table)
                 }
             }),
             stress_ahead: stress(&response.stress_ahead),
@@ -349,12 +353,13 @@ impl Structure for ElasticStructure {
                 // Within one table, which is symmetric, the larger arc length goes first, whichever side it is on.
                 let first = if same { observer.s >= load.s } else { forward };
                 let (first, second) = if first { (observer, load) } else { (load, observer) };
-                let mut value = first.weights.sum(|i| second.weights.sum(|j| table[(i, j)]));
-                if same {
-                    value -= self.twist(observe.surface, first, second);
-                    value += self.curved_part(observed, first, second);
-                }
-                block[row * load_s.len() + column] += value;
+                let sum = |a: Weights, b: Weights| a.sum(|i| b.sum(|j| table[(i, j)]));
+                block[row * load_s.len() + column] += if same {
+                    sum(first.stretched, second.stretched) - self.twist(observe.surface, first, second)
+                        + self.curved_part(observed, first, second)
+                } else {
+                    sum(first.weights, second.weights)
+                };
             }
         }
     }
@@ -398,6 +403,8 @@ struct Local {
     /// Within the surface's range.
     s: f64,
     weights: Weights,
+    /// By the stretched coordinate.
+    stretched: Weights,
     /// How far the stretched coordinate lies beyond the samples.
     beyond: f64,
     turned: f64,
@@ -406,9 +413,9 @@ struct Local {
 impl Surface {
     fn local(&self, s: f64) -> Local {
         let s = s.clamp(self.range[0], self.range[1]);
-        let stretched = self.stretch.at(s);
-        let (weights, beyond) = (self.spline.weights(stretched), self.spline.beyond(stretched));
-        Local { s, weights, beyond, turned: weights.sum(|i| self.turned[i]) }
+        let (t, weights) = (self.stretch.at(s), self.spline.weights(s));
+        let (stretched, beyond) = (self.stretched.weights(t), self.stretched.beyond(t));
+        Local { s, weights, stretched, beyond, turned: weights.sum(|i| self.turned[i]) }
     }
 }
 
@@ -495,13 +502,14 @@ fn prepare_surface(
 
     let mut surface = Surface {
         profile: source.profile.clone(),
-        spline: Spline::new(samples.s.iter().map(|&s| samples.stretch.at(s)).collect()),
+        stretched: Spline::new(samples.s.iter().map(|&s| samples.stretch.at(s)).collect()),
+        spline: Spline::new(samples.s),
         stretch: samples.stretch,
         range: loaded.range(),
         turned: Vec::new(),
         stress_positions: Vec::new(),
     };
-    surface.turned = turned_coefficients(&surface, &samples.s);
+    surface.turned = turned_coefficients(&surface);
     let mut stress_rows = Vec::new();
     if let Some(name) = &source.stress_chain {
         let free = chain(model, name)?;
@@ -522,11 +530,11 @@ fn prepare_surface(
 }
 
 /// Spline coefficients of the angle by which the normal has turned since the first sample, positive where convex.
-fn turned_coefficients(surface: &Surface, samples: &[f64]) -> Vec<f64> {
-    let mut angles = Vec::with_capacity(samples.len());
+fn turned_coefficients(surface: &Surface) -> Vec<f64> {
+    let mut angles = Vec::with_capacity(surface.spline.nodes().len());
     let mut previous: Option<[f64; 2]> = None;
     let mut angle = 0.0;
-    for &s in samples {
+    for &s in surface.spline.nodes() {
         let point = surface.profile.at(s);
         let [x, y] = point.tangent;
         if let Some([px, py]) = previous {

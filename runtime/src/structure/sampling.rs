@@ -26,7 +26,10 @@ impl Default for SplitOptions {
 /// The least matching depth in spacings of nodes along the surface.
 const LEAST_NODE_SPACINGS: f64 = 4.0;
 /// A mollifier ends at this fraction of the distance to a sharp edge, at least.
-const CLEAR_OF_EDGE: f64 = 0.7;
+const CLEAR_OF_EDGE: f64 = 0.85;
+/// Distance from a sharp edge, relative to the surface's length, below which the logarithm rules; beyond, a tooth's bending
+/// does, which is smooth in the arc length.
+const LOGARITHMIC: f64 = 0.04;
 /// Intervals of the table that spreads the samples.
 const INTERVALS: usize = 2000;
 
@@ -47,7 +50,7 @@ struct Edge {
 }
 
 impl Stretch {
-    /// The coordinate at arc length `s`; it grows with `s`, at least by 1 over the surface.
+    /// The coordinate at arc length `s`; it grows with `s`.
     pub fn at(&self, s: f64) -> f64 {
         let logarithm = |edge: &Option<Edge>, sign: f64| {
             edge.map_or(0.0, |edge| {
@@ -55,7 +58,7 @@ impl Stretch {
                 sign * (distance / self.length).ln()
             })
         };
-        s / self.length + logarithm(&self.edges[0], 1.0) + logarithm(&self.edges[1], -1.0)
+        s / (LOGARITHMIC * self.length) + logarithm(&self.edges[0], 1.0) + logarithm(&self.edges[1], -1.0)
     }
 }
 
@@ -82,10 +85,15 @@ pub(super) fn sample(
         let distance = |edge: Option<f64>, gap: f64| edge.map_or(f64::INFINITY, |_| gap);
         distance(edges[0], s - start).min(distance(edges[1], end - s))
     };
-    let spacings = spacings(mesh, chain);
+    let spacing = |s: f64| {
+        let index = mesh.locate(chain, s)?.0;
+        let edge = chain.edges.get(index)?;
+        let order = f64::from(mesh.elements.get(edge.element)?.order.sides[edge.side]);
+        Some((edge.s[1] - edge.s[0]) / order)
+    };
     let depth = |s: f64| {
         let scale = from_edge(s).min(length);
-        let spacing = spacing_at(&spacings, s)?;
+        let spacing = spacing(s)?;
         Some((spacing * scale).sqrt().max(LEAST_NODE_SPACINGS * spacing))
     };
     let width = |s: f64| Some((options.matching_depth * depth(s)?).min(0.5 * length));
@@ -141,24 +149,4 @@ pub(super) fn sample(
         samples.mollifiers.push(Mollifier::new(s, center, width));
     }
     samples.s.windows(2).all(|pair| pair[0] < pair[1]).then_some(samples)
-}
-
-/// Middles of a chain's edges, and the spacing of nodes on each.
-fn spacings(mesh: &PlaneMesh, chain: &EdgeChain) -> Vec<[f64; 2]> {
-    let spacing = |edge: &ElementEdge| {
-        let order = f64::from(mesh.elements[edge.element].order.sides[edge.side]);
-        [0.5 * (edge.s[0] + edge.s[1]), (edge.s[1] - edge.s[0]) / order]
-    };
-    chain.edges.iter().map(spacing).collect()
-}
-
-/// The spacing of nodes at `s`, linear between the middles of edges. `None` without edges.
-fn spacing_at(spacings: &[[f64; 2]], s: f64) -> Option<f64> {
-    let [first, last] = [spacings.first()?, spacings.last()?];
-    let after = spacings.partition_point(|[middle, _]| *middle <= s);
-    if after == 0 || after == spacings.len() {
-        return Some(if after == 0 { first[1] } else { last[1] });
-    }
-    let [[a, from], [b, to]] = [spacings[after - 1], spacings[after]];
-    Some(from + (s - a) / (b - a) * (to - from))
 }
