@@ -15,14 +15,19 @@
 //!              under tooth    D-------------T'-T   centreline
 //! ```
 
+mod boundary;
+mod divisions;
+
+use boundary::Boundary;
+use divisions::{divisions, ends, growth, normalised, piecewise_linear};
+
 use crate::external::ExternalGear;
-use crate::fillet::{RootFillet, Side as ToothSide};
+use crate::fillet::Side as ToothSide;
 use crate::flank::Flank;
-use crate::root_finding::solve_bracketed;
 use calyx_abi::math;
 use calyx_runtime::fe::block::{graded, uniform};
 use calyx_runtime::fe::{Block, Curve, ElementOrder, MeshBuilder, MeshError, PlaneMesh, Side};
-use calyx_runtime::profile::{Profile, ProfilePoint};
+use calyx_runtime::profile::Profile;
 use std::sync::Arc;
 
 /// How fine a sector mesh is.
@@ -213,61 +218,6 @@ impl HalfBlock {
             };
         }
         block
-    }
-}
-
-/// The boundary of a half tooth by one coordinate `p` that grows from the root centre to the middle of the tip edge's
-/// arc, and the inner side of the strip along it.
-#[derive(Clone)]
-struct Boundary {
-    fillet: RootFillet,
-    flank: Arc<Flank>,
-    /// `p` at which the root circle ends and the fillet begins.
-    fillet_from: f64,
-    /// `p` at which the flank begins.
-    form: f64,
-    /// `p` at which the tip edge's arc begins.
-    edge: f64,
-    /// Thickness of the strip and direction into the material, between whose values it is interpolated linearly.
-    anchors: Vec<Anchor>,
-    /// Where the strip begins to make room for the tip's, and by how much it does at the end, m.
-    tip_start: f64,
-    tip_end: f64,
-    tip_depth: f64,
-}
-
-#[derive(Clone, Copy)]
-struct Anchor {
-    p: f64,
-    depth: f64,
-    /// Angle of the outward direction, rad.
-    angle: f64,
-}
-
-impl Boundary {
-    /// The true boundary.
-    fn outer(&self, p: f64) -> ProfilePoint {
-        if p < self.form { self.fillet.at(self.form - p) } else { self.flank_at(p - self.form) }
-    }
-
-    /// The flank on the counter-clockwise side, whichever it is.
-    fn flank_at(&self, s: f64) -> ProfilePoint {
-        self.flank.side().place(self.flank.at(s))
-    }
-
-    fn inner(&self, p: f64) -> [f64; 2] {
-        // Inside the tip edge's arc the strip goes on along the flank: following the arc would leave the core of a
-        // thin tip no corner.
-        let beyond = (p - self.edge).max(0.0);
-        let start = self.outer(p.min(self.edge));
-        let [x, y] = [0, 1].map(|axis| start.position[axis] + 0.7 * beyond * start.tangent[axis]);
-        let after = self.anchors.partition_point(|anchor| anchor.p <= p).clamp(1, self.anchors.len() - 1);
-        let (a, b) = (self.anchors[after - 1], self.anchors[after]);
-        let part = (p - a.p) / (b.p - a.p);
-        let depth = a.depth + part * (b.depth - a.depth);
-        let (sine, cosine) = math::sincos(a.angle + part * (b.angle - a.angle));
-        let into_tip = ((p - self.tip_start) / (self.tip_end - self.tip_start)).max(0.0);
-        [x - depth * cosine - self.tip_depth * into_tip * into_tip, y - depth * sine]
     }
 }
 
@@ -581,96 +531,4 @@ impl Layout {
             (math::log(1.0 + depth * (growth - 1.0) / first) / math::log(growth)).ceil().max(1.0) as usize;
         graded(count, math::pow(growth, (count - 1) as f64))
     }
-}
-
-impl Boundary {
-    /// Chooses thickness and direction of the strip.
-    fn place_strip(&mut self, module: f64, rim: f64) {
-        let (fillet_from, form, edge) = (self.fillet_from, self.form, self.edge);
-        let angle_of = |[x, y]: [f64; 2]| math::atan2(y, x);
-        let below = angle_of(self.fillet.at(0.0).normal);
-        let above = angle_of(self.flank_at(0.0).normal);
-        // An undercut tooth has a corner at its form circle.
-        let at_form = 0.5 * (below + above);
-        let half_width = self.flank_at(0.0).position[1];
-        let tip_half_width = self.flank_at(edge - form).position[1];
-        let depth = (STRIP_DEPTH * module).min(0.3 * rim).min(0.3 * half_width);
-        let tip_depth = depth.min(0.35 * tip_half_width);
-        let at_fraction = |fraction: f64| form + fraction * (edge - form);
-        let flank_anchor = |fraction: f64| {
-            let p = at_fraction(fraction);
-            Anchor {
-                p,
-                depth: depth + fraction * (tip_depth - depth),
-                angle: angle_of(self.flank_at(p - form).normal),
-            }
-        };
-        let anchors = vec![
-            Anchor { p: 0.0, depth, angle: angle_of(self.outer(0.0).normal) },
-            Anchor { p: fillet_from, depth, angle: angle_of(self.outer(fillet_from).normal) },
-            Anchor { p: form, depth, angle: at_form },
-            flank_anchor(0.25),
-            flank_anchor(0.5),
-            flank_anchor(1.0),
-            // Over the arc the strip keeps the flank's direction.
-            Anchor { p: self.tip_end, ..flank_anchor(1.0) },
-        ];
-        self.anchors = anchors;
-        self.tip_depth = tip_depth.min(0.06 * (edge - form));
-        // Gently, as the flank of a small gear leans far over at its tip.
-        self.tip_start = self.tip_end - 8.0 * self.tip_depth;
-    }
-}
-
-fn ends(at: &[f64]) -> (f64, f64) {
-    (at[0], at[at.len() - 1])
-}
-
-/// From 0 at the first value to 1 at the last, both exactly.
-fn normalised(at: &[f64]) -> Vec<f64> {
-    let (from, to) = ends(at);
-    let mut divisions: Vec<f64> = at.iter().map(|value| (value - from) / (to - from)).collect();
-    divisions[at.len() - 1] = 1.0;
-    divisions
-}
-
-/// Divides `from ..= to` so that elements have about the wished sizes, by the integral of 1 / size.
-fn divisions(from: f64, to: f64, size: impl Fn(f64) -> f64) -> Vec<f64> {
-    const SAMPLES: usize = 200;
-    let step = (to - from) / SAMPLES as f64;
-    let mut counts = vec![0.0];
-    let mut count = 0.0;
-    for sample in 0..SAMPLES {
-        count += step / size(from + (sample as f64 + 0.5) * step);
-        counts.push(count);
-    }
-    // Rounding keeps an exactly divided length from getting one element more.
-    let elements = (count - 1e-6).ceil().max(1.0) as usize;
-    let mut at = vec![from];
-    for element in 1..elements {
-        let target = count * element as f64 / elements as f64;
-        let after = counts.partition_point(|&sum| sum < target).max(1);
-        let within = (target - counts[after - 1]) / (counts[after] - counts[after - 1]);
-        at.push(from + (after as f64 - 1.0 + within) * step);
-    }
-    at.push(to);
-    at
-}
-
-/// The ratio of successive lengths of `count` parts of a whole whose smallest is `smallest`, at most 1 / `count`.
-fn growth(count: usize, smallest: f64) -> f64 {
-    if count < 2 {
-        return 1.0;
-    }
-    let excess = |ratio: f64| smallest * (0..count).fold(0.0, |sum, _| sum * ratio + 1.0) - 1.0;
-    solve_bracketed(excess, 1.0, 1.0 + 1.0 / smallest)
-}
-
-/// The value at `u` of 0 ..= 1 of the function that takes given values at equal distances, linear between them.
-fn piecewise_linear(values: &[f64], u: f64) -> f64 {
-    let last = values.len() - 1;
-    let place = u * last as f64;
-    let first = (place.floor() as usize).min(last - 1);
-    let part = place - first as f64;
-    (1.0 - part) * values[first] + part * values[first + 1]
 }
