@@ -62,7 +62,7 @@ impl PlanePose {
             return Err(EngineError::new(
                 "E0610",
                 "a plane model needs every body to turn about an axis parallel to e3",
-                "let the frame use rotations about e3 and translations in the plane only",
+                "let the frame use rotations about e3 (an axis of unit length) and translations in the plane only",
             )
             .blame("frame"));
         }

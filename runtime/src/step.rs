@@ -98,7 +98,10 @@ impl System<'_> {
     }
 
     fn solve_candidates(&mut self, time: f64, candidates: &[&Candidate]) -> Result<StepResult, EngineError> {
-        if self.load.iter().all(|&load| load == 0.0) {
+        // Bodies that are all held where they overlap press on each other without any load.
+        let pressed =
+            self.freedoms.is_empty() && candidates.iter().any(|candidate| candidate.approach.gap < 0.0);
+        if !pressed && self.load.iter().all(|&load| load == 0.0) {
             return self.touch_without_load(time, candidates);
         }
         let mut widths = vec![None; candidates.len()];
@@ -323,7 +326,15 @@ impl System<'_> {
             balancing.map(|(arm, load)| (load / arm).abs()).fold(0.0, f64::max)
         };
         let mut forces: Vec<f64> = candidates.iter().map(alone).collect();
-        let largest = forces.iter().copied().fold(0.0, f64::max);
+        // Where there is no load, the overlaps tell the size of the forces: a surface gives by about q / E*.
+        let overlap = |candidate: &&Candidate| {
+            let bodies = self.scene.pairs[candidate.teeth.0].bodies.map(|body| body.0);
+            (-candidate.approach.gap).max(0.0) * self.contact_modulus(bodies)
+        };
+        let largest = match forces.iter().copied().fold(0.0, f64::max) {
+            0.0 => candidates.iter().map(overlap).fold(0.0, f64::max),
+            loaded => loaded,
+        };
         for force in forces.iter_mut().filter(|force| **force == 0.0) {
             *force = largest;
         }

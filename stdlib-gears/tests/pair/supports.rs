@@ -1,7 +1,7 @@
 //! What is said when a scene is not held, not loaded, or its grids do not suit.
 
 use crate::common::INCH;
-use crate::common::pair::{COARSE, PLAIN, PairOptions, TORQUE, pair, system};
+use crate::common::pair::{COARSE, FIRST, PLAIN, PairOptions, TORQUE, pair, system};
 use calyx_runtime::error::EngineError;
 use calyx_runtime::plan::Plan;
 use calyx_runtime::scene::{Body, Fidelity};
@@ -45,6 +45,27 @@ fn what_nothing_holds_is_named_with_its_direction() {
         assert!(error.message.contains(named), "{}: wanted {named}", error.message);
         assert!(!error.help.is_empty());
     }
+}
+
+#[test]
+fn gears_held_where_they_overlap_press_as_the_load_that_moved_them_there() {
+    let (scene, mesh) = pair(&PairOptions::chapter_5(&PLAIN));
+    let time = mesh.start + 0.6 * mesh.period;
+    let plan = Plan::new(&scene, Fidelity::Plane, COARSE).expect("a plan");
+    let deflection =
+        System::new(&scene, &plan).and_then(|mut system| system.solve(time)).expect("it is held").motion[0];
+
+    let mut held = scene.clone();
+    held.bodies[0].free = [false; 6];
+    held.bodies[0].moment = [0.0; 3];
+    held.bodies[0].phase += deflection;
+    let plan = Plan::new(&held, Fidelity::Plane, COARSE).expect("a plan");
+    let mut system = System::new(&held, &plan).expect("it can be built");
+    let step = system.solve(time).expect("nothing moves");
+    let moment = system.contact_force(&step, FIRST)[5];
+    // The closest approach is looked for with the gear turned, a little farther along the flanks.
+    assert!((moment / -TORQUE - 1.0).abs() < 1e-3, "{moment}");
+    assert!(step.certificate.largest() <= 1e-12);
 }
 
 /// The better width that warnings speak of, m.
