@@ -79,7 +79,7 @@ fn check_with(name: &str, text: &str, loader: &ModelLoader) -> Checked {
 fn elaborate(program: &Program) -> (ModelDescription, Vec<Diagnostic>) {
     let mut interpreted = match Interpreted::new(program, Purity::Scene) {
         Ok(interpreted) => interpreted,
-        Err(message) => return (ModelDescription::default(), vec![defect(&message)]),
+        Err(found) => return (ModelDescription::default(), vec![found]),
     };
     let mut context = Context::new(Box::new(ModelHost::new(&interpreted.description().units)));
     context.fuel = FUEL;
@@ -149,11 +149,6 @@ pub(crate) fn finding_diagnostic(finding: &Finding, sites: &CallSites) -> Diagno
 fn place(place: Option<(u32, u32, u32)>) -> Span {
     let (file, start, end) = place.unwrap_or_default();
     Span { file: FileId(file), start, end }
-}
-
-fn defect(message: &str) -> Diagnostic {
-    Diagnostic::error("E0799", message, Span::default(), "")
-        .help("this is a defect of Calyx; please report it with the model")
 }
 
 fn not_utf8(name: &str, error: &std::string::FromUtf8Error) -> Checked {

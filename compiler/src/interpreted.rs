@@ -3,6 +3,7 @@
 use calyx_abi::description::{ModelDescription, ParamValue};
 use calyx_abi::{Context, Kernel, Purity, Repr, RuntimeError, Slot};
 use calyx_gears::library::externs;
+use calyx_lang::diagnostic::Diagnostic;
 use calyx_lang::ir::{FunctionId, Program};
 use calyx_lower::interpret::Interpreter;
 use calyx_lower::kernels::lower_sites;
@@ -23,10 +24,17 @@ impl<'p> Interpreted<'p> {
     /// Prepares a model; of the engine's functions it calls only those that do no more than `allow`.
     ///
     /// # Errors
-    /// The library and the engine do not fit each other, or an expression cannot be made a kernel.
-    pub fn new(program: &'p Program, allow: Purity) -> Result<Self, String> {
-        let interpreter = Interpreter::new(program, externs(), allow).map_err(|error| error.to_string())?;
-        let tapes = lower_sites(program).map_err(|error| error.to_string())?;
+    /// E0708 where the program declares a function the engine does not have, E0709 where an expression cannot be made
+    /// a kernel.
+    pub fn new(program: &'p Program, allow: Purity) -> Result<Self, Diagnostic> {
+        let interpreter = Interpreter::new(program, externs(), allow).map_err(|error| {
+            Diagnostic::error("E0708", error.to_string(), error.span, "declared here")
+                .help("`extern` declares functions of the engine; write your own without it, with a body")
+        })?;
+        let tapes = lower_sites(program).map_err(|error| {
+            let found = Diagnostic::error("E0709", &error.message, error.span, "this expression");
+            if error.help.is_empty() { found } else { found.help(&error.help) }
+        })?;
         let kernels = tapes.into_iter().map(|tape| Arc::new(TapeKernel(tape)) as Arc<dyn Kernel>).collect();
         let description = calyx_lang::description::describe(program);
         Ok(Interpreted { program, interpreter, kernels, description })

@@ -96,6 +96,8 @@ pub struct ExternDecl {
     pub purity: Purity,
     pub parameters: Vec<(String, Repr)>,
     pub result: Repr,
+    /// Where it is declared.
+    pub span: Span,
 }
 
 /// A symbolic expression in the source: one kernel, many sets of captured values.

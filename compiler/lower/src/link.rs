@@ -2,6 +2,7 @@
 
 use calyx_abi::Extern;
 use calyx_lang::ir::{ExternDecl, Program};
+use calyx_lang::span::Span;
 use std::fmt;
 
 /// A function the program declares and the engine does not provide as declared.
@@ -13,6 +14,8 @@ pub struct LinkError {
     pub symbol: String,
     /// The engine has it, but with other parameters or another result.
     pub differs: bool,
+    /// Where the program declares it.
+    pub span: Span,
 }
 
 impl fmt::Display for LinkError {
@@ -38,6 +41,7 @@ pub fn resolve_externs<'e>(program: &Program, externs: &'e [Extern]) -> Result<V
             name: declaration.name.clone(),
             symbol: declaration.symbol.clone(),
             differs,
+            span: declaration.span,
         };
         let row = externs.iter().find(|row| row.symbol == declaration.symbol).ok_or_else(|| error(false))?;
         let provided = row.params.iter().map(|(_, repr)| repr().slots());

@@ -199,6 +199,7 @@ pub fn with_externs(mut program: Program) -> Program {
         purity: row.purity,
         parameters: row.params.iter().map(|(name, repr)| (name.to_string(), repr())).collect(),
         result: (row.result)(),
+        span: Span::default(),
     };
     program.externs = externs().into_iter().map(declare).collect();
     program

@@ -12,7 +12,7 @@ use crate::ast::{FunctionBody, Mode, StmtKind};
 use crate::diagnostic::Diagnostic;
 use crate::dimension::Dimension;
 use crate::ir::{ExternDecl, ExternId, Function, FunctionId, Output, Param, Program, SiteId, SourceFile};
-use crate::span::FileId;
+use crate::span::{FileId, Span};
 use crate::units::UnitSystem;
 use body::Body;
 use calyx_abi::{Purity, Repr};
@@ -235,6 +235,7 @@ impl<'c, 'a> Lowering<'c, 'a> {
             purity,
             parameters,
             result: result.clone(),
+            span: info.decl.name.span,
         });
         (id, result)
     }
@@ -246,6 +247,7 @@ impl<'c, 'a> Lowering<'c, 'a> {
             purity,
             parameters: parameters.iter().map(|(name, repr)| (name.to_string(), repr.clone())).collect(),
             result: Repr::Unit,
+            span: Span::default(),
         })
     }
 
