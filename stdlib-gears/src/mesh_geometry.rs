@@ -14,7 +14,7 @@ const ROUNDING_OF_DATA: f64 = 1e-4;
 /// The characteristic points of the path of contact, in its order on the first member (from its root to its tip).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PathOfContact {
-    /// SAP: the tip of the second member comes into contact.
+    /// SAP: the tip of the second member comes into contact, or the involute of an undercut first member begins.
     pub start_of_active_profile: f64,
     /// LPSTC: the pair before leaves contact.
     pub lowest_single_tooth: f64,
@@ -107,8 +107,13 @@ impl MeshGeometry {
             ));
         }
         let tangent_distance = ((center_distance - base_sum) * (center_distance + base_sum)).sqrt();
-        let second_tip = base_radius[1] * second.tip_roll;
         let angle = math::atan2(tangent_distance, base_sum);
+        // Each tooth touches from where its mate's tip comes to its own tip; an undercut one not below its form circle,
+        // where the rack has cut away what the mate's tip would reach.
+        let undercut_start =
+            |gear: &ExternalGear| if gear.undercut { gear.form_roll } else { f64::NEG_INFINITY };
+        let start = base_radius[0] * undercut_start(first);
+        let end = tangent_distance - base_radius[1] * undercut_start(second);
         let zero_involute = (f64::from(first.teeth) * first.half_base_angle
             + f64::from(second.teeth) * second.half_base_angle
             - PI)
@@ -125,7 +130,10 @@ impl MeshGeometry {
                 base_radius,
                 first.base_pitch,
                 angle,
-                [tangent_distance - second_tip, base_radius[0] * first.tip_roll],
+                [
+                    start.max(tangent_distance - base_radius[1] * second.tip_roll),
+                    end.min(base_radius[0] * first.tip_roll),
+                ],
                 normal_backlash,
             )
         })
@@ -251,7 +259,7 @@ impl MeshGeometry {
         let reaches =
             [("first", first, mesh.first_roll.start_of_active_profile), ("second", second, second_start)];
         for (argument, gear, roll) in reaches {
-            if roll < gear.form_roll {
+            if roll < gear.form_roll && !gear.undercut {
                 errors.push(fillet_interference(argument, gear, roll));
             }
         }

@@ -201,6 +201,13 @@ fn impossible_pairs_are_refused() {
     let (_, warnings) = MeshGeometry::check_external(&first, &second, 2.995 * INCH).expect("a pair");
     let tight = warnings.iter().find(|warning| warning.code == "E0635").expect("a warning");
     assert!(tight.to_string().contains("backlash is negative"), "{tight}");
+    // An undercut pinion touches from its form circle on; its mate's tips pass where the rack has cut.
+    let [small, large] = [12, 30].map(|teeth| gear(standard_data(teeth, 0.0, 0.3)));
+    let (mesh, _) = MeshGeometry::check_external(&small, &large, 21e-3).expect("a pair");
+    let nominal = (mesh.tangent_distance - large.base_radius * large.tip_roll) / small.base_radius;
+    assert!(small.undercut && nominal < small.form_roll, "{nominal} {}", small.form_roll);
+    assert!((mesh.first_roll.start_of_active_profile - small.form_roll).abs() < 1e-12);
+    assert!((1.0..1.6).contains(&mesh.contact_ratio), "{}", mesh.contact_ratio);
     // The pair of the report has a clearance of 0.03 and 0.02 inches: no findings.
     assert!(
         MeshGeometry::check_external(&first, &second, 3.0 * INCH)

@@ -204,7 +204,7 @@ macro_rules! externs {
             $(#[$meta])*
             ///
             /// # Safety
-            /// As for [`calyx_abi::SlotFn`].
+            /// As for `calyx_abi::SlotFn`.
             #[unsafe(no_mangle)]
             pub unsafe extern "C" fn $symbol(
                 ctx: *mut $crate::Context,
