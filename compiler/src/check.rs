@@ -79,7 +79,7 @@ fn check_with(name: &str, text: &str, loader: &ModelLoader) -> Checked {
 fn elaborate(program: &Program) -> (ModelDescription, Vec<Diagnostic>) {
     let mut interpreted = match Interpreted::new(program, Purity::Scene) {
         Ok(interpreted) => interpreted,
-        Err(found) => return (ModelDescription::default(), vec![found]),
+        Err(found) => return (ModelDescription::default(), vec![*found]),
     };
     let mut context = Context::new(Box::new(ModelHost::new(&interpreted.description().units)));
     context.fuel = FUEL;

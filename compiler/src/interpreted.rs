@@ -26,7 +26,7 @@ impl<'p> Interpreted<'p> {
     /// # Errors
     /// E0708 where the program declares a function the engine does not have, E0709 where an expression cannot be made
     /// a kernel.
-    pub fn new(program: &'p Program, allow: Purity) -> Result<Self, Diagnostic> {
+    pub fn new(program: &'p Program, allow: Purity) -> Result<Self, Box<Diagnostic>> {
         let interpreter = Interpreter::new(program, externs(), allow).map_err(|error| {
             Diagnostic::error("E0708", error.to_string(), error.span, "declared here")
                 .help("`extern` declares functions of the engine; write your own without it, with a body")
