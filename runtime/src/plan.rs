@@ -49,6 +49,7 @@ impl Plan {
                 left_out,
             });
         }
+        ignored.extend(unequal_widths(scene, &bodies));
         ignored.sort();
         ignored.dedup();
         Ok(Plan { fidelity, bodies, ignored })
@@ -69,4 +70,20 @@ fn refuse_motion_out_of_plane(body: &str, free: [bool; 6]) -> Result<(), EngineE
         .blame("free")),
         None => Ok(()),
     }
+}
+
+/// A plane model spreads every force over one width, the smallest: what is wider is not seen to be.
+fn unequal_widths(scene: &Scene, bodies: &[BodyPlan]) -> Option<Ignored> {
+    let modelled = scene.bodies.iter().zip(bodies).filter(|(_, plan)| !plan.left_out);
+    let widths: Vec<f64> = modelled.map(|(body, _)| body.prototype.face_width()).collect();
+    let smallest = widths.iter().copied().fold(f64::INFINITY, f64::min);
+    let wider = widths.iter().any(|&width| width > smallest * (1.0 + 1e-9));
+    wider.then(|| Ignored {
+        input: "face_width".into(),
+        // To the digits that a conversion of units leaves right.
+        reason: format!(
+            "a plane model has one width, and all bodies are taken as wide as the narrowest, {} mm",
+            (smallest * 1e9).round() / 1e6
+        ),
+    })
 }

@@ -1,7 +1,7 @@
 //! What is said when a scene is not held, not loaded, or its grids do not suit.
 
-use crate::common::INCH;
-use crate::common::pair::{COARSE, FIRST, PLAIN, PairOptions, TORQUE, pair, system};
+use crate::common::pair::{COARSE, FIRST, PLAIN, PairOptions, TORQUE, member, pair, system};
+use crate::common::{INCH, chapter_5_data};
 use calyx_runtime::error::EngineError;
 use calyx_runtime::plan::Plan;
 use calyx_runtime::scene::{Body, Fidelity};
@@ -66,6 +66,21 @@ fn gears_held_where_they_overlap_press_as_the_load_that_moved_them_there() {
     // The closest approach is looked for with the gear turned, a little farther along the flanks.
     assert!((moment / -TORQUE - 1.0).abs() < 1e-3, "{moment}");
     assert!(step.certificate.largest() <= 1e-12);
+}
+
+#[test]
+fn faces_of_unequal_width_are_reported() {
+    let [first, second] = [20, 40].map(|teeth| chapter_5_data(teeth, 0.02, 0.15708));
+    let ignored = |widths: [f64; 2]| {
+        let gears = [member(first, widths[0] * INCH), member(second, widths[1] * INCH)];
+        let (scene, _) = pair(&PairOptions::chapter_5(&gears));
+        Plan::new(&scene, Fidelity::Plane, COARSE).expect("a plan").ignored
+    };
+    assert!(ignored([1.0, 1.0]).is_empty());
+    let found = ignored([1.0, 1.25]);
+    assert_eq!(found.len(), 1);
+    assert_eq!(found[0].input, "face_width");
+    assert!(found[0].reason.contains("25.4 mm"), "{}", found[0].reason);
 }
 
 /// The better width that warnings speak of, m.
