@@ -326,7 +326,7 @@ fn the_run_directory_of_the_example_is_complete() {
     assert!(err.lines().all(|line| line.chars().count() <= 120), "{err}");
     // An input the model cannot see is said and written.
     assert_eq!(run["ignored_inputs"].as_object().unwrap().keys().collect::<Vec<_>>(), ["lead_crown"]);
-    assert_eq!(err.matches("warning: `lead_crown` has no effect here").count(), 1);
+    assert_eq!(err.matches("warning: `lead_crown` is not seen as given").count(), 1);
 }
 
 #[test]

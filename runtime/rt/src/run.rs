@@ -97,7 +97,7 @@ pub fn run(program: &dyn Program, options: &RunOptions) -> Result<RunReport, Run
         .map_err(unwritable)?;
     let ignored = result.iter().flat_map(|result| &result.plan.ignored);
     let ignored =
-        ignored.map(|ignored| format!("`{}` has no effect here: {}", ignored.input, ignored.reason));
+        ignored.map(|ignored| format!("`{}` is not seen as given: {}", ignored.input, ignored.reason));
     Ok(RunReport {
         summary: result.as_ref().map(|result| table::summary(description, result)).unwrap_or_default(),
         warnings: ignored.chain(all_warnings).collect(),
