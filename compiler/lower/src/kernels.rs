@@ -3,7 +3,7 @@
 use calyx_abi::Repr;
 use calyx_lang::ir::{Op, Program, Site, SiteId, SymExpr, SymKind, Symbol};
 use calyx_lang::span::Span;
-use calyx_symbolic::{Binary, Frame, Graph, NodeId, Pose, Tape, Unary, Vector3};
+use calyx_symbolic::{Binary, Frame, Graph, Node, NodeId, Pose, Tape, Unary, Vector3};
 use std::fmt;
 
 #[cfg(test)]
@@ -52,13 +52,19 @@ pub fn lower_site(program: &Program, site: SiteId) -> Result<Tape, KernelError> 
 
 fn lower(program: &Program, site: &Site) -> Result<Tape, KernelError> {
     let mut lowering = Lowering::new(program, site);
+    let outputs = outputs(&mut lowering, site)?;
+    Ok(lowering.graph.schedule(lowering.inputs, &outputs))
+}
+
+/// The kernel's outputs as nodes.
+fn outputs(lowering: &mut Lowering, site: &Site) -> Result<Vec<NodeId>, KernelError> {
     let value = lowering.value(&site.expr)?;
     if site.order > 0 {
         lowering.reject_observables(&value, site.span)?;
     }
     let graph = &mut lowering.graph;
     let order = usize::from(site.order);
-    let outputs = match &value {
+    Ok(match &value {
         Value::Frame(frame) => {
             let poses = frame.pose_with_derivatives(graph, TIME, order);
             if poses.len() <= order {
@@ -68,8 +74,32 @@ fn lower(program: &Program, site: &Site) -> Result<Tape, KernelError> {
         }
         Value::Vector(vector) => with_derivatives(graph, vector, order),
         Value::Number(number) => with_derivatives(graph, &[*number], order),
-    };
-    Ok(lowering.graph.schedule(lowering.inputs, &outputs))
+    })
+}
+
+/// Where a NaN among a kernel's outputs came from.
+#[derive(Clone, Debug, PartialEq)]
+pub struct NanSource {
+    /// The expression in which it arose.
+    pub span: Span,
+    /// What its operation was given; empty if the expression is an input or was written as `nan`.
+    pub operands: Vec<f64>,
+    /// The operation; `None` if a NaN was put in from outside (a captured value) or written.
+    pub operation: Option<Node>,
+}
+
+/// Evaluates a site's expression as its kernel does, and follows the first NaN to the expression in which it arose.
+pub fn trace_nan(program: &Program, site: SiteId, inputs: &[f64]) -> Option<NanSource> {
+    let site = program.sites.get(site.0 as usize)?;
+    let mut lowering = Lowering::new(program, site);
+    let outputs = outputs(&mut lowering, site).ok()?;
+    if inputs.len() < lowering.inputs {
+        return None;
+    }
+    let found = lowering.graph.first_nan(&outputs, inputs)?;
+    let operation = (!matches!(found.node, Node::Constant(_) | Node::Symbol(_))).then_some(found.node);
+    let span = lowering.spans.get(found.origin as usize).copied().unwrap_or(site.span);
+    Some(NanSource { span, operands: found.operands, operation })
 }
 
 /// Numbers, then all their first time derivatives, and so on.
@@ -98,6 +128,8 @@ struct Lowering<'a> {
     /// Index of each capture's first number in the inputs.
     captures: Vec<u32>,
     inputs: usize,
+    /// Of the expressions lowered, by the mark their nodes have.
+    spans: Vec<Span>,
 }
 
 impl<'a> Lowering<'a> {
@@ -109,10 +141,25 @@ impl<'a> Lowering<'a> {
             // An observable is replaced by its value, one number, at each step.
             inputs += if capture.observable { 1 } else { capture.repr.slots() };
         }
-        Lowering { graph: Graph::new(), site, params: program.params.len(), captures, inputs }
+        Lowering {
+            graph: Graph::new(),
+            site,
+            params: program.params.len(),
+            captures,
+            inputs,
+            spans: Vec::new(),
+        }
     }
 
     fn value(&mut self, expr: &SymExpr) -> Result<Value, KernelError> {
+        let around = self.graph.set_origin(self.spans.len() as u32);
+        self.spans.push(expr.span);
+        let value = self.value_of(expr);
+        self.graph.set_origin(around);
+        value
+    }
+
+    fn value_of(&mut self, expr: &SymExpr) -> Result<Value, KernelError> {
         Ok(match &expr.kind {
             SymKind::Number(value) => Value::Number(self.graph.constant(*value)),
             SymKind::Bool(value) => Value::Number(self.graph.constant(if *value { 1.0 } else { 0.0 })),

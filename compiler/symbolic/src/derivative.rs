@@ -25,8 +25,10 @@ impl Graph {
         if known.len() <= root.index() {
             known.resize(root.index() + 1, None);
         }
+        let origin = self.set_origin(0);
         for id in self.reachable(&[root], |id| known[id.index()].is_none()) {
             let of = |operand: NodeId| known[operand.index()].unwrap_or(zero);
+            self.set_origin(self.origin(id));
             let derivative = match self.node(id) {
                 Node::Constant(_) => zero,
                 Node::Symbol(index) => self.constant(if index == symbol { 1.0 } else { 0.0 }),
@@ -38,6 +40,7 @@ impl Graph {
             };
             known[id.index()] = Some(derivative);
         }
+        self.set_origin(origin);
         let result = known[root.index()].unwrap_or(zero);
         self.derivatives.insert(symbol, known);
         result
@@ -48,8 +51,10 @@ impl Graph {
         let mut replaced: Vec<NodeId> = Vec::new();
         let order = self.reachable(&[root], |_| true);
         let place = |id: NodeId, order: &[NodeId]| order.binary_search(&id).unwrap_or(0);
+        let origin = self.set_origin(0);
         for &id in &order {
             let of = |operand: NodeId| replaced[place(operand, &order)];
+            self.set_origin(self.origin(id));
             let node = match self.node(id) {
                 Node::Constant(_) => id,
                 Node::Symbol(index) if index == symbol => replacement,
@@ -60,6 +65,7 @@ impl Graph {
             };
             replaced.push(node);
         }
+        self.set_origin(origin);
         replaced.last().copied().unwrap_or(root)
     }
 

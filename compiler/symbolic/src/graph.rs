@@ -142,6 +142,9 @@ impl Node {
 pub struct Graph {
     nodes: Vec<Node>,
     ids: HashMap<Node, NodeId>,
+    /// What was being lowered when each node was first made, and what is now: see [`Graph::set_origin`].
+    origins: Vec<u32>,
+    origin: u32,
     /// Per symbol, the derivatives known so far, by node.
     pub(crate) derivatives: HashMap<u32, Vec<Option<NodeId>>>,
 }
@@ -188,8 +191,20 @@ impl Graph {
         }
         let id = NodeId(self.nodes.len() as u32);
         self.nodes.push(node);
+        self.origins.push(self.origin);
         self.ids.insert(node, id);
         id
+    }
+
+    /// Marks the nodes made from now on as coming from a place of the caller's own numbering, so that a NaN can be
+    /// traced to it ([`Graph::first_nan`]). Returns the mark that was set before.
+    pub fn set_origin(&mut self, origin: u32) -> u32 {
+        std::mem::replace(&mut self.origin, origin)
+    }
+
+    /// The mark that was set when the node was first made.
+    pub fn origin(&self, id: NodeId) -> u32 {
+        self.origins[id.index()]
     }
 
     /// Every node the roots depend on (roots included) for which `wanted` holds, operands before their users.

@@ -29,9 +29,11 @@ mod graph;
 mod schedule;
 pub mod simplify;
 pub mod tape;
+mod trace;
 mod vector;
 
 pub use frame::{Factor, Frame, Pose};
 pub use graph::{Binary, Graph, Node, NodeId, Unary};
 pub use tape::{Instruction, Tape, TapeKernel};
+pub use trace::FirstNan;
 pub use vector::{Matrix3, Vector3};

@@ -1,0 +1,85 @@
+//! Where a NaN came from: the first operation on its way that made one of numbers.
+//!
+//! Kernels do not watch for NaN, which would cost time at every evaluation. When one has come out, its expression is
+//! evaluated once more, every value is kept, and the way is followed back.
+
+use crate::graph::{Graph, Node, NodeId};
+
+/// The operation in which a NaN arose.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FirstNan {
+    pub node: Node,
+    /// As marked by [`Graph::set_origin`].
+    pub origin: u32,
+    /// Values of its operands, none of them NaN.
+    pub operands: Vec<f64>,
+}
+
+impl Graph {
+    /// Evaluates the outputs and follows the first NaN among them to where it arose. `None` if there is none.
+    ///
+    /// If an input was NaN, the node is that [`Node::Symbol`]; if a NaN was written, a [`Node::Constant`].
+    pub fn first_nan(&self, outputs: &[NodeId], inputs: &[f64]) -> Option<FirstNan> {
+        let order = self.reachable(outputs, |_| true);
+        let tape = self.schedule(inputs.len(), &order);
+        let mut values = vec![0.0; order.len()];
+        tape.eval(inputs, &mut Vec::new(), &mut values);
+        let value = |id: NodeId| order.binary_search(&id).map_or(0.0, |place| values[place]);
+        let mut at = *outputs.iter().find(|id| value(**id).is_nan())?;
+        loop {
+            let node = self.node(at);
+            let operands = match node {
+                // The arm that was not taken has no part in the result.
+                Node::Select(c, a, b) => vec![c, if value(c) != 0.0 { a } else { b }],
+                _ => node.operands().into_iter().flatten().collect(),
+            };
+            // Operands have smaller ids, so this ends.
+            match operands.iter().find(|operand| value(**operand).is_nan()) {
+                Some(operand) => at = *operand,
+                None => {
+                    let operands = operands.into_iter().map(value).collect();
+                    return Some(FirstNan { node, origin: self.origin(at), operands });
+                }
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::graph::Unary;
+
+    #[test]
+    fn a_nan_is_followed_to_the_operation_that_made_it() {
+        let mut g = Graph::new();
+        let x = g.symbol(0);
+        let two = g.constant(2.0);
+        g.set_origin(1);
+        let difference = g.subtract(x, two);
+        g.set_origin(2);
+        let root = g.sqrt(difference);
+        g.set_origin(3);
+        let sum = g.add(root, x);
+        let slope = g.derivative(sum, 0);
+        assert_eq!(g.first_nan(&[sum, slope], &[3.0]), None);
+        let found = g.first_nan(&[x, sum], &[1.0]).unwrap();
+        assert_eq!((found.origin, found.operands), (2, vec![-1.0]));
+        assert!(matches!(found.node, Node::Unary(Unary::Sqrt, _)));
+        // A derivative belongs to the place of what was differentiated.
+        assert_eq!(g.first_nan(&[slope], &[1.0]).unwrap().origin, 2);
+        // A NaN that came in is an input's.
+        assert!(matches!(g.first_nan(&[sum], &[f64::NAN]).unwrap().node, Node::Symbol(0)));
+    }
+
+    #[test]
+    fn the_arm_not_taken_is_not_to_blame() {
+        let mut g = Graph::new();
+        let (x, zero) = (g.symbol(0), g.constant(0.0));
+        let positive = g.binary(crate::Binary::Less, zero, x);
+        let root = g.sqrt(x);
+        let guarded = g.select(positive, root, zero);
+        assert_eq!(g.first_nan(&[guarded], &[-1.0]), None);
+        assert_eq!(g.first_nan(&[root], &[-1.0]).unwrap().operands, [-1.0]);
+    }
+}
