@@ -24,6 +24,8 @@ pub struct Stmt {
     pub span: Span,
     /// Text of the `///` comments above, lines joined by `\n`, one leading blank removed from each.
     pub doc: Option<String>,
+    /// `private` stands before it: a declaration that importers do not see.
+    pub private: bool,
 }
 
 #[derive(Clone, Debug, PartialEq)]
@@ -136,6 +138,8 @@ pub struct FunctionDecl {
     pub parameters: Vec<Parameter>,
     pub result: Option<TypeExpr>,
     pub body: FunctionBody,
+    /// `test function f() { ... }`, which `calyx test` runs.
+    pub is_test: bool,
 }
 
 #[derive(Clone, Debug, PartialEq)]

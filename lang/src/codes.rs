@@ -46,7 +46,7 @@ const CODES: &[Explanation] = codes! {
     "E0120" "a parameter without its mode" "Parameters say how they are passed: `in` by value, `out` and `inout` copy a value back when the function returns."
     "E0121" "a unit's exponent that is no whole number" "The exponent right after a unit belongs to the unit and is a whole number, as in `2 inch^2`. Put the quantity in parentheses to raise all of it to a power."
     "E0122" "an assignment to something that is no place" "Only variables and elements of arrays can be assigned."
-    "E0123" "a top-level declaration inside a block" "`import`, `units`, `param` and `output` describe the model as a whole, so they stand outside blocks and functions."
+    "E0123" "a top-level declaration inside a block" "`import`, `units`, `param`, `output`, `private` and `test` concern the file as a whole, so they stand outside blocks and functions."
     "E0124" "a malformed type" "A type is a dimension such as `Length` or `Force/Length^2`, or `Bool`, `String`, `Vector(...)`, `Transform`, `Array(...)`."
     "W0125" "a quantity as a divisor" "A unit binds tighter than any operator, so `1/2 inch` is 1/(2 inch). Write parentheses to say which is meant."
     "E0190" "not available yet" "This part of the language is described, but this version does not compile it. The message names it; write it another way for now."

@@ -49,6 +49,8 @@ pub enum Kind {
     Output,
     Extern,
     At,
+    Private,
+    Test,
 
     OpenParen,
     CloseParen,
@@ -139,6 +141,8 @@ impl Kind {
                 | Kind::Param
                 | Kind::Output
                 | Kind::Extern
+                | Kind::Private
+                | Kind::Test
         )
     }
 }
@@ -177,6 +181,8 @@ const CONTEXTUAL: &[Spelling] = &[
     ("output", Kind::Output, "`output`"),
     ("extern", Kind::Extern, "`extern`"),
     ("at", Kind::At, "`at`"),
+    ("private", Kind::Private, "`private`"),
+    ("test", Kind::Test, "`test`"),
 ];
 
 /// Longer spellings before their beginnings.
@@ -265,7 +271,8 @@ fn mark_contextual_words(tokens: &mut [Token], text: &str) {
         let previous = i.checked_sub(1).map(|p| tokens[p].kind);
         let is_word = match kind {
             Kind::At => next == Some(Kind::Identifier) && previous.is_some_and(Kind::ends_expression),
-            Kind::Extern => matches!(next, Some(Kind::Identifier | Kind::Function)),
+            Kind::Extern | Kind::Private => matches!(next, Some(Kind::Identifier | Kind::Function)),
+            Kind::Test => next == Some(Kind::Function),
             _ => next == Some(Kind::Identifier),
         };
         if is_word {

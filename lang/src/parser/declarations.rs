@@ -53,21 +53,28 @@ fn top_level_only<'a>(source: &'a Source<'a>) -> Rule<'a, ()> {
         if !matches!(source.kind(at), Some(Kind::Import | Kind::Units | Kind::Param | Kind::Output)) {
             return Err(Problem(None));
         }
-        let after_statement = matches!(source.previous(at), None | Some(Kind::Semicolon | Kind::CloseBrace));
-        let inside = source.opening(at, Kind::CloseBrace);
-        if inside.is_some() || !(after_statement || source.begins_line(at)) {
-            let message = format!("{} stands at the top level of the file only", source.describe(at));
-            let mut problem =
-                Diagnostic::error("E0123", message, source.place(at), "inside another statement")
-                    .help("move it out");
-            if let Some(open) = inside {
-                problem = problem.label(source.place(open), "inside this block");
-            }
+        if let Some(problem) = inside_another(source, at) {
             input.emit(problem.into());
         }
         Ok(())
     })
     .boxed()
+}
+
+/// The error at a token that begins a top-level declaration and does not stand at the top level.
+fn inside_another(source: &Source<'_>, at: usize) -> Option<Diagnostic> {
+    let after_statement = matches!(source.previous(at), None | Some(Kind::Semicolon | Kind::CloseBrace));
+    let inside = source.opening(at, Kind::CloseBrace);
+    if inside.is_none() && (after_statement || source.begins_line(at)) {
+        return None;
+    }
+    let message = format!("{} stands at the top level of the file only", source.describe(at));
+    let problem =
+        Diagnostic::error("E0123", message, source.place(at), "inside another statement").help("move it out");
+    Some(match inside {
+        Some(open) => problem.label(source.place(open), "inside this block"),
+        None => problem,
+    })
 }
 
 /// `in low .. high`, `in ["a", "b"]`
@@ -122,13 +129,51 @@ pub(super) fn function<'a>(
         symbolic.map(FunctionBody::Symbolic),
         body.map(|body| FunctionBody::Statement(Box::new(body))),
     )));
-    external
-        .or(defined)
-        .map(|(((name, parameters), result), body)| match name {
-            Some(name) => StmtKind::Function(FunctionDecl { name, parameters, result, body }),
+    let test = custom(move |input: &mut Reader<'a, '_>| {
+        let at = position(input);
+        if source.kind(at) != Some(Kind::Test) {
+            return Err(Problem(None));
+        }
+        input.next();
+        if source.previous(at) != Some(Kind::Private)
+            && let Some(problem) = inside_another(source, at)
+        {
+            input.emit(problem.into());
+        }
+        Ok(())
+    });
+    test.or_not()
+        .map(|test| test.is_some())
+        .then(external.or(defined))
+        .map(|(is_test, (((name, parameters), result), body))| match name {
+            Some(name) => StmtKind::Function(FunctionDecl { name, parameters, result, body, is_test }),
             None => StmtKind::Error,
         })
         .boxed()
+}
+
+/// `private` before a declaration of a module; anything else after it is reported, and read all the same.
+pub(super) fn private<'a>(source: &'a Source<'a>) -> Rule<'a, ()> {
+    custom(move |input: &mut Reader<'a, '_>| {
+        let at = position(input);
+        if source.kind(at) != Some(Kind::Private) {
+            return Err(Problem(None));
+        }
+        input.next();
+        if let Some(problem) = inside_another(source, at) {
+            input.emit(problem.into());
+        }
+        let declares = matches!(source.kind(at + 1), Some(Kind::Function | Kind::Extern | Kind::Test));
+        if !declares {
+            let message =
+                format!("a declaration is expected after `private`, not {}", source.describe(at + 1));
+            let problem = Diagnostic::error("E0115", message, source.place(at + 1), "found here")
+                .help("`private` hides a function of a module from those who import it");
+            input.emit(problem.into());
+        }
+        Ok(())
+    })
+    .boxed()
 }
 
 fn parameter<'a>(

@@ -32,7 +32,7 @@ fn spanned<'a>(
 ) -> Rule<'a, Stmt> {
     kind.map_with(|kind, extra| {
         let tokens = extra.span();
-        Stmt { kind, span: source.range(tokens), doc: source.doc(tokens.start) }
+        Stmt { kind, span: source.range(tokens), doc: source.doc(tokens.start), private: false }
     })
     .boxed()
 }
@@ -56,7 +56,9 @@ fn statement<'a>(source: &'a Source<'a>) -> Rule<'a, Stmt> {
         expression_or_assignment(source, &e).then_ignore(semicolon(source)).boxed(),
         unusable(source),
     ));
-    any.define(spanned(source, kind));
+    let hidden = declarations::private(source).ignore_then(kind.clone().or(missing(source)));
+    let hidden = spanned(source, hidden).map(|statement| Stmt { private: true, ..statement });
+    any.define(hidden.or(spanned(source, kind)));
     any.boxed()
 }
 

@@ -28,6 +28,10 @@ fn statement(s: &Stmt, depth: usize, out: &mut String) {
         out.push_str(&format!("(doc {doc:?})"));
         open_line(depth, out);
     }
+    if s.private {
+        out.push_str("(private)");
+        open_line(depth, out);
+    }
     let mut children: Vec<&Stmt> = Vec::new();
     let head = match &s.kind {
         StmtKind::Empty => "(empty".into(),
@@ -48,7 +52,7 @@ fn statement(s: &Stmt, depth: usize, out: &mut String) {
         }
         StmtKind::Expr(e) => format!("(do {}", expr(e)),
         StmtKind::Function(f) => {
-            let mut head = format!("(function {}", f.name.name);
+            let mut head = format!("({} {}", if f.is_test { "test" } else { "function" }, f.name.name);
             for p in &f.parameters {
                 head.push_str(&parameter(p));
             }
