@@ -61,7 +61,7 @@ pub struct Checker<'a> {
     pub(super) function: FuncId,
     pub(super) file: FileId,
     groups: HashMap<FuncId, Vec<FuncId>>,
-    variable_types: HashMap<VarId, Type>,
+    pub(super) variable_types: HashMap<VarId, Type>,
 }
 
 impl<'a> Checker<'a> {
@@ -137,11 +137,6 @@ impl<'a> Checker<'a> {
         let ty = self.store.fresh();
         self.variable_types.insert(id, ty.clone());
         ty
-    }
-
-    /// The type found for a variable.
-    pub fn type_of(&self, id: VarId) -> Type {
-        self.variable_types.get(&id).cloned().unwrap_or(Type::Error)
     }
 
     /// A variable that holds a value captured by a `:=`, shown to people as `name`.

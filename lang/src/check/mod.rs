@@ -25,6 +25,7 @@ mod statements;
 mod symbolic;
 mod symbols;
 mod tree;
+mod typed;
 mod types;
 
 pub use builtins::names as builtin_names;
@@ -84,7 +85,8 @@ pub fn check_program(name: &str, text: &str, loader: &dyn Loader) -> Checked {
     let types = checker.shown_types();
     let mut program = None;
     if !has_errors(&diagnostics) {
-        let (lowered, mut found) = lower::lower(&checker, files.clone());
+        let model = modules.first().map(lower::Model::of).unwrap_or_default();
+        let (lowered, mut found) = lower::lower(&checker.into_typed(), model, files.clone());
         diagnostics.append(&mut found);
         program = Some(lowered);
     }

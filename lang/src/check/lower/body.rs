@@ -24,8 +24,8 @@ struct Draft {
     terminator: Option<Terminator>,
 }
 
-pub(super) struct Body<'l, 'c, 'a> {
-    pub(super) lowering: &'l mut Lowering<'c, 'a>,
+pub(super) struct Body<'l, 'c> {
+    pub(super) lowering: &'l mut Lowering<'c>,
     /// Types of the unknowns of the function's scheme in this instance.
     pub(super) types: Substitution,
     /// Of the statement under way.
@@ -43,8 +43,8 @@ pub(super) struct Body<'l, 'c, 'a> {
     cases: Vec<HashMap<Span, usize>>,
 }
 
-impl<'l, 'c, 'a> Body<'l, 'c, 'a> {
-    fn new(lowering: &'l mut Lowering<'c, 'a>, function: FuncId, types: Substitution) -> Self {
+impl<'l, 'c> Body<'l, 'c> {
+    fn new(lowering: &'l mut Lowering<'c>, function: FuncId, types: Substitution) -> Self {
         Body {
             lowering,
             types,
@@ -63,7 +63,7 @@ impl<'l, 'c, 'a> Body<'l, 'c, 'a> {
     }
 
     /// Lowers a function and checks its flow of control.
-    pub(super) fn lower(lowering: &'l mut Lowering<'c, 'a>, id: FuncId, types: Substitution) -> Function {
+    pub(super) fn lower(lowering: &'l mut Lowering<'c>, id: FuncId, types: Substitution) -> Function {
         let checker = lowering.checker;
         let mut body = Body::new(lowering, id, types);
         let Some(function) = checker.functions.get(&id) else {
@@ -99,7 +99,7 @@ impl<'l, 'c, 'a> Body<'l, 'c, 'a> {
     }
 
     /// A function that returns the value of an expression.
-    pub(super) fn lower_expression(lowering: &'l mut Lowering<'c, 'a>, name: &str, e: &Expr) -> Function {
+    pub(super) fn lower_expression(lowering: &'l mut Lowering<'c>, name: &str, e: &Expr) -> Function {
         let mut body = Body::new(lowering, FuncId(0), Substitution::default());
         body.span = e.span;
         let value = body.owned(e);

@@ -5,10 +5,10 @@ mod closures;
 mod sites;
 mod values;
 
-use super::infer::Checker;
 use super::tree::{self, FuncId, UseId};
+use super::typed::Typed;
 use super::types::{Substitution, Type};
-use crate::ast::{FunctionBody, Mode, StmtKind};
+use crate::ast::{Mode, StmtKind};
 use crate::diagnostic::Diagnostic;
 use crate::dimension::Dimension;
 use crate::ir::{ExternDecl, ExternId, Function, FunctionId, Output, Param, Program, SiteId, SourceFile};
@@ -26,8 +26,8 @@ struct Wanted {
     target: FunctionId,
 }
 
-pub(super) struct Lowering<'c, 'a> {
-    checker: &'c Checker<'a>,
+pub(super) struct Lowering<'c> {
+    checker: &'c Typed,
     program: Program,
     instances: HashMap<(FuncId, Vec<Repr>, Vec<String>), FunctionId>,
     wanted: Vec<Wanted>,
@@ -36,18 +36,26 @@ pub(super) struct Lowering<'c, 'a> {
     diagnostics: Vec<Diagnostic>,
 }
 
+/// What the model's file says of the model as a whole.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Model {
+    pub system: UnitSystem,
+    pub doc: String,
+}
+
+impl Model {
+    pub fn of(module: &super::ModuleData) -> Model {
+        Model { system: module.system.unwrap_or_default(), doc: model_doc(module) }
+    }
+}
+
 /// The typed program, and what only the flow of control shows to be wrong.
-pub fn lower(checker: &Checker<'_>, files: Vec<SourceFile>) -> (Program, Vec<Diagnostic>) {
+pub fn lower(checker: &Typed, model: Model, files: Vec<SourceFile>) -> (Program, Vec<Diagnostic>) {
     let owner = |id: tree::VarId| checker.variable(id).owner;
-    let system = checker.modules.first().and_then(|module| module.system).unwrap_or_default();
+    let system = model.system;
     let mut lowering = Lowering {
         checker,
-        program: Program {
-            files,
-            units: system.name().into(),
-            doc: checker.modules.first().map(model_doc).unwrap_or_default(),
-            ..Program::default()
-        },
+        program: Program { files, units: system.name().into(), doc: model.doc, ..Program::default() },
         instances: HashMap::new(),
         wanted: Vec::new(),
         closures: closures::closures(&checker.functions, &checker.defs, &owner),
@@ -89,14 +97,14 @@ fn model_doc(module: &super::ModuleData) -> String {
     module.tree.doc.clone().or_else(|| first?.doc.clone()).unwrap_or_default()
 }
 
-fn known_dimension(checker: &Checker<'_>, ty: &Type) -> Dimension {
+fn known_dimension(checker: &Typed, ty: &Type) -> Dimension {
     match checker.store.resolve(ty) {
         Type::Number(dim) | Type::Vector(dim) | Type::Observable(dim) => dim.as_known().unwrap_or(dim.fixed),
         _ => Dimension::NONE,
     }
 }
 
-impl<'c, 'a> Lowering<'c, 'a> {
+impl Lowering<'_> {
     fn work(&mut self) {
         while let Some(wanted) = self.wanted.pop() {
             let function = Body::lower(self, wanted.function, wanted.types);
@@ -215,29 +223,9 @@ impl<'c, 'a> Lowering<'c, 'a> {
 
     /// The engine's function by its index among the declarations.
     fn extern_id(&mut self, index: u32) -> (ExternId, Repr) {
-        let checker = self.checker;
-        let info = &checker.names.externs[index as usize];
-        let purity = match &info.decl.body {
-            FunctionBody::Extern { purity: Some(word) } if word.name == "pure" => Purity::Pure,
-            FunctionBody::Extern { purity: Some(word) } if word.name == "scene" => Purity::Scene,
-            _ => Purity::Effect,
-        };
-        let parameters: Vec<(String, Repr)> = info
-            .decl
-            .parameters
-            .iter()
-            .map(|p| (p.name.name.clone(), p.annotation.as_ref().map_or(Repr::Number, annotated_repr)))
-            .collect();
-        let result = info.decl.result.as_ref().map_or(Repr::Unit, annotated_repr);
-        let id = self.add_extern(ExternDecl {
-            symbol: info.symbol.clone(),
-            name: info.name.clone(),
-            purity,
-            parameters,
-            result: result.clone(),
-            span: info.decl.name.span,
-        });
-        (id, result)
+        let decl = self.checker.externs[index as usize].clone();
+        let result = decl.result.clone();
+        (self.add_extern(decl), result)
     }
 
     fn standard(&mut self, name: &str, purity: Purity, parameters: &[(&str, Repr)]) -> ExternId {
@@ -286,7 +274,7 @@ fn formats(e: &tree::Expr, called: &mut Vec<FuncId>) -> bool {
 }
 
 /// The representation an annotation of an extern function stands for.
-fn annotated_repr(annotation: &crate::ast::TypeExpr) -> Repr {
+pub(super) fn annotated_repr(annotation: &crate::ast::TypeExpr) -> Repr {
     use crate::ast::TypeKind;
     match &annotation.kind {
         TypeKind::Name(name) => match name.name.as_str() {

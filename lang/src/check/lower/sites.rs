@@ -23,7 +23,7 @@ struct Captures {
     too_large: bool,
 }
 
-impl Body<'_, '_, '_> {
+impl Body<'_, '_> {
     /// Executes the captures of a `:=`.
     pub(super) fn bind(&mut self, def: DefId) {
         let checker = self.lowering.checker;

@@ -10,7 +10,7 @@ use crate::span::Span;
 use crate::units::UnitSystem;
 use calyx_abi::{Purity, Repr};
 
-impl Body<'_, '_, '_> {
+impl Body<'_, '_> {
     /// A value to be bound, passed or stored: an array that a place still holds is copied.
     pub(super) fn owned(&mut self, e: &Expr) -> ir::Expr {
         let value = self.value(e);
@@ -171,7 +171,7 @@ impl Body<'_, '_, '_> {
     fn call_value(&mut self, call: &Call, span: Span) -> ir::Expr {
         let modes = self.lowering.modes(call.function);
         if modes.iter().any(|(_, mode)| *mode != Mode::In) {
-            let name = self.lowering.checker.names.functions[call.function.0 as usize].name.clone();
+            let name = self.lowering.checker.function_name(call.function).to_string();
             self.lowering.report(
                 crate::diagnostic::Diagnostic::error(
                     "E0190",

@@ -1,0 +1,77 @@
+//! What checking found out, without what it needed to find it: typed functions, ready to be lowered.
+//!
+//! Holds no reference to a syntax tree, so it can be kept while texts change.
+
+use super::infer::Checker;
+use super::symbols::Variable;
+use super::tree::{Def, FuncId, Function, Output, Param, VarId};
+use super::types::{Store, Substitution, Type};
+use crate::ast::FunctionBody;
+use crate::ir::ExternDecl;
+use calyx_abi::{Purity, Repr};
+use std::collections::HashMap;
+
+/// Typed functions and the tables their bodies refer to.
+#[derive(Debug, Default)]
+pub struct Typed {
+    pub functions: HashMap<FuncId, Function>,
+    pub instances: Vec<Substitution>,
+    pub defs: Vec<Def>,
+    pub params: Vec<Param>,
+    pub outputs: Vec<Output>,
+    pub externs: Vec<ExternDecl>,
+    pub store: Store,
+    variables: Vec<Variable>,
+    variable_types: HashMap<VarId, Type>,
+}
+
+impl Typed {
+    pub fn variable(&self, id: VarId) -> &Variable {
+        &self.variables[id.0 as usize]
+    }
+
+    /// The type found for a variable.
+    pub fn type_of(&self, id: VarId) -> Type {
+        self.variable_types.get(&id).cloned().unwrap_or(Type::Error)
+    }
+
+    pub fn function_name(&self, id: FuncId) -> &str {
+        self.functions.get(&id).map_or("", |function| &function.name)
+    }
+}
+
+impl Checker<'_> {
+    /// Lets go of syntax trees.
+    pub fn into_typed(self) -> Typed {
+        let externs = self.names.externs.iter().map(|info| {
+            let purity = match &info.decl.body {
+                FunctionBody::Extern { purity: Some(word) } if word.name == "pure" => Purity::Pure,
+                FunctionBody::Extern { purity: Some(word) } if word.name == "scene" => Purity::Scene,
+                _ => Purity::Effect,
+            };
+            let repr = |annotation| super::lower::annotated_repr(annotation);
+            let parameters = info.decl.parameters.iter();
+            ExternDecl {
+                symbol: info.symbol.clone(),
+                name: info.name.clone(),
+                purity,
+                parameters: parameters
+                    .map(|p| (p.name.name.clone(), p.annotation.as_ref().map_or(Repr::Number, repr)))
+                    .collect(),
+                result: info.decl.result.as_ref().map_or(Repr::Unit, repr),
+                span: info.decl.name.span,
+            }
+        });
+        Typed {
+            externs: externs.collect(),
+            functions: self.functions,
+            instances: self.instances,
+            defs: self.defs,
+            params: self.params,
+            outputs: self.outputs,
+            store: self.store,
+            variables: self.names.variables,
+            variable_types: self.variable_types,
+        }
+    }
+}
