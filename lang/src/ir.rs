@@ -209,14 +209,38 @@ pub enum Statement {
     },
 }
 
-/// Where a value is stored: a local, or an element (of an element ...) of the array it holds.
+/// Where a value is stored: a local, or a part (of a part ...) of the array or tuple it holds.
 #[derive(Clone, Debug)]
 pub struct Place {
     pub local: LocalId,
-    /// Each index must be a whole number within bounds: checked, code E0701.
-    pub indices: Vec<Expr>,
+    /// From the local inwards.
+    pub steps: Vec<Step>,
     /// Representation of what is stored there.
     pub repr: Repr,
+}
+
+/// From a value to a part of it.
+#[derive(Clone, Debug)]
+pub enum Step {
+    /// Element of an array; the index must be a whole number within bounds: checked, code E0701.
+    Index(Expr),
+    /// Element of a tuple, by constant index.
+    Element(usize),
+}
+
+impl Place {
+    /// A local as a whole.
+    pub fn whole(local: LocalId, repr: Repr) -> Place {
+        Place { local, steps: Vec::new(), repr }
+    }
+
+    /// The indices that are computed, in order.
+    pub fn indices(&self) -> impl Iterator<Item = &Expr> {
+        self.steps.iter().filter_map(|step| match step {
+            Step::Index(index) => Some(index),
+            Step::Element(_) => None,
+        })
+    }
 }
 
 #[derive(Clone, Debug)]

@@ -328,13 +328,29 @@ impl<'l, 'm, 'f, M: Module> FunctionLowering<'l, 'm, 'f, M> {
 
     /// Gives a local new slots.
     pub fn assign_local(&mut self, local: LocalId, values: &[Value]) -> Result<(), CodegenError> {
-        let types = slot_types(self.local_repr(local)?);
-        let variables = &self.locals[local.0 as usize];
-        let fits = values.iter().map(|&value| self.builder.func.dfg.value_type(value)).eq(types);
-        if !fits {
-            return Err(CodegenError::Malformed("a value of another representation than its place"));
+        match self.locals.get(local.0 as usize) {
+            Some(variables) if variables.len() == values.len() => self.assign_slots(local, 0, values),
+            _ => Err(CodegenError::Malformed("a value of another representation than its place")),
         }
-        for (&variable, &value) in variables.iter().zip(values) {
+    }
+
+    /// Gives some slots of a local, from one on, new values.
+    pub fn assign_slots(
+        &mut self,
+        local: LocalId,
+        first: usize,
+        values: &[Value],
+    ) -> Result<(), CodegenError> {
+        let wrong = CodegenError::Malformed("a value of another representation than its place");
+        let types = slot_types(self.local_repr(local)?);
+        let Some(types) = types.get(first..first + values.len()) else { return Err(wrong) };
+        let fits =
+            values.iter().map(|&value| self.builder.func.dfg.value_type(value)).eq(types.iter().copied());
+        if !fits {
+            return Err(wrong);
+        }
+        let variables = self.locals[local.0 as usize].iter().skip(first);
+        for (&variable, &value) in variables.zip(values) {
             self.builder.def_var(variable, value);
         }
         Ok(())

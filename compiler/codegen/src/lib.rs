@@ -13,6 +13,7 @@ mod jit;
 mod kernel;
 mod module;
 mod object;
+mod place;
 mod scalar;
 mod statement;
 

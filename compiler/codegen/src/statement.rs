@@ -1,10 +1,10 @@
-//! Blocks, statements and places.
+//! Blocks and statements.
 
 use crate::error::CodegenError;
-use crate::function::{FunctionLowering, SLOT, TRUSTED, slot_types};
-use calyx_lang::ir::{Block, Mode, Place, Statement, Terminator};
+use crate::function::{FunctionLowering, slot_types};
+use calyx_lang::ir::{Block, Mode, Statement, Terminator};
 use calyx_lower::layout::passed;
-use cranelift_codegen::ir::{InstBuilder, Value, types};
+use cranelift_codegen::ir::InstBuilder;
 use cranelift_module::Module;
 
 impl<'m, M: Module> FunctionLowering<'_, 'm, '_, M> {
@@ -83,43 +83,5 @@ impl<'m, M: Module> FunctionLowering<'_, 'm, '_, M> {
             }
         }
         Ok(())
-    }
-
-    /// The values of a place's indices, with no check yet.
-    fn indices(&mut self, place: &'m Place) -> Result<Vec<Value>, CodegenError> {
-        place.indices.iter().map(|index| self.scalar(index)).collect()
-    }
-
-    fn store(&mut self, place: &Place, indices: &[Value], values: &[Value]) -> Result<(), CodegenError> {
-        let Some((&last, outer)) = indices.split_last() else {
-            return self.assign_local(place.local, values);
-        };
-        let array = self.array_in(place, outer)?;
-        self.at(place.indices[outer.len()].span);
-        let element = self.element(array, last)?;
-        for (slot, &value) in values.iter().enumerate() {
-            self.builder.ins().store(TRUSTED, value, element, (slot * SLOT) as i32);
-        }
-        Ok(())
-    }
-
-    /// Follows indices from the array a local holds to the array inside.
-    fn array_in(&mut self, place: &Place, indices: &[Value]) -> Result<Value, CodegenError> {
-        let slots = self.local(place.local)?;
-        let mut array = *slots.first().ok_or(CodegenError::Malformed("a place that is no array"))?;
-        for (position, &index) in indices.iter().enumerate() {
-            self.at(place.indices[position].span);
-            let element = self.element(array, index)?;
-            array = self.builder.ins().load(types::I64, TRUSTED, element, 0);
-        }
-        Ok(array)
-    }
-
-    /// Address of an element of an array, valid until the next call.
-    pub fn element(&mut self, array: Value, index: Value) -> Result<Value, CodegenError> {
-        let index = self.bits(index);
-        let into = self.buffer_address(0);
-        self.helper("calyx_array_element", &[array, index, into])?;
-        Ok(self.load_buffer(0, &[types::I64])[0])
     }
 }

@@ -269,6 +269,43 @@ fn elements_of_several_slots() {
 }
 
 #[test]
+fn elements_of_tuples_are_places() {
+    // t = [1, [v, "a"], [[2, "b"], [3, "c"]]]; t[1][1] = "x"; t[2][1][0] = 7; t[2][0] = [8, "y"]; push t[2], [9, "z"];
+    let vector = op(Op::Vector, vec![number(1.0), number(2.0), number(3.0)]);
+    let pair = Repr::Tuple(vec![N, S]);
+    let make = |x, text| tuple(vec![number(x), string(text)]);
+    let value = tuple(vec![
+        number(1.0),
+        tuple(vec![vector, string("a")]),
+        array(pair.clone(), vec![make(2.0, "b"), make(3.0, "c")]),
+    ]);
+    let whole = value.repr.clone();
+    let place = |steps, repr| Place { local: LocalId(0), steps, repr };
+    let set = |steps, value: Expr| Statement::Assign {
+        place: place(steps, value.repr.clone()),
+        value,
+        span: Span::default(),
+    };
+    let at_index = |position| Step::Index(at(3, number(position)));
+    let program = |bad: f64| {
+        let statements = vec![
+            assign(0, value.clone()),
+            set(vec![Step::Element(1), Step::Element(1)], string("x")),
+            set(vec![Step::Element(2), at_index(1.0), Step::Element(0)], number(7.0)),
+            set(vec![Step::Element(2), at_index(bad)], make(8.0, "y")),
+            Statement::Push {
+                place: place(vec![Step::Element(2)], array_of(pair.clone())),
+                value: make(9.0, "z"),
+                span: Span::default(),
+            },
+        ];
+        evaluates(vec![whole.clone()], statements, local(0, whole.clone()))
+    };
+    assert_eq!(shown(&program(0.0)), "[1, [[1, 2, 3], x], [[8, y], [7, c], [9, z]]]");
+    assert_eq!(failure(&program(2.0)), ("E0701".into(), Some(3)));
+}
+
+#[test]
 fn indices_outside_fail_at_the_index() {
     let three = || array(N, vec![number(1.0), number(2.0), number(3.0)]);
     for bad in [3.0, -1.0, 0.5, f64::NAN] {

@@ -6,6 +6,7 @@
 
 mod blame;
 mod expression;
+mod place;
 mod scalar;
 mod statement;
 

@@ -34,8 +34,13 @@ pub fn stride(array: &Repr) -> usize {
 
 /// First slot of an element of a tuple; `None` if it is no tuple.
 pub fn tuple_offset(tuple: &Repr, index: usize) -> Option<usize> {
+    tuple_part(tuple, index).map(|(before, _)| before)
+}
+
+/// First slot and representation of an element of a tuple; `None` if it is no tuple.
+pub fn tuple_part(tuple: &Repr, index: usize) -> Option<(usize, &Repr)> {
     match tuple {
-        Repr::Tuple(parts) => Some(parts.get(..index)?.iter().map(Repr::slots).sum()),
+        Repr::Tuple(parts) => Some((parts.get(..index)?.iter().map(Repr::slots).sum(), parts.get(index)?)),
         _ => None,
     }
 }

@@ -1,7 +1,8 @@
 //! Calls: arguments to parameters, and what each kind of function demands.
 
 use super::infer::Checker;
-use super::symbols::{Res, VarKind, similar, with_article};
+use super::places::place_value;
+use super::symbols::{Res, similar};
 use super::tree::*;
 use super::types::Type;
 use crate::ast::{self, Bind, ExprKind, Mode};
@@ -387,142 +388,6 @@ impl<'a> Checker<'a> {
         let call = Call { function: id, instance, arguments: values, copy_back };
         self.observed(Expr { kind: Kind::Call(Box::new(call)), ty: result, span })
     }
-
-    /// One place in two out slots would leave open which value it gets.
-    fn distinct_places(&mut self, places: &[Place]) {
-        for (index, later) in places.iter().enumerate() {
-            for earlier in &places[..index] {
-                let same_indices = later.indices.len() == earlier.indices.len()
-                    && later
-                        .indices
-                        .iter()
-                        .zip(&earlier.indices)
-                        .all(|(a, b)| self.text(a.span).trim() == self.text(b.span).trim());
-                if later.variable == earlier.variable && same_indices {
-                    self.report(
-                        Diagnostic::error(
-                            "E0310",
-                            format!(
-                                "`{}` is given to two out parameters",
-                                self.variable(later.variable).name
-                            ),
-                            later.span,
-                            "given again here",
-                        )
-                        .label(earlier.span, "first given here")
-                        .help("use two variables"),
-                    );
-                }
-            }
-        }
-    }
-
-    /// Something that can be assigned to.
-    pub(super) fn place(&mut self, e: &'a ast::Expr) -> Option<Place> {
-        match &e.kind {
-            ExprKind::Name(name) => match self.names.uses.get(&name.span).copied() {
-                Some(Res::Var(id)) if self.variable(id).kind != VarKind::Symbolic => Some(Place {
-                    variable: id,
-                    indices: Vec::new(),
-                    ty: self.variable_type(id),
-                    span: e.span,
-                }),
-                Some(Res::Var(id)) => {
-                    let declared = self.variable(id).span;
-                    self.report(
-                        Diagnostic::error(
-                            "E0503",
-                            format!("`{}` is bound with `:=` and keeps an expression", name.name),
-                            e.span,
-                            "cannot take a value",
-                        )
-                        .label(declared, "declared with `:=` here")
-                        .help(format!("write `{} := ...`, or use another variable", name.name)),
-                    );
-                    None
-                }
-                Some(Res::Param(id)) => {
-                    let declared = self.params.get(id as usize).map(|p| p.span);
-                    let diagnostic = Diagnostic::error(
-                        "E0207",
-                        format!("the param `{}` cannot be assigned", name.name),
-                        e.span,
-                        "a param is set from outside",
-                    )
-                    .help("copy it into a variable: `var x = ...;`");
-                    let diagnostic = match declared {
-                        Some(span) => diagnostic.label(span, "declared here"),
-                        None => diagnostic,
-                    };
-                    self.report(diagnostic);
-                    None
-                }
-                Some(Res::Unknown) | None => None,
-                Some(_) => {
-                    self.no_place(e.span);
-                    None
-                }
-            },
-            ExprKind::Index { base, index } => {
-                let mut place = self.place(base)?;
-                let index = self.as_value(|c| c.expr(index));
-                self.expect(&Type::number(), &index, "an index", None);
-                let element = self.store.fresh();
-                let base_ty = self.store.shallow(&place.ty);
-                match base_ty {
-                    Type::Array(_) | Type::Unknown(_) | Type::Error => {
-                        let array = Type::array(element.clone());
-                        // Cannot fail for these.
-                        let _ = self.store.unify(&base_ty, &array);
-                    }
-                    Type::Tuple(_) => {
-                        self.not_yet("assignments to elements of tuples are", e.span);
-                        return None;
-                    }
-                    other => {
-                        let shown = with_article(&self.store.show(&other));
-                        self.report(
-                            Diagnostic::error(
-                                "E0305",
-                                format!("{shown} has no elements to index"),
-                                e.span,
-                                format!("this is {shown}"),
-                            )
-                            .help("only arrays and tuples are indexed"),
-                        );
-                        return None;
-                    }
-                }
-                place.indices.push(index);
-                place.ty = element;
-                place.span = e.span;
-                Some(place)
-            }
-            ExprKind::Paren(inner) => self.place(inner),
-            ExprKind::Error => None,
-            _ => {
-                self.as_value(|c| c.expr(e));
-                self.no_place(e.span);
-                None
-            }
-        }
-    }
-
-    fn no_place(&mut self, span: Span) {
-        self.report(
-            Diagnostic::error("E0208", "this cannot be assigned to", span, "not a variable")
-                .help("assign to a variable or an element of an array"),
-        );
-    }
-}
-
-/// Reading a place.
-fn place_value(place: &Place) -> Kind {
-    let variable = Kind::Var(place.variable);
-    place.indices.iter().fold(variable, |base, index| {
-        let base = Expr { kind: base, ty: Type::Error, span: place.span };
-        Kind::Index(Box::new(base), Box::new(index.clone()))
-    })
 }
 
 impl ast::Parameter {

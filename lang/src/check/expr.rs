@@ -519,7 +519,8 @@ fn is_basis(e: &ast::Expr) -> bool {
     }
 }
 
-fn constant_index(e: &ast::Expr) -> Option<usize> {
+/// A whole number, written as one.
+pub(super) fn constant_index(e: &ast::Expr) -> Option<usize> {
     match &e.kind {
         ExprKind::Number(value) if *value >= 0.0 && value.fract() == 0.0 && *value < 1e6 => {
             Some(*value as usize)

@@ -80,9 +80,9 @@ impl Set {
 
 fn assigned(statement: &Statement, set: &mut Set) {
     match statement {
-        Statement::Assign { place, .. } if place.indices.is_empty() => set.insert(place.local),
+        Statement::Assign { place, .. } if place.steps.is_empty() => set.insert(place.local),
         Statement::Call { result, copy_back, .. } => {
-            for place in result.iter().chain(copy_back).filter(|place| place.indices.is_empty()) {
+            for place in result.iter().chain(copy_back).filter(|place| place.steps.is_empty()) {
                 set.insert(place.local);
             }
         }
@@ -106,7 +106,7 @@ impl Finder<'_> {
                 }
                 Statement::Push { place, value, span } => {
                     self.read(place.local, *span, &set);
-                    place.indices.iter().for_each(|e| self.expr(e, &set));
+                    place.indices().for_each(|e| self.expr(e, &set));
                     self.expr(value, &set);
                 }
                 Statement::Eval(value) => self.expr(value, &set),
@@ -149,10 +149,10 @@ impl Finder<'_> {
     }
 
     fn place(&mut self, place: &Place, set: &Set, span: Span) {
-        if !place.indices.is_empty() {
+        if !place.steps.is_empty() {
             self.read(place.local, span, set);
         }
-        place.indices.iter().for_each(|e| self.expr(e, set));
+        place.indices().for_each(|e| self.expr(e, set));
     }
 
     fn read(&mut self, local: LocalId, span: Span, set: &Set) {

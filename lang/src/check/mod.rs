@@ -21,6 +21,7 @@ mod mismatch;
 mod modules;
 mod names;
 mod params;
+mod places;
 mod statements;
 mod symbolic;
 mod symbols;

@@ -184,7 +184,7 @@ impl<'a> Checker<'a> {
                 let ty = self.variable_type(id);
                 self.expect(&ty, &value, &format!("`{}`", decl.name.name), None);
                 self.dependence.variable(id, &value);
-                let place = Place { variable: id, indices: Vec::new(), ty, span: decl.name.span };
+                let place = Place { variable: id, steps: Vec::new(), ty, span: decl.name.span };
                 StmtKind::Assign(place, value)
             }
         }
@@ -204,7 +204,7 @@ impl<'a> Checker<'a> {
         let value = self.stored(value);
         let Some(target) = target else { return StmtKind::Nothing };
         let variable = self.variable(target.variable).clone();
-        let what = match target.indices.is_empty() {
+        let what = match target.steps.is_empty() {
             true => format!("`{}`", variable.name),
             false => format!("an element of `{}`", variable.name),
         };

@@ -95,9 +95,19 @@ pub struct Call {
 #[derive(Clone, Debug)]
 pub struct Place {
     pub variable: VarId,
-    pub indices: Vec<Expr>,
+    /// From the variable inwards.
+    pub steps: Vec<Step>,
     pub ty: Type,
     pub span: Span,
+}
+
+/// From a value to a part of it.
+#[derive(Clone, Debug)]
+pub enum Step {
+    /// Element of an array.
+    Index(Expr),
+    /// Element of a tuple.
+    Element(usize),
 }
 
 #[derive(Clone, Debug)]
@@ -219,6 +229,16 @@ pub struct Output {
     pub span: Span,
 }
 
+impl Place {
+    /// The indices that are computed, in order.
+    pub fn indices(&self) -> impl Iterator<Item = &Expr> {
+        self.steps.iter().filter_map(|step| match step {
+            Step::Index(index) => Some(index),
+            Step::Element(_) => None,
+        })
+    }
+}
+
 impl Expr {
     pub fn error(span: Span) -> Expr {
         Expr { kind: Kind::Error, ty: Type::Error, span }
@@ -251,7 +271,7 @@ impl Expr {
             | Kind::Array(all)
             | Kind::Tuple(all) => all.iter().collect(),
             Kind::Call(call) => {
-                call.arguments.iter().chain(call.copy_back.iter().flat_map(|place| &place.indices)).collect()
+                call.arguments.iter().chain(call.copy_back.iter().flat_map(Place::indices)).collect()
             }
             Kind::Format(pieces, _) => pieces
                 .iter()
@@ -295,7 +315,7 @@ impl Stmt {
     pub fn expressions(&self) -> Vec<&Expr> {
         match &self.kind {
             StmtKind::Assign(place, value) | StmtKind::Push(place, value) => {
-                place.indices.iter().chain([value]).collect()
+                place.indices().chain([value]).collect()
             }
             StmtKind::Eval(e)
             | StmtKind::If(e, ..)

@@ -89,7 +89,7 @@ pub fn call_extern(index: u32, arguments: Vec<Expr>, result: Repr) -> Expr {
 }
 
 pub fn place(index: u32, indices: Vec<Expr>, repr: Repr) -> Place {
-    Place { local: LocalId(index), indices, repr }
+    Place { local: LocalId(index), steps: indices.into_iter().map(Step::Index).collect(), repr }
 }
 
 pub fn assign(target: u32, value: Expr) -> Statement {

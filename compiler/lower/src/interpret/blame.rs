@@ -69,7 +69,7 @@ fn for_each_expression<'p>(program: &'p Program, visit: &mut dyn FnMut(&'p Expr)
 }
 
 fn in_place<'p>(place: &'p Place, visit: &mut dyn FnMut(&'p Expr)) {
-    place.indices.iter().for_each(|index| in_expression(index, visit));
+    place.indices().for_each(|index| in_expression(index, visit));
 }
 
 fn in_expression<'p>(expr: &'p Expr, visit: &mut dyn FnMut(&'p Expr)) {

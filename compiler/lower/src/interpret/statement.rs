@@ -4,7 +4,7 @@ use super::Machine;
 use crate::layout::passed;
 use calyx_abi::context::RuntimeError;
 use calyx_abi::{Slot, helpers};
-use calyx_lang::ir::{Expr, Place, Statement, Terminator};
+use calyx_lang::ir::{Expr, Statement, Terminator};
 
 impl<'p> Machine<'_, 'p> {
     /// Runs from block 0 to a return, and leaves the result's slots on top of the stack.
@@ -74,42 +74,6 @@ impl<'p> Machine<'_, 'p> {
         }
         self.stack.truncate(bottom);
         Ok(())
-    }
-
-    /// The values of a place's indices, with no check yet.
-    fn indices(&mut self, place: &'p Place) -> Result<Vec<f64>, RuntimeError> {
-        place.indices.iter().map(|index| self.number(index)).collect()
-    }
-
-    /// Stores the slots that stand on the stack from `from` on.
-    fn store(&mut self, place: &Place, indices: &[f64], from: usize) -> Result<(), RuntimeError> {
-        let count = place.repr.slots();
-        let Some((&last, outer)) = indices.split_last() else {
-            let target = self.local(place.local)?.start;
-            self.stack.copy_within(from..from + count, target);
-            return Ok(());
-        };
-        let array = self.array_in(place, outer)?;
-        self.at(place.indices[outer.len()].span);
-        let value = self.stack.get(from..from + count).map(<[Slot]>::to_vec);
-        let element = helpers::element(self.ctx, array, last)?;
-        match value {
-            Some(value) if value.len() == element.len() => element.copy_from_slice(&value),
-            _ => return Err(helpers::malformed("an element of the wrong size")),
-        }
-        Ok(())
-    }
-
-    /// Follows indices from the array a local holds to the array inside.
-    fn array_in(&mut self, place: &Place, indices: &[f64]) -> Result<Slot, RuntimeError> {
-        let slots = self.local(place.local)?;
-        let mut array = *self.stack[slots].first().ok_or_else(|| helpers::malformed("not an array"))?;
-        for (position, &index) in indices.iter().enumerate() {
-            self.at(place.indices[position].span);
-            let element = helpers::element(self.ctx, array, index)?;
-            array = *element.first().ok_or_else(|| helpers::malformed("not an array of arrays"))?;
-        }
-        Ok(array)
     }
 
     fn truth(&mut self, expr: &'p Expr) -> Result<bool, RuntimeError> {

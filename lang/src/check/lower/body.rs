@@ -171,7 +171,7 @@ impl<'l, 'c> Body<'l, 'c> {
     fn temporary(&mut self, value: ir::Expr) -> LocalId {
         let local = self.temporary_of(value.repr.clone());
         let (repr, span) = (value.repr.clone(), value.span);
-        self.push(Statement::Assign { place: ir::Place { local, indices: Vec::new(), repr }, value, span });
+        self.push(Statement::Assign { place: ir::Place::whole(local, repr), value, span });
         local
     }
 
@@ -443,7 +443,7 @@ impl<'l, 'c> Body<'l, 'c> {
     fn called(&mut self, call: &Call, value: &Expr) -> ir::Expr {
         let repr = self.repr(&value.ty);
         let local = self.temporary_of(repr.clone());
-        let place = ir::Place { local, indices: Vec::new(), repr: repr.clone() };
+        let place = ir::Place::whole(local, repr.clone());
         self.call_statement(call, Some(place), value.span);
         own_value(ir::Expr { kind: ExprKind::Local(local), repr, span: value.span })
     }

@@ -29,7 +29,7 @@ impl Body<'_, '_> {
         let checker = self.lowering.checker;
         for (hidden, value) in &checker.defs[def.0 as usize].captures {
             let local = self.local(*hidden);
-            let place = ir::Place { local, indices: Vec::new(), repr: self.local_repr(local) };
+            let place = ir::Place::whole(local, self.local_repr(local));
             let value = self.value(value);
             let span = value.span;
             self.push(ir::Statement::Assign { place, value, span });

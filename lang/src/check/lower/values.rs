@@ -2,7 +2,7 @@
 
 use super::body::Body;
 use crate::ast::{BinaryOp, Mode, UnaryOp};
-use crate::check::tree::{Call, Expr, FuncId, Kind, Piece, Place};
+use crate::check::tree::{Call, Expr, FuncId, Kind, Piece, Place, Step};
 use crate::check::types::Type;
 use crate::dimension::Dimension;
 use crate::ir::{self, DisplayUnit, ExprKind, FormatPart, FunctionId, Op};
@@ -235,7 +235,7 @@ impl Body<'_, '_> {
         for (variable, mode) in modes.into_iter().skip(call.arguments.len()) {
             if mode != Mode::In {
                 let local = self.local(variable);
-                copy_back.push(ir::Place { local, indices: Vec::new(), repr: self.local_repr(local) });
+                copy_back.push(ir::Place::whole(local, self.local_repr(local)));
             }
         }
         self.push(ir::Statement::Call { result, function, arguments, copy_back, span });
@@ -245,14 +245,27 @@ impl Body<'_, '_> {
     pub(super) fn place(&mut self, place: &Place) -> ir::Place {
         let local = self.local(place.variable);
         let mut repr = self.local_repr(local);
-        let mut indices = Vec::new();
-        for index in &place.indices {
-            indices.push(self.value(index));
-            if let Repr::Array(element) = repr {
-                repr = *element;
-            }
+        let mut steps = Vec::new();
+        for step in &place.steps {
+            let part = match (step, repr) {
+                (Step::Index(index), repr) => {
+                    steps.push(ir::Step::Index(self.value(index)));
+                    match repr {
+                        Repr::Array(element) => *element,
+                        other => other,
+                    }
+                }
+                (Step::Element(at), repr) => {
+                    steps.push(ir::Step::Element(*at));
+                    match repr {
+                        Repr::Tuple(parts) => parts.get(*at).cloned().unwrap_or(Repr::Number),
+                        other => other,
+                    }
+                }
+            };
+            repr = part;
         }
-        ir::Place { local, indices, repr }
+        ir::Place { local, steps, repr }
     }
 
     pub(super) fn bare_factor(&self, dim: &crate::check::dim::Dim, system: UnitSystem) -> f64 {

@@ -1,0 +1,91 @@
+//! Places: where a value is stored, followed from a local into arrays and tuples.
+
+use crate::error::CodegenError;
+use crate::function::{FunctionLowering, SLOT, TRUSTED};
+use calyx_abi::Repr;
+use calyx_lang::ir::{Place, Step};
+use calyx_lower::layout::tuple_part;
+use cranelift_codegen::ir::{InstBuilder, Value, types};
+use cranelift_module::Module;
+
+/// The slots of a place, from its first one on.
+enum Spot {
+    /// Of the place's local.
+    Local(usize),
+    /// Behind the address of an element, which is valid until the next call.
+    Element(Value, usize),
+}
+
+impl<'m, M: Module> FunctionLowering<'_, 'm, '_, M> {
+    /// The values of a place's indices, with no check yet.
+    pub fn indices(&mut self, place: &'m Place) -> Result<Vec<Value>, CodegenError> {
+        place.indices().map(|index| self.scalar(index)).collect()
+    }
+
+    /// Stores the slots of a value.
+    pub fn store(&mut self, place: &Place, indices: &[Value], values: &[Value]) -> Result<(), CodegenError> {
+        match self.spot(place, indices)? {
+            Spot::Local(first) => self.assign_slots(place.local, first, values),
+            Spot::Element(element, first) => {
+                for (slot, &value) in values.iter().enumerate() {
+                    self.builder.ins().store(TRUSTED, value, element, ((first + slot) * SLOT) as i32);
+                }
+                Ok(())
+            }
+        }
+    }
+
+    /// The array a place holds.
+    pub fn array_in(&mut self, place: &Place, indices: &[Value]) -> Result<Value, CodegenError> {
+        let spot = self.spot(place, indices)?;
+        self.array_at(place, &spot)
+    }
+
+    fn array_at(&mut self, place: &Place, spot: &Spot) -> Result<Value, CodegenError> {
+        match *spot {
+            Spot::Local(first) => {
+                let slots = self.local(place.local)?;
+                slots.get(first).copied().ok_or(CodegenError::Malformed("a place that is no array"))
+            }
+            Spot::Element(element, first) => {
+                Ok(self.builder.ins().load(types::I64, TRUSTED, element, (first * SLOT) as i32))
+            }
+        }
+    }
+
+    fn spot(&mut self, place: &Place, indices: &[Value]) -> Result<Spot, CodegenError> {
+        let mut repr = self.local_repr(place.local)?;
+        let mut spot = Spot::Local(0);
+        let mut indices = indices.iter();
+        for step in &place.steps {
+            match step {
+                Step::Element(at) => {
+                    let part = tuple_part(repr, *at);
+                    let (before, part) =
+                        part.ok_or(CodegenError::Malformed("an element of what is no tuple"))?;
+                    let (Spot::Local(first) | Spot::Element(_, first)) = &mut spot;
+                    *first += before;
+                    repr = part;
+                }
+                Step::Index(expr) => {
+                    let (Repr::Array(element), Some(&index)) = (repr, indices.next()) else {
+                        return Err(CodegenError::Malformed("a place that is no array"));
+                    };
+                    let array = self.array_at(place, &spot)?;
+                    self.at(expr.span);
+                    spot = Spot::Element(self.element(array, index)?, 0);
+                    repr = element;
+                }
+            }
+        }
+        Ok(spot)
+    }
+
+    /// Address of an element of an array, valid until the next call.
+    pub fn element(&mut self, array: Value, index: Value) -> Result<Value, CodegenError> {
+        let index = self.bits(index);
+        let into = self.buffer_address(0);
+        self.helper("calyx_array_element", &[array, index, into])?;
+        Ok(self.load_buffer(0, &[types::I64])[0])
+    }
+}

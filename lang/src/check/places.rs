@@ -1,0 +1,214 @@
+//! Places: what can be assigned to or handed back into, and whether two of them are the same.
+
+use super::constant;
+use super::infer::Checker;
+use super::symbols::{Res, VarKind, with_article};
+use super::tree::*;
+use super::types::Type;
+use crate::ast::{self, ExprKind};
+use crate::diagnostic::Diagnostic;
+use crate::span::Span;
+
+/// Whether two places share something.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Overlap {
+    Never,
+    Always,
+    /// If the indices turn out equal when the program runs.
+    Perhaps,
+}
+
+impl<'a> Checker<'a> {
+    /// One place in two out slots would leave open which value it gets.
+    pub(super) fn distinct_places(&mut self, places: &[Place]) {
+        for (index, later) in places.iter().enumerate() {
+            for earlier in &places[..index] {
+                if self.overlap(earlier, later) == Overlap::Always {
+                    let name = &self.variable(later.variable).name;
+                    let what = match (earlier.steps.is_empty(), later.steps.is_empty()) {
+                        (true, true) => format!("`{name}` is given to two out parameters"),
+                        (false, false) if earlier.steps.len() == later.steps.len() => {
+                            format!("an element of `{name}` is given to two out parameters")
+                        }
+                        _ => format!("`{name}` and a part of it are given to two out parameters"),
+                    };
+                    self.report(
+                        Diagnostic::error("E0310", what, later.span, "given again here")
+                            .label(earlier.span, "first given here")
+                            .help("use two variables"),
+                    );
+                }
+            }
+        }
+    }
+
+    /// Whether a value stored in one place changes what the other holds.
+    pub(super) fn overlap(&self, a: &Place, b: &Place) -> Overlap {
+        if a.variable != b.variable {
+            return Overlap::Never;
+        }
+        let mut found = Overlap::Always;
+        for pair in a.steps.iter().zip(&b.steps) {
+            match pair {
+                (Step::Element(i), Step::Element(j)) if i == j => {}
+                (Step::Index(i), Step::Index(j)) => {
+                    let constants = constant::number(i, &self.store).zip(constant::number(j, &self.store));
+                    match constants {
+                        Some((i, j)) if i != j => return Overlap::Never,
+                        Some(_) => {}
+                        // Of the same words without a call, the same number comes.
+                        None if self.text(i.span).trim() == self.text(j.span).trim() && !calls(i) => {}
+                        None => found = Overlap::Perhaps,
+                    }
+                }
+                _ => return Overlap::Never,
+            }
+        }
+        found
+    }
+
+    /// Something that can be assigned to.
+    pub(super) fn place(&mut self, e: &'a ast::Expr) -> Option<Place> {
+        match &e.kind {
+            ExprKind::Name(name) => match self.names.uses.get(&name.span).copied() {
+                Some(Res::Var(id)) if self.variable(id).kind != VarKind::Symbolic => {
+                    Some(Place { variable: id, steps: Vec::new(), ty: self.variable_type(id), span: e.span })
+                }
+                Some(Res::Var(id)) => {
+                    let declared = self.variable(id).span;
+                    self.report(
+                        Diagnostic::error(
+                            "E0503",
+                            format!("`{}` is bound with `:=` and keeps an expression", name.name),
+                            e.span,
+                            "cannot take a value",
+                        )
+                        .label(declared, "declared with `:=` here")
+                        .help(format!("write `{} := ...`, or use another variable", name.name)),
+                    );
+                    None
+                }
+                Some(Res::Param(id)) => {
+                    let declared = self.params.get(id as usize).map(|p| p.span);
+                    let diagnostic = Diagnostic::error(
+                        "E0207",
+                        format!("the param `{}` cannot be assigned", name.name),
+                        e.span,
+                        "a param is set from outside",
+                    )
+                    .help("copy it into a variable: `var x = ...;`");
+                    let diagnostic = match declared {
+                        Some(span) => diagnostic.label(span, "declared here"),
+                        None => diagnostic,
+                    };
+                    self.report(diagnostic);
+                    None
+                }
+                Some(Res::Unknown) | None => None,
+                Some(_) => {
+                    self.no_place(e.span);
+                    None
+                }
+            },
+            ExprKind::Index { base, index } => {
+                let place = self.place(base)?;
+                let at = super::expr::constant_index(index);
+                let index = self.as_value(|c| c.expr(index));
+                self.expect(&Type::number(), &index, "an index", None);
+                self.element_place(place, index, at, e.span)
+            }
+            ExprKind::Paren(inner) => self.place(inner),
+            ExprKind::Error => None,
+            _ => {
+                self.as_value(|c| c.expr(e));
+                self.no_place(e.span);
+                None
+            }
+        }
+    }
+
+    /// An element of the array or tuple in a place; `at` is the index if it is a constant.
+    fn element_place(
+        &mut self,
+        mut place: Place,
+        index: Expr,
+        at: Option<usize>,
+        span: Span,
+    ) -> Option<Place> {
+        let base_ty = self.store.shallow(&place.ty);
+        let (step, ty) = match (&base_ty, at) {
+            (Type::Array(_) | Type::Unknown(_) | Type::Error, _) => {
+                let element = self.store.fresh();
+                // Cannot fail for these.
+                let _ = self.store.unify(&base_ty, &Type::array(element.clone()));
+                (Step::Index(index), element)
+            }
+            (Type::Tuple(parts), Some(at)) => match parts.get(at) {
+                Some(part) => (Step::Element(at), part.clone()),
+                None => {
+                    self.report(
+                        Diagnostic::error(
+                            "E0305",
+                            format!("this tuple has {} elements, there is no element {at}", parts.len()),
+                            span,
+                            "index out of range",
+                        )
+                        .help("indices start at 0"),
+                    );
+                    return None;
+                }
+            },
+            (Type::Tuple(_), None) => {
+                self.report(
+                    Diagnostic::error(
+                        "E0305",
+                        "the index of a tuple must be a constant whole number",
+                        span,
+                        "its elements have different types",
+                    )
+                    .help("make the elements the same type to get an array"),
+                );
+                return None;
+            }
+            (other, _) => {
+                let shown = with_article(&self.store.show(other));
+                self.report(
+                    Diagnostic::error(
+                        "E0305",
+                        format!("{shown} has no elements to index"),
+                        span,
+                        format!("this is {shown}"),
+                    )
+                    .help("only arrays and tuples are indexed"),
+                );
+                return None;
+            }
+        };
+        place.steps.push(step);
+        Some(Place { ty, span, ..place })
+    }
+
+    fn no_place(&mut self, span: Span) {
+        self.report(
+            Diagnostic::error("E0208", "this cannot be assigned to", span, "not a variable")
+                .help("assign to a variable, or to an element of an array or tuple"),
+        );
+    }
+}
+
+/// Reading a place.
+pub(super) fn place_value(place: &Place) -> Kind {
+    let variable = Kind::Var(place.variable);
+    place.steps.iter().fold(variable, |base, step| {
+        let base = Box::new(Expr { kind: base, ty: Type::Error, span: place.span });
+        match step {
+            Step::Index(index) => Kind::Index(base, Box::new(index.clone())),
+            Step::Element(at) => Kind::TupleElement(base, *at),
+        }
+    })
+}
+
+/// Whether anything is called.
+fn calls(e: &Expr) -> bool {
+    matches!(e.kind, Kind::Call(_) | Kind::CallExtern(..)) || e.children().into_iter().any(calls)
+}
