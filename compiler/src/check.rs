@@ -2,6 +2,7 @@
 
 use crate::interpreted::Interpreted;
 use crate::loader::ModelLoader;
+use calyx_abi::context::codes;
 use calyx_abi::description::ModelDescription;
 use calyx_abi::{Context, Purity, RuntimeError};
 use calyx_gears::error::Severity as FindingSeverity;
@@ -21,12 +22,23 @@ const FUEL: u64 = 20_000_000;
 
 /// What checking a model found.
 pub struct Checked {
-    /// `None` if there are errors of the language.
+    /// `None` if there are errors of the language. A program may be there although its gears are impossible at these
+    /// params: others may mend that.
     pub program: Option<Program>,
     /// What the model says of itself, with the defaults and ranges of its params.
     pub description: ModelDescription,
     pub diagnostics: Vec<Diagnostic>,
     pub files: Vec<SourceFile>,
+    /// Why the params given from outside cannot be used.
+    pub refused: Option<Refused>,
+}
+
+/// Why a value given for a param from outside cannot be used.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Refused {
+    pub message: String,
+    /// What to do about it; empty if nothing can be said.
+    pub help: String,
 }
 
 impl Checked {
@@ -40,56 +52,92 @@ impl Checked {
     }
 }
 
-/// Checks the model in a file.
+/// Checks the model in a file at its params' defaults.
 ///
 /// # Errors
 /// The file cannot be read. (A file that is not UTF-8 is readable, and wrong.)
 pub fn check_file(path: &Path) -> io::Result<Checked> {
+    check_at(path, Params::Defaults)
+}
+
+/// Checks the model in a file for a run with params given by name, as text.
+///
+/// # Errors
+/// As for [`check_file`].
+pub fn check_run(path: &Path, given: &[(String, String)]) -> io::Result<Checked> {
+    check_at(path, Params::Given(given))
+}
+
+/// The params at which a model is elaborated.
+#[derive(Clone, Copy)]
+enum Params<'a> {
+    Defaults,
+    /// For a run, which may take as long as it likes.
+    Given(&'a [(String, String)]),
+}
+
+fn check_at(path: &Path, params: Params) -> io::Result<Checked> {
     let bytes = std::fs::read(path)?;
     let name = path.display().to_string();
     let folder = path.parent().map(Path::to_path_buf);
     Ok(match String::from_utf8(bytes) {
-        Ok(text) => check_with(&name, &text, &ModelLoader { folder }),
+        Ok(text) => check_with(&name, &text, &ModelLoader { folder }, params),
         Err(error) => not_utf8(&name, &error),
     })
 }
 
 /// Checks a model given as text; it can import the library only.
 pub fn check_text(name: &str, text: &str) -> Checked {
-    check_with(name, text, &ModelLoader { folder: None })
+    check_with(name, text, &ModelLoader { folder: None }, Params::Defaults)
 }
 
-fn check_with(name: &str, text: &str, loader: &ModelLoader) -> Checked {
+fn check_with(name: &str, text: &str, loader: &ModelLoader, params: Params) -> Checked {
     let checked = calyx_lang::check::check_program(name, text, loader);
     let mut result = Checked {
         program: checked.program,
         description: ModelDescription::default(),
         diagnostics: checked.diagnostics,
         files: checked.files,
+        refused: None,
     };
     if let Some(program) = &result.program {
-        let (description, found) = elaborate(program);
-        result.description = description;
-        result.diagnostics.extend(found);
+        match elaborate(program, params) {
+            Ok(elaborated) => {
+                result.description = elaborated.description;
+                result.diagnostics.extend(elaborated.found);
+                result.refused = elaborated.refused;
+            }
+            Err(found) => {
+                result.diagnostics.push(*found);
+                result.program = None;
+            }
+        }
     }
     result
 }
 
-/// Runs the program at default params, building a scene but solving nothing.
-fn elaborate(program: &Program) -> (ModelDescription, Vec<Diagnostic>) {
-    let mut interpreted = match Interpreted::new(program, Purity::Scene) {
-        Ok(interpreted) => interpreted,
-        Err(found) => return (ModelDescription::default(), vec![*found]),
-    };
+/// What running a program without solving anything has shown.
+struct Elaborated {
+    description: ModelDescription,
+    found: Vec<Diagnostic>,
+    refused: Option<Refused>,
+}
+
+/// Runs the program, building a scene but solving nothing.
+fn elaborate(program: &Program, params: Params) -> Result<Elaborated, Box<Diagnostic>> {
+    let mut interpreted = Interpreted::new(program, Purity::Scene)?;
     let mut context = Context::new(Box::new(ModelHost::new(&interpreted.description().units)));
     context.fuel = FUEL;
     context.kernels = interpreted.kernels();
     context.print = Box::new(|_| {});
-    let ran = apply(&interpreted, &[], &mut context).and_then(|()| {
-        interpreted.describe_params(&mut context)?;
-        interpreted.main(&mut context).map_err(ParamError::Model)
-    });
-    let mut found = Vec::new();
+    let defaults =
+        apply(&interpreted, &[], &mut context).and_then(|()| interpreted.describe_params(&mut context));
+    let applied = match params {
+        Params::Defaults => defaults,
+        Params::Given(given) => apply(&interpreted, given, &mut context),
+    };
+    let ran = applied.and_then(|()| interpreted.main(&mut context).map_err(ParamError::Model));
+    let (mut found, mut refused) = (Vec::new(), None);
     let sites = CallSites::new(program);
     if let Some(host) = context.host::<ModelHost>() {
         found.extend(host.findings.iter().map(|finding| finding_diagnostic(finding, &sites)));
@@ -101,21 +149,27 @@ fn elaborate(program: &Program) -> (ModelDescription, Vec<Diagnostic>) {
         }
     }
     match ran {
-        Err(ParamError::Model(error)) => found.push(diagnostic(&error)),
-        Err(ParamError::Given { message, help }) => {
-            found.push(Diagnostic::error("E0205", message, Span::default(), "").help(help));
+        // A run may take longer than checking.
+        Err(ParamError::Model(error)) if error.code == codes::LIMIT && matches!(params, Params::Given(_)) => {
         }
+        Err(ParamError::Model(error)) => found.push(diagnostic(&error)),
+        Err(ParamError::Given { message, help }) => match params {
+            Params::Given(_) => refused = Some(Refused { message, help }),
+            Params::Defaults => {
+                found.push(Diagnostic::error("E0205", message, Span::default(), "").help(help));
+            }
+        },
         Ok(()) => {}
     }
     found.sort_by_key(|diagnostic| (diagnostic.primary.span.file, diagnostic.primary.span.start));
-    (interpreted.into_description(), found)
+    Ok(Elaborated { description: interpreted.into_description(), found, refused })
 }
 
 /// Diagnostics that are shown at most; a text with more of them is not a model.
 const MOST_SHOWN: usize = 200;
 
 /// Diagnostics as text for standard error.
-pub(crate) fn render(diagnostics: &[Diagnostic], files: &[SourceFile]) -> String {
+pub fn render(diagnostics: &[Diagnostic], files: &[SourceFile]) -> String {
     let colour = if io::stderr().is_terminal() { Colour::Always } else { Colour::Never };
     let mut renderer = Renderer::new(files, colour);
     let shown = diagnostics.iter().take(MOST_SHOWN).map(|diagnostic| renderer.text(diagnostic));
@@ -166,5 +220,6 @@ fn not_utf8(name: &str, error: &std::string::FromUtf8Error) -> Checked {
         description: ModelDescription::default(),
         diagnostics: vec![diagnostic],
         files: vec![SourceFile { name: name.to_owned(), text }],
+        refused: None,
     }
 }

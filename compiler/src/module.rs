@@ -1,13 +1,13 @@
 //! A model compiled to machine code in memory.
 
-use crate::check::{Checked, diagnostic, finding_diagnostic, render};
+use crate::check::{Checked, diagnostic, finding_diagnostic};
 use crate::interpreted::param_function;
 use calyx_abi::description::ModelDescription;
 use calyx_abi::{Context, Kernel, RuntimeError, Slot};
 use calyx_codegen::{CodegenError, JitModule, compile_jit, compile_object};
 use calyx_gears::host::Finding;
 use calyx_gears::library::externs;
-use calyx_lang::diagnostic::Diagnostic;
+use calyx_lang::diagnostic::{Diagnostic, Severity};
 use calyx_lang::ir::{Program, SourceFile};
 use calyx_lower::interpret::CallSites;
 use calyx_rt::program::ParamFunction;
@@ -49,14 +49,12 @@ pub struct Module {
 }
 
 impl Module {
-    /// Compiles a checked model.
+    /// Compiles a checked model. Its gears may be impossible at their defaults; running it then fails unless the params
+    /// given to the run mend it.
     ///
     /// # Errors
-    /// The model has errors, or code generation failed.
+    /// The model has errors of the language, or code generation failed.
     pub fn compile(checked: Checked) -> Result<Module, CompileError> {
-        if checked.has_errors() {
-            return Err(CompileError::NotChecked);
-        }
         let program = checked.program.ok_or(CompileError::NotChecked)?;
         let code = compile_jit(&program, externs()).map_err(CompileError::Code)?;
         let call_sites = CallSites::new(&program);
@@ -80,18 +78,27 @@ impl Module {
         compile_object(&self.program, &description).map_err(CompileError::Code)
     }
 
-    /// A run-time error for people, with the source it arose in.
-    pub fn render_error(&self, error: &RuntimeError) -> String {
-        let mut error = error.clone();
-        self.call_sites.blame(&mut error);
-        render(&[diagnostic(&error)], &self.files)
+    /// Whether checking found errors of the gears, which other params may mend.
+    pub fn has_errors(&self) -> bool {
+        self.known.iter().any(|diagnostic| diagnostic.severity == Severity::Error)
     }
 
-    /// What a run found, for people, without what checking the model has said already.
-    pub fn render_findings(&self, findings: &[Finding]) -> String {
+    /// The model's file first, then every file it uses.
+    pub fn files(&self) -> &[SourceFile] {
+        &self.files
+    }
+
+    /// A run-time error at its place in the source.
+    pub fn error(&self, error: &RuntimeError) -> Diagnostic {
+        let mut error = error.clone();
+        self.call_sites.blame(&mut error);
+        diagnostic(&error)
+    }
+
+    /// What a run found, without what checking the model has said already.
+    pub fn findings(&self, findings: &[Finding]) -> Vec<Diagnostic> {
         let found = findings.iter().map(|finding| finding_diagnostic(finding, &self.call_sites));
-        let new: Vec<Diagnostic> = found.filter(|diagnostic| !self.known.contains(diagnostic)).collect();
-        render(&new, &self.files)
+        found.filter(|diagnostic| !self.known.contains(diagnostic)).collect()
     }
 }
 

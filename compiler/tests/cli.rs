@@ -1,15 +1,16 @@
 //! The `calyx` command as its users meet it. What it says is fixed by the pages in `cli/`; what it writes, here.
 
 use serde_json::Value;
+use std::io::Write;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::process::{Command, Output, Stdio};
 
 /// One `## ` section of a page.
 #[derive(Default)]
 struct Case {
     name: String,
-    /// Text of `model.cx`, if the case has one.
-    model: Option<String>,
+    /// Files there are, by name. A block `cx` or `edit` is `model.cx`, a block `file NAME` any other.
+    files: Vec<(String, String)>,
     commands: Vec<Expected>,
 }
 
@@ -26,6 +27,10 @@ struct Expected {
     err: Vec<String>,
     err_lacks: Vec<String>,
     silent: bool,
+    /// Lines of standard input.
+    input: Vec<String>,
+    /// Parts of files, by name.
+    file_has: Vec<(String, String)>,
 }
 
 fn example() -> PathBuf {
@@ -52,8 +57,11 @@ fn cases(page: &str) -> Vec<Case> {
             let block: Vec<&str> = lines.by_ref().take_while(|line| *line != "```").collect();
             let case = cases.last_mut().expect("a block belongs to a section");
             match kind {
-                "cx" => case.model = Some(block.join("\n")),
-                "edit" => case.model = Some(edited(&block)),
+                "cx" => case.files.push(("model.cx".into(), block.join("\n"))),
+                "edit" => case.files.push(("model.cx".into(), edited(&block))),
+                _ if kind.starts_with("file ") => {
+                    case.files.push((kind["file ".len()..].into(), block.join("\n")));
+                }
                 "console" => block.iter().for_each(|line| expectation(&mut case.commands, line)),
                 other => panic!("unknown block `{other}`"),
             }
@@ -81,20 +89,35 @@ fn expectation(commands: &mut Vec<Expected>, line: &str) {
         "err" => command.err.push(text.into()),
         "no err" => command.err_lacks.push(text.into()),
         "err none" => command.silent = true,
+        "in" => command.input.push(text.into()),
+        _ if kind.starts_with("file ") => {
+            command.file_has.push((kind["file ".len()..].into(), text.into()));
+        }
         _ => command.status = Some(line.strip_prefix("exit ").and_then(|n| n.parse().ok()).expect(line)),
     }
 }
 
 fn calyx(directory: &Path, arguments: &[String]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_calyx"))
-        .current_dir(directory)
-        .args(arguments)
-        .output()
-        .expect("calyx starts")
+    calyx_reads(directory, arguments, "")
 }
 
-/// What is wrong with a command's output; `None` if nothing is.
-fn difference(expected: &Expected, output: &Output) -> Option<String> {
+/// Runs the command with a text on standard input.
+fn calyx_reads(directory: &Path, arguments: &[String], input: &str) -> Output {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_calyx"))
+        .current_dir(directory)
+        .args(arguments)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("calyx starts");
+    // A command that does not read closes its end, which is no failure.
+    let _ = child.stdin.take().expect("standard input").write_all(input.as_bytes());
+    child.wait_with_output().expect("calyx ends")
+}
+
+/// What is wrong with a command's output and files; `None` if nothing is.
+fn difference(expected: &Expected, output: &Output, directory: &Path) -> Option<String> {
     let (out, err) = (String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
     if output.status.code() != expected.status {
         return Some(format!("exit status {:?} instead of {:?}", output.status.code(), expected.status));
@@ -116,6 +139,12 @@ fn difference(expected: &Expected, output: &Output) -> Option<String> {
     if let Some(extra) = expected.err_lacks.iter().find(|part| err.contains(part.as_str())) {
         return Some(format!("standard error has `{extra}`"));
     }
+    for (name, part) in &expected.file_has {
+        let text = std::fs::read_to_string(directory.join(name)).unwrap_or_default();
+        if !text.contains(part.as_str()) {
+            return Some(format!("{name} lacks `{part}`"));
+        }
+    }
     (expected.silent && !err.is_empty()).then(|| "standard error is not empty".into())
 }
 
@@ -123,13 +152,16 @@ fn hold(page: &str) {
     let mut failures = String::new();
     for case in cases(page) {
         let directory = tempfile::tempdir().expect("a directory");
-        if let Some(model) = &case.model {
-            std::fs::write(directory.path().join("model.cx"), model).expect("the model is written");
+        for (name, text) in &case.files {
+            let path = directory.path().join(name);
+            std::fs::create_dir_all(path.parent().expect("a directory")).expect("the directory is made");
+            std::fs::write(path, text).expect("the file is written");
         }
         assert!(!case.commands.is_empty(), "{} runs nothing", case.name);
         for expected in &case.commands {
-            let output = calyx(directory.path(), &expected.arguments);
-            if let Some(difference) = difference(expected, &output) {
+            let input: String = expected.input.iter().map(|line| format!("{line}\n")).collect();
+            let output = calyx_reads(directory.path(), &expected.arguments, &input);
+            if let Some(difference) = difference(expected, &output, directory.path()) {
                 let (out, err) =
                     (String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
                 failures += &format!(
@@ -156,6 +188,26 @@ fn wrong_usage_is_explained() {
 #[test]
 fn runs_print_and_fail_as_they_should() {
     hold(include_str!("cli/run.md"));
+}
+
+#[test]
+fn certain_fixes_are_applied() {
+    hold(include_str!("cli/fix.md"));
+}
+
+#[test]
+fn messages_are_json_where_wanted() {
+    hold(include_str!("cli/json.md"));
+}
+
+#[test]
+fn new_models_run() {
+    hold(include_str!("cli/new.md"));
+}
+
+#[test]
+fn codes_are_explained() {
+    hold(include_str!("cli/explain.md"));
 }
 
 #[test]

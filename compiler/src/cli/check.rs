@@ -1,0 +1,71 @@
+//! `calyx check`: everything that is wrong with a model, and `--fix`.
+
+use crate::messages::{MODEL_ERROR, MessageFormat};
+use calyx::fix::{Applied, fix_file};
+use calyx::{Checked, check_file};
+use calyx_lang::diagnostic::Severity;
+use clap::Args;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+pub const EXAMPLES: &str = "Examples:
+  calyx check pair.cx
+  calyx check pair.cx --fix
+  calyx check pair.cx --message-format json 2> messages.jsonl
+
+Exit status: 0 without errors, 1 with errors, 2 if the command was not used as it can be.";
+
+#[derive(Args)]
+pub struct Check {
+    /// The model, a .cx file
+    file: PathBuf,
+    /// Apply the fixes that are certain to the model and the modules beside it, then check again
+    #[arg(long)]
+    fix: bool,
+    /// How messages are written to standard error
+    #[arg(long, value_enum, default_value_t, value_name = "FORMAT")]
+    message_format: MessageFormat,
+}
+
+impl Check {
+    pub fn run(self) -> ExitCode {
+        let format = self.message_format;
+        let checked = match if self.fix { self.fixed() } else { check_file(&self.file) } {
+            Ok(checked) => checked,
+            Err(error) => return format.unreadable(&self.file, &error),
+        };
+        format.diagnostics(&checked.diagnostics, &checked.files);
+        format.note(&self.summary(&checked));
+        if checked.has_errors() { ExitCode::from(MODEL_ERROR) } else { ExitCode::SUCCESS }
+    }
+
+    fn fixed(&self) -> std::io::Result<Checked> {
+        let fixed = fix_file(&self.file)?;
+        for Applied { file, line, column, code, title } in &fixed.applied {
+            self.message_format.note(&format!("fixed {code} at {file}:{line}:{column}: {title}\n"));
+        }
+        if fixed.applied.is_empty() {
+            self.message_format.note("nothing that is certain to fix\n");
+        }
+        Ok(fixed.checked)
+    }
+
+    /// The last line; errors speak for themselves, but those with a certain remedy are worth a hint.
+    fn summary(&self, checked: &Checked) -> String {
+        let fixes = checked.diagnostics.iter().filter(|diagnostic| diagnostic.fix.is_some()).count();
+        if checked.has_errors() {
+            return match fixes {
+                0 => String::new(),
+                1 => format!("1 of these is mended by `calyx check --fix {}`\n", self.file.display()),
+                _ => format!("{fixes} of these are mended by `calyx check --fix {}`\n", self.file.display()),
+            };
+        }
+        let warnings = checked.diagnostics.iter().filter(|d| d.severity == Severity::Warning).count();
+        let warnings = match warnings {
+            0 => "no warnings".to_owned(),
+            1 => "1 warning".to_owned(),
+            _ => format!("{warnings} warnings"),
+        };
+        format!("{}: no errors, {warnings}\n", self.file.display())
+    }
+}

@@ -1,0 +1,41 @@
+//! What `run` and `object` have in common: a model becomes machine code, or its errors are shown.
+
+use crate::messages::{MODEL_ERROR, MessageFormat, USAGE};
+use calyx::rt::run::StageTimes;
+use calyx::{Checked, Module};
+use calyx_lang::diagnostic::Severity;
+use std::io;
+use std::path::Path;
+use std::process::ExitCode;
+use std::time::Instant;
+
+/// Compiles what `check` gave, after showing its diagnostics (only errors if `quiet`). Beside the module, how long each
+/// took. `Err` is the exit status of a model that has errors of the language.
+pub fn compile(
+    file: &Path,
+    quiet: bool,
+    format: MessageFormat,
+    check: impl FnOnce() -> io::Result<Checked>,
+) -> Result<(Module, StageTimes), ExitCode> {
+    let started = Instant::now();
+    let checked = check().map_err(|error| format.unreadable(file, &error))?;
+    let checking = started.elapsed();
+    let mut shown = checked.diagnostics.clone();
+    if quiet {
+        shown.retain(|diagnostic| diagnostic.severity == Severity::Error);
+    }
+    format.diagnostics(&shown, &checked.files);
+    if let Some(refused) = &checked.refused {
+        format.failure(&refused.message, &refused.help);
+        return Err(ExitCode::from(USAGE));
+    }
+    if checked.program.is_none() {
+        return Err(ExitCode::from(MODEL_ERROR));
+    }
+    let started = Instant::now();
+    let module = Module::compile(checked).map_err(|error| {
+        format.failure(&error.to_string(), "");
+        ExitCode::from(MODEL_ERROR)
+    })?;
+    Ok((module, vec![("check", checking), ("compile", started.elapsed())]))
+}

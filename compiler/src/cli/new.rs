@@ -1,0 +1,98 @@
+//! `calyx new`: a model to start from.
+
+use crate::messages::{MODEL_ERROR, MessageFormat, USAGE};
+use clap::{Args, ValueEnum};
+use std::fs::{self, OpenOptions};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+pub const EXAMPLES: &str = "Examples:
+  calyx new pair                      directory pair with pair.cx, two spur gears in mesh
+  calyx new pair.cx                   the file alone
+  calyx new planet --template frames  kinematics without gears";
+
+/// What the model is about.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+#[value(rename_all = "snake_case")]
+enum Template {
+    /// Two spur gears in mesh: transmission error, contact pressure, root stress
+    #[default]
+    SpurPair,
+    /// Moving frames: a planet on its carrier, positions and velocities
+    Frames,
+    /// Quantities, functions and a table of results, nothing of gears
+    Calculation,
+}
+
+impl Template {
+    fn text(self) -> &'static str {
+        match self {
+            Template::SpurPair => include_str!("../../templates/spur_pair.cx"),
+            Template::Frames => include_str!("../../templates/frames.cx"),
+            Template::Calculation => include_str!("../../templates/calculation.cx"),
+        }
+    }
+}
+
+#[derive(Args)]
+pub struct New {
+    /// The directory to make, or the file if it ends in .cx
+    name: PathBuf,
+    /// What the model is about
+    #[arg(long, value_enum, default_value_t, value_name = "TEMPLATE")]
+    template: Template,
+}
+
+impl New {
+    pub fn run(self) -> ExitCode {
+        let format = MessageFormat::Human;
+        let Some((directory, file)) = self.places() else {
+            format.failure(
+                &format!("`{}` cannot be the name of a model", self.name.display()),
+                "give a name like `pair`",
+            );
+            return ExitCode::from(USAGE);
+        };
+        match write(directory.as_deref(), &file, self.template.text()) {
+            Ok(()) => {
+                eprintln!("wrote {}", file.display());
+                eprintln!("check it:  calyx check {0}\nrun it:    calyx run {0}", file.display());
+                ExitCode::SUCCESS
+            }
+            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {
+                let taken = directory.unwrap_or(file);
+                format.failure(
+                    &format!("{} is there already, and nothing is overwritten", taken.display()),
+                    "choose another name",
+                );
+                ExitCode::from(USAGE)
+            }
+            Err(error) => {
+                format.failure(
+                    &format!("cannot write {}: {error}", file.display()),
+                    "choose a place where you may write",
+                );
+                ExitCode::from(MODEL_ERROR)
+            }
+        }
+    }
+
+    /// The directory to make, if one is, and the file to write.
+    fn places(&self) -> Option<(Option<PathBuf>, PathBuf)> {
+        let name = self.name.file_name()?;
+        if self.name.extension().is_some_and(|extension| extension == "cx") {
+            return Some((None, self.name.clone()));
+        }
+        let mut file = name.to_owned();
+        file.push(".cx");
+        Some((Some(self.name.clone()), self.name.join(file)))
+    }
+}
+
+fn write(directory: Option<&Path>, file: &Path, text: &str) -> io::Result<()> {
+    if let Some(directory) = directory {
+        fs::create_dir(directory)?;
+    }
+    OpenOptions::new().write(true).create_new(true).open(file)?.write_all(text.as_bytes())
+}

@@ -1,0 +1,78 @@
+//! `calyx run`: solves a model and writes its results.
+
+use crate::compile::compile;
+use crate::messages::{MODEL_ERROR, MessageFormat, USAGE};
+use calyx::rt::params::{ParamError, name_and_value};
+use calyx::rt::run::{RunError, RunOptions, default_directory};
+use calyx::{check_run, rt};
+use clap::Args;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+pub const EXAMPLES: &str = "Examples:
+  calyx run pair.cx
+  calyx run pair.cx --set torque=500 --set \"tip_radius=0.5 mm\"
+  calyx run pair.cx --out results/case-1 --quiet
+
+Exit status: 0 when results are written, 1 if the model or its analysis failed, 2 if the command was not used as it can be.";
+
+#[derive(Args)]
+pub struct Run {
+    /// The model, a .cx file
+    file: PathBuf,
+    /// Directory for the results [default: beside the model, named after it]
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Set a param; a bare VALUE is in the unit of the param's default. May be given several times
+    #[arg(long, value_name = "NAME=VALUE", value_parser = name_and_value)]
+    set: Vec<(String, String)>,
+    /// Print nothing but what the model prints
+    #[arg(long)]
+    quiet: bool,
+    /// How messages are written to standard error
+    #[arg(long, value_enum, default_value_t, value_name = "FORMAT")]
+    message_format: MessageFormat,
+}
+
+impl Run {
+    pub fn run(self) -> ExitCode {
+        let Run { file, out, set, quiet, message_format: format } = self;
+        let (module, before) = match compile(&file, quiet, format, || check_run(&file, &set)) {
+            Ok(compiled) => compiled,
+            Err(status) => return status,
+        };
+        if module.has_errors() {
+            return ExitCode::from(MODEL_ERROR);
+        }
+        let directory = out.unwrap_or_else(|| default_directory(&file));
+        // Progress bars are for people.
+        let silent = quiet || format == MessageFormat::Json;
+        let options = RunOptions { directory: directory.clone(), set, quiet: silent, before };
+        match rt::run(&module, &options) {
+            Ok(report) => {
+                if !quiet {
+                    format.diagnostics(&module.findings(&report.findings), module.files());
+                    report.warnings.iter().for_each(|warning| format.warning(warning));
+                    format.note(&report.summary);
+                    format.note(&format!("results are in {}\n", directory.display()));
+                }
+                ExitCode::SUCCESS
+            }
+            Err(RunError::Param(ParamError::Given { message, help })) => {
+                format.failure(&message, &help);
+                ExitCode::from(USAGE)
+            }
+            Err(RunError::Param(ParamError::Model(error)) | RunError::Model(error)) => {
+                format.diagnostics(&[module.error(&error)], module.files());
+                ExitCode::from(MODEL_ERROR)
+            }
+            Err(RunError::Io { path, error }) => {
+                format.failure(
+                    &format!("cannot write results to {}: {error}", path.display()),
+                    "choose another directory with --out",
+                );
+                ExitCode::from(MODEL_ERROR)
+            }
+        }
+    }
+}

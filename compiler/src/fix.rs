@@ -1,0 +1,88 @@
+//! Applies the fixes that diagnostics are certain of to the files of a model.
+
+use crate::check::{Checked, check_file};
+use calyx_lang::diagnostic::{Diagnostic, Fix};
+use calyx_lang::ir::SourceFile;
+use calyx_lang::render::line_column;
+use std::collections::BTreeMap;
+use std::io;
+use std::path::Path;
+
+/// Times a model is checked again after fixes: one mended error may uncover another, but not for ever.
+const MOST_ROUNDS: usize = 20;
+
+/// One change made.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Applied {
+    /// File, line and column (from 1) as they were when the fix was found.
+    pub file: String,
+    pub line: usize,
+    pub column: usize,
+    /// Code of the diagnostic it mends.
+    pub code: String,
+    pub title: String,
+}
+
+/// A model after its certain fixes.
+pub struct Fixed {
+    pub applied: Vec<Applied>,
+    pub checked: Checked,
+}
+
+/// Checks the model in a file, applies the fixes its diagnostics are certain of to the file and to the modules beside
+/// it, and checks again, until nothing is left to fix.
+///
+/// # Errors
+/// A file cannot be read or written.
+pub fn fix_file(path: &Path) -> io::Result<Fixed> {
+    let mut applied = Vec::new();
+    for _ in 0..MOST_ROUNDS {
+        let checked = check_file(path)?;
+        let (changes, texts) = changes(&checked.diagnostics, &checked.files);
+        if changes.is_empty() {
+            return Ok(Fixed { applied, checked });
+        }
+        for (file, text) in texts {
+            // The model is written where it was read, whatever it is shown as; modules are shown by their path.
+            let target = if file == 0 { path } else { Path::new(&checked.files[file].name) };
+            std::fs::write(target, text)?;
+        }
+        applied.extend(changes);
+    }
+    Ok(Fixed { applied, checked: check_file(path)? })
+}
+
+/// The fixes that can be applied together, in order of place, and the texts that result, by index of file.
+fn changes(diagnostics: &[Diagnostic], files: &[SourceFile]) -> (Vec<Applied>, BTreeMap<usize, String>) {
+    let mut fixes: Vec<(&str, &Fix)> =
+        diagnostics.iter().filter_map(|d| Some((d.code.as_str(), d.fix.as_ref()?))).collect();
+    fixes.sort_by_key(|(_, fix)| (fix.span.file, fix.span.start, fix.span.end));
+    let (mut applied, mut texts) = (Vec::new(), BTreeMap::new());
+    let mut ends: BTreeMap<usize, usize> = BTreeMap::new();
+    let mut accepted: Vec<&Fix> = Vec::new();
+    for (code, fix) in fixes {
+        let file = fix.span.file.0 as usize;
+        let (start, end) = (fix.span.start as usize, fix.span.end as usize);
+        let Some(source) = files.get(file) else { continue };
+        // The library is part of the program, not of the model. Of overlapping fixes the first is applied; the others
+        // are found again if they still matter.
+        let own = !source.name.starts_with('<');
+        let free = ends.get(&file).is_none_or(|last| start > *last || (start == *last && start < end));
+        if !own || !free || source.text.get(start..end).is_none_or(|old| old == fix.replacement) {
+            continue;
+        }
+        ends.insert(file, end);
+        accepted.push(fix);
+        let (line, column) = line_column(&source.text, start);
+        let place =
+            Applied { file: source.name.clone(), line, column, code: code.into(), title: fix.title.clone() };
+        applied.push(place);
+    }
+    // From the end on, so that places stay right.
+    for fix in accepted.into_iter().rev() {
+        let file = fix.span.file.0 as usize;
+        let text = texts.entry(file).or_insert_with(|| files[file].text.clone());
+        text.replace_range(fix.span.start as usize..fix.span.end as usize, &fix.replacement);
+    }
+    (applied, texts)
+}
