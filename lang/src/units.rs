@@ -26,7 +26,12 @@ impl Unit {
         let lower = name.to_lowercase();
         let close = |spelling: &str| {
             // A different case alone (`MM`, `Psi`) is nearer than any other change.
-            if spelling.to_lowercase() == lower { 2.0 } else { strsim::jaro_winkler(spelling, name) }
+            if spelling.to_lowercase() == lower {
+                return 2.0;
+            }
+            // Two letters exchanged (`rmp`) are one slip, which the measure of likeness punishes in short names.
+            let slip = name.len() > 2 && strsim::damerau_levenshtein(spelling, name) == 1;
+            strsim::jaro_winkler(spelling, name).max(if slip { 0.85 } else { 0.0 })
         };
         spellings
             .map(|s| (close(s), *s))

@@ -3,7 +3,7 @@
 use super::builtins::Builtin;
 use super::constant;
 use super::infer::Checker;
-use super::symbols::{Res, VarKind};
+use super::symbols::{Res, VarKind, similar};
 use super::tree::*;
 use super::types::Type;
 use crate::ast::{self, Bind, ExprKind};
@@ -132,16 +132,23 @@ impl<'a> Checker<'a> {
 
     fn units(&mut self, name: &ast::Ident) {
         if crate::units::UnitSystem::from_name(&name.name).is_none() {
-            let all = crate::units::UnitSystem::ALL.map(|system| format!("`{}`", system.name())).join(", ");
-            self.report(
-                Diagnostic::error(
-                    "E0404",
-                    format!("there is no unit system `{}`", name.name),
+            let all = crate::units::UnitSystem::ALL.map(|system| system.name());
+            let listed = all.map(|name| format!("`{name}`")).join(", ");
+            let mut problem = Diagnostic::error(
+                "E0404",
+                format!("there is no unit system `{}`", name.name),
+                name.span,
+                "unknown system",
+            )
+            .help(format!("choose one of {listed}"));
+            if let Some(near) = similar(&name.name, all.into_iter()) {
+                problem = problem.help(format!("did you mean `{near}`? The systems are {listed}")).fix(
+                    format!("change to `{near}`"),
                     name.span,
-                    "unknown system",
-                )
-                .help(format!("choose one of {all}")),
-            );
+                    near,
+                );
+            }
+            self.report(problem);
         }
     }
 
