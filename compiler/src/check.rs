@@ -14,8 +14,10 @@ use calyx_lang::render::{Colour, Renderer};
 use calyx_lang::span::{FileId, Span};
 use calyx_lower::interpret::CallSites;
 use calyx_rt::{ParamError, Program as _, apply};
+use std::collections::BTreeMap;
 use std::io::{self, IsTerminal};
 use std::path::Path;
+use std::sync::{Arc, Mutex};
 
 /// Basic blocks a program may enter while it is checked: models build and end; one that does not is stopped.
 const FUEL: u64 = 20_000_000;
@@ -29,6 +31,8 @@ pub struct Checked {
     pub description: ModelDescription,
     pub diagnostics: Vec<Diagnostic>,
     pub files: Vec<SourceFile>,
+    /// Types of the model's top-level names as shown to people.
+    pub types: BTreeMap<String, String>,
     /// Why the params given from outside cannot be used.
     pub refused: Option<Refused>,
 }
@@ -43,13 +47,17 @@ pub struct Refused {
 
 impl Checked {
     pub fn has_errors(&self) -> bool {
-        self.diagnostics.iter().any(|diagnostic| diagnostic.severity == Severity::Error)
+        has_errors(&self.diagnostics)
     }
 
     /// The diagnostics for people, in colour if standard error is a terminal.
     pub fn render(&self) -> String {
         render(&self.diagnostics, &self.files)
     }
+}
+
+pub(crate) fn has_errors(diagnostics: &[Diagnostic]) -> bool {
+    diagnostics.iter().any(|diagnostic| diagnostic.severity == Severity::Error)
 }
 
 /// Checks the model in a file at its params' defaults.
@@ -98,6 +106,7 @@ fn check_with(name: &str, text: &str, loader: &ModelLoader, params: Params) -> C
         description: ModelDescription::default(),
         diagnostics: checked.diagnostics,
         files: checked.files,
+        types: checked.types,
         refused: None,
     };
     if let Some(program) = &result.program {
@@ -116,6 +125,23 @@ fn check_with(name: &str, text: &str, loader: &ModelLoader, params: Params) -> C
     result
 }
 
+/// Runs a program at its params' defaults without solving anything: the lines it prints, and what was found.
+pub(crate) fn elaborate_printing(program: &Program) -> (Vec<String>, Vec<Diagnostic>) {
+    let lines = Arc::new(Mutex::new(Vec::new()));
+    let printed = lines.clone();
+    let print = move |line: &str| {
+        if let Ok(mut lines) = printed.lock() {
+            lines.push(line.to_owned());
+        }
+    };
+    let found = match elaborate_with(program, Params::Defaults, Box::new(print)) {
+        Ok(elaborated) => elaborated.found,
+        Err(found) => vec![*found],
+    };
+    let lines = lines.lock().map(|lines| lines.clone()).unwrap_or_default();
+    (lines, found)
+}
+
 /// What running a program without solving anything has shown.
 struct Elaborated {
     description: ModelDescription,
@@ -125,11 +151,19 @@ struct Elaborated {
 
 /// Runs the program, building a scene but solving nothing.
 fn elaborate(program: &Program, params: Params) -> Result<Elaborated, Box<Diagnostic>> {
+    elaborate_with(program, params, Box::new(|_| {}))
+}
+
+fn elaborate_with(
+    program: &Program,
+    params: Params,
+    print: Box<dyn FnMut(&str) + Send>,
+) -> Result<Elaborated, Box<Diagnostic>> {
     let mut interpreted = Interpreted::new(program, Purity::Scene)?;
     let mut context = Context::new(Box::new(ModelHost::new(&interpreted.description().units)));
     context.fuel = FUEL;
     context.kernels = interpreted.kernels();
-    context.print = Box::new(|_| {});
+    context.print = print;
     let defaults =
         apply(&interpreted, &[], &mut context).and_then(|()| interpreted.describe_params(&mut context));
     let applied = match params {
@@ -220,6 +254,7 @@ fn not_utf8(name: &str, error: &std::string::FromUtf8Error) -> Checked {
         description: ModelDescription::default(),
         diagnostics: vec![diagnostic],
         files: vec![SourceFile { name: name.to_owned(), text }],
+        types: BTreeMap::new(),
         refused: None,
     }
 }

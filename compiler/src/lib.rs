@@ -11,11 +11,13 @@
 //! ```
 
 mod check;
+pub mod dump;
 pub mod explain;
 pub mod fix;
 mod interpreted;
 mod loader;
 mod module;
+pub mod session;
 
 pub use calyx_rt as rt;
 pub use check::{Checked, Refused, check_file, check_run, check_text, render};

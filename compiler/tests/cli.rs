@@ -211,6 +211,21 @@ fn codes_are_explained() {
 }
 
 #[test]
+fn expressions_are_evaluated() {
+    hold(include_str!("cli/eval.md"));
+}
+
+#[test]
+fn sessions_keep_their_state() {
+    hold(include_str!("cli/repl.md"));
+}
+
+#[test]
+fn every_stage_can_be_seen() {
+    hold(include_str!("cli/dump.md"));
+}
+
+#[test]
 fn text_that_is_not_utf8_is_refused() {
     let directory = tempfile::tempdir().unwrap();
     std::fs::write(directory.path().join("model.cx"), b"var x = \"\xff\";\n").unwrap();

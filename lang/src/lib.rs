@@ -16,4 +16,5 @@ pub mod lexer;
 pub mod parser;
 pub mod render;
 pub mod span;
+pub mod tree_text;
 pub mod units;

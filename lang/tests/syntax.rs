@@ -4,8 +4,7 @@
 //! place (`//  ^ E0110 words of the message`) or above it (`//  v E0102`). A program without marks must
 //! parse without errors, and a `tree` block after it holds its tree. `CALYX_BLESS=1` rewrites the trees.
 
-#[path = "support/tree.rs"]
-mod tree;
+use calyx_lang::tree_text as tree;
 
 use calyx_lang::diagnostic::Diagnostic;
 use calyx_lang::parser::parse;

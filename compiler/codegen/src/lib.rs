@@ -11,6 +11,7 @@ mod expression;
 mod function;
 mod jit;
 mod kernel;
+mod listing;
 mod module;
 mod object;
 mod place;
@@ -20,6 +21,7 @@ mod statement;
 pub use backend::Backend;
 pub use error::CodegenError;
 pub use jit::JitModule;
+pub use listing::{Listing, list};
 
 use calyx_abi::Extern;
 use calyx_lang::ir::Program;

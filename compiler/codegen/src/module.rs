@@ -4,6 +4,7 @@ use crate::backend::{Kernel, Lowered};
 use crate::error::CodegenError;
 use crate::function::FunctionLowering;
 use crate::kernel;
+use crate::listing::Listing;
 use calyx_abi::entry::entry_points;
 use calyx_abi::math::{self, MathFn};
 use calyx_lang::ir::Program;
@@ -30,6 +31,8 @@ pub struct ModuleLowering<'m, M: Module> {
     constants: HashMap<Vec<u8>, DataId>,
     context: Context,
     builder_context: FunctionBuilderContext,
+    /// Where the code is listed, if somebody wants to see it.
+    listings: Option<&'m mut Vec<Listing>>,
 }
 
 impl<'m, M: Module> ModuleLowering<'m, M> {
@@ -76,7 +79,14 @@ impl<'m, M: Module> ModuleLowering<'m, M> {
             constants: HashMap::new(),
             context: Context::new(),
             builder_context: FunctionBuilderContext::new(),
+            listings: None,
         })
+    }
+
+    /// Lists the code of every function that is defined from now on.
+    pub fn listed_in(mut self, listings: &'m mut Vec<Listing>) -> Self {
+        self.listings = Some(listings);
+        self
     }
 
     /// Defines all functions and kernels.
@@ -108,7 +118,14 @@ impl<'m, M: Module> ModuleLowering<'m, M> {
         context.func.signature = signature;
         let built = build(self, FunctionBuilder::new(&mut context.func, &mut builder_context));
         if built.is_ok() {
+            let clif = self.listings.is_some().then(|| context.func.display().to_string());
+            context.set_disasm(clif.is_some());
             self.module.define_function(id, &mut context)?;
+            if let (Some(listings), Some(clif)) = (&mut self.listings, clif) {
+                let declared = self.module.declarations().get_function_decl(id);
+                let asm = context.compiled_code().and_then(|code| code.vcode.clone()).unwrap_or_default();
+                listings.push(Listing { symbol: declared.linkage_name(id).into_owned(), clif, asm });
+            }
         }
         context.clear();
         self.context = context;

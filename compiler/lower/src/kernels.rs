@@ -77,6 +77,36 @@ fn outputs(lowering: &mut Lowering, site: &Site) -> Result<Vec<NodeId>, KernelEr
     })
 }
 
+/// A site's expression as a graph, to look at.
+pub struct SiteGraph {
+    pub graph: Graph,
+    /// The nodes that the outputs need, in ascending order: operands before their users.
+    pub nodes: Vec<NodeId>,
+    pub outputs: Vec<NodeId>,
+    /// Names of the inputs, by index of their symbol.
+    pub inputs: Vec<String>,
+}
+
+/// The graph from which a site's kernel is made.
+///
+/// # Errors
+/// As [`lower_site`].
+pub fn site_graph(program: &Program, id: SiteId) -> Result<SiteGraph, KernelError> {
+    let site = program.sites.get(id.0 as usize);
+    let site = site.ok_or_else(|| broken("no such site", Span::default()))?;
+    let mut lowering = Lowering::new(program, site);
+    let outputs = outputs(&mut lowering, site)?;
+    let mut inputs = vec!["Time".to_owned()];
+    inputs.extend(program.params.iter().map(|param| param.name.clone()));
+    for capture in &site.captures {
+        let slots = if capture.observable { 1 } else { capture.repr.slots() };
+        let part = |at| if slots == 1 { capture.name.clone() } else { format!("{}.{at}", capture.name) };
+        inputs.extend((0..slots).map(part));
+    }
+    let nodes = lowering.graph.reachable(&outputs, |_| true);
+    Ok(SiteGraph { graph: lowering.graph, nodes, outputs, inputs })
+}
+
 /// Where a NaN among a kernel's outputs came from.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NanSource {

@@ -2,10 +2,13 @@
 
 mod check;
 mod compile;
+mod dump;
+mod eval;
 mod explain;
 mod messages;
 mod new;
 mod object;
+mod repl;
 mod run;
 
 use clap::{Parser, Subcommand};
@@ -52,6 +55,18 @@ enum Command {
     /// Without a code, lists all codes.
     #[command(after_help = explain::EXAMPLES)]
     Explain(explain::Explain),
+    /// Compute an expression, or convert a quantity: calyx eval "3 inch to mm"
+    #[command(after_help = eval::EXAMPLES)]
+    Eval(eval::Eval),
+    /// Enter statements and expressions one after another and see what they give
+    ///
+    /// Definitions and variables stay. An error is shown and leaves everything as it was. Nothing is solved: `analyze` is
+    /// passed over.
+    #[command(after_help = repl::EXAMPLES)]
+    Repl(repl::Repl),
+    /// Show a model at a stage of compilation: tokens, tree, types, ir, graph, clif or asm
+    #[command(after_help = dump::EXAMPLES)]
+    Dump(dump::Dump),
     /// Compile a model to an object file, to be linked with the calyx_rt library into an executable
     #[command(after_help = object::EXAMPLES)]
     Object(object::Object),
@@ -63,6 +78,9 @@ fn main() -> ExitCode {
         Command::Check(command) => command.run(),
         Command::Run(command) => command.run(),
         Command::Explain(command) => command.run(),
+        Command::Eval(command) => command.run(),
+        Command::Repl(command) => command.run(),
+        Command::Dump(command) => command.run(),
         Command::Object(command) => command.run(),
     }
 }

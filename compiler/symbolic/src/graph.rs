@@ -209,7 +209,7 @@ impl Graph {
 
     /// Every node the roots depend on (roots included) for which `wanted` holds, operands before their users.
     /// Nothing is looked for behind a node that is not wanted.
-    pub(crate) fn reachable(&self, roots: &[NodeId], wanted: impl Fn(NodeId) -> bool) -> Vec<NodeId> {
+    pub fn reachable(&self, roots: &[NodeId], wanted: impl Fn(NodeId) -> bool) -> Vec<NodeId> {
         let mut seen = vec![false; self.nodes.len()];
         let mut found = Vec::new();
         let mut pending: Vec<NodeId> = roots.to_vec();

@@ -3,8 +3,9 @@
 use crate::context::{RuntimeError, codes};
 
 crate::externs! {
-    /// `print(String)`: hands one line to [`Context::print`](crate::Context::print).
-    Effect fn calyx_std_print(context, line: String) -> () {
+    /// `print(String)`: hands one line to [`Context::print`](crate::Context::print). Whoever runs the program decides what
+    /// becomes of it, so it may be called while nothing is solved.
+    Scene fn calyx_std_print(context, line: String) -> () {
         (context.print)(&line);
         Ok(())
     }

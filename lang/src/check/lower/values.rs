@@ -94,7 +94,7 @@ impl Body<'_, '_> {
                     self.format_part(value, *system, &mut parts);
                 }
                 let line = make(ExprKind::Format(parts), Repr::String);
-                let id = self.lowering.standard("print", Purity::Effect, &[("line", Repr::String)]);
+                let id = self.lowering.standard("print", Purity::Scene, &[("line", Repr::String)]);
                 make(ExprKind::CallExtern(id, vec![line]), Repr::Unit)
             }
             Kind::Assert(condition, message) => {

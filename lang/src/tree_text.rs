@@ -1,6 +1,6 @@
-//! Prints syntax trees as nested lists, without places, for comparison with what fixtures expect.
+//! Syntax trees as nested lists, without places: for comparison with what fixtures expect, and to look at.
 
-use calyx_lang::ast::*;
+use crate::ast::*;
 
 /// One line per statement; blocks are indented.
 pub fn print(module: &Module) -> String {

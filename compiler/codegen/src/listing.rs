@@ -1,0 +1,34 @@
+//! Code as text: what Cranelift is given, and what it makes of it for this machine.
+
+use crate::backend::Backend;
+use crate::error::CodegenError;
+use crate::jit::Jit;
+use crate::module::ModuleLowering;
+use calyx_abi::Extern;
+use calyx_lang::ir::Program;
+use calyx_lower::kernels::lower_sites;
+
+/// One function of a module under construction.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Listing {
+    /// Link symbol: `calyx_function_N`, `calyx_kernel_N`, or one that Cranelift made up for a part of a kernel.
+    pub symbol: String,
+    /// Cranelift's intermediate code.
+    pub clif: String,
+    /// Machine code of this machine.
+    pub asm: String,
+}
+
+/// Compiles a program and lists its code, function by function.
+///
+/// # Errors
+/// As [`crate::compile_jit`].
+pub fn list(program: &Program, externs: &[Extern]) -> Result<Vec<Listing>, CodegenError> {
+    let tapes = lower_sites(program).map_err(CodegenError::Kernel)?;
+    let mut jit = Jit::new(program, externs)?;
+    let mut listings = Vec::new();
+    let lowered = ModuleLowering::new(jit.module(), program)?.listed_in(&mut listings).lower(&tapes)?;
+    // Whoever finishes the module also frees its memory.
+    jit.finish(lowered)?;
+    Ok(listings)
+}

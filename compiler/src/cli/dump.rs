@@ -1,0 +1,116 @@
+//! `calyx dump`: a model at a stage of compilation.
+
+use crate::messages::{MODEL_ERROR, MessageFormat, USAGE};
+use calyx::check_file;
+use calyx::dump::{Format, ProgramStage, TextStage, names, of_program, of_text, types};
+use clap::{Args, ValueEnum};
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+pub const EXAMPLES: &str = "Examples:
+  calyx dump --stage types pair.cx
+  calyx dump --stage ir --function area pair.cx
+  calyx dump --stage graph --format dot pair.cx | dot -Tsvg > graph.svg
+
+The texts are for people and may change with any version.";
+
+/// A stage of compilation, in order.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Stage {
+    /// Words and signs, with their places
+    Tokens,
+    /// The syntax tree, names unresolved
+    Tree,
+    /// Type and dimension of every name of the model
+    Types,
+    /// The typed program: functions as graphs of basic blocks, numbers in SI
+    Ir,
+    /// The operations of every `:=` expression, each distinct one once
+    Graph,
+    /// The code generator's input
+    Clif,
+    /// Machine code of this machine
+    Asm,
+}
+
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+enum GraphFormat {
+    /// One operation a line
+    #[default]
+    Text,
+    /// For Graphviz
+    Dot,
+}
+
+#[derive(Args)]
+pub struct Dump {
+    /// The model, a .cx file
+    file: PathBuf,
+    /// The stage to show
+    #[arg(long, value_enum)]
+    stage: Stage,
+    /// Only the functions or `:=` expressions of this name (from `ir` on)
+    #[arg(long, value_name = "NAME")]
+    function: Option<String>,
+    /// How graphs are written
+    #[arg(long, value_enum, default_value_t, value_name = "FORMAT")]
+    format: GraphFormat,
+}
+
+impl Dump {
+    pub fn run(self) -> ExitCode {
+        let format = MessageFormat::Human;
+        let stage = match self.stage {
+            Stage::Tokens => return self.text(TextStage::Tokens),
+            Stage::Tree => return self.text(TextStage::Tree),
+            Stage::Types => None,
+            Stage::Ir => Some(ProgramStage::Ir),
+            Stage::Graph if self.format == GraphFormat::Dot => Some(ProgramStage::Graph(Format::Dot)),
+            Stage::Graph => Some(ProgramStage::Graph(Format::Text)),
+            Stage::Clif => Some(ProgramStage::Clif),
+            Stage::Asm => Some(ProgramStage::Asm),
+        };
+        let checked = match check_file(&self.file) {
+            Ok(checked) => checked,
+            Err(error) => return format.unreadable(&self.file, &error),
+        };
+        format.diagnostics(&checked.diagnostics, &checked.files);
+        let Some(stage) = stage else {
+            // Types are known of what is sound, whatever else is wrong.
+            print!("{}", types(&checked.types));
+            return if checked.has_errors() { ExitCode::from(MODEL_ERROR) } else { ExitCode::SUCCESS };
+        };
+        let Some(program) = &checked.program else { return ExitCode::from(MODEL_ERROR) };
+        if let Some(name) = &self.function {
+            let known = names(program);
+            if !known.contains(name) {
+                format.failure(
+                    &format!("the program has no function or `:=` expression `{name}`"),
+                    &format!("it has {}", known.join(", ")),
+                );
+                return ExitCode::from(USAGE);
+            }
+        }
+        match of_program(stage, program, &checked.files, self.function.as_deref()) {
+            Ok(text) => {
+                print!("{text}");
+                ExitCode::SUCCESS
+            }
+            Err(error) => {
+                format.failure(&error.to_string(), "");
+                ExitCode::from(MODEL_ERROR)
+            }
+        }
+    }
+
+    /// A stage that every text has, right or wrong.
+    fn text(&self, stage: TextStage) -> ExitCode {
+        match std::fs::read_to_string(&self.file) {
+            Ok(text) => {
+                print!("{}", of_text(stage, &text));
+                ExitCode::SUCCESS
+            }
+            Err(error) => MessageFormat::Human.unreadable(&self.file, &error),
+        }
+    }
+}

@@ -1,0 +1,66 @@
+//! `calyx eval`: one expression.
+
+use crate::messages::{MODEL_ERROR, MessageFormat, USAGE};
+use calyx::session::Session;
+use clap::Args;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+pub const EXAMPLES: &str = "Examples:
+  calyx eval \"3 inch to mm\"
+  calyx eval \"15 kW / 1500 rpm in N*m\"
+  calyx eval --units inch_lbf_s \"200 GPa\"
+  calyx eval --file pair.cx \"contact_ratio(24, 40)\"
+
+After `to` or `in` stands a unit or a product of units; without it the result is shown in the unit system. Functions and
+params of a file can be used with --file; what it runs is passed over.";
+
+#[derive(Args)]
+pub struct Eval {
+    /// An expression, as it would stand in a model
+    expression: String,
+    /// Unit system for bare numbers and the result: SI, mm_N_s or inch_lbf_s [default: the file's, or SI]
+    #[arg(long, value_name = "SYSTEM")]
+    units: Option<String>,
+    /// A model or module whose declarations the expression may use
+    #[arg(long, value_name = "FILE")]
+    file: Option<PathBuf>,
+}
+
+impl Eval {
+    pub fn run(self) -> ExitCode {
+        let session = match session(self.file, self.units) {
+            Ok(session) => session,
+            Err(status) => return status,
+        };
+        match session.evaluate(&self.expression) {
+            Ok(value) => {
+                println!("{value}");
+                ExitCode::SUCCESS
+            }
+            Err(answer) => {
+                MessageFormat::Human.diagnostics(&answer.diagnostics, &answer.files);
+                ExitCode::from(MODEL_ERROR)
+            }
+        }
+    }
+}
+
+/// A session with the declarations of a file, in a unit system.
+pub fn session(file: Option<PathBuf>, units: Option<String>) -> Result<Session, ExitCode> {
+    let format = MessageFormat::Human;
+    let mut session = Session::new();
+    if let Some(file) = file {
+        session.load(&file).map_err(|error| format.unreadable(&file, &error))?;
+    }
+    if let Some(units) = units
+        && !session.set_units(&units)
+    {
+        format.failure(
+            &format!("there is no unit system `{units}`"),
+            "the unit systems are SI, mm_N_s and inch_lbf_s",
+        );
+        return Err(ExitCode::from(USAGE));
+    }
+    Ok(session)
+}
