@@ -39,6 +39,18 @@ pub enum StmtKind {
     /// `units inch_lbf_s;`
     Units(Ident),
     Param(ParamDecl),
+    /// `const name = value;`
+    Const {
+        name: Ident,
+        value: Expr,
+    },
+    Record(RecordDecl),
+    /// `dimension Cost;` is a new base dimension, `dimension LineLoad = Force / Length;` a name for a product.
+    Dimension {
+        name: Ident,
+        value: Option<TypeExpr>,
+    },
+    Unit(UnitDecl),
     /// `output name := value;`
     Output {
         name: Ident,
@@ -121,6 +133,35 @@ pub struct ParamDecl {
     pub domain: Option<Domain>,
 }
 
+/// `record Name { width = 1 inch; teeth: Number; label: String = "x"; }`
+#[derive(Clone, Debug, PartialEq)]
+pub struct RecordDecl {
+    pub name: Ident,
+    pub fields: Vec<RecordField>,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+pub struct RecordField {
+    pub name: Ident,
+    pub annotation: Option<TypeExpr>,
+    pub default: Option<Expr>,
+    pub doc: Option<String>,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+pub struct UnitDecl {
+    pub name: Ident,
+    pub meaning: UnitMeaning,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+pub enum UnitMeaning {
+    /// `unit euro: Cost;`, the unit that numbers of this dimension are held in.
+    Coherent(TypeExpr),
+    /// `unit furlong = 220 yard;`
+    Equal(Expr),
+}
+
 /// Allowed values of a param or of a library function's parameter.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Domain {
@@ -183,6 +224,8 @@ pub struct TypeExpr {
 pub enum TypeKind {
     /// A dimension, `Bool`, `String`, `Vector`, `Transform`, or a handle such as `Body`.
     Name(Ident),
+    /// `module.Name`
+    Member(Ident, Ident),
     /// `Array(T)`, `Symbolic(T)`, `Vector(Length)`.
     Apply(Ident, Vec<TypeExpr>),
     Product(Box<TypeExpr>, Box<TypeExpr>),
@@ -260,14 +303,30 @@ pub enum ExprKind {
 #[derive(Clone, Debug, PartialEq)]
 pub enum StringPart {
     Text(String),
-    Value(Expr),
+    Value(Expr, Option<Format>),
 }
 
-/// `value`, `name = value` or `name := value`.
+/// How a number is shown, after a colon in braces: `{x : 10.3e lbf*inch}`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Format {
+    /// Least number of characters of the number; blanks are put before it.
+    pub width: Option<u8>,
+    /// Digits after the decimal point.
+    pub digits: Option<u8>,
+    /// With a power of ten.
+    pub scientific: bool,
+    /// A product of units.
+    pub unit: Option<Expr>,
+    pub span: Span,
+}
+
+/// `value`, `name = value`, `name := value`, or `..record`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Argument {
     pub name: Option<(Ident, Bind)>,
     pub value: Expr,
+    /// `..record`: its fields are arguments by name.
+    pub spread: bool,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -15,6 +15,8 @@ pub enum Kind {
     Identifier,
     StringOpen,
     StringText,
+    /// `: 10.3e`, how an interpolated value is shown.
+    Format,
     InterpolationOpen,
     InterpolationClose,
     StringClose,
@@ -51,6 +53,10 @@ pub enum Kind {
     At,
     Private,
     Test,
+    Const,
+    Record,
+    Dimension,
+    Unit,
 
     OpenParen,
     CloseParen,
@@ -91,6 +97,7 @@ impl Kind {
         match self {
             Kind::Number => "a number",
             Kind::Identifier => "a name",
+            Kind::Format => "a format",
             Kind::StringOpen | Kind::StringText | Kind::StringClose => "a string",
             Kind::InterpolationOpen => "`{`",
             Kind::InterpolationClose => "`}`",
@@ -143,6 +150,10 @@ impl Kind {
                 | Kind::Extern
                 | Kind::Private
                 | Kind::Test
+                | Kind::Const
+                | Kind::Record
+                | Kind::Dimension
+                | Kind::Unit
         )
     }
 }
@@ -183,6 +194,10 @@ const CONTEXTUAL: &[Spelling] = &[
     ("at", Kind::At, "`at`"),
     ("private", Kind::Private, "`private`"),
     ("test", Kind::Test, "`test`"),
+    ("const", Kind::Const, "`const`"),
+    ("record", Kind::Record, "`record`"),
+    ("dimension", Kind::Dimension, "`dimension`"),
+    ("unit", Kind::Unit, "`unit`"),
 ];
 
 /// Longer spellings before their beginnings.
@@ -360,6 +375,7 @@ impl Lexer<'_> {
                     self.set_interpolating(false);
                     self.string_text();
                 }
+                ':' if self.interpolating() && !self.rest().starts_with(":=") => self.format(start),
                 '0'..='9' => self.number(start),
                 '.' if self.rest()[1..].starts_with(|d: char| d.is_ascii_digit()) => self.number(start),
                 '#' => self.foreign_comment(start),
@@ -446,6 +462,28 @@ impl Lexer<'_> {
             );
         }
         self.push(Kind::Number, start);
+    }
+
+    /// Whether we are in an expression between the braces of a string.
+    fn interpolating(&self) -> bool {
+        self.open_strings.last().is_some_and(|open| open.interpolating)
+    }
+
+    /// `: 10.3e` in an interpolation, up to the unit.
+    fn format(&mut self, start: usize) {
+        self.at += 1;
+        let blanks = self.rest().len() - self.rest().trim_start_matches([' ', '\t']).len();
+        self.at += blanks;
+        self.digits();
+        if self.rest().starts_with('.') {
+            self.at += 1;
+            self.digits();
+        }
+        let word = |c: char| c.is_alphanumeric() || c == '_';
+        if self.rest().strip_prefix('e').is_some_and(|rest| !rest.starts_with(word)) {
+            self.at += 1;
+        }
+        self.push(Kind::Format, start);
     }
 
     fn digits(&mut self) {

@@ -40,6 +40,30 @@ fn statement(s: &Stmt, depth: usize, out: &mut String) {
         StmtKind::Units(system) => format!("(units {}", system.name),
         StmtKind::Param(p) => format!("(param {} {}{}", p.name.name, expr(&p.default), domain(&p.domain)),
         StmtKind::Output { name, value } => format!("(output {} {}", name.name, expr(value)),
+        StmtKind::Const { name, value } => format!("(const {} {}", name.name, expr(value)),
+        StmtKind::Record(record) => {
+            let mut head = format!("(record {}", record.name.name);
+            for field in &record.fields {
+                head.push_str(&format!(" ({}", field.name.name));
+                if let Some(annotation) = &field.annotation {
+                    head.push_str(&format!(": {}", type_text(annotation)));
+                }
+                head.push_str(&optional(&field.default));
+                if let Some(doc) = &field.doc {
+                    head.push_str(&format!(" {doc:?}"));
+                }
+                head.push(')');
+            }
+            head
+        }
+        StmtKind::Dimension { name, value } => {
+            let value = value.as_ref().map(|t| format!(" {}", type_text(t))).unwrap_or_default();
+            format!("(dimension {}{value}", name.name)
+        }
+        StmtKind::Unit(unit) => match &unit.meaning {
+            UnitMeaning::Coherent(dimension) => format!("(unit {}: {}", unit.name.name, type_text(dimension)),
+            UnitMeaning::Equal(value) => format!("(unit {} {}", unit.name.name, expr(value)),
+        },
         StmtKind::Var(declared) => {
             let one = |d: &VarDecl| match &d.init {
                 None => format!(" {}", d.name.name),
@@ -166,6 +190,7 @@ fn parameter(p: &Parameter) -> String {
 fn type_text(t: &TypeExpr) -> String {
     match &t.kind {
         TypeKind::Name(name) => name.name.clone(),
+        TypeKind::Member(module, name) => format!("(. {} {})", module.name, name.name),
         TypeKind::Apply(name, arguments) => {
             format!("{}({})", name.name, arguments.iter().map(type_text).collect::<Vec<_>>().join(", "))
         }
@@ -193,7 +218,10 @@ pub fn expr(e: &Expr) -> String {
         ExprKind::String(parts) => {
             let part = |p: &StringPart| match p {
                 StringPart::Text(text) => format!(" {text:?}"),
-                StringPart::Value(value) => format!(" {}", expr(value)),
+                StringPart::Value(value, None) => format!(" {}", expr(value)),
+                StringPart::Value(value, Some(format)) => {
+                    format!(" ({} : {})", expr(value), format_text(format))
+                }
             };
             format!("(string{})", parts.iter().map(part).collect::<String>())
         }
@@ -201,6 +229,7 @@ pub fn expr(e: &Expr) -> String {
         ExprKind::Field { base, field } => format!("(. {} {})", expr(base), field.name),
         ExprKind::Call { callee, arguments } => {
             let one = |a: &Argument| match &a.name {
+                None if a.spread => format!(" ..{}", expr(&a.value)),
                 None => format!(" {}", expr(&a.value)),
                 Some((name, bind)) => format!(" {} {} {}", name.name, bind_text(*bind), expr(&a.value)),
             };
@@ -240,4 +269,11 @@ pub fn expr(e: &Expr) -> String {
         ExprKind::At { value, symbol, at } => format!("(at {} {} {})", expr(value), symbol.name, expr(at)),
         ExprKind::Paren(inner) => format!("(paren {})", expr(inner)),
     }
+}
+
+fn format_text(format: &Format) -> String {
+    let width = format.width.map(|width| width.to_string()).unwrap_or_default();
+    let digits = format.digits.map(|digits| format!(".{digits}")).unwrap_or_default();
+    let scientific = if format.scientific { "e" } else { "" };
+    format!("{width}{digits}{scientific}{}", optional(&format.unit))
 }

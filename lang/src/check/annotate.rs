@@ -2,9 +2,9 @@
 
 use super::dim::Dim;
 use super::infer::Checker;
-use super::symbols::similar;
+use super::symbols::{Res, similar};
 use super::types::Type;
-use crate::ast::{FunctionBody, FunctionDecl, StmtKind, TypeExpr, TypeKind};
+use crate::ast::{FunctionBody, FunctionDecl, Ident, StmtKind, TypeExpr, TypeKind};
 use crate::diagnostic::Diagnostic;
 use crate::dimension::{Dimension, Rational};
 use crate::span::Span;
@@ -15,9 +15,9 @@ const NAMES: &[&str] = &["Bool", "String", "Vector", "Transform", "Array", "Symb
 impl<'a> Checker<'a> {
     /// A capitalised name in an `extern` declaration that means nothing else is the name of something the engine makes.
     pub(super) fn collect_handles(&mut self) {
-        fn names(ty: &TypeExpr, handles: &mut Vec<String>) {
+        fn names<'t>(ty: &'t TypeExpr, handles: &mut Vec<&'t Ident>) {
             match &ty.kind {
-                TypeKind::Name(name) => handles.push(name.name.clone()),
+                TypeKind::Name(name) => handles.push(name),
                 TypeKind::Apply(_, parts) => parts.iter().for_each(|part| names(part, handles)),
                 _ => {}
             }
@@ -29,6 +29,9 @@ impl<'a> Checker<'a> {
         }
         self.handles = found
             .into_iter()
+            // Records and dimensions of the program.
+            .filter(|name| !self.names.uses.contains_key(&name.span))
+            .map(|name| name.name.clone())
             .filter(|name| {
                 name.starts_with(char::is_uppercase)
                     && !NAMES.contains(&name.as_str())
@@ -41,7 +44,11 @@ impl<'a> Checker<'a> {
     pub(super) fn annotation(&mut self, annotation: &TypeExpr, symbolic: bool) -> Type {
         match &annotation.kind {
             TypeKind::Error => Type::Error,
+            TypeKind::Member(_, name) => self.declared_type(name).unwrap_or(Type::Error),
             TypeKind::Name(name) => match name.name.as_str() {
+                _ if self.names.uses.contains_key(&name.span) => {
+                    self.declared_type(name).unwrap_or(Type::Error)
+                }
                 "Bool" => Type::Bool,
                 "String" => Type::String,
                 "Transform" => Type::Transform,
@@ -81,6 +88,19 @@ impl<'a> Checker<'a> {
         }
     }
 
+    /// What a name declared in the program is as a type.
+    fn declared_type(&mut self, name: &Ident) -> Option<Type> {
+        match self.names.uses.get(&name.span).copied()? {
+            Res::Record(id) => Some(Type::Record(id)),
+            Res::Dimension(_) => {
+                self.not_yet("dimensions of one's own are", name.span);
+                None
+            }
+            Res::Unknown => None,
+            _ => Some(self.bad_annotation(format!("`{}` is no type", name.name), name.span)),
+        }
+    }
+
     fn dimension(&mut self, annotation: &TypeExpr) -> Option<Dimension> {
         match &annotation.kind {
             TypeKind::Name(name) => {
@@ -100,6 +120,13 @@ impl<'a> Checker<'a> {
                 }
                 power
             }
+            TypeKind::Member(_, name) => match self.declared_type(name)? {
+                Type::Number(dim) => dim.as_known(),
+                _ => {
+                    self.bad_annotation("a dimension belongs here, such as `Length`".into(), name.span);
+                    None
+                }
+            },
             TypeKind::Apply(..) => {
                 self.bad_annotation("a dimension belongs here, such as `Length`".into(), annotation.span);
                 None

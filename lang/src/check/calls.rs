@@ -20,6 +20,7 @@ impl<'a> Checker<'a> {
         };
         match self.names.uses.get(&name.span).copied() {
             Some(Res::Function(id)) => self.user_call(id, name, arguments, span),
+            Some(Res::Record(id)) => self.record_call(id, arguments, span),
             Some(Res::Extern(id)) => self.extern_call(id, name, arguments, span),
             Some(Res::Builtin(builtin)) => self.builtin_call(builtin, name, arguments, span),
             Some(Res::Unknown) | None => {
@@ -73,6 +74,11 @@ impl<'a> Checker<'a> {
         let list = || parameters.iter().map(|(name, _)| format!("`{name}`")).collect::<Vec<_>>().join(", ");
         for (index, argument) in arguments.iter().enumerate() {
             let at = match &argument.name {
+                // Filled in by the caller.
+                _ if argument.spread => {
+                    named = true;
+                    continue;
+                }
                 Some((name, _)) => {
                     named = true;
                     match parameters.iter().position(|(parameter, _)| *parameter == name.name) {
@@ -186,10 +192,15 @@ impl<'a> Checker<'a> {
             let info = &self.names.externs[id as usize];
             (info.decl, info.name.clone(), info.file)
         };
+        let names: Vec<&str> = decl.parameters.iter().map(|p| p.name.name.as_str()).collect();
+        let Some(mut fields) = self.spread(&shown, &names, arguments) else {
+            return Expr::error(span);
+        };
+        let optional = |p: &ast::Parameter| matches!(p.default, Some((_, Some(_))));
         let parameters: Vec<(&str, bool)> = decl
             .parameters
             .iter()
-            .map(|p| (p.name.name.as_str(), matches!(p.default, Some((_, Some(_))))))
+            .map(|p| (p.name.name.as_str(), optional(p) || fields.contains_key(&p.name.name)))
             .collect();
         let Some(given) = self.match_arguments(&shown, &parameters, arguments, span) else {
             let result =
@@ -226,6 +237,9 @@ impl<'a> Checker<'a> {
                     }
                     _ => self.value_argument(&ty, &parameter.name, argument),
                 },
+                (None, _) if fields.contains_key(&parameter.name.name) => {
+                    self.field_argument(&ty, &parameter.name, &mut fields, span)
+                }
                 (None, Some((_, Some(default)))) => self.in_file(file, |c| {
                     c.as_value(|c| {
                         let value = c.whole(default);
@@ -249,14 +263,19 @@ impl<'a> Checker<'a> {
         self.observed(Expr { kind: Kind::CallExtern(id, values), ty: result, span })
     }
 
-    fn in_file<T>(&mut self, file: crate::span::FileId, work: impl FnOnce(&mut Self) -> T) -> T {
+    pub(super) fn in_file<T>(&mut self, file: crate::span::FileId, work: impl FnOnce(&mut Self) -> T) -> T {
         let around = std::mem::replace(&mut self.file, file);
         let result = work(self);
         self.file = around;
         result
     }
 
-    fn value_argument(&mut self, ty: &Type, parameter: &ast::Ident, argument: &'a ast::Argument) -> Expr {
+    pub(super) fn value_argument(
+        &mut self,
+        ty: &Type,
+        parameter: &ast::Ident,
+        argument: &'a ast::Argument,
+    ) -> Expr {
         if let Some((name, Bind::Symbolic)) = &argument.name {
             self.report(
                 Diagnostic::error(
@@ -329,10 +348,15 @@ impl<'a> Checker<'a> {
         else {
             return Expr::error(span);
         };
+        let names: Vec<&str> = decl.parameters.iter().map(|p| p.name.name.as_str()).collect();
+        let Some(mut fields) = self.spread(&name.name, &names, arguments) else {
+            return Expr::error(span);
+        };
+        let optional = |p: &ast::Parameter| matches!(p.default, Some((_, Some(_))));
         let parameters: Vec<(&str, bool)> = decl
             .parameters
             .iter()
-            .map(|p| (p.name.name.as_str(), matches!(p.default, Some((_, Some(_))))))
+            .map(|p| (p.name.name.as_str(), optional(p) || fields.contains_key(&p.name.name)))
             .collect();
         let given = self.match_arguments(&name.name, &parameters, arguments, span);
         let (types, result, instance) = self.instantiate(id, span);
@@ -346,6 +370,9 @@ impl<'a> Checker<'a> {
         {
             let value = match (parameter.mode, argument) {
                 (Mode::In, Some(argument)) => self.value_argument(ty, &parameter.name, argument),
+                (Mode::In, None) if fields.contains_key(&parameter.name.name) => {
+                    self.field_argument(ty, &parameter.name, &mut fields, span)
+                }
                 (Mode::In, None) => match &parameter.default {
                     Some((_, Some(default))) => self.in_file(file, |c| {
                         c.as_value(|c| {

@@ -3,6 +3,7 @@
 use super::tree::{Expr, Kind};
 use super::types::{Store, Type};
 use crate::ast::{BinaryOp, UnaryOp};
+use crate::ir::Op;
 use calyx_abi::math;
 
 /// The number an expression stands for, in SI, if it is made of literals alone.
@@ -15,6 +16,11 @@ pub fn number(e: &Expr, store: &Store) -> Option<f64> {
         }
         Kind::Unary(UnaryOp::Minus, a) => -number(a, store)?,
         Kind::Unary(UnaryOp::Plus, a) => number(a, store)?,
+        Kind::Op(op, all) => {
+            let all: Option<Vec<f64>> = all.iter().map(|a| number(a, store)).collect();
+            operation(*op, &all?)?
+        }
+        Kind::If(condition, a, b) => number(if truth(condition, store)? { a } else { b }, store)?,
         Kind::Binary(op, a, b) => {
             let (a, b) = (number(a, store)?, number(b, store)?);
             match op {
@@ -26,6 +32,60 @@ pub fn number(e: &Expr, store: &Store) -> Option<f64> {
                 _ => return None,
             }
         }
+        _ => return None,
+    })
+}
+
+/// A number or truth value that is known, as a literal.
+pub fn scalar(e: &Expr, store: &Store) -> Option<Kind> {
+    truth(e, store).map(Kind::Bool).or_else(|| number(e, store).map(Kind::Number))
+}
+
+/// The truth value an expression stands for, if it is made of literals alone.
+fn truth(e: &Expr, store: &Store) -> Option<bool> {
+    let numbers = |a, b| number(a, store).zip(number(b, store));
+    Some(match &e.kind {
+        Kind::Bool(value) => *value,
+        Kind::Unary(UnaryOp::Not, a) => !truth(a, store)?,
+        Kind::Binary(BinaryOp::And, a, b) => truth(a, store)? && truth(b, store)?,
+        Kind::Binary(BinaryOp::Or, a, b) => truth(a, store)? || truth(b, store)?,
+        Kind::Binary(op, a, b) => {
+            let (a, b) = numbers(a, b)?;
+            match op {
+                BinaryOp::Less => a < b,
+                BinaryOp::LessEqual => a <= b,
+                BinaryOp::Greater => a > b,
+                BinaryOp::GreaterEqual => a >= b,
+                BinaryOp::Equal => a == b,
+                BinaryOp::NotEqual => a != b,
+                _ => return None,
+            }
+        }
+        _ => return None,
+    })
+}
+
+/// The result of an operation on known numbers.
+fn operation(op: Op, all: &[f64]) -> Option<f64> {
+    let &first = all.first()?;
+    let second = all.get(1).copied().unwrap_or(first);
+    Some(match op {
+        Op::Sqrt => math::sqrt(first),
+        Op::Abs => math::abs(first),
+        Op::Sin => math::sin(first),
+        Op::Cos => math::cos(first),
+        Op::Tan => math::tan(first),
+        Op::Asin => math::asin(first),
+        Op::Acos => math::acos(first),
+        Op::Atan => math::atan(first),
+        Op::Exp => math::exp(first),
+        Op::Log => math::log(first),
+        Op::Floor => math::floor(first),
+        Op::Ceil => math::ceil(first),
+        Op::Round => math::round(first),
+        Op::Atan2 => math::atan2(first, second),
+        Op::Min => math::min(first, second),
+        Op::Max => math::max(first, second),
         _ => return None,
     })
 }

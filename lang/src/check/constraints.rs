@@ -3,7 +3,7 @@
 use super::dim::Dim;
 use super::infer::Checker;
 use super::symbols::with_article;
-use super::tree::{Constraint, ConstraintKind};
+use super::tree::{Constraint, ConstraintKind, RecordId};
 use super::types::{Mismatch, Type};
 use crate::diagnostic::Diagnostic;
 use std::collections::HashMap;
@@ -32,7 +32,7 @@ impl Constraint {
         match &self.kind {
             Multiply(a, b, c) | Divide(a, b, c) => vec![a, b, c],
             Additive(a) | Comparable(a) | Printable(a) => vec![a],
-            Index(a, _, b) => vec![a, b],
+            Index(a, _, b) | Field(a, _, b) => vec![a, b],
         }
     }
 
@@ -45,6 +45,7 @@ impl Constraint {
             Comparable(a) => Comparable(f(a)),
             Printable(a) => Printable(f(a)),
             Index(a, at, b) => Index(f(a), *at, f(b)),
+            Field(a, name, b) => Field(f(a), name.clone(), f(b)),
         }
     }
 }
@@ -76,16 +77,20 @@ impl Checker<'_> {
     /// Drops constraints that say the same. The operands of an operator decide its result, so equal operands have
     /// equal results; without this, functions that call each other twice would double their schemes at each level.
     fn merge_constraints(&mut self) {
-        let mut seen: HashMap<(Discriminant<ConstraintKind>, Vec<Type>), Type> = HashMap::new();
+        let mut seen: HashMap<(Discriminant<ConstraintKind>, String, Vec<Type>), Type> = HashMap::new();
         for constraint in std::mem::take(&mut self.pending) {
             let kind = discriminant(&constraint.kind);
+            let field = match &constraint.kind {
+                Field(_, name, _) => name.clone(),
+                _ => String::new(),
+            };
             let mut operands: Vec<Type> =
                 constraint.types().into_iter().map(|ty| self.store.resolve(ty)).collect();
             let result = match &constraint.kind {
-                Multiply(..) | Divide(..) | Index(..) => operands.pop(),
+                Multiply(..) | Divide(..) | Index(..) | Field(..) => operands.pop(),
                 Additive(_) | Comparable(_) | Printable(_) => None,
             };
-            match (seen.entry((kind, operands)), result) {
+            match (seen.entry((kind, field, operands)), result) {
                 (Entry::Vacant(entry), result) => {
                     entry.insert(result.unwrap_or(Type::Unit));
                     self.pending.push(constraint);
@@ -119,6 +124,20 @@ impl Checker<'_> {
                 Index(..) => {
                     let element = self.store.fresh();
                     Type::array(element)
+                }
+                Field(_, name, _) if matches!(name.as_str(), "x" | "y" | "z") => self.fresh_vector().0,
+                Field(_, name, _) => {
+                    self.report(
+                        Diagnostic::error(
+                            "E0307",
+                            format!("nothing says what has this field `{name}`"),
+                            constraint.span,
+                            "its type is not known here",
+                        )
+                        .help("give the variable a record before its fields are named"),
+                    );
+                    self.pending.remove(0);
+                    continue;
                 }
                 _ => self.fresh_number(),
             };
@@ -265,6 +284,7 @@ impl Checker<'_> {
                     }
                     Outcome::Solved
                 }
+                Type::Record(id) => self.every_field(id, |ty| Comparable(ty), constraint),
                 Type::Number(_) | Type::Bool | Type::String | Type::Vector(_) | Type::Error => {
                     Outcome::Solved
                 }
@@ -307,6 +327,18 @@ impl Checker<'_> {
                     )
                 }
             },
+            Field(base, name, result) => match self.store.shallow(base) {
+                Type::Error => self.fit(constraint, result, &Type::Error),
+                Type::Unknown(_) => Outcome::Open,
+                Type::Vector(dim) if matches!(name.as_str(), "x" | "y" | "z") => {
+                    self.fit(constraint, result, &Type::Number(dim))
+                }
+                Type::Record(id) => match self.store.field(id, name) {
+                    Some((_, ty)) => self.fit(constraint, result, &ty),
+                    None => Outcome::failed(self.no_field(&Type::Record(id), name, constraint.span)),
+                },
+                other => Outcome::failed(self.no_field(&other, name, constraint.span)),
+            },
             Index(base, at, element) => match (self.store.shallow(base), at) {
                 (Type::Error, _) => self.fit(constraint, element, &Type::Error),
                 (Type::Unknown(_), _) => Outcome::Open,
@@ -346,6 +378,23 @@ impl Checker<'_> {
                 }
             },
         }
+    }
+
+    /// Demands the same of all fields of a record.
+    fn every_field(
+        &mut self,
+        id: RecordId,
+        demand: impl Fn(Type) -> ConstraintKind,
+        constraint: &Constraint,
+    ) -> Outcome {
+        let fields = self.store.record(id).map(|record| record.fields.clone()).unwrap_or_default();
+        for (_, ty) in fields {
+            match self.try_solve(&Constraint { kind: demand(ty), span: constraint.span }) {
+                Outcome::Solved => {}
+                other => return other,
+            }
+        }
+        Outcome::Solved
     }
 
     fn bad_operands(

@@ -5,7 +5,7 @@ use super::dim::Dim;
 use super::infer::Checker;
 use super::symbols::{Constant, NumberConstant, Res, VarKind};
 use super::tree::*;
-use super::types::Type;
+use super::types::{Store, Type};
 use crate::ast::{self, BinaryOp, ExprKind, UnaryOp};
 use crate::diagnostic::Diagnostic;
 use crate::dimension::{Base, Dimension, Rational};
@@ -147,7 +147,12 @@ impl<'a> Checker<'a> {
             .iter()
             .map(|part| match part {
                 ast::StringPart::Text(text) => Piece::Text(text.clone()),
-                ast::StringPart::Value(value) => Piece::Value(self.printable(value)),
+                ast::StringPart::Value(value, format) => {
+                    if let Some(format) = format {
+                        self.not_yet("formats are", format.span);
+                    }
+                    Piece::Value(self.printable(value))
+                }
             })
             .collect();
         let kind = match pieces.as_slice() {
@@ -189,13 +194,54 @@ impl<'a> Checker<'a> {
             }
             Res::Param(id) => match self.params.get(id as usize) {
                 Some(param) => (Kind::Param(id), param.ty.clone()),
-                None => (Kind::Error, Type::Error),
+                None => {
+                    let place = self.constant_place.unwrap_or("this");
+                    self.report(
+                        Diagnostic::error(
+                            "E0212",
+                            format!("{place} cannot use a param, which is set from outside"),
+                            span,
+                            "not known here",
+                        )
+                        .help("use literals, units and constants"),
+                    );
+                    (Kind::Error, Type::Error)
+                }
             },
             Res::Output(id) => match self.output_defs.get(&id).copied() {
                 Some(def) => return self.use_def(def, span),
                 None => (Kind::Error, Type::Error),
             },
             Res::Constant(constant) => return self.constant(constant, span),
+            Res::Const(id) => return self.const_use(id, span),
+            Res::Record(_) => {
+                self.report(
+                    Diagnostic::error(
+                        "E0306",
+                        format!("`{}` is a record; records are made by naming their fields", name.name),
+                        span,
+                        "not called",
+                    )
+                    .help(format!("write `{}(field = value)`", name.name)),
+                );
+                (Kind::Error, Type::Error)
+            }
+            Res::Dimension(_) => {
+                self.report(
+                    Diagnostic::error(
+                        "E0306",
+                        format!("`{}` is a dimension", name.name),
+                        span,
+                        "not a value",
+                    )
+                    .help("dimensions stand in types; a value needs a unit"),
+                );
+                (Kind::Error, Type::Error)
+            }
+            Res::OwnUnit(_) => {
+                self.not_yet("units of one's own are", span);
+                (Kind::Error, Type::Error)
+            }
             Res::Unit(unit) => (Kind::Number(unit.factor), Type::quantity(unit.dimension)),
             Res::Builtin(_) if Unit::find(&name.name).is_some() => {
                 // `min` is a function where it is called and the minute elsewhere.
@@ -276,34 +322,45 @@ impl<'a> Checker<'a> {
         {
             return self.name(field, span);
         }
+        // A field of an expression kept with `:=` may still be a component of a vector that moves.
         let base = self.expr(base);
-        let op = match field.name.as_str() {
-            "x" => Op::X,
-            "y" => Op::Y,
-            "z" => Op::Z,
-            _ => {
-                if !matches!(self.store.shallow(&base.ty), Type::Error) {
-                    self.report(
-                        Diagnostic::error(
-                            "E0307",
-                            format!("a {} has no field `{}`", self.store.show(&base.ty), field.name),
-                            field.span,
-                            "no such field",
-                        )
-                        .help("vectors have `.x`, `.y` and `.z`"),
-                    );
+        let component = component(&field.name);
+        let shallow = self.store.shallow(&base.ty);
+        match (&shallow, component) {
+            (Type::Error, _) => Expr::error(span),
+            (Type::Record(id), _) => match self.store.field(*id, &field.name) {
+                Some((at, ty)) => {
+                    self.observed(Expr { kind: Kind::TupleElement(Box::new(base), at), ty, span })
                 }
-                return Expr::error(span);
+                None => {
+                    self.report(self.no_field(&shallow, &field.name, field.span));
+                    Expr::error(span)
+                }
+            },
+            (Type::Vector(dim), Some(op)) => {
+                Expr { kind: Kind::Op(op, vec![base]), ty: Type::Number(dim.clone()), span }
             }
-        };
-        let (vector, dim) = self.fresh_vector();
-        self.expect(&vector, &base, &format!("what stands before `.{}`", field.name), None);
-        Expr { kind: Kind::Op(op, vec![base]), ty: Type::Number(dim), span }
+            (Type::Unknown(_), Some(op)) if self.symbolic => {
+                let (vector, dim) = self.fresh_vector();
+                self.expect(&vector, &base, &format!("what stands before `.{}`", field.name), None);
+                Expr { kind: Kind::Op(op, vec![base]), ty: Type::Number(dim), span }
+            }
+            (Type::Unknown(_), _) => {
+                let ty = self.store.fresh();
+                let kind = ConstraintKind::Field(base.ty.clone(), field.name.clone(), ty.clone());
+                self.constrain(Constraint { kind, span: field.span });
+                Expr { kind: Kind::Field(Box::new(base), field.name.clone()), ty, span }
+            }
+            _ => {
+                self.report(self.no_field(&shallow, &field.name, field.span));
+                Expr::error(span)
+            }
+        }
     }
 
     fn index(&mut self, base: &'a ast::Expr, index: &'a ast::Expr, span: Span) -> Expr {
-        let constant = constant_index(index);
         let (base, index) = self.as_value(|c| (c.expr(base), c.expr(index)));
+        let constant = constant_index(&index, &self.store);
         self.expect(&Type::number(), &index, "an index", None);
         let element = self.store.fresh();
         let tuple = matches!(self.store.shallow(&base.ty), Type::Tuple(_));
@@ -520,12 +577,18 @@ fn is_basis(e: &ast::Expr) -> bool {
 }
 
 /// A whole number, written as one.
-pub(super) fn constant_index(e: &ast::Expr) -> Option<usize> {
-    match &e.kind {
-        ExprKind::Number(value) if *value >= 0.0 && value.fract() == 0.0 && *value < 1e6 => {
-            Some(*value as usize)
-        }
-        ExprKind::Paren(inner) => constant_index(inner),
+/// The index, if it is known: a tuple's must be.
+pub(super) fn constant_index(index: &Expr, store: &Store) -> Option<usize> {
+    let value = super::constant::number(index, store)?;
+    (value >= 0.0 && value.fract() == 0.0 && value < 1e6).then_some(value as usize)
+}
+
+/// The operation that takes a component of a vector.
+pub(super) fn component(field: &str) -> Option<Op> {
+    match field {
+        "x" => Some(Op::X),
+        "y" => Some(Op::Y),
+        "z" => Some(Op::Z),
         _ => None,
     }
 }

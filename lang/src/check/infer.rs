@@ -58,6 +58,10 @@ pub struct Checker<'a> {
     pub(super) switches: Vec<(Expr, Vec<Expr>)>,
     /// Ranges and choices to check once types are known.
     pub(super) domains: Vec<super::domains::Check>,
+    /// Values of constants; `None` while one is computed.
+    pub(super) consts: HashMap<u32, Option<Expr>>,
+    /// Records whose defaults are being put in, outermost first.
+    pub(super) making: Vec<RecordId>,
     pub(super) function: FuncId,
     pub(super) file: FileId,
     groups: HashMap<FuncId, Vec<FuncId>>,
@@ -88,6 +92,8 @@ impl<'a> Checker<'a> {
             constant_place: None,
             switches: Vec::new(),
             domains: Vec::new(),
+            consts: HashMap::new(),
+            making: Vec::new(),
             function: FuncId(0),
             file: FileId(0),
             groups,
@@ -101,6 +107,8 @@ impl<'a> Checker<'a> {
     pub fn program(&mut self) {
         let modules = self.modules;
         let Some(model) = modules.first() else { return };
+        self.declare_records();
+        self.declare_consts();
         self.declare_params();
         self.find_rebound(&model.tree.statements);
         let body = self.statements(&model.tree.statements);

@@ -5,7 +5,7 @@
 
 use super::builtins::{self, Builtin};
 use super::symbols::*;
-use super::tree::{FuncId, VarId};
+use super::tree::{FuncId, RecordId, VarId};
 use super::{Loader, ModuleData};
 use crate::ast::*;
 use crate::diagnostic::Diagnostic;
@@ -24,6 +24,8 @@ struct Resolver<'a> {
     loader: &'a dyn Loader,
     /// Functions and externs by module and name.
     exports: Vec<HashMap<String, (Res, Span)>>,
+    /// Names of each module that importers do not see.
+    private: Vec<HashSet<&'a str>>,
     scopes: Vec<Scope>,
     function: FuncId,
     file: FileId,
@@ -36,6 +38,7 @@ pub fn resolve<'a>(modules: &'a [ModuleData], loader: &'a dyn Loader) -> Names<'
         modules,
         loader,
         exports: Vec::new(),
+        private: Vec::new(),
         scopes: Vec::new(),
         function: FuncId(0),
         file: FileId(0),
@@ -54,10 +57,12 @@ pub fn resolve<'a>(modules: &'a [ModuleData], loader: &'a dyn Loader) -> Names<'
         if index > 0 {
             resolver.file = module.file;
             for statement in &module.tree.statements {
-                resolver.declare_function(statement, &mut exports, &module.name);
+                resolver.declare_item(statement, &mut exports, &module.name);
             }
         }
         resolver.exports.push(exports);
+        let hidden = module.tree.statements.iter().filter(|statement| statement.private);
+        resolver.private.push(hidden.filter_map(item_name).map(|name| name.name.as_str()).collect());
     }
     // Modules first: a model's diagnostics then never depend on how far its modules were read.
     for index in (0..modules.len()).rev() {
@@ -94,7 +99,11 @@ impl<'a> Resolver<'a> {
         self.function = FuncId(0);
         let prelude = match index {
             1 => Scope::default(),
-            _ => Scope { names: self.exports.get(1).cloned().unwrap_or_default() },
+            _ => {
+                let mut names = self.exports.get(1).cloned().unwrap_or_default();
+                names.retain(|name, _| !self.private[1].contains(name.as_str()));
+                Scope { names }
+            }
         };
         let own = Scope { names: self.exports[index].clone() };
         self.scopes = vec![prelude, own];
@@ -107,12 +116,16 @@ impl<'a> Resolver<'a> {
                     StmtKind::Import(_)
                     | StmtKind::Units(_)
                     | StmtKind::Function(_)
+                    | StmtKind::Const { .. }
+                    | StmtKind::Record(_)
+                    | StmtKind::Dimension { .. }
+                    | StmtKind::Unit(_)
                     | StmtKind::Empty
                     | StmtKind::Error => {}
                     _ => self.report(
                         Diagnostic::error(
                             "E0210",
-                            "a module holds only functions, imports and units",
+                            "a module holds only functions, constants, records, dimensions, units and imports",
                             statement.span,
                             "not allowed in a module",
                         )
@@ -129,22 +142,48 @@ impl<'a> Resolver<'a> {
         self.names.diagnostics.push(diagnostic);
     }
 
-    /// Declares the functions of a block before anything else in it.
+    /// Declares the functions, constants and so on of a block before anything else in it.
     fn declare_functions(&mut self, statements: &'a [Stmt]) {
         for statement in statements {
             let mut names = self.scopes.pop().unwrap_or_default().names;
-            self.declare_function(statement, &mut names, "");
+            self.declare_item(statement, &mut names, "");
             self.scopes.push(Scope { names });
         }
     }
 
+    fn declare_item(&mut self, statement: &'a Stmt, names: &mut HashMap<String, (Res, Span)>, module: &str) {
+        let file = self.file;
+        let (name, res) = match &statement.kind {
+            StmtKind::Function(decl) => return self.declare_function(decl, names, module),
+            StmtKind::Const { name, value } => {
+                self.names.consts.push(Declared { decl: ConstDecl { name, value }, file });
+                (name, Res::Const(self.names.consts.len() as u32 - 1))
+            }
+            StmtKind::Record(decl) => {
+                self.names.records.push(Declared { decl, file });
+                (&decl.name, Res::Record(RecordId(self.names.records.len() as u32 - 1)))
+            }
+            StmtKind::Dimension { name, value } => {
+                let decl = DimensionDecl { name, value: value.as_ref() };
+                self.names.dimensions.push(Declared { decl, file });
+                (name, Res::Dimension(self.names.dimensions.len() as u32 - 1))
+            }
+            StmtKind::Unit(decl) => {
+                self.names.units.push(Declared { decl, file });
+                (&decl.name, Res::OwnUnit(self.names.units.len() as u32 - 1))
+            }
+            _ => return,
+        };
+        self.names.uses.insert(name.span, res);
+        self.insert(names, name, res);
+    }
+
     fn declare_function(
         &mut self,
-        statement: &'a Stmt,
+        decl: &'a FunctionDecl,
         names: &mut HashMap<String, (Res, Span)>,
         module: &str,
     ) {
-        let StmtKind::Function(decl) = &statement.kind else { return };
         let name = &decl.name;
         let res = if matches!(decl.body, FunctionBody::Extern { .. }) {
             // The prelude's functions are the standard ones, without a module name in the program.
@@ -245,6 +284,22 @@ impl<'a> Resolver<'a> {
             | StmtKind::Break
             | StmtKind::Continue => {}
             StmtKind::Import(path) => self.import(path, top),
+            StmtKind::Const { value, .. } => self.expr(value),
+            StmtKind::Record(decl) => {
+                let mut seen = HashSet::new();
+                for field in &decl.fields {
+                    if !seen.insert(&field.name.name) {
+                        self.twice(&field.name);
+                    }
+                    field.annotation.iter().for_each(|annotation| self.type_expr(annotation));
+                    field.default.iter().for_each(|default| self.expr(default));
+                }
+            }
+            StmtKind::Dimension { value, .. } => value.iter().for_each(|value| self.type_expr(value)),
+            StmtKind::Unit(decl) => match &decl.meaning {
+                UnitMeaning::Coherent(dimension) => self.type_expr(dimension),
+                UnitMeaning::Equal(value) => self.expr(value),
+            },
             StmtKind::Param(decl) => {
                 self.expr(&decl.default);
                 match &decl.domain {
@@ -339,9 +394,7 @@ impl<'a> Resolver<'a> {
     /// A statement that is a block of its own even without braces.
     fn nested(&mut self, statement: &'a Stmt) {
         self.scoped(|r| {
-            if let StmtKind::Function(_) = &statement.kind {
-                r.declare_functions(std::slice::from_ref(statement));
-            }
+            r.declare_functions(std::slice::from_ref(statement));
             r.statement(statement, false);
         });
     }
@@ -373,7 +426,9 @@ impl<'a> Resolver<'a> {
     }
 
     fn function(&mut self, decl: &'a FunctionDecl) {
+        decl.result.iter().for_each(|result| self.type_expr(result));
         for parameter in &decl.parameters {
+            parameter.annotation.iter().for_each(|annotation| self.type_expr(annotation));
             if let Some((_, Some(default))) = &parameter.default {
                 self.expr(default);
             }
@@ -439,8 +494,91 @@ impl<'a> Resolver<'a> {
                 self.place(base);
                 self.expr(index);
             }
+            ExprKind::Field { base, .. } => {
+                self.place(base);
+                self.field_of(base, place);
+            }
             ExprKind::Paren(inner) => self.place(inner),
             _ => self.expr(place),
+        }
+    }
+
+    /// Records and dimensions named in a type. What is not found may still be a name of the language.
+    fn type_expr(&mut self, annotation: &'a TypeExpr) {
+        match &annotation.kind {
+            TypeKind::Name(name) => {
+                let found = self.scopes.iter().rev().find_map(|scope| scope.names.get(&name.name));
+                if let Some((res @ (Res::Record(_) | Res::Dimension(_)), _)) = found {
+                    self.names.uses.insert(name.span, *res);
+                }
+            }
+            TypeKind::Member(module, name) => {
+                let res = self.lookup(module);
+                self.names.uses.insert(module.span, res);
+                self.member(module, res, name);
+            }
+            TypeKind::Apply(_, parts) => parts.iter().for_each(|part| self.type_expr(part)),
+            TypeKind::Product(a, b) | TypeKind::Quotient(a, b) => {
+                self.type_expr(a);
+                self.type_expr(b);
+            }
+            TypeKind::Power(base, ..) => self.type_expr(base),
+            TypeKind::Error => {}
+        }
+    }
+
+    /// The unit that a name after a number or in a format stands for, if the program declares it.
+    fn own_unit(&self, name: &str) -> Option<Res> {
+        let unit = |res: &Res| matches!(res, Res::OwnUnit(_)).then_some(*res);
+        let mut files = self.scopes.iter().take(2).rev();
+        let own = files.find_map(|scope| scope.names.get(name).and_then(|(res, _)| unit(res)));
+        own.or_else(|| {
+            let imported = self.scopes.get(1).into_iter().flat_map(|scope| scope.names.values());
+            imported.filter_map(|(res, _)| self.exported_unit(*res, name)).next()
+        })
+    }
+
+    fn exported_unit(&self, module: Res, name: &str) -> Option<Res> {
+        let Res::Module(module) = module else { return None };
+        let (res, _) = self.exports.get(module as usize)?.get(name)?;
+        let public = !self.private[module as usize].contains(name);
+        (public && matches!(res, Res::OwnUnit(_))).then_some(*res)
+    }
+
+    /// A unit right after a number.
+    fn quantity(&mut self, unit: &'a Ident) {
+        if Unit::find(&unit.name).is_none()
+            && let Some(res) = self.own_unit(&unit.name)
+        {
+            self.names.uses.insert(unit.span, res);
+        }
+        let hidden = self.scopes.iter().rev().find_map(|scope| scope.names.get(&unit.name));
+        if let Some((Res::Var(_) | Res::Param(_) | Res::Const(_), declared)) = hidden
+            && (Unit::find(&unit.name).is_some() || self.names.uses.contains_key(&unit.span))
+        {
+            let message =
+                format!("`{0}` after a number is the unit, not what is called `{0}` here", unit.name);
+            self.report(
+                Diagnostic::warning("W0205", message, unit.span, "the unit")
+                    .label(*declared, "this is not meant")
+                    .help(format!("write `*` to multiply by it: `2*{}`, or choose another name", unit.name)),
+            );
+        }
+    }
+
+    /// A product of units in a format: its names are units whatever else they may be.
+    fn unit_product(&mut self, e: &'a Expr) {
+        match &e.kind {
+            ExprKind::Name(name) => {
+                let unit = Unit::find(&name.name).map(Res::Unit).or_else(|| self.own_unit(&name.name));
+                self.names.uses.insert(name.span, unit.unwrap_or(Res::Unknown));
+            }
+            ExprKind::Binary { left, right, .. } => {
+                self.unit_product(left);
+                self.unit_product(right);
+            }
+            ExprKind::Paren(inner) | ExprKind::Unary { operand: inner, .. } => self.unit_product(inner),
+            _ => {}
         }
     }
 
@@ -452,11 +590,15 @@ impl<'a> Resolver<'a> {
 
     fn expr(&mut self, e: &'a Expr) {
         match &e.kind {
-            ExprKind::Error | ExprKind::Number(_) | ExprKind::Quantity { .. } | ExprKind::Bool(_) => {}
+            ExprKind::Error | ExprKind::Number(_) | ExprKind::Bool(_) => {}
+            ExprKind::Quantity { unit, .. } => self.quantity(unit),
             ExprKind::String(parts) => {
                 for part in parts {
-                    if let StringPart::Value(value) = part {
+                    if let StringPart::Value(value, format) = part {
                         self.expr(value);
+                        if let Some(unit) = format.as_ref().and_then(|format| format.unit.as_ref()) {
+                            self.unit_product(unit);
+                        }
                     }
                 }
             }
@@ -508,34 +650,62 @@ impl<'a> Resolver<'a> {
     fn field(&mut self, base: &'a Expr, field: &'a Ident) {
         self.expr(base);
         let ExprKind::Name(name) = &base.kind else { return };
-        let module = match self.names.uses.get(&name.span).copied() {
-            Some(Res::Module(module)) => module,
-            Some(Res::Unknown) => {
+        if let Some(res) = self.names.uses.get(&name.span).copied() {
+            self.member(name, res, field);
+        }
+    }
+
+    /// The field of a place, which is one of a module where its base is one.
+    fn field_of(&mut self, base: &'a Expr, place: &'a Expr) {
+        if let (ExprKind::Name(name), ExprKind::Field { field, .. }) = (&base.kind, &place.kind)
+            && let Some(res) = self.names.uses.get(&name.span).copied()
+        {
+            self.member(name, res, field);
+        }
+    }
+
+    /// What a module's member stands for.
+    fn member(&mut self, name: &Ident, module: Res, field: &'a Ident) {
+        let module = match module {
+            Res::Module(module) => module as usize,
+            Res::Unknown => {
                 self.names.uses.insert(field.span, Res::Unknown);
                 return;
             }
             _ => return,
         };
-        let exports = &self.exports[module as usize];
+        let (exports, private) = (&self.exports[module], &self.private[module]);
+        let public = || exports.keys().map(String::as_str).filter(|name| !private.contains(name));
         let res = match exports.get(&field.name) {
-            Some((res, _)) => *res,
+            Some((res, _)) if !private.contains(field.name.as_str()) => *res,
+            Some((_, declared)) => {
+                let message = format!("`{}` is private to the module `{}`", field.name, name.name);
+                let diagnostic = Diagnostic::error("E0204", message, field.span, "not visible here")
+                    .label(*declared, "declared `private` here")
+                    .help("use what the module offers, or remove `private`");
+                self.report(diagnostic);
+                Res::Unknown
+            }
             None => {
                 let mut diagnostic = Diagnostic::error(
                     "E0204",
-                    format!("module `{}` has no function `{}`", name.name, field.name),
+                    format!("module `{}` has nothing called `{}`", name.name, field.name),
                     field.span,
                     "not found in the module",
                 );
-                diagnostic = match similar(&field.name, exports.keys().map(String::as_str)) {
+                diagnostic = match similar(&field.name, public()) {
                     Some(near) => diagnostic.help(format!("did you mean `{near}`?")).fix(
                         format!("change to `{near}`"),
                         field.span,
                         near,
                     ),
                     None => {
-                        let mut all: Vec<_> = exports.keys().map(|name| format!("`{name}`")).collect();
+                        let mut all: Vec<_> = public().map(|name| format!("`{name}`")).collect();
                         all.sort();
-                        diagnostic.help(format!("it has {}", all.join(", ")))
+                        match all.is_empty() {
+                            true => diagnostic.help("it has nothing that others see"),
+                            false => diagnostic.help(format!("it has {}", all.join(", "))),
+                        }
                     }
                 };
                 self.report(diagnostic);
@@ -606,5 +776,16 @@ impl<'a> Resolver<'a> {
             None => diagnostic.help("declare it with `var` before this use"),
         };
         self.report(diagnostic);
+    }
+}
+
+/// The name of a declaration that a module can hold.
+fn item_name(statement: &Stmt) -> Option<&Ident> {
+    match &statement.kind {
+        StmtKind::Function(decl) => Some(&decl.name),
+        StmtKind::Record(decl) => Some(&decl.name),
+        StmtKind::Unit(decl) => Some(&decl.name),
+        StmtKind::Const { name, .. } | StmtKind::Dimension { name, .. } => Some(name),
+        _ => None,
     }
 }

@@ -51,6 +51,11 @@ impl<'a> Checker<'a> {
         for pair in a.steps.iter().zip(&b.steps) {
             match pair {
                 (Step::Element(i), Step::Element(j)) if i == j => {}
+                (Step::Field(_, a), Step::Field(_, b)) if a == b => {}
+                // A field that is not known yet and one that is.
+                (Step::Field(..), Step::Element(_)) | (Step::Element(_), Step::Field(..)) => {
+                    found = Overlap::Perhaps;
+                }
                 (Step::Index(i), Step::Index(j)) => {
                     let constants = constant::number(i, &self.store).zip(constant::number(j, &self.store));
                     match constants {
@@ -104,6 +109,20 @@ impl<'a> Checker<'a> {
                     self.report(diagnostic);
                     None
                 }
+                Some(Res::Const(id)) => {
+                    let declared = self.names.consts[id as usize].decl.name.span;
+                    self.report(
+                        Diagnostic::error(
+                            "E0220",
+                            format!("the constant `{}` cannot be assigned", name.name),
+                            e.span,
+                            "declared with `const`",
+                        )
+                        .label(declared, "declared here")
+                        .help("declare it with `var` if it is to change"),
+                    );
+                    None
+                }
                 Some(Res::Unknown) | None => None,
                 Some(_) => {
                     self.no_place(e.span);
@@ -112,10 +131,21 @@ impl<'a> Checker<'a> {
             },
             ExprKind::Index { base, index } => {
                 let place = self.place(base)?;
-                let at = super::expr::constant_index(index);
                 let index = self.as_value(|c| c.expr(index));
+                let at = super::expr::constant_index(&index, &self.store);
                 self.expect(&Type::number(), &index, "an index", None);
                 self.element_place(place, index, at, e.span)
+            }
+            ExprKind::Field { base, field } => {
+                let module = matches!(&base.kind, ExprKind::Name(name)
+                    if matches!(self.names.uses.get(&name.span), Some(Res::Module(_))));
+                if module {
+                    self.expr(e);
+                    self.no_place(e.span);
+                    return None;
+                }
+                let place = self.place(base)?;
+                self.field_place(place, field, e.span)
             }
             ExprKind::Paren(inner) => self.place(inner),
             ExprKind::Error => None,
@@ -188,10 +218,48 @@ impl<'a> Checker<'a> {
         Some(Place { ty, span, ..place })
     }
 
+    /// A field of the record in a place.
+    fn field_place(&mut self, mut place: Place, field: &ast::Ident, span: Span) -> Option<Place> {
+        let (step, ty) = match self.store.shallow(&place.ty) {
+            Type::Error => return None,
+            Type::Record(id) => match self.store.field(id, &field.name) {
+                Some((at, ty)) => (Step::Element(at), ty),
+                None => {
+                    self.report(self.no_field(&Type::Record(id), &field.name, field.span));
+                    return None;
+                }
+            },
+            Type::Vector(_) => {
+                self.report(
+                    Diagnostic::error(
+                        "E0208",
+                        format!("the component `.{}` of a vector cannot be assigned", field.name),
+                        span,
+                        "vectors are values as a whole",
+                    )
+                    .help("assign a new vector: `v = a*e1 + b*e2 + c*e3;`"),
+                );
+                return None;
+            }
+            Type::Unknown(_) => {
+                let ty = self.store.fresh();
+                let kind = ConstraintKind::Field(place.ty.clone(), field.name.clone(), ty.clone());
+                self.constrain(Constraint { kind, span: field.span });
+                (Step::Field(place.ty.clone(), field.name.clone()), ty)
+            }
+            other => {
+                self.report(self.no_field(&other, &field.name, field.span));
+                return None;
+            }
+        };
+        place.steps.push(step);
+        Some(Place { ty, span, ..place })
+    }
+
     fn no_place(&mut self, span: Span) {
         self.report(
             Diagnostic::error("E0208", "this cannot be assigned to", span, "not a variable")
-                .help("assign to a variable, or to an element of an array or tuple"),
+                .help("assign to a variable, to an element of an array or tuple, or to a field of a record"),
         );
     }
 }
@@ -200,15 +268,20 @@ impl<'a> Checker<'a> {
 pub(super) fn place_value(place: &Place) -> Kind {
     let variable = Kind::Var(place.variable);
     place.steps.iter().fold(variable, |base, step| {
-        let base = Box::new(Expr { kind: base, ty: Type::Error, span: place.span });
+        let ty = match step {
+            Step::Field(ty, _) => ty.clone(),
+            _ => Type::Error,
+        };
+        let base = Box::new(Expr { kind: base, ty, span: place.span });
         match step {
             Step::Index(index) => Kind::Index(base, Box::new(index.clone())),
             Step::Element(at) => Kind::TupleElement(base, *at),
+            Step::Field(_, name) => Kind::Field(base, name.clone()),
         }
     })
 }
 
 /// Whether anything is called.
-fn calls(e: &Expr) -> bool {
+pub(super) fn calls(e: &Expr) -> bool {
     matches!(e.kind, Kind::Call(_) | Kind::CallExtern(..)) || e.children().into_iter().any(calls)
 }

@@ -32,7 +32,15 @@ impl<'a> Checker<'a> {
     fn statement_kind(&mut self, statement: &'a ast::Stmt) -> StmtKind {
         use ast::StmtKind as Ast;
         match &statement.kind {
-            Ast::Empty | Ast::Error | Ast::Import(_) | Ast::Param(_) => StmtKind::Nothing,
+            Ast::Empty
+            | Ast::Error
+            | Ast::Import(_)
+            | Ast::Param(_)
+            // Declared before anything else.
+            | Ast::Const { .. }
+            | Ast::Record(_)
+            | Ast::Dimension { .. }
+            | Ast::Unit(_) => StmtKind::Nothing,
             Ast::Units(name) => {
                 self.units(name);
                 StmtKind::Nothing

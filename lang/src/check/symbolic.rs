@@ -200,8 +200,10 @@ impl<'a> Checker<'a> {
             Kind::Unary(op, a) => Kind::Unary(op, self.split_box(a, to)),
             Kind::Binary(op, a, b) => {
                 let comparison = matches!(op, BinaryOp::Equal | BinaryOp::NotEqual);
-                let of_values =
-                    matches!(self.store.shallow(&a.ty), Type::String | Type::Array(_) | Type::Tuple(_));
+                let of_values = matches!(
+                    self.store.shallow(&a.ty),
+                    Type::String | Type::Array(_) | Type::Tuple(_) | Type::Record(_)
+                );
                 if comparison && of_values {
                     // Strings and arrays never depend on time; their comparison is a captured truth value.
                     return self.capture(Expr { kind: Kind::Binary(op, a, b), ty, span }, to);

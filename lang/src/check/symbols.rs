@@ -1,8 +1,8 @@
 //! What identifiers can stand for, and the tables that say what each one does.
 
 use super::builtins::Builtin;
-use super::tree::{FuncId, VarId};
-use crate::ast::{Expr, FunctionDecl, Ident, Mode, ParamDecl};
+use super::tree::{FuncId, RecordId, VarId};
+use crate::ast::{Expr, FunctionDecl, Ident, Mode, ParamDecl, RecordDecl, TypeExpr, UnitDecl};
 use crate::diagnostic::Diagnostic;
 use crate::span::{FileId, Span};
 use crate::units::Unit;
@@ -16,6 +16,13 @@ pub enum Res {
     Output(u32),
     Function(FuncId),
     Extern(u32),
+    /// `const`, by index in [`Names::consts`].
+    Const(u32),
+    Record(RecordId),
+    /// `dimension`, by index in [`Names::dimensions`].
+    Dimension(u32),
+    /// `unit`, by index in [`Names::units`].
+    OwnUnit(u32),
     Module(u32),
     Builtin(Builtin),
     Constant(Constant),
@@ -84,6 +91,25 @@ pub struct ExternInfo<'a> {
     pub file: FileId,
 }
 
+/// A declaration and the file it stands in.
+#[derive(Clone, Debug)]
+pub struct Declared<T> {
+    pub decl: T,
+    pub file: FileId,
+}
+
+#[derive(Clone, Copy, Debug)]
+pub struct ConstDecl<'a> {
+    pub name: &'a Ident,
+    pub value: &'a Expr,
+}
+
+#[derive(Clone, Copy, Debug)]
+pub struct DimensionDecl<'a> {
+    pub name: &'a Ident,
+    pub value: Option<&'a TypeExpr>,
+}
+
 /// The result of resolving names.
 #[derive(Default)]
 pub struct Names<'a> {
@@ -92,6 +118,10 @@ pub struct Names<'a> {
     pub variables: Vec<Variable>,
     pub functions: Vec<FunctionInfo<'a>>,
     pub externs: Vec<ExternInfo<'a>>,
+    pub consts: Vec<Declared<ConstDecl<'a>>>,
+    pub records: Vec<Declared<&'a RecordDecl>>,
+    pub dimensions: Vec<Declared<DimensionDecl<'a>>>,
+    pub units: Vec<Declared<&'a UnitDecl>>,
     pub params: Vec<(&'a ParamDecl, Option<&'a str>)>,
     pub outputs: Vec<(&'a Ident, &'a Expr, Option<&'a str>)>,
     pub diagnostics: Vec<Diagnostic>,

@@ -14,6 +14,9 @@ use crate::units::UnitSystem;
 pub struct VarId(pub u32);
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct FuncId(pub u32);
+/// A record declared in the program.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct RecordId(pub u32);
 /// A `:=` expression: of a name, an argument or an output.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct DefId(pub u32);
@@ -68,7 +71,10 @@ pub enum Kind {
     Array(Vec<Expr>),
     Tuple(Vec<Expr>),
     Index(Box<Expr>, Box<Expr>),
+    /// Element of a tuple, field of a record.
     TupleElement(Box<Expr>, usize),
+    /// Field of a record or component of a vector, which only the types of a call decide.
+    Field(Box<Expr>, String),
     Len(Box<Expr>),
     /// Text and values in turn, numbers shown in the system's units.
     Format(Vec<Piece>, UnitSystem),
@@ -106,8 +112,10 @@ pub struct Place {
 pub enum Step {
     /// Element of an array.
     Index(Expr),
-    /// Element of a tuple.
+    /// Element of a tuple, field of a record.
     Element(usize),
+    /// Field of a record of this type, which only the types of a call decide.
+    Field(Type, String),
 }
 
 #[derive(Clone, Debug)]
@@ -193,6 +201,8 @@ pub enum ConstraintKind {
     Printable(Type),
     /// `base[index] = result`, array or (with a constant index) tuple.
     Index(Type, Option<usize>, Type),
+    /// `base.field = result`, record or vector.
+    Field(Type, String, Type),
 }
 
 /// A function's signature and body.
@@ -234,7 +244,7 @@ impl Place {
     pub fn indices(&self) -> impl Iterator<Item = &Expr> {
         self.steps.iter().filter_map(|step| match step {
             Step::Index(index) => Some(index),
-            Step::Element(_) => None,
+            Step::Element(_) | Step::Field(..) => None,
         })
     }
 }
@@ -261,6 +271,7 @@ impl Expr {
             Kind::Observe(a)
             | Kind::Unary(_, a)
             | Kind::TupleElement(a, _)
+            | Kind::Field(a, _)
             | Kind::Len(a)
             | Kind::Derivative(a, _) => vec![a],
             Kind::Binary(_, a, b) | Kind::Index(a, b) | Kind::At(a, _, b) | Kind::Assert(a, b) => vec![a, b],

@@ -3,10 +3,10 @@
 //! Holds no reference to a syntax tree, so it can be kept while texts change.
 
 use super::infer::Checker;
-use super::symbols::Variable;
+use super::symbols::{Res, Variable};
 use super::tree::{Def, FuncId, Function, Output, Param, VarId};
 use super::types::{Store, Substitution, Type};
-use crate::ast::FunctionBody;
+use crate::ast::{FunctionBody, Ident};
 use crate::ir::ExternDecl;
 use calyx_abi::{Purity, Repr};
 use std::collections::HashMap;
@@ -49,7 +49,12 @@ impl Checker<'_> {
                 FunctionBody::Extern { purity: Some(word) } if word.name == "scene" => Purity::Scene,
                 _ => Purity::Effect,
             };
-            let repr = |annotation| super::lower::annotated_repr(annotation);
+            let declared = |name: &Ident| match self.names.uses.get(&name.span)? {
+                Res::Record(id) => Some(self.store.repr(&Type::Record(*id))),
+                Res::Dimension(_) => Some(Repr::Number),
+                _ => None,
+            };
+            let repr = |annotation| super::lower::annotated_repr(annotation, &declared);
             let parameters = info.decl.parameters.iter();
             ExternDecl {
                 symbol: info.symbol.clone(),

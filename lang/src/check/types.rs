@@ -1,6 +1,7 @@
 //! Types under inference, and the store in which unknown ones are found.
 
 use super::dim::{Dim, DimVar, solve};
+use super::tree::RecordId;
 use crate::dimension::Dimension;
 use calyx_abi::Repr;
 use std::collections::{BTreeSet, HashMap};
@@ -29,6 +30,14 @@ pub enum Type {
     Symbolic(Box<Type>),
     /// Something the engine made.
     Handle(String),
+    Record(RecordId),
+}
+
+/// A record's name and the types of its fields. Records are nominal and never general.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RecordType {
+    pub name: String,
+    pub fields: Vec<(String, Type)>,
 }
 
 impl Type {
@@ -71,12 +80,35 @@ pub struct Store {
     /// Unknown dimensions of bare literals. Such a literal is one number in the program, so it has one dimension:
     /// these are never generalised.
     literals: BTreeSet<DimVar>,
+    /// By [`RecordId`].
+    pub records: Vec<RecordType>,
 }
 
 impl Store {
     pub fn fresh(&mut self) -> Type {
         self.types.push(None);
         Type::Unknown(TypeVar(self.types.len() as u32 - 1))
+    }
+
+    pub fn record(&self, id: RecordId) -> Option<&RecordType> {
+        self.records.get(id.0 as usize)
+    }
+
+    /// Place and type of a field of a record.
+    pub fn field(&self, id: RecordId, name: &str) -> Option<(usize, Type)> {
+        let record = self.record(id)?;
+        let at = record.fields.iter().position(|(field, _)| field == name)?;
+        Some((at, record.fields[at].1.clone()))
+    }
+
+    /// Whether a record is part of a type.
+    pub fn has_record(&self, ty: &Type) -> bool {
+        match self.shallow(ty) {
+            Type::Record(_) => true,
+            Type::Array(inner) | Type::Symbolic(inner) => self.has_record(&inner),
+            Type::Tuple(parts) => parts.iter().any(|part| self.has_record(part)),
+            _ => false,
+        }
     }
 
     pub fn fresh_dim(&mut self) -> Dim {
@@ -243,6 +275,10 @@ impl Store {
             Type::Observable(_) => Repr::Symbolic(Box::new(Repr::Number)),
             Type::Symbolic(inner) => Repr::Symbolic(Box::new(self.repr(&inner))),
             Type::Handle(_) => Repr::Handle,
+            Type::Record(id) => {
+                let fields = self.record(id).into_iter().flat_map(|record| &record.fields);
+                Repr::Tuple(fields.map(|(_, ty)| self.repr(ty)).collect())
+            }
         }
     }
 
@@ -266,6 +302,7 @@ impl Store {
             Type::Observable(dim) => format!("Observable({})", self.show_dim(&dim)),
             Type::Symbolic(inner) => format!("Symbolic({})", self.show(&inner)),
             Type::Handle(name) => name,
+            Type::Record(id) => self.record(id).map_or_else(|| "_".into(), |record| record.name.clone()),
         }
     }
 

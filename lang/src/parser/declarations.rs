@@ -62,7 +62,7 @@ fn top_level_only<'a>(source: &'a Source<'a>) -> Rule<'a, ()> {
 }
 
 /// The error at a token that begins a top-level declaration and does not stand at the top level.
-fn inside_another(source: &Source<'_>, at: usize) -> Option<Diagnostic> {
+pub(super) fn inside_another(source: &Source<'_>, at: usize) -> Option<Diagnostic> {
     let after_statement = matches!(source.previous(at), None | Some(Kind::Semicolon | Kind::CloseBrace));
     let inside = source.opening(at, Kind::CloseBrace);
     if inside.is_none() && (after_statement || source.begins_line(at)) {
@@ -163,12 +163,23 @@ pub(super) fn private<'a>(source: &'a Source<'a>) -> Rule<'a, ()> {
         if let Some(problem) = inside_another(source, at) {
             input.emit(problem.into());
         }
-        let declares = matches!(source.kind(at + 1), Some(Kind::Function | Kind::Extern | Kind::Test));
+        let declares = matches!(
+            source.kind(at + 1),
+            Some(
+                Kind::Function
+                    | Kind::Extern
+                    | Kind::Test
+                    | Kind::Const
+                    | Kind::Record
+                    | Kind::Dimension
+                    | Kind::Unit
+            )
+        );
         if !declares {
             let message =
                 format!("a declaration is expected after `private`, not {}", source.describe(at + 1));
             let problem = Diagnostic::error("E0115", message, source.place(at + 1), "found here")
-                .help("`private` hides a function of a module from those who import it");
+                .help("`private` hides a declaration of a module from those who import it");
             input.emit(problem.into());
         }
         Ok(())
@@ -229,7 +240,7 @@ fn parameter<'a>(
 }
 
 /// `Length`, `Array(Number)`, `Force/Length^2`, `1/Length`
-fn type_expression<'a>(source: &'a Source<'a>) -> Rule<'a, TypeExpr> {
+pub(super) fn type_expression<'a>(source: &'a Source<'a>) -> Rule<'a, TypeExpr> {
     let mut any = Recursive::declare();
     let spanned = |kind: Rule<'a, TypeKind>| {
         kind.map_with(|kind, extra| TypeExpr { kind, span: source.range(extra.span()) }).boxed()
@@ -237,10 +248,14 @@ fn type_expression<'a>(source: &'a Source<'a>) -> Rule<'a, TypeExpr> {
     let arguments = just(Kind::OpenParen)
         .ignore_then(any.clone().separated_by(just(Kind::Comma)).allow_trailing().collect())
         .then_ignore(close(source, Kind::CloseParen, "`,` or `)`"));
-    let named = identifier(source).then(arguments.or_not()).map(|(name, arguments)| match arguments {
-        Some(arguments) => TypeKind::Apply(name, arguments),
-        None => TypeKind::Name(name),
-    });
+    let member = just(Kind::Dot).ignore_then(identifier(source));
+    let named = identifier(source).then(member.map(Ok).or(arguments.map(Err)).or_not()).map(
+        |(name, rest)| match rest {
+            Some(Ok(member)) => TypeKind::Member(name, member),
+            Some(Err(arguments)) => TypeKind::Apply(name, arguments),
+            None => TypeKind::Name(name),
+        },
+    );
     // The `1` of `1/Length`.
     let one = when(move |at| source.kind(at) == Some(Kind::Number) && source.text(at) == "1")
         .ignore_then(just(Kind::Number))

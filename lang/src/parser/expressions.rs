@@ -3,7 +3,7 @@
 use super::recovery::{Reader, advance_to, close, expect, identifier, index_of, name, position, when};
 use super::source::Source;
 use super::{Extra, Input, Problem, Rule};
-use crate::ast::{Argument, BinaryOp, Bind, Expr, ExprKind, Ident, StringPart, UnaryOp};
+use crate::ast::{Argument, BinaryOp, Bind, Expr, ExprKind, Format, Ident, StringPart, UnaryOp};
 use crate::diagnostic::Diagnostic;
 use crate::lexer::{Kind, unescape};
 use crate::span::Span;
@@ -166,10 +166,56 @@ fn string<'a>(source: &'a Source<'a>, any: Rule<'a, Expr>) -> Rule<'a, Expr> {
         advance_to(input, at + 1);
         Ok(())
     });
-    let value = just(Kind::InterpolationOpen).ignore_then(any).then_ignore(end).map(StringPart::Value);
+    let value = just(Kind::InterpolationOpen)
+        .ignore_then(any.clone())
+        .then(format(source, any).or_not())
+        .then_ignore(end)
+        .map(|(value, format)| StringPart::Value(value, format));
     let parts =
         text.or(value).repeated().collect().delimited_by(just(Kind::StringOpen), just(Kind::StringClose));
     spanned(source, parts.map(ExprKind::String))
+}
+
+/// `: 10.3e lbf*inch` behind an interpolated value.
+fn format<'a>(source: &'a Source<'a>, any: Rule<'a, Expr>) -> Rule<'a, Format> {
+    let percent = index_of(Kind::Percent)
+        .map(|at| Expr { kind: ExprKind::Name(source.ident(at)), span: source.place(at) });
+    let unit = percent.or(when(move |at| source.kind(at) != Some(Kind::InterpolationClose)).ignore_then(any));
+    index_of(Kind::Format)
+        .then(unit.or_not())
+        .map_with(move |(at, unit), extra| {
+            let written = source.text(at).trim_start_matches([':', ' ', '\t']);
+            let scientific = written.ends_with('e');
+            let (width, digits) = written
+                .trim_end_matches('e')
+                .split_once('.')
+                .map_or((written.trim_end_matches('e'), None), |(width, digits)| (width, Some(digits)));
+            if written.is_empty() && unit.is_none() {
+                let problem = Diagnostic::error(
+                    "E0112",
+                    "a format is expected after `:`",
+                    source.place(at),
+                    "nothing follows",
+                );
+                extra.emit(problem.help("write digits after the point and a unit: `{x : .3 mm}`").into());
+            }
+            let mut number = |text: &str| {
+                let value = text.parse::<u8>().ok().filter(|value| *value <= 100);
+                if value.is_none() && !text.is_empty() {
+                    let problem = Diagnostic::error(
+                        "E0105",
+                        "a format holds numbers up to 100",
+                        source.place(at),
+                        "too large",
+                    );
+                    extra.emit(problem.help("write fewer characters or digits").into());
+                }
+                value
+            };
+            let (width, digits) = (number(width), digits.map(|digits| number(digits).unwrap_or(0)));
+            Format { width, digits, scientific, unit, span: source.range(extra.span()) }
+        })
+        .boxed()
 }
 
 fn boolean<'a>(source: &'a Source<'a>) -> Rule<'a, Expr> {
@@ -230,7 +276,10 @@ fn list<'a>(source: &'a Source<'a>, any: Rule<'a, Expr>) -> Rule<'a, Vec<Expr>> 
 fn arguments<'a>(source: &'a Source<'a>, any: Rule<'a, Expr>) -> Rule<'a, Vec<Argument>> {
     let bind = select! { Kind::Assign => Bind::Evaluate, Kind::Bind => Bind::Symbolic };
     let parameter = identifier(source).then(bind);
-    let argument = parameter.or_not().then(any).map(|(name, value)| Argument { name, value }).boxed();
+    let spread = just(Kind::DotDot).ignore_then(any.clone());
+    let spread = spread.map(|value| Argument { name: None, value, spread: true });
+    let plain = parameter.or_not().then(any).map(|(name, value)| Argument { name, value, spread: false });
+    let argument = spread.or(plain).boxed();
     just(Kind::OpenParen)
         .ignore_then(items(source, argument))
         .then_ignore(close(source, Kind::CloseParen, "`,` or `)`"))

@@ -5,6 +5,7 @@
 //! Rules are boxed: unboxed ones make types that take minutes to compile.
 
 mod declarations;
+mod definitions;
 mod expressions;
 mod nesting;
 mod recovery;

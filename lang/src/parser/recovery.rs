@@ -125,8 +125,7 @@ fn unknown_word(source: &Source<'_>, at: usize) -> Option<Diagnostic> {
     let place = source.place(first);
     let message = format!("`{word}` begins no statement");
     let problem = Diagnostic::error("E0113", message, place, "not a word of the language");
-    let types =
-        ["int", "double", "float", "real", "number", "let", "auto", "const", "bool", "string", "Number"];
+    let types = ["int", "double", "float", "real", "number", "let", "auto", "bool", "string", "Number"];
     if types.contains(&word) {
         return Some(problem.help("declare variables with `var`; types are inferred").fix(
             "write `var`",

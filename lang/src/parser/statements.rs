@@ -5,7 +5,7 @@ use super::recovery::{
     Reader, close, expect, identifier, name, position, semicolon, skip_statement, unexpected, when,
 };
 use super::source::Source;
-use super::{Extra, Input, Problem, Rule, declarations};
+use super::{Extra, Input, Problem, Rule, declarations, definitions};
 use crate::ast::{Bind, Expr, ExprKind, Stmt, StmtKind};
 use crate::diagnostic::Diagnostic;
 use crate::lexer::Kind;
@@ -46,6 +46,7 @@ fn statement<'a>(source: &'a Source<'a>) -> Rule<'a, Stmt> {
     let kind = choice((
         declarations::interface(source, &e),
         declarations::function(source, &e, body.clone()),
+        definitions::definition(source, &e),
         simple(source, &e).then_ignore(semicolon(source)).boxed(),
         jump(source, &e).then_ignore(semicolon(source)).boxed(),
         block(source, any.clone().boxed()),

@@ -150,8 +150,13 @@ impl Lowering<'_> {
             .types
             .iter()
             .map(|v| checker.store.repr(&types.types.get(v).cloned().unwrap_or(Type::number())));
+        // A field stands elsewhere in another record of the same representation.
+        let records = scheme.types.iter().filter_map(|v| types.types.get(v));
+        let mut shown: Vec<String> = records
+            .filter(|ty| checker.store.has_record(ty))
+            .map(|ty| format!("{:?}", checker.store.resolve(ty)))
+            .collect();
         // Dimensions matter only to text that shows units; a function that makes none is shared by all of them.
-        let mut shown = Vec::new();
         if self.shows_units(function) {
             shown.extend(
                 scheme.types.iter().filter_map(|v| types.types.get(v)).map(|ty| checker.store.show(ty)),
@@ -273,10 +278,14 @@ fn formats(e: &tree::Expr, called: &mut Vec<FuncId>) -> bool {
     e.children().into_iter().any(|child| formats(child, called))
 }
 
-/// The representation an annotation of an extern function stands for.
-pub(super) fn annotated_repr(annotation: &crate::ast::TypeExpr) -> Repr {
+/// The representation an annotation of an extern function stands for; `declared` knows the program's own types.
+pub(super) fn annotated_repr(
+    annotation: &crate::ast::TypeExpr,
+    declared: &dyn Fn(&crate::ast::Ident) -> Option<Repr>,
+) -> Repr {
     use crate::ast::TypeKind;
     match &annotation.kind {
+        TypeKind::Member(_, name) => declared(name).unwrap_or(Repr::Number),
         TypeKind::Name(name) => match name.name.as_str() {
             "Bool" => Repr::Bool,
             "String" => Repr::String,
@@ -284,10 +293,10 @@ pub(super) fn annotated_repr(annotation: &crate::ast::TypeExpr) -> Repr {
             "Transform" => Repr::Transform,
             "Array" => Repr::Array(Box::new(Repr::Number)),
             other if Dimension::from_name(other).is_some() => Repr::Number,
-            _ => Repr::Handle,
+            _ => declared(name).unwrap_or(Repr::Handle),
         },
         TypeKind::Apply(name, arguments) => {
-            let inner = arguments.first().map_or(Repr::Number, annotated_repr);
+            let inner = arguments.first().map_or(Repr::Number, |argument| annotated_repr(argument, declared));
             match name.name.as_str() {
                 "Array" => Repr::Array(Box::new(inner)),
                 "Vector" => Repr::Vector,

@@ -2,6 +2,7 @@
 
 use super::body::Body;
 use crate::ast::{BinaryOp, Mode, UnaryOp};
+use crate::check::expr::component;
 use crate::check::tree::{Call, Expr, FuncId, Kind, Piece, Place, Step};
 use crate::check::types::Type;
 use crate::dimension::Dimension;
@@ -127,6 +128,18 @@ impl Body<'_, '_> {
                     _ => self.repr(&e.ty),
                 };
                 make(ExprKind::TupleElement(Box::new(base), *at), repr)
+            }
+            Kind::Field(base, name) => {
+                let field = self.field_of(&base.ty, name);
+                let base = self.value(base);
+                match (field, component(name)) {
+                    (Some((at, part)), _) => {
+                        make(ExprKind::TupleElement(Box::new(base), at), self.repr(&part))
+                    }
+                    (None, Some(op)) => make(ExprKind::Op(op, vec![base]), Repr::Number),
+                    // Not reached: the checker has found the field.
+                    (None, None) => make(ExprKind::Number(f64::NAN), Repr::Number),
+                }
             }
             Kind::Len(array) => {
                 let array = self.value(array);
@@ -255,6 +268,15 @@ impl Body<'_, '_> {
                         other => other,
                     }
                 }
+                (Step::Field(record, name), repr) => {
+                    // The checker has found the field.
+                    let at = self.field_of(record, name).map_or(0, |(at, _)| at);
+                    steps.push(ir::Step::Element(at));
+                    match repr {
+                        Repr::Tuple(parts) => parts.get(at).cloned().unwrap_or(Repr::Number),
+                        other => other,
+                    }
+                }
                 (Step::Element(at), repr) => {
                     steps.push(ir::Step::Element(*at));
                     match repr {
@@ -266,6 +288,15 @@ impl Body<'_, '_> {
             repr = part;
         }
         ir::Place { local, steps, repr }
+    }
+
+    /// Place and type of a field of a record in this instance.
+    fn field_of(&self, record: &Type, name: &str) -> Option<(usize, Type)> {
+        let store = &self.lowering.checker.store;
+        match store.shallow(&self.types.ty(store, record)) {
+            Type::Record(id) => store.field(id, name),
+            _ => None,
+        }
     }
 
     pub(super) fn bare_factor(&self, dim: &crate::check::dim::Dim, system: UnitSystem) -> f64 {

@@ -1,0 +1,118 @@
+//! `const`: values known before the program runs, put in wherever they are named.
+
+use super::constant;
+use super::infer::Checker;
+use super::tree::*;
+use super::types::Type;
+use crate::diagnostic::Diagnostic;
+use crate::span::Span;
+
+/// Parts of a constant, those it names included. Constants that name two others each would double at every step.
+const MOST_PARTS: usize = 10_000;
+
+impl<'a> Checker<'a> {
+    /// Computes all constants, used or not.
+    pub(super) fn declare_consts(&mut self) {
+        for id in 0..self.names.consts.len() as u32 {
+            self.const_value(id);
+        }
+        self.solve_constraints();
+    }
+
+    /// A use of a constant.
+    pub(super) fn const_use(&mut self, id: u32, span: Span) -> Expr {
+        let value = self.const_value(id);
+        let ty = match (&value.kind, self.store.shallow(&value.ty)) {
+            // `0`, `inf` and `nan` fit every dimension, each time anew.
+            (Kind::Number(number), Type::Number(dim)) if *number == 0.0 || !number.is_finite() => {
+                let unknown = self.store.dim(&dim).unknowns.keys().all(|v| !self.store.is_literal(*v));
+                let open = self.store.dim(&dim).as_known().is_none();
+                if open && unknown { self.fresh_number() } else { value.ty }
+            }
+            _ => value.ty,
+        };
+        Expr { kind: value.kind, ty, span }
+    }
+
+    fn const_value(&mut self, id: u32) -> Expr {
+        let (decl, file) = {
+            let declared = &self.names.consts[id as usize];
+            (declared.decl, declared.file)
+        };
+        match self.consts.get(&id) {
+            Some(Some(value)) => return value.clone(),
+            Some(None) => {
+                self.report(
+                    Diagnostic::error(
+                        "E0212",
+                        format!("the constant `{}` is computed from itself", decl.name.name),
+                        decl.name.span,
+                        "needed for its own value",
+                    )
+                    .help("compute constants from literals and other constants"),
+                );
+                return Expr::error(decl.value.span);
+            }
+            None => {}
+        }
+        self.consts.insert(id, None);
+        let place = self.constant_place.replace("a constant");
+        let value = self.in_file(file, |c| c.as_value(|c| c.whole(decl.value)));
+        self.constant_place = place;
+        let value = self.settled(value, &decl.name.name);
+        self.consts.insert(id, Some(value.clone()));
+        value
+    }
+
+    /// The value of a constant as far as it is known already, or an error where it is none.
+    fn settled(&mut self, value: Expr, name: &str) -> Expr {
+        let mut parts = 0;
+        if let Some((span, what)) = variable_part(&value, &mut parts) {
+            self.report(
+                Diagnostic::error("E0212", format!("a constant cannot use {what}"), span, "not constant")
+                    .help("use literals, units, other constants and the functions of the language"),
+            );
+            return Expr { kind: Kind::Error, ..value };
+        }
+        if parts > MOST_PARTS {
+            self.report(
+                Diagnostic::error(
+                    "E0221",
+                    format!("the constant `{name}` has more than {MOST_PARTS} parts"),
+                    value.span,
+                    "with the constants it names put in",
+                )
+                .help("use a variable"),
+            );
+            return Expr { kind: Kind::Error, ..value };
+        }
+        match constant::scalar(&value, &self.store) {
+            Some(kind) => Expr { kind, ..value },
+            None => value,
+        }
+    }
+}
+
+/// What in an expression is no constant, and where; counts its parts.
+fn variable_part(e: &Expr, parts: &mut usize) -> Option<(Span, &'static str)> {
+    *parts += 1;
+    let what = match &e.kind {
+        Kind::Var(_) => Some("a variable"),
+        Kind::Param(_) => Some("a param, which is set from outside"),
+        Kind::Time => Some("`Time`"),
+        Kind::Call(_) | Kind::CallExtern(..) => Some("a call of a function that is not the language's own"),
+        Kind::Print(..) | Kind::Assert(..) => Some("a statement"),
+        Kind::Def(_)
+        | Kind::MakeSymbolic(_)
+        | Kind::Eval(..)
+        | Kind::Observe(_)
+        | Kind::Derivative(..)
+        | Kind::At(..) => Some("a symbolic expression"),
+        _ => None,
+    };
+    match what {
+        Some(what) => Some((e.span, what)),
+        None if *parts > MOST_PARTS => None,
+        None => e.children().into_iter().find_map(|child| variable_part(child, parts)),
+    }
+}

@@ -1,0 +1,277 @@
+//! Records: their fields, how they are made, and how their fields become arguments.
+
+use super::infer::Checker;
+use super::symbols::{similar, with_article};
+use super::tree::*;
+use super::types::{RecordType, Type};
+use crate::ast;
+use crate::diagnostic::Diagnostic;
+use crate::span::Span;
+use std::collections::HashMap;
+
+impl<'a> Checker<'a> {
+    /// Gives the fields of all records the types that annotations and defaults say.
+    pub(super) fn declare_records(&mut self) {
+        let records = self.names.records.clone();
+        for record in &records {
+            let fields = record.decl.fields.iter();
+            let fields = fields.map(|field| (field.name.name.clone(), self.store.fresh())).collect();
+            self.store.records.push(RecordType { name: record.decl.name.name.clone(), fields });
+        }
+        let all = || {
+            (0..).map(RecordId).zip(&records).flat_map(|(id, record)| {
+                record.decl.fields.iter().enumerate().map(move |(at, field)| (id, at, field, record.file))
+            })
+        };
+        for (id, at, field, file) in all() {
+            if let Some(annotation) = &field.annotation {
+                let annotated = self.in_file(file, |c| c.annotation(annotation, false));
+                // A fresh unknown takes any type.
+                let _ = self.store.unify(&self.field_type(id, at), &annotated);
+            }
+        }
+        for (id, at, field, file) in all() {
+            if let Some(default) = &field.default {
+                let ty = self.field_type(id, at);
+                let around = self.constant_place.replace("the default of a field");
+                self.making.push(id);
+                self.in_file(file, |c| {
+                    let value = c.as_value(|c| c.whole(default));
+                    let what = format!("the default of `{}`", field.name.name);
+                    c.expect(&ty, &value, &what, Some((field.name.span, "declared here".into())));
+                });
+                self.making.pop();
+                self.constant_place = around;
+            }
+        }
+        self.solve_constraints();
+        self.refuse_endless_records();
+    }
+
+    fn field_type(&self, id: RecordId, at: usize) -> Type {
+        let field = self.store.record(id).and_then(|record| record.fields.get(at));
+        field.map_or(Type::Error, |(_, ty)| ty.clone())
+    }
+
+    /// A record that holds itself, directly or in other records or arrays, would have no end.
+    fn refuse_endless_records(&mut self) {
+        for index in 0..self.store.records.len() {
+            let id = RecordId(index as u32);
+            for at in 0..self.store.records[index].fields.len() {
+                let ty = self.field_type(id, at);
+                if self.holds(&ty, id, &mut Vec::new()) {
+                    let decl = self.names.records[index].decl;
+                    self.report(
+                        Diagnostic::error(
+                            "E0302",
+                            format!("a `{}` cannot contain itself", decl.name.name),
+                            decl.fields[at].name.span,
+                            "its type would be infinite",
+                        )
+                        .help("keep the parts in an array beside it, and an index here"),
+                    );
+                    self.store.records[index].fields[at].1 = Type::Error;
+                }
+            }
+        }
+    }
+
+    fn holds(&self, ty: &Type, id: RecordId, seen: &mut Vec<RecordId>) -> bool {
+        match self.store.shallow(ty) {
+            Type::Record(inner) if inner == id => true,
+            Type::Record(inner) if seen.contains(&inner) => false,
+            Type::Record(inner) => {
+                seen.push(inner);
+                let fields = self.store.record(inner).into_iter().flat_map(|record| &record.fields);
+                fields.into_iter().any(|(_, ty)| self.holds(ty, id, seen))
+            }
+            Type::Array(inner) => self.holds(&inner, id, seen),
+            Type::Tuple(parts) => parts.iter().any(|part| self.holds(part, id, seen)),
+            _ => false,
+        }
+    }
+
+    /// `Name(field = value, ...)`
+    pub(super) fn record_call(&mut self, id: RecordId, arguments: &'a [ast::Argument], span: Span) -> Expr {
+        let ty = Type::Record(id);
+        let (decl, file) = {
+            let record = &self.names.records[id.0 as usize];
+            (record.decl, record.file)
+        };
+        let failed = Expr { kind: Kind::Error, ty: ty.clone(), span };
+        let names: Vec<&str> = decl.fields.iter().map(|field| field.name.name.as_str()).collect();
+        let Some(mut fields) = self.spread(&decl.name.name, &names, arguments) else { return failed };
+        let parameters: Vec<(&str, bool)> = decl
+            .fields
+            .iter()
+            .map(|field| &field.name.name)
+            .zip(&decl.fields)
+            .map(|(name, field)| (name.as_str(), field.default.is_some() || fields.contains_key(name)))
+            .collect();
+        let Some(given) = self.match_arguments(&decl.name.name, &parameters, arguments, span) else {
+            return failed;
+        };
+        let mut values = Vec::new();
+        for (at, (field, argument)) in decl.fields.iter().zip(given).enumerate() {
+            let wanted = self.field_type(id, at);
+            values.push(match (argument, &field.default) {
+                (Some(argument), _) => self.value_argument(&wanted, &field.name, argument),
+                (None, _) if fields.contains_key(&field.name.name) => {
+                    self.field_argument(&wanted, &field.name, &mut fields, span)
+                }
+                // Made in the default of its own field, so it holds itself, which is reported there.
+                (None, Some(_)) if self.making.contains(&id) => return failed,
+                (None, Some(default)) => {
+                    self.making.push(id);
+                    let value = self.in_file(file, |c| {
+                        c.as_value(|c| {
+                            let value = c.whole(default);
+                            c.expect(&wanted, &value, "the default", None);
+                            value
+                        })
+                    });
+                    self.making.pop();
+                    value
+                }
+                // Reported as missing.
+                (None, None) => Expr::error(span),
+            });
+        }
+        Expr { kind: Kind::Tuple(values), ty, span }
+    }
+
+    /// The fields of the records among the arguments (`..r`), by name, without those that are given otherwise. `None`
+    /// if something was reported.
+    pub(super) fn spread(
+        &mut self,
+        function: &str,
+        parameters: &[&str],
+        arguments: &'a [ast::Argument],
+    ) -> Option<HashMap<String, Expr>> {
+        let mut fields = HashMap::new();
+        let mut sound = true;
+        for argument in arguments.iter().filter(|argument| argument.spread) {
+            let record = self.as_value(|c| c.expr(&argument.value));
+            let id = match self.store.shallow(&record.ty) {
+                Type::Record(id) => id,
+                Type::Error => {
+                    sound = false;
+                    continue;
+                }
+                other => {
+                    let shown = with_article(&self.store.show(&other));
+                    let message = match other {
+                        Type::Unknown(_) => "`..` needs a record whose type is known here".to_string(),
+                        _ => format!("`..` takes a record, not {shown}"),
+                    };
+                    self.report(
+                        Diagnostic::error("E0301", message, argument.value.span, "not a record")
+                            .help("its fields become arguments by name; give a parameter its record as type"),
+                    );
+                    sound = false;
+                    continue;
+                }
+            };
+            if super::places::calls(&record) {
+                self.report(
+                    Diagnostic::error(
+                        "E0206",
+                        "the record after `..` is read once for each field, so it must have a name",
+                        argument.value.span,
+                        "computed here",
+                    )
+                    .help("put it into a variable first"),
+                );
+                sound = false;
+                continue;
+            }
+            let Some(found) = self.store.record(id).cloned() else { continue };
+            for (at, (name, ty)) in found.fields.iter().enumerate() {
+                let Some(position) = parameters.iter().position(|parameter| parameter == name) else {
+                    let diagnostic = Diagnostic::error(
+                        "E0205",
+                        format!("`{function}` has no parameter for the field `{name}` of `{}`", found.name),
+                        argument.value.span,
+                        "every field becomes an argument",
+                    );
+                    let diagnostic = match similar(name, parameters.iter().copied()) {
+                        Some(near) => diagnostic.help(format!("is the parameter `{near}` meant?")),
+                        None => diagnostic.help("name the fields one by one: `f(a = r.a)`"),
+                    };
+                    self.report(diagnostic);
+                    sound = false;
+                    continue;
+                };
+                // What is written wins.
+                let written = arguments.iter().enumerate().any(|(index, other)| match &other.name {
+                    Some((given, _)) => given.name == *name,
+                    None => !other.spread && index == position,
+                });
+                if written {
+                    continue;
+                }
+                let kind = Kind::TupleElement(Box::new(record.clone()), at);
+                let value = Expr { kind, ty: ty.clone(), span: argument.value.span };
+                if fields.insert(name.clone(), value).is_some() {
+                    self.report(
+                        Diagnostic::error(
+                            "E0206",
+                            format!("`{name}` is given by two records"),
+                            argument.value.span,
+                            "given again here",
+                        )
+                        .help(format!("write `{name} = ...` to choose one")),
+                    );
+                    sound = false;
+                }
+            }
+        }
+        if !sound {
+            self.check_loosely(arguments);
+        }
+        sound.then_some(fields)
+    }
+
+    /// A field that stands for an argument.
+    pub(super) fn field_argument(
+        &mut self,
+        ty: &Type,
+        parameter: &ast::Ident,
+        fields: &mut HashMap<String, Expr>,
+        span: Span,
+    ) -> Expr {
+        let Some(value) = fields.remove(&parameter.name) else { return Expr::error(span) };
+        let cause =
+            Some((parameter.span, format!("`{}` is declared as {}", parameter.name, self.store.show(ty))));
+        self.expect(ty, &value, &format!("`{}`", parameter.name), cause);
+        value
+    }
+
+    /// The error of a field that is not there.
+    pub(super) fn no_field(&self, ty: &Type, field: &str, span: Span) -> Diagnostic {
+        let shown = with_article(&self.store.show(ty));
+        let diagnostic =
+            Diagnostic::error("E0307", format!("{shown} has no field `{field}`"), span, "no such field");
+        match ty {
+            Type::Record(id) => {
+                let names: Vec<&str> = self
+                    .store
+                    .record(*id)
+                    .map(|record| record.fields.iter().map(|(name, _)| name.as_str()).collect())
+                    .unwrap_or_default();
+                match similar(field, names.iter().copied()) {
+                    Some(near) => diagnostic.help(format!("did you mean `{near}`?")).fix(
+                        format!("change to `{near}`"),
+                        span,
+                        near,
+                    ),
+                    None => {
+                        let names: Vec<_> = names.iter().map(|name| format!("`{name}`")).collect();
+                        diagnostic.help(format!("its fields are {}", names.join(", ")))
+                    }
+                }
+            }
+            _ => diagnostic.help("vectors have `.x`, `.y` and `.z`, records the fields they declare"),
+        }
+    }
+}

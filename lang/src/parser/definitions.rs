@@ -1,0 +1,94 @@
+//! Constants, records, dimensions and units: names for values, groups of values, and what they are measured in.
+
+use super::declarations::{inside_another, type_expression};
+use super::expressions::Expressions;
+use super::recovery::{Reader, close, expect, name, position, semicolon, when};
+use super::source::Source;
+use super::{Problem, Rule};
+use crate::ast::{RecordDecl, RecordField, StmtKind, UnitDecl, UnitMeaning};
+use crate::diagnostic::Diagnostic;
+use crate::lexer::Kind;
+use chumsky::prelude::*;
+
+/// `const`, `record`, `dimension` and `unit`.
+pub(super) fn definition<'a>(source: &'a Source<'a>, e: &Expressions<'a>) -> Rule<'a, StmtKind> {
+    let end = semicolon(source);
+    let constant = just(Kind::Const)
+        .ignore_then(name(source, "the constant"))
+        .then_ignore(expect(source, Kind::Assign, "before the value of a constant"))
+        .then(e.full.clone())
+        .then_ignore(end.clone())
+        .map(|(name, value)| name.map_or(StmtKind::Error, |name| StmtKind::Const { name, value }));
+    let dimension = just(Kind::Dimension)
+        .ignore_then(name(source, "the dimension"))
+        .then(just(Kind::Assign).ignore_then(type_expression(source)).or_not())
+        .then_ignore(end.clone())
+        .map(|(name, value)| name.map_or(StmtKind::Error, |name| StmtKind::Dimension { name, value }));
+    let meaning = choice((
+        just(Kind::Colon).ignore_then(type_expression(source)).map(UnitMeaning::Coherent),
+        expect(source, Kind::Assign, "or `:` and a dimension after the name of a unit")
+            .ignore_then(e.full.clone())
+            .map(UnitMeaning::Equal),
+    ));
+    let unit = just(Kind::Unit).ignore_then(name(source, "the unit")).then(meaning).then_ignore(end).map(
+        |(name, meaning)| name.map_or(StmtKind::Error, |name| StmtKind::Unit(UnitDecl { name, meaning })),
+    );
+    let outside = outside_blocks(source).ignore_then(choice((record(source, e), dimension, unit)));
+    constant.or(outside).boxed()
+}
+
+/// Reports the next token if it begins a record, dimension or unit inside a block, function or other statement.
+fn outside_blocks<'a>(source: &'a Source<'a>) -> Rule<'a, ()> {
+    custom(move |input: &mut Reader<'a, '_>| {
+        let at = position(input);
+        if !matches!(source.kind(at), Some(Kind::Record | Kind::Dimension | Kind::Unit)) {
+            return Err(Problem(None));
+        }
+        if source.previous(at) != Some(Kind::Private)
+            && let Some(problem) = inside_another(source, at)
+        {
+            input.emit(problem.into());
+        }
+        Ok(())
+    })
+    .boxed()
+}
+
+/// `record Name { width = 1 inch; teeth: Number; }`
+fn record<'a>(source: &'a Source<'a>, e: &Expressions<'a>) -> Rule<'a, StmtKind> {
+    let typed = just(Kind::Colon).ignore_then(type_expression(source));
+    let default = just(Kind::Assign).ignore_then(e.full.clone());
+    let field = when(move |at| source.kind(at) == Some(Kind::Identifier))
+        .ignore_then(name(source, "the field"))
+        .then(typed.or_not())
+        .then(default.or_not())
+        .then_ignore(semicolon(source))
+        .map_with(|((name, annotation), default), extra| {
+            let name = name?;
+            if annotation.is_none() && default.is_none() {
+                let problem = Diagnostic::error(
+                    "E0115",
+                    format!("the field `{}` has neither a type nor a default", name.name),
+                    name.span,
+                    "what does it hold?",
+                )
+                .help(format!("write `{0}: Length;` or `{0} = 1 mm;`", name.name));
+                extra.emit(problem.into());
+            }
+            let doc = source.doc(extra.span().start);
+            Some(RecordField { name, annotation, default, doc })
+        });
+    just(Kind::Record)
+        .ignore_then(name(source, "the record"))
+        .then_ignore(expect(source, Kind::OpenBrace, "before the fields of a record"))
+        .then(field.repeated().collect::<Vec<_>>())
+        .then_ignore(close(source, Kind::CloseBrace, "a field or `}`"))
+        .map(|(name, fields)| match name {
+            Some(name) => {
+                let fields = fields.into_iter().flatten().collect();
+                StmtKind::Record(RecordDecl { name, fields })
+            }
+            None => StmtKind::Error,
+        })
+        .boxed()
+}
