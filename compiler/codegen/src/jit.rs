@@ -11,8 +11,8 @@ use calyx_lang::ir::{Function, FunctionId, Mode, Program};
 use calyx_lower::interpret::CallSites;
 use calyx_lower::link::resolve_externs;
 use cranelift_jit::{ArenaMemoryProvider, JITBuilder, JITModule};
-use cranelift_module::default_libcall_names;
-use std::sync::{Arc, Mutex};
+use cranelift_module::{FuncId, default_libcall_names};
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// Address space reserved for one module. Pages cost something only when they are used; code and its constants lie
 /// close together, so that they reach each other by short offsets.
@@ -70,6 +70,14 @@ impl Jit {
     }
 }
 
+impl Jit {
+    /// Ends a module that holds no program; its functions are called by address.
+    pub fn into_code(mut self) -> Result<Arc<Code>, CodegenError> {
+        self.module.finalize_definitions()?;
+        Ok(Arc::new(Code(Mutex::new(Some(self.module)))))
+    }
+}
+
 /// Stands for every symbol that is not in the tables. The lowering declares none such.
 extern "C" fn unresolved() -> i32 {
     calyx_abi::Status::Failed as i32
@@ -115,7 +123,15 @@ impl Backend for Jit {
 /// Owns code memory and frees it when the module and all its kernels are gone.
 ///
 /// The mutex is never contended; it only makes Cranelift's module, which is `Send`, shareable.
-struct Code(Mutex<Option<JITModule>>);
+pub struct Code(Mutex<Option<JITModule>>);
+
+impl Code {
+    /// Where a function of this code begins; null if there is none.
+    pub fn address(&self, function: FuncId) -> *const u8 {
+        let module = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        module.as_ref().map_or(std::ptr::null(), |module| module.get_finalized_function(function))
+    }
+}
 
 impl Drop for Code {
     fn drop(&mut self) {

@@ -7,10 +7,10 @@
 use crate::error::CodegenError;
 use crate::function::{SLOT, TRUSTED};
 use crate::module::ModuleLowering;
+use crate::operation::{self, References};
 use calyx_symbolic::{Instruction, Tape};
-use cranelift_codegen::ir::condcodes::FloatCC;
 use cranelift_codegen::ir::{
-    AbiParam, FuncRef, InstBuilder, Signature, StackSlot, StackSlotData, StackSlotKind, Value, types,
+    AbiParam, InstBuilder, Signature, StackSlot, StackSlotData, StackSlotKind, Value, types,
 };
 use cranelift_frontend::FunctionBuilder;
 use cranelift_module::{FuncId, Linkage, Module};
@@ -75,25 +75,18 @@ struct Plan {
 impl Plan {
     fn new(tape: &Tape) -> Result<Plan, CodegenError> {
         let count = tape.instructions.len();
-        for (index, instruction) in tape.instructions.iter().enumerate() {
-            if operands(instruction).any(|operand| operand >= index)
-                || !input_exists(instruction, tape.inputs)
-            {
-                return Err(CodegenError::Malformed("a tape that uses a value before it is there"));
-            }
-        }
-        if tape.outputs.iter().any(|&output| output as usize >= count) {
-            return Err(CodegenError::Malformed("a tape that outputs a value that is not there"));
+        if !tape.is_well_formed() {
+            return Err(CodegenError::Malformed("a tape that uses a value before it is there"));
         }
 
         // Equal shares; constants and inputs cost nothing, they are made where they are used.
-        let operations = tape.instructions.iter().filter(|instruction| !is_leaf(instruction)).count();
+        let operations = tape.operations();
         let share = operations.div_ceil(operations.div_ceil(CHUNK).max(1)).max(1);
         let mut chunk_of = vec![0; count];
         let mut done = 0;
         for (index, instruction) in tape.instructions.iter().enumerate() {
             chunk_of[index] = done / share;
-            done += usize::from(!is_leaf(instruction));
+            done += usize::from(!instruction.is_leaf());
         }
         let last = chunk_of.last().copied().unwrap_or(0);
         let start = |chunk| chunk_of.partition_point(|&c| c < chunk);
@@ -101,7 +94,8 @@ impl Plan {
 
         let mut last_use = chunk_of.clone();
         for (index, instruction) in tape.instructions.iter().enumerate() {
-            for operand in operands(instruction) {
+            for operand in instruction.operands() {
+                let operand = operand as usize;
                 last_use[operand] = last_use[operand].max(chunk_of[index]);
             }
         }
@@ -110,7 +104,7 @@ impl Plan {
         let mut ending = vec![Vec::new(); chunks.len()];
         for (chunk, range) in chunks.iter().enumerate() {
             for index in range.clone() {
-                if last_use[index] > chunk && !is_leaf(&tape.instructions[index]) {
+                if last_use[index] > chunk && !tape.instructions[index].is_leaf() {
                     let place = free.pop().unwrap_or_else(|| {
                         scratch += 1;
                         scratch - 1
@@ -126,51 +120,6 @@ impl Plan {
         }
         Ok(Plan { chunks, places, scratch })
     }
-}
-
-fn is_leaf(instruction: &Instruction) -> bool {
-    matches!(instruction, Instruction::Constant(_) | Instruction::Input(_))
-}
-
-fn input_exists(instruction: &Instruction, inputs: usize) -> bool {
-    !matches!(instruction, Instruction::Input(index) if *index as usize >= inputs)
-}
-
-fn operands(instruction: &Instruction) -> impl Iterator<Item = usize> {
-    use Instruction as I;
-    let (operands, count) = match *instruction {
-        I::Constant(_) | I::Input(_) => ([0; 3], 0),
-        I::Negate(a)
-        | I::Abs(a)
-        | I::Sqrt(a)
-        | I::Sin(a)
-        | I::Cos(a)
-        | I::Tan(a)
-        | I::Asin(a)
-        | I::Acos(a)
-        | I::Atan(a)
-        | I::Exp(a)
-        | I::Log(a)
-        | I::Floor(a)
-        | I::Ceil(a)
-        | I::Round(a)
-        | I::Not(a) => ([a, 0, 0], 1),
-        I::Add(a, b)
-        | I::Subtract(a, b)
-        | I::Multiply(a, b)
-        | I::Divide(a, b)
-        | I::Power(a, b)
-        | I::Atan2(a, b)
-        | I::Min(a, b)
-        | I::Max(a, b)
-        | I::Less(a, b)
-        | I::LessEqual(a, b)
-        | I::Equal(a, b)
-        | I::And(a, b)
-        | I::Or(a, b) => ([a, b, 0], 2),
-        I::Select(a, b, c) => ([a, b, c], 3),
-    };
-    operands.into_iter().take(count).map(|operand| operand as usize)
 }
 
 /// Begins a function and gives its parameters.
@@ -220,7 +169,7 @@ fn define_chunk<M: Module>(
         };
         for index in range {
             let outputs_here = wanted.get(&index);
-            if is_leaf(&tape.instructions[index]) && outputs_here.is_none() {
+            if tape.instructions[index].is_leaf() && outputs_here.is_none() {
                 continue;
             }
             let value = chunk.value(index)?;
@@ -262,7 +211,7 @@ struct Chunk<'c, 'm, 'f, M: Module> {
     scratch: Option<Value>,
     /// What this function has at hand, by instruction.
     values: HashMap<usize, Value>,
-    references: HashMap<&'static str, FuncRef>,
+    references: References,
     /// Sine and cosine of angles that want both, once computed.
     pairs: HashMap<u32, Option<[Value; 2]>>,
     pair_buffer: Option<StackSlot>,
@@ -292,121 +241,29 @@ impl<M: Module> Chunk<'_, '_, '_, M> {
     }
 
     fn compute(&mut self, index: usize) -> Result<Value, CodegenError> {
-        use Instruction as I;
-        Ok(match self.tape.instructions[index] {
-            I::Constant(value) => self.builder.ins().f64const(value),
-            I::Input(input) => {
-                self.builder.ins().load(types::F64, TRUSTED, self.inputs, (input as usize * SLOT) as i32)
+        let instruction = self.tape.instructions[index];
+        match instruction {
+            Instruction::Constant(value) => return Ok(self.builder.ins().f64const(value)),
+            Instruction::Input(input) => {
+                let offset = (input as usize * SLOT) as i32;
+                return Ok(self.builder.ins().load(types::F64, TRUSTED, self.inputs, offset));
             }
-            I::Negate(a) => {
-                let a = self.operand(a)?;
-                self.builder.ins().fneg(a)
+            Instruction::Sin(angle) | Instruction::Cos(angle) => {
+                if let Some([sine, cosine]) = self.sine_cosine(angle)? {
+                    return Ok(if matches!(instruction, Instruction::Sin(_)) { sine } else { cosine });
+                }
             }
-            I::Abs(a) => {
-                let a = self.operand(a)?;
-                self.builder.ins().fabs(a)
-            }
-            I::Sqrt(a) => {
-                let a = self.operand(a)?;
-                self.builder.ins().sqrt(a)
-            }
-            I::Sin(a) => match self.sine_cosine(a)? {
-                Some([sine, _]) => sine,
-                None => self.call("calyx_math_sin", &[a])?,
-            },
-            I::Cos(a) => match self.sine_cosine(a)? {
-                Some([_, cosine]) => cosine,
-                None => self.call("calyx_math_cos", &[a])?,
-            },
-            I::Tan(a) => self.call("calyx_math_tan", &[a])?,
-            I::Asin(a) => self.call("calyx_math_asin", &[a])?,
-            I::Acos(a) => self.call("calyx_math_acos", &[a])?,
-            I::Atan(a) => self.call("calyx_math_atan", &[a])?,
-            I::Exp(a) => self.call("calyx_math_exp", &[a])?,
-            I::Log(a) => self.call("calyx_math_log", &[a])?,
-            I::Floor(a) => self.call("calyx_math_floor", &[a])?,
-            I::Ceil(a) => self.call("calyx_math_ceil", &[a])?,
-            I::Round(a) => self.call("calyx_math_round", &[a])?,
-            I::Power(a, b) => self.call("calyx_math_pow", &[a, b])?,
-            I::Atan2(a, b) => self.call("calyx_math_atan2", &[a, b])?,
-            I::Add(a, b) => {
-                let (a, b) = (self.operand(a)?, self.operand(b)?);
-                self.builder.ins().fadd(a, b)
-            }
-            I::Subtract(a, b) => {
-                let (a, b) = (self.operand(a)?, self.operand(b)?);
-                self.builder.ins().fsub(a, b)
-            }
-            I::Multiply(a, b) => {
-                let (a, b) = (self.operand(a)?, self.operand(b)?);
-                self.builder.ins().fmul(a, b)
-            }
-            I::Divide(a, b) => {
-                let (a, b) = (self.operand(a)?, self.operand(b)?);
-                self.builder.ins().fdiv(a, b)
-            }
-            I::Min(a, b) => {
-                let (a, b) = (self.operand(a)?, self.operand(b)?);
-                self.builder.ins().fmin(a, b)
-            }
-            I::Max(a, b) => {
-                let (a, b) = (self.operand(a)?, self.operand(b)?);
-                self.builder.ins().fmax(a, b)
-            }
-            I::Less(a, b) => self.compare(FloatCC::LessThan, a, b)?,
-            I::LessEqual(a, b) => self.compare(FloatCC::LessThanOrEqual, a, b)?,
-            I::Equal(a, b) => self.compare(FloatCC::Equal, a, b)?,
-            I::Not(a) => {
-                let holds = self.holds(a)?;
-                let (no, yes) = self.truth_values();
-                self.builder.ins().select(holds, no, yes)
-            }
-            I::And(a, b) => {
-                let (a, b) = (self.holds(a)?, self.holds(b)?);
-                let both = self.builder.ins().band(a, b);
-                self.truth(both)
-            }
-            I::Or(a, b) => {
-                let (a, b) = (self.holds(a)?, self.holds(b)?);
-                let either = self.builder.ins().bor(a, b);
-                self.truth(either)
-            }
-            I::Select(condition, a, b) => {
-                let holds = self.holds(condition)?;
-                let (a, b) = (self.operand(a)?, self.operand(b)?);
-                self.builder.ins().select(holds, a, b)
-            }
-        })
-    }
-
-    fn compare(&mut self, condition: FloatCC, a: u32, b: u32) -> Result<Value, CodegenError> {
-        let (a, b) = (self.operand(a)?, self.operand(b)?);
-        let holds = self.builder.ins().fcmp(condition, a, b);
-        Ok(self.truth(holds))
-    }
-
-    /// Whether a truth value holds: it is not equal to zero, NaN included.
-    fn holds(&mut self, a: u32) -> Result<Value, CodegenError> {
-        let a = self.operand(a)?;
-        let zero = self.builder.ins().f64const(0.0);
-        Ok(self.builder.ins().fcmp(FloatCC::NotEqual, a, zero))
-    }
-
-    fn truth(&mut self, holds: Value) -> Value {
-        let (no, yes) = self.truth_values();
-        self.builder.ins().select(holds, yes, no)
-    }
-
-    fn truth_values(&mut self) -> (Value, Value) {
-        (self.builder.ins().f64const(0.0), self.builder.ins().f64const(1.0))
-    }
-
-    fn call(&mut self, symbol: &'static str, operands: &[u32]) -> Result<Value, CodegenError> {
-        let arguments = operands.iter().map(|&id| self.operand(id)).collect::<Result<Vec<_>, _>>()?;
-        let function = self.reference(symbol)?;
-        let call = self.builder.ins().call(function, &arguments);
-        let result = self.builder.inst_results(call).first().copied();
-        result.ok_or(CodegenError::Malformed("a call without result"))
+            _ => {}
+        }
+        let operands = instruction.operands().map(|id| self.operand(id)).collect::<Result<Vec<_>, _>>()?;
+        operation::lower(
+            self.module,
+            &mut self.builder,
+            &mut self.references,
+            types::F64,
+            instruction,
+            &operands,
+        )
     }
 
     /// Sine and cosine of an angle, by one call, if both are wanted.
@@ -423,20 +280,10 @@ impl<M: Module> Chunk<'_, '_, '_, M> {
         let builder = &mut self.builder;
         let buffer = *self.pair_buffer.get_or_insert_with(|| builder.create_sized_stack_slot(data));
         let addresses = [0, SLOT as i32].map(|offset| builder.ins().stack_addr(types::I64, buffer, offset));
-        let function = self.reference("calyx_math_sincos")?;
+        let function = operation::reference(self.module, builder, &mut self.references, "calyx_math_sincos")?;
         self.builder.ins().call(function, &[argument, addresses[0], addresses[1]]);
         let pair = addresses.map(|address| self.builder.ins().load(types::F64, TRUSTED, address, 0));
         self.pairs.insert(angle, Some(pair));
         Ok(Some(pair))
-    }
-
-    fn reference(&mut self, symbol: &'static str) -> Result<FuncRef, CodegenError> {
-        if let Some(reference) = self.references.get(symbol) {
-            return Ok(*reference);
-        }
-        let id = self.module.import(symbol)?;
-        let reference = self.module.module.declare_func_in_func(id, self.builder.func);
-        self.references.insert(symbol, reference);
-        Ok(reference)
     }
 }

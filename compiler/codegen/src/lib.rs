@@ -6,6 +6,7 @@
 //! else is a call of the one definition in `calyx-abi`. No call unwinds: each returns a status, checked at once.
 
 mod backend;
+mod batch;
 mod error;
 mod expression;
 mod function;
@@ -14,11 +15,13 @@ mod kernel;
 mod listing;
 mod module;
 mod object;
+mod operation;
 mod place;
 mod scalar;
 mod statement;
 
 pub use backend::Backend;
+pub use batch::{Batch, BatchError, BatchKernel, compile_batch};
 pub use error::CodegenError;
 pub use jit::JitModule;
 pub use listing::{Listing, list};

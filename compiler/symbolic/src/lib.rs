@@ -23,6 +23,7 @@
 //! assert_eq!(outputs, [0.0, 3.0, 0.0]);
 //! ```
 
+pub mod batch;
 mod derivative;
 mod frame;
 mod graph;

@@ -47,6 +47,86 @@ pub enum Instruction {
 }
 
 impl Instruction {
+    /// The values it uses, in order.
+    pub fn operands(self) -> impl Iterator<Item = ValueId> {
+        use Instruction as I;
+        let (operands, count) = match self {
+            I::Constant(_) | I::Input(_) => ([0; 3], 0),
+            I::Negate(a)
+            | I::Abs(a)
+            | I::Sqrt(a)
+            | I::Sin(a)
+            | I::Cos(a)
+            | I::Tan(a)
+            | I::Asin(a)
+            | I::Acos(a)
+            | I::Atan(a)
+            | I::Exp(a)
+            | I::Log(a)
+            | I::Floor(a)
+            | I::Ceil(a)
+            | I::Round(a)
+            | I::Not(a) => ([a, 0, 0], 1),
+            I::Add(a, b)
+            | I::Subtract(a, b)
+            | I::Multiply(a, b)
+            | I::Divide(a, b)
+            | I::Power(a, b)
+            | I::Atan2(a, b)
+            | I::Min(a, b)
+            | I::Max(a, b)
+            | I::Less(a, b)
+            | I::LessEqual(a, b)
+            | I::Equal(a, b)
+            | I::And(a, b)
+            | I::Or(a, b) => ([a, b, 0], 2),
+            I::Select(a, b, c) => ([a, b, c], 3),
+        };
+        operands.into_iter().take(count)
+    }
+
+    /// The same operation on other values.
+    pub fn with_operands(self, place: impl Fn(ValueId) -> ValueId) -> Self {
+        use Instruction as I;
+        match self {
+            I::Constant(_) | I::Input(_) => self,
+            I::Negate(a) => I::Negate(place(a)),
+            I::Abs(a) => I::Abs(place(a)),
+            I::Sqrt(a) => I::Sqrt(place(a)),
+            I::Sin(a) => I::Sin(place(a)),
+            I::Cos(a) => I::Cos(place(a)),
+            I::Tan(a) => I::Tan(place(a)),
+            I::Asin(a) => I::Asin(place(a)),
+            I::Acos(a) => I::Acos(place(a)),
+            I::Atan(a) => I::Atan(place(a)),
+            I::Exp(a) => I::Exp(place(a)),
+            I::Log(a) => I::Log(place(a)),
+            I::Floor(a) => I::Floor(place(a)),
+            I::Ceil(a) => I::Ceil(place(a)),
+            I::Round(a) => I::Round(place(a)),
+            I::Not(a) => I::Not(place(a)),
+            I::Add(a, b) => I::Add(place(a), place(b)),
+            I::Subtract(a, b) => I::Subtract(place(a), place(b)),
+            I::Multiply(a, b) => I::Multiply(place(a), place(b)),
+            I::Divide(a, b) => I::Divide(place(a), place(b)),
+            I::Power(a, b) => I::Power(place(a), place(b)),
+            I::Atan2(a, b) => I::Atan2(place(a), place(b)),
+            I::Min(a, b) => I::Min(place(a), place(b)),
+            I::Max(a, b) => I::Max(place(a), place(b)),
+            I::Less(a, b) => I::Less(place(a), place(b)),
+            I::LessEqual(a, b) => I::LessEqual(place(a), place(b)),
+            I::Equal(a, b) => I::Equal(place(a), place(b)),
+            I::And(a, b) => I::And(place(a), place(b)),
+            I::Or(a, b) => I::Or(place(a), place(b)),
+            I::Select(c, a, b) => I::Select(place(c), place(a), place(b)),
+        }
+    }
+
+    /// Whether it costs nothing: a constant or an input.
+    pub fn is_leaf(self) -> bool {
+        matches!(self, Instruction::Constant(_) | Instruction::Input(_))
+    }
+
     /// The instruction's value, given those of the inputs and of its operands.
     #[inline]
     pub fn evaluate(self, inputs: &[f64], v: impl Fn(ValueId) -> f64) -> f64 {
@@ -96,6 +176,21 @@ pub struct Tape {
 }
 
 impl Tape {
+    /// Whether every operand stands before its use and every input and output is there.
+    pub fn is_well_formed(&self) -> bool {
+        let fits = |(index, instruction): (usize, &Instruction)| match *instruction {
+            Instruction::Input(input) => (input as usize) < self.inputs,
+            other => other.operands().all(|operand| (operand as usize) < index),
+        };
+        self.instructions.iter().enumerate().all(fits)
+            && self.outputs.iter().all(|&output| (output as usize) < self.instructions.len())
+    }
+
+    /// Operations on it, constants and inputs not counted.
+    pub fn operations(&self) -> usize {
+        self.instructions.iter().filter(|instruction| !instruction.is_leaf()).count()
+    }
+
     /// Interprets the tape. `scratch` only saves an allocation per call; what it holds does not matter.
     ///
     /// `inputs` holds [`Tape::inputs`] numbers, `outputs` receives one per element of [`Tape::outputs`].

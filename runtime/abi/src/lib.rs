@@ -18,6 +18,7 @@ pub mod repr_code;
 pub mod stack;
 pub mod standard;
 pub mod text;
+pub mod trigonometry;
 
 pub use call::{ABI_VERSION, Extern, Purity, Repr, Slot, SlotFn, Status};
 pub use context::{Context, Host, RuntimeError};

@@ -1,8 +1,9 @@
 //! The one scalar definition of every numeric operation.
 //!
 //! Constant folding, the interpreters, machine code in memory and object files all use these, so that they agree
-//! bit for bit (the sign and payload of a NaN excepted: IEEE 754 leaves them open). Transcendental functions come
-//! from `libm` (pure Rust), never from the system. Multiply-adds are never fused.
+//! bit for bit (the sign and payload of a NaN excepted: IEEE 754 leaves them open). Sine and cosine are our own
+//! ([`crate::trigonometry`]); the other transcendental functions come from `libm` (pure Rust), never from the system.
+//! Multiply-adds are never fused.
 //!
 //! `+ - * /` and [`sqrt`] are IEEE 754 operations rounded to nearest, so machine code uses its own instructions;
 //! the same holds for [`abs`], [`min`], [`max`] and the comparisons. Everything else is *called*: the macro below
@@ -96,10 +97,31 @@ pub fn select(condition: f64, a: f64, b: f64) -> f64 {
     if condition != 0.0 { a } else { b }
 }
 
-/// Sine and cosine of the same angle, with the bits of [`sin`] and [`cos`] for less than the price of both.
+pub use crate::trigonometry::{sincos, sincos_columns};
+
+/// `x` to a whole power from -2 to 8 by products; `None` for any other exponent. This is how [`pow`] has these powers
+/// too, and how expressions write them, so that all have the same bits.
+///
+/// Squares are exact to half a unit in the last place, the eighth power to four. Where a product overflows or
+/// underflows on the way, so does the result.
 #[inline]
-pub fn sincos(x: f64) -> (f64, f64) {
-    libm::sincos(x)
+pub fn whole_power(x: f64, exponent: f64) -> Option<f64> {
+    let square = x * x;
+    let fourth = square * square;
+    Some(match exponent {
+        -2.0 => 1.0 / square,
+        -1.0 => 1.0 / x,
+        0.0 => 1.0,
+        1.0 => x,
+        2.0 => square,
+        3.0 => square * x,
+        4.0 => fourth,
+        5.0 => fourth * x,
+        6.0 => fourth * square,
+        7.0 => (fourth * square) * x,
+        8.0 => fourth * fourth,
+        _ => return None,
+    })
 }
 
 /// A function as machine code calls it.
@@ -152,9 +174,9 @@ macro_rules! called {
 
 called! {
     /// Sine of `x` (radians).
-    Unary sin(x) = calyx_math_sin { libm::sin(x) }
+    Unary sin(x) = calyx_math_sin { sincos(x).0 }
     /// Cosine of `x` (radians).
-    Unary cos(x) = calyx_math_cos { libm::cos(x) }
+    Unary cos(x) = calyx_math_cos { sincos(x).1 }
     /// Tangent of `x` (radians).
     Unary tan(x) = calyx_math_tan { libm::tan(x) }
     /// Arc sine, from -pi/2 to pi/2; NaN outside -1..1.
@@ -173,8 +195,13 @@ called! {
     /// Nearest whole number; halves away from zero, as C does: `round(2.5) = 3`, `round(-2.5) = -3`.
     Unary round(x) = calyx_math_round { x.round() }
     /// `x` to the power `y`, with the conventions of C: `pow(x, 0) = pow(1, y) = 1` even for NaN,
-    /// NaN for a negative `x` and a `y` that is not whole.
-    Binary pow(x, y) = calyx_math_pow { libm::pow(x, y) }
+    /// NaN for a negative `x` and a `y` that is not whole. Small whole powers are products ([`whole_power`]).
+    Binary pow(x, y) = calyx_math_pow {
+        match whole_power(x, y) {
+            Some(power) => power,
+            None => libm::pow(x, y),
+        }
+    }
     /// Angle of the point `(x, y)`, from -pi to pi; `atan2(0, 0) = 0`.
     Binary atan2(y, x) = calyx_math_atan2 { libm::atan2(y, x) }
 }
@@ -233,6 +260,26 @@ mod tests {
                 assert!(s.is_nan() && c.is_nan());
             }
         }
+    }
+
+    #[test]
+    fn small_whole_powers_are_products_with_the_conventions_of_c() {
+        let bases = (-40..40).map(|i| f64::from(i) * 0.37 + 0.01).chain(SPECIAL);
+        for x in bases {
+            for exponent in -2..=8 {
+                let (power, reference) = (pow(x, f64::from(exponent)), libm::pow(x, f64::from(exponent)));
+                let ordinary = reference.is_normal() && power.is_normal();
+                if ordinary {
+                    let error = ((power - reference) / reference).abs();
+                    assert!(error <= 4.0 * f64::EPSILON, "{x}^{exponent}: {error:e}");
+                } else if x != 5e-324 && x != 1e300 {
+                    assert!(power.to_bits() == reference.to_bits() || power.is_nan() && reference.is_nan());
+                }
+            }
+            assert_eq!(pow(x, 2.0).to_bits() << 1, (x * x).to_bits() << 1);
+        }
+        assert_eq!(pow(5e-324, 2.0), 0.0);
+        assert_eq!(pow(1e300, -2.0), 0.0);
     }
 
     #[test]

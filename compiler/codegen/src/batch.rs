@@ -1,0 +1,366 @@
+//! Kernels for many points: two points side by side, tile after tile.
+//!
+//! A [`BatchTape`] says what is computed once and what follows in which stage. Each stage becomes functions of about
+//! [`CHUNK`] operations, and each of them is a loop over the pairs of points of a tile, so that a tile's data stay in the
+//! cache from one function to the next. What one function computes and another needs is carried in the tile, pair by
+//! pair. Between two stages the sines and cosines of all angles of the tile are taken at once, as wide as the machine
+//! allows ([`calyx_abi::math::sincos_columns`]). The bits are those of the kernel for one point.
+
+mod run;
+
+use crate::backend::Backend;
+use crate::error::CodegenError;
+use crate::function::TRUSTED;
+use crate::jit::Jit;
+use crate::module::ModuleLowering;
+use crate::operation::{self, References};
+use calyx_lang::ir::Program;
+use calyx_symbolic::batch::{BatchTape, Source};
+use calyx_symbolic::{Instruction, Tape};
+use cranelift_codegen::ir::condcodes::IntCC;
+use cranelift_codegen::ir::{AbiParam, InstBuilder, MemFlagsData, Signature, Value, types};
+use cranelift_frontend::FunctionBuilder;
+use cranelift_module::{FuncId, Module};
+use std::collections::HashMap;
+
+pub use run::{Batch, BatchError, BatchKernel};
+
+/// Operations in one function: register allocation costs more than proportionally.
+const CHUNK: usize = 1000;
+
+/// Bytes of a pair of numbers.
+const PAIR: usize = 16;
+
+/// A tile should stay in the cache next to the processor, beside inputs, outputs and what is uniform.
+const TILE_BYTES: usize = 32 << 10;
+
+/// Pairs of points in a tile: enough to make its fixed cost small, even where every pair carries much.
+const TILE_PAIRS: std::ops::RangeInclusive<usize> = 16..=64;
+
+/// Columns of the caller begin anywhere; everything else lies on whole pairs.
+const ANYWHERE: MemFlagsData = MemFlagsData::new().with_notrap();
+
+/// How many operations later a value in memory is rather read again than kept in a register.
+const RELOAD_AFTER: usize = 24;
+
+/// Compiles a tape for evaluation at many points; `varying` tells for each input whether it varies.
+///
+/// # Errors
+/// The tape is malformed, or the machine is not one that Cranelift knows.
+pub fn compile_batch(tape: &Tape, varying: &[bool]) -> Result<BatchKernel, CodegenError> {
+    if !tape.is_well_formed() {
+        return Err(CodegenError::Malformed("a tape that uses a value before it is there"));
+    }
+    let batch = BatchTape::new(tape.clone(), varying);
+    let plan = Plan::new(&batch);
+    let program = Program::default();
+    let mut jit = Jit::new(&program, &[])?;
+    let mut lowering = ModuleLowering::new(jit.module(), &program)?;
+    let uniform = crate::kernel::lower(&mut lowering, "calyx_uniform", &batch.uniform)?;
+    let mut functions = Vec::new();
+    for chunk in 0..plan.chunks.len() {
+        functions.push(define_chunk(&mut lowering, &batch, &plan, chunk)?);
+    }
+    let code = jit.into_code()?;
+    Ok(BatchKernel::new(&batch, &plan, code, uniform, &functions))
+}
+
+/// Some operations of a stage.
+struct Chunk {
+    stage: usize,
+    operations: std::ops::Range<usize>,
+    /// The first of its stage also passes on angles that no operation computes.
+    first: bool,
+    /// The last of all also writes outputs that no operation computes.
+    last: bool,
+}
+
+/// Where sines and cosines of the angles of one stage lie in a tile, in bytes.
+#[derive(Clone, Copy, Default)]
+struct Angles {
+    /// Angles, pair by pair; the sines follow at `offset + size`, the cosines at `offset + 2 * size`.
+    offset: usize,
+    size: usize,
+    count: usize,
+}
+
+/// How a tape is cut up, and what lies where in a tile.
+struct Plan {
+    chunks: Vec<Chunk>,
+    /// Place among those carried of each value that a later function needs.
+    places: HashMap<u32, usize>,
+    carried: usize,
+    angles: Vec<Angles>,
+    /// Pairs of points in a full tile.
+    pairs: usize,
+    /// Bytes of a tile; what is carried begins it.
+    size: usize,
+}
+
+impl Plan {
+    fn new(batch: &BatchTape) -> Plan {
+        let mut chunks = Vec::new();
+        for (stage, operations) in batch.stages.iter().enumerate() {
+            let share = operations.len().div_ceil(operations.len().div_ceil(CHUNK).max(1)).max(1);
+            for start in (0..operations.len().max(1)).step_by(share) {
+                let operations = start..(start + share).min(operations.len());
+                chunks.push(Chunk { stage, operations, first: start == 0, last: false });
+            }
+        }
+        if let Some(chunk) = chunks.last_mut() {
+            chunk.last = true;
+        }
+
+        let mut last_use: HashMap<u32, usize> = HashMap::new();
+        for (number, chunk) in chunks.iter().enumerate() {
+            for &id in &batch.stages[chunk.stage][chunk.operations.clone()] {
+                for operand in batch.tape.instructions[id as usize].operands() {
+                    last_use.insert(operand, number);
+                }
+            }
+        }
+        let (mut places, mut free, mut carried) = (HashMap::new(), Vec::new(), 0);
+        let mut ending = vec![Vec::new(); chunks.len()];
+        for (number, chunk) in chunks.iter().enumerate() {
+            for id in &batch.stages[chunk.stage][chunk.operations.clone()] {
+                let Some(&last) = last_use.get(id).filter(|&&last| last > number) else { continue };
+                let place = free.pop().unwrap_or_else(|| {
+                    carried += 1;
+                    carried - 1
+                });
+                places.insert(*id, place);
+                ending[last].push(place);
+            }
+            free.append(&mut ending[number]);
+        }
+
+        let per_pair = PAIR * (carried + 3 * batch.angles.iter().map(Vec::len).sum::<usize>()).max(1);
+        let pairs = (TILE_BYTES / per_pair).clamp(*TILE_PAIRS.start(), *TILE_PAIRS.end());
+        let mut size = carried * pairs * PAIR;
+        let angles = batch.angles.iter().map(|angles| {
+            let block = Angles { offset: size, size: angles.len() * pairs * PAIR, count: angles.len() };
+            size += 3 * block.size;
+            block
+        });
+        let angles = angles.collect();
+        Plan { chunks, places, carried, angles, pairs, size }
+    }
+}
+
+/// Signature of [`run::ChunkFn`].
+fn signature<M: Module>(module: &M) -> Signature {
+    let mut signature = module.make_signature();
+    signature.params.extend([AbiParam::new(types::I64); 5]);
+    signature
+}
+
+fn define_chunk<M: Module>(
+    module: &mut ModuleLowering<M>,
+    batch: &BatchTape,
+    plan: &Plan,
+    number: usize,
+) -> Result<FuncId, CodegenError> {
+    let signature = signature(module.module);
+    let id = module.module.declare_anonymous_function(&signature)?;
+    let chunk = &plan.chunks[number];
+    module.define(id, signature, |module, mut builder| {
+        let entry = builder.create_block();
+        builder.append_block_params_for_function_params(entry);
+        builder.switch_to_block(entry);
+        let &[table, columns, outputs, tile, pairs] = builder.block_params(entry) else {
+            return Err(CodegenError::Malformed("a batch function of another signature"));
+        };
+        // One pointer per stride: position in columns, pair among what is carried, pair among the angles of a stage.
+        let strides: Vec<usize> = [PAIR, plan.carried * PAIR]
+            .into_iter()
+            .chain(plan.angles.iter().map(|angles| angles.count * PAIR))
+            .collect();
+        let position = builder.ins().iconst(types::I64, 0);
+        let mut starts = vec![position.into(), tile.into()];
+        for angles in &plan.angles {
+            starts.push(builder.ins().iadd_imm_s(tile, angles.offset as i64).into());
+        }
+        let bytes = builder.ins().imul_imm_s(pairs, PAIR as i64);
+        let (body, done) = (builder.create_block(), builder.create_block());
+        let pointers: Vec<Value> =
+            strides.iter().map(|_| builder.append_block_param(body, types::I64)).collect();
+        builder.ins().jump(body, &starts);
+        builder.switch_to_block(body);
+
+        let lanes = Lanes {
+            module,
+            builder,
+            batch,
+            plan,
+            table,
+            columns,
+            outputs,
+            pointers,
+            values: HashMap::new(),
+            read: HashMap::new(),
+            addresses: HashMap::new(),
+            done: 0,
+            references: References::new(),
+        };
+        let Lanes { module, mut builder, pointers, .. } = lanes.lower(chunk)?;
+        let next: Vec<Value> = pointers
+            .iter()
+            .zip(&strides)
+            .map(|(&pointer, &stride)| builder.ins().iadd_imm_s(pointer, stride as i64))
+            .collect();
+        let more = builder.ins().icmp(IntCC::UnsignedLessThan, next[0], bytes);
+        let next: Vec<_> = next.into_iter().map(Into::into).collect();
+        builder.ins().brif(more, body, &next, done, &[]);
+        builder.switch_to_block(done);
+        builder.ins().return_(&[]);
+        builder.seal_all_blocks();
+        builder.finalize(module.module.target_config());
+        Ok(())
+    })?;
+    Ok(id)
+}
+
+/// The body of a loop over pairs of points, under construction.
+struct Lanes<'c, 'm, 'f, M: Module> {
+    module: &'c mut ModuleLowering<'m, M>,
+    builder: FunctionBuilder<'f>,
+    batch: &'c BatchTape,
+    plan: &'c Plan,
+    /// What is uniform, twice each.
+    table: Value,
+    /// Where the columns of inputs and outputs begin.
+    columns: Value,
+    outputs: Value,
+    /// As the loop's strides.
+    pointers: Vec<Value>,
+    /// What this function has computed.
+    values: HashMap<u32, Value>,
+    /// What was last read from memory, and after how many operations.
+    read: HashMap<u32, (Value, usize)>,
+    /// Where columns of inputs are.
+    addresses: HashMap<u32, Value>,
+    /// Operations so far.
+    done: usize,
+    references: References,
+}
+
+impl<M: Module> Lanes<'_, '_, '_, M> {
+    fn lower(mut self, chunk: &Chunk) -> Result<Self, CodegenError> {
+        let batch = self.batch;
+        let mut outputs: HashMap<u32, Vec<usize>> = HashMap::new();
+        for (position, &output) in batch.tape.outputs.iter().enumerate() {
+            outputs.entry(output).or_default().push(position);
+        }
+        // The angles that this function makes: of any later stage if it computes them.
+        let mut angles: HashMap<u32, Vec<(usize, usize)>> = HashMap::new();
+        for (stage, list) in batch.angles.iter().enumerate() {
+            for (index, &angle) in list.iter().enumerate() {
+                if matches!(batch.sources[angle as usize], Source::Stage(_)) {
+                    angles.entry(angle).or_default().push((stage, index));
+                } else if chunk.first && stage == chunk.stage {
+                    let value = self.operand(angle)?;
+                    self.store_angle(value, stage, index);
+                }
+            }
+        }
+        for &id in &batch.stages[chunk.stage][chunk.operations.clone()] {
+            let value = self.compute(id)?;
+            self.values.insert(id, value);
+            if let Some(&place) = self.plan.places.get(&id) {
+                let address = self.pointers[1];
+                self.builder.ins().store(TRUSTED, value, address, (place * PAIR) as i32);
+            }
+            for &(stage, index) in angles.get(&id).into_iter().flatten() {
+                self.store_angle(value, stage, index);
+            }
+            for &position in outputs.get(&id).into_iter().flatten() {
+                self.store_output(value, position);
+            }
+        }
+        if chunk.last {
+            for (position, &output) in batch.tape.outputs.iter().enumerate() {
+                if !matches!(batch.sources[output as usize], Source::Stage(_) | Source::Uniform(_)) {
+                    let value = self.operand(output)?;
+                    self.store_output(value, position);
+                }
+            }
+        }
+        Ok(self)
+    }
+
+    fn compute(&mut self, id: u32) -> Result<Value, CodegenError> {
+        let instruction: Instruction = self.batch.tape.instructions[id as usize];
+        let operands = instruction.operands().map(|id| self.operand(id)).collect::<Result<Vec<_>, _>>()?;
+        self.done += 1;
+        operation::lower(
+            self.module,
+            &mut self.builder,
+            &mut self.references,
+            types::F64X2,
+            instruction,
+            &operands,
+        )
+    }
+
+    /// An operand. What lies in memory is read close to its use, which then needs no register for long.
+    fn operand(&mut self, id: u32) -> Result<Value, CodegenError> {
+        if let Some(value) = self.values.get(&id) {
+            return Ok(*value);
+        }
+        if let Some(&(value, after)) = self.read.get(&id)
+            && self.done - after < RELOAD_AFTER
+        {
+            return Ok(value);
+        }
+        let value = self.read_from_memory(id)?;
+        self.read.insert(id, (value, self.done));
+        Ok(value)
+    }
+
+    fn read_from_memory(&mut self, id: u32) -> Result<Value, CodegenError> {
+        let (address, offset) = match self.batch.sources[id as usize] {
+            Source::Uniform(slot) => (self.table, slot as usize * PAIR),
+            Source::Column(input) => {
+                let address = self.column(input)?;
+                let position = self.builder.ins().iadd(address, self.pointers[0]);
+                return Ok(self.builder.ins().load(types::F64X2, ANYWHERE, position, 0));
+            }
+            Source::Sine { stage, angle } => {
+                let block = self.plan.angles[stage as usize];
+                (self.pointers[stage as usize + 2], block.size + angle as usize * PAIR)
+            }
+            Source::Cosine { stage, angle } => {
+                let block = self.plan.angles[stage as usize];
+                (self.pointers[stage as usize + 2], 2 * block.size + angle as usize * PAIR)
+            }
+            Source::Stage(_) => match self.plan.places.get(&id) {
+                Some(&place) => (self.pointers[1], place * PAIR),
+                None => return Err(CodegenError::Malformed("a batch that carries too little")),
+            },
+        };
+        Ok(self.builder.ins().load(types::F64X2, TRUSTED, address, offset as i32))
+    }
+
+    /// Where the column of an input begins.
+    fn column(&mut self, input: u32) -> Result<Value, CodegenError> {
+        if let Some(address) = self.addresses.get(&input) {
+            return Ok(*address);
+        }
+        let place = self.batch.varying.iter().take(input as usize).filter(|&&varies| varies).count();
+        let offset = (place * size_of::<usize>()) as i32;
+        let address = self.builder.ins().load(types::I64, TRUSTED, self.columns, offset);
+        self.addresses.insert(input, address);
+        Ok(address)
+    }
+
+    fn store_angle(&mut self, value: Value, stage: usize, index: usize) {
+        self.builder.ins().store(TRUSTED, value, self.pointers[stage + 2], (index * PAIR) as i32);
+    }
+
+    fn store_output(&mut self, value: Value, position: usize) {
+        let offset = (position * size_of::<usize>()) as i32;
+        let address = self.builder.ins().load(types::I64, TRUSTED, self.outputs, offset);
+        let address = self.builder.ins().iadd(address, self.pointers[0]);
+        self.builder.ins().store(ANYWHERE, value, address, 0);
+    }
+}
