@@ -14,36 +14,118 @@ use crate::graph::{Binary, Graph, Node, NodeId, Unary};
 
 impl Graph {
     /// The derivative of an expression by a symbol.
+    ///
+    /// Where everything the expression has of the symbol comes through one expression used several times (an angle
+    /// between its sine and cosine and a coefficient, say), it is the derivative by that one, times its own. All
+    /// coefficients of the angle then share the first factor.
     pub fn derivative(&mut self, root: NodeId, symbol: u32) -> NodeId {
-        let found =
-            self.derivatives.get(&symbol).and_then(|known| known.get(root.index()).copied().flatten());
-        if let Some(found) = found {
-            return found;
+        if let Some(&known) = self.total_derivatives.get(&(root, symbol)) {
+            return known;
         }
+        let variable = self.symbol(symbol);
+        let waypoints = self.waypoints(root, variable);
+        // From the symbol upwards, each with the derivative of what it leads to.
+        let origin = self.set_origin(0);
+        let mut result: Option<NodeId> = None;
+        for (place, &waypoint) in waypoints.iter().enumerate().rev() {
+            let above = if place == 0 { root } else { waypoints[place - 1] };
+            let factor = self.derivative_by(above, waypoint);
+            self.set_origin(self.origin(above));
+            result = Some(match result {
+                Some(below) => self.multiply(factor, below),
+                None => factor,
+            });
+        }
+        self.set_origin(origin);
+        let result = result.unwrap_or_else(|| self.constant(0.0));
+        self.total_derivatives.insert((root, symbol), result);
+        result
+    }
+
+    /// The derivative by a node that is taken for independent of everything else.
+    fn derivative_by(&mut self, root: NodeId, variable: NodeId) -> NodeId {
         let zero = self.constant(0.0);
-        let mut known = self.derivatives.remove(&symbol).unwrap_or_default();
-        if known.len() <= root.index() {
-            known.resize(root.index() + 1, None);
+        let mut known = self.derivatives.remove(&variable).unwrap_or_default();
+        // What is older than the variable cannot contain it.
+        let place = |id: NodeId| id.index().checked_sub(variable.index());
+        let Some(last) = place(root) else { return zero };
+        if known.len() <= last {
+            known.resize(last + 1, None);
         }
         let origin = self.set_origin(0);
-        for id in self.reachable(&[root], |id| known[id.index()].is_none()) {
-            let of = |operand: NodeId| known[operand.index()].unwrap_or(zero);
+        for id in self.reachable(&[root], |id| place(id).is_some_and(|place| known[place].is_none())) {
+            let of = |operand: NodeId| place(operand).and_then(|place| known[place]).unwrap_or(zero);
             self.set_origin(self.origin(id));
             let derivative = match self.node(id) {
-                Node::Constant(_) => zero,
-                Node::Symbol(index) => self.constant(if index == symbol { 1.0 } else { 0.0 }),
+                _ if id == variable => self.constant(1.0),
+                Node::Constant(_) | Node::Symbol(_) => zero,
                 Node::Unary(operation, a) => self.unary_derivative(operation, id, a, of(a)),
                 Node::Binary(operation, a, b) => {
                     self.binary_derivative(operation, id, (a, of(a)), (b, of(b)))
                 }
                 Node::Select(c, a, b) => self.select(c, of(a), of(b)),
             };
-            known[id.index()] = Some(derivative);
+            if let Some(place) = place(id) {
+                known[place] = Some(derivative);
+            }
         }
         self.set_origin(origin);
-        let result = known[root.index()].unwrap_or(zero);
-        self.derivatives.insert(symbol, known);
+        let result = known[last].unwrap_or(zero);
+        self.derivatives.insert(variable, known);
         result
+    }
+
+    /// Nodes used several times that every path from the root to the variable leads through, root first, and then
+    /// the variable itself. Empty if there is no path.
+    ///
+    /// None of them lies behind a choice: `select(c, x', y')` keeps out what it does not choose, a product of
+    /// derivatives would not.
+    fn waypoints(&self, root: NodeId, variable: NodeId) -> Vec<NodeId> {
+        let place = |id: NodeId| id.index().checked_sub(variable.index());
+        let Some(last) = place(root) else { return Vec::new() };
+        let order = self.reachable(&[root], |id| id >= variable);
+        let mut depends = vec![false; last + 1];
+        for &id in &order {
+            let Some(at) = place(id) else { continue };
+            let mut operands = self.node(id).operands().into_iter().flatten();
+            depends[at] = at == 0 || operands.any(|operand| place(operand).is_some_and(|at| depends[at]));
+        }
+        if !depends[last] {
+            return Vec::new();
+        }
+        let mut found = Vec::new();
+        let mut uses = vec![0_u32; last + 1];
+        // Nodes that have been met and not yet visited; where there is only one, all paths meet.
+        let mut pending = 1;
+        for &id in order.iter().rev() {
+            let Some(at) = place(id).filter(|&at| depends[at]) else { continue };
+            pending -= 1;
+            if id != root && pending == 0 && uses[at] > 1 || at == 0 {
+                found.push(id);
+            }
+            if self.is_choice(id) && id != variable {
+                found.push(variable);
+                return found;
+            }
+            for operand in self.node(id).operands().into_iter().flatten() {
+                if let Some(at) = place(operand).filter(|&at| depends[at]) {
+                    pending += usize::from(uses[at] == 0);
+                    uses[at] += 1;
+                }
+            }
+        }
+        found
+    }
+
+    /// Whether the derivative of a node chooses between terms.
+    fn is_choice(&self, id: NodeId) -> bool {
+        match self.node(id) {
+            Node::Select(..) | Node::Unary(Unary::Abs, _) | Node::Binary(Binary::Min | Binary::Max, ..) => {
+                true
+            }
+            Node::Binary(Binary::Power, _, exponent) => self.constant_value(exponent).is_none(),
+            _ => false,
+        }
     }
 
     /// The expression with a symbol replaced by another expression.

@@ -8,7 +8,8 @@
 //! The chain is kept as structure. A vector and its time derivatives (a *jet*) pass through it factor by factor:
 //! through a rotation with angular velocity `w = a' n` and angular acceleration `e = a'' n`,
 //! `(Q x)' = Q (x' + w x x)` and `(Q x)'' = Q (x'' + e x x + w x (2 x' + w x x))`. Tip to base this costs
-//! some thirty operations a joint, a third of what differentiated matrix products cost. Factors that are not of
+//! some thirty operations a joint, a third of what differentiated matrix products cost. Rotations about one axis that
+//! follow on each other are one rotation by the sum of their angles. Factors that are not of
 //! this form (an axis that moves, a choice between frames) are differentiated entry by entry.
 
 use crate::graph::{Graph, NodeId, Unary};
@@ -116,7 +117,7 @@ impl Frame {
 
     /// Coordinates in the frame of a point given in ground coordinates.
     pub fn apply(&self, graph: &mut Graph, point: Vector3) -> Vector3 {
-        self.factors.iter().fold(point, |x, factor| factor.enter(graph, vec![x], None)[0])
+        self.fused(graph).iter().fold(point, |x, factor| factor.enter(graph, vec![x], None)[0])
     }
 
     /// The frame's origin in ground coordinates.
@@ -127,7 +128,7 @@ impl Frame {
 
     /// In ground coordinates, the direction of a vector given in the frame.
     pub fn direction(&self, graph: &mut Graph, vector: Vector3) -> Vector3 {
-        self.factors.iter().rev().fold(vector, |x, factor| factor.turn_out(graph, vec![x], None)[0])
+        self.turns(graph).iter().rev().fold(vector, |x, factor| factor.turn_out(graph, vec![x], None)[0])
     }
 
     /// Velocity of the origin relative to ground, in ground coordinates. `time` is the symbol of time.
@@ -170,17 +171,27 @@ impl Frame {
         }
         // The translation is ground's origin in coordinates of the frame.
         let mut ground = vec![graph.zero_vector(); order + 1];
-        for factor in &self.factors {
+        for factor in self.fused(graph) {
             ground = factor.enter(graph, ground, Some(time));
         }
         rotations.into_iter().zip(ground).map(|(rotation, translation)| join(rotation, translation)).collect()
     }
 
+    /// The factors, where rotations about one axis that follow on each other are one, and translations likewise.
+    fn fused(&self, graph: &mut Graph) -> Vec<Factor> {
+        fuse(graph, self.factors.iter().copied())
+    }
+
+    /// The factors that turn, fused: to a direction translations do not matter.
+    fn turns(&self, graph: &mut Graph) -> Vec<Factor> {
+        fuse(graph, self.factors.iter().copied().filter(|factor| !matches!(factor, Factor::Translate(_))))
+    }
+
     /// Rotation matrix from ground into the frame.
     fn rotation(&self, graph: &mut Graph) -> Matrix3 {
         let mut matrix = graph.identity_matrix();
-        for factor in &self.factors {
-            matrix = match *factor {
+        for factor in self.turns(graph) {
+            matrix = match factor {
                 Factor::Translate(_) => continue,
                 Factor::Rotate { angle, axis } => {
                     let turn = transposed(rotation_matrix(graph, angle, axis));
@@ -194,7 +205,7 @@ impl Frame {
 
     /// A point given in the frame with its time derivatives there, as seen from ground.
     fn point_to_ground(&self, graph: &mut Graph, point: Jet, time: Option<u32>) -> Jet {
-        self.factors.iter().rev().fold(point, |x, factor| match *factor {
+        self.fused(graph).iter().rev().fold(point, |x, factor| match *factor {
             Factor::Translate(v) => {
                 let v = jet(graph, v, x.len(), time);
                 x.into_iter().zip(v).map(|(x, v)| graph.add_vectors(x, v)).collect()
@@ -211,7 +222,7 @@ impl Frame {
     /// Angular velocity and its time derivatives, `len` vectors in all, in ground coordinates.
     fn spin_in_ground(&self, graph: &mut Graph, time: u32, len: usize) -> Jet {
         let rest = vec![graph.zero_vector(); len];
-        self.factors.iter().rev().fold(rest, |spin, factor| {
+        self.turns(graph).iter().rev().fold(rest, |spin, factor| {
             // A factor's own spin is resolved in the frame it leads to, where the spins beyond it live too.
             let Some(own) = factor.spin(graph, time, len) else { return spin };
             let sum = spin.into_iter().zip(own).map(|(a, b)| graph.add_vectors(a, b)).collect();
@@ -222,7 +233,7 @@ impl Frame {
     /// Angular velocity and its time derivatives in the frame's own coordinates.
     fn spin_in_frame(&self, graph: &mut Graph, time: u32, len: usize) -> Jet {
         let rest = vec![graph.zero_vector(); len];
-        self.factors.iter().fold(rest, |spin, factor| {
+        self.turns(graph).iter().fold(rest, |spin, factor| {
             let Some(own) = factor.spin(graph, time, len) else { return spin };
             let turned = factor.turn_in(graph, spin, Some(time));
             turned.into_iter().zip(own).map(|(a, b)| graph.add_vectors(a, b)).collect()
@@ -289,6 +300,29 @@ impl Factor {
         };
         Some(jet(graph, velocity, len, Some(time)))
     }
+}
+
+/// Makes one factor of neighbours that are rotations about the same axis or translations.
+fn fuse(graph: &mut Graph, factors: impl Iterator<Item = Factor>) -> Vec<Factor> {
+    let mut fused: Vec<Factor> = Vec::new();
+    for factor in factors {
+        let joint = match (fused.last(), factor) {
+            (Some(&Factor::Translate(v)), Factor::Translate(w)) => {
+                Some(Factor::Translate(graph.add_vectors(v, w)))
+            }
+            (Some(&Factor::Rotate { angle, axis }), Factor::Rotate { angle: further, axis: same })
+                if axis == same =>
+            {
+                Some(Factor::Rotate { angle: graph.add(angle, further), axis })
+            }
+            _ => None,
+        };
+        match (joint, fused.last_mut()) {
+            (Some(joint), Some(last)) => *last = joint,
+            _ => fused.push(factor),
+        }
+    }
+    fused
 }
 
 /// `Q x` and its time derivatives, where `Q` turns by `angle` about `axis`.

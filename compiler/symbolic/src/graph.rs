@@ -145,8 +145,10 @@ pub struct Graph {
     /// What was being lowered when each node was first made, and what is now: see [`Graph::set_origin`].
     origins: Vec<u32>,
     origin: u32,
-    /// Per symbol, the derivatives known so far, by node.
-    pub(crate) derivatives: HashMap<u32, Vec<Option<NodeId>>>,
+    /// Per node taken for a variable, the derivatives known so far, by node from it on.
+    pub(crate) derivatives: HashMap<NodeId, Vec<Option<NodeId>>>,
+    /// Derivatives by symbols that have been asked for.
+    pub(crate) total_derivatives: HashMap<(NodeId, u32), NodeId>,
 }
 
 impl Graph {

@@ -21,7 +21,7 @@
 //! | `sin(x)*sin(x) + cos(x)*cos(x)` | `1` | finite |
 //! | `sin tan asin atan` of `-x`; `cos abs` of `-x` | sign outside; dropped | |
 //! | `abs(abs(x))`, `min(x, x)`, `max(x, x)` | `abs(x)`, `x`, `x` | |
-//! | `x ^ n` for n = -2, -1, 0, 1, 2, 3, 4 | products, `1 / ...` | |
+//! | `x ^ n` for whole n from -2 to 8 | products, `1 / ...` | |
 //! | `!!x` of a truth value, `true & x`, ... | `x`, ... | |
 //! | `select` on a constant, on `!c`, of equal arms | the arm, swapped arms, the arm | |
 
@@ -205,17 +205,31 @@ impl Graph {
         if exponent == 1.0 {
             return x;
         }
-        if ![-2.0, -1.0, 2.0, 3.0, 4.0].contains(&exponent) {
+        // As `calyx_abi::math::whole_power` has them, product by product.
+        if ![-2.0, -1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0].contains(&exponent) {
             return self.intern(Node::Binary(Binary::Power, x, y));
         }
-        let square = self.multiply(x, x);
         let one = self.constant(1.0);
+        if exponent == -1.0 {
+            return self.divide(one, x);
+        }
+        let square = self.multiply(x, x);
+        if exponent == -2.0 {
+            return self.divide(one, square);
+        }
+        if exponent < 4.0 {
+            return if exponent == 2.0 { square } else { self.multiply(square, x) };
+        }
+        let fourth = self.multiply(square, square);
         match exponent {
-            -2.0 => self.divide(one, square),
-            -1.0 => self.divide(one, x),
-            3.0 => self.multiply(square, x),
-            4.0 => self.multiply(square, square),
-            _ => square,
+            5.0 => self.multiply(fourth, x),
+            6.0 => self.multiply(fourth, square),
+            7.0 => {
+                let sixth = self.multiply(fourth, square);
+                self.multiply(sixth, x)
+            }
+            8.0 => self.multiply(fourth, fourth),
+            _ => fourth,
         }
     }
 

@@ -88,6 +88,10 @@ const RULES: &[Rule] = rules! {
     "x^2": |g, x, y| { let n = c(g, 2.0); g.power(x, n) }, x * x, 1;
     "x^3": |g, x, y| { let n = c(g, 3.0); g.power(x, n) }, x * x * x, 2;
     "x^4": |g, x, y| { let n = c(g, 4.0); g.power(x, n) }, x * x * x * x, 2;
+    "x^5": |g, x, y| { let n = c(g, 5.0); g.power(x, n) }, x.powi(5), 3;
+    "x^6": |g, x, y| { let n = c(g, 6.0); g.power(x, n) }, x.powi(6), 3;
+    "x^7": |g, x, y| { let n = c(g, 7.0); g.power(x, n) }, x.powi(7), 4;
+    "x^8": |g, x, y| { let n = c(g, 8.0); g.power(x, n) }, x.powi(8), 3;
     "x^-1": |g, x, y| { let n = c(g, -1.0); g.power(x, n) }, 1.0 / x, 1;
     "x^-2": |g, x, y| { let n = c(g, -2.0); g.power(x, n) }, 1.0 / (x * x), 2;
     "!!(x<y)": |g, x, y| {
@@ -132,6 +136,23 @@ fn every_rule_keeps_the_value_and_leaves_the_fewest_operations() {
             let (x, y) = (random.uniform(-0.99, 0.99), random.uniform(-0.99, 0.99));
             // Constants combined and sums of three terms may round differently: a few units in the last place.
             assert_close(evaluate(&g, &[node], &[x, y])[0], (rule.value)(x, y), 1e-15, rule.name);
+        }
+    }
+}
+
+/// Powers written as products are what `pow` gives, to the last bit.
+#[test]
+fn whole_powers_have_the_bits_of_pow() {
+    let mut random = Random(8);
+    for exponent in -3..=9 {
+        let exponent = f64::from(exponent);
+        let mut g = Graph::new();
+        let (x, n) = (g.symbol(0), c(&mut g, exponent));
+        let node = g.power(x, n);
+        for _ in 0..50 {
+            let x = random.uniform(-3.0, 3.0);
+            let power = calyx_abi::math::pow(x, exponent);
+            assert_eq!(evaluate(&g, &[node], &[x])[0].to_bits(), power.to_bits(), "{x}^{exponent}");
         }
     }
 }
