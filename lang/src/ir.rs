@@ -41,7 +41,7 @@ pub struct ExternId(pub u32);
 pub struct SiteId(pub u32);
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct LocalId(pub u32);
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct BlockId(pub u32);
 
 /// An input of the model.
@@ -180,6 +180,10 @@ pub struct Local {
 pub struct Block {
     pub statements: Vec<Statement>,
     pub terminator: Terminator,
+    /// Where an error of this block leads; without it, out of the function. What one cannot catch leaves it anyway.
+    pub handler: Option<BlockId>,
+    /// Where a program that is stopped here is said to be.
+    pub span: Span,
 }
 
 #[derive(Clone, Debug)]
@@ -248,6 +252,21 @@ pub enum Terminator {
     Jump(BlockId),
     Branch { condition: Expr, then: BlockId, otherwise: BlockId },
     Return(Option<Expr>),
+    /// Fails with an error of the program's own making.
+    Throw {
+        /// The fields of an `Error`: code, message, place, value.
+        error: Expr,
+        /// What to do about it; empty if nothing can be said.
+        help: String,
+        span: Span,
+    },
+    /// Fails again with an error that was caught ([`ExprKind::Catch`]).
+    Rethrow(Expr),
+}
+
+/// Representation of the record `Error`.
+pub fn error_repr() -> Repr {
+    Repr::Tuple(vec![Repr::String, Repr::String, Repr::String, Repr::Number])
 }
 
 #[derive(Clone, Debug)]
@@ -286,6 +305,10 @@ pub enum ExprKind {
     Len(Box<Expr>),
     /// Text and values joined; numbers in shortest form that reads back, divided by the factor and followed by the unit.
     Format(Vec<FormatPart>),
+    /// Takes the error that led to this block and keeps it: a handle. Stands once, at the head of a handler.
+    Catch,
+    /// The fields of a caught error, as in [`error_repr`].
+    CaughtFields(Box<Expr>),
     /// Executes a `:=`: captures the values of `captures`.
     MakeSymbolic {
         site: SiteId,

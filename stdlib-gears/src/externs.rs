@@ -346,23 +346,11 @@ fn entry<T>(table: &[T], handle: Handle) -> Result<&T, RuntimeError> {
 }
 
 fn defect(message: &str) -> RuntimeError {
-    RuntimeError {
-        code: "E0799".into(),
-        message: message.into(),
-        help: "this is a defect of Calyx; please report it with the model".into(),
-        argument: None,
-        place: None,
-    }
+    RuntimeError::new("E0799", message, "this is a defect of Calyx; please report it with the model")
 }
 
 fn refusal(code: &str, argument: &str, message: &str, help: &str) -> RuntimeError {
-    RuntimeError {
-        code: code.into(),
-        message: message.into(),
-        help: help.into(),
-        argument: Some(argument.into()),
-        place: None,
-    }
+    RuntimeError::new(code, message, help).of_argument(argument)
 }
 
 /// Findings that stop the model: the first goes to the program, the others to the host.
@@ -376,11 +364,6 @@ fn of_modifications(errors: Vec<GeometryError>) -> Vec<GeometryError> {
 }
 
 fn engine(error: EngineError) -> RuntimeError {
-    RuntimeError {
-        code: error.code.into(),
-        message: error.message,
-        help: error.help,
-        argument: error.argument.map(str::to_owned),
-        place: None,
-    }
+    let argument = error.argument.map(str::to_owned);
+    RuntimeError { argument, ..RuntimeError::new(error.code, error.message, error.help) }
 }

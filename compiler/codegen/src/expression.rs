@@ -5,7 +5,7 @@ use crate::function::{FunctionLowering, slot_types};
 use calyx_abi::helpers::CaptureKind;
 use calyx_abi::{Repr, repr_code};
 use calyx_lang::ir::{Expr, ExprKind, FormatPart, Op, SiteId};
-use calyx_lower::layout::{shown, stride, tuple_offset};
+use calyx_lower::layout::{blame_table, shown, stride, tuple_offset};
 use calyx_lower::operations::{Scalars, expand, is_scalar};
 use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::{BlockArg, InstBuilder, Type, Value, types};
@@ -50,17 +50,20 @@ impl<'m, M: Module> FunctionLowering<'_, 'm, '_, M> {
             }
             ExprKind::Call(id, arguments) => {
                 let arguments = self.expressions(arguments)?;
-                let id = self.module.functions.get(id.0 as usize);
-                let id = *id.ok_or(CodegenError::Malformed("a function that is not there"))?;
-                self.at(expr.span);
-                self.call_slots(id, &arguments, &slot_types(&expr.repr))?
+                self.call_function(*id, &arguments, &slot_types(&expr.repr), expr.span)?
             }
             ExprKind::CallExtern(id, arguments) => {
-                let arguments = self.expressions(arguments)?;
-                let id = self.module.externs.get(id.0 as usize);
-                let id = *id.ok_or(CodegenError::Malformed("a provided function that is not there"))?;
+                let values = self.expressions(arguments)?;
+                let index = id.0 as usize;
+                let declaration = self.module.program.externs.get(index);
+                let (Some(&target), Some(declaration)) = (self.module.externs.get(index), declaration) else {
+                    return Err(CodegenError::Malformed("a provided function that is not there"));
+                };
                 self.at(expr.span);
-                self.call_slots(id, &arguments, &slot_types(&expr.repr))?
+                self.call_slots(target, &values, &slot_types(&expr.repr), |f| {
+                    let table = f.constant(&blame_table(declaration, arguments, expr.span))?;
+                    f.helper_status("calyx_blame", &table)
+                })?
             }
             ExprKind::Array(elements) => {
                 let values = self.expressions(elements)?;
@@ -108,6 +111,14 @@ impl<'m, M: Module> FunctionLowering<'_, 'm, '_, M> {
                 }
                 self.at(expr.span);
                 self.format(parts, values)?
+            }
+            ExprKind::Catch => {
+                self.helper_into(&[types::I64], |f, into| f.helper("calyx_catch", &[into]))?
+            }
+            ExprKind::CaughtFields(caught) => {
+                let caught = self.scalar(caught)?;
+                let types = slot_types(&expr.repr);
+                self.helper_into(&types, |f, into| f.helper("calyx_caught", &[caught, into]))?
             }
             ExprKind::MakeSymbolic { site, captures } => {
                 let captures = self.expressions(captures)?;

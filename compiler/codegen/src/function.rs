@@ -5,9 +5,9 @@
 
 use crate::error::CodegenError;
 use crate::module::ModuleLowering;
-use calyx_abi::Repr;
+use calyx_abi::{Repr, Status};
 use calyx_abi::context::{Layout, MAX_DEPTH};
-use calyx_lang::ir::{Function, LocalId, Mode};
+use calyx_lang::ir::{BlockId, Function, FunctionId, LocalId, Mode};
 use calyx_lang::span::Span;
 use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::{
@@ -16,7 +16,7 @@ use cranelift_codegen::ir::{
 };
 use cranelift_frontend::{FunctionBuilder, Variable};
 use cranelift_module::{FuncId, Module};
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 
 /// Memory that is there and aligned: the context, arguments, results, the buffer.
 pub const TRUSTED: MemFlagsData = MemFlagsData::trusted();
@@ -38,6 +38,10 @@ pub struct FunctionLowering<'l, 'm, 'f, M: Module> {
     results: Value,
     /// Takes a status; ends the call under way and returns it.
     leave: Block,
+    /// Takes a status: where an error of the present block leads.
+    on_error: Block,
+    /// For each handler of the function, what `on_error` is in blocks that it serves.
+    landings: BTreeMap<BlockId, Block>,
     /// Room for arguments and results of calls, as large as the largest needs.
     buffer: StackSlot,
     buffer_slots: usize,
@@ -86,6 +90,8 @@ impl<'l, 'm, 'f, M: Module> FunctionLowering<'l, 'm, 'f, M> {
             arguments,
             results,
             leave,
+            on_error: leave,
+            landings: BTreeMap::new(),
             buffer,
             buffer_slots: 0,
             references: HashMap::new(),
@@ -96,9 +102,13 @@ impl<'l, 'm, 'f, M: Module> FunctionLowering<'l, 'm, 'f, M> {
     pub fn lower(mut self) -> Result<(), CodegenError> {
         self.enter()?;
         for (index, block) in self.function.blocks.iter().enumerate() {
+            self.on_error = self.landing(block.handler);
             self.builder.switch_to_block(self.blocks[index]);
-            self.count_block()?;
+            self.count_block(block.span)?;
             self.block(block)?;
+        }
+        for (handler, landing) in std::mem::take(&mut self.landings) {
+            self.land(handler, landing)?;
         }
         self.builder.switch_to_block(self.leave);
         let status = self.builder.block_params(self.leave)[0];
@@ -144,13 +154,42 @@ impl<'l, 'm, 'f, M: Module> FunctionLowering<'l, 'm, 'f, M> {
         Ok(())
     }
 
+    /// Where errors lead in blocks with this handler.
+    fn landing(&mut self, handler: Option<BlockId>) -> Block {
+        let Some(handler) = handler else { return self.leave };
+        if let Some(landing) = self.landings.get(&handler) {
+            return *landing;
+        }
+        let landing = self.cold_block();
+        self.builder.append_block_param(landing, types::I32);
+        self.landings.insert(handler, landing);
+        landing
+    }
+
+    /// From a landing on to the handler, if what happened can be caught.
+    fn land(&mut self, handler: BlockId, landing: Block) -> Result<(), CodegenError> {
+        let target = self.target(handler)?;
+        self.builder.switch_to_block(landing);
+        let status = self.builder.block_params(landing)[0];
+        let failed = self.builder.ins().icmp_imm_s(IntCC::Equal, status, i64::from(Status::Failed as i32));
+        self.builder.ins().brif(failed, target, &[], self.leave, &[BlockArg::Value(status)]);
+        Ok(())
+    }
+
+    /// A block of the function.
+    pub fn target(&self, block: BlockId) -> Result<Block, CodegenError> {
+        let block = self.blocks.get(block.0 as usize).copied();
+        block.ok_or(CodegenError::Malformed("a block that is not there"))
+    }
+
     /// Counts a basic block against what the program may still enter.
-    fn count_block(&mut self) -> Result<(), CodegenError> {
+    fn count_block(&mut self, span: Span) -> Result<(), CodegenError> {
         let granted = self.load_context(types::I64, Layout::GRANTED);
         let (refuel, proceed) = (self.cold_block(), self.builder.create_block());
         let left = self.builder.append_block_param(proceed, types::I64);
         self.builder.ins().brif(granted, proceed, &[BlockArg::Value(granted)], refuel, &[]);
         self.builder.switch_to_block(refuel);
+        self.at(span);
         self.helper("calyx_refuel", &[])?;
         let granted = self.load_context(types::I64, Layout::GRANTED);
         self.builder.ins().jump(proceed, &[BlockArg::Value(granted)]);
@@ -203,11 +242,13 @@ impl<'l, 'm, 'f, M: Module> FunctionLowering<'l, 'm, 'f, M> {
     }
 
     /// Calls a compiled or provided function with the slots of its arguments; gives those of its results.
+    /// If it fails, `note` adds to the error what is known here, and returns the status again.
     pub fn call_slots(
         &mut self,
         id: FuncId,
         arguments: &[Value],
         types: &[Type],
+        note: impl FnOnce(&mut Self) -> Result<Value, CodegenError>,
     ) -> Result<Vec<Value>, CodegenError> {
         self.store_buffer(0, arguments);
         let into = arguments.len();
@@ -216,8 +257,40 @@ impl<'l, 'm, 'f, M: Module> FunctionLowering<'l, 'm, 'f, M> {
         let function = self.reference(id);
         let call = self.builder.ins().call(function, &[self.context, from, to]);
         let status = self.builder.inst_results(call)[0];
-        self.check(status);
+        let (failed, proceed) = (self.cold_block(), self.builder.create_block());
+        self.builder.ins().brif(status, failed, &[], proceed, &[]);
+        self.builder.switch_to_block(failed);
+        let status = note(self)?;
+        self.fail(status);
+        self.builder.switch_to_block(proceed);
         Ok(self.load_buffer(into, types))
+    }
+
+    /// Calls a function of the program at a place.
+    pub fn call_function(
+        &mut self,
+        id: FunctionId,
+        arguments: &[Value],
+        types: &[Type],
+        span: Span,
+    ) -> Result<Vec<Value>, CodegenError> {
+        let missing = CodegenError::Malformed("a function that is not there");
+        let (Some(&target), Some(callee)) =
+            (self.module.functions.get(id.0 as usize), self.module.program.functions.get(id.0 as usize))
+        else {
+            return Err(missing);
+        };
+        self.at(span);
+        self.call_slots(target, arguments, types, |f| {
+            let [name, length] = f.constant(callee.name.as_bytes())?;
+            let place = [span.file.0, span.start, span.end].map(|word| f.word(word as usize));
+            f.helper_status("calyx_passed", &[&[name, length], &place[..]].concat())
+        })
+    }
+
+    /// Goes where errors of the present block lead.
+    pub fn fail(&mut self, status: Value) {
+        self.builder.ins().jump(self.on_error, &[BlockArg::Value(status)]);
     }
 
     /// Calls a helper with words; goes on if it succeeds.
@@ -227,7 +300,8 @@ impl<'l, 'm, 'f, M: Module> FunctionLowering<'l, 'm, 'f, M> {
         Ok(())
     }
 
-    fn helper_status(&mut self, symbol: &str, arguments: &[Value]) -> Result<Value, CodegenError> {
+    /// Calls a helper with words; gives its status.
+    pub fn helper_status(&mut self, symbol: &str, arguments: &[Value]) -> Result<Value, CodegenError> {
         let id = self.module.import(symbol)?;
         let function = self.reference(id);
         let arguments = [&[self.context], arguments].concat();
@@ -235,10 +309,10 @@ impl<'l, 'm, 'f, M: Module> FunctionLowering<'l, 'm, 'f, M> {
         Ok(self.builder.inst_results(call)[0])
     }
 
-    /// Leaves the function unless the status is `Ok`.
+    /// Goes where errors lead unless the status is `Ok`.
     fn check(&mut self, status: Value) {
         let proceed = self.builder.create_block();
-        self.builder.ins().brif(status, self.leave, &[BlockArg::Value(status)], proceed, &[]);
+        self.builder.ins().brif(status, self.on_error, &[BlockArg::Value(status)], proceed, &[]);
         self.builder.switch_to_block(proceed);
     }
 

@@ -2,6 +2,7 @@
 
 use crate::error::CodegenError;
 use crate::function::{FunctionLowering, slot_types};
+use calyx_abi::failure::ERROR_SLOTS;
 use calyx_lang::ir::{Block, Mode, Statement, Terminator};
 use calyx_lower::layout::passed;
 use cranelift_codegen::ir::InstBuilder;
@@ -15,24 +16,37 @@ impl<'m, M: Module> FunctionLowering<'_, 'm, '_, M> {
         }
         match &block.terminator {
             Terminator::Jump(target) => {
-                let target = self.target(target.0)?;
+                let target = self.target(*target)?;
                 self.builder.ins().jump(target, &[]);
             }
             Terminator::Branch { condition, then, otherwise } => {
                 let condition = self.scalar(condition)?;
-                let (then, otherwise) = (self.target(then.0)?, self.target(otherwise.0)?);
+                let (then, otherwise) = (self.target(*then)?, self.target(*otherwise)?);
                 self.builder.ins().brif(condition, then, &[], otherwise, &[]);
             }
             Terminator::Return(value) => {
                 let values = value.as_ref().map(|value| self.expression(value)).transpose()?;
                 self.return_values(values.unwrap_or_default())?;
             }
+            Terminator::Throw { error, help, span } => {
+                let fields = self.expression(error)?;
+                if fields.len() != ERROR_SLOTS {
+                    return Err(CodegenError::Malformed("an error of another form"));
+                }
+                self.at(*span);
+                self.store_buffer(0, &fields);
+                let address = self.buffer_address(0);
+                let [help, length] = self.constant(help.as_bytes())?;
+                let status = self.helper_status("calyx_throw", &[address, help, length])?;
+                self.fail(status);
+            }
+            Terminator::Rethrow(caught) => {
+                let caught = self.scalar(caught)?;
+                let status = self.helper_status("calyx_rethrow", &[caught])?;
+                self.fail(status);
+            }
         }
         Ok(())
-    }
-
-    fn target(&self, block: u32) -> Result<cranelift_codegen::ir::Block, CodegenError> {
-        self.blocks.get(block as usize).copied().ok_or(CodegenError::Malformed("a block that is not there"))
     }
 
     fn statement(&mut self, statement: &'m Statement) -> Result<(), CodegenError> {
@@ -70,8 +84,7 @@ impl<'m, M: Module> FunctionLowering<'_, 'm, '_, M> {
                         types.extend(slot_types(&local.repr));
                     }
                 }
-                self.at(*span);
-                let values = self.call_slots(self.module.functions[id.0 as usize], &arguments, &types)?;
+                let values = self.call_function(*id, &arguments, &types, *span)?;
                 let mut rest = &values[if result.is_none() { own } else { 0 }..];
                 for (place, indices) in places.iter().zip(&indices) {
                     let split = rest.split_at_checked(place.repr.slots());

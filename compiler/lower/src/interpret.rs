@@ -15,7 +15,7 @@ pub use blame::CallSites;
 use crate::layout::running_sums;
 use crate::link::{LinkError, resolve_externs};
 use calyx_abi::context::{Context, MAX_DEPTH, RuntimeError};
-use calyx_abi::{Extern, Purity, Slot, helpers, stack};
+use calyx_abi::{Extern, Purity, Slot, helpers, limits, stack};
 use calyx_lang::ir::{Function, FunctionId, LocalId, Mode, Program};
 use calyx_lang::span::Span;
 use std::ops::Range;
@@ -29,7 +29,6 @@ pub struct Interpreter<'p> {
     frames: Vec<Frame>,
     /// Slots of all params before each.
     param_offsets: Vec<usize>,
-    call_sites: CallSites,
 }
 
 /// Where the locals of a function stand in its frame.
@@ -53,8 +52,7 @@ impl<'p> Interpreter<'p> {
         });
         let frames = frames.collect();
         let (param_offsets, _) = running_sums(program.params.iter().map(|param| param.repr.slots()));
-        let call_sites = CallSites::new(program);
-        Ok(Interpreter { program, externs, allow, frames, param_offsets, call_sites })
+        Ok(Interpreter { program, externs, allow, frames, param_offsets })
     }
 
     /// Runs the top level of the model.
@@ -88,7 +86,6 @@ impl<'p> Interpreter<'p> {
             ctx.depth = depth;
             result.map(|()| slots).map_err(|mut error| {
                 error.place.get_or_insert(ctx.place);
-                self.call_sites.blame(&mut error);
                 error
             })
         })?
@@ -124,11 +121,23 @@ impl<'p> Machine<'_, 'p> {
         self.ctx.place = (span.file.0, span.start, span.end);
     }
 
+    /// Calls a function as [`Machine::call`] does, at a place of the source.
+    fn call_at(&mut self, id: FunctionId, start: usize, span: Span) -> Result<(), RuntimeError> {
+        self.at(span);
+        let place = self.ctx.place;
+        self.call(id, start).map_err(|mut error| {
+            error.place.get_or_insert(self.ctx.place);
+            let name = self.interpreter.program.functions.get(id.0 as usize).map_or("", |f| &f.name);
+            error.passed(name, place);
+            error
+        })
+    }
+
     /// Calls a function whose arguments are the slots from `start` on, and replaces them by its results.
     fn call(&mut self, id: FunctionId, start: usize) -> Result<(), RuntimeError> {
         let (function, frame) = self.interpreter.function(id)?;
         if self.ctx.depth >= MAX_DEPTH {
-            return Err(helpers::too_deep());
+            return Err(limits::too_deep());
         }
         self.ctx.depth += 1;
         let activation = Activation { function, frame, base: self.stack.len() };

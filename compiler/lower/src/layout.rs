@@ -1,7 +1,9 @@
 //! What the interpreter and the code generator must see alike in the typed program: which slots go where.
 
 use calyx_abi::Repr;
-use calyx_lang::ir::{DisplayUnit, Expr, Function, Mode};
+use calyx_abi::blame;
+use calyx_lang::ir::{DisplayUnit, Expr, ExternDecl, Function, Mode};
+use calyx_lang::span::Span;
 
 /// For each size the sum of those before it, and the sum of all.
 pub fn running_sums(sizes: impl Iterator<Item = usize>) -> (Vec<usize>, usize) {
@@ -43,6 +45,19 @@ pub fn tuple_part(tuple: &Repr, index: usize) -> Option<(usize, &Repr)> {
         Repr::Tuple(parts) => Some((parts.get(..index)?.iter().map(Repr::slots).sum(), parts.get(index)?)),
         _ => None,
     }
+}
+
+/// Where the arguments of a call of a provided function are written, as [`blame::blame`] reads it.
+pub fn blame_table(function: &ExternDecl, arguments: &[Expr], call: Span) -> Vec<u8> {
+    let pairs = function.parameters.iter().zip(arguments);
+    // A default's text stands in the declaration, outside of the call: such an argument has no place.
+    let written = pairs.filter(|(_, argument)| {
+        let at = argument.span;
+        at.file == call.file && at.start >= call.start && at.end <= call.end
+    });
+    blame::encode(written.map(|((name, _), argument)| {
+        (name.as_str(), (argument.span.file.0, argument.span.start, argument.span.end))
+    }))
 }
 
 /// Factor and name of the unit a value is shown in.

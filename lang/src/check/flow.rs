@@ -31,11 +31,18 @@ pub fn check(function: &Function, shown: bool) -> Vec<Diagnostic> {
         let successors = match &function.blocks[at].terminator {
             Terminator::Jump(to) => vec![to.0 as usize],
             Terminator::Branch { then, otherwise, .. } => vec![then.0 as usize, otherwise.0 as usize],
-            Terminator::Return(_) => Vec::new(),
+            Terminator::Return(_) | Terminator::Throw { .. } | Terminator::Rethrow(_) => Vec::new(),
         };
         for next in successors {
             if before[next].intersect(&set) {
                 work.push(next);
+            }
+        }
+        // An error may come before the first assignment.
+        if let Some(handler) = function.blocks[at].handler {
+            let start = before[at].clone();
+            if before[handler.0 as usize].intersect(&start) {
+                work.push(handler.0 as usize);
             }
         }
     }
@@ -124,6 +131,7 @@ impl Finder<'_> {
                 value.iter().for_each(|e| self.expr(e, &set));
                 self.outputs(&set);
             }
+            Terminator::Throw { error: value, .. } | Terminator::Rethrow(value) => self.expr(value, &set),
         }
     }
 
@@ -175,7 +183,7 @@ impl Finder<'_> {
     fn expr(&mut self, e: &Expr, set: &Set) {
         match &e.kind {
             ExprKind::Local(local) => self.read(*local, e.span, set),
-            ExprKind::Number(_) | ExprKind::Bool(_) | ExprKind::String(_) | ExprKind::Param(_) => {}
+            ExprKind::Number(_) | ExprKind::Bool(_) | ExprKind::String(_) | ExprKind::Param(_) | ExprKind::Catch => {}
             ExprKind::Op(_, all)
             | ExprKind::Call(_, all)
             | ExprKind::CallExtern(_, all)
@@ -187,7 +195,10 @@ impl Finder<'_> {
                 self.expr(b, set);
             }
             ExprKind::If(a, b, c) => [a, b, c].into_iter().for_each(|e| self.expr(e, set)),
-            ExprKind::TupleElement(a, _) | ExprKind::Copy(a) | ExprKind::Len(a) => self.expr(a, set),
+            ExprKind::TupleElement(a, _)
+            | ExprKind::Copy(a)
+            | ExprKind::Len(a)
+            | ExprKind::CaughtFields(a) => self.expr(a, set),
             ExprKind::EvalSymbolic { value, time } => {
                 self.expr(value, set);
                 self.expr(time, set);

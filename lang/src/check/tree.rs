@@ -153,6 +153,14 @@ pub enum StmtKind {
     Break,
     Continue,
     Return(Option<Expr>),
+    /// A text or an `Error`; without one, the error being handled again.
+    Throw(Option<Expr>),
+    Try {
+        body: Box<Stmt>,
+        /// Takes the error.
+        error: Option<VarId>,
+        handler: Box<Stmt>,
+    },
 }
 
 /// A `:=` expression, with the values it takes when its binding executes.
@@ -313,6 +321,10 @@ impl Stmt {
             | StmtKind::Case(_, body)
             | StmtKind::Default(body)
             | StmtKind::Label(_, body) => body.walk(visit),
+            StmtKind::Try { body, handler, .. } => {
+                body.walk(visit);
+                handler.walk(visit);
+            }
             StmtKind::For { init, step, body, .. } => {
                 init.walk(visit);
                 body.walk(visit);
@@ -334,7 +346,8 @@ impl Stmt {
             | StmtKind::DoWhile(_, e)
             | StmtKind::Switch(e, _)
             | StmtKind::Case(e, _)
-            | StmtKind::Return(Some(e)) => vec![e],
+            | StmtKind::Return(Some(e))
+            | StmtKind::Throw(Some(e)) => vec![e],
             StmtKind::For { condition, .. } => condition.iter().collect(),
             _ => Vec::new(),
         }

@@ -3,7 +3,7 @@
 use crate::context::Context;
 
 /// Version of everything in this crate that generated code depends on. Checked when a module is loaded.
-pub const ABI_VERSION: u64 = 1;
+pub const ABI_VERSION: u64 = 2;
 
 /// One 64-bit machine word: the bits of an `f64`, a truth value (0 or 1), or a [`crate::HeapId`].
 pub type Slot = u64;

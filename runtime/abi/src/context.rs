@@ -1,7 +1,10 @@
 //! The state of one running model, as generated code and provided functions see it.
 
-use crate::call::{Slot, Status};
+use crate::call::Slot;
+use crate::description::FileDescription;
+pub use crate::error::{RuntimeError, codes};
 use crate::heap::{Heap, Kernel};
+use crate::limits::Limits;
 use std::any::Any;
 use std::mem::offset_of;
 use std::sync::Arc;
@@ -9,59 +12,6 @@ use std::sync::atomic::AtomicBool;
 
 /// What the engine keeps for a running model (its scene, its results). Provided functions downcast it.
 pub type Host = Box<dyn Any + Send>;
-
-/// Why a call failed.
-#[derive(Clone, Debug, PartialEq)]
-pub struct RuntimeError {
-    /// Stable code, e.g. `E0703`, or the program's own.
-    pub code: String,
-    pub message: String,
-    /// What to do about it; empty if nothing can be said.
-    pub help: String,
-    /// Name of the argument to blame, if one is (the caller knows where it was written).
-    pub argument: Option<String>,
-    /// Byte range `(file, start, end)` of the blamed source, filled in by whoever knows it first.
-    pub place: Option<(u32, u32, u32)>,
-}
-
-impl RuntimeError {
-    /// An error without a place; whoever knows one fills it in.
-    pub fn new(code: &str, message: impl Into<String>, help: impl Into<String>) -> Self {
-        RuntimeError {
-            code: code.into(),
-            message: message.into(),
-            help: help.into(),
-            argument: None,
-            place: None,
-        }
-    }
-
-    /// What a function that fails with this error returns.
-    pub fn status(&self) -> Status {
-        match self.code.as_str() {
-            codes::LIMIT | codes::CANCELLED => Status::Cancelled,
-            _ => Status::Failed,
-        }
-    }
-}
-
-/// Codes of the errors that running programs raise by themselves.
-pub mod codes {
-    /// An index that is not whole or not within the array.
-    pub const INDEX: &str = "E0701";
-    /// Functions call each other too deeply.
-    pub const DEPTH: &str = "E0702";
-    /// The limit on the number of basic blocks was reached.
-    pub const LIMIT: &str = "E0703";
-    /// Somebody set [`super::Context::cancel`].
-    pub const CANCELLED: &str = "E0704";
-    /// An `assert` failed.
-    pub const ASSERTION: &str = "E0705";
-    /// An observable was asked for its value while the model is still being built.
-    pub const OBSERVABLE: &str = "E0706";
-    /// A fault of the engine or the compiler, not of the program.
-    pub const INTERNAL: &str = "E0799";
-}
 
 /// Calls that may be under way at once. With [`crate::stack::STACK_BYTES`] of stack this leaves 256 KiB to each.
 pub const MAX_DEPTH: u64 = 1000;
@@ -72,7 +22,7 @@ pub const MAX_DEPTH: u64 = 1000;
 /// [`Layout`]; object files rely on them, so a change is a change of [`crate::ABI_VERSION`].
 #[repr(C)]
 pub struct Context {
-    /// Basic blocks that may be entered before [`crate::helpers::refuel`] must be asked for more.
+    /// Basic blocks that may be entered before [`crate::limits::refuel`] must be asked for more.
     pub granted: u64,
     /// Calls under way, at most [`MAX_DEPTH`].
     pub depth: u64,
@@ -96,6 +46,10 @@ pub struct Context {
     pub fuel: u64,
     /// Set from any thread, it stops the program soon.
     pub cancel: Arc<AtomicBool>,
+    /// Time and memory it may use.
+    pub limits: Limits,
+    /// The source, by which a caught error tells its place.
+    pub files: Arc<[FileDescription]>,
     /// The string under construction.
     pub text: String,
 }
@@ -131,6 +85,8 @@ impl Context {
             print: Box::new(|line| println!("{line}")),
             fuel: u64::MAX,
             cancel: Arc::default(),
+            limits: Limits::default(),
+            files: Arc::default(),
             text: String::new(),
         }
     }

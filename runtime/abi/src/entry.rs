@@ -5,7 +5,7 @@
 
 use crate::call::{Slot, Status};
 use crate::context::{Context, RuntimeError};
-use crate::{helpers, repr_code, stack};
+use crate::{failure, helpers, limits, repr_code, stack};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 /// Runs the body of a function that generated code calls: errors and panics become a status and [`Context::error`],
@@ -126,15 +126,52 @@ macro_rules! entry_points {
 
 entry_points! {
     /// Asks for more basic blocks.
-    fn calyx_refuel(ctx) { helpers::refuel(ctx) }
+    fn calyx_refuel(ctx) { limits::refuel(ctx) }
 
     /// Fails because of too many calls under way.
-    fn calyx_too_deep(_ctx) { Err(helpers::too_deep()) }
+    fn calyx_too_deep(_ctx) { Err(limits::too_deep()) }
+
+    /// Fails with the error whose slots are at `address`, and `help` beside it.
+    fn calyx_throw(ctx, address, help, help_count) {
+        Err(failure::thrown(ctx, slots(address, failure::ERROR_SLOTS as u64), text(help, help_count)?))
+    }
+
+    /// Fails with an error that was caught.
+    fn calyx_rethrow(ctx, caught) { Err(failure::rethrown(ctx, caught)) }
+
+    /// Takes the error that led to a handler; stores its id in `result`.
+    fn calyx_catch(ctx, result) {
+        slots_mut(result, 1)[0] = failure::catch(ctx)?;
+        Ok(())
+    }
+
+    /// Stores the fields of a caught error in the slots of `result`.
+    fn calyx_caught(ctx, caught, result) {
+        let fields = failure::fields(ctx, caught)?;
+        slots_mut(result, fields.len() as u64).copy_from_slice(&fields);
+        Ok(())
+    }
+
+    /// Notes in the error under way that it left a function, which was called at a place. Fails as that error does.
+    fn calyx_passed(ctx, name, name_count, file, start, end) {
+        let function = text(name, name_count)?;
+        let mut error = ctx.error.take().ok_or_else(|| helpers::malformed("a failure without an error"))?;
+        error.passed(function, (file as u32, start as u32, end as u32));
+        Err(error)
+    }
+
+    /// If the error under way blames an argument, places it there: `arguments` lists where each was written
+    /// ([`crate::blame`]). Fails as that error does.
+    fn calyx_blame(ctx, arguments, count) {
+        let mut error = ctx.error.take().ok_or_else(|| helpers::malformed("a failure without an error"))?;
+        crate::blame::blame(&mut error, bytes(arguments, count));
+        Err(error)
+    }
 
     /// Makes an array of `count` slots; stores its id in `result`.
     fn calyx_array_new(ctx, stride, address, count, result) {
         let elements = slots(address, count).to_vec();
-        slots_mut(result, 1)[0] = helpers::new_array(ctx, stride as usize, elements);
+        slots_mut(result, 1)[0] = helpers::new_array(ctx, stride as usize, elements)?;
         Ok(())
     }
 
@@ -175,7 +212,7 @@ entry_points! {
 
     /// Ends the string under construction; stores its id in `result`.
     fn calyx_text_finish(ctx, result) {
-        slots_mut(result, 1)[0] = helpers::finish_text(ctx);
+        slots_mut(result, 1)[0] = helpers::finish_text(ctx)?;
         Ok(())
     }
 

@@ -2,7 +2,8 @@
 //! table, the machine code's symbol table and the link symbols.
 
 use crate::call::{Repr, Slot};
-use crate::context::{Context, RuntimeError};
+use crate::context::{Context, RuntimeError, codes};
+use crate::limits;
 use crate::entry::guarded;
 use crate::heap::{Object, SymbolicValue};
 use std::sync::Arc;
@@ -147,12 +148,12 @@ impl Arguments<'_> {
         let count = T::repr().slots().min(self.slots.len());
         let (now, rest) = self.slots.split_at(count);
         self.slots = rest;
-        T::read(context, now).ok_or_else(|| RuntimeError {
-            code: "E0799".into(),
-            message: "a value of the wrong kind reached the engine".into(),
-            help: "this is a defect of Calyx; please report it with the model".into(),
-            argument: None,
-            place: None,
+        T::read(context, now).ok_or_else(|| {
+            RuntimeError::new(
+                codes::INTERNAL,
+                "a value of the wrong kind reached the engine",
+                "this is a defect of Calyx; please report it with the model",
+            )
         })
     }
 }
@@ -171,6 +172,7 @@ pub unsafe fn call<T: Value>(
     let guarded_body = |context: &mut Context| {
         // SAFETY: the caller vouches for the pointers; a slice of no slots needs no valid pointer.
         let slots = if count == 0 { &[][..] } else { unsafe { std::slice::from_raw_parts(args, count) } };
+        limits::check(context)?;
         let value = body(context, Arguments { slots })?;
         let width = T::repr().slots();
         // SAFETY: as above.

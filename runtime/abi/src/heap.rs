@@ -4,6 +4,7 @@
 //! (the compiler inserts the copies). Nothing is freed before the instance ends; models build once and small.
 
 use crate::call::{Repr, Slot};
+use crate::error::{Call, RuntimeError};
 use std::sync::Arc;
 
 /// Index into the [`Heap`].
@@ -45,18 +46,45 @@ pub enum Object {
         slots: Vec<Slot>,
     },
     Symbolic(Arc<SymbolicValue>),
+    /// An error being handled.
+    Error(Arc<RuntimeError>),
+}
+
+impl Object {
+    /// Memory it takes, about.
+    fn bytes(&self) -> u64 {
+        let content = match self {
+            Object::String(text) => text.len(),
+            Object::Array { slots, .. } => size_of_val(slots.as_slice()),
+            Object::Symbolic(value) => size_of_val(value.captured.as_slice()),
+            Object::Error(error) => error.message.len() + error.details.calls.len() * size_of::<Call>(),
+        };
+        (size_of::<Object>() + content) as u64
+    }
 }
 
 /// All heap objects of one instance.
 #[derive(Default)]
 pub struct Heap {
     objects: Vec<Object>,
+    bytes: u64,
 }
 
 impl Heap {
     pub fn insert(&mut self, object: Object) -> HeapId {
+        self.bytes += object.bytes();
         self.objects.push(object);
         (self.objects.len() - 1) as HeapId
+    }
+
+    /// Memory that all objects take, about.
+    pub fn bytes(&self) -> u64 {
+        self.bytes
+    }
+
+    /// Counts slots that were appended to an object.
+    pub fn grown(&mut self, slots: usize) {
+        self.bytes += (slots * size_of::<Slot>()) as u64;
     }
 
     pub fn get(&self, id: HeapId) -> Option<&Object> {

@@ -1,63 +1,18 @@
-//! What programs need beside arithmetic: arrays, strings, symbolic values, limits.
+//! What programs need beside arithmetic: arrays, strings, symbolic values.
 //!
 //! The interpreter calls these functions; machine code calls them through [`crate::entry`]. One definition each, so
 //! that both do the same and fail with the same words.
 
 use crate::call::{Extern, Repr, Slot, Status};
-use crate::context::{Context, MAX_DEPTH, RuntimeError, codes};
+use crate::context::{Context, RuntimeError, codes};
 use crate::heap::{HeapId, Object, SymbolicValue};
+use crate::limits::check_memory;
 use std::ops::Range;
 use std::sync::Arc;
-use std::sync::atomic::Ordering;
-
-/// Basic blocks between two looks at [`Context::cancel`].
-const GRANT: u64 = 4096;
 
 /// A slot that does not hold what its representation says: the compiler's fault.
 pub fn malformed(what: &str) -> RuntimeError {
     RuntimeError::new(codes::INTERNAL, format!("internal error: {what}"), "please report it with the model")
-}
-
-/// Grants more basic blocks to the program.
-///
-/// # Errors
-/// The program is cancelled or its limit is reached.
-pub fn refuel(ctx: &mut Context) -> Result<(), RuntimeError> {
-    if ctx.cancel.load(Ordering::Relaxed) {
-        return Err(RuntimeError::new(codes::CANCELLED, "the run was cancelled", ""));
-    }
-    if ctx.fuel == 0 {
-        return Err(RuntimeError::new(
-            codes::LIMIT,
-            "the program ran for longer than it may here",
-            "look for a loop that does not end",
-        ));
-    }
-    let grant = ctx.fuel.min(GRANT);
-    ctx.fuel -= grant;
-    ctx.granted += grant;
-    Ok(())
-}
-
-/// Counts the basic block about to be entered.
-///
-/// # Errors
-/// As [`refuel`].
-pub fn enter_block(ctx: &mut Context) -> Result<(), RuntimeError> {
-    if ctx.granted == 0 {
-        refuel(ctx)?;
-    }
-    ctx.granted -= 1;
-    Ok(())
-}
-
-/// The error of a call beyond [`MAX_DEPTH`].
-pub fn too_deep() -> RuntimeError {
-    RuntimeError::new(
-        codes::DEPTH,
-        format!("functions call each other more than {MAX_DEPTH} deep"),
-        "give the recursion an end, or write it as a loop",
-    )
 }
 
 /// Calls a function of the engine.
@@ -93,8 +48,13 @@ pub fn outcome(ctx: &mut Context, status: i32) -> Result<(), RuntimeError> {
 }
 
 /// A new array of elements of `stride` slots.
-pub fn new_array(ctx: &mut Context, stride: usize, slots: Vec<Slot>) -> HeapId {
-    ctx.heap.insert(Object::Array { stride, slots })
+///
+/// # Errors
+/// E0707 if it takes too much memory.
+pub fn new_array(ctx: &mut Context, stride: usize, slots: Vec<Slot>) -> Result<HeapId, RuntimeError> {
+    let id = ctx.heap.insert(Object::Array { stride, slots });
+    check_memory(ctx)?;
+    Ok(id)
 }
 
 fn array(ctx: &mut Context, id: HeapId) -> Result<(&mut Vec<Slot>, usize), RuntimeError> {
@@ -151,22 +111,24 @@ fn element_range(index: f64, slots: usize, stride: usize) -> Result<Range<usize>
 /// Appends an element to an array.
 ///
 /// # Errors
-/// Internal, if it is no array of such elements.
+/// Internal, if it is no array of such elements; E0707 if it takes too much memory.
 pub fn push(ctx: &mut Context, id: HeapId, value: &[Slot]) -> Result<(), RuntimeError> {
     let (slots, stride) = array(ctx, id)?;
     if value.len() != stride {
         return Err(malformed("an element of the wrong size"));
     }
     slots.extend_from_slice(value);
-    Ok(())
+    ctx.heap.grown(value.len());
+    check_memory(ctx)
 }
 
 /// Replaces the arrays inside a value by copies that share nothing with the originals.
 ///
 /// # Errors
-/// Internal, if the slots do not hold such a value.
+/// Internal, if the slots do not hold such a value; E0707 if it takes too much memory.
 pub fn copy(ctx: &mut Context, repr: &Repr, slots: &mut [Slot]) -> Result<(), RuntimeError> {
-    ctx.heap.copy_value(slots, repr).ok_or_else(|| malformed("not a value that can be copied"))
+    ctx.heap.copy_value(slots, repr).ok_or_else(|| malformed("not a value that can be copied"))?;
+    check_memory(ctx)
 }
 
 /// Appends a value to the string under construction ([`Context::text`]).
@@ -185,9 +147,14 @@ pub fn append_value(
 }
 
 /// Makes a string of the text under construction and begins anew.
-pub fn finish_text(ctx: &mut Context) -> HeapId {
+///
+/// # Errors
+/// E0707 if it takes too much memory.
+pub fn finish_text(ctx: &mut Context) -> Result<HeapId, RuntimeError> {
     let text = std::mem::take(&mut ctx.text);
-    ctx.heap.string(&text)
+    let id = ctx.heap.string(&text);
+    check_memory(ctx)?;
+    Ok(id)
 }
 
 /// Whether two values are equal: numbers as IEEE 754 says, the rest by content.
@@ -330,7 +297,9 @@ pub fn param(ctx: &Context, offset: usize, result: &mut [Slot]) -> Result<(), Ru
 pub fn zero_value(ctx: &mut Context, repr: &Repr) -> Vec<Slot> {
     match repr {
         Repr::String => vec![ctx.heap.string("")],
-        Repr::Array(element) => vec![new_array(ctx, element.slots(), Vec::new())],
+        Repr::Array(element) => {
+            vec![ctx.heap.insert(Object::Array { stride: element.slots(), slots: Vec::new() })]
+        }
         Repr::Tuple(parts) => parts.iter().flat_map(|part| zero_value(ctx, part)).collect(),
         _ => vec![0; repr.slots()],
     }
@@ -343,7 +312,7 @@ mod tests {
     #[test]
     fn indices_are_whole_and_within_bounds() {
         let mut ctx = Context::new(Box::new(()));
-        let id = new_array(&mut ctx, 2, vec![1, 2, 3, 4]);
+        let id = new_array(&mut ctx, 2, vec![1, 2, 3, 4]).unwrap();
         assert_eq!(element(&mut ctx, id, 1.0).unwrap(), [3, 4]);
         assert_eq!(element(&mut ctx, id, -0.0).unwrap(), [1, 2]);
         for bad in [-1.0, 2.0, 0.5, f64::NAN, f64::INFINITY, 1e300] {
@@ -352,23 +321,11 @@ mod tests {
     }
 
     #[test]
-    fn limits_and_cancellation_stop_a_program() {
-        let mut ctx = Context::new(Box::new(()));
-        ctx.fuel = 5000;
-        let entered = (0..).take_while(|_| enter_block(&mut ctx).is_ok()).count();
-        assert_eq!(entered, 5000);
-        assert_eq!(refuel(&mut ctx).unwrap_err().status(), Status::Cancelled);
-        ctx.fuel = u64::MAX;
-        ctx.cancel.store(true, Ordering::Relaxed);
-        assert_eq!(refuel(&mut ctx).unwrap_err().code, codes::CANCELLED);
-    }
-
-    #[test]
     fn equality_goes_by_content() {
         let mut ctx = Context::new(Box::new(()));
         let strings = |ctx: &mut Context| {
             let elements = vec![ctx.heap.string("a"), ctx.heap.string("b")];
-            new_array(ctx, 1, elements)
+            new_array(ctx, 1, elements).unwrap()
         };
         let (a, b) = (strings(&mut ctx), strings(&mut ctx));
         let repr = Repr::Array(Box::new(Repr::String));

@@ -3,16 +3,20 @@
 //! Every crate of the workspace may see this one; it sees none of ours.
 //! It holds the one scalar definition of each numeric operation ([`math`]), the calling convention
 //! ([`call`]), the run-time values behind opaque slots ([`heap`]), the state a running model carries
-//! ([`context`]), the helpers that programs need beside arithmetic ([`helpers`], as machine code calls them in
+//! ([`context`]), its errors ([`error`], [`failure`]) and limits ([`limits`]), the helpers that programs need beside arithmetic ([`helpers`], as machine code calls them in
 //! [`entry`]), and the description that every compiled model brings along ([`description`]).
 
+pub mod blame;
 pub mod call;
 pub mod context;
 pub mod description;
 pub mod entry;
+pub mod error;
 pub mod externs;
+pub mod failure;
 pub mod heap;
 pub mod helpers;
+pub mod limits;
 pub mod math;
 pub mod repr_code;
 pub mod stack;
@@ -21,5 +25,6 @@ pub mod text;
 pub mod trigonometry;
 
 pub use call::{ABI_VERSION, Extern, Purity, Repr, Slot, SlotFn, Status};
-pub use context::{Context, Host, RuntimeError};
+pub use context::{Context, Host};
+pub use error::RuntimeError;
 pub use heap::{Heap, HeapId, Kernel, SymbolicValue};

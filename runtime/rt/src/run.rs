@@ -108,13 +108,12 @@ pub fn run(program: &dyn Program, options: &RunOptions) -> Result<RunReport, Run
 /// The place is the end of the model, where an analysis would stand.
 fn no_analysis(description: &ModelDescription) -> RuntimeError {
     let end = description.files.first().map_or(0, |file| file.text.trim_end().len() as u32);
-    RuntimeError {
-        code: "E0711".into(),
-        message: "the model declares outputs and analyses nothing".into(),
-        help: "end it with `analyze(\"quasi_static\", over = gears.mesh_cycle(mesh, 32));`".into(),
-        argument: None,
-        place: Some((0, end.saturating_sub(1), end)),
-    }
+    let error = RuntimeError::new(
+        "E0711",
+        "the model declares outputs and analyses nothing",
+        "end it with `analyze(\"quasi_static\", over = gears.mesh_cycle(mesh, 32));`",
+    );
+    RuntimeError { place: Some((0, end.saturating_sub(1), end)), ..error }
 }
 
 /// Writes rows as they come and keeps the progress bar.

@@ -60,7 +60,10 @@ fn for_each_expression<'p>(program: &'p Program, visit: &mut dyn FnMut(&'p Expr)
             }
         }
         match &block.terminator {
-            Terminator::Branch { condition: value, .. } | Terminator::Return(Some(value)) => {
+            Terminator::Branch { condition: value, .. }
+            | Terminator::Return(Some(value))
+            | Terminator::Throw { error: value, .. }
+            | Terminator::Rethrow(value) => {
                 in_expression(value, visit);
             }
             Terminator::Jump(_) | Terminator::Return(None) => {}
@@ -80,7 +83,8 @@ fn in_expression<'p>(expr: &'p Expr, visit: &mut dyn FnMut(&'p Expr)) {
         | ExprKind::Bool(_)
         | ExprKind::String(_)
         | ExprKind::Local(_)
-        | ExprKind::Param(_) => {}
+        | ExprKind::Param(_)
+        | ExprKind::Catch => {}
         ExprKind::Op(_, parts)
         | ExprKind::Call(_, parts)
         | ExprKind::CallExtern(_, parts)
@@ -100,7 +104,10 @@ fn in_expression<'p>(expr: &'p Expr, visit: &mut dyn FnMut(&'p Expr)) {
                 each(std::slice::from_ref(part));
             }
         }
-        ExprKind::TupleElement(part, _) | ExprKind::Copy(part) | ExprKind::Len(part) => {
+        ExprKind::TupleElement(part, _)
+        | ExprKind::Copy(part)
+        | ExprKind::Len(part)
+        | ExprKind::CaughtFields(part) => {
             each(std::slice::from_ref(part));
         }
         ExprKind::Format(parts) => {

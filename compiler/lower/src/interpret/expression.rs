@@ -2,11 +2,11 @@
 
 use super::Machine;
 use super::scalar::SlotScalars;
-use crate::layout::{shown, stride, tuple_offset};
+use crate::layout::{blame_table, shown, stride, tuple_offset};
 use crate::operations::{Scalars, expand, is_scalar};
 use calyx_abi::context::RuntimeError;
 use calyx_abi::helpers::{self, CaptureKind, malformed};
-use calyx_abi::{Purity, Repr};
+use calyx_abi::{Purity, Repr, blame, failure};
 use calyx_lang::ir::{Expr, ExprKind, ExternId, FormatPart, Op, SiteId};
 use calyx_lang::span::Span;
 
@@ -46,17 +46,16 @@ impl<'p> Machine<'_, 'p> {
             }
             ExprKind::Call(callee, arguments) => {
                 let start = self.eval_all(arguments)?;
-                self.at(expr.span);
-                self.call(*callee, start)?;
+                self.call_at(*callee, start, expr.span)?;
             }
             ExprKind::CallExtern(id, arguments) => {
                 let start = self.eval_all(arguments)?;
-                self.call_extern(*id, start, &expr.repr, expr.span)?;
+                self.call_extern(*id, arguments, start, expr)?;
             }
             ExprKind::Array(elements) => {
                 let start = self.eval_all(elements)?;
                 let slots = self.stack.split_off(start);
-                let id = helpers::new_array(self.ctx, stride(&expr.repr), slots);
+                let id = helpers::new_array(self.ctx, stride(&expr.repr), slots)?;
                 self.stack.push(id);
             }
             ExprKind::Index(array, index) => {
@@ -89,6 +88,14 @@ impl<'p> Machine<'_, 'p> {
                 self.stack.push(length.to_bits());
             }
             ExprKind::Format(parts) => self.format(parts, expr.span)?,
+            ExprKind::Catch => {
+                let caught = failure::catch(self.ctx)?;
+                self.stack.push(caught);
+            }
+            ExprKind::CaughtFields(caught) => {
+                let caught = self.slot(caught)?;
+                self.stack.extend(failure::fields(self.ctx, caught)?);
+            }
             ExprKind::MakeSymbolic { site, captures } => {
                 let start = self.eval_all(captures)?;
                 self.make_symbolic(*site, start, expr.span)?;
@@ -143,10 +150,11 @@ impl<'p> Machine<'_, 'p> {
     fn call_extern(
         &mut self,
         id: ExternId,
+        arguments: &[Expr],
         start: usize,
-        result: &Repr,
-        span: Span,
+        call: &Expr,
     ) -> Result<(), RuntimeError> {
+        let (result, span) = (&call.repr, call.span);
         let row = *self
             .interpreter
             .externs
@@ -160,7 +168,13 @@ impl<'p> Machine<'_, 'p> {
             return Ok(());
         }
         let mut slots = vec![0; result.slots()];
-        helpers::call_extern(row, self.ctx, &self.stack[start..], &mut slots)?;
+        let called = helpers::call_extern(row, self.ctx, &self.stack[start..], &mut slots);
+        called.map_err(|mut error| {
+            if let Some(declaration) = self.interpreter.program.externs.get(id.0 as usize) {
+                blame::blame(&mut error, &blame_table(declaration, arguments, span));
+            }
+            error
+        })?;
         self.stack.truncate(start);
         self.stack.extend(slots);
         Ok(())
@@ -187,7 +201,7 @@ impl<'p> Machine<'_, 'p> {
                 }
             }
         }
-        let id = helpers::finish_text(self.ctx);
+        let id = helpers::finish_text(self.ctx)?;
         self.stack.truncate(start);
         self.stack.push(id);
         Ok(())

@@ -1,37 +1,69 @@
 //! Blocks and statements.
 
-use super::Machine;
+use super::{Activation, Machine};
 use crate::layout::passed;
 use calyx_abi::context::RuntimeError;
-use calyx_abi::{Slot, helpers};
-use calyx_lang::ir::{Expr, Statement, Terminator};
+use calyx_abi::{Slot, Status, failure, helpers, limits};
+use calyx_lang::ir::{Block, BlockId, Expr, Statement, Terminator};
 
 impl<'p> Machine<'_, 'p> {
     /// Runs from block 0 to a return, and leaves the result's slots on top of the stack.
     pub(super) fn run_blocks(&mut self) -> Result<(), RuntimeError> {
+        let Activation { function, frame, base } = self.activation;
         let mut block = 0;
-        let blocks = &self.activation.function.blocks;
         loop {
-            helpers::enter_block(self.ctx)?;
-            let Some(current) = blocks.get(block) else {
+            let Some(current) = function.blocks.get(block) else {
                 return Err(helpers::malformed("a block that is not there"));
             };
-            for statement in &current.statements {
-                self.statement(statement)?;
-            }
-            block = match &current.terminator {
-                Terminator::Jump(target) => target.0 as usize,
-                Terminator::Branch { condition, then, otherwise } => {
-                    let target = if self.truth(condition)? { then } else { otherwise };
-                    target.0 as usize
-                }
-                Terminator::Return(value) => {
-                    if let Some(value) = value {
-                        self.eval(value)?;
+            block = match self.block(current) {
+                Ok(Some(next)) => next.0 as usize,
+                Ok(None) => return Ok(()),
+                Err(mut error) => {
+                    error.place.get_or_insert(self.ctx.place);
+                    match current.handler {
+                        Some(handler) if error.status() == Status::Failed => {
+                            self.stack.truncate(base + frame.slots);
+                            self.ctx.error = Some(error);
+                            handler.0 as usize
+                        }
+                        _ => return Err(error),
                     }
-                    return Ok(());
                 }
             };
+        }
+    }
+
+    /// Runs one block; tells where to go on, if the function does not return.
+    fn block(&mut self, block: &'p Block) -> Result<Option<BlockId>, RuntimeError> {
+        if !limits::enter_block(self.ctx) {
+            self.at(block.span);
+            limits::refuel(self.ctx)?;
+            limits::enter_block(self.ctx);
+        }
+        for statement in &block.statements {
+            self.statement(statement)?;
+        }
+        match &block.terminator {
+            Terminator::Jump(target) => Ok(Some(*target)),
+            Terminator::Branch { condition, then, otherwise } => {
+                Ok(Some(if self.truth(condition)? { *then } else { *otherwise }))
+            }
+            Terminator::Return(value) => {
+                if let Some(value) = value {
+                    self.eval(value)?;
+                }
+                Ok(None)
+            }
+            Terminator::Throw { error, help, span } => {
+                let start = self.stack.len();
+                self.eval(error)?;
+                self.at(*span);
+                Err(failure::thrown(self.ctx, &self.stack[start..], help))
+            }
+            Terminator::Rethrow(caught) => {
+                let caught = self.slot(caught)?;
+                Err(failure::rethrown(self.ctx, caught))
+            }
         }
     }
 
@@ -62,8 +94,7 @@ impl<'p> Machine<'_, 'p> {
                 let places: Vec<_> = result.iter().chain(copy_back).collect();
                 let indices = places.iter().map(|place| self.indices(place));
                 let indices = indices.collect::<Result<Vec<_>, _>>()?;
-                self.at(*span);
-                self.call(*callee, start)?;
+                self.call_at(*callee, start, *span)?;
                 let skipped = if result.is_none() { target.result.slots() } else { 0 };
                 let mut at = start + skipped;
                 for (place, indices) in places.iter().zip(&indices) {

@@ -4,7 +4,6 @@ use super::Lowering;
 use super::values::own_value;
 use crate::ast::Mode;
 use crate::check::flow;
-use crate::check::symbols::similar;
 use crate::check::tree::{Call, Expr, FuncId, Kind, Stmt, StmtKind, VarId};
 use crate::check::types::{Substitution, Type};
 use crate::diagnostic::Diagnostic;
@@ -14,14 +13,16 @@ use calyx_abi::{Purity, Repr};
 use std::collections::{HashMap, HashSet};
 
 /// Where `break` and `continue` lead.
-struct Exit {
-    on_break: usize,
-    on_continue: Option<usize>,
+pub(super) struct Exit {
+    pub(super) on_break: usize,
+    pub(super) on_continue: Option<usize>,
 }
 
 struct Draft {
     statements: Vec<Statement>,
     terminator: Option<Terminator>,
+    handler: Option<usize>,
+    span: Span,
 }
 
 pub(super) struct Body<'l, 'c> {
@@ -30,7 +31,7 @@ pub(super) struct Body<'l, 'c> {
     pub(super) types: Substitution,
     /// Of the statement under way.
     pub(super) span: Span,
-    function: FuncId,
+    pub(super) function: FuncId,
     locals: Vec<Local>,
     by_variable: HashMap<VarId, LocalId>,
     blocks: Vec<Draft>,
@@ -38,9 +39,13 @@ pub(super) struct Body<'l, 'c> {
     /// Control can get to where the next statement is put.
     alive: bool,
     reached: HashSet<usize>,
-    exits: Vec<Exit>,
-    labels: Vec<HashMap<String, usize>>,
-    cases: Vec<HashMap<Span, usize>>,
+    pub(super) exits: Vec<Exit>,
+    pub(super) labels: Vec<HashMap<String, usize>>,
+    pub(super) cases: Vec<HashMap<Span, usize>>,
+    /// Where errors of blocks made now lead.
+    pub(super) handler: Option<usize>,
+    /// Errors being handled by the `catch` sections around, innermost last.
+    pub(super) caught: Vec<LocalId>,
 }
 
 impl<'l, 'c> Body<'l, 'c> {
@@ -52,13 +57,20 @@ impl<'l, 'c> Body<'l, 'c> {
             function,
             locals: Vec::new(),
             by_variable: HashMap::new(),
-            blocks: vec![Draft { statements: Vec::new(), terminator: None }],
+            blocks: vec![Draft {
+                statements: Vec::new(),
+                terminator: None,
+                handler: None,
+                span: Span::default(),
+            }],
             current: 0,
             alive: true,
             reached: HashSet::from([0]),
             exits: Vec::new(),
             labels: Vec::new(),
             cases: Vec::new(),
+            handler: None,
+            caught: Vec::new(),
         }
     }
 
@@ -127,6 +139,7 @@ impl<'l, 'c> Body<'l, 'c> {
                 }
                 _ => {}
             }
+            stack.extend(self.blocks[at].handler);
         }
         let renumber = |id: BlockId| number.get(&(id.0 as usize)).copied().unwrap_or(BlockId(0));
         let mut blocks = Vec::new();
@@ -137,10 +150,12 @@ impl<'l, 'c> Body<'l, 'c> {
                 Some(Terminator::Branch { condition, then, otherwise }) => {
                     Terminator::Branch { condition, then: renumber(then), otherwise: renumber(otherwise) }
                 }
-                Some(Terminator::Return(value)) => Terminator::Return(value),
+                Some(other) => other,
                 None => Terminator::Return(None),
             };
-            blocks.push(Block { statements: std::mem::take(&mut draft.statements), terminator });
+            let handler = draft.handler.map(|block| renumber(BlockId(block as u32)));
+            let statements = std::mem::take(&mut draft.statements);
+            blocks.push(Block { statements, terminator, handler, span: draft.span });
         }
         Function { name: name.into(), parameters, result, locals: self.locals, blocks, span }
     }
@@ -168,14 +183,14 @@ impl<'l, 'c> Body<'l, 'c> {
         self.locals[local.0 as usize].repr.clone()
     }
 
-    fn temporary(&mut self, value: ir::Expr) -> LocalId {
+    pub(super) fn temporary(&mut self, value: ir::Expr) -> LocalId {
         let local = self.temporary_of(value.repr.clone());
         let (repr, span) = (value.repr.clone(), value.span);
         self.push(Statement::Assign { place: ir::Place::whole(local, repr), value, span });
         local
     }
 
-    fn temporary_of(&mut self, repr: Repr) -> LocalId {
+    pub(super) fn temporary_of(&mut self, repr: Repr) -> LocalId {
         self.locals.push(Local { name: String::new(), repr });
         LocalId(self.locals.len() as u32 - 1)
     }
@@ -186,18 +201,27 @@ impl<'l, 'c> Body<'l, 'c> {
         self.blocks[self.current].statements.push(statement);
     }
 
-    fn new_block(&mut self) -> usize {
-        self.blocks.push(Draft { statements: Vec::new(), terminator: None });
+    pub(super) fn new_block(&mut self) -> usize {
+        let draft =
+            Draft { statements: Vec::new(), terminator: None, handler: self.handler, span: self.span };
+        self.blocks.push(draft);
         self.blocks.len() - 1
     }
 
-    fn start(&mut self, block: usize) {
+    /// Control may get to a block by a way that no terminator shows.
+    pub(super) fn reach(&mut self, block: usize) {
+        if self.alive {
+            self.reached.insert(block);
+        }
+    }
+
+    pub(super) fn start(&mut self, block: usize) {
         self.current = block;
         self.alive = self.reached.contains(&block);
     }
 
     /// Ends the present block; what follows cannot be reached until a block is started.
-    fn end(&mut self, terminator: Terminator) {
+    pub(super) fn end(&mut self, terminator: Terminator) {
         if self.alive {
             match &terminator {
                 Terminator::Jump(to) => {
@@ -206,7 +230,7 @@ impl<'l, 'c> Body<'l, 'c> {
                 Terminator::Branch { then, otherwise, .. } => {
                     self.reached.extend([then.0 as usize, otherwise.0 as usize]);
                 }
-                Terminator::Return(_) => {}
+                Terminator::Return(_) | Terminator::Throw { .. } | Terminator::Rethrow(_) => {}
             }
         }
         self.blocks[self.current].terminator = Some(terminator);
@@ -214,7 +238,7 @@ impl<'l, 'c> Body<'l, 'c> {
         self.alive = false;
     }
 
-    fn jump(&mut self, to: usize) {
+    pub(super) fn jump(&mut self, to: usize) {
         self.end(Terminator::Jump(BlockId(to as u32)));
     }
 
@@ -230,14 +254,14 @@ impl<'l, 'c> Body<'l, 'c> {
         }
     }
 
-    fn branch_on(&mut self, condition: ir::Expr, then: usize, otherwise: usize) {
+    pub(super) fn branch_on(&mut self, condition: ir::Expr, then: usize, otherwise: usize) {
         let (then, otherwise) = (BlockId(then as u32), BlockId(otherwise as u32));
         self.end(Terminator::Branch { condition, then, otherwise });
     }
 
     // Statements.
 
-    fn block(&mut self, statements: &[Stmt]) {
+    pub(super) fn block(&mut self, statements: &[Stmt]) {
         let mut labels = HashMap::new();
         for mut statement in statements {
             while let StmtKind::Label(name, inner) = &statement.kind {
@@ -277,7 +301,7 @@ impl<'l, 'c> Body<'l, 'c> {
         self.labels.pop();
     }
 
-    fn nested(&mut self, statement: &Stmt) {
+    pub(super) fn nested(&mut self, statement: &Stmt) {
         match &statement.kind {
             StmtKind::Block(statements) => self.block(statements),
             _ => self.block(std::slice::from_ref(statement)),
@@ -428,6 +452,8 @@ impl<'l, 'c> Body<'l, 'c> {
                 None => self.outside("continue", "a loop", span),
             },
             StmtKind::Return(value) => self.return_value(value.as_ref()),
+            StmtKind::Throw(value) => self.throw(value.as_ref(), span),
+            StmtKind::Try { body, error, handler } => self.try_catch(body, *error, handler),
         }
     }
 
@@ -452,113 +478,5 @@ impl<'l, 'c> Body<'l, 'c> {
         self.exits.push(Exit { on_break, on_continue: Some(on_continue) });
         self.nested(body);
         self.exits.pop();
-    }
-
-    fn switch(&mut self, value: &Expr, body: &Stmt) {
-        let value = self.value(value);
-        let span = value.span;
-        let repr = value.repr.clone();
-        let local = self.temporary(value);
-        let statements = match &body.kind {
-            StmtKind::Block(statements) => statements.as_slice(),
-            _ => std::slice::from_ref(body),
-        };
-        let after = self.new_block();
-        let mut cases = HashMap::new();
-        let mut default = None;
-        let mut tests = Vec::new();
-        for mut statement in statements {
-            loop {
-                match &statement.kind {
-                    StmtKind::Case(value, inner) => {
-                        let block = self.new_block();
-                        cases.insert(statement.span, block);
-                        tests.push((value, block));
-                        statement = inner;
-                    }
-                    StmtKind::Default(inner) => {
-                        let block = self.new_block();
-                        cases.insert(statement.span, block);
-                        if default.replace(block).is_some() {
-                            self.lowering.report(
-                                Diagnostic::error(
-                                    "E0315",
-                                    "this switch has two defaults",
-                                    statement.span,
-                                    "second default",
-                                )
-                                .help("remove one of them"),
-                            );
-                        }
-                        statement = inner;
-                    }
-                    StmtKind::Label(_, inner) => statement = inner,
-                    _ => break,
-                }
-            }
-        }
-        for (case, block) in tests {
-            let next = self.new_block();
-            let left = ir::Expr { kind: ExprKind::Local(local), repr: repr.clone(), span };
-            let right = self.value(case);
-            let kind = ExprKind::Op(Op::Equal, vec![left, right]);
-            self.branch_on(ir::Expr { kind, repr: Repr::Bool, span: case.span }, block, next);
-            self.start(next);
-        }
-        self.jump(default.unwrap_or(after));
-        self.cases.push(cases);
-        self.exits.push(Exit { on_break: after, on_continue: None });
-        self.block(statements);
-        self.exits.pop();
-        self.cases.pop();
-        self.jump(after);
-        self.start(after);
-    }
-
-    fn goto(&mut self, name: &str, span: Span) {
-        let found = self.labels.iter().rev().find_map(|labels| labels.get(name).copied());
-        match found {
-            Some(block) => self.jump(block),
-            None => {
-                let checker = self.lowering.checker;
-                let mut elsewhere = false;
-                if let Some(function) = checker.functions.get(&self.function) {
-                    for statement in &function.body {
-                        statement.walk(&mut |s| {
-                            elsewhere |= matches!(&s.kind, StmtKind::Label(label, _) if label == name)
-                        });
-                    }
-                }
-                let known = self.labels.iter().flat_map(|labels| labels.keys().map(String::as_str));
-                let diagnostic = if elsewhere {
-                    Diagnostic::error(
-                        "E0215",
-                        format!("`goto {name}` would enter a block"),
-                        span,
-                        "the label is inside another block",
-                    )
-                    .help("move the label out of that block")
-                } else {
-                    let diagnostic = Diagnostic::error(
-                        "E0215",
-                        format!("there is no label `{name}` here"),
-                        span,
-                        "unknown label",
-                    );
-                    match similar(name, known) {
-                        Some(near) => diagnostic.help(format!("did you mean `{near}`?")),
-                        None => diagnostic.help(format!("put `{name}:` before the statement to go to")),
-                    }
-                };
-                self.lowering.report(diagnostic);
-            }
-        }
-    }
-
-    fn outside(&mut self, word: &str, place: &str, span: Span) {
-        self.lowering.report(
-            Diagnostic::error("E0214", format!("`{word}` stands outside {place}"), span, "nothing to leave")
-                .help(format!("put it into {place}")),
-        );
     }
 }

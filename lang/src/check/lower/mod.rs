@@ -2,6 +2,8 @@
 
 mod body;
 mod closures;
+mod errors;
+mod jumps;
 mod sites;
 mod values;
 

@@ -1,0 +1,120 @@
+//! Statements that choose where to go on: `switch`, `goto`, and `break` and `continue` where they do not belong.
+
+use super::body::{Body, Exit};
+use crate::check::symbols::similar;
+use crate::check::tree::{Expr, Stmt, StmtKind};
+use crate::diagnostic::Diagnostic;
+use crate::ir::{self, ExprKind, Op};
+use crate::span::Span;
+use calyx_abi::Repr;
+use std::collections::HashMap;
+
+impl Body<'_, '_> {
+    pub(super) fn switch(&mut self, value: &Expr, body: &Stmt) {
+        let value = self.value(value);
+        let span = value.span;
+        let repr = value.repr.clone();
+        let local = self.temporary(value);
+        let statements = match &body.kind {
+            StmtKind::Block(statements) => statements.as_slice(),
+            _ => std::slice::from_ref(body),
+        };
+        let after = self.new_block();
+        let mut cases = HashMap::new();
+        let mut default = None;
+        let mut tests = Vec::new();
+        for mut statement in statements {
+            loop {
+                match &statement.kind {
+                    StmtKind::Case(value, inner) => {
+                        let block = self.new_block();
+                        cases.insert(statement.span, block);
+                        tests.push((value, block));
+                        statement = inner;
+                    }
+                    StmtKind::Default(inner) => {
+                        let block = self.new_block();
+                        cases.insert(statement.span, block);
+                        if default.replace(block).is_some() {
+                            self.lowering.report(
+                                Diagnostic::error(
+                                    "E0315",
+                                    "this switch has two defaults",
+                                    statement.span,
+                                    "second default",
+                                )
+                                .help("remove one of them"),
+                            );
+                        }
+                        statement = inner;
+                    }
+                    StmtKind::Label(_, inner) => statement = inner,
+                    _ => break,
+                }
+            }
+        }
+        for (case, block) in tests {
+            let next = self.new_block();
+            let left = ir::Expr { kind: ExprKind::Local(local), repr: repr.clone(), span };
+            let right = self.value(case);
+            let kind = ExprKind::Op(Op::Equal, vec![left, right]);
+            self.branch_on(ir::Expr { kind, repr: Repr::Bool, span: case.span }, block, next);
+            self.start(next);
+        }
+        self.jump(default.unwrap_or(after));
+        self.cases.push(cases);
+        self.exits.push(Exit { on_break: after, on_continue: None });
+        self.block(statements);
+        self.exits.pop();
+        self.cases.pop();
+        self.jump(after);
+        self.start(after);
+    }
+
+    pub(super) fn goto(&mut self, name: &str, span: Span) {
+        let found = self.labels.iter().rev().find_map(|labels| labels.get(name).copied());
+        match found {
+            Some(block) => self.jump(block),
+            None => {
+                let checker = self.lowering.checker;
+                let mut elsewhere = false;
+                if let Some(function) = checker.functions.get(&self.function) {
+                    for statement in &function.body {
+                        statement.walk(&mut |s| {
+                            elsewhere |= matches!(&s.kind, StmtKind::Label(label, _) if label == name)
+                        });
+                    }
+                }
+                let known = self.labels.iter().flat_map(|labels| labels.keys().map(String::as_str));
+                let diagnostic = if elsewhere {
+                    Diagnostic::error(
+                        "E0215",
+                        format!("`goto {name}` would enter a block"),
+                        span,
+                        "the label is inside another block",
+                    )
+                    .help("move the label out of that block")
+                } else {
+                    let diagnostic = Diagnostic::error(
+                        "E0215",
+                        format!("there is no label `{name}` here"),
+                        span,
+                        "unknown label",
+                    );
+                    match similar(name, known) {
+                        Some(near) => diagnostic.help(format!("did you mean `{near}`?")),
+                        None => diagnostic.help(format!("put `{name}:` before the statement to go to")),
+                    }
+                };
+                self.lowering.report(diagnostic);
+            }
+        }
+    }
+
+    pub(super) fn outside(&mut self, word: &str, place: &str, span: Span) {
+        self.lowering.report(
+            Diagnostic::error("E0214", format!("`{word}` stands outside {place}"), span, "nothing to leave")
+                .help(format!("put it into {place}")),
+        );
+    }
+}

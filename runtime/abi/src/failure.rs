@@ -1,0 +1,113 @@
+//! `throw` and `catch`: from the values of a program to an error and back.
+
+use crate::call::Slot;
+use crate::context::Context;
+use crate::error::{Place, RuntimeError, codes};
+use crate::heap::{HeapId, Object};
+use crate::helpers::malformed;
+use std::sync::Arc;
+
+/// Slots of the record `Error`: code, message, place, value.
+pub const ERROR_SLOTS: usize = 4;
+
+/// The error that a program throws: the slots of an `Error`. It arises at [`Context::place`].
+pub fn thrown(ctx: &Context, error: &[Slot], help: &str) -> RuntimeError {
+    let &[code, message, origin, value] = error else { return malformed("an error of another form") };
+    let (Some(code), Some(message), Some(origin)) =
+        (ctx.heap.str(code), ctx.heap.str(message), ctx.heap.str(origin))
+    else {
+        return malformed("an error without text");
+    };
+    let code = if code.is_empty() { codes::THROWN } else { code };
+    let mut error = RuntimeError::new(code, message, help);
+    error.place = Some(ctx.place);
+    error.details.origin = origin.into();
+    error.details.value = f64::from_bits(value);
+    // A program cannot make an error that its callers could not catch.
+    if error.status() != crate::call::Status::Failed {
+        error.code = codes::THROWN.into();
+    }
+    error
+}
+
+/// Takes the error that ended a statement, and keeps it while it is handled.
+///
+/// # Errors
+/// Internal, if nothing failed.
+pub fn catch(ctx: &mut Context) -> Result<HeapId, RuntimeError> {
+    // The string under construction when it failed will not be finished.
+    ctx.text.clear();
+    let error = ctx.error.take().ok_or_else(|| malformed("a handler without an error"))?;
+    Ok(ctx.heap.insert(Object::Error(Arc::new(error))))
+}
+
+/// The slots of the `Error` that a handler sees.
+///
+/// # Errors
+/// Internal, if `caught` is no error.
+pub fn fields(ctx: &mut Context, caught: HeapId) -> Result<[Slot; ERROR_SLOTS], RuntimeError> {
+    let error = error(ctx, caught)?;
+    let place = match error.details.origin.as_str() {
+        "" => error.place.map(|place| shown_place(ctx, place)).unwrap_or_default(),
+        origin => origin.into(),
+    };
+    let texts = [&error.code, &error.message, &place].map(|text| ctx.heap.string(text));
+    let [code, message, place] = texts;
+    Ok([code, message, place, error.details.value.to_bits()])
+}
+
+/// The error that a handler passes on.
+pub fn rethrown(ctx: &Context, caught: HeapId) -> RuntimeError {
+    match error(ctx, caught) {
+        Ok(error) => (*error).clone(),
+        Err(error) => error,
+    }
+}
+
+fn error(ctx: &Context, id: HeapId) -> Result<Arc<RuntimeError>, RuntimeError> {
+    match ctx.heap.get(id) {
+        Some(Object::Error(error)) => Ok(error.clone()),
+        _ => Err(malformed("no error")),
+    }
+}
+
+/// `model.cx:3:7`; empty if the file is not known.
+pub fn shown_place(ctx: &Context, (file, start, _): Place) -> String {
+    let Some(file) = ctx.files.get(file as usize) else { return String::new() };
+    let before = file.text.get(..start as usize).unwrap_or_default();
+    let line = before.matches('\n').count() + 1;
+    let column = before.chars().rev().take_while(|c| *c != '\n').count() + 1;
+    format!("{}:{line}:{column}", file.name)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::description::FileDescription;
+
+    #[test]
+    fn a_caught_error_keeps_what_was_thrown() {
+        let mut ctx = Context::new(Box::new(()));
+        ctx.files = [FileDescription { name: "m.cx".into(), text: "var é;\nthrow;".into() }].into();
+        ctx.place = (0, 8, 13);
+        let texts = ["", "why", ""].map(|text| ctx.heap.string(text));
+        let error = thrown(&ctx, &[texts[0], texts[1], texts[2], 2.5f64.to_bits()], "");
+        assert_eq!((error.code.as_str(), error.place), (codes::THROWN, Some((0, 8, 13))));
+        ctx.error = Some(error.clone());
+        let caught = catch(&mut ctx).unwrap();
+        let fields = fields(&mut ctx, caught).unwrap();
+        let shown = [0, 1, 2].map(|i| ctx.heap.str(fields[i]).unwrap().to_string());
+        assert_eq!(shown, [codes::THROWN, "why", "m.cx:2:1"]);
+        assert_eq!(f64::from_bits(fields[3]), 2.5);
+        assert_eq!(rethrown(&ctx, caught), error);
+        assert!(catch(&mut ctx).is_err());
+    }
+
+    #[test]
+    fn a_program_cannot_throw_what_cannot_be_caught() {
+        let mut ctx = Context::new(Box::new(()));
+        let texts = [codes::CANCELLED, "why", "there"].map(|text| ctx.heap.string(text));
+        let error = thrown(&ctx, &[texts[0], texts[1], texts[2], 0], "");
+        assert_eq!((error.code.as_str(), error.details.origin.as_str()), (codes::THROWN, "there"));
+    }
+}
