@@ -22,6 +22,9 @@ use std::sync::{Arc, Mutex};
 /// Basic blocks a program may enter while it is checked: models build and end; one that does not is stopped.
 const FUEL: u64 = 20_000_000;
 
+/// Bytes that its values may take meanwhile.
+const MEMORY: u64 = 1_000_000_000;
+
 /// What checking a model found.
 pub struct Checked {
     /// `None` if there are errors of the language. A program may be there although its gears are impossible at these
@@ -162,6 +165,7 @@ fn elaborate_with(
     let mut interpreted = Interpreted::new(program, Purity::Scene)?;
     let mut context = Context::new(Box::new(ModelHost::new(&interpreted.description().units)));
     context.fuel = FUEL;
+    context.limits.memory = Some(MEMORY);
     context.kernels = interpreted.kernels();
     context.print = print;
     let defaults =

@@ -67,6 +67,7 @@ const CODES: &[Explanation] = codes! {
     "E0213" "an unknown kind of extern function" "An extern function is `pure` (depends on its arguments alone), `scene` (adds to the scene) or `effect`."
     "E0214" "a statement outside what it belongs to" "`break` leaves a loop or switch, `continue` a loop; `case` and `default` stand directly in the body of a `switch`."
     "E0215" "a goto that leads nowhere" "`goto` leads to a label in the same block or in one around it, never into a block, and never out of its function."
+    "E0216" "a throw without an error to pass on" "`throw;` throws again what the `catch` around it caught. Elsewhere, also in a function that a `catch` calls, there is nothing to pass on: throw a text or an `Error`."
     "E0217" "a variable read before it has a value" "On some way through the program the variable is read before anything was assigned to it. Give it a value where it is declared, or on every way."
     "E0218" "an out parameter without a value" "A function assigns its `out` parameters on every way to its end."
     "W0205" "a unit that is also a variable" "Right after a number a name is a unit, whatever else it is called here. Write `*` to multiply by the variable."

@@ -250,7 +250,11 @@ impl Place {
 #[derive(Clone, Debug)]
 pub enum Terminator {
     Jump(BlockId),
-    Branch { condition: Expr, then: BlockId, otherwise: BlockId },
+    Branch {
+        condition: Expr,
+        then: BlockId,
+        otherwise: BlockId,
+    },
     Return(Option<Expr>),
     /// Fails with an error of the program's own making.
     Throw {

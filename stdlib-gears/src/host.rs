@@ -73,7 +73,8 @@ impl ModelHost {
     /// A finding about a gear or a pair in words for the model's author, who finds it at the call in `place`.
     pub(crate) fn told(&self, error: &GeometryError, place: (u32, u32, u32)) -> RuntimeError {
         let LengthUnit { name, metres } = self.length_unit;
-        let [message, help] = [&error.message, &error.help].map(|text| text.in_unit(name, metres).to_string());
+        let [message, help] =
+            [&error.message, &error.help].map(|text| text.in_unit(name, metres).to_string());
         let told = RuntimeError::new(error.code, message, help).of_argument(error.argument);
         RuntimeError { place: Some(place), ..told }
     }

@@ -112,9 +112,7 @@ impl<'m, M: Module> FunctionLowering<'_, 'm, '_, M> {
                 self.at(expr.span);
                 self.format(parts, values)?
             }
-            ExprKind::Catch => {
-                self.helper_into(&[types::I64], |f, into| f.helper("calyx_catch", &[into]))?
-            }
+            ExprKind::Catch => self.helper_into(&[types::I64], |f, into| f.helper("calyx_catch", &[into]))?,
             ExprKind::CaughtFields(caught) => {
                 let caught = self.scalar(caught)?;
                 let types = slot_types(&expr.repr);

@@ -5,8 +5,8 @@
 
 use crate::error::CodegenError;
 use crate::module::ModuleLowering;
-use calyx_abi::{Repr, Status};
 use calyx_abi::context::{Layout, MAX_DEPTH};
+use calyx_abi::{Repr, Status};
 use calyx_lang::ir::{BlockId, Function, FunctionId, LocalId, Mode};
 use calyx_lang::span::Span;
 use cranelift_codegen::ir::condcodes::IntCC;

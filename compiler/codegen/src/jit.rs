@@ -8,7 +8,6 @@ use calyx_abi::entry::entry_points;
 use calyx_abi::helpers::malformed;
 use calyx_abi::{Extern, Kernel, Slot, SlotFn, math, stack};
 use calyx_lang::ir::{Function, FunctionId, Mode, Program};
-use calyx_lower::interpret::CallSites;
 use calyx_lower::link::resolve_externs;
 use cranelift_jit::{ArenaMemoryProvider, JITBuilder, JITModule};
 use cranelift_module::{FuncId, default_libcall_names};
@@ -23,7 +22,6 @@ pub struct Jit {
     module: JITModule,
     functions: Vec<Signature>,
     main: FunctionId,
-    call_sites: CallSites,
 }
 
 /// What a caller must know of a function.
@@ -65,7 +63,6 @@ impl Jit {
             module: JITModule::new(builder),
             functions: program.functions.iter().map(Signature::new).collect(),
             main: program.main,
-            call_sites: CallSites::new(program),
         })
     }
 }
@@ -116,7 +113,7 @@ impl Backend for Jit {
             Arc::new(JitKernel { code: code.clone(), call, inputs, outputs }) as Arc<dyn Kernel>
         });
         let kernels = kernels.collect();
-        Ok(JitModule { functions, kernels, main: self.main, call_sites: self.call_sites, code })
+        Ok(JitModule { functions, kernels, main: self.main, code })
     }
 }
 
@@ -150,7 +147,6 @@ pub struct JitModule {
     functions: Vec<(SlotFn, Signature)>,
     kernels: Vec<Arc<dyn Kernel>>,
     main: FunctionId,
-    call_sites: CallSites,
     /// Dropped last, though the kernels keep it alive as well.
     code: Arc<Code>,
 }
@@ -185,11 +181,7 @@ impl JitModule {
         }
         ctx.place = signature.place;
         // SAFETY: the function is alive, and takes and returns as many slots as its signature says.
-        let result = unsafe { stack::run(ctx, *function, arguments, signature.results) };
-        result.map_err(|mut error| {
-            self.call_sites.blame(&mut error);
-            error
-        })
+        unsafe { stack::run(ctx, *function, arguments, signature.results) }
     }
 
     /// One kernel per site, in order of site; they keep the code alive.
@@ -245,7 +237,12 @@ mod tests {
             parameters: vec![],
             result: Repr::Unit,
             locals: vec![],
-            blocks: vec![Block { statements: vec![], terminator: Terminator::Return(None) }],
+            blocks: vec![Block {
+                statements: vec![],
+                terminator: Terminator::Return(None),
+                handler: None,
+                span: Span::default(),
+            }],
             span: Span::default(),
         };
         Program { functions: vec![main], ..Program::default() }

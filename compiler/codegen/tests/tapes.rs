@@ -12,7 +12,12 @@ fn empty_program() -> Program {
         parameters: vec![],
         result: Repr::Unit,
         locals: vec![],
-        blocks: vec![Block { statements: vec![], terminator: Terminator::Return(None) }],
+        blocks: vec![Block {
+            statements: vec![],
+            terminator: Terminator::Return(None),
+            handler: None,
+            span: Span::default(),
+        }],
         span: Span::default(),
     };
     Program { functions: vec![main], ..Program::default() }

@@ -73,7 +73,8 @@ impl Printer<'_> {
             }
         }
         for (index, block) in function.blocks.iter().enumerate() {
-            let _ = writeln!(out, "block {index}:");
+            let handler = block.handler.map(|handler| format!(" on error {}", handler.0));
+            let _ = writeln!(out, "block {index}{}:", handler.unwrap_or_default());
             for statement in &block.statements {
                 let _ = writeln!(out, "  {}", self.statement(function, statement));
             }
@@ -115,6 +116,8 @@ impl Printer<'_> {
             }
             Terminator::Return(None) => "return".into(),
             Terminator::Return(Some(value)) => format!("return {}", self.expr(function, value)),
+            Terminator::Throw { error, .. } => format!("throw {}", self.expr(function, error)),
+            Terminator::Rethrow(caught) => format!("throw again {}", self.expr(function, caught)),
         }
     }
 
@@ -162,6 +165,8 @@ impl Printer<'_> {
                 };
                 format!("text({})", parts.iter().map(part).collect::<Vec<_>>().join(", "))
             }
+            ExprKind::Catch => "catch".into(),
+            ExprKind::CaughtFields(caught) => format!("fields({})", one(caught)),
             ExprKind::MakeSymbolic { site, captures } => {
                 format!("site {}({})", site.0, self.list(function, captures))
             }

@@ -252,7 +252,7 @@ impl<'a> Checker<'a> {
             };
             if argument.is_some() {
                 self.in_file(file, |c| {
-                    c.domain(&ty, parameter.domain.as_ref(), Some(&value), &parameter.name.name);
+                    c.domain(&ty, parameter.domain.as_ref(), Some(&value), &parameter.name.name)
                 });
             }
             values.push(value);
@@ -364,7 +364,7 @@ impl<'a> Checker<'a> {
             return Expr { kind: Kind::Error, ty: result, span };
         };
         let variables = self.names.functions[id.0 as usize].parameters.clone();
-        let (mut values, mut copy_back) = (Vec::new(), Vec::new());
+        let (mut values, mut copy_back, mut demands) = (Vec::new(), Vec::new(), Vec::new());
         for (((parameter, argument), ty), variable) in
             decl.parameters.iter().zip(given).zip(&types).zip(variables)
         {
@@ -409,10 +409,15 @@ impl<'a> Checker<'a> {
                 }
             };
             self.dependence.variable(variable, &value);
+            if parameter.mode != Mode::Out {
+                let domain = parameter.domain.as_ref();
+                let demand = self.in_file(file, |c| c.domain(ty, domain, Some(&value), &parameter.name.name));
+                demands.extend(demand.map(|demand| (values.len(), demand)));
+            }
             values.push(value);
         }
-        self.distinct_places(&copy_back);
-        let call = Call { function: id, instance, arguments: values, copy_back };
+        let perhaps_same = self.distinct_places(&copy_back);
+        let call = Call { function: id, instance, arguments: values, copy_back, perhaps_same, demands };
         self.observed(Expr { kind: Kind::Call(Box::new(call)), ty: result, span })
     }
 }

@@ -31,7 +31,7 @@ impl Constraint {
     pub fn types(&self) -> Vec<&Type> {
         match &self.kind {
             Multiply(a, b, c) | Divide(a, b, c) => vec![a, b, c],
-            Additive(a) | Comparable(a) | Printable(a) => vec![a],
+            Additive(a) | Comparable(a) | Printable(a) | Throwable(a) => vec![a],
             Index(a, _, b) | Field(a, _, b) => vec![a, b],
         }
     }
@@ -44,6 +44,7 @@ impl Constraint {
             Additive(a) => Additive(f(a)),
             Comparable(a) => Comparable(f(a)),
             Printable(a) => Printable(f(a)),
+            Throwable(a) => Throwable(f(a)),
             Index(a, at, b) => Index(f(a), *at, f(b)),
             Field(a, name, b) => Field(f(a), name.clone(), f(b)),
         }
@@ -88,7 +89,7 @@ impl Checker<'_> {
                 constraint.types().into_iter().map(|ty| self.store.resolve(ty)).collect();
             let result = match &constraint.kind {
                 Multiply(..) | Divide(..) | Index(..) | Field(..) => operands.pop(),
-                Additive(_) | Comparable(_) | Printable(_) => None,
+                Additive(_) | Comparable(_) | Printable(_) | Throwable(_) => None,
             };
             match (seen.entry((kind, field, operands)), result) {
                 (Entry::Vacant(entry), result) => {
@@ -338,6 +339,23 @@ impl Checker<'_> {
                     None => Outcome::failed(self.no_field(&Type::Record(id), name, constraint.span)),
                 },
                 other => Outcome::failed(self.no_field(&other, name, constraint.span)),
+            },
+            Throwable(a) => match self.store.shallow(a) {
+                Type::Unknown(_) => Outcome::Open,
+                Type::String | Type::Error => Outcome::Solved,
+                other if other == self.error_type() => Outcome::Solved,
+                other => {
+                    let shown = with_article(&self.store.show(&other));
+                    Outcome::failed(
+                        Diagnostic::error(
+                            "E0304",
+                            format!("{shown} cannot be thrown"),
+                            constraint.span,
+                            format!("this is {shown}"),
+                        )
+                        .help("throw a text: `throw \"...\";`, or an `Error(message = \"...\")`"),
+                    )
+                }
             },
             Index(base, at, element) => match (self.store.shallow(base), at) {
                 (Type::Error, _) => self.fit(constraint, element, &Type::Error),

@@ -14,6 +14,8 @@ enum Node {
     /// What a function returns or hands back.
     Function(FuncId),
     Definition(DefId),
+    /// What errors carry from where they are thrown to where they are caught.
+    Error,
 }
 
 #[derive(Debug, Default)]
@@ -40,6 +42,14 @@ impl Dependence {
 
     pub fn returned(&mut self, function: FuncId, value: &Expr) {
         self.add(Node::Function(function), value);
+    }
+
+    pub fn thrown(&mut self, value: &Expr) {
+        self.add(Node::Error, value);
+    }
+
+    pub fn caught(&mut self, id: VarId) {
+        self.edges.entry(Node::Variable(id)).or_default().insert(Node::Error);
     }
 
     pub fn definition(&mut self, id: DefId, expr: &Expr) {

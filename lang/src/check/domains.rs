@@ -1,12 +1,13 @@
-//! Ranges and choices: what a param or a library function's parameter may be. Constant values are checked here, others
-//! when the program runs.
+//! Ranges and choices: what a param or a function's parameter may be. Constant values are checked here, others when the
+//! program runs: params by whoever sets them, arguments of library functions by the library, other arguments by the
+//! caller ([`Demand`]).
 
 use super::constant;
 use super::infer::Checker;
 use super::symbols::similar;
-use super::tree::Expr;
-use super::types::Type;
-use crate::ast::Domain;
+use super::tree::{Demand, Expr};
+use super::types::{Store, Type};
+use crate::ast::{Domain, Parameter};
 use crate::diagnostic::Diagnostic;
 use crate::span::Span;
 
@@ -24,11 +25,27 @@ pub struct Check {
     text: String,
 }
 
+impl Demand {
+    /// Whether all of it is constant, so that it was checked with the program.
+    pub fn is_decided(&self, value: &Expr, store: &Store) -> bool {
+        let number = |e: &Expr| constant::number(e, store).is_some();
+        let ends = || self.low.iter().chain(&self.high).all(number);
+        constant::text(value).is_some() || (number(value) && ends())
+    }
+}
+
 impl<'a> Checker<'a> {
     /// Notes a domain to be checked when all types are known. Its ends must have the type `ty`.
-    pub(super) fn domain(&mut self, ty: &Type, domain: Option<&'a Domain>, value: Option<&Expr>, name: &str) {
+    /// What is demanded of the value is handed back.
+    pub(super) fn domain(
+        &mut self,
+        ty: &Type,
+        domain: Option<&'a Domain>,
+        value: Option<&Expr>,
+        name: &str,
+    ) -> Option<Demand> {
         let check = match domain {
-            None => return,
+            None => return None,
             Some(Domain::Range { low, high, span }) => {
                 let around = self.constant_place.replace("a range");
                 let mut ends = [None, None];
@@ -74,7 +91,30 @@ impl<'a> Checker<'a> {
                 }
             }
         };
+        let demand = Demand {
+            name: check.name.clone(),
+            low: check.low.clone(),
+            high: check.high.clone(),
+            choices: check.choices.clone(),
+            text: check.text.trim_start_matches("in").trim().into(),
+        };
         self.domains.push(check);
+        Some(demand)
+    }
+
+    /// The range or choices of a function's own parameter, checked where they are declared.
+    pub(super) fn parameter_domain(&mut self, ty: &Type, parameter: &'a Parameter) {
+        let Some(domain) = &parameter.domain else { return };
+        let open = matches!(self.store.shallow(ty), Type::Unknown(_));
+        let bare = match domain {
+            Domain::Range { low, high, .. } => low.iter().chain(high).any(super::expr::is_bare),
+            Domain::Choices { .. } => false,
+        };
+        // Under a unit system a bare literal has the dimension of each call.
+        if open && bare && self.system().is_some() {
+            return;
+        }
+        self.domain(ty, Some(domain), None, &parameter.name.name);
     }
 
     /// Whether two types, all else decided, are of one kind and dimension.

@@ -183,7 +183,11 @@ impl Finder<'_> {
     fn expr(&mut self, e: &Expr, set: &Set) {
         match &e.kind {
             ExprKind::Local(local) => self.read(*local, e.span, set),
-            ExprKind::Number(_) | ExprKind::Bool(_) | ExprKind::String(_) | ExprKind::Param(_) | ExprKind::Catch => {}
+            ExprKind::Number(_)
+            | ExprKind::Bool(_)
+            | ExprKind::String(_)
+            | ExprKind::Param(_)
+            | ExprKind::Catch => {}
             ExprKind::Op(_, all)
             | ExprKind::Call(_, all)
             | ExprKind::CallExtern(_, all)

@@ -56,6 +56,8 @@ pub struct Checker<'a> {
     pub(super) constant_place: Option<&'static str>,
     /// `switch` statements around, innermost last: the value and the cases so far.
     pub(super) switches: Vec<(Expr, Vec<Expr>)>,
+    /// `catch` sections around, in the function being checked.
+    pub(super) handlers: usize,
     /// Ranges and choices to check once types are known.
     pub(super) domains: Vec<super::domains::Check>,
     /// Values of constants; `None` while one is computed.
@@ -91,6 +93,7 @@ impl<'a> Checker<'a> {
             symbolic: false,
             constant_place: None,
             switches: Vec::new(),
+            handlers: 0,
             domains: Vec::new(),
             consts: HashMap::new(),
             making: Vec::new(),
@@ -331,6 +334,7 @@ impl<'a> Checker<'a> {
         let file = std::mem::replace(&mut self.file, self.names.functions[id.0 as usize].file);
         let function = std::mem::replace(&mut self.function, id);
         let symbolic = std::mem::replace(&mut self.symbolic, false);
+        let handlers = std::mem::take(&mut self.handlers);
         let reaching = self.reaching.clone();
         let variables = self.names.functions[id.0 as usize].parameters.clone();
         for (parameter, &variable) in decl.parameters.iter().zip(&variables) {
@@ -347,12 +351,8 @@ impl<'a> Checker<'a> {
                 }
                 _ => {}
             }
-            if let Some(domain) = &parameter.domain {
-                let span = match domain {
-                    ast::Domain::Range { span, .. } | ast::Domain::Choices { span, .. } => *span,
-                };
-                self.not_yet("ranges and choices of a function's own parameters are", span);
-            }
+            let ty = self.variable_type(variable);
+            self.parameter_domain(&ty, parameter);
         }
         let mut body = Vec::new();
         match &decl.body {
@@ -384,6 +384,7 @@ impl<'a> Checker<'a> {
         );
         self.reaching = reaching;
         self.symbolic = symbolic;
+        self.handlers = handlers;
         self.function = function;
         self.file = file;
     }

@@ -14,6 +14,7 @@ mod consts;
 mod dependence;
 mod dim;
 mod domains;
+mod errors;
 mod expr;
 mod flow;
 mod infer;

@@ -20,15 +20,21 @@ pub enum Overlap {
 
 impl<'a> Checker<'a> {
     /// One place in two out slots would leave open which value it gets.
-    pub(super) fn distinct_places(&mut self, places: &[Place]) {
+    /// Hands back which places only turn out the same or not when the program runs.
+    pub(super) fn distinct_places(&mut self, places: &[Place]) -> Vec<(usize, usize)> {
+        let mut perhaps = Vec::new();
         for (index, later) in places.iter().enumerate() {
-            for earlier in &places[..index] {
-                if self.overlap(earlier, later) == Overlap::Always {
+            for (before, earlier) in places[..index].iter().enumerate() {
+                let overlap = self.overlap(earlier, later);
+                if overlap == Overlap::Perhaps {
+                    perhaps.push((before, index));
+                }
+                if overlap == Overlap::Always {
                     let name = &self.variable(later.variable).name;
                     let what = match (earlier.steps.is_empty(), later.steps.is_empty()) {
                         (true, true) => format!("`{name}` is given to two out parameters"),
                         (false, false) if earlier.steps.len() == later.steps.len() => {
-                            format!("an element of `{name}` is given to two out parameters")
+                            format!("a part of `{name}` is given to two out parameters")
                         }
                         _ => format!("`{name}` and a part of it are given to two out parameters"),
                     };
@@ -40,6 +46,7 @@ impl<'a> Checker<'a> {
                 }
             }
         }
+        perhaps
     }
 
     /// Whether a value stored in one place changes what the other holds.

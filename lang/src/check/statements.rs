@@ -25,7 +25,7 @@ impl<'a> Checker<'a> {
         Stmt { kind, span: statement.span }
     }
 
-    fn boxed(&mut self, statement: &'a ast::Stmt) -> Box<Stmt> {
+    pub(super) fn boxed(&mut self, statement: &'a ast::Stmt) -> Box<Stmt> {
         Box::new(self.statement(statement))
     }
 
@@ -123,18 +123,8 @@ impl<'a> Checker<'a> {
             Ast::Break => StmtKind::Break,
             Ast::Continue => StmtKind::Continue,
             Ast::Return(value) => self.return_value(value.as_ref(), statement.span),
-            Ast::Throw(value) => {
-                if let Some(value) = value {
-                    self.as_value(|c| c.expr(value));
-                }
-                self.not_yet("`throw` is", statement.span);
-                StmtKind::Nothing
-            }
-            Ast::Try { body, handler, .. } => {
-                self.either(|c| c.boxed(body), |c| c.boxed(handler));
-                self.not_yet("`try` is", statement.span);
-                StmtKind::Nothing
-            }
+            Ast::Throw(value) => self.throw(value.as_ref(), statement.span),
+            Ast::Try { body, error, handler } => self.try_catch(body, error.as_ref(), handler),
         }
     }
 

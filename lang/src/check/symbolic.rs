@@ -371,6 +371,18 @@ impl<'a> Checker<'a> {
         result
     }
 
+    /// Checks statements that control may reach from any place in others.
+    pub(super) fn after_part_of<T>(
+        &mut self,
+        statement: &'a ast::Stmt,
+        work: impl FnOnce(&mut Self) -> T,
+    ) -> T {
+        let mut bound = BTreeSet::new();
+        self.bound_in(statement, &mut bound);
+        self.forget(&bound);
+        work(self)
+    }
+
     /// A place that control may reach from elsewhere.
     pub(super) fn forget_rebound(&mut self) {
         let rebound: BTreeSet<VarId> = self.rebound.iter().copied().collect();

@@ -96,6 +96,22 @@ pub struct Call {
     pub arguments: Vec<Expr>,
     /// Places of `out` and `inout` arguments, in order.
     pub copy_back: Vec<Place>,
+    /// Places, by position in `copy_back`, that are the same if their indices turn out equal.
+    pub perhaps_same: Vec<(usize, usize)>,
+    /// What arguments must be, by their position.
+    pub demands: Vec<(usize, Demand)>,
+}
+
+/// The range or the choices of a parameter, with the types of one call.
+#[derive(Clone, Debug)]
+pub struct Demand {
+    pub name: String,
+    pub low: Option<Expr>,
+    pub high: Option<Expr>,
+    /// Empty if any string will do.
+    pub choices: Vec<String>,
+    /// As it is written, without `in`.
+    pub text: String,
 }
 
 #[derive(Clone, Debug)]
@@ -207,6 +223,8 @@ pub enum ConstraintKind {
     Comparable(Type),
     /// Can be written into a string.
     Printable(Type),
+    /// Can be thrown: a text or an `Error`.
+    Throwable(Type),
     /// `base[index] = result`, array or (with a constant index) tuple.
     Index(Type, Option<usize>, Type),
     /// `base.field = result`, record or vector.

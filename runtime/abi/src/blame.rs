@@ -23,7 +23,8 @@ pub fn blame(error: &mut RuntimeError, table: &[u8]) {
     let Some(wanted) = &error.argument else { return };
     let mut rest = table;
     while let Some((head, after)) = rest.split_at_checked(16) {
-        let word = |i: usize| head[4 * i..4 * i + 4].iter().rev().fold(0, |sum, &byte| sum << 8 | u32::from(byte));
+        let word =
+            |i: usize| head[4 * i..4 * i + 4].iter().rev().fold(0, |sum, &byte| sum << 8 | u32::from(byte));
         let Some((name, after)) = after.split_at_checked(word(3) as usize) else { return };
         if name == wanted.as_bytes() {
             error.place = Some((word(0), word(1), word(2)));

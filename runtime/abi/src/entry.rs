@@ -254,7 +254,7 @@ mod tests {
         ctx.place = (1, 2, 3);
         // SAFETY: the context is a local variable.
         let status = unsafe { guarded(&mut ctx, |_| panic!("broken")) };
-        assert_eq!(status, Status::Failed as i32);
+        assert_eq!(status, Status::Cancelled as i32);
         let error = ctx.error.unwrap();
         assert_eq!((error.code.as_str(), error.place), (codes::INTERNAL, Some((1, 2, 3))));
     }

@@ -25,8 +25,8 @@ pub struct RuntimeError {
 pub struct Details {
     /// Calls of the program's functions under way, innermost first; each caller adds its own as the error passes it.
     pub calls: Vec<Call>,
-    /// The number the program attached to the error.
-    pub value: f64,
+    /// The number to blame, if the program that threw the error named one.
+    pub value: Option<f64>,
     /// Where the error arose by the words of the program that threw it; empty if it said nothing of it.
     pub origin: String,
 }

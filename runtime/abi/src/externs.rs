@@ -3,9 +3,9 @@
 
 use crate::call::{Repr, Slot};
 use crate::context::{Context, RuntimeError, codes};
-use crate::limits;
 use crate::entry::guarded;
 use crate::heap::{Object, SymbolicValue};
+use crate::limits;
 use std::sync::Arc;
 
 /// A value that crosses between programs and the engine.

@@ -22,7 +22,7 @@ pub fn thrown(ctx: &Context, error: &[Slot], help: &str) -> RuntimeError {
     let mut error = RuntimeError::new(code, message, help);
     error.place = Some(ctx.place);
     error.details.origin = origin.into();
-    error.details.value = f64::from_bits(value);
+    error.details.value = Some(f64::from_bits(value)).filter(|value| !value.is_nan());
     // A program cannot make an error that its callers could not catch.
     if error.status() != crate::call::Status::Failed {
         error.code = codes::THROWN.into();
@@ -53,7 +53,7 @@ pub fn fields(ctx: &mut Context, caught: HeapId) -> Result<[Slot; ERROR_SLOTS], 
     };
     let texts = [&error.code, &error.message, &place].map(|text| ctx.heap.string(text));
     let [code, message, place] = texts;
-    Ok([code, message, place, error.details.value.to_bits()])
+    Ok([code, message, place, error.details.value.unwrap_or(f64::NAN).to_bits()])
 }
 
 /// The error that a handler passes on.

@@ -27,6 +27,7 @@ pub fn apply(
             return Err(unknown_param(name, description));
         }
     }
+    context.files = description.files.clone().into();
     context.params = vec![f64::NAN; description.params.len()];
     context.param_slots = vec![0; description.params.len()];
     for (index, param) in description.params.iter().enumerate() {

@@ -50,7 +50,8 @@ mod tests {
             }],
             ..ModelDescription::default()
         };
-        let error = RuntimeError { place: Some((0, 22, 23)), ..RuntimeError::new("E0701", "index 3", "less") };
+        let error =
+            RuntimeError { place: Some((0, 22, 23)), ..RuntimeError::new("E0701", "index 3", "less") };
         let expected = "error[E0701]: index 3\n  --> m.cx:2:10\n   |\n 2 | \tprint(é[3]);\n   | \t        ^\n  help: less\n";
         assert_eq!(problem("error", &error, &description), expected);
         // A place that is not in the file is left out.

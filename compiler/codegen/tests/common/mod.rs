@@ -113,7 +113,7 @@ pub fn ret(value: Expr) -> Terminator {
 }
 
 pub fn block(statements: Vec<Statement>, terminator: Terminator) -> Block {
-    Block { statements, terminator }
+    Block { statements, terminator, handler: None, span: span(800) }
 }
 
 /// A function whose first locals are its parameters.
@@ -234,6 +234,7 @@ pub struct Start {
     pub params: Vec<f64>,
     pub fuel: Option<u64>,
     pub cancelled: bool,
+    pub memory: Option<u64>,
 }
 
 fn run(
@@ -250,6 +251,7 @@ fn run(
     ctx.params = start.params.clone();
     ctx.param_slots = start.params.iter().map(|x| x.to_bits()).collect();
     ctx.fuel = start.fuel.unwrap_or(1_000_000);
+    ctx.limits.memory = start.memory;
     ctx.cancel.store(start.cancelled, std::sync::atomic::Ordering::Relaxed);
     let result = evaluate(&mut ctx);
     let mut shown = String::new();

@@ -1,13 +1,12 @@
 //! One function: statements to a graph of basic blocks.
 
 use super::Lowering;
-use super::values::own_value;
 use crate::ast::Mode;
 use crate::check::flow;
-use crate::check::tree::{Call, Expr, FuncId, Kind, Stmt, StmtKind, VarId};
+use crate::check::tree::{Expr, FuncId, Kind, Stmt, StmtKind, VarId};
 use crate::check::types::{Substitution, Type};
 use crate::diagnostic::Diagnostic;
-use crate::ir::{self, Block, BlockId, ExprKind, Function, Local, LocalId, Op, Statement, Terminator};
+use crate::ir::{self, Block, BlockId, ExprKind, Function, Local, LocalId, Statement, Terminator};
 use crate::span::{FileId, Span};
 use calyx_abi::{Purity, Repr};
 use std::collections::{HashMap, HashSet};
@@ -44,6 +43,8 @@ pub(super) struct Body<'l, 'c> {
     pub(super) cases: Vec<HashMap<Span, usize>>,
     /// Where errors of blocks made now lead.
     pub(super) handler: Option<usize>,
+    /// Some expression takes statements of its own.
+    pub(super) sequenced: bool,
     /// Errors being handled by the `catch` sections around, innermost last.
     pub(super) caught: Vec<LocalId>,
 }
@@ -70,6 +71,7 @@ impl<'l, 'c> Body<'l, 'c> {
             labels: Vec::new(),
             cases: Vec::new(),
             handler: None,
+            sequenced: true,
             caught: Vec::new(),
         }
     }
@@ -85,7 +87,8 @@ impl<'l, 'c> Body<'l, 'c> {
         let parameters: Vec<(LocalId, Mode)> =
             modes.into_iter().map(|(v, mode)| (body.local(v), mode)).collect();
         let result = body.repr(&function.result);
-        body.span = function.span;
+        body.begin(function.span);
+        body.look_for_statements(function);
         body.block(&function.body);
         if body.alive {
             if result != Repr::Unit {
@@ -110,10 +113,15 @@ impl<'l, 'c> Body<'l, 'c> {
         lowered
     }
 
+    fn begin(&mut self, span: Span) {
+        self.span = span;
+        self.blocks[0].span = span;
+    }
+
     /// A function that returns the value of an expression.
     pub(super) fn lower_expression(lowering: &'l mut Lowering<'c>, name: &str, e: &Expr) -> Function {
         let mut body = Body::new(lowering, FuncId(0), Substitution::default());
-        body.span = e.span;
+        body.begin(e.span);
         let value = body.owned(e);
         let repr = value.repr.clone();
         body.end(Terminator::Return(Some(value)));
@@ -314,7 +322,7 @@ impl<'l, 'c> Body<'l, 'c> {
         match &statement.kind {
             StmtKind::Nothing => {}
             StmtKind::Assign(place, value) => {
-                let place = self.place(place);
+                let place = self.place(place, self.needs_statements(value));
                 match &value.kind {
                     Kind::Call(call) if self.hands_back(call.function) => {
                         self.call_statement(call, Some(place), value.span);
@@ -337,7 +345,7 @@ impl<'l, 'c> Body<'l, 'c> {
                 }
             }
             StmtKind::Push(place, value) => {
-                let place = self.place(place);
+                let place = self.place(place, self.needs_statements(value));
                 let value = self.owned(value);
                 self.push(Statement::Push { place, value, span });
             }
@@ -377,6 +385,7 @@ impl<'l, 'c> Body<'l, 'c> {
                 self.start(after);
             }
             StmtKind::While(condition, body) => {
+                self.span = condition.span;
                 let (test, inside, after) = (self.new_block(), self.new_block(), self.new_block());
                 self.jump(test);
                 self.start(test);
@@ -387,6 +396,7 @@ impl<'l, 'c> Body<'l, 'c> {
                 self.start(after);
             }
             StmtKind::DoWhile(body, condition) => {
+                self.span = condition.span;
                 let (inside, test, after) = (self.new_block(), self.new_block(), self.new_block());
                 self.jump(inside);
                 self.start(inside);
@@ -398,6 +408,7 @@ impl<'l, 'c> Body<'l, 'c> {
             }
             StmtKind::For { init, condition, step, body } => {
                 self.statement(init);
+                self.span = condition.as_ref().map_or(span, |condition| condition.span);
                 let (test, inside) = (self.new_block(), self.new_block());
                 let (next, after) = (self.new_block(), self.new_block());
                 self.jump(test);
@@ -458,20 +469,8 @@ impl<'l, 'c> Body<'l, 'c> {
     }
 
     fn return_value(&mut self, value: Option<&Expr>) {
-        let value = value.map(|value| match &value.kind {
-            Kind::Call(call) if self.hands_back(call.function) => self.called(call, value),
-            _ => self.owned(value),
-        });
+        let value = value.map(|value| self.owned(value));
         self.end(Terminator::Return(value));
-    }
-
-    /// The result of a call that hands other things back too.
-    fn called(&mut self, call: &Call, value: &Expr) -> ir::Expr {
-        let repr = self.repr(&value.ty);
-        let local = self.temporary_of(repr.clone());
-        let place = ir::Place::whole(local, repr.clone());
-        self.call_statement(call, Some(place), value.span);
-        own_value(ir::Expr { kind: ExprKind::Local(local), repr, span: value.span })
     }
 
     fn loop_body(&mut self, body: &Stmt, on_break: usize, on_continue: usize) {

@@ -61,7 +61,7 @@ impl Body<'_, '_> {
 
 /// The fields of an `Error` without place and value.
 pub(super) fn error_of(code: ir::Expr, message: ir::Expr, span: Span) -> ir::Expr {
-    let value = ir::Expr { kind: ExprKind::Number(0.0), repr: Repr::Number, span };
+    let value = ir::Expr { kind: ExprKind::Number(f64::NAN), repr: Repr::Number, span };
     let fields = vec![code, message, text("", span), value];
     ir::Expr { kind: ExprKind::Tuple(fields), repr: error_repr(), span }
 }

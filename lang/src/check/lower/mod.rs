@@ -1,9 +1,11 @@
 //! From the typed tree to the typed program: one function per representation of its arguments, control flow as a graph.
 
 mod body;
+mod calls;
 mod closures;
 mod errors;
 mod jumps;
+mod sequence;
 mod sites;
 mod values;
 
@@ -31,6 +33,8 @@ struct Wanted {
 pub(super) struct Lowering<'c> {
     checker: &'c Typed,
     program: Program,
+    /// In which the model shows numbers.
+    system: UnitSystem,
     instances: HashMap<(FuncId, Vec<Repr>, Vec<String>), FunctionId>,
     wanted: Vec<Wanted>,
     closures: HashMap<FuncId, Closure>,
@@ -57,6 +61,7 @@ pub fn lower(checker: &Typed, model: Model, files: Vec<SourceFile>) -> (Program,
     let system = model.system;
     let mut lowering = Lowering {
         checker,
+        system,
         program: Program { files, units: system.name().into(), doc: model.doc, ..Program::default() },
         instances: HashMap::new(),
         wanted: Vec::new(),

@@ -62,10 +62,15 @@ impl Body<'_, '_> {
             definition.captures.iter().map(|(id, value)| (*id, value)).collect();
         // A binding executed earlier has set its hidden variables; an argument's captures are taken here.
         let bound_before = definition.stored;
+        let kept = !bound_before && definition.captures.iter().any(|(_, value)| self.needs_statements(value));
         let mut values = Vec::new();
         let mut described = Vec::new();
         for (id, span) in captures.all {
             let value = match here.get(&id) {
+                Some(value) if !bound_before && kept => {
+                    let value = self.value(value);
+                    self.kept(value)
+                }
                 Some(value) if !bound_before => self.value(value),
                 _ => {
                     let local = self.local(id);

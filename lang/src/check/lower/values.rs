@@ -1,12 +1,12 @@
 //! Expressions that are evaluated.
 
 use super::body::Body;
-use crate::ast::{BinaryOp, Mode, UnaryOp};
+use crate::ast::{BinaryOp, UnaryOp};
 use crate::check::expr::component;
-use crate::check::tree::{Call, Expr, FuncId, Kind, Piece, Place, Step};
+use crate::check::tree::{Expr, Kind, Piece};
 use crate::check::types::Type;
 use crate::dimension::Dimension;
-use crate::ir::{self, DisplayUnit, ExprKind, FormatPart, FunctionId, Op};
+use crate::ir::{self, DisplayUnit, ExprKind, FormatPart, Op};
 use crate::span::Span;
 use crate::units::UnitSystem;
 use calyx_abi::{Purity, Repr};
@@ -44,9 +44,14 @@ impl Body<'_, '_> {
             }
             Kind::Def(def) | Kind::MakeSymbolic(def) => self.make_symbolic(*def, span),
             Kind::Eval(def, time) => {
-                let value = self.make_symbolic(*def, span);
+                let mut value = self.make_symbolic(*def, span);
                 let time = match time {
-                    Some(time) => self.value(time),
+                    Some(time) => {
+                        if self.needs_statements(time) {
+                            value = self.kept(value);
+                        }
+                        self.value(time)
+                    }
                     None => make(ExprKind::Number(0.0), Repr::Number),
                 };
                 let repr = self.repr(&e.ty);
@@ -57,6 +62,14 @@ impl Body<'_, '_> {
                 let a = self.value(a);
                 unary(*op, a, span)
             }
+            Kind::Binary(BinaryOp::And, a, b) if self.needs_statements(b) => {
+                let a = self.value(a);
+                self.choose(a, Repr::Bool, span, |f| f.value(b), |_| make(ExprKind::Bool(false), Repr::Bool))
+            }
+            Kind::Binary(BinaryOp::Or, a, b) if self.needs_statements(b) => {
+                let a = self.value(a);
+                self.choose(a, Repr::Bool, span, |_| make(ExprKind::Bool(true), Repr::Bool), |f| f.value(b))
+            }
             Kind::Binary(BinaryOp::And, a, b) => {
                 let (a, b) = (self.value(a), self.value(b));
                 make(ExprKind::And(Box::new(a), Box::new(b)), Repr::Bool)
@@ -66,55 +79,65 @@ impl Body<'_, '_> {
                 make(ExprKind::Or(Box::new(a), Box::new(b)), Repr::Bool)
             }
             Kind::Binary(op, a, b) => {
-                let (a, b) = (self.value(a), self.value(b));
+                let (mut a, b) = self.pair(a, b);
+                if self.exchanged(e) {
+                    a = self.kept(a);
+                }
                 binary(*op, a, b, span)
             }
             Kind::Op(op, all) => {
-                let all = all.iter().map(|a| self.value(a)).collect();
+                let all = self.values(all);
                 let repr = self.repr(&e.ty);
                 make(ExprKind::Op(*op, all), repr)
+            }
+            Kind::If(condition, a, b) if self.needs_statements(a) || self.needs_statements(b) => {
+                let condition = self.value(condition);
+                let repr = self.repr(&e.ty);
+                self.choose(condition, repr, span, |f| f.value(a), |f| f.value(b))
             }
             Kind::If(condition, a, b) => {
                 let (condition, a, b) = (self.value(condition), self.value(a), self.value(b));
                 let repr = a.repr.clone();
                 make(ExprKind::If(Box::new(condition), Box::new(a), Box::new(b)), repr)
             }
-            Kind::Call(call) => self.call_value(call, span),
+            Kind::Call(call) => self.call_value(call, &e.ty, span),
             Kind::CallExtern(id, all) => {
                 // The engine only reads its arguments: nothing to copy.
-                let all = all.iter().map(|a| self.value(a)).collect();
+                let all = self.values(all);
                 let (id, repr) = self.lowering.extern_id(*id);
                 make(ExprKind::CallExtern(id, all), repr)
             }
             Kind::Print(values, system) => {
                 let mut parts = Vec::new();
+                let last = values.iter().rposition(|value| self.needs_statements(value));
                 for (index, value) in values.iter().enumerate() {
                     if index > 0 {
                         parts.push(FormatPart::Text(" ".into()));
                     }
-                    self.format_part(value, *system, &mut parts);
+                    self.format_part(value, *system, last.is_some_and(|last| index < last), &mut parts);
                 }
                 let line = make(ExprKind::Format(parts), Repr::String);
                 let id = self.lowering.standard("print", Purity::Scene, &[("line", Repr::String)]);
                 make(ExprKind::CallExtern(id, vec![line]), Repr::Unit)
             }
             Kind::Assert(condition, message) => {
-                let all = vec![self.value(condition), self.value(message)];
+                let (condition, message) = self.pair(condition, message);
+                let all = vec![condition, message];
                 let parameters = [("condition", Repr::Bool), ("message", Repr::String)];
                 let id = self.lowering.standard("assert", Purity::Pure, &parameters);
                 make(ExprKind::CallExtern(id, all), Repr::Unit)
             }
             Kind::Array(all) => {
-                let all: Vec<_> = all.iter().map(|a| self.owned(a)).collect();
+                let all = self.owned_values(all);
                 make(ExprKind::Array(all), self.repr(&e.ty))
             }
             Kind::Tuple(all) => {
-                let all: Vec<_> = all.iter().map(|a| self.owned(a)).collect();
+                let all = self.owned_values(all);
                 let repr = Repr::Tuple(all.iter().map(|a| a.repr.clone()).collect());
                 make(ExprKind::Tuple(all), repr)
             }
             Kind::Index(base, index) => {
-                let (base, index) = (self.value(base), self.value(index));
+                let (base, index) = self.pair(base, index);
                 let repr = match &base.repr {
                     Repr::Array(element) => (**element).clone(),
                     _ => self.repr(&e.ty),
@@ -147,10 +170,18 @@ impl Body<'_, '_> {
             }
             Kind::Format(pieces, system) => {
                 let mut parts = Vec::new();
-                for piece in pieces {
+                let last = pieces
+                    .iter()
+                    .rposition(|piece| matches!(piece, Piece::Value(value) if self.needs_statements(value)));
+                for (index, piece) in pieces.iter().enumerate() {
                     match piece {
                         Piece::Text(text) => parts.push(FormatPart::Text(text.clone())),
-                        Piece::Value(value) => self.format_part(value, *system, &mut parts),
+                        Piece::Value(value) => self.format_part(
+                            value,
+                            *system,
+                            last.is_some_and(|last| index < last),
+                            &mut parts,
+                        ),
                     }
                 }
                 make(ExprKind::Format(parts), Repr::String)
@@ -158,16 +189,18 @@ impl Body<'_, '_> {
         }
     }
 
-    fn format_part(&mut self, value: &Expr, system: UnitSystem, parts: &mut Vec<FormatPart>) {
+    /// `kept` if the value is to be evaluated now.
+    fn format_part(&mut self, value: &Expr, system: UnitSystem, kept: bool, parts: &mut Vec<FormatPart>) {
         if let Kind::Text(text) = &value.kind {
             return parts.push(FormatPart::Text(text.clone()));
         }
         let unit = self.shown_unit(&value.ty, system);
         let value = self.value(value);
+        let value = if kept { self.kept(value) } else { value };
         parts.push(FormatPart::Value(value, unit));
     }
 
-    fn shown_unit(&self, ty: &Type, system: UnitSystem) -> Option<DisplayUnit> {
+    pub(super) fn shown_unit(&self, ty: &Type, system: UnitSystem) -> Option<DisplayUnit> {
         let store = &self.lowering.checker.store;
         match self.types.ty(store, ty) {
             Type::Number(dim) | Type::Vector(dim) => {
@@ -180,118 +213,8 @@ impl Body<'_, '_> {
         }
     }
 
-    /// The call as a value; such a call hands nothing else back.
-    fn call_value(&mut self, call: &Call, span: Span) -> ir::Expr {
-        let modes = self.lowering.modes(call.function);
-        if modes.iter().any(|(_, mode)| *mode != Mode::In) {
-            let name = self.lowering.checker.function_name(call.function).to_string();
-            self.lowering.report(
-                crate::diagnostic::Diagnostic::error(
-                    "E0190",
-                    format!("calls of `{name}`, which hands values back, inside an expression are not available yet"),
-                    span,
-                    "not supported by this version",
-                )
-                .help("assign its result to a variable first"),
-            );
-        }
-        let (function, repr) = self.callee(call);
-        let arguments = self.arguments(call);
-        ir::Expr { kind: ExprKind::Call(function, arguments), repr, span }
-    }
-
-    fn callee(&mut self, call: &Call) -> (FunctionId, Repr) {
-        let types = self.types.clone();
-        let function = self.lowering.used(call.function, call.instance, &types);
-        (function, self.call_repr(call))
-    }
-
-    fn call_repr(&self, call: &Call) -> Repr {
-        let checker = self.lowering.checker;
-        let Some(function) = checker.functions.get(&call.function) else { return Repr::Unit };
-        let at_use = checker.instances.get(call.instance.0 as usize).cloned().unwrap_or_default();
-        let result = at_use.ty(&checker.store, &function.result);
-        self.repr(&result)
-    }
-
-    /// Arguments of `in` and `inout` parameters, then what the function sees around it.
-    fn arguments(&mut self, call: &Call) -> Vec<ir::Expr> {
-        let modes = self.lowering.modes(call.function);
-        let own = call.arguments.len();
-        let mut arguments = Vec::new();
-        for ((_, mode), argument) in modes.iter().zip(&call.arguments) {
-            if *mode != Mode::Out {
-                arguments.push(self.owned(argument));
-            }
-        }
-        for (variable, mode) in modes.into_iter().skip(own) {
-            let local = self.local(variable);
-            let repr = self.local_repr(local);
-            let value = ir::Expr { kind: ExprKind::Local(local), repr, span: self.span };
-            // Nobody assigns an outer variable passed by `in` while the call lasts, so it can be shared.
-            arguments.push(if mode == Mode::In { value } else { own_value(value) });
-        }
-        arguments
-    }
-
-    /// A call whose `out` values are stored back. False if it hands nothing back and is an ordinary expression.
-    pub(super) fn call_statement(&mut self, call: &Call, result: Option<ir::Place>, span: Span) -> bool {
-        let modes = self.lowering.modes(call.function);
-        if modes.iter().all(|(_, mode)| *mode == Mode::In) {
-            return false;
-        }
-        let (function, _) = self.callee(call);
-        let around = std::mem::replace(&mut self.span, span);
-        let arguments = self.arguments(call);
-        self.span = around;
-        let mut copy_back: Vec<ir::Place> = call.copy_back.iter().map(|place| self.place(place)).collect();
-        for (variable, mode) in modes.into_iter().skip(call.arguments.len()) {
-            if mode != Mode::In {
-                let local = self.local(variable);
-                copy_back.push(ir::Place::whole(local, self.local_repr(local)));
-            }
-        }
-        self.push(ir::Statement::Call { result, function, arguments, copy_back, span });
-        true
-    }
-
-    pub(super) fn place(&mut self, place: &Place) -> ir::Place {
-        let local = self.local(place.variable);
-        let mut repr = self.local_repr(local);
-        let mut steps = Vec::new();
-        for step in &place.steps {
-            let part = match (step, repr) {
-                (Step::Index(index), repr) => {
-                    steps.push(ir::Step::Index(self.value(index)));
-                    match repr {
-                        Repr::Array(element) => *element,
-                        other => other,
-                    }
-                }
-                (Step::Field(record, name), repr) => {
-                    // The checker has found the field.
-                    let at = self.field_of(record, name).map_or(0, |(at, _)| at);
-                    steps.push(ir::Step::Element(at));
-                    match repr {
-                        Repr::Tuple(parts) => parts.get(at).cloned().unwrap_or(Repr::Number),
-                        other => other,
-                    }
-                }
-                (Step::Element(at), repr) => {
-                    steps.push(ir::Step::Element(*at));
-                    match repr {
-                        Repr::Tuple(parts) => parts.get(*at).cloned().unwrap_or(Repr::Number),
-                        other => other,
-                    }
-                }
-            };
-            repr = part;
-        }
-        ir::Place { local, steps, repr }
-    }
-
     /// Place and type of a field of a record in this instance.
-    fn field_of(&self, record: &Type, name: &str) -> Option<(usize, Type)> {
+    pub(super) fn field_of(&self, record: &Type, name: &str) -> Option<(usize, Type)> {
         let store = &self.lowering.checker.store;
         match store.shallow(&self.types.ty(store, record)) {
             Type::Record(id) => store.field(id, name),
@@ -302,11 +225,6 @@ impl Body<'_, '_> {
     pub(super) fn bare_factor(&self, dim: &crate::check::dim::Dim, system: UnitSystem) -> f64 {
         let dim = self.lowering.checker.store.dim(dim);
         system.unit_of(dim.as_known().unwrap_or(dim.fixed)).factor
-    }
-
-    /// Whether a call needs a statement of its own.
-    pub(super) fn hands_back(&self, function: FuncId) -> bool {
-        self.lowering.modes(function).iter().any(|(_, mode)| *mode != Mode::In)
     }
 }
 

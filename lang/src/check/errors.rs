@@ -1,0 +1,70 @@
+//! `throw`, `try` and `catch`.
+
+use super::infer::Checker;
+use super::symbols::Res;
+use super::tree::*;
+use super::types::Type;
+use crate::ast;
+use crate::diagnostic::Diagnostic;
+use crate::span::Span;
+
+impl<'a> Checker<'a> {
+    /// What `catch` receives: the record `Error` of the prelude, whatever the model declares under that name.
+    pub(super) fn error_type(&self) -> Type {
+        let prelude = self.modules.get(1).map(|module| module.file);
+        let mut records = self.names.records.iter();
+        let at = records.position(|record| record.decl.name.name == "Error" && Some(record.file) == prelude);
+        at.map_or(Type::Error, |at| Type::Record(RecordId(at as u32)))
+    }
+
+    pub(super) fn throw(&mut self, value: Option<&'a ast::Expr>, span: Span) -> StmtKind {
+        let Some(value) = value else {
+            if self.handlers == 0 {
+                self.report(
+                    Diagnostic::error(
+                        "E0216",
+                        "there is no error to pass on here",
+                        span,
+                        "outside of a `catch`",
+                    )
+                    .help("write `throw \"...\";`; `throw;` stands in a `catch` and throws its error again"),
+                );
+                return StmtKind::Nothing;
+            }
+            return StmtKind::Throw(None);
+        };
+        let value = self.as_value(|c| c.expr(value));
+        let kind = ConstraintKind::Throwable(value.ty.clone());
+        self.constrain(Constraint { kind, span: value.span });
+        self.dependence.thrown(&value);
+        StmtKind::Throw(Some(value))
+    }
+
+    pub(super) fn try_catch(
+        &mut self,
+        body: &'a ast::Stmt,
+        error: Option<&'a ast::Ident>,
+        handler: &'a ast::Stmt,
+    ) -> StmtKind {
+        let error = error.and_then(|name| match self.names.uses.get(&name.span) {
+            Some(Res::Var(id)) => Some(*id),
+            _ => None,
+        });
+        let (tried, handled) = self.either(
+            |c| c.boxed(body),
+            |c| {
+                if let Some(id) = error {
+                    let (ty, caught) = (c.variable_type(id), c.error_type());
+                    // A fresh unknown takes any type.
+                    let _ = c.store.unify(&ty, &caught);
+                    c.dependence.caught(id);
+                }
+                c.handlers += 1;
+                let handled = c.after_part_of(body, |c| c.boxed(handler));
+                c.handlers -= 1;
+                handled
+            },
+        );
+        StmtKind::Try { body: tried, error, handler: handled }
+    }
+}

@@ -1,0 +1,264 @@
+//! Calls of the program's functions: what is passed, what is demanded of it, and what is handed back where.
+
+use super::body::Body;
+use super::errors::{error_of, text};
+use super::sequence::calls;
+use super::values::own_value;
+use crate::ast::Mode;
+use crate::check::tree::{Call, Demand, Place, Step};
+use crate::check::types::Type;
+use crate::diagnostic::Diagnostic;
+use crate::ir::{self, ExprKind, FormatPart, FunctionId, Op, Terminator};
+use crate::span::Span;
+use calyx_abi::Repr;
+
+/// What a call takes and gives.
+struct Passing {
+    function: FunctionId,
+    /// Values of `in` and `inout` parameters, then of what the function sees around it.
+    arguments: Vec<ir::Expr>,
+    copy_back: Vec<ir::Place>,
+}
+
+impl Body<'_, '_> {
+    /// The call as a value. One that hands other things back becomes a statement, and its result a local.
+    pub(super) fn call_value(&mut self, call: &Call, ty: &Type, span: Span) -> ir::Expr {
+        if !self.hands_back(call.function) {
+            let repr = self.call_repr(call);
+            let Passing { function, arguments, .. } = self.pass(call, span);
+            return ir::Expr { kind: ExprKind::Call(function, arguments), repr, span };
+        }
+        let repr = self.repr(ty);
+        let local = self.temporary_of(repr.clone());
+        self.call_statement(call, Some(ir::Place::whole(local, repr.clone())), span);
+        ir::Expr { kind: ExprKind::Local(local), repr, span }
+    }
+
+    /// A call whose `out` values are stored back. False if it hands nothing back and is an ordinary expression.
+    pub(super) fn call_statement(&mut self, call: &Call, result: Option<ir::Place>, span: Span) -> bool {
+        if !self.hands_back(call.function) {
+            return false;
+        }
+        let Passing { function, arguments, copy_back } = self.pass(call, span);
+        self.push(ir::Statement::Call { result, function, arguments, copy_back, span });
+        true
+    }
+
+    fn call_repr(&self, call: &Call) -> Repr {
+        let checker = self.lowering.checker;
+        let Some(function) = checker.functions.get(&call.function) else { return Repr::Unit };
+        let at_use = checker.instances.get(call.instance.0 as usize).cloned().unwrap_or_default();
+        let result = at_use.ty(&checker.store, &function.result);
+        self.repr(&result)
+    }
+
+    /// Evaluates arguments and the indices of places from left to right, each once.
+    fn pass(&mut self, call: &Call, span: Span) -> Passing {
+        let types = self.types.clone();
+        let function = self.lowering.used(call.function, call.instance, &types);
+        let modes = self.lowering.modes(call.function);
+        let demands: Vec<(usize, Demand)> = self.demands(call).cloned().collect();
+        let perhaps_same = |place| call.perhaps_same.iter().any(|(a, b)| *a == place || *b == place);
+        // Everything before an argument that takes statements of its own is evaluated by statements too.
+        let last = (0..call.arguments.len()).rev().find(|at| {
+            let argument = &call.arguments[*at];
+            let place = modes.get(*at).is_some_and(|(_, mode)| *mode != Mode::In);
+            demands.iter().any(|(argument, _)| argument == at)
+                || self.needs_statements(argument)
+                || (place && calls(argument))
+        });
+        let around = std::mem::replace(&mut self.span, span);
+        let (mut arguments, mut copy_back) = (Vec::new(), Vec::new());
+        let mut values = Vec::new();
+        for (at, ((_, mode), argument)) in modes.iter().zip(&call.arguments).enumerate() {
+            let before_last = last.is_some_and(|last| at < last);
+            let demanded = demands.iter().any(|(argument, _)| *argument == at);
+            let value = if *mode == Mode::In {
+                self.owned(argument)
+            } else {
+                let Some(place) = call.copy_back.get(copy_back.len()) else { break };
+                let again = *mode == Mode::InOut && place.indices().any(calls);
+                let kept = before_last || again || perhaps_same(copy_back.len());
+                let place = self.place(place, kept);
+                copy_back.push(place.clone());
+                own_value(self.read(place, argument.span))
+            };
+            let value = if before_last || demanded { self.kept(value) } else { value };
+            values.push(value.clone());
+            if *mode != Mode::Out {
+                arguments.push(value);
+            }
+        }
+        for (argument, demand) in &demands {
+            if let (Some(value), Some(written)) = (values.get(*argument), call.arguments.get(*argument)) {
+                self.demand(demand, value.clone(), written.span, &call.arguments[*argument].ty);
+            }
+        }
+        for (a, b) in &call.perhaps_same {
+            if let (Some(first), Some(second), Some(written)) =
+                (copy_back.get(*a), copy_back.get(*b), call.copy_back.get(*b))
+            {
+                let (first, second) = (first.clone(), second.clone());
+                self.demand_distinct(&first, &second, written);
+            }
+        }
+        for (variable, mode) in modes.into_iter().skip(call.arguments.len()) {
+            let local = self.local(variable);
+            let place = ir::Place::whole(local, self.local_repr(local));
+            let value = self.read(place.clone(), span);
+            if mode == Mode::In {
+                // Nobody assigns an outer variable passed by `in` while the call lasts, so it can be shared.
+                arguments.push(value);
+                continue;
+            }
+            arguments.push(own_value(value));
+            if let Some(given) = call.copy_back.iter().find(|given| given.variable == variable) {
+                let checker = self.lowering.checker;
+                let (name, callee) = (&checker.variable(variable).name, checker.function_name(call.function));
+                let diagnostic = Diagnostic::error(
+                    "E0310",
+                    format!("`{name}` is handed back by `{callee}`, which also assigns it itself"),
+                    given.span,
+                    "two values for one place",
+                )
+                .help("use two variables");
+                self.lowering.report(diagnostic);
+            }
+            copy_back.push(place);
+        }
+        self.span = around;
+        Passing { function, arguments, copy_back }
+    }
+
+    /// A place with its indices; `kept` if they are to be evaluated now.
+    pub(super) fn place(&mut self, place: &Place, kept: bool) -> ir::Place {
+        let local = self.local(place.variable);
+        let mut repr = self.local_repr(local);
+        let mut steps = Vec::new();
+        let last = place.steps.iter().rposition(|step| match step {
+            Step::Index(index) => self.needs_statements(index),
+            Step::Element(_) | Step::Field(..) => false,
+        });
+        for (at, step) in place.steps.iter().enumerate() {
+            repr = match step {
+                Step::Index(index) => {
+                    let index = self.value(index);
+                    let kept = kept || last.is_some_and(|last| at < last);
+                    steps.push(ir::Step::Index(if kept { self.kept(index) } else { index }));
+                    match repr {
+                        Repr::Array(element) => *element,
+                        other => other,
+                    }
+                }
+                Step::Element(_) | Step::Field(..) => {
+                    let at = match step {
+                        Step::Element(at) => *at,
+                        // The checker has found the field.
+                        Step::Field(record, name) => self.field_of(record, name).map_or(0, |(at, _)| at),
+                        Step::Index(_) => 0,
+                    };
+                    steps.push(ir::Step::Element(at));
+                    match repr {
+                        Repr::Tuple(parts) => parts.get(at).cloned().unwrap_or(Repr::Number),
+                        other => other,
+                    }
+                }
+            };
+        }
+        ir::Place { local, steps, repr }
+    }
+
+    /// What a place holds.
+    fn read(&self, place: ir::Place, span: Span) -> ir::Expr {
+        let local = ExprKind::Local(place.local);
+        let whole = ir::Expr { kind: local, repr: self.local_repr(place.local), span };
+        place.steps.into_iter().fold(whole, |base, step| {
+            let repr = match (&base.repr, &step) {
+                (Repr::Array(element), ir::Step::Index(_)) => (**element).clone(),
+                (Repr::Tuple(parts), ir::Step::Element(at)) => {
+                    parts.get(*at).cloned().unwrap_or(Repr::Number)
+                }
+                _ => Repr::Number,
+            };
+            let kind = match step {
+                ir::Step::Index(index) => ExprKind::Index(Box::new(base), Box::new(index)),
+                ir::Step::Element(at) => ExprKind::TupleElement(Box::new(base), at),
+            };
+            ir::Expr { kind, repr, span }
+        })
+    }
+
+    /// Ends the call under way with an error unless an argument is what it must be.
+    fn demand(&mut self, demand: &Demand, value: ir::Expr, span: Span, ty: &Type) {
+        let truth = |kind| ir::Expr { kind, repr: Repr::Bool, span };
+        let compare = |op, a: ir::Expr, b| truth(ExprKind::Op(op, vec![a, b]));
+        let both = |a, b| truth(ExprKind::And(Box::new(a), Box::new(b)));
+        let mut allowed = Vec::new();
+        if let Some(low) = &demand.low {
+            let low = self.value(low);
+            allowed.push(compare(Op::GreaterEqual, value.clone(), low));
+        }
+        if let Some(high) = &demand.high {
+            let high = self.value(high);
+            allowed.push(compare(Op::LessEqual, value.clone(), high));
+        }
+        let chosen =
+            demand.choices.iter().map(|choice| compare(Op::Equal, value.clone(), text(choice, span)));
+        allowed.extend(chosen.reduce(|a, b| truth(ExprKind::Or(Box::new(a), Box::new(b)))));
+        let Some(allowed) = allowed.into_iter().reduce(both) else { return };
+        let system = self.lowering.system;
+        let unit = self.shown_unit(ty, system);
+        let quote = if demand.choices.is_empty() { "" } else { "\"" };
+        let message = ExprKind::Format(vec![
+            FormatPart::Text(format!("`{}` must lie in {}, not {quote}", demand.name, demand.text)),
+            FormatPart::Value(value, unit),
+            FormatPart::Text(quote.into()),
+        ]);
+        let message = ir::Expr { kind: message, repr: Repr::String, span };
+        let help = match demand.choices.is_empty() {
+            true => format!("choose a value in {}, ends included", demand.text),
+            false => format!("choose one of {}", demand.text),
+        };
+        let (go_on, refuse) = (self.new_block(), self.new_block());
+        self.branch_on(allowed, go_on, refuse);
+        self.refuse(refuse, "E0314", message, help, span);
+        self.start(go_on);
+    }
+
+    /// Ends the call under way with an error if two places turn out to be one.
+    fn demand_distinct(&mut self, a: &ir::Place, b: &ir::Place, written: &Place) {
+        let span = written.span;
+        let truth = |kind| ir::Expr { kind, repr: Repr::Bool, span };
+        let mut equal = Vec::new();
+        for pair in a.steps.iter().zip(&b.steps) {
+            match pair {
+                (ir::Step::Index(a), ir::Step::Index(b)) => {
+                    equal.push(truth(ExprKind::Op(Op::Equal, vec![a.clone(), b.clone()])));
+                }
+                // Fields whose record is known only here.
+                (ir::Step::Element(a), ir::Step::Element(b)) if a != b => return,
+                _ => {}
+            }
+        }
+        let same = equal.into_iter().reduce(|a, b| truth(ExprKind::And(Box::new(a), Box::new(b))));
+        let same = same.unwrap_or_else(|| truth(ExprKind::Bool(true)));
+        let name = &self.lowering.checker.variable(written.variable).name;
+        let message = text(&format!("a part of `{name}` is given to two out parameters"), span);
+        let (refuse, go_on) = (self.new_block(), self.new_block());
+        self.branch_on(same, refuse, go_on);
+        self.refuse(
+            refuse,
+            "E0310",
+            message,
+            "use two variables, or elements whose indices differ".into(),
+            span,
+        );
+        self.start(go_on);
+    }
+
+    fn refuse(&mut self, block: usize, code: &str, message: ir::Expr, help: String, span: Span) {
+        self.start(block);
+        let error = error_of(text(code, span), message, span);
+        self.end(Terminator::Throw { error, help, span });
+    }
+}

@@ -1,0 +1,141 @@
+//! Evaluation from left to right where part of an expression takes statements of its own: a call that hands values
+//! back, or whose arguments are checked. What stands before such a part is kept aside, and `&`, `|` and `if` become
+//! branches.
+
+use super::body::Body;
+use crate::ast::{BinaryOp, Mode};
+use crate::check::tree::{Call, Expr, FuncId, Function, Kind};
+use crate::ir::{self, ExprKind, Place, Statement};
+use crate::span::Span;
+use calyx_abi::Repr;
+
+impl Body<'_, '_> {
+    /// Notes whether anything in a function takes statements of its own, so that most functions are not searched again.
+    pub(super) fn look_for_statements(&mut self, function: &Function) {
+        self.sequenced = true;
+        let mut found = false;
+        for statement in &function.body {
+            statement
+                .walk(&mut |s| found = found || s.expressions().iter().any(|e| self.needs_statements(e)));
+        }
+        self.sequenced = found;
+    }
+
+    /// Whether a call needs a statement of its own.
+    pub(super) fn hands_back(&self, function: FuncId) -> bool {
+        self.lowering.modes(function).iter().any(|(_, mode)| *mode != Mode::In)
+    }
+
+    /// Whether statements are made for part of an expression.
+    pub(super) fn needs_statements(&self, e: &Expr) -> bool {
+        self.sequenced && self.searched(e)
+    }
+
+    fn searched(&self, e: &Expr) -> bool {
+        let own = match &e.kind {
+            Kind::Call(call) => self.hands_back(call.function) || self.demands(call).next().is_some(),
+            Kind::Binary(..) => self.exchanged(e),
+            Kind::MakeSymbolic(def) | Kind::Eval(def, _) => {
+                let def = &self.lowering.checker.defs[def.0 as usize];
+                !def.stored && def.captures.iter().any(|(_, value)| self.searched(value))
+            }
+            _ => false,
+        };
+        own || e.children().into_iter().any(|child| self.searched(child))
+    }
+
+    /// Whether the operation takes its operands in the other order, and both do something when evaluated.
+    pub(super) fn exchanged(&self, e: &Expr) -> bool {
+        match &e.kind {
+            Kind::Binary(BinaryOp::Multiply | BinaryOp::Divide, a, b) => {
+                calls(a) && calls(b) && self.repr(&a.ty) == Repr::Vector
+            }
+            _ => false,
+        }
+    }
+
+    /// Values of expressions in order.
+    pub(super) fn values(&mut self, all: &[Expr]) -> Vec<ir::Expr> {
+        self.in_order(all, |f, e| f.value(e))
+    }
+
+    /// Values of expressions in order, arrays copied if a place still holds them.
+    pub(super) fn owned_values(&mut self, all: &[Expr]) -> Vec<ir::Expr> {
+        self.in_order(all, |f, e| f.owned(e))
+    }
+
+    pub(super) fn pair(&mut self, a: &Expr, b: &Expr) -> (ir::Expr, ir::Expr) {
+        let first = self.value(a);
+        let first = if self.needs_statements(b) { self.kept(first) } else { first };
+        (first, self.value(b))
+    }
+
+    fn in_order(&mut self, all: &[Expr], value: impl Fn(&mut Self, &Expr) -> ir::Expr) -> Vec<ir::Expr> {
+        let last = all.iter().rposition(|e| self.needs_statements(e));
+        let lower = |(index, e)| {
+            let value = value(self, e);
+            if last.is_some_and(|last| index < last) { self.kept(value) } else { value }
+        };
+        all.iter().enumerate().map(lower).collect()
+    }
+
+    /// The value evaluated now, so that nothing that follows can change it.
+    pub(super) fn kept(&mut self, value: ir::Expr) -> ir::Expr {
+        if matches!(
+            value.kind,
+            ExprKind::Number(_) | ExprKind::Bool(_) | ExprKind::String(_) | ExprKind::Param(_)
+        ) {
+            return value;
+        }
+        let (repr, span) = (value.repr.clone(), value.span);
+        let local = self.temporary(value);
+        ir::Expr { kind: ExprKind::Local(local), repr, span }
+    }
+
+    /// The value of one of two expressions, of which only that one is evaluated.
+    pub(super) fn choose(
+        &mut self,
+        condition: ir::Expr,
+        repr: Repr,
+        span: Span,
+        then: impl FnOnce(&mut Self) -> ir::Expr,
+        otherwise: impl FnOnce(&mut Self) -> ir::Expr,
+    ) -> ir::Expr {
+        let local = self.temporary_of(repr.clone());
+        let (yes, no, after) = (self.new_block(), self.new_block(), self.new_block());
+        self.branch_on(condition, yes, no);
+        self.start(yes);
+        let value = then(self);
+        self.set(local, value);
+        self.jump(after);
+        self.start(no);
+        let value = otherwise(self);
+        self.set(local, value);
+        self.jump(after);
+        self.start(after);
+        ir::Expr { kind: ExprKind::Local(local), repr, span }
+    }
+
+    fn set(&mut self, local: ir::LocalId, value: ir::Expr) {
+        let (place, span) = (Place::whole(local, value.repr.clone()), value.span);
+        self.push(Statement::Assign { place, value, span });
+    }
+
+    /// What a call's arguments must be and is not known to be yet.
+    pub(super) fn demands<'t>(
+        &self,
+        call: &'t Call,
+    ) -> impl Iterator<Item = &'t (usize, crate::check::tree::Demand)> {
+        let store = &self.lowering.checker.store;
+        call.demands.iter().filter(move |(argument, demand)| {
+            let value = call.arguments.get(*argument);
+            !value.is_some_and(|value| demand.is_decided(value, store))
+        })
+    }
+}
+
+/// Whether anything is called.
+pub(super) fn calls(e: &Expr) -> bool {
+    matches!(e.kind, Kind::Call(_) | Kind::CallExtern(..) | Kind::Print(..))
+        || e.children().into_iter().any(calls)
+}
