@@ -99,11 +99,14 @@ const CODES: &[Explanation] = codes! {
     "E0503" "`=` and `:=` exchanged" "Whether a name holds a value or an expression is fixed where it is declared, and likewise for parameters."
     "E0504" "a symbolic name with several definitions" "Which expression the name stands for here depends on the way the program took. Bind each expression to a name of its own."
     "E0505" "an observable used as a value" "What the engine observes has a value at each step of an analysis, not while the model is built. Use it in an `output` or another `:=`."
-    "E0506" "something that is no symbol" "Expressions are differentiated by, and evaluated at, `Time` and number params."
-    "E0507" "an expression that cannot stay symbolic" "Numbers, vectors and frames can be bound with `:=`."
+    "E0506" "something that is no symbol" "Expressions are differentiated by, and evaluated at, `Time`, number params and the number arguments of a symbolic function."
+    "E0507" "an expression that cannot stay symbolic" "Numbers, vectors, frames and brackets of them can be bound with `:=`."
     "E0508" "the derivative of an observable" "The values of an observable come from the analysis, so no derivative of it is known when the model is compiled."
     "E0509" "a derivative that would miss something" "The expression captured a value that was computed from the param it is differentiated by, so the derivative would silently lack that part. Bind the captured name with `:=`."
     "E0510" "a symbolic expression that grows without bound" "With every name put in, the expression has more operations than any model needs; usually definitions double at each step."
+    "E0511" "a value in a symbolic function" "A symbolic function is an expression and has no moment at which it could take the value of a variable. It sees its arguments, `Time`, params, constants and other symbolic functions."
+    "E0512" "an argument a symbolic function cannot have" "The arguments of a symbolic function are free symbols: numbers, truth values or vectors, passed by `in`. An ordinary function takes whole expressions with `in name :=`."
+    "E0513" "a symbolic function that needs itself" "A symbolic function stands for one expression, which would never end. Build the expression in a loop that binds a `:=` name again."
 };
 
 #[cfg(test)]

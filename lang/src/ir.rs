@@ -20,6 +20,8 @@ pub struct Program {
     pub externs: Vec<ExternDecl>,
     /// Every `:=` expression and every symbolic argument.
     pub sites: Vec<Site>,
+    /// Symbolic functions, each once per representation of its arguments. A function stands after those it calls.
+    pub symbolic_functions: Vec<SymbolicFunction>,
     /// Name of the unit system results print in: `SI`, `mm_N_s`, `inch_lbf_s`.
     pub units: String,
     /// Text of the doc comment that opens the model's file; empty if there is none.
@@ -39,6 +41,9 @@ pub struct FunctionId(pub u32);
 pub struct ExternId(pub u32);
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct SiteId(pub u32);
+/// By index in `Program::symbolic_functions`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct SymbolicFunctionId(pub u32);
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct LocalId(pub u32);
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -105,10 +110,12 @@ pub struct ExternDecl {
 pub struct Site {
     /// Name bound, for messages and for the symbol of its kernel.
     pub name: String,
+    /// Parts used more than once; each may name those before it ([`SymKind::Shared`]).
+    pub shared: Vec<SymExpr>,
     pub expr: SymExpr,
     /// What is captured by value when the binding executes, in order of `SymExpr::Capture`.
     pub captures: Vec<Capture>,
-    /// Number, Vector or Transform.
+    /// Number, Vector, Transform, or a tuple of these where brackets are evaluated.
     pub repr: Repr,
     /// Highest time derivative its kernel computes beside the value: 2 for a transform, else 0.
     pub order: u8,
@@ -123,11 +130,39 @@ pub struct Capture {
     pub observable: bool,
 }
 
+/// `function p(in u, in th) := e;`: an expression with free arguments. Its kernel has the inputs time, every param by
+/// index, then the arguments in order, and the outputs of `result` in order (see `calyx_lower::kernels`).
+#[derive(Clone, Debug)]
+pub struct SymbolicFunction {
+    pub name: String,
+    pub doc: String,
+    pub parameters: Vec<SymbolicParameter>,
+    /// Parts used more than once; each may name those before it ([`SymKind::Shared`]).
+    pub shared: Vec<SymExpr>,
+    pub body: SymExpr,
+    /// Number, Bool, Vector, Transform, or a tuple of these for brackets (arrays too: every length is known).
+    pub result: Repr,
+    /// What the numbers of the result are shown in, one per value of `result` that is no tuple.
+    pub units: Vec<DisplayUnit>,
+    /// A function of the model itself, outside all others: offered by name. Exported names are unique.
+    pub exported: bool,
+    pub span: Span,
+}
+
+#[derive(Clone, Debug)]
+pub struct SymbolicParameter {
+    pub name: String,
+    /// Number, Bool or Vector.
+    pub repr: Repr,
+    /// What the argument is shown in; dimensionless where the function takes any dimension.
+    pub unit: DisplayUnit,
+}
+
 /// A symbolic expression, typed. Becomes a graph of the symbolic crate when lowered.
 #[derive(Clone, Debug)]
 pub struct SymExpr {
     pub kind: SymKind,
-    /// Number, Bool, Vector or Transform.
+    /// Number, Bool, Vector or Transform, or a tuple of these.
     pub repr: Repr,
     pub span: Span,
 }
@@ -142,18 +177,29 @@ pub enum SymKind {
     Param(u32),
     /// By index in `Site::captures`.
     Capture(u32),
+    /// By index in `SymbolicFunction::parameters`.
+    Argument(u32),
+    /// By index in `shared` of the site or function.
+    Shared(u32),
     Op(Op, Vec<SymExpr>),
     If(Box<SymExpr>, Box<SymExpr>, Box<SymExpr>),
     /// Derivative by a symbol.
     Derivative(Box<SymExpr>, Symbol),
     /// `e at Time = t`: the symbol replaced by the second expression.
     At(Box<SymExpr>, Symbol, Box<SymExpr>),
+    /// A symbolic function of arguments. Inside it, its arguments are independent symbols.
+    Call(SymbolicFunctionId, Vec<SymExpr>),
+    Brackets(Vec<SymExpr>),
+    /// Of brackets, by index.
+    Element(Box<SymExpr>, u32),
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Symbol {
     Time,
     Param(u32),
+    /// An argument of the symbolic function the expression stands in: a number, by index.
+    Argument(u32),
 }
 
 #[derive(Clone, Debug)]

@@ -129,9 +129,10 @@ impl<'m, M: Module> FunctionLowering<'_, 'm, '_, M> {
                 let time = self.bits(time);
                 let types = slot_types(&expr.repr);
                 let count = self.word(types.len());
+                let [code, length] = self.constant(&repr_code::encode(&expr.repr))?;
                 self.at(expr.span);
                 self.helper_into(&types, |f, into| {
-                    f.helper("calyx_eval_symbolic", &[value, time, into, count])
+                    f.helper("calyx_eval_symbolic", &[value, time, code, length, into, count])
                 })?
             }
         })

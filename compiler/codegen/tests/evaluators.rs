@@ -591,6 +591,7 @@ fn params_and_symbolic_values() {
     let captured = |name: &str, repr| Capture { name: name.into(), repr, observable: false };
     let site = Site {
         name: "position".into(),
+        shared: Vec::new(),
         expr: sym_op(Op::AddVector, vec![along, offset]),
         captures: vec![captured("scale", N), captured("direction", V), captured("mirrored", B)],
         repr: V,

@@ -1,13 +1,20 @@
 //! Symbolic sites to kernels: the expression as a graph, its time derivatives, and a schedule of what is left.
 
 use calyx_abi::Repr;
-use calyx_lang::ir::{Op, Program, Site, SiteId, SymExpr, SymKind, Symbol};
+use calyx_lang::ir::{Capture, Op, Program, Site, SiteId, SymExpr, SymKind, Symbol, SymbolicFunctionId};
 use calyx_lang::span::Span;
-use calyx_symbolic::{Binary, Frame, Graph, Node, NodeId, Pose, Tape, Unary, Vector3};
+use calyx_symbolic::{Binary, Frame, Graph, Node, NodeId, Pose, Tape, Unary};
+use functions::{Free, Scope};
+use std::collections::HashMap;
 use std::fmt;
 
+mod functions;
 #[cfg(test)]
 mod tests;
+mod value;
+
+pub use functions::lower_kernel;
+use value::Value;
 
 /// Index of time in every kernel's inputs; the params follow.
 const TIME: u32 = 0;
@@ -36,7 +43,7 @@ pub fn lower_sites(program: &Program) -> Result<Vec<Tape>, KernelError> {
 
 /// The kernel of one site.
 ///
-/// Inputs: time; every param of the program by index (NaN for those that are not numbers, which nothing reads);
+/// Inputs: time; every param of the program by index (1 or 0 for a truth value; NaN for text, which nothing reads);
 /// the captured values in order (a number, truth value or observable takes one, a vector 3, a transform 12).
 /// Outputs: the value (1, 3 or 12 numbers), then its time derivatives up to [`Site::order`] in the same layout.
 pub fn lower_site(program: &Program, site: SiteId) -> Result<Tape, KernelError> {
@@ -51,13 +58,13 @@ pub fn lower_site(program: &Program, site: SiteId) -> Result<Tape, KernelError> 
 }
 
 fn lower(program: &Program, site: &Site) -> Result<Tape, KernelError> {
-    let mut lowering = Lowering::new(program, site);
+    let mut lowering = Lowering::of_site(program, site);
     let outputs = outputs(&mut lowering, site)?;
     Ok(lowering.graph.schedule(lowering.inputs, &outputs))
 }
 
 /// The kernel's outputs as nodes.
-fn outputs(lowering: &mut Lowering, site: &Site) -> Result<Vec<NodeId>, KernelError> {
+fn outputs<'a>(lowering: &mut Lowering<'a>, site: &'a Site) -> Result<Vec<NodeId>, KernelError> {
     let value = lowering.value(&site.expr)?;
     if site.order > 0 {
         lowering.reject_observables(&value, site.span)?;
@@ -72,8 +79,10 @@ fn outputs(lowering: &mut Lowering, site: &Site) -> Result<Vec<NodeId>, KernelEr
             }
             poses.concat()
         }
-        Value::Vector(vector) => with_derivatives(graph, vector, order),
-        Value::Number(number) => with_derivatives(graph, &[*number], order),
+        value => {
+            let value = value.flat(graph);
+            with_derivatives(graph, &value, order)
+        }
     })
 }
 
@@ -94,7 +103,7 @@ pub struct SiteGraph {
 pub fn site_graph(program: &Program, id: SiteId) -> Result<SiteGraph, KernelError> {
     let site = program.sites.get(id.0 as usize);
     let site = site.ok_or_else(|| broken("no such site", Span::default()))?;
-    let mut lowering = Lowering::new(program, site);
+    let mut lowering = Lowering::of_site(program, site);
     let outputs = outputs(&mut lowering, site)?;
     let mut inputs = vec!["Time".to_owned()];
     inputs.extend(program.params.iter().map(|param| param.name.clone()));
@@ -121,7 +130,7 @@ pub struct NanSource {
 /// Evaluates a site's expression as its kernel does, and follows the first NaN to the expression in which it arose.
 pub fn trace_nan(program: &Program, site: SiteId, inputs: &[f64]) -> Option<NanSource> {
     let site = program.sites.get(site.0 as usize)?;
-    let mut lowering = Lowering::new(program, site);
+    let mut lowering = Lowering::of_site(program, site);
     let outputs = outputs(&mut lowering, site).ok()?;
     if inputs.len() < lowering.inputs {
         return None;
@@ -142,54 +151,76 @@ fn with_derivatives(graph: &mut Graph, value: &[NodeId], order: usize) -> Vec<No
     outputs
 }
 
-/// A symbolic expression as nodes of the graph.
-#[derive(Clone, Debug)]
-enum Value {
-    /// Also a truth value.
-    Number(NodeId),
-    Vector(Vector3),
-    Frame(Frame),
-}
+/// Deeper than the checker lets any expression nest.
+const MOST_LEVELS: usize = 5000;
+/// More operations than any model needs; derivatives of derivatives of products reach it.
+const MOST_OPERATIONS: usize = 2_000_000;
 
 struct Lowering<'a> {
     graph: Graph,
-    site: &'a Site,
-    params: usize,
+    program: &'a Program,
+    site_captures: &'a [Capture],
     /// Index of each capture's first number in the inputs.
     captures: Vec<u32>,
     inputs: usize,
     /// Of the expressions lowered, by the mark their nodes have.
     spans: Vec<Span>,
+    /// What the expressions being lowered stand in: the site, then functions called in it, innermost last.
+    scopes: Vec<Scope<'a>>,
+    /// Bodies of the symbolic functions met so far, their arguments free symbols.
+    functions: HashMap<SymbolicFunctionId, Free>,
+    /// The next symbol that is no input: an argument of a symbolic function, replaced where it is called.
+    next_symbol: u32,
+    level: usize,
 }
 
 impl<'a> Lowering<'a> {
-    fn new(program: &Program, site: &'a Site) -> Self {
+    fn new(program: &'a Program, site_captures: &'a [Capture]) -> Self {
         let mut inputs = 1 + program.params.len();
-        let mut captures = Vec::with_capacity(site.captures.len());
-        for capture in &site.captures {
+        let mut captures = Vec::with_capacity(site_captures.len());
+        for capture in site_captures {
             captures.push(inputs as u32);
             // An observable is replaced by its value, one number, at each step.
             inputs += if capture.observable { 1 } else { capture.repr.slots() };
         }
         Lowering {
             graph: Graph::new(),
-            site,
-            params: program.params.len(),
+            program,
+            site_captures,
             captures,
             inputs,
             spans: Vec::new(),
+            scopes: Vec::new(),
+            functions: HashMap::new(),
+            next_symbol: inputs as u32,
+            level: 0,
         }
     }
 
-    fn value(&mut self, expr: &SymExpr) -> Result<Value, KernelError> {
+    fn of_site(program: &'a Program, site: &'a Site) -> Self {
+        let mut lowering = Lowering::new(program, &site.captures);
+        lowering.scopes.push(Scope::new(&site.shared, Vec::new()));
+        lowering
+    }
+
+    fn value(&mut self, expr: &'a SymExpr) -> Result<Value, KernelError> {
+        if self.level > MOST_LEVELS || self.graph.len() > MOST_OPERATIONS {
+            return Err(KernelError {
+                message: "this symbolic expression is too large to be compiled".into(),
+                help: "differentiate less often, or compute parts of it with `=`".into(),
+                span: expr.span,
+            });
+        }
+        self.level += 1;
         let around = self.graph.set_origin(self.spans.len() as u32);
         self.spans.push(expr.span);
         let value = self.value_of(expr);
         self.graph.set_origin(around);
+        self.level -= 1;
         value
     }
 
-    fn value_of(&mut self, expr: &SymExpr) -> Result<Value, KernelError> {
+    fn value_of(&mut self, expr: &'a SymExpr) -> Result<Value, KernelError> {
         Ok(match &expr.kind {
             SymKind::Number(value) => Value::Number(self.graph.constant(*value)),
             SymKind::Bool(value) => Value::Number(self.graph.constant(if *value { 1.0 } else { 0.0 })),
@@ -199,6 +230,19 @@ impl<'a> Lowering<'a> {
                 Value::Number(self.graph.symbol(symbol))
             }
             SymKind::Capture(index) => self.capture(*index, expr.span)?,
+            SymKind::Argument(index) => self.argument(*index, expr.span)?,
+            SymKind::Shared(index) => self.shared(*index, expr.span)?,
+            SymKind::Call(function, arguments) => {
+                let arguments = arguments.iter().map(|a| self.value(a)).collect::<Result<Vec<_>, _>>()?;
+                self.call(*function, &arguments, expr.span)?
+            }
+            SymKind::Brackets(parts) => {
+                Value::Brackets(parts.iter().map(|part| self.value(part)).collect::<Result<_, _>>()?)
+            }
+            SymKind::Element(base, at) => match self.value(base)? {
+                Value::Brackets(mut parts) if (*at as usize) < parts.len() => parts.swap_remove(*at as usize),
+                _ => return Err(broken("no such element", expr.span)),
+            },
             SymKind::Op(op, operands) => {
                 let values = operands.iter().map(|o| self.value(o)).collect::<Result<Vec<_>, _>>()?;
                 self.operation(*op, &values, expr.span)?
@@ -212,46 +256,55 @@ impl<'a> Lowering<'a> {
                 let value = self.value(inner)?;
                 self.reject_observables(&value, inner.span)?;
                 let symbol = self.symbol(*symbol, expr.span)?;
-                match value {
-                    Value::Number(number) => Value::Number(self.graph.derivative(number, symbol)),
-                    Value::Vector(vector) => Value::Vector(self.graph.vector_derivative(vector, symbol)),
-                    Value::Frame(_) => {
-                        return Err(KernelError {
-                            message: "the derivative of a frame is not a frame".into(),
-                            help: "differentiate its origin(...) or direction(...), or use velocity(...), \
-                                   acceleration(...), angular_velocity(...)"
-                                .into(),
-                            span: expr.span,
-                        });
-                    }
-                }
+                self.derivative(value, symbol, expr.span)?
             }
             SymKind::At(inner, symbol, replacement) => {
                 let (value, replacement) = (self.value(inner)?, self.number(replacement)?);
                 let symbol = self.symbol(*symbol, expr.span)?;
-                value.map(|node| self.graph.substitute(node, symbol, replacement))
+                value.substituted(&mut self.graph, &[(symbol, replacement)])
             }
         })
     }
 
-    fn number(&mut self, expr: &SymExpr) -> Result<NodeId, KernelError> {
+    fn number(&mut self, expr: &'a SymExpr) -> Result<NodeId, KernelError> {
         match self.value(expr)? {
             Value::Number(number) => Ok(number),
             _ => Err(broken("a number is needed here", expr.span)),
         }
     }
 
+    fn derivative(&mut self, value: Value, symbol: u32, span: Span) -> Result<Value, KernelError> {
+        Ok(match value {
+            Value::Number(number) => Value::Number(self.graph.derivative(number, symbol)),
+            Value::Vector(vector) => Value::Vector(self.graph.vector_derivative(vector, symbol)),
+            Value::Brackets(parts) => {
+                let parts = parts.into_iter().map(|part| self.derivative(part, symbol, span));
+                Value::Brackets(parts.collect::<Result<_, _>>()?)
+            }
+            Value::Frame(_) => {
+                return Err(KernelError {
+                    message: "the derivative of a frame is not a frame".into(),
+                    help: "differentiate its origin(...) or direction(...), or use velocity(...), \
+                           acceleration(...), angular_velocity(...)"
+                        .into(),
+                    span,
+                });
+            }
+        })
+    }
+
     fn symbol(&self, symbol: Symbol, span: Span) -> Result<u32, KernelError> {
         match symbol {
             Symbol::Time => Ok(TIME),
-            Symbol::Param(index) if (index as usize) < self.params => Ok(1 + index),
+            Symbol::Argument(index) => self.argument_symbol(index, span),
+            Symbol::Param(index) if (index as usize) < self.program.params.len() => Ok(1 + index),
             Symbol::Param(_) => Err(broken("no such param", span)),
         }
     }
 
     fn capture(&mut self, index: u32, span: Span) -> Result<Value, KernelError> {
         let place = index as usize;
-        let (Some(capture), Some(&first)) = (self.site.captures.get(place), self.captures.get(place)) else {
+        let (Some(capture), Some(&first)) = (self.site_captures.get(place), self.captures.get(place)) else {
             return Err(broken("no such capture", span));
         };
         if capture.observable {
@@ -282,6 +335,10 @@ impl<'a> Lowering<'a> {
                 Value::Vector([0, 1, 2].map(|i| graph.select(condition, a[i], b[i])))
             }
             (Value::Frame(a), Value::Frame(b)) => Value::Frame(Frame::select(graph, condition, &a, &b)),
+            (Value::Brackets(a), Value::Brackets(b)) if a.len() == b.len() => {
+                let parts = a.into_iter().zip(b).map(|(a, b)| self.select(condition, a, b, span));
+                Value::Brackets(parts.collect::<Result<_, _>>()?)
+            }
             _ => return Err(broken("both branches must be of one kind", span)),
         })
     }
@@ -332,8 +389,7 @@ impl<'a> Lowering<'a> {
     /// zero.
     fn reject_observables(&self, value: &Value, span: Span) -> Result<(), KernelError> {
         let observables: Vec<(u32, &str)> = self
-            .site
-            .captures
+            .site_captures
             .iter()
             .zip(&self.captures)
             .filter(|(capture, _)| capture.observable)
@@ -354,23 +410,6 @@ impl<'a> Lowering<'a> {
             }
         }
         Ok(())
-    }
-}
-
-impl Value {
-    fn map(&self, mut replace: impl FnMut(NodeId) -> NodeId) -> Value {
-        match self {
-            Value::Number(number) => Value::Number(replace(*number)),
-            Value::Vector(vector) => Value::Vector(vector.map(replace)),
-            Value::Frame(frame) => Value::Frame(frame.map(replace)),
-        }
-    }
-
-    fn for_each(&self, mut visit: impl FnMut(NodeId)) {
-        self.map(|node| {
-            visit(node);
-            node
-        });
     }
 }
 

@@ -130,17 +130,24 @@ impl Graph {
 
     /// The expression with a symbol replaced by another expression.
     pub fn substitute(&mut self, root: NodeId, symbol: u32, replacement: NodeId) -> NodeId {
-        let mut replaced: Vec<NodeId> = Vec::new();
-        let order = self.reachable(&[root], |_| true);
-        let place = |id: NodeId, order: &[NodeId]| order.binary_search(&id).unwrap_or(0);
+        self.substitute_all(&[root], &[(symbol, replacement)]).first().copied().unwrap_or(root)
+    }
+
+    /// The expressions with symbols replaced by others, all at once: what is put in is not looked into again.
+    pub fn substitute_all(&mut self, roots: &[NodeId], replacements: &[(u32, NodeId)]) -> Vec<NodeId> {
+        let order = self.reachable(roots, |_| true);
+        let mut replaced: Vec<NodeId> = Vec::with_capacity(order.len());
+        let place = |id: NodeId| order.binary_search(&id).unwrap_or(0);
         let origin = self.set_origin(0);
         for &id in &order {
-            let of = |operand: NodeId| replaced[place(operand, &order)];
+            let of = |operand: NodeId| replaced[place(operand)];
             self.set_origin(self.origin(id));
             let node = match self.node(id) {
                 Node::Constant(_) => id,
-                Node::Symbol(index) if index == symbol => replacement,
-                Node::Symbol(_) => id,
+                Node::Symbol(index) => {
+                    let found = replacements.iter().find(|(symbol, _)| *symbol == index);
+                    found.map_or(id, |(_, replacement)| *replacement)
+                }
                 Node::Unary(operation, a) => self.unary(operation, of(a)),
                 Node::Binary(operation, a, b) => self.binary(operation, of(a), of(b)),
                 Node::Select(c, a, b) => self.select(of(c), of(a), of(b)),
@@ -148,7 +155,7 @@ impl Graph {
             replaced.push(node);
         }
         self.set_origin(origin);
-        replaced.last().copied().unwrap_or(root)
+        roots.iter().map(|root| replaced[place(*root)]).collect()
     }
 
     /// Derivative of `node = operation(x)`, where `dx` is that of `x`.

@@ -177,6 +177,14 @@ impl Graph {
         }
     }
 
+    /// The index of the symbol a node is, if it is one.
+    pub fn symbol_index(&self, id: NodeId) -> Option<u32> {
+        match self.node(id) {
+            Node::Symbol(index) => Some(index),
+            _ => None,
+        }
+    }
+
     pub fn constant(&mut self, value: f64) -> NodeId {
         self.intern(Node::Constant(value.to_bits()))
     }

@@ -359,8 +359,22 @@ impl<'a> Checker<'a> {
     }
 
     fn index(&mut self, base: &'a ast::Expr, index: &'a ast::Expr, span: Span) -> Expr {
-        let (base, index) = self.as_value(|c| (c.expr(base), c.expr(index)));
+        let brackets = self.symbolic && self.names_brackets(base);
+        let base = if brackets { self.expr(base) } else { self.as_value(|c| c.expr(base)) };
+        let index = self.as_value(|c| c.expr(index));
         let constant = constant_index(&index, &self.store);
+        if brackets && constant.is_none() && self.is_brackets(&base) {
+            self.report(
+                Diagnostic::error(
+                    "E0305",
+                    "an element of symbolic brackets is chosen by a constant index",
+                    index.span,
+                    "known only when the model runs",
+                )
+                .help("write the index as a number, such as `[0]`"),
+            );
+            return Expr::error(span);
+        }
         self.expect(&Type::number(), &index, "an index", None);
         let element = self.store.fresh();
         let tuple = matches!(self.store.shallow(&base.ty), Type::Tuple(_));
@@ -487,7 +501,7 @@ impl<'a> Checker<'a> {
                 let def = self.make_def(&name, inner, span);
                 Expr { kind: Kind::Eval(def, Some(Box::new(time))), ty, span }
             }
-            Sym::Param(_) => {
+            Sym::Param(_) | Sym::Argument(_) => {
                 let whole = Expr { kind: Kind::At(Box::new(inner), sym, Box::new(time)), ty, span };
                 self.evaluate_now(whole, "at")
             }
@@ -508,6 +522,15 @@ impl<'a> Checker<'a> {
                     }
                 }
             }
+            Some(Res::Var(id)) if self.is_argument(id) => {
+                let dim = self.store.fresh_dim();
+                let ty = self.variable_type(id);
+                if self.store.unify(&ty, &Type::Number(dim.clone())).is_err() {
+                    self.bad_symbol(name, "this argument is no number");
+                    return None;
+                }
+                Some((Sym::Argument(id), dim))
+            }
             Some(Res::Unknown) | None => None,
             Some(_) => {
                 self.bad_symbol(name, "not a symbol");
@@ -524,7 +547,7 @@ impl<'a> Checker<'a> {
                 name.span,
                 label,
             )
-            .help("only `Time` and params stay symbols in an expression"),
+            .help("only `Time`, params and the arguments of the symbolic function around stay symbols"),
         );
     }
 

@@ -123,6 +123,7 @@ impl<'a> Checker<'a> {
                 parameters: Vec::new(),
                 result: Type::Unit,
                 body,
+                definition: None,
                 scheme: Scheme::default(),
                 span,
             },
@@ -296,6 +297,7 @@ impl<'a> Checker<'a> {
             return;
         }
         let outer_constraints = std::mem::take(&mut self.pending);
+        self.check_symbolic_recursion(&group);
         for &member in &group {
             self.declare_signature(member);
         }
@@ -354,7 +356,7 @@ impl<'a> Checker<'a> {
             let ty = self.variable_type(variable);
             self.parameter_domain(&ty, parameter);
         }
-        let mut body = Vec::new();
+        let (mut body, mut definition) = (Vec::new(), None);
         match &decl.body {
             ast::FunctionBody::Statement(statement) => match &statement.kind {
                 ast::StmtKind::Block(statements) => {
@@ -363,10 +365,10 @@ impl<'a> Checker<'a> {
                 }
                 _ => body.push(self.statement(statement)),
             },
-            ast::FunctionBody::Symbolic(_) => self.not_yet("symbolic functions are", decl.name.span),
+            ast::FunctionBody::Symbolic(e) => definition = Some(self.symbolic_body(id, decl, e)),
             ast::FunctionBody::Extern { .. } => {}
         }
-        let returns = body.iter().any(returns_value);
+        let returns = definition.is_some() || body.iter().any(returns_value);
         let result = self.signatures.get(&id).map_or(Type::Unit, |signature| signature.result.clone());
         if !returns && matches!(self.store.shallow(&result), Type::Unknown(_)) {
             let _ = self.store.unify(&result, &Type::Unit);
@@ -378,6 +380,7 @@ impl<'a> Checker<'a> {
                 parameters: variables.iter().copied().zip(decl.parameters.iter().map(|p| p.mode)).collect(),
                 result,
                 body,
+                definition,
                 scheme: Scheme::default(),
                 span: decl.name.span,
             },

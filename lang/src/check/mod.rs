@@ -27,6 +27,7 @@ mod places;
 mod records;
 mod statements;
 mod symbolic;
+mod symbolic_functions;
 mod symbols;
 mod tree;
 mod typed;

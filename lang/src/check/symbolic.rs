@@ -16,11 +16,14 @@ use std::collections::{BTreeSet, HashMap};
 /// A definition under construction.
 struct Builder {
     name: String,
+    /// The symbolic function whose body this is: it has symbols for arguments and captures nothing.
+    function: Option<FuncId>,
     captures: Vec<(VarId, Expr)>,
     /// Variables already captured.
     known: HashMap<VarId, VarId>,
     on_time: bool,
     observes: bool,
+    closed: bool,
 }
 
 impl<'a> Checker<'a> {
@@ -157,12 +160,19 @@ impl<'a> Checker<'a> {
 
     /// Splits a checked symbolic expression into its symbolic part and its captures.
     pub(super) fn make_def(&mut self, name: &str, e: Expr, span: Span) -> DefId {
+        self.make_def_in(name, e, span, None)
+    }
+
+    /// The same for the body of a symbolic function, if one is given.
+    pub(super) fn make_def_in(&mut self, name: &str, e: Expr, span: Span, function: Option<FuncId>) -> DefId {
         let mut builder = Builder {
             name: name.into(),
+            function,
             captures: Vec::new(),
             known: HashMap::new(),
             on_time: false,
             observes: false,
+            closed: true,
         };
         let expr = self.split(e, &mut builder);
         let id = DefId(self.defs.len() as u32);
@@ -176,6 +186,7 @@ impl<'a> Checker<'a> {
             captures: builder.captures,
             on_time: builder.on_time,
             observes: builder.observes,
+            closed: builder.closed,
             stored: false,
             span,
         });
@@ -190,12 +201,40 @@ impl<'a> Checker<'a> {
                 to.on_time = true;
                 kind
             }
-            Kind::Param(_) if matches!(self.store.shallow(&ty), Type::Number(_) | Type::Error) => kind,
+            Kind::Param(_)
+                if matches!(self.store.shallow(&ty), Type::Number(_) | Type::Bool | Type::Error) =>
+            {
+                kind
+            }
+            Kind::Var(id) if to.function == Some(self.variable(id).owner) => kind,
             Kind::Def(def) => {
                 let found = &self.defs[def.0 as usize];
                 to.on_time |= found.on_time;
                 to.observes |= found.observes;
+                to.closed &= found.closed;
+                if to.function.is_some() && !found.closed {
+                    let diagnostic = self.outside_argument(&found.name, span).label(
+                        found.span,
+                        "values were captured here, which a symbolic function has no place for",
+                    );
+                    self.report(diagnostic);
+                }
                 kind
+            }
+            Kind::SymbolicCall(mut call) => {
+                if let Some(body) = self.functions.get(&call.function).and_then(|f| f.definition.as_ref()) {
+                    to.on_time |= self.defs[body.def.0 as usize].on_time;
+                }
+                call.arguments = call.arguments.into_iter().map(|a| self.split(a, to)).collect();
+                Kind::SymbolicCall(call)
+            }
+            Kind::Array(all) => Kind::Array(all.into_iter().map(|a| self.split(a, to)).collect()),
+            Kind::Tuple(all) => Kind::Tuple(all.into_iter().map(|a| self.split(a, to)).collect()),
+            Kind::Index(base, index) if self.is_brackets(&base) => {
+                Kind::Index(self.split_box(base, to), index)
+            }
+            Kind::TupleElement(base, at) if self.is_brackets(&base) => {
+                Kind::TupleElement(self.split_box(base, to), at)
             }
             Kind::Unary(op, a) => Kind::Unary(op, self.split_box(a, to)),
             Kind::Binary(op, a, b) => {
@@ -258,6 +297,11 @@ impl<'a> Checker<'a> {
 
     fn capture(&mut self, value: Expr, to: &mut Builder) -> Expr {
         let (ty, span) = (value.ty.clone(), value.span);
+        to.closed = false;
+        if to.function.is_some() {
+            self.report_capture_in_function(&value);
+            return Expr { kind: Kind::Error, ty, span };
+        }
         if let Kind::Var(id) = value.kind
             && let Some(&hidden) = to.known.get(&id)
         {
@@ -285,10 +329,7 @@ impl<'a> Checker<'a> {
         for index in 0..self.defs.len() {
             let def = &self.defs[index];
             let (ty, span) = (self.store.resolve(&def.expr.ty), def.expr.span);
-            if !matches!(
-                ty,
-                Type::Number(_) | Type::Vector(_) | Type::Transform | Type::Unknown(_) | Type::Error
-            ) {
+            if !self.can_stay_symbolic(&def.expr) {
                 self.report(
                     Diagnostic::error(
                         "E0507",
@@ -296,7 +337,7 @@ impl<'a> Checker<'a> {
                         span,
                         "bound with `:=`",
                     )
-                    .help("only numbers, vectors and frames do; use `=`"),
+                    .help("only numbers, vectors, frames and brackets of them do; use `=`"),
                 );
             }
         }

@@ -29,6 +29,8 @@ pub struct UseId(pub u32);
 pub enum Sym {
     Time,
     Param(u32),
+    /// A parameter of the symbolic function around.
+    Argument(VarId),
 }
 
 #[derive(Clone, Debug)]
@@ -65,6 +67,8 @@ pub enum Kind {
     Op(Op, Vec<Expr>),
     If(Box<Expr>, Box<Expr>, Box<Expr>),
     Call(Box<Call>),
+    /// A symbolic function in a symbolic expression.
+    SymbolicCall(Box<Call>),
     CallExtern(u32, Vec<Expr>),
     Print(Vec<Expr>, UnitSystem),
     Assert(Box<Expr>, Box<Expr>),
@@ -193,6 +197,8 @@ pub struct Def {
     pub on_time: bool,
     /// Contains an observable, directly or through other definitions.
     pub observes: bool,
+    /// Captures nothing, neither directly nor through other definitions.
+    pub closed: bool,
     pub span: Span,
 }
 
@@ -238,8 +244,18 @@ pub struct Function {
     pub parameters: Vec<(VarId, Mode)>,
     pub result: Type,
     pub body: Vec<Stmt>,
+    /// What a symbolic function stands for; its body is empty then.
+    pub definition: Option<SymbolicBody>,
     pub scheme: Scheme,
     pub span: Span,
+}
+
+#[derive(Clone, Debug)]
+pub struct SymbolicBody {
+    pub def: DefId,
+    /// Declared at the model's top level: offered by name.
+    pub exported: bool,
+    pub doc: String,
 }
 
 #[derive(Clone, Debug)]
@@ -307,7 +323,7 @@ impl Expr {
             | Kind::Print(all, _)
             | Kind::Array(all)
             | Kind::Tuple(all) => all.iter().collect(),
-            Kind::Call(call) => {
+            Kind::Call(call) | Kind::SymbolicCall(call) => {
                 call.arguments.iter().chain(call.copy_back.iter().flat_map(Place::indices)).collect()
             }
             Kind::Format(pieces, _) => pieces

@@ -233,8 +233,9 @@ entry_points! {
     }
 
     /// Stores the value of a symbolic value at a time in the `count` slots of `result`.
-    fn calyx_eval_symbolic(ctx, value, time, result, count) {
-        helpers::eval_symbolic(ctx, value, f64::from_bits(time), slots_mut(result, count))
+    fn calyx_eval_symbolic(ctx, value, time, repr_address, repr_count, result, count) {
+        let repr = repr(repr_address, repr_count)?;
+        helpers::eval_symbolic(ctx, value, f64::from_bits(time), &repr, slots_mut(result, count))
     }
 
     /// Stores the `count` slots of a param in `result`.

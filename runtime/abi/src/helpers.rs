@@ -247,7 +247,8 @@ pub fn make_symbolic(
     Ok(ctx.heap.insert(Object::Symbolic(Arc::new(value))))
 }
 
-/// The value of a symbolic value at a time, at present params, without its derivatives.
+/// The value of a symbolic value at a time, at present params, without its derivatives. Brackets, which are a tuple in
+/// the symbolic value, become arrays where `repr` has arrays.
 ///
 /// # Errors
 /// E0706 if it depends on an observable; internal if `id` is no symbolic value of this size.
@@ -255,6 +256,7 @@ pub fn eval_symbolic(
     ctx: &mut Context,
     id: HeapId,
     time: f64,
+    repr: &Repr,
     result: &mut [Slot],
 ) -> Result<(), RuntimeError> {
     let value = ctx.heap.symbolic(id).ok_or_else(|| malformed("not a symbolic value"))?;
@@ -270,12 +272,47 @@ pub fn eval_symbolic(
     inputs.extend_from_slice(&ctx.params);
     inputs.extend_from_slice(&value.captured);
     let mut outputs = vec![0.0; value.kernel.outputs()];
-    if inputs.len() != value.kernel.inputs() || outputs.len() < result.len() {
+    if inputs.len() != value.kernel.inputs() {
         return Err(malformed("a kernel of another size"));
     }
     value.kernel.eval(&inputs, &mut outputs);
-    for (slot, output) in result.iter_mut().zip(outputs) {
-        *slot = output.to_bits();
+    let mut slots = Vec::with_capacity(result.len());
+    pack(ctx, &value.repr, repr, &mut outputs.into_iter(), &mut slots)?;
+    if slots.len() != result.len() {
+        return Err(malformed("a kernel of another size"));
+    }
+    result.copy_from_slice(&slots);
+    Ok(())
+}
+
+/// Puts a kernel's numbers into slots: `from` is how the kernel gives them, `to` how the program has them.
+fn pack(
+    ctx: &mut Context,
+    from: &Repr,
+    to: &Repr,
+    numbers: &mut impl Iterator<Item = f64>,
+    slots: &mut Vec<Slot>,
+) -> Result<(), RuntimeError> {
+    let mut next = || numbers.next().ok_or_else(|| malformed("a kernel of another size"));
+    match (from, to) {
+        (Repr::Tuple(parts), Repr::Array(element)) => {
+            let mut elements = Vec::new();
+            for part in parts {
+                pack(ctx, part, element, numbers, &mut elements)?;
+            }
+            slots.push(new_array(ctx, element.slots(), elements)?);
+        }
+        (Repr::Tuple(parts), Repr::Tuple(wanted)) if parts.len() == wanted.len() => {
+            for (part, wanted) in parts.iter().zip(wanted) {
+                pack(ctx, part, wanted, numbers, slots)?;
+            }
+        }
+        (Repr::Bool, Repr::Bool) => slots.push(u64::from(next()? != 0.0)),
+        _ => {
+            for _ in 0..from.slots() {
+                slots.push(next()?.to_bits());
+            }
+        }
     }
     Ok(())
 }

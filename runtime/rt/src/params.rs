@@ -41,6 +41,9 @@ pub fn apply(
                 .unwrap_or(f64::NAN.to_bits()),
         };
         context.param_slots[index] = slot;
+        if param.repr == Repr::Bool {
+            context.params[index] = if slot == 0 { 0.0 } else { 1.0 };
+        }
         if param.repr == Repr::Number {
             context.params[index] = f64::from_bits(slot);
             check_range(param, f64::from_bits(slot), ends)?;

@@ -105,7 +105,7 @@ impl<'p> Machine<'_, 'p> {
                 let time = self.number(time)?;
                 let start = self.reserve(expr.repr.slots());
                 self.at(expr.span);
-                helpers::eval_symbolic(self.ctx, value, time, &mut self.stack[start..])?;
+                helpers::eval_symbolic(self.ctx, value, time, &expr.repr, &mut self.stack[start..])?;
             }
         }
         Ok(())

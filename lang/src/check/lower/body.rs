@@ -50,7 +50,7 @@ pub(super) struct Body<'l, 'c> {
 }
 
 impl<'l, 'c> Body<'l, 'c> {
-    fn new(lowering: &'l mut Lowering<'c>, function: FuncId, types: Substitution) -> Self {
+    pub(super) fn new(lowering: &'l mut Lowering<'c>, function: FuncId, types: Substitution) -> Self {
         Body {
             lowering,
             types,

@@ -7,6 +7,7 @@ mod errors;
 mod jumps;
 mod sequence;
 mod sites;
+mod symbolic_functions;
 mod values;
 
 use super::tree::{self, FuncId, UseId};
@@ -38,6 +39,7 @@ pub(super) struct Lowering<'c> {
     instances: HashMap<(FuncId, Vec<Repr>, Vec<String>), FunctionId>,
     wanted: Vec<Wanted>,
     closures: HashMap<FuncId, Closure>,
+    symbolic_functions: symbolic_functions::Instances,
     externs: HashMap<String, ExternId>,
     diagnostics: Vec<Diagnostic>,
 }
@@ -66,6 +68,7 @@ pub fn lower(checker: &Typed, model: Model, files: Vec<SourceFile>) -> (Program,
         instances: HashMap::new(),
         wanted: Vec::new(),
         closures: closures::closures(&checker.functions, &checker.defs, &owner),
+        symbolic_functions: Default::default(),
         externs: HashMap::new(),
         diagnostics: Vec::new(),
     };
@@ -85,11 +88,12 @@ pub fn lower(checker: &Typed, model: Model, files: Vec<SourceFile>) -> (Program,
     let main = lowering.instance(FuncId(0), Substitution::default());
     lowering.program.main = main;
     lowering.work();
+    lowering.export_symbolic_functions();
     // What nobody calls is still checked for its flow of control; only the model's own is reported.
     let called: Vec<FuncId> = lowering.instances.keys().map(|(id, ..)| *id).collect();
     let kept = lowering.program.clone();
     for (&id, function) in &checker.functions {
-        if !called.contains(&id) && function.span.file == FileId(0) {
+        if !called.contains(&id) && function.span.file == FileId(0) && function.definition.is_none() {
             lowering.instance(id, Substitution::default());
         }
     }
@@ -216,6 +220,12 @@ impl Lowering<'_> {
 
     /// The function used at `instance`, seen from a body whose own unknowns are `types`.
     fn used(&mut self, function: FuncId, instance: UseId, types: &Substitution) -> FunctionId {
+        let concrete = self.types_of_use(function, instance, types);
+        self.instance(function, concrete)
+    }
+
+    /// What stands for the unknowns of the scheme of the function used at `instance`.
+    fn types_of_use(&self, function: FuncId, instance: UseId, types: &Substitution) -> Substitution {
         let checker = self.checker;
         let store = &checker.store;
         let scheme = checker.functions.get(&function).map(|f| f.scheme.clone()).unwrap_or_default();
@@ -230,7 +240,7 @@ impl Lowering<'_> {
                 at_use.dims.get(&variable).cloned().unwrap_or_else(|| super::dim::Dim::unknown(variable));
             concrete.dims.insert(variable, types.dim(store, &dim));
         }
-        self.instance(function, concrete)
+        concrete
     }
 
     /// The engine's function by its index among the declarations.

@@ -3,6 +3,7 @@
 use super::body::Body;
 use super::values::{BinaryForm, binary_form, unary_op};
 use crate::ast::BinaryOp;
+use crate::check::expr::constant_index;
 use crate::check::tree::{DefId, Expr, Kind, Sym, VarId};
 use crate::diagnostic::Diagnostic;
 use crate::ir::{self, Capture, ExprKind, Op, Site, SiteId, SymExpr, SymKind, Symbol};
@@ -15,11 +16,17 @@ const MOST_NODES: usize = 200_000;
 /// Deeper than any model goes; a chain of definitions as long as a program reaches it.
 const MOST_LEVELS: usize = 2000;
 
-struct Captures {
+/// What a site or symbolic function under construction refers to by number.
+#[derive(Default)]
+pub(super) struct Captures {
     by_variable: HashMap<VarId, u32>,
     all: Vec<(VarId, Span)>,
+    /// Arguments of the symbolic function.
+    pub(super) arguments: HashMap<VarId, u32>,
+    /// Definitions named, each put in once.
+    by_definition: HashMap<DefId, u32>,
+    pub(super) shared: Vec<SymExpr>,
     nodes: usize,
-    level: usize,
     too_large: bool,
 }
 
@@ -40,23 +47,9 @@ impl Body<'_, '_> {
     pub(super) fn make_symbolic(&mut self, def: DefId, span: Span) -> ir::Expr {
         let checker = self.lowering.checker;
         let definition = &checker.defs[def.0 as usize];
-        let mut captures =
-            Captures { by_variable: HashMap::new(), all: Vec::new(), nodes: 0, level: 0, too_large: false };
+        let mut captures = Captures::default();
         let expr = self.symbolic(&definition.expr, &mut captures);
-        if captures.too_large {
-            self.lowering.report(
-                Diagnostic::error(
-                    "E0510",
-                    format!(
-                        "`{}` grows beyond {MOST_NODES} operations or {MOST_LEVELS} levels",
-                        definition.name
-                    ),
-                    definition.span,
-                    "with all definitions it names put in",
-                )
-                .help("split the model, or compute parts of it with `=`"),
-            );
-        }
+        self.report_size(&definition.name, definition.span, &captures);
         let repr = expr.repr.clone();
         let here: HashMap<VarId, &Expr> =
             definition.captures.iter().map(|(id, value)| (*id, value)).collect();
@@ -87,6 +80,7 @@ impl Body<'_, '_> {
         let site = SiteId(self.lowering.program.sites.len() as u32);
         self.lowering.program.sites.push(Site {
             name: definition.name.clone(),
+            shared: captures.shared,
             expr,
             captures: described,
             repr: repr.clone(),
@@ -100,10 +94,25 @@ impl Body<'_, '_> {
         }
     }
 
-    fn symbolic(&mut self, e: &Expr, captures: &mut Captures) -> SymExpr {
-        captures.level += 1;
+    /// Reports an expression too large to be compiled.
+    pub(super) fn report_size(&mut self, name: &str, span: Span, captures: &Captures) {
+        if captures.too_large {
+            self.lowering.report(
+                Diagnostic::error(
+                    "E0510",
+                    format!("`{name}` grows beyond {MOST_NODES} operations or {MOST_LEVELS} levels"),
+                    span,
+                    "with all definitions it names put in",
+                )
+                .help("split the model, or compute parts of it with `=`"),
+            );
+        }
+    }
+
+    pub(super) fn symbolic(&mut self, e: &Expr, captures: &mut Captures) -> SymExpr {
+        self.lowering.symbolic_functions.level += 1;
         let result = self.symbolic_node(e, captures);
-        captures.level -= 1;
+        self.lowering.symbolic_functions.level -= 1;
         result
     }
 
@@ -111,7 +120,7 @@ impl Body<'_, '_> {
         captures.nodes += 1;
         let span = e.span;
         let make = |kind, repr| SymExpr { kind, repr, span };
-        if captures.nodes > MOST_NODES || captures.level > MOST_LEVELS {
+        if captures.nodes > MOST_NODES || self.lowering.symbolic_functions.level > MOST_LEVELS {
             captures.too_large = true;
             return make(SymKind::Number(f64::NAN), Repr::Number);
         }
@@ -122,10 +131,32 @@ impl Body<'_, '_> {
             }
             Kind::Bool(value) => make(SymKind::Bool(*value), Repr::Bool),
             Kind::Time => make(SymKind::Time, Repr::Number),
-            Kind::Param(id) => make(SymKind::Param(*id), Repr::Number),
-            Kind::Def(def) => {
-                let checker = self.lowering.checker;
-                self.symbolic(&checker.defs[def.0 as usize].expr, captures)
+            Kind::Param(id) => make(SymKind::Param(*id), self.repr(&e.ty)),
+            Kind::Def(def) => self.shared(*def, span, captures),
+            Kind::Var(id) if captures.arguments.contains_key(id) => {
+                make(SymKind::Argument(captures.arguments[id]), self.repr(&e.ty))
+            }
+            Kind::SymbolicCall(call) => {
+                let Some(function) = self.symbolic_callee(call, span) else {
+                    return make(SymKind::Number(f64::NAN), Repr::Number);
+                };
+                let repr = self.lowering.program.symbolic_functions[function.0 as usize].result.clone();
+                let arguments = call.arguments.iter().map(|a| self.symbolic(a, captures)).collect();
+                make(SymKind::Call(function, arguments), repr)
+            }
+            Kind::Array(all) | Kind::Tuple(all) => {
+                let all: Vec<_> = all.iter().map(|a| self.symbolic(a, captures)).collect();
+                let repr = Repr::Tuple(all.iter().map(|a| a.repr.clone()).collect());
+                make(SymKind::Brackets(all), repr)
+            }
+            Kind::TupleElement(base, at) => {
+                let base = self.symbolic(base, captures);
+                self.element(base, *at, span)
+            }
+            Kind::Index(base, index) => {
+                let base = self.symbolic(base, captures);
+                let at = constant_index(index, &self.lowering.checker.store);
+                self.element(base, at.unwrap_or(usize::MAX), span)
             }
             Kind::Observe(inner) => {
                 let inner = self.symbolic(inner, captures);
@@ -168,23 +199,62 @@ impl Body<'_, '_> {
             Kind::Derivative(inner, sym) => {
                 let inner = self.symbolic(inner, captures);
                 let repr = inner.repr.clone();
-                make(SymKind::Derivative(Box::new(inner), symbol(*sym)), repr)
+                make(SymKind::Derivative(Box::new(inner), symbol(*sym, captures)), repr)
             }
             Kind::At(inner, sym, at) => {
                 let (inner, at) = (self.symbolic(inner, captures), self.symbolic(at, captures));
                 let repr = inner.repr.clone();
-                make(SymKind::At(Box::new(inner), symbol(*sym), Box::new(at)), repr)
+                make(SymKind::At(Box::new(inner), symbol(*sym, captures), Box::new(at)), repr)
             }
             // Everything else was turned into a capture when the definition was made.
             _ => make(SymKind::Number(f64::NAN), self.repr(&e.ty)),
         }
     }
+
+    /// A definition named in an expression: put in once, however often it is named.
+    fn shared(&mut self, def: DefId, span: Span, captures: &mut Captures) -> SymExpr {
+        let checker = self.lowering.checker;
+        let index = match captures.by_definition.get(&def) {
+            Some(index) => *index,
+            None => {
+                let expr = self.symbolic(&checker.defs[def.0 as usize].expr, captures);
+                captures.shared.push(expr);
+                let index = captures.shared.len() as u32 - 1;
+                captures.by_definition.insert(def, index);
+                index
+            }
+        };
+        let repr = captures.shared[index as usize].repr.clone();
+        SymExpr { kind: SymKind::Shared(index), repr, span }
+    }
+
+    /// An element of brackets, by constant index.
+    fn element(&mut self, base: SymExpr, at: usize, span: Span) -> SymExpr {
+        let parts = match &base.repr {
+            Repr::Tuple(parts) => parts.as_slice(),
+            _ => &[],
+        };
+        let Some(repr) = parts.get(at).cloned() else {
+            self.lowering.report(
+                Diagnostic::error(
+                    "E0305",
+                    format!("there is no such element in brackets of {}", parts.len()),
+                    span,
+                    "beyond the end",
+                )
+                .help("elements count from 0"),
+            );
+            return SymExpr { kind: SymKind::Number(f64::NAN), repr: Repr::Number, span };
+        };
+        SymExpr { kind: SymKind::Element(Box::new(base), at as u32), repr, span }
+    }
 }
 
-fn symbol(sym: Sym) -> Symbol {
+fn symbol(sym: Sym, captures: &Captures) -> Symbol {
     match sym {
         Sym::Time => Symbol::Time,
         Sym::Param(id) => Symbol::Param(id),
+        Sym::Argument(id) => Symbol::Argument(captures.arguments.get(&id).copied().unwrap_or(u32::MAX)),
     }
 }
 

@@ -1,0 +1,49 @@
+//! A symbolic expression as nodes of the graph.
+
+use calyx_symbolic::{Frame, Graph, NodeId, Vector3};
+
+#[derive(Clone, Debug)]
+pub(super) enum Value {
+    /// Also a truth value.
+    Number(NodeId),
+    Vector(Vector3),
+    Frame(Frame),
+    Brackets(Vec<Value>),
+}
+
+impl Value {
+    pub(super) fn map(&self, replace: &mut dyn FnMut(NodeId) -> NodeId) -> Value {
+        match self {
+            Value::Number(number) => Value::Number(replace(*number)),
+            Value::Vector(vector) => Value::Vector(vector.map(replace)),
+            Value::Frame(frame) => Value::Frame(frame.map(replace)),
+            Value::Brackets(parts) => Value::Brackets(parts.iter().map(|part| part.map(replace)).collect()),
+        }
+    }
+
+    pub(super) fn for_each(&self, mut visit: impl FnMut(NodeId)) {
+        self.map(&mut |node| {
+            visit(node);
+            node
+        });
+    }
+
+    /// The value with symbols replaced, all at once.
+    pub(super) fn substituted(&self, graph: &mut Graph, replacements: &[(u32, NodeId)]) -> Value {
+        let mut nodes = Vec::new();
+        self.for_each(|node| nodes.push(node));
+        let mut replaced = graph.substitute_all(&nodes, replacements).into_iter();
+        // `map` visits in the order of `for_each`.
+        self.map(&mut |node| replaced.next().unwrap_or(node))
+    }
+
+    /// Its numbers: 1, 3, or 12 of a frame's pose; brackets one part after the other.
+    pub(super) fn flat(&self, graph: &mut Graph) -> Vec<NodeId> {
+        match self {
+            Value::Number(number) => vec![*number],
+            Value::Vector(vector) => vector.to_vec(),
+            Value::Frame(frame) => frame.pose(graph).to_vec(),
+            Value::Brackets(parts) => parts.iter().flat_map(|part| part.flat(graph)).collect(),
+        }
+    }
+}

@@ -1,0 +1,175 @@
+//! Symbolic functions: one expression per representation of the arguments, and those of the model offered by name.
+
+use super::body::Body;
+use super::sites::Captures;
+use super::{Lowering, known_dimension};
+use crate::check::tree::{Call, FuncId, SymbolicBody};
+use crate::check::types::{Substitution, Type};
+use crate::diagnostic::Diagnostic;
+use crate::ir::{DisplayUnit, SymbolicFunction, SymbolicFunctionId, SymbolicParameter};
+use crate::span::{FileId, Span};
+use calyx_abi::Repr;
+use std::collections::HashMap;
+
+/// Symbolic functions that call one another, deeper than any model goes.
+const MOST_NESTED: usize = 64;
+
+/// The functions lowered so far, by function and representation of the arguments.
+#[derive(Default)]
+pub(super) struct Instances {
+    known: HashMap<(FuncId, Vec<Repr>), SymbolicFunctionId>,
+    /// Functions being lowered inside one another.
+    depth: usize,
+    /// Expressions being lowered inside one another, over all these functions.
+    pub(super) level: usize,
+}
+
+impl Body<'_, '_> {
+    /// The function a call names, for the types it has here.
+    pub(super) fn symbolic_callee(&mut self, call: &Call, span: Span) -> Option<SymbolicFunctionId> {
+        let types = self.lowering.types_of_use(call.function, call.instance, &self.types);
+        self.lowering.symbolic_function(call.function, types, span)
+    }
+}
+
+impl Lowering<'_> {
+    /// `None` if it makes no sense, which is reported.
+    fn symbolic_function(
+        &mut self,
+        id: FuncId,
+        types: Substitution,
+        span: Span,
+    ) -> Option<SymbolicFunctionId> {
+        let checker = self.checker;
+        let function = checker.functions.get(&id)?;
+        let definition = function.definition.as_ref()?;
+        let parameter_types: Vec<Type> = function
+            .parameters
+            .iter()
+            .map(|(variable, _)| types.ty(&checker.store, &checker.type_of(*variable)))
+            .collect();
+        let reprs: Vec<Repr> = parameter_types.iter().map(|ty| checker.store.repr(ty)).collect();
+        if let Some(known) = self.symbolic_functions.known.get(&(id, reprs.clone())) {
+            return Some(*known);
+        }
+        for ((variable, _), (repr, ty)) in function.parameters.iter().zip(reprs.iter().zip(&parameter_types))
+        {
+            if !matches!(repr, Repr::Number | Repr::Bool | Repr::Vector) {
+                let variable = checker.variable(*variable);
+                self.report(
+                    Diagnostic::error(
+                        "E0512",
+                        format!(
+                            "the argument `{}` of a symbolic function cannot be a {}",
+                            variable.name,
+                            checker.store.show(ty)
+                        ),
+                        variable.span,
+                        "must be a number, a truth value or a vector",
+                    )
+                    .help("an ordinary function takes frames and whole expressions with `in name :=`"),
+                );
+            }
+        }
+        if self.symbolic_functions.depth >= MOST_NESTED {
+            self.report(
+                Diagnostic::error(
+                    "E0510",
+                    format!("symbolic functions name one another more than {MOST_NESTED} deep"),
+                    span,
+                    "called here",
+                )
+                .help("put some of them together"),
+            );
+            return None;
+        }
+        self.symbolic_functions.depth += 1;
+        let lowered = Body::lower_symbolic(self, id, definition, types, &parameter_types);
+        self.symbolic_functions.depth -= 1;
+        let target = SymbolicFunctionId(self.program.symbolic_functions.len() as u32);
+        self.program.symbolic_functions.push(lowered);
+        self.symbolic_functions.known.insert((id, reprs), target);
+        Some(target)
+    }
+
+    /// Lowers every symbolic function of the model's own top level, for numbers where any type would do.
+    pub(super) fn export_symbolic_functions(&mut self) {
+        let checker = self.checker;
+        let mut own: Vec<(FuncId, Span)> = checker
+            .functions
+            .iter()
+            .filter(|(_, function)| function.definition.is_some() && function.span.file == FileId(0))
+            .map(|(id, function)| (*id, function.span))
+            .collect();
+        own.sort_by_key(|(_, span)| span.start);
+        for (id, span) in own {
+            let exported = self.symbolic_function(id, Substitution::default(), span);
+            let function = exported.and_then(|id| self.program.symbolic_functions.get_mut(id.0 as usize));
+            let body = checker.functions.get(&id).and_then(|function| function.definition.as_ref());
+            if let (Some(function), Some(body)) = (function, body) {
+                function.exported = body.exported;
+                function.doc = body.doc.clone();
+            }
+        }
+    }
+}
+
+impl<'l, 'c> Body<'l, 'c> {
+    /// The expression of a symbolic function for given types of its scheme's unknowns.
+    fn lower_symbolic(
+        lowering: &'l mut Lowering<'c>,
+        id: FuncId,
+        definition: &SymbolicBody,
+        types: Substitution,
+        parameter_types: &[Type],
+    ) -> SymbolicFunction {
+        let checker = lowering.checker;
+        let function = &checker.functions[&id];
+        let mut captures = Captures::default();
+        for (index, (variable, _)) in function.parameters.iter().enumerate() {
+            captures.arguments.insert(*variable, index as u32);
+        }
+        let mut body = Body::new(lowering, id, types);
+        let expr = body.symbolic(&checker.defs[definition.def.0 as usize].expr, &mut captures);
+        body.report_size(&function.name, function.span, &captures);
+        let system = body.lowering.system;
+        let unit = |ty: &Type| system.unit_of(known_dimension(checker, ty));
+        let parameters = function
+            .parameters
+            .iter()
+            .zip(parameter_types)
+            .map(|((variable, _), ty)| SymbolicParameter {
+                name: checker.variable(*variable).name.clone(),
+                repr: checker.store.repr(ty),
+                unit: unit(ty),
+            })
+            .collect();
+        let result_type = body.types.ty(&checker.store, &function.result);
+        let mut units = Vec::new();
+        result_units(&result_type, &expr.repr, &unit, &mut units);
+        SymbolicFunction {
+            name: function.name.clone(),
+            doc: String::new(),
+            parameters,
+            shared: captures.shared,
+            result: expr.repr.clone(),
+            body: expr,
+            units,
+            exported: false,
+            span: function.span,
+        }
+    }
+}
+
+/// One unit per value that is no tuple.
+fn result_units(ty: &Type, repr: &Repr, unit: &dyn Fn(&Type) -> DisplayUnit, units: &mut Vec<DisplayUnit>) {
+    match (ty, repr) {
+        (Type::Array(element), Repr::Tuple(parts)) => {
+            parts.iter().for_each(|part| result_units(element, part, unit, units));
+        }
+        (Type::Tuple(types), Repr::Tuple(parts)) => {
+            types.iter().zip(parts).for_each(|(ty, part)| result_units(ty, part, unit, units));
+        }
+        _ => units.push(unit(ty)),
+    }
+}

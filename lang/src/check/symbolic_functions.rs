@@ -1,0 +1,262 @@
+//! Symbolic functions, `function p(in u, in th) := e;`: their bodies, calls of them, and brackets in symbolic expressions.
+//!
+//! A symbolic function is an expression with free arguments. Called in a `:=` it fuses with what is around it; called
+//! elsewhere, its kernel is evaluated at once. It has no binding that executes, so it captures no values: it sees its
+//! arguments, `Time`, params, constants and other symbolic functions.
+
+use super::builtins::Builtin;
+use super::infer::Checker;
+use super::symbols::{Res, VarKind};
+use super::tree::*;
+use super::types::Type;
+use crate::ast::{self, Bind, ExprKind, Mode};
+use crate::diagnostic::Diagnostic;
+use crate::span::{FileId, Span};
+
+impl<'a> Checker<'a> {
+    /// Checks the body of a symbolic function.
+    pub(super) fn symbolic_body(
+        &mut self,
+        id: FuncId,
+        decl: &'a ast::FunctionDecl,
+        body: &'a ast::Expr,
+    ) -> SymbolicBody {
+        for parameter in &decl.parameters {
+            let symbolic = matches!(parameter.default, Some((Bind::Symbolic, _)));
+            if parameter.mode != Mode::In || symbolic {
+                self.report(
+                    Diagnostic::error(
+                        "E0512",
+                        format!(
+                            "the arguments of the symbolic function `{}` are free symbols",
+                            decl.name.name
+                        ),
+                        parameter.name.span,
+                        if symbolic { "declared with `:=`" } else { "handed back" },
+                    )
+                    .help(format!("write `in {}`", parameter.name.name)),
+                );
+            }
+        }
+        let value = self.as_symbolic(|c| c.whole(body));
+        let result = self.current_result();
+        let declared = decl.result.as_ref().map(|r| (r.span, format!("result of `{}`", decl.name.name)));
+        self.expect(&result, &value, &format!("the result of `{}`", decl.name.name), declared);
+        let def = self.make_def_in(&decl.name.name, value, body.span, Some(id));
+        if self.defs[def.0 as usize].observes {
+            let diagnostic = self.observable_as_value(body.span);
+            self.report(diagnostic);
+        }
+        let name = decl.name.span;
+        let exported =
+            name.file == FileId(0) && self.names.functions[id.0 as usize].parent == Some(FuncId(0));
+        let statements = self.modules.first().map(|module| module.tree.statements.as_slice());
+        let statement = statements.unwrap_or_default().iter().find(
+            |statement| matches!(&statement.kind, ast::StmtKind::Function(decl) if decl.name.span == name),
+        );
+        let doc = statement.and_then(|statement| statement.doc.clone()).unwrap_or_default();
+        SymbolicBody { def, exported, doc }
+    }
+
+    /// Symbolic functions that need themselves have no expression.
+    pub(super) fn check_symbolic_recursion(&mut self, group: &[FuncId]) {
+        let recursive = group.len() > 1
+            || group.iter().any(|id| self.names.functions[id.0 as usize].callees.contains(id));
+        if !recursive {
+            return;
+        }
+        for &id in group {
+            let Some(decl) = self.names.functions[id.0 as usize].decl else { continue };
+            if matches!(decl.body, ast::FunctionBody::Symbolic(_)) {
+                self.report(
+                    Diagnostic::error(
+                        "E0513",
+                        format!("the symbolic function `{}` needs itself", decl.name.name),
+                        decl.name.span,
+                        "its expression would never end",
+                    )
+                    .help("write a loop that binds a `:=` name again, or an ordinary function"),
+                );
+            }
+        }
+    }
+
+    /// A call of a symbolic function.
+    pub(super) fn symbolic_call(
+        &mut self,
+        id: FuncId,
+        name: &ast::Ident,
+        arguments: &'a [ast::Argument],
+        span: Span,
+    ) -> Expr {
+        let info = &self.names.functions[id.0 as usize];
+        let (Some(decl), file) = (info.decl, info.file) else { return Expr::error(span) };
+        let names: Vec<&str> = decl.parameters.iter().map(|p| p.name.name.as_str()).collect();
+        let Some(mut fields) = self.spread(&name.name, &names, arguments) else {
+            return Expr::error(span);
+        };
+        let optional = |p: &ast::Parameter| matches!(p.default, Some((_, Some(_))));
+        let parameters: Vec<(&str, bool)> = decl
+            .parameters
+            .iter()
+            .map(|p| (p.name.name.as_str(), optional(p) || fields.contains_key(&p.name.name)))
+            .collect();
+        let given = self.match_arguments(&name.name, &parameters, arguments, span);
+        let (types, result, instance) = self.instantiate(id, span);
+        let Some(given) = given else {
+            return Expr { kind: Kind::Error, ty: result, span };
+        };
+        let mut values = Vec::new();
+        for ((parameter, argument), ty) in decl.parameters.iter().zip(given).zip(&types) {
+            let value = match (argument, &parameter.default) {
+                (Some(argument), _) => {
+                    let value = self.as_symbolic(|c| c.whole(&argument.value));
+                    let shown = self.store.show(ty);
+                    let cause = (parameter.name.span, format!("`{}` is a {shown} here", parameter.name.name));
+                    self.expect(ty, &value, &format!("`{}`", parameter.name.name), Some(cause));
+                    value
+                }
+                (None, _) if fields.contains_key(&parameter.name.name) => {
+                    self.field_argument(ty, &parameter.name, &mut fields, span)
+                }
+                (None, Some((_, Some(default)))) => self.in_file(file, |c| {
+                    let value = c.as_symbolic(|c| c.whole(default));
+                    c.expect(ty, &value, "the default", None);
+                    value
+                }),
+                // Reported as missing.
+                (None, _) => Expr::error(span),
+            };
+            values.push(value);
+        }
+        let call = Call {
+            function: id,
+            instance,
+            arguments: values,
+            copy_back: Vec::new(),
+            perhaps_same: Vec::new(),
+            demands: Vec::new(),
+        };
+        let call = Expr { kind: Kind::SymbolicCall(Box::new(call)), ty: result, span };
+        if self.symbolic { call } else { self.evaluate_now(call, &name.name) }
+    }
+
+    /// Whether a variable is an argument of the symbolic function being checked.
+    pub(super) fn is_argument(&self, id: VarId) -> bool {
+        let variable = self.variable(id);
+        variable.owner == self.function
+            && matches!(variable.kind, VarKind::Parameter(_))
+            && self.names.functions[self.function.0 as usize]
+                .decl
+                .is_some_and(|decl| matches!(decl.body, ast::FunctionBody::Symbolic(_)))
+    }
+
+    pub(super) fn outside_argument(&self, name: &str, span: Span) -> Diagnostic {
+        Diagnostic::error(
+            "E0511",
+            format!("a symbolic function cannot use the value of `{name}`"),
+            span,
+            "not an argument",
+        )
+        .help(format!(
+            "it sees its arguments, `Time`, params, constants and symbolic functions; give `{name}` as an argument"
+        ))
+    }
+
+    pub(super) fn report_capture_in_function(&mut self, value: &Expr) {
+        let diagnostic = match &value.kind {
+            Kind::Error => return,
+            Kind::Var(id) => {
+                let variable = self.variable(*id);
+                self.outside_argument(&variable.name, value.span).label(variable.span, "declared here")
+            }
+            Kind::Index(base, _) | Kind::TupleElement(base, _) if matches!(base.kind, Kind::Var(id) if self.is_argument(id)) => {
+                Diagnostic::error(
+                    "E0512",
+                    format!(
+                        "the argument `{}` of a symbolic function cannot have elements",
+                        self.text(base.span)
+                    ),
+                    base.span,
+                    "must be a number, a truth value or a vector",
+                )
+                .help("give each element as an argument of its own, or a vector")
+            }
+            _ => Diagnostic::error(
+                "E0511",
+                "this is computed at once, and a symbolic function has no moment for that",
+                value.span,
+                "not an expression in symbols",
+            )
+            .help("compute it before and give it as an argument"),
+        };
+        self.report(diagnostic);
+    }
+
+    // Brackets.
+
+    /// Whether what is written may give brackets of symbolic expressions (and not the value of an array).
+    pub(super) fn names_brackets(&self, e: &ast::Expr) -> bool {
+        match &e.kind {
+            ExprKind::List(_) => true,
+            ExprKind::Paren(inner) => self.names_brackets(inner),
+            ExprKind::Index { base, .. } => self.names_brackets(base),
+            ExprKind::At { value, .. } => self.names_brackets(value),
+            ExprKind::If { then, otherwise, .. } => {
+                self.names_brackets(then) && self.names_brackets(otherwise)
+            }
+            ExprKind::Name(name) => match self.names.uses.get(&name.span) {
+                Some(Res::Var(id)) => self.variable(*id).kind == VarKind::Symbolic,
+                _ => false,
+            },
+            ExprKind::Call { callee, .. } => {
+                let (ExprKind::Name(name) | ExprKind::Field { field: name, .. }) = &callee.kind else {
+                    return false;
+                };
+                match self.names.uses.get(&name.span) {
+                    Some(Res::Function(id)) => self.names.functions[id.0 as usize]
+                        .decl
+                        .is_some_and(|decl| matches!(decl.body, ast::FunctionBody::Symbolic(_))),
+                    Some(Res::Builtin(builtin)) => {
+                        matches!(builtin, Builtin::Gradient | Builtin::Derivative)
+                    }
+                    _ => false,
+                }
+            }
+            _ => false,
+        }
+    }
+
+    /// Whether a checked expression gives brackets of symbolic expressions.
+    pub(super) fn is_brackets(&self, e: &Expr) -> bool {
+        match &e.kind {
+            Kind::Array(_) | Kind::Tuple(_) | Kind::SymbolicCall(_) => true,
+            Kind::Def(def) => self.is_brackets(&self.defs[def.0 as usize].expr),
+            Kind::Index(base, _)
+            | Kind::TupleElement(base, _)
+            | Kind::At(base, ..)
+            | Kind::Derivative(base, _) => self.is_brackets(base),
+            Kind::If(_, then, otherwise) => self.is_brackets(then) && self.is_brackets(otherwise),
+            _ => false,
+        }
+    }
+
+    /// Numbers, vectors and frames stay symbolic, and brackets of them.
+    pub(super) fn can_stay_symbolic(&self, e: &Expr) -> bool {
+        let ty = self.store.resolve(&e.ty);
+        is_symbolic_value(&ty)
+            || matches!(ty, Type::Array(_) | Type::Tuple(_)) && brackets_of_values(&ty) && self.is_brackets(e)
+    }
+}
+
+fn is_symbolic_value(ty: &Type) -> bool {
+    matches!(ty, Type::Number(_) | Type::Vector(_) | Type::Transform | Type::Unknown(_) | Type::Error)
+}
+
+fn brackets_of_values(ty: &Type) -> bool {
+    match ty {
+        Type::Array(element) => brackets_of_values(element),
+        Type::Tuple(parts) => parts.iter().all(brackets_of_values),
+        other => is_symbolic_value(other),
+    }
+}
