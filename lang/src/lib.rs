@@ -8,6 +8,7 @@ pub mod ast;
 pub mod check;
 pub mod codes;
 pub mod db;
+mod deep;
 pub mod description;
 pub mod diagnostic;
 pub mod dimension;

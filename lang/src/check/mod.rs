@@ -36,6 +36,7 @@ mod types;
 pub use builtins::names as builtin_names;
 
 use crate::ast::Module;
+use crate::deep::deep;
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::dimension::Dimension;
 use crate::ir::{Program, SourceFile};
@@ -81,6 +82,10 @@ pub struct ModuleData {
 
 /// Checks a model and everything it imports. `name` is the model's file as shown to people.
 pub fn check_program(name: &str, text: &str, loader: &dyn Loader) -> Checked {
+    deep(|| check_modules(name, text, loader))
+}
+
+fn check_modules(name: &str, text: &str, loader: &dyn Loader) -> Checked {
     let (modules, files, mut diagnostics) = modules::load(name, text, loader);
     let mut names = names::resolve(&modules, loader);
     diagnostics.append(&mut names.diagnostics);

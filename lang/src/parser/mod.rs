@@ -13,6 +13,7 @@ mod source;
 mod statements;
 
 use crate::ast::Module;
+use crate::deep::deep;
 use crate::diagnostic::Diagnostic;
 use crate::lexer::{self, Kind, Tokens};
 use crate::span::FileId;
@@ -30,7 +31,8 @@ pub fn parse(file: FileId, text: &str) -> (Module, Vec<Diagnostic>) {
         return (Module { statements: Vec::new(), doc: file_doc }, in_order(diagnostics));
     }
     let kinds: Vec<Kind> = tokens.iter().map(|t| t.kind).collect();
-    let (statements, problems) = statements::file(&source).parse(kinds.as_slice()).into_output_errors();
+    let (statements, problems) =
+        deep(|| statements::file(&source).parse(kinds.as_slice()).into_output_errors());
     let problems: Vec<Diagnostic> = problems.into_iter().filter_map(|p| p.0).map(|d| *d).collect();
     let problems = without_consequences(&source, &diagnostics, problems);
     diagnostics.extend(problems);

@@ -7,8 +7,7 @@ use crate::lexer::Kind;
 /// Brackets, interpolations and blocks inside one another.
 const MAX_BRACKETS: usize = 256;
 /// Levels of the tree: brackets, and everything that puts one node under the next (operators of one expression,
-/// `else if` chains, labels in a row). The checker takes up to 3 kB of stack a level: within half of the 2 MB that a
-/// thread has.
+/// `else if` chains, labels in a row). Walks over such a tree have the stack of [`crate::deep`].
 const MAX_LEVELS: usize = 400;
 
 /// An error at the first token that goes too deep. A bound from above: each operator counts as one level until
