@@ -49,10 +49,20 @@ pub fn compile<B: Backend>(
     backend.finish(lowered)
 }
 
+/// How much Cranelift improves code.
+#[derive(Clone, Copy)]
+pub enum Effort {
+    /// For functions of programs.
+    Speed,
+    /// For kernels: a tape holds each operation once, simplified and in an order that keeps few values alive. What
+    /// Cranelift could add takes time and loses that order (a chain of fifty factors ran 1.25 times slower with it).
+    AsWritten,
+}
+
 /// Settings of code in memory: this very machine.
-pub fn native_isa() -> Result<OwnedTargetIsa, CodegenError> {
+pub fn native_isa(effort: Effort) -> Result<OwnedTargetIsa, CodegenError> {
     let builder = cranelift_native::builder().map_err(|error| CodegenError::Cranelift(error.into()))?;
-    builder.finish(flags(false)?).map_err(|error| CodegenError::Cranelift(error.to_string()))
+    builder.finish(flags(false, effort)?).map_err(|error| CodegenError::Cranelift(error.to_string()))
 }
 
 /// Settings of object files: every machine of this architecture (for x86-64 that is SSE2).
@@ -63,14 +73,18 @@ pub fn baseline_isa() -> Result<OwnedTargetIsa, CodegenError> {
     let triple =
         cranelift_native::builder().map_err(|error| CodegenError::Cranelift(error.into()))?.triple().clone();
     let builder = isa::lookup(triple).map_err(|error| CodegenError::Cranelift(error.to_string()))?;
-    builder.finish(flags(true)?).map_err(|error| CodegenError::Cranelift(error.to_string()))
+    builder.finish(flags(true, Effort::Speed)?).map_err(|error| CodegenError::Cranelift(error.to_string()))
 }
 
-fn flags(position_independent: bool) -> Result<settings::Flags, CodegenError> {
+fn flags(position_independent: bool, effort: Effort) -> Result<settings::Flags, CodegenError> {
     let mut builder = settings::builder();
+    let opt_level = match effort {
+        Effort::Speed => "speed",
+        Effort::AsWritten => "none",
+    };
     let verify = if cfg!(debug_assertions) { "true" } else { "false" };
     for (name, value) in [
-        ("opt_level", "speed"),
+        ("opt_level", opt_level),
         ("enable_verifier", verify),
         ("is_pic", if position_independent { "true" } else { "false" }),
         // Large frames touch their pages in order, so that an overrun meets the guard page.

@@ -54,7 +54,7 @@ pub fn compile_batch(tape: &Tape, varying: &[bool]) -> Result<BatchKernel, Codeg
     let batch = BatchTape::new(tape.clone(), varying);
     let plan = Plan::new(&batch);
     let program = Program::default();
-    let mut jit = Jit::new(&program, &[])?;
+    let mut jit = Jit::of_kernels()?;
     let mut lowering = ModuleLowering::new(jit.module(), &program)?;
     let uniform = crate::kernel::lower(&mut lowering, "calyx_uniform", &batch.uniform)?;
     let mut functions = Vec::new();

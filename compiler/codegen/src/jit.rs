@@ -1,6 +1,6 @@
 //! Code in memory.
 
-use crate::backend::{Backend, Lowered, native_isa};
+use crate::backend::{Backend, Effort, Lowered, native_isa};
 use crate::error::CodegenError;
 use calyx_abi::call::KernelFn;
 use calyx_abi::context::{Context, RuntimeError};
@@ -47,8 +47,8 @@ impl Signature {
 impl Jit {
     /// Prepares memory and the table of symbols: the helpers, the numeric functions and the externs that the program
     /// declares. Nothing else can be reached, in particular no other symbol of the process.
-    pub fn new(program: &Program, externs: &[Extern]) -> Result<Self, CodegenError> {
-        let mut builder = JITBuilder::with_isa(native_isa()?, default_libcall_names());
+    pub fn new(program: &Program, externs: &[Extern], effort: Effort) -> Result<Self, CodegenError> {
+        let mut builder = JITBuilder::with_isa(native_isa(effort)?, default_libcall_names());
         builder.symbols(entry_points().into_iter().map(|row| (row.symbol, row.address)));
         builder.symbols(math::FUNCTIONS.iter().map(|&(symbol, function)| (symbol, function.address())));
         builder.symbols(
@@ -68,7 +68,12 @@ impl Jit {
 }
 
 impl Jit {
-    /// Ends a module that holds no program; its functions are called by address.
+    /// Memory for kernels alone. Their functions are called by address ([`Code::address`]).
+    pub fn of_kernels() -> Result<Self, CodegenError> {
+        Jit::new(&Program::default(), &[], Effort::AsWritten)
+    }
+
+    /// Ends a module of kernels.
     pub fn into_code(mut self) -> Result<Arc<Code>, CodegenError> {
         self.module.finalize_definitions()?;
         Ok(Arc::new(Code(Mutex::new(Some(self.module)))))
@@ -98,21 +103,10 @@ impl Backend for Jit {
             (call, signature)
         });
         let functions = functions.collect();
-        let kernels: Vec<_> = lowered
-            .kernels
-            .iter()
-            .map(|kernel| {
-                let address = self.module.get_finalized_function(kernel.function);
-                // SAFETY: the lowering gave every kernel this signature; `JitKernel` keeps the code alive.
-                let call = unsafe { std::mem::transmute::<*const u8, KernelFn>(address) };
-                (call, kernel.inputs, kernel.outputs)
-            })
-            .collect();
         let code = Arc::new(Code(Mutex::new(Some(self.module))));
-        let kernels = kernels.into_iter().map(|(call, inputs, outputs)| {
-            Arc::new(JitKernel { code: code.clone(), call, inputs, outputs }) as Arc<dyn Kernel>
-        });
-        let kernels = kernels.collect();
+        let kernels = lowered.kernels.iter();
+        let kernels =
+            kernels.map(|found| kernel(&code, found.function, found.inputs, found.outputs)).collect();
         Ok(JitModule { functions, kernels, main: self.main, code })
     }
 }
@@ -188,6 +182,13 @@ impl JitModule {
     pub fn kernels(&self) -> Vec<Arc<dyn Kernel>> {
         self.kernels.clone()
     }
+}
+
+/// A function of signature [`KernelFn`] as a kernel that keeps its code alive.
+pub fn kernel(code: &Arc<Code>, function: FuncId, inputs: usize, outputs: usize) -> Arc<dyn Kernel> {
+    // SAFETY: the lowering gave every kernel this signature; `JitKernel` keeps the code alive.
+    let call = unsafe { std::mem::transmute::<*const u8, KernelFn>(code.address(function)) };
+    Arc::new(JitKernel { code: code.clone(), call, inputs, outputs })
 }
 
 /// A kernel in memory.

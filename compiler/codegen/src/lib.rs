@@ -26,10 +26,11 @@ pub use error::CodegenError;
 pub use jit::JitModule;
 pub use listing::{Listing, list};
 
-use calyx_abi::Extern;
+use calyx_abi::{Extern, Kernel};
 use calyx_lang::ir::Program;
 use calyx_lower::kernels::lower_sites;
 use calyx_symbolic::Tape;
+use std::sync::Arc;
 
 /// Compiles a program into memory. `externs` are the functions of the engine; the program's own declarations are
 /// looked up there by symbol, and code can reach nothing else.
@@ -50,7 +51,19 @@ pub fn compile_jit_with_tapes(
     tapes: &[Tape],
     externs: &[Extern],
 ) -> Result<JitModule, CodegenError> {
-    backend::compile(jit::Jit::new(program, externs)?, program, tapes)
+    backend::compile(jit::Jit::new(program, externs, backend::Effort::Speed)?, program, tapes)
+}
+
+/// Compiles one tape for evaluation at one point at a time. For many points see [`compile_batch`].
+///
+/// # Errors
+/// The tape is malformed, or the machine is not one that Cranelift knows.
+pub fn compile_kernel(tape: &Tape) -> Result<Arc<dyn Kernel>, CodegenError> {
+    let program = Program::default();
+    let mut jit = jit::Jit::of_kernels()?;
+    let mut lowering = module::ModuleLowering::new(jit.module(), &program)?;
+    let function = kernel::lower(&mut lowering, "calyx_kernel", tape)?;
+    Ok(jit::kernel(&jit.into_code()?, function, tape.inputs, tape.outputs.len()))
 }
 
 /// Compiles a program into an object file for this kind of machine, to be linked with `calyx-rt`.

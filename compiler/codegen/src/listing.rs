@@ -1,6 +1,6 @@
 //! Code as text: what Cranelift is given, and what it makes of it for this machine.
 
-use crate::backend::Backend;
+use crate::backend::{Backend, Effort};
 use crate::error::CodegenError;
 use crate::jit::Jit;
 use crate::module::ModuleLowering;
@@ -25,7 +25,7 @@ pub struct Listing {
 /// As [`crate::compile_jit`].
 pub fn list(program: &Program, externs: &[Extern]) -> Result<Vec<Listing>, CodegenError> {
     let tapes = lower_sites(program).map_err(CodegenError::Kernel)?;
-    let mut jit = Jit::new(program, externs)?;
+    let mut jit = Jit::new(program, externs, Effort::Speed)?;
     let mut listings = Vec::new();
     let lowered = ModuleLowering::new(jit.module(), program)?.listed_in(&mut listings).lower(&tapes)?;
     // Whoever finishes the module also frees its memory.

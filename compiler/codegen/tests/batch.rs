@@ -3,6 +3,7 @@
 mod workloads;
 
 use calyx_codegen::{BatchError, BatchKernel, compile_batch};
+use calyx_symbolic::batch::BatchTape;
 use calyx_symbolic::{Instruction, Tape};
 use workloads::{Random, WORKLOADS};
 
@@ -147,6 +148,18 @@ fn the_workloads_have_the_same_bits_at_every_point() {
         let mut all = columns.clone();
         all.extend(workload.parameters.iter().map(|&value| vec![value; 259]));
         assert_same_bits(&tape, &everything, &kernel, &[], &all, 259);
+    }
+}
+
+/// Operations per point beside sines and cosines, against those of the formulas written by hand (in the bench
+/// `kinematics`, negations counted).
+#[test]
+fn the_workloads_cost_what_formulas_written_by_hand_cost() {
+    for (workload, (angles, by_hand)) in WORKLOADS.iter().zip([(2, 36), (3, 364), (3, 229), (25, 3619)]) {
+        let batch = BatchTape::new(workload.tape(), &workload.varying());
+        let operations = batch.varying_operations();
+        assert!(operations * 100 <= by_hand * 108, "{}: {operations} operations", workload.name);
+        assert_eq!(batch.angles.iter().map(Vec::len).sum::<usize>(), angles, "{}", workload.name);
     }
 }
 

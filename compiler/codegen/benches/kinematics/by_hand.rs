@@ -36,6 +36,14 @@ fn cross<N: Number>(a: V<N>, b: V<N>) -> V<N> {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
+/// Writes outputs from `first` on.
+#[inline(always)]
+fn write<N: Number, const COUNT: usize>(out: &mut impl FnMut(usize, N), first: usize, values: [N; COUNT]) {
+    for (k, value) in values.into_iter().enumerate() {
+        out(first + k, value);
+    }
+}
+
 /// Right-handed rotation about coordinate axis `AXIS`.
 #[inline(always)]
 fn turn<N: Number, const AXIS: usize>(s: N, c: N, v: V<N>) -> V<N> {
@@ -96,9 +104,10 @@ impl<N: Number> ByHand<N> for Planet<N> {
         let first = [-ws, -wc, -(self.relative * y), wc, -ws, self.relative * x];
         let second = [-wwc, wws, -(self.relative_squared * x), -wws, -wwc, -(self.relative_squared * y)];
         let design = [-sa, ca, ca, sa, -sa, ca, -s, -c, -y, c, -s, x];
-        for (k, value) in entries.into_iter().chain(first).chain(second).chain(design).enumerate() {
-            out(k, value);
-        }
+        write(&mut out, 0, entries);
+        write(&mut out, 6, first);
+        write(&mut out, 12, second);
+        write(&mut out, 18, design);
     }
 }
 
@@ -234,13 +243,12 @@ impl<N: Number> ByHand<N> for Generated<N> {
         let f_u = dot(cross(x_u, x_ut), x_p) + dot(normal, x_up);
         let f_t = dot(add(cross(x_ut, x_t), cross(x_u, x_tt)), x_p) + dot(normal, x_tp);
         let f_p = dot(add(cross(x_up, x_t), cross(x_u, x_tp)), x_p) + dot(normal, x_pp);
-        let scalars = [f, f_u, f_t, f_p];
-        let vectors = [x, x_u, x_t, x_p];
-        for (k, value) in vectors.into_iter().flatten().chain(scalars).enumerate() {
-            out(k, value);
+        for (k, vector) in [x, x_u, x_t, x_p].into_iter().enumerate() {
+            write(&mut out, 3 * k, vector);
         }
-        for (k, value) in [x_ut, x_up, x_tt, x_tp, x_pp].into_iter().flatten().enumerate() {
-            out(16 + k, value);
+        write(&mut out, 12, [f, f_u, f_t, f_p]);
+        for (k, vector) in [x_ut, x_up, x_tt, x_tp, x_pp].into_iter().enumerate() {
+            write(&mut out, 16 + 3 * k, vector);
         }
     }
 }

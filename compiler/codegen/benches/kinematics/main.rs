@@ -10,13 +10,10 @@ mod lanes;
 mod workloads;
 
 use by_hand::{ByHand, Chain, Generated, Machine, Planet, Sensitivity};
-use calyx_abi::Repr;
 use calyx_abi::math::sincos_columns;
-use calyx_codegen::{JitModule, compile_batch, compile_jit_with_tapes};
-use calyx_lang::ir::{Block, Function, Program, Terminator};
-use calyx_lang::span::Span;
+use calyx_codegen::{compile_batch, compile_kernel};
+use calyx_symbolic::Graph;
 use calyx_symbolic::batch::BatchTape;
-use calyx_symbolic::{Graph, Tape};
 use lanes::{Lanes, Number};
 use std::hint::black_box;
 use std::time::Instant;
@@ -25,9 +22,11 @@ use workloads::{WORKLOADS, Workload, chain};
 /// Points of a tile (not a power of two: equal strides would share one set of the cache) and tiles of a batch.
 const TILE: usize = 504;
 const TILES: usize = 260;
-/// Points evaluated one by one.
-const SINGLE: usize = 20 * TILE;
-const ROUNDS: usize = 11;
+/// Tiles after which it is another's turn, so that what disturbs the machine disturbs neighbours alike; fewer where
+/// points are evaluated one by one.
+const SLICE: usize = 10;
+const SLICE_OF_ONE: usize = 2;
+const ROUNDS: usize = 5;
 
 /// Evaluates one tile of points by hand. Not inlined, so that the instructions of this machine may be used in it.
 type ByHandTile = Box<dyn Fn(&[&[f64]], &mut [f64])>;
@@ -56,7 +55,7 @@ fn main() {
         };
         compare(&workload, &ways, rounds);
     }
-    println!("\nms (least of {rounds})    derive    kernel     batch    operations, per point of a batch");
+    println!("\nms of processor time    derive    kernel     batch    operations, per point of a batch");
     for workload in WORKLOADS {
         compile_times(workload.name, workload.build, &workload.varying(), rounds);
     }
@@ -68,7 +67,7 @@ fn main() {
 fn compare(workload: &Workload, [lanes, wide, single]: &[ByHandTile; 3], rounds: usize) {
     let tape = workload.tape();
     let kernel = compile_batch(&tape, &workload.varying()).expect("the workload compiles");
-    let one = compile(&tape).kernels().remove(0);
+    let one = compile_kernel(&tape).expect("the workload compiles");
     let columns = workload.columns(TILES * TILE);
     let outputs = tape.outputs.len();
     let mut batch = kernel.with(workload.parameters).expect("the workload's parameters");
@@ -93,47 +92,47 @@ fn compare(workload: &Workload, [lanes, wide, single]: &[ByHandTile; 3], rounds:
         }
     };
     let mut ways: [(usize, &mut dyn FnMut(&[&[f64]], &mut [f64])); 5] = [
-        (TILES * TILE, &mut compiled),
-        (TILES * TILE, &mut |c, o| lanes(c, o)),
-        (TILES * TILE, &mut |c, o| wide(c, o)),
-        (SINGLE, &mut point_by_point),
-        (SINGLE, &mut |c, o| single(c, o)),
+        (SLICE, &mut compiled),
+        (SLICE, &mut |c, o| lanes(c, o)),
+        (SLICE, &mut |c, o| wide(c, o)),
+        (SLICE_OF_ONE, &mut point_by_point),
+        (SLICE_OF_ONE, &mut |c, o| single(c, o)),
     ];
     agree(workload, &mut ways, &columns, outputs);
 
     let mut times = [const { Vec::new() }; 5];
     let mut out = vec![0.0; outputs * TILE];
-    for _ in 0..rounds {
-        for ((points, way), times) in ways.iter_mut().zip(&mut times) {
+    for first in (0..rounds).flat_map(|_| (0..TILES).step_by(SLICE)) {
+        for ((tiles, way), times) in ways.iter_mut().zip(&mut times) {
             let start = Instant::now();
-            for tile in 0..*points / TILE {
+            for tile in first..first + *tiles {
                 let part: Vec<&[f64]> =
                     columns.iter().map(|column| &column[tile * TILE..(tile + 1) * TILE]).collect();
                 way(&part, &mut out);
                 black_box(&mut out);
             }
-            times.push(start.elapsed().as_nanos() as f64 / *points as f64);
+            times.push(start.elapsed().as_nanos() as f64 / (*tiles * TILE) as f64);
         }
     }
-    let best = times.each_ref().map(|times| times.iter().copied().fold(f64::INFINITY, f64::min));
-    // The ratio of each round, of which the middle one: what disturbs the machine disturbs neighbours alike.
-    let ratio = |a: usize, b: usize| {
-        let mut ratios: Vec<f64> = times[a].iter().zip(&times[b]).map(|(a, b)| a / b).collect();
-        ratios.sort_by(f64::total_cmp);
-        ratios[ratios.len() / 2]
-    };
+    let typical = times.each_ref().map(|times| median(times.clone()));
+    let ratio = |a: usize, b: usize| median(times[a].iter().zip(&times[b]).map(|(a, b)| a / b).collect());
     println!(
         "{:<16} {:>10.2} {:>10.2} (x {:.2}) {:>11.2} (x {:.2}) {:>14.1} {:>7.1} (x {:.2})",
         workload.name,
-        best[0],
-        best[1],
+        typical[0],
+        typical[1],
         ratio(0, 1),
-        best[2],
+        typical[2],
         ratio(0, 2),
-        best[3],
-        best[4],
+        typical[3],
+        typical[4],
         ratio(3, 4),
     );
+}
+
+fn median(mut values: Vec<f64>) -> f64 {
+    values.sort_by(f64::total_cmp);
+    values[values.len() / 2]
 }
 
 /// All ways give the same numbers, up to rounding.
@@ -286,43 +285,43 @@ fn wide_tile<W: ByHand<Lanes> + 'static>(workload: W) -> ByHandTile {
     })
 }
 
-fn compile(tape: &Tape) -> JitModule {
-    let main = Function {
-        name: "main".into(),
-        parameters: vec![],
-        result: Repr::Unit,
-        locals: vec![],
-        blocks: vec![Block { statements: vec![], terminator: Terminator::Return(None) }],
-        span: Span::default(),
-    };
-    let program = Program { functions: vec![main], ..Program::default() };
-    compile_jit_with_tapes(&program, std::slice::from_ref(tape), &[]).expect("the bench compiles")
+/// Seconds this thread has run; where the system does not tell (Linux does), those that have passed.
+fn processor_time() -> f64 {
+    static START: std::sync::OnceLock<Instant> = std::sync::OnceLock::new();
+    let text = std::fs::read_to_string("/proc/thread-self/schedstat").ok();
+    let run = text.and_then(|text| text.split(' ').next()?.parse::<f64>().ok());
+    run.map_or_else(
+        || START.get_or_init(Instant::now).elapsed().as_secs_f64(),
+        |nanoseconds| nanoseconds * 1e-9,
+    )
 }
 
-/// Least times of deriving a tape, of compiling its kernel for one point, and that for many.
+/// Mean times of deriving a tape, of compiling its kernel for one point, and that for many.
 fn compile_times(
     name: &str,
     build: impl Fn(&mut Graph) -> Vec<calyx_symbolic::NodeId>,
     varying: &[bool],
     rounds: usize,
 ) {
-    let mut least = [f64::INFINITY; 3];
+    let (mut sums, mut runs) = ([0.0; 3], 0.0);
     let mut counts = (0, 0);
-    for _ in 0..rounds {
-        let start = Instant::now();
+    let started = processor_time();
+    while counts == (0, 0) || processor_time() - started < 0.1 * rounds as f64 {
+        let mut times = [processor_time(); 4];
         let mut graph = Graph::new();
         let outputs = build(&mut graph);
         let tape = graph.schedule(varying.len(), &outputs);
-        let derived = start.elapsed();
-        black_box(compile(&tape));
-        let one = start.elapsed() - derived;
+        times[1] = processor_time();
+        black_box(compile_kernel(&tape).expect("the bench compiles"));
+        times[2] = processor_time();
         black_box(compile_batch(&tape, varying).expect("the bench compiles"));
-        let many = start.elapsed() - derived - one;
-        for (least, time) in least.iter_mut().zip([derived, one, many]) {
-            *least = least.min(time.as_secs_f64() * 1e3);
+        times[3] = processor_time();
+        for (sum, times) in sums.iter_mut().zip(times.windows(2)) {
+            *sum += (times[1] - times[0]) * 1e3;
         }
+        runs += 1.0;
         counts = (tape.operations(), BatchTape::new(tape, varying).varying_operations());
     }
-    let [derive, one, many] = least;
+    let [derive, one, many] = sums.map(|sum| sum / runs);
     println!("{name:<16} {derive:>10.2} {one:>9.2} {many:>9.2} {:>12} {:>8}", counts.0, counts.1);
 }
