@@ -226,6 +226,11 @@ fn every_stage_can_be_seen() {
 }
 
 #[test]
+fn formatting() {
+    hold(include_str!("cli/fmt.md"));
+}
+
+#[test]
 fn text_that_is_not_utf8_is_refused() {
     let directory = tempfile::tempdir().unwrap();
     std::fs::write(directory.path().join("model.cx"), b"var x = \"\xff\";\n").unwrap();

@@ -246,10 +246,30 @@ pub struct Token {
     pub span: Span,
 }
 
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum CommentKind {
+    /// `// ...`
+    Line,
+    /// `/// ...`, which documents what follows.
+    Doc,
+    /// `/* ... */`
+    Block,
+}
+
+/// Means nothing to the program, but belongs to its text.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Comment {
+    pub kind: CommentKind,
+    /// Without blanks at the end of the line.
+    pub span: Span,
+}
+
 /// The tokens of a file.
 #[derive(Clone, Debug, Default)]
 pub struct Tokens {
     pub tokens: Vec<Token>,
+    /// All comments, in order of place.
+    pub comments: Vec<Comment>,
     /// Text of the `///` block directly above a token, by the token's index.
     pub docs: HashMap<usize, String>,
     /// Text of a `///` block at the beginning of the file with a blank line after it.
@@ -283,6 +303,11 @@ fn mark_contextual_words(tokens: &mut [Token], text: &str) {
         let word = &text[token.span.start as usize..token.span.end as usize];
         let Some(&(_, kind, _)) = CONTEXTUAL.iter().find(|(w, _, _)| *w == word) else { continue };
         let next = tokens.get(i + 1).map(|t| t.kind);
+        // `param at Time = 0 s` is the value of a variable: no name that is declared or given a value is followed by
+        // another.
+        let value_at = next == Some(Kind::Identifier)
+            && &text[tokens[i + 1].span.start as usize..tokens[i + 1].span.end as usize] == "at"
+            && tokens.get(i + 2).is_some_and(|t| t.kind == Kind::Identifier);
         let previous = i.checked_sub(1).map(|p| tokens[p].kind);
         let is_word = match kind {
             Kind::At => next == Some(Kind::Identifier) && previous.is_some_and(Kind::ends_expression),
@@ -290,7 +315,7 @@ fn mark_contextual_words(tokens: &mut [Token], text: &str) {
             Kind::Test => next == Some(Kind::Function),
             _ => next == Some(Kind::Identifier),
         };
-        if is_word {
+        if is_word && !value_at {
             tokens[i].kind = kind;
         }
     }
@@ -390,8 +415,11 @@ impl Lexer<'_> {
     fn line_comment(&mut self) {
         let length = self.rest().find('\n').unwrap_or(self.rest().len());
         let line = self.rest()[..length].trim_end();
+        let span = Span::new(self.file, self.at, self.at + line.len());
+        let mut kind = CommentKind::Line;
         // `////` and more is a ruler, not documentation.
         if let Some(content) = line.strip_prefix("///").filter(|rest| !rest.starts_with('/')) {
+            kind = CommentKind::Doc;
             let content = content.strip_prefix(' ').unwrap_or(content).to_string();
             match self.take_doc() {
                 Some(above) => self.doc = Some(above + "\n" + &content),
@@ -399,6 +427,7 @@ impl Lexer<'_> {
             }
             self.lines_since_doc = 0;
         }
+        self.out.comments.push(Comment { kind, span });
         self.at += length;
     }
 
@@ -421,6 +450,8 @@ impl Lexer<'_> {
                 self.at = self.text.len();
             }
         }
+        let span = self.span(start);
+        self.out.comments.push(Comment { kind: CommentKind::Block, span });
     }
 
     fn number(&mut self, start: usize) {

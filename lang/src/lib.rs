@@ -12,6 +12,7 @@ mod deep;
 pub mod description;
 pub mod diagnostic;
 pub mod dimension;
+pub mod format;
 pub mod ir;
 pub mod lexer;
 pub mod parser;

@@ -5,6 +5,7 @@ mod compile;
 mod dump;
 mod eval;
 mod explain;
+mod fmt;
 mod messages;
 mod new;
 mod object;
@@ -50,6 +51,11 @@ enum Command {
     /// position) and timing.json.
     #[command(after_help = run::EXAMPLES)]
     Run(run::Run),
+    /// Lay out models as all of them are laid out
+    ///
+    /// Changes blanks and line ends only; comments stay. A file with errors of syntax is left as it is.
+    #[command(after_help = fmt::EXAMPLES)]
+    Fmt(fmt::Fmt),
     /// Say what a diagnostic means and how to mend it
     ///
     /// Without a code, lists all codes.
@@ -77,6 +83,7 @@ fn main() -> ExitCode {
         Command::New(command) => command.run(),
         Command::Check(command) => command.run(),
         Command::Run(command) => command.run(),
+        Command::Fmt(command) => command.run(),
         Command::Explain(command) => command.run(),
         Command::Eval(command) => command.run(),
         Command::Repl(command) => command.run(),

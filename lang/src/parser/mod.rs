@@ -24,11 +24,18 @@ use source::Source;
 
 /// The tree of a file and everything wrong with its text, in order of place.
 pub fn parse(file: FileId, text: &str) -> (Module, Vec<Diagnostic>) {
-    let Tokens { tokens, docs, file_doc, mut diagnostics } = lexer::lex(file, text);
-    let source = Source::new(file, text, &tokens, &docs);
+    parse_tokens(file, text, &lexer::lex(file, text))
+}
+
+/// The same, for who needs the tokens too.
+pub fn parse_tokens(file: FileId, text: &str, tokens: &Tokens) -> (Module, Vec<Diagnostic>) {
+    let Tokens { tokens, docs, file_doc, diagnostics, .. } = tokens;
+    let mut diagnostics = diagnostics.clone();
+    let doc = file_doc.clone();
+    let source = Source::new(file, text, tokens, docs);
     if let Some(too_deep) = nesting::too_deep(&source) {
         diagnostics.push(too_deep);
-        return (Module { statements: Vec::new(), doc: file_doc }, in_order(diagnostics));
+        return (Module { statements: Vec::new(), doc }, in_order(diagnostics));
     }
     let kinds: Vec<Kind> = tokens.iter().map(|t| t.kind).collect();
     let (statements, problems) =
@@ -36,7 +43,7 @@ pub fn parse(file: FileId, text: &str) -> (Module, Vec<Diagnostic>) {
     let problems: Vec<Diagnostic> = problems.into_iter().filter_map(|p| p.0).map(|d| *d).collect();
     let problems = without_consequences(&source, &diagnostics, problems);
     diagnostics.extend(problems);
-    (Module { statements: statements.unwrap_or_default(), doc: file_doc }, in_order(diagnostics))
+    (Module { statements: statements.unwrap_or_default(), doc }, in_order(diagnostics))
 }
 
 fn in_order(mut diagnostics: Vec<Diagnostic>) -> Vec<Diagnostic> {

@@ -1,0 +1,232 @@
+//! Declarations: interfaces, functions with their parameters, types.
+
+use super::document::Item;
+use super::printer::{Layout, Printer};
+use crate::ast::{
+    Bind, Domain, FunctionBody, FunctionDecl, Mode, ParamDecl, Parameter, RecordDecl, StmtKind, UnitDecl,
+    UnitMeaning, VarDecl,
+};
+use crate::lexer::Kind;
+
+impl Printer<'_> {
+    /// `param name = default in low .. high;`
+    pub(super) fn param(&mut self, param: &ParamDecl) {
+        self.token(Kind::Param);
+        self.space();
+        self.open();
+        self.token(Kind::Identifier);
+        self.value(Bind::Evaluate, &param.default);
+        if let Some(domain) = &param.domain {
+            self.item(Item::Indent);
+            self.line();
+            self.domain(domain);
+            self.item(Item::Dedent);
+        }
+        self.item(Item::Close);
+        self.token(Kind::Semicolon);
+    }
+
+    fn domain(&mut self, domain: &Domain) {
+        self.token(Kind::In);
+        self.space();
+        match domain {
+            Domain::Choices { values, .. } => self.list(values),
+            Domain::Range { low, high, .. } => {
+                if let Some(low) = low {
+                    self.expression(low);
+                    self.space();
+                }
+                self.token(Kind::DotDot);
+                if let Some(high) = high {
+                    self.space();
+                    self.expression(high);
+                }
+            }
+        }
+    }
+
+    /// `record Name { field: Type = default; }`, one field a line.
+    pub(super) fn record(&mut self, record: &RecordDecl) {
+        self.token(Kind::Record);
+        self.space();
+        self.token(Kind::Identifier);
+        self.space();
+        self.token(Kind::OpenBrace);
+        let is_empty = record.fields.is_empty() && !self.comment_ahead();
+        self.item(Item::Indent);
+        for field in &record.fields {
+            self.begin_item();
+            self.token(Kind::Identifier);
+            if field.annotation.is_some() {
+                self.token(Kind::Colon);
+                self.space();
+                self.type_expression();
+            }
+            if let Some(default) = &field.default {
+                self.value(Bind::Evaluate, default);
+            }
+            self.token(Kind::Semicolon);
+        }
+        self.comments();
+        self.item(Item::Dedent);
+        if !is_empty {
+            self.item(Item::HardLine);
+        }
+        self.token(Kind::CloseBrace);
+    }
+
+    /// `dimension Name = Force/Length;`
+    pub(super) fn dimension(&mut self, has_value: bool) {
+        self.token(Kind::Dimension);
+        self.space();
+        self.token(Kind::Identifier);
+        if has_value {
+            self.space();
+            self.token(Kind::Assign);
+            self.space();
+            self.type_expression();
+        }
+        self.token(Kind::Semicolon);
+    }
+
+    /// `unit euro: Cost;`, `unit furlong = 220 yard;`
+    pub(super) fn unit(&mut self, unit: &UnitDecl) {
+        self.token(Kind::Unit);
+        self.space();
+        self.token(Kind::Identifier);
+        match &unit.meaning {
+            UnitMeaning::Coherent(_) => {
+                self.token(Kind::Colon);
+                self.space();
+                self.type_expression();
+            }
+            UnitMeaning::Equal(value) => self.value(Bind::Evaluate, value),
+        }
+        self.token(Kind::Semicolon);
+    }
+
+    /// `var a = 1, b := 2, c`, without the `;`
+    pub(super) fn variables(&mut self, declared: &[VarDecl]) {
+        self.token(Kind::Var);
+        self.space();
+        if let [only] = declared {
+            self.variable(only);
+            return;
+        }
+        self.group(|p| {
+            for (index, variable) in declared.iter().enumerate() {
+                if index > 0 {
+                    p.token(Kind::Comma);
+                    p.line();
+                }
+                p.variable(variable);
+            }
+        });
+    }
+
+    fn variable(&mut self, variable: &VarDecl) {
+        self.token(Kind::Identifier);
+        if let Some((bind, value)) = &variable.init {
+            self.value(*bind, value);
+        }
+    }
+
+    pub(super) fn function(&mut self, function: &FunctionDecl) {
+        match &function.body {
+            FunctionBody::Statement(body) => self.headed(body, |p| p.signature(function)),
+            FunctionBody::Symbolic(value) => {
+                self.signature(function);
+                self.value(Bind::Symbolic, value);
+                self.token(Kind::Semicolon);
+            }
+            FunctionBody::Extern { .. } => {
+                self.signature(function);
+                self.token(Kind::Semicolon);
+            }
+        }
+    }
+
+    /// What stands before the body.
+    fn signature(&mut self, function: &FunctionDecl) {
+        if function.is_test {
+            self.token(Kind::Test);
+            self.space();
+        }
+        if let FunctionBody::Extern { purity } = &function.body {
+            self.token(Kind::Extern);
+            self.space();
+            if purity.is_some() {
+                self.token(Kind::Identifier);
+                self.space();
+            }
+        }
+        self.token(Kind::Function);
+        self.space();
+        self.token(Kind::Identifier);
+        let has_block = matches!(&function.body, FunctionBody::Statement(body) if matches!(body.kind, StmtKind::Block(_)));
+        let layout = if has_block { Layout::EachClosed } else { Layout::Each };
+        self.bracket((Kind::OpenParen, Kind::CloseParen), &function.parameters, layout, Self::parameter);
+        if function.result.is_some() {
+            self.space();
+            self.token(Kind::Arrow);
+            self.space();
+            self.type_expression();
+        }
+    }
+
+    fn parameter(&mut self, parameter: &Parameter) {
+        self.token(match parameter.mode {
+            Mode::In => Kind::In,
+            Mode::Out => Kind::Out,
+            Mode::InOut => Kind::InOut,
+        });
+        self.space();
+        self.token(Kind::Identifier);
+        if parameter.annotation.is_some() {
+            self.token(Kind::Colon);
+            self.space();
+            self.type_expression();
+        }
+        match &parameter.default {
+            Some((bind, Some(value))) => self.value(*bind, value),
+            Some((bind, None)) => {
+                self.space();
+                self.bind(*bind);
+            }
+            None => {}
+        }
+        if let Some(domain) = &parameter.domain {
+            self.space();
+            self.domain(domain);
+        }
+    }
+
+    /// A type, token by token, because its tree does not hold its parentheses: `Array(Number)`, `Force/Length^(1/2)`.
+    pub(super) fn type_expression(&mut self) {
+        let mut open = 0_usize;
+        let mut operand_ahead = true;
+        while let Some(kind) = self.kind() {
+            match kind {
+                Kind::Identifier | Kind::Number if operand_ahead => operand_ahead = false,
+                // The exponent of a dimension may have a sign.
+                Kind::Minus if operand_ahead => {}
+                Kind::OpenParen if operand_ahead || self.previous() == Some(Kind::Identifier) => {
+                    open += 1;
+                    operand_ahead = true;
+                }
+                Kind::Star | Kind::Slash | Kind::Caret if !operand_ahead => operand_ahead = true,
+                Kind::Dot if self.previous() == Some(Kind::Identifier) => operand_ahead = true,
+                Kind::Comma if open > 0 => operand_ahead = true,
+                Kind::CloseParen if open > 0 => {
+                    open -= 1;
+                    operand_ahead = false;
+                }
+                _ => return,
+            }
+            self.token(kind);
+            if kind == Kind::Comma && self.kind() != Some(Kind::CloseParen) {
+                self.space();
+            }
+        }
+    }
+}

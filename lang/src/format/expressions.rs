@@ -1,0 +1,286 @@
+//! Expressions: operators spaced and broken before, units close to their numbers, brackets filled or one item a line.
+
+use super::document::Item;
+use super::printer::{Layout, Printer};
+use crate::ast::{Argument, BinaryOp, Bind, Expr, ExprKind, UnaryOp};
+use crate::lexer::Kind;
+use crate::units::Unit;
+
+impl Printer<'_> {
+    pub(super) fn expression(&mut self, e: &Expr) {
+        match &e.kind {
+            // Texts with errors are not printed.
+            ExprKind::Error => {}
+            ExprKind::Number(_) => self.token(Kind::Number),
+            ExprKind::Quantity { exponent_span, .. } => {
+                self.token(Kind::Number);
+                self.space();
+                // A name or `%`.
+                self.any_token();
+                if exponent_span.is_some() {
+                    self.token(Kind::Caret);
+                    self.exponent();
+                }
+            }
+            ExprKind::Bool(value) => self.token(if *value { Kind::True } else { Kind::False }),
+            ExprKind::String(_) => self.string(),
+            ExprKind::Name(_) => self.token(Kind::Identifier),
+            ExprKind::Field { base, .. } => {
+                self.expression(base);
+                // `1.x` would be the number `1.` in the unit `x`.
+                if self.previous() == Some(Kind::Number) {
+                    self.space();
+                }
+                self.token(Kind::Dot);
+                self.token(Kind::Identifier);
+            }
+            ExprKind::Call { callee, arguments } => {
+                self.expression(callee);
+                let layout = argument_layout(arguments);
+                self.bracket((Kind::OpenParen, Kind::CloseParen), arguments, layout, Self::argument);
+            }
+            ExprKind::Index { base, index } => {
+                self.expression(base);
+                self.token(Kind::OpenBracket);
+                self.expression(index);
+                self.token(Kind::CloseBracket);
+            }
+            ExprKind::Unary { op, operand } => {
+                self.token(match op {
+                    UnaryOp::Plus => Kind::Plus,
+                    UnaryOp::Minus => Kind::Minus,
+                    UnaryOp::Not => Kind::Not,
+                });
+                self.expression(operand);
+            }
+            ExprKind::Binary { op: BinaryOp::Power, left, right, .. } => {
+                self.expression(left);
+                self.token(Kind::Caret);
+                self.expression(right);
+            }
+            ExprKind::Binary { op, .. } => self.group(|p| p.chain(e, *op)),
+            ExprKind::List(items) => self.list(items),
+            ExprKind::If { .. } => self.group(|p| p.conditional(e)),
+            ExprKind::At { value, at, .. } => self.group(|p| {
+                p.expression(value);
+                p.line();
+                p.token(Kind::At);
+                p.space();
+                p.token(Kind::Identifier);
+                p.space();
+                p.token(Kind::Assign);
+                p.space();
+                p.expression(at);
+            }),
+            ExprKind::Paren(inner) => {
+                self.token(Kind::OpenParen);
+                self.expression(inner);
+                self.token(Kind::CloseParen);
+            }
+        }
+    }
+
+    /// The value after `=` or `:=`.
+    pub(super) fn value(&mut self, bind: Bind, e: &Expr) {
+        self.space();
+        self.bind(bind);
+        // Otherwise the value stands on the line and breaks inside.
+        let below = self.comment_ahead();
+        if below {
+            self.item(Item::Indent);
+        }
+        self.space();
+        self.expression(e);
+        if below {
+            self.item(Item::Dedent);
+        }
+    }
+
+    pub(super) fn bind(&mut self, bind: Bind) {
+        self.token(match bind {
+            Bind::Evaluate => Kind::Assign,
+            Bind::Symbolic => Kind::Bind,
+        });
+    }
+
+    /// `2`, `-2` behind the `^` of a unit.
+    pub(super) fn exponent(&mut self) {
+        if self.kind() == Some(Kind::Minus) {
+            self.token(Kind::Minus);
+        }
+        self.token(Kind::Number);
+    }
+
+    pub(super) fn list(&mut self, items: &[Expr]) {
+        let layout = match items {
+            [only] if is_bracketed(only) => Layout::Hugged,
+            _ if items.iter().all(is_short) => Layout::Filled,
+            _ => Layout::Each,
+        };
+        self.bracket((Kind::OpenBracket, Kind::CloseBracket), items, layout, Self::expression);
+    }
+
+    fn argument(&mut self, argument: &Argument) {
+        if argument.spread {
+            self.token(Kind::DotDot);
+        }
+        match &argument.name {
+            Some((_, bind)) => {
+                self.token(Kind::Identifier);
+                self.value(*bind, &argument.value);
+            }
+            None => self.expression(&argument.value),
+        }
+    }
+
+    /// Operands of one precedence, joined from the left; lines break before operators.
+    fn chain(&mut self, e: &Expr, op: BinaryOp) {
+        let mut joined: Vec<(BinaryOp, &Expr)> = Vec::new();
+        let mut first = e;
+        while let ExprKind::Binary { op: here, left, right, .. } = &first.kind
+            && precedence(*here) == precedence(op)
+        {
+            joined.push((*here, right));
+            first = left;
+        }
+        joined.reverse();
+        self.expression(first);
+        let mut in_unit = is_quantity(first);
+        let mut after_division = false;
+        for (op, operand) in joined {
+            let scales = matches!(op, BinaryOp::Multiply | BinaryOp::Divide);
+            let close = scales && in_unit && self.is_unit(operand);
+            if !close {
+                self.line();
+            }
+            self.token(operator(op));
+            if !close {
+                self.space();
+                // `a / 2 N*m` would look like a quotient by a moment.
+                after_division = op == BinaryOp::Divide;
+            }
+            self.expression(operand);
+            in_unit = close || (is_quantity(operand) && !after_division);
+        }
+    }
+
+    fn is_unit(&self, e: &Expr) -> bool {
+        match &e.kind {
+            ExprKind::Name(name) => Unit::find(&name.name).is_some() || self.units.contains(&name.name),
+            ExprKind::Binary { op: BinaryOp::Power, left, right, .. } => {
+                let whole = match &right.kind {
+                    ExprKind::Unary { op: UnaryOp::Minus, operand } => &operand.kind,
+                    kind => kind,
+                };
+                matches!(left.kind, ExprKind::Name(_))
+                    && self.is_unit(left)
+                    && matches!(whole, ExprKind::Number(_))
+            }
+            _ => false,
+        }
+    }
+
+    /// `if (c) a else if (d) b else e`
+    fn conditional(&mut self, e: &Expr) {
+        let mut rest = e;
+        while let ExprKind::If { condition, then, otherwise } = &rest.kind {
+            self.token(Kind::If);
+            self.condition(condition);
+            self.space();
+            self.expression(then);
+            self.line();
+            self.token(Kind::Else);
+            self.space();
+            rest = otherwise;
+        }
+        self.expression(rest);
+    }
+
+    /// ` (condition)`
+    pub(super) fn condition(&mut self, condition: &Expr) {
+        self.space();
+        self.token(Kind::OpenParen);
+        self.expression(condition);
+        self.token(Kind::CloseParen);
+    }
+}
+
+fn argument_layout(arguments: &[Argument]) -> Layout {
+    match arguments {
+        [only] if only.name.is_none() && !only.spread && is_bracketed(&only.value) => Layout::Hugged,
+        _ if arguments.iter().all(|a| a.name.is_none() && is_short(&a.value)) => Layout::Filled,
+        _ => Layout::Each,
+    }
+}
+
+/// Whether an expression breaks inside brackets of its own.
+fn is_bracketed(e: &Expr) -> bool {
+    matches!(e.kind, ExprKind::Call { .. } | ExprKind::List(_))
+}
+
+/// Whether several such items may share a line of a list that takes several.
+fn is_short(e: &Expr) -> bool {
+    match &e.kind {
+        ExprKind::Number(_)
+        | ExprKind::Quantity { .. }
+        | ExprKind::Bool(_)
+        | ExprKind::String(_)
+        | ExprKind::Name(_) => true,
+        ExprKind::Unary { operand, .. } => is_short(operand),
+        ExprKind::Field { base, .. } => is_short(base),
+        ExprKind::Index { base, index } => is_short(base) && is_short(index),
+        ExprKind::Binary { left, right, .. } => is_leaf(left) && is_leaf(right),
+        ExprKind::Error
+        | ExprKind::Call { .. }
+        | ExprKind::List(_)
+        | ExprKind::If { .. }
+        | ExprKind::At { .. }
+        | ExprKind::Paren(_) => false,
+    }
+}
+
+fn is_leaf(e: &Expr) -> bool {
+    matches!(e.kind, ExprKind::Number(_) | ExprKind::Quantity { .. } | ExprKind::Name(_))
+}
+
+fn is_quantity(e: &Expr) -> bool {
+    match &e.kind {
+        ExprKind::Quantity { .. } => true,
+        ExprKind::Unary { operand, .. } => is_quantity(operand),
+        _ => false,
+    }
+}
+
+fn precedence(op: BinaryOp) -> u8 {
+    match op {
+        BinaryOp::Or => 0,
+        BinaryOp::And => 1,
+        BinaryOp::Less
+        | BinaryOp::LessEqual
+        | BinaryOp::Greater
+        | BinaryOp::GreaterEqual
+        | BinaryOp::Equal
+        | BinaryOp::NotEqual => 2,
+        BinaryOp::Add | BinaryOp::Subtract => 3,
+        BinaryOp::Multiply | BinaryOp::Divide => 4,
+        BinaryOp::Power => 5,
+    }
+}
+
+fn operator(op: BinaryOp) -> Kind {
+    match op {
+        BinaryOp::Or => Kind::Or,
+        BinaryOp::And => Kind::And,
+        BinaryOp::Less => Kind::Less,
+        BinaryOp::LessEqual => Kind::LessEqual,
+        BinaryOp::Greater => Kind::Greater,
+        BinaryOp::GreaterEqual => Kind::GreaterEqual,
+        BinaryOp::Equal => Kind::Equal,
+        BinaryOp::NotEqual => Kind::NotEqual,
+        BinaryOp::Add => Kind::Plus,
+        BinaryOp::Subtract => Kind::Minus,
+        BinaryOp::Multiply => Kind::Star,
+        BinaryOp::Divide => Kind::Slash,
+        BinaryOp::Power => Kind::Caret,
+    }
+}

@@ -1,0 +1,328 @@
+//! The walk over tokens and comments while a tree is printed.
+//!
+//! Every token is taken from the text in its order; a token that is not the one the tree calls for stops the printing.
+//! Comments are written where they stand: behind code on its line, on lines of their own, or between two tokens.
+
+use super::document::{Breaks, Item};
+use crate::lexer::{Comment, CommentKind, Kind, Token, Tokens};
+use std::collections::BTreeSet;
+
+pub(super) struct Printer<'t> {
+    text: &'t str,
+    tokens: &'t [Token],
+    comments: &'t [Comment],
+    /// The next token.
+    at: usize,
+    /// The next comment.
+    comment_at: usize,
+    items: Vec<Item<'t>>,
+    /// Tree and tokens did not agree.
+    lost: bool,
+    /// Units the file declares, which are written like built-in ones.
+    pub(super) units: BTreeSet<String>,
+}
+
+/// How the items of a bracket break.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Layout {
+    /// One a line, the bracket closing behind the last.
+    Each,
+    /// One a line, the bracket closing on its own line.
+    EachClosed,
+    /// As many as fit in a line.
+    Filled,
+    /// The bracket clings to its only item, which breaks inside.
+    Hugged,
+}
+
+impl<'t> Printer<'t> {
+    pub(super) fn new(text: &'t str, tokens: &'t Tokens, units: BTreeSet<String>) -> Self {
+        Printer {
+            text,
+            tokens: &tokens.tokens,
+            comments: &tokens.comments,
+            at: 0,
+            comment_at: 0,
+            items: Vec::new(),
+            lost: false,
+            units,
+        }
+    }
+
+    /// The document; `None` if the tree was not that of the tokens.
+    pub(super) fn finish(mut self) -> Option<Vec<Item<'t>>> {
+        self.comments();
+        let complete = self.at == self.tokens.len() && self.comment_at == self.comments.len();
+        (complete && !self.lost).then_some(self.items)
+    }
+
+    pub(super) fn kind(&self) -> Option<Kind> {
+        self.kind_after(0)
+    }
+
+    /// Kind of a token further on.
+    pub(super) fn kind_after(&self, distance: usize) -> Option<Kind> {
+        self.tokens.get(self.at + distance).map(|t| t.kind)
+    }
+
+    /// Kind of the token written last.
+    pub(super) fn previous(&self) -> Option<Kind> {
+        self.at.checked_sub(1).and_then(|i| self.tokens.get(i)).map(|t| t.kind)
+    }
+
+    pub(super) fn item(&mut self, item: Item<'t>) {
+        self.items.push(item);
+    }
+
+    pub(super) fn space(&mut self) {
+        self.item(Item::Space);
+    }
+
+    pub(super) fn line(&mut self) {
+        self.item(Item::Line);
+    }
+
+    /// Writes `inside` as a group that breaks as a whole, its later lines indented.
+    pub(super) fn group(&mut self, inside: impl FnOnce(&mut Self)) {
+        self.open();
+        self.item(Item::Indent);
+        inside(self);
+        self.item(Item::Dedent);
+        self.item(Item::Close);
+    }
+
+    /// Opens a group that breaks as a whole. Comments before it stand before the group and do not break it.
+    pub(super) fn open(&mut self) {
+        self.comments();
+        self.item(Item::Open(Breaks::All));
+    }
+
+    /// The next token, which is of this kind.
+    pub(super) fn token(&mut self, kind: Kind) {
+        let Some(token) = self.tokens.get(self.at).filter(|t| t.kind == kind) else {
+            self.lost = true;
+            return;
+        };
+        // A separator stands directly behind what it ends; comments before it follow it.
+        let separates = matches!(kind, Kind::Comma | Kind::Semicolon);
+        if !(separates && self.comments_may_follow()) {
+            self.comments();
+        }
+        self.write(token.span.start, token.span.end);
+        self.at += 1;
+    }
+
+    /// The next token, whatever it is.
+    pub(super) fn any_token(&mut self) {
+        match self.kind() {
+            Some(kind) => self.token(kind),
+            None => self.lost = true,
+        }
+    }
+
+    /// A string from its opening to its closing quote, as it is written.
+    pub(super) fn string(&mut self) {
+        self.comments();
+        let Some(first) = self.tokens.get(self.at) else {
+            self.lost = true;
+            return;
+        };
+        let mut open = 0_usize;
+        while let Some(token) = self.tokens.get(self.at) {
+            match token.kind {
+                Kind::StringOpen => open += 1,
+                Kind::StringClose => open = open.saturating_sub(1),
+                _ => {}
+            }
+            self.at += 1;
+            if open == 0 {
+                self.write(first.span.start, token.span.end);
+                // Comments inside were written with the string.
+                while self.comments.get(self.comment_at).is_some_and(|c| c.span.start < token.span.end) {
+                    self.comment_at += 1;
+                }
+                return;
+            }
+        }
+        self.lost = true;
+    }
+
+    fn write(&mut self, start: u32, end: u32) {
+        match self.text.get(start as usize..end as usize) {
+            Some(text) => self.item(Item::Text(text)),
+            None => self.lost = true,
+        }
+    }
+
+    /// A bracket with items separated by commas.
+    pub(super) fn bracket<T>(
+        &mut self,
+        (open, close): (Kind, Kind),
+        items: &[T],
+        layout: Layout,
+        mut write: impl FnMut(&mut Self, &T),
+    ) {
+        self.token(open);
+        if items.is_empty() {
+            self.item(Item::Indent);
+            self.comments();
+            self.item(Item::Dedent);
+            self.token(close);
+            return;
+        }
+        let hugged = layout == Layout::Hugged && !self.comment_ahead();
+        self.item(Item::Open(Breaks::All));
+        if !hugged {
+            self.item(Item::Indent);
+            self.item(Item::SoftLine);
+        }
+        if layout == Layout::Filled {
+            self.item(Item::Open(Breaks::Filled));
+        }
+        for (index, item) in items.iter().enumerate() {
+            if index > 0 {
+                self.token(Kind::Comma);
+                self.line();
+            }
+            write(self, item);
+        }
+        // Allowed, and not written.
+        if self.kind() == Some(Kind::Comma) {
+            self.at += 1;
+        }
+        self.comments();
+        if layout == Layout::Filled {
+            self.item(Item::Close);
+        }
+        if !hugged {
+            self.item(Item::Dedent);
+        }
+        if layout == Layout::EachClosed {
+            self.item(Item::SoftLine);
+        }
+        self.item(Item::Close);
+        self.token(close);
+    }
+
+    /// Begins a statement or another item with lines of its own; an empty line before it is kept.
+    pub(super) fn begin_item(&mut self) {
+        let start = self.tokens.get(self.at).map_or(self.text.len() as u32, |t| t.span.start);
+        // Comments before it say themselves how they stand.
+        let empty = !self.comment_ahead() && self.empty_line(self.end_before(start), start);
+        self.item(if empty { Item::EmptyLine } else { Item::HardLine });
+    }
+
+    /// Whether a comment stands before the next token.
+    pub(super) fn comment_ahead(&self) -> bool {
+        let next = self.tokens.get(self.at).map_or(u32::MAX, |t| t.span.start);
+        self.comments.get(self.comment_at).is_some_and(|c| c.span.start < next)
+    }
+
+    /// Whether a line ends between the next token and a byte.
+    pub(super) fn spans_lines(&self, until: u32) -> bool {
+        let Some(token) = self.tokens.get(self.at) else { return false };
+        self.line_ends(token.span.start, until) > 0
+    }
+
+    /// Whether the comments before the next token may as well stand behind it.
+    fn comments_may_follow(&self) -> bool {
+        let Some(token) = self.tokens.get(self.at) else { return true };
+        let before = (self.comment_at..).take_while(|i| self.stands_before(*i, token.span.start));
+        // Documentation would document the item after the token.
+        before
+            .into_iter()
+            .all(|i| self.comments[i].kind != CommentKind::Doc && self.ends_line(i, token.span.start))
+    }
+
+    fn stands_before(&self, comment: usize, end: u32) -> bool {
+        self.comments.get(comment).is_some_and(|c| c.span.start < end)
+    }
+
+    /// Whether a comment and those behind it on its line are the last on it before the next token.
+    fn ends_line(&self, comment: usize, next_token: u32) -> bool {
+        let mut index = comment;
+        while let Some(c) = self.comments.get(index).filter(|c| c.span.start < next_token) {
+            let next = self.comments.get(index + 1).map_or(next_token, |c| c.span.start.min(next_token));
+            if self.line_ends(c.span.end, next) > 0 || next as usize == self.text.len() {
+                return true;
+            }
+            index += 1;
+        }
+        false
+    }
+
+    /// Writes the comments before the next token.
+    pub(super) fn comments(&mut self) {
+        let next_token = self.tokens.get(self.at).map_or(self.text.len() as u32, |t| t.span.start);
+        // After a comment up to the end of the line nothing can stand on that line.
+        let mut line_is_full = false;
+        while let Some(comment) = self.comments.get(self.comment_at).filter(|c| c.span.start < next_token) {
+            let (start, end) = (comment.span.start, comment.span.end);
+            let next =
+                self.comments.get(self.comment_at + 1).map_or(next_token, |c| c.span.start.min(next_token));
+            let ends_line = self.ends_line(self.comment_at, next_token);
+            let previous = self.end_before(start);
+            let begins_line = previous == 0
+                || self.line_ends(previous, start) > 0
+                || line_is_full
+                // It documents what stands below it.
+                || comment.kind == CommentKind::Doc;
+            let line = |empty| if empty { Item::EmptyLine } else { Item::HardLine };
+            let before = line(self.empty_line(previous, start));
+            self.comment_at += 1;
+            let Some(text) = self.text.get(start as usize..end as usize) else { continue };
+            if ends_line {
+                if begins_line {
+                    self.item(before);
+                    self.item(Item::Text(text));
+                } else {
+                    self.item(Item::Trailing(text));
+                }
+                self.item(line(self.empty_line(end, next)));
+            } else {
+                self.between(text, begins_line.then_some(before), next < next_token);
+            }
+            line_is_full = comment.kind != CommentKind::Block;
+        }
+    }
+
+    /// A comment between two tokens, or between a token and another comment.
+    fn between(&mut self, text: &'t str, line: Option<Item<'t>>, comment_follows: bool) {
+        if let Some(line) = line {
+            self.item(line);
+        }
+        if !matches!(self.previous(), Some(Kind::OpenParen | Kind::OpenBracket)) {
+            self.space();
+        }
+        self.item(Item::Text(text));
+        let closes = matches!(
+            self.kind(),
+            Some(Kind::CloseParen | Kind::CloseBracket | Kind::Comma | Kind::Semicolon)
+        );
+        if comment_follows || !closes {
+            self.space();
+        }
+    }
+
+    /// Where the token or comment before a byte ends; 0 at the beginning.
+    fn end_before(&self, start: u32) -> u32 {
+        let token = self.tokens.partition_point(|t| t.span.end <= start).checked_sub(1);
+        let comment = self.comments.partition_point(|c| c.span.end <= start).checked_sub(1);
+        let token = token.map_or(0, |i| self.tokens[i].span.end);
+        token.max(comment.map_or(0, |i| self.comments[i].span.end))
+    }
+
+    /// Whether a line between two bytes holds nothing.
+    fn empty_line(&self, from: u32, to: u32) -> bool {
+        let between = self.text.get(from as usize..to as usize).unwrap_or_default();
+        let mut ends = between.split('\n');
+        // What stands before the first and after the last line end is on lines that hold something.
+        ends.next();
+        ends.next_back();
+        ends.any(|line| line.trim().is_empty())
+    }
+
+    fn line_ends(&self, from: u32, to: u32) -> usize {
+        self.text.get(from as usize..to as usize).map_or(0, |between| between.matches('\n').count())
+    }
+}

@@ -1,0 +1,331 @@
+//! Statements: one a line, blocks indented, bodies on the line of their head where they fit.
+
+use super::document::Item;
+use super::printer::Printer;
+use crate::ast::{Bind, Expr, Module, Stmt, StmtKind};
+use crate::lexer::Kind;
+
+impl Printer<'_> {
+    pub(super) fn file(&mut self, module: &Module) {
+        self.statements(&module.statements);
+    }
+
+    /// Statements on lines of their own. Those after a `case` are indented under it.
+    fn statements(&mut self, statements: &[Stmt]) {
+        let mut in_case = false;
+        for statement in statements {
+            if in_case && is_case(statement) {
+                self.item(Item::Dedent);
+                in_case = false;
+            }
+            self.begin_item();
+            self.statement(statement);
+            if !in_case && is_case(statement) {
+                self.item(Item::Indent);
+                in_case = true;
+            }
+        }
+        if in_case {
+            self.comments();
+            self.item(Item::Dedent);
+        }
+    }
+
+    fn statement(&mut self, statement: &Stmt) {
+        if statement.private {
+            self.token(Kind::Private);
+            self.space();
+        }
+        match &statement.kind {
+            // Texts with errors are not printed.
+            StmtKind::Error => {}
+            StmtKind::Empty => self.token(Kind::Semicolon),
+            StmtKind::Import(path) => {
+                self.token(Kind::Import);
+                self.space();
+                for index in 0..path.len() {
+                    if index > 0 {
+                        self.token(Kind::Dot);
+                    }
+                    self.token(Kind::Identifier);
+                }
+                self.token(Kind::Semicolon);
+            }
+            StmtKind::Units(_) => {
+                self.token(Kind::Units);
+                self.space();
+                self.token(Kind::Identifier);
+                self.token(Kind::Semicolon);
+            }
+            StmtKind::Param(param) => self.param(param),
+            StmtKind::Const { value, .. } => {
+                self.token(Kind::Const);
+                self.space();
+                self.token(Kind::Identifier);
+                self.value(Bind::Evaluate, value);
+                self.token(Kind::Semicolon);
+            }
+            StmtKind::Record(record) => self.record(record),
+            StmtKind::Dimension { value, .. } => self.dimension(value.is_some()),
+            StmtKind::Unit(unit) => self.unit(unit),
+            StmtKind::Output { value, .. } => {
+                self.token(Kind::Output);
+                self.space();
+                self.token(Kind::Identifier);
+                self.value(Bind::Symbolic, value);
+                self.token(Kind::Semicolon);
+            }
+            StmtKind::Var(_) | StmtKind::Assign { .. } | StmtKind::Expr(_) => {
+                self.simple(statement);
+                self.token(Kind::Semicolon);
+            }
+            StmtKind::Function(function) => self.function(function),
+            StmtKind::Block(statements) => self.block(statement, statements),
+            StmtKind::If { condition, then, otherwise } => self.branch(condition, then, otherwise.as_deref()),
+            StmtKind::While { condition, body } => {
+                self.headed(body, |p| {
+                    p.token(Kind::While);
+                    p.condition(condition);
+                });
+            }
+            StmtKind::DoWhile { body, condition } => {
+                self.headed(body, |p| p.token(Kind::Do));
+                self.after_body(body);
+                self.token(Kind::While);
+                self.condition(condition);
+                self.token(Kind::Semicolon);
+            }
+            StmtKind::For { init, condition, step, body } => {
+                self.headed(body, |p| {
+                    p.token(Kind::For);
+                    p.space();
+                    p.token(Kind::OpenParen);
+                    p.group(|p| {
+                        p.simple(init);
+                        p.token(Kind::Semicolon);
+                        if let Some(condition) = condition {
+                            p.line();
+                            p.expression(condition);
+                        }
+                        p.token(Kind::Semicolon);
+                        if !matches!(step.kind, StmtKind::Empty) {
+                            p.line();
+                            p.simple(step);
+                        }
+                    });
+                    p.token(Kind::CloseParen);
+                });
+            }
+            StmtKind::Switch { value, body } => {
+                self.headed(body, |p| {
+                    p.token(Kind::Switch);
+                    p.condition(value);
+                });
+            }
+            StmtKind::Case { value, statement } => {
+                self.token(Kind::Case);
+                self.space();
+                self.expression(value);
+                self.token(Kind::Colon);
+                self.after_case(statement);
+            }
+            StmtKind::Default(statement) => {
+                self.token(Kind::Default);
+                self.token(Kind::Colon);
+                self.after_case(statement);
+            }
+            StmtKind::Label { statement, .. } => {
+                self.token(Kind::Identifier);
+                self.token(Kind::Colon);
+                self.space();
+                self.statement(statement);
+            }
+            StmtKind::Goto(_) => {
+                self.token(Kind::Goto);
+                self.space();
+                self.token(Kind::Identifier);
+                self.token(Kind::Semicolon);
+            }
+            StmtKind::Break => {
+                self.token(Kind::Break);
+                self.token(Kind::Semicolon);
+            }
+            StmtKind::Continue => {
+                self.token(Kind::Continue);
+                self.token(Kind::Semicolon);
+            }
+            StmtKind::Return(value) => self.jump(Kind::Return, value.as_ref()),
+            StmtKind::Throw(value) => self.jump(Kind::Throw, value.as_ref()),
+            StmtKind::Try { body, error, handler } => {
+                self.headed(body, |p| p.token(Kind::Try));
+                self.after_body(body);
+                self.headed(handler, |p| {
+                    p.token(Kind::Catch);
+                    p.space();
+                    p.token(Kind::OpenParen);
+                    if error.is_some() {
+                        p.token(Kind::Identifier);
+                    }
+                    p.token(Kind::CloseParen);
+                });
+            }
+        }
+    }
+
+    /// What may stand in the head of a `for`: without the `;`.
+    fn simple(&mut self, statement: &Stmt) {
+        match &statement.kind {
+            StmtKind::Var(declared) => self.variables(declared),
+            StmtKind::Assign { place, bind, value } => {
+                self.expression(place);
+                self.value(*bind, value);
+            }
+            StmtKind::Expr(e) => self.expression(e),
+            _ => {}
+        }
+    }
+
+    fn jump(&mut self, word: Kind, value: Option<&Expr>) {
+        self.token(word);
+        if let Some(value) = value {
+            self.space();
+            self.expression(value);
+        }
+        self.token(Kind::Semicolon);
+    }
+
+    /// `{ ... }`. A block of at most one plain statement that is written in one line stays in it if it fits.
+    fn block(&mut self, block: &Stmt, statements: &[Stmt]) {
+        let in_line = match statements {
+            [] => true,
+            [only] => is_plain(only) && !self.spans_lines(block.span.end),
+            _ => false,
+        };
+        self.token(Kind::OpenBrace);
+        if statements.is_empty() && !self.comment_ahead() {
+            self.token(Kind::CloseBrace);
+            return;
+        }
+        if in_line {
+            self.open();
+        }
+        self.item(Item::Indent);
+        match statements {
+            [only] if in_line => {
+                self.line();
+                self.statement(only);
+            }
+            _ => self.statements(statements),
+        }
+        self.comments();
+        self.item(Item::Dedent);
+        self.item(if in_line { Item::Line } else { Item::HardLine });
+        if in_line {
+            self.item(Item::Close);
+        }
+        self.token(Kind::CloseBrace);
+    }
+
+    /// A head such as `while (c)` and what it governs, which goes to the next line where both do not fit in one.
+    pub(super) fn headed(&mut self, body: &Stmt, head: impl FnOnce(&mut Self)) {
+        let in_line = !matches!(body.kind, StmtKind::Block(_));
+        if in_line {
+            self.open();
+        }
+        head(self);
+        self.governed(body);
+        if in_line {
+            self.item(Item::Close);
+        }
+    }
+
+    /// A block on the line of its head, anything else indented.
+    fn governed(&mut self, body: &Stmt) {
+        if let StmtKind::Block(_) = body.kind {
+            self.space();
+            self.statement(body);
+            return;
+        }
+        self.item(Item::Indent);
+        self.line();
+        self.statement(body);
+        self.item(Item::Dedent);
+    }
+
+    /// Between a body and the word that goes on after it, as `else` does.
+    fn after_body(&mut self, body: &Stmt) {
+        self.item(match body.kind {
+            StmtKind::Block(_) => Item::Space,
+            _ => Item::HardLine,
+        });
+    }
+
+    fn branch(&mut self, condition: &Expr, then: &Stmt, otherwise: Option<&Stmt>) {
+        self.headed(then, |p| {
+            p.token(Kind::If);
+            p.condition(condition);
+        });
+        let Some(otherwise) = otherwise else { return };
+        self.after_body(then);
+        if let StmtKind::If { .. } = otherwise.kind {
+            self.token(Kind::Else);
+            self.space();
+            self.statement(otherwise);
+        } else {
+            self.headed(otherwise, |p| p.token(Kind::Else));
+        }
+    }
+
+    /// The statement of a `case`: indented on the next line, or another `case` below it.
+    fn after_case(&mut self, statement: &Stmt) {
+        if is_case(statement) {
+            self.begin_item();
+            self.statement(statement);
+            return;
+        }
+        self.item(Item::Indent);
+        self.begin_item();
+        self.statement(statement);
+        self.item(Item::Dedent);
+    }
+}
+
+fn is_case(statement: &Stmt) -> bool {
+    matches!(statement.kind, StmtKind::Case { .. } | StmtKind::Default(_))
+}
+
+/// Whether a statement may share its line with the braces around it.
+fn is_plain(statement: &Stmt) -> bool {
+    match &statement.kind {
+        StmtKind::If { then: body, otherwise: None, .. }
+        | StmtKind::While { body, .. }
+        | StmtKind::Label { statement: body, .. } => is_plain(body),
+        StmtKind::Empty
+        | StmtKind::Var(_)
+        | StmtKind::Assign { .. }
+        | StmtKind::Expr(_)
+        | StmtKind::Goto(_)
+        | StmtKind::Break
+        | StmtKind::Continue
+        | StmtKind::Return(_)
+        | StmtKind::Throw(_) => true,
+        StmtKind::Error
+        | StmtKind::Import(_)
+        | StmtKind::Units(_)
+        | StmtKind::Param(_)
+        | StmtKind::Const { .. }
+        | StmtKind::Record(_)
+        | StmtKind::Dimension { .. }
+        | StmtKind::Unit(_)
+        | StmtKind::Output { .. }
+        | StmtKind::Function(_)
+        | StmtKind::Block(_)
+        | StmtKind::If { .. }
+        | StmtKind::DoWhile { .. }
+        | StmtKind::For { .. }
+        | StmtKind::Switch { .. }
+        | StmtKind::Case { .. }
+        | StmtKind::Default(_)
+        | StmtKind::Try { .. } => false,
+    }
+}

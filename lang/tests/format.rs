@@ -1,0 +1,153 @@
+//! The formatter against pairs of texts (`format/*.md`) and against every program of the repository.
+//!
+//! In a page a `cx` block is a program as somebody wrote it and the `formatted` block after it what it becomes; a `cx`
+//! block without one is left alone because of errors. `CALYX_BLESS=1` rewrites the second ones.
+
+#[path = "support/formatting.rs"]
+mod formatting;
+
+use calyx_lang::format::{WIDTH, format, format_range};
+use formatting::judge;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
+}
+
+/// All files below a folder that end like this.
+fn files(folder: &Path, ending: &str, found: &mut Vec<PathBuf>) {
+    let mut entries: Vec<PathBuf> = fs::read_dir(folder)
+        .unwrap_or_else(|e| panic!("{}: {e}", folder.display()))
+        .map(|entry| entry.unwrap().path())
+        .collect();
+    entries.sort();
+    for path in entries {
+        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        if path.is_dir() && name != "target" && !name.starts_with('.') {
+            files(&path, ending, found);
+        } else if name.ends_with(ending) {
+            found.push(path);
+        }
+    }
+}
+
+fn found(folder: &str, ending: &str) -> Vec<PathBuf> {
+    let mut paths = Vec::new();
+    files(&root().join(folder), ending, &mut paths);
+    paths
+}
+
+/// The blocks of a page that begin with one of these fences, with their lines.
+fn blocks<'t>(page: &'t str, kinds: &[&str]) -> Vec<(usize, &'t str, &'t str)> {
+    let mut blocks = Vec::new();
+    let mut open: Option<(usize, &str, usize)> = None;
+    let mut offset = 0;
+    for (index, line) in page.split_inclusive('\n').enumerate() {
+        if let Some(kind) = line.trim_end().strip_prefix("```") {
+            open = match open {
+                Some((at, kind, start)) => {
+                    if kinds.contains(&kind) {
+                        blocks.push((at, kind, &page[start..offset]));
+                    }
+                    None
+                }
+                None => Some((index + 2, kind, offset + line.len())),
+            };
+        }
+        offset += line.len();
+    }
+    blocks
+}
+
+#[test]
+fn pages_are_formatted_as_they_say() {
+    let bless = std::env::var_os("CALYX_BLESS").is_some();
+    let mut failures = Vec::new();
+    let mut programs = 0;
+    for path in found("lang/tests/format", ".md") {
+        let page = fs::read_to_string(&path).unwrap();
+        let mut blessed = page.clone();
+        let all = blocks(&page, &["cx", "formatted"]);
+        for (index, (line, kind, text)) in all.iter().enumerate() {
+            if *kind != "cx" {
+                continue;
+            }
+            programs += 1;
+            let name = format!("{}:{line}", path.file_name().unwrap().to_string_lossy());
+            if let Err(problem) = judge(text) {
+                failures.push(format!("{name}: {problem}"));
+            }
+            match (format(text), all.get(index + 1).filter(|(_, kind, _)| *kind == "formatted")) {
+                (Ok(formatted), Some((_, _, expected))) if formatted != *expected => {
+                    blessed = blessed.replacen(
+                        &format!("```cx\n{text}```\n\n```formatted\n{expected}```"),
+                        &format!("```cx\n{text}```\n\n```formatted\n{formatted}```"),
+                        1,
+                    );
+                    if !bless {
+                        failures.push(format!("{name}: becomes\n{formatted}"));
+                    }
+                }
+                (Ok(_), None) => failures.push(format!("{name}: no `formatted` block follows")),
+                (Err(_), Some(_)) => failures.push(format!("{name}: is not formatted")),
+                (Ok(_), Some(_)) | (Err(_), None) => {}
+            }
+        }
+        if bless {
+            fs::write(&path, blessed).unwrap();
+        }
+    }
+    assert!(programs > 10, "only {programs} programs found");
+    assert!(failures.is_empty(), "\n{}", failures.join("\n"));
+}
+
+/// Every program in any test: same tree, same comments, done at once.
+#[test]
+fn formatting_changes_no_program() {
+    let mut failures = Vec::new();
+    let mut programs = 0;
+    for path in found("", ".cx") {
+        programs += 1;
+        if let Err(problem) = judge(&fs::read_to_string(&path).unwrap()) {
+            failures.push(format!("{}: {problem}", path.display()));
+        }
+    }
+    for path in found("", ".md") {
+        let page = fs::read_to_string(&path).unwrap();
+        for (line, _, text) in blocks(&page, &["cx", "cx fragment", "formatted"]) {
+            programs += 1;
+            if let Err(problem) = judge(text) {
+                failures.push(format!("{}:{line}: {problem}", path.display()));
+            }
+        }
+    }
+    assert!(programs > 150, "only {programs} programs found");
+    assert!(failures.is_empty(), "\n{}", failures.join("\n"));
+}
+
+#[test]
+fn lines_are_as_long_as_they_may_be() {
+    for terms in 2..60 {
+        for text in [
+            format!("var x = {};\n", vec!["term"; terms].join("+")),
+            format!("f({});\n", vec!["argument"; terms].join(",")),
+            format!("f({});\n", vec!["name = 1 inch"; terms].join(",")),
+            format!("var x = [{}];\n", vec!["[1, 2, 3]"; terms].join(",")),
+        ] {
+            let formatted = judge(&text).unwrap();
+            assert!(formatted.lines().all(|line| line.chars().count() <= WIDTH), "{formatted}");
+            let one_line = formatted.split_whitespace().collect::<Vec<_>>().join(" ");
+            assert_eq!(formatted.lines().count() == 1, one_line.chars().count() <= WIDTH, "{formatted}");
+        }
+    }
+}
+
+#[test]
+fn a_selection_is_formatted_alone() {
+    let text = "var a=1;\nvar b=2;\nvar c=3;\n";
+    let start = text.find("var b").unwrap() as u32;
+    let edits = format_range(text, start + 4..start + 6).unwrap();
+    assert_eq!(edits.len(), 2, "{edits:?}");
+    assert!(edits.iter().all(|e| e.span.start > start && e.span.end < start + 8 && e.replacement == " "));
+}

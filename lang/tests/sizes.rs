@@ -1,0 +1,83 @@
+//! Adversarial sizes: a million brackets, signs, dots or letters get an answer through all stages, without panic or
+//! overflow of the stack, and in time that grows with their length.
+
+#[path = "support/library.rs"]
+mod library;
+
+use calyx_lang::check::check_program;
+use calyx_lang::format::format;
+use library::{Library, improper};
+use std::time::Instant;
+
+/// Texts of a million brackets, of a name of a million letters and the like get an answer, through all stages.
+#[test]
+fn endless_texts_have_an_answer() {
+    let library = Library::read();
+    let many = 1_000_000;
+    let repeated = |begin: &str, part: &str, end: &str| format!("{begin}{}{end}", part.repeat(many));
+    let texts = [
+        repeated("x = ", "(", ""),
+        repeated("x = ", "(", "1") + &repeated("", ")", ";"),
+        repeated("x = ", "[", ""),
+        repeated("", "{", ""),
+        repeated("", "}", ""),
+        repeated("x = ", "-", "1;"),
+        repeated("x = ", "!", "a;"),
+        repeated("x = a", ".b", ";"),
+        repeated("x = a", "[0]", ";"),
+        repeated("x = f", "()", ";"),
+        repeated("x = 1", " + 1", ";"),
+        repeated("x = 2", "^2", ";"),
+        repeated("", "if (a) ; else ", ";"),
+        repeated("x = ", "if (a) b else ", "c;"),
+        repeated("", "\"{", ""),
+        repeated("x = ", "\"{a}", "\";"),
+        repeated("x = \"", "{a}", "\";"),
+        repeated("", "a: ", ";"),
+        repeated("", "case 1: ", ";"),
+        repeated("function f(in a: ", "Array(", ""),
+        repeated("function f(in a: L", "*L", ") ;"),
+        repeated("", "n", " = 1;"),
+        repeated("x = \"", "n", "\";"),
+        repeated("x = 0.", "1", ";"),
+        repeated("", "\n", "x = 1"),
+        repeated("//", "/", "\n"),
+        repeated("", "/* */", ""),
+        repeated("", "///\n", ""),
+        repeated("x = 1 ", "//\n", ";"),
+        repeated("", "$ ", ""),
+        repeated("", "x ", ""),
+        repeated("", "1 ", ""),
+        repeated("", "\"", ""),
+        repeated("f(", "a, ", ");"),
+        repeated("f(", "a = 1, ", ");"),
+        repeated("x = [", "1, ", "];"),
+        "x = 1;\n".repeat(100_000),
+        "var x = 1;\n".repeat(10_000),
+        "{ var x = 1; print(x); }\n".repeat(20_000),
+        "function f() { }\n".repeat(10_000),
+        (0..20_000).map(|i| format!("var x{i} = {};\n", i.max(1) - 1)).collect(),
+        (1..5_000).fold("var x0 = 1;\n".into(), |text, i| text + &format!("var x{i} = 2*x{};\n", i - 1)),
+        (1..3_000).fold("function f0() { }\n".into(), |text, i| {
+            text + &format!("function f{i}() {{ f{}(); }}\n", i - 1)
+        }),
+    ];
+    for text in texts {
+        let begin: String = text.chars().take(30).collect();
+        let started = Instant::now();
+        let checked = check_program("model.cx", &text, &library);
+        let checking = started.elapsed();
+        let formatted = format(&text);
+        eprintln!(
+            "{checking:>10.1?} {:>10.1?} {:>8} {begin:?}",
+            started.elapsed() - checking,
+            checked.diagnostics.len()
+        );
+        assert_eq!(improper(&checked.diagnostics, &text), None, "{begin}");
+        // What has no errors has a layout.
+        assert!(
+            checked.diagnostics.iter().any(|d| d.code.starts_with("E01")) || formatted.is_ok(),
+            "{begin}"
+        );
+    }
+}

@@ -1,0 +1,50 @@
+//! The library for programs under test, and what no diagnostic may be.
+
+use calyx_lang::check::Loader;
+use calyx_lang::codes;
+use calyx_lang::diagnostic::Diagnostic;
+use calyx_lang::span::FileId;
+use std::fs;
+use std::path::Path;
+
+pub fn folder(relative: &str) -> std::path::PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join(relative)
+}
+
+/// The library beside this crate.
+pub struct Library {
+    prelude: String,
+    gears: String,
+}
+
+impl Library {
+    pub fn read() -> Library {
+        let text =
+            |name| fs::read_to_string(folder("../stdlib-gears/calyx").join(name)).expect("the library");
+        Library { prelude: text("prelude.cx"), gears: text("gears.cx") }
+    }
+}
+
+impl Loader for Library {
+    fn module(&self, path: &[String]) -> Option<(String, String)> {
+        (path == ["gears"]).then(|| ("gears.cx".into(), self.gears.clone()))
+    }
+
+    fn prelude(&self) -> (String, String) {
+        ("prelude.cx".into(), self.prelude.clone())
+    }
+}
+
+/// What is wrong with diagnostics of a text: places outside it, codes without a page.
+pub fn improper(diagnostics: &[Diagnostic], text: &str) -> Option<String> {
+    let outside = |start: u32, end: u32| start > end || text.get(start as usize..end as usize).is_none();
+    diagnostics.iter().find_map(|d| {
+        let labels = d.labels.iter().filter(|label| label.span.file == FileId(0)).map(|label| label.span);
+        let fix = d.fix.iter().map(|fix| fix.span);
+        let mut spans = labels.chain(fix).chain((d.primary.span.file == FileId(0)).then_some(d.primary.span));
+        if spans.any(|span| outside(span.start, span.end)) {
+            return Some(format!("{} lies outside the text: {d:?}", d.code));
+        }
+        codes::explain(&d.code).is_none().then(|| format!("{} has no page", d.code))
+    })
+}
