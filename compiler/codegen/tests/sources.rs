@@ -3,36 +3,8 @@
 #[allow(dead_code, reason = "shared by several tests")]
 mod common;
 
-use calyx_lang::check::{Loader, check_program};
-use calyx_lang::ir::Program;
+use common::text::{check, read};
 use common::*;
-use std::path::Path;
-
-/// The library's own sources.
-struct Library;
-
-fn read(path: &str) -> String {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(path);
-    std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
-}
-
-impl Loader for Library {
-    fn module(&self, path: &[String]) -> Option<(String, String)> {
-        (path == ["gears"]).then(|| ("<library>/gears.cx".into(), read("stdlib-gears/calyx/gears.cx")))
-    }
-
-    fn prelude(&self) -> (String, String) {
-        ("<library>/prelude.cx".into(), read("stdlib-gears/calyx/prelude.cx"))
-    }
-}
-
-fn check(text: &str) -> Program {
-    let checked = check_program("model.cx", text, &Library);
-    checked.program.unwrap_or_else(|| {
-        let messages: Vec<_> = checked.diagnostics.iter().map(|d| (&d.message, &d.help)).collect();
-        panic!("{text}\n{messages:#?}")
-    })
-}
 
 /// Lines that a model prints, or the code of its error.
 const MODELS: &[(&str, &[&str])] = &[

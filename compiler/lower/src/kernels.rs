@@ -3,12 +3,14 @@
 use calyx_abi::Repr;
 use calyx_lang::ir::{Capture, Op, Program, Site, SiteId, SymExpr, SymKind, Symbol, SymbolicFunctionId};
 use calyx_lang::span::Span;
-use calyx_symbolic::{Binary, Frame, Graph, Node, NodeId, Pose, Tape, Unary};
+use calyx_symbolic::{Binary, Frame, Graph, Node, NodeId, Pose, Tape, Unary, Vector3};
 use functions::{Free, Scope};
+use motion::{Carried, Motion};
 use std::collections::HashMap;
 use std::fmt;
 
 mod functions;
+mod motion;
 #[cfg(test)]
 mod tests;
 mod value;
@@ -169,6 +171,8 @@ struct Lowering<'a> {
     scopes: Vec<Scope<'a>>,
     /// Bodies of the symbolic functions met so far, their arguments free symbols.
     functions: HashMap<SymbolicFunctionId, Free>,
+    /// Vectors that came out of frames.
+    motions: HashMap<Vector3, Motion>,
     /// The next symbol that is no input: an argument of a symbolic function, replaced where it is called.
     next_symbol: u32,
     level: usize,
@@ -192,6 +196,7 @@ impl<'a> Lowering<'a> {
             spans: Vec::new(),
             scopes: Vec::new(),
             functions: HashMap::new(),
+            motions: HashMap::new(),
             next_symbol: inputs as u32,
             level: 0,
         }
@@ -276,7 +281,7 @@ impl<'a> Lowering<'a> {
     fn derivative(&mut self, value: Value, symbol: u32, span: Span) -> Result<Value, KernelError> {
         Ok(match value {
             Value::Number(number) => Value::Number(self.graph.derivative(number, symbol)),
-            Value::Vector(vector) => Value::Vector(self.graph.vector_derivative(vector, symbol)),
+            Value::Vector(vector) => Value::Vector(self.vector_derivative(vector, symbol)),
             Value::Brackets(parts) => {
                 let parts = parts.into_iter().map(|part| self.derivative(part, symbol, span));
                 Value::Brackets(parts.collect::<Result<_, _>>()?)
@@ -350,6 +355,15 @@ impl<'a> Lowering<'a> {
                 self.reject_observables(operand, span)?;
             }
         }
+        let carried = match (op, operands) {
+            (Op::Apply, [F(frame), V(point)]) => Some((frame, Carried::Point(*point))),
+            (Op::Origin, [F(frame)]) => Some((frame, Carried::Origin)),
+            (Op::Direction, [F(frame), V(vector)]) => Some((frame, Carried::Direction(*vector))),
+            _ => None,
+        };
+        if let Some((frame, carried)) = carried {
+            return Ok(V(self.carried(frame, carried)));
+        }
         let g = &mut self.graph;
         let value = match (op, operands) {
             (_, [N(a)]) if let Some(unary) = unary(op) => N(g.unary(unary, *a)),
@@ -372,10 +386,7 @@ impl<'a> Lowering<'a> {
             (Op::Translate, [V(v)]) => F(Frame::translate(*v)),
             (Op::Rotate, [N(angle), V(axis)]) => F(Frame::rotate(*angle, *axis)),
             (Op::Compose, [F(a), F(b)]) => F(a.after(b)),
-            (Op::Apply, [F(frame), V(point)]) => V(frame.apply(g, *point)),
             (Op::Inverse, [F(frame)]) => F(frame.inverse(g)),
-            (Op::Origin, [F(frame)]) => V(frame.origin(g)),
-            (Op::Direction, [F(frame), V(vector)]) => V(frame.direction(g, *vector)),
             (Op::Velocity, [F(frame)]) => V(frame.velocity(g, TIME)),
             (Op::Acceleration, [F(frame)]) => V(frame.acceleration(g, TIME)),
             (Op::AngularVelocity, [F(frame)]) => V(frame.angular_velocity(g, TIME)),

@@ -131,6 +131,67 @@ impl Frame {
         self.turns(graph).iter().rev().fold(vector, |x, factor| factor.turn_out(graph, vec![x], None)[0])
     }
 
+    /// [`Frame::apply`] and its derivatives by a symbol, up to `order` at most 2, in all of which the frame moves as a
+    /// rigid body.
+    pub fn apply_with_derivatives(
+        &self,
+        graph: &mut Graph,
+        point: Vector3,
+        symbol: u32,
+        order: usize,
+    ) -> Vec<Vector3> {
+        let point = jet(graph, point, order.min(2) + 1, Some(symbol));
+        self.factors.iter().fold(point, |x, factor| factor.enter(graph, x, Some(symbol)))
+    }
+
+    /// [`Frame::origin`] and its derivatives by a symbol, likewise.
+    pub fn origin_with_derivatives(&self, graph: &mut Graph, symbol: u32, order: usize) -> Vec<Vector3> {
+        let rest = vec![graph.zero_vector(); order.min(2) + 1];
+        self.point_to_ground(graph, rest, Some(symbol))
+    }
+
+    /// [`Frame::direction`] and its derivatives by a symbol, likewise.
+    pub fn direction_with_derivatives(
+        &self,
+        graph: &mut Graph,
+        vector: Vector3,
+        symbol: u32,
+        order: usize,
+    ) -> Vec<Vector3> {
+        let order = order.min(2);
+        let vector = jet(graph, vector, order + 1, Some(symbol));
+        let rests = vector[1..].iter().flatten().all(|&rate| graph.is_zero(rate));
+        if !rests || order == 0 {
+            return self
+                .factors
+                .iter()
+                .rev()
+                .fold(vector, |x, factor| factor.turn_out(graph, x, Some(symbol)));
+        }
+        // What rests in the frame turns with it, and all such vectors share the frame's spin.
+        let spin = self.spin_in_ground(graph, symbol, order);
+        let mut turned = vec![self.direction(graph, vector[0])];
+        turned.push(graph.cross(spin[0], turned[0]));
+        if let Some(&change) = spin.get(1) {
+            let (changing, sweeping) = (graph.cross(change, turned[0]), graph.cross(spin[0], turned[1]));
+            turned.push(graph.add_vectors(changing, sweeping));
+        }
+        turned
+    }
+
+    /// How many of its factors depend on a symbol.
+    pub fn moving_factors(&self, graph: &Graph, symbol: u32) -> usize {
+        let moves = |factor: &&Factor| {
+            let mut nodes = Vec::new();
+            Frame { factors: vec![**factor] }.map(|node| {
+                nodes.push(node);
+                node
+            });
+            graph.depends_on(&nodes, |found| found == symbol)
+        };
+        self.factors.iter().filter(moves).count()
+    }
+
     /// Velocity of the origin relative to ground, in ground coordinates. `time` is the symbol of time.
     pub fn velocity(&self, graph: &mut Graph, time: u32) -> Vector3 {
         let rest = vec![graph.zero_vector(); 2];

@@ -48,11 +48,7 @@ impl<'a> Checker<'a> {
                 Expr { kind: Kind::Op(Op::Sqrt, vec![x]), ty: Type::Number(root), span }
             }
             Builtin::Derivative => self.derivative(arguments, span),
-            Builtin::Gradient => {
-                self.check_loosely(arguments);
-                self.not_yet("`gradient` is", span);
-                Expr::error(span)
-            }
+            Builtin::Gradient => self.gradient(arguments, span),
             Builtin::Print => {
                 let values: Vec<Expr> = arguments.iter().map(|a| self.printable(&a.value)).collect();
                 Expr { kind: Kind::Print(values, self.shown_system()), ty: Type::Unit, span }

@@ -4,6 +4,7 @@
 //! binding executes. Those values go into hidden variables, so that an expression that uses the name later fuses
 //! with it and still sees the values of the binding.
 
+use super::dim::Dim;
 use super::infer::{Checker, Reaching};
 use super::symbols::Res;
 use super::tree::*;
@@ -117,30 +118,89 @@ impl<'a> Checker<'a> {
             return Expr::error(span);
         };
         let inner = self.as_symbolic(|c| c.expr(e));
+        let Some((sym, dim)) = self.derivative_symbol(by) else { return Expr::error(span) };
+        let quotient = self.quotient(&inner.ty.clone(), &Type::Number(dim), inner.span);
+        let result = Expr { kind: Kind::Derivative(Box::new(inner), sym), ty: quotient, span };
+        if self.symbolic { result } else { self.evaluate_now(result, "derivative") }
+    }
+
+    /// What an expression is differentiated by, as written.
+    fn derivative_symbol(&mut self, by: &'a ast::Expr) -> Option<(Sym, Dim)> {
         let mut name = by;
         while let ExprKind::Paren(inner) = &name.kind {
             name = inner;
         }
-        let ExprKind::Name(name) = &name.kind else {
+        if let ExprKind::Name(name) = &name.kind {
+            return self.symbol(name);
+        }
+        self.report(
+            Diagnostic::error(
+                "E0506",
+                "one differentiates by `Time`, a number param or an argument",
+                by.span,
+                "not a symbol",
+            )
+            .help("write `derivative(e, Time)` or `derivative(e, some_param)`"),
+        );
+        None
+    }
+
+    /// The type of something divided by a number, brackets element by element.
+    fn quotient(&mut self, ty: &Type, by: &Type, span: Span) -> Type {
+        match self.store.shallow(ty) {
+            Type::Array(element) => Type::array(self.quotient(&element, by, span)),
+            Type::Tuple(parts) => {
+                Type::Tuple(parts.iter().map(|part| self.quotient(part, by, span)).collect())
+            }
+            _ => {
+                let quotient = self.store.fresh();
+                let kind = ConstraintKind::Divide(ty.clone(), by.clone(), quotient.clone());
+                self.constrain(Constraint { kind, span });
+                quotient
+            }
+        }
+    }
+
+    /// `gradient(e, [p, q])`: brackets of the derivatives, a tuple where their dimensions differ.
+    pub(super) fn gradient(&mut self, arguments: &'a [ast::Argument], span: Span) -> Expr {
+        let Some([e, by]) = self.plain("gradient", arguments, span, ["e", "symbols"]) else {
+            return Expr::error(span);
+        };
+        let inner = self.as_symbolic(|c| c.expr(e));
+        let mut list = by;
+        while let ExprKind::Paren(inside) = &list.kind {
+            list = inside;
+        }
+        let ExprKind::List(symbols) = &list.kind else {
             self.report(
                 Diagnostic::error(
                     "E0506",
-                    "one differentiates by `Time` or a number param",
+                    "a gradient is taken by symbols in brackets",
                     by.span,
-                    "not a symbol",
+                    "not in brackets",
                 )
-                .help("write `derivative(e, Time)` or `derivative(e, some_param)`"),
+                .help("write `gradient(e, [p, q])`, or `derivative(e, p)` for one symbol"),
             );
             return Expr::error(span);
         };
-        let Some((sym, dim)) = self.symbol(name) else { return Expr::error(span) };
-        let quotient = self.store.fresh();
-        self.constrain(Constraint {
-            kind: ConstraintKind::Divide(inner.ty.clone(), Type::Number(dim), quotient.clone()),
-            span: inner.span,
-        });
-        let result = Expr { kind: Kind::Derivative(Box::new(inner), sym), ty: quotient, span };
-        if self.symbolic { result } else { self.evaluate_now(result, "derivative") }
+        let (mut by, mut types) = (Vec::new(), Vec::new());
+        for symbol in symbols {
+            let Some((sym, dim)) = self.derivative_symbol(symbol) else { return Expr::error(span) };
+            let quotient = self.quotient(&inner.ty.clone(), &Type::Number(dim), inner.span);
+            by.push(sym);
+            types.push(quotient);
+        }
+        let differ = |types: &[Type]| types.iter().any(|ty| self.store.differ(&types[0], ty));
+        let ty = if differ(&types) {
+            Type::Tuple(types)
+        } else {
+            let element = self.store.fresh();
+            // Nothing is known to differ, so this cannot fail.
+            types.iter().for_each(|ty| self.store.unify(&element, ty).unwrap_or_default());
+            Type::array(element)
+        };
+        let result = Expr { kind: Kind::Gradient(Box::new(inner), by), ty, span };
+        if self.symbolic { result } else { self.evaluate_now(result, "gradient") }
     }
 
     // Binding.
@@ -254,23 +314,9 @@ impl<'a> Checker<'a> {
                 Kind::If(self.split_box(a, to), self.split_box(b, to), self.split_box(c, to))
             }
             Kind::Derivative(inner, sym) => {
-                let observed = std::mem::replace(&mut to.observes, false);
-                let inner = self.split_box(inner, to);
-                if to.observes {
-                    self.report(
-                        Diagnostic::error(
-                            "E0508",
-                            "an observable cannot be differentiated",
-                            span,
-                            "its values come from the analysis",
-                        )
-                        .help("differentiate expressions in `Time` and params only"),
-                    );
-                }
-                to.observes |= observed;
-                self.dependence.derivative(sym, &inner, &self.defs, span);
-                Kind::Derivative(inner, sym)
+                Kind::Derivative(self.differentiated(inner, &[sym], to, span), sym)
             }
+            Kind::Gradient(inner, by) => Kind::Gradient(self.differentiated(inner, &by, to, span), by),
             Kind::At(inner, sym, at) => {
                 let on_time = to.on_time;
                 let inner = self.split_box(inner, to);
@@ -287,6 +333,26 @@ impl<'a> Checker<'a> {
             value => return self.capture(Expr { kind: value, ty, span }, to),
         };
         Expr { kind, ty, span }
+    }
+
+    /// Splits what is differentiated, and notes by what.
+    fn differentiated(&mut self, inner: Box<Expr>, by: &[Sym], to: &mut Builder, span: Span) -> Box<Expr> {
+        let observed = std::mem::replace(&mut to.observes, false);
+        let inner = self.split_box(inner, to);
+        if to.observes {
+            self.report(
+                Diagnostic::error(
+                    "E0508",
+                    "an observable cannot be differentiated",
+                    span,
+                    "its values come from the analysis",
+                )
+                .help("differentiate expressions in `Time` and params only"),
+            );
+        }
+        to.observes |= observed;
+        by.iter().for_each(|sym| self.dependence.derivative(*sym, &inner, &self.defs, span));
+        inner
     }
 
     fn split_box(&mut self, mut e: Box<Expr>, to: &mut Builder) -> Box<Expr> {

@@ -230,7 +230,7 @@ impl<'a> Checker<'a> {
     /// Whether a checked expression gives brackets of symbolic expressions.
     pub(super) fn is_brackets(&self, e: &Expr) -> bool {
         match &e.kind {
-            Kind::Array(_) | Kind::Tuple(_) | Kind::SymbolicCall(_) => true,
+            Kind::Array(_) | Kind::Tuple(_) | Kind::SymbolicCall(_) | Kind::Gradient(..) => true,
             Kind::Def(def) => self.is_brackets(&self.defs[def.0 as usize].expr),
             Kind::Index(base, _)
             | Kind::TupleElement(base, _)

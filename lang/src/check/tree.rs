@@ -83,6 +83,8 @@ pub enum Kind {
     /// Text and values in turn, numbers shown in the system's units.
     Format(Vec<Piece>, UnitSystem),
     Derivative(Box<Expr>, Sym),
+    /// Brackets of derivatives.
+    Gradient(Box<Expr>, Vec<Sym>),
     At(Box<Expr>, Sym, Box<Expr>),
 }
 
@@ -315,7 +317,8 @@ impl Expr {
             | Kind::TupleElement(a, _)
             | Kind::Field(a, _)
             | Kind::Len(a)
-            | Kind::Derivative(a, _) => vec![a],
+            | Kind::Derivative(a, _)
+            | Kind::Gradient(a, _) => vec![a],
             Kind::Binary(_, a, b) | Kind::Index(a, b) | Kind::At(a, _, b) | Kind::Assert(a, b) => vec![a, b],
             Kind::If(a, b, c) => vec![a, b, c],
             Kind::Op(_, all)

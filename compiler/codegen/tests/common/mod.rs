@@ -1,5 +1,7 @@
 //! Typed programs written by hand, run by the interpreter and as machine code, and compared bit for bit.
 
+pub mod text;
+
 use calyx_abi::{Context, Extern, Kernel, Purity, Repr, RuntimeError, Slot};
 use calyx_codegen::compile_jit;
 use calyx_lang::ir::*;

@@ -110,7 +110,9 @@ impl<'a> Lowering<'a> {
             return Err(broken("arguments that do not fit the function", span));
         }
         let replacements: Vec<_> = free.symbols.iter().copied().zip(given).collect();
-        Ok(free.body.substituted(&mut self.graph, &replacements))
+        let value = free.body.substituted(&mut self.graph, &replacements);
+        self.carry_motion(&free.body, &value, &replacements);
+        Ok(value)
     }
 
     pub(super) fn argument(&self, index: u32, span: Span) -> Result<Value, KernelError> {

@@ -201,6 +201,18 @@ impl Body<'_, '_> {
                 let repr = inner.repr.clone();
                 make(SymKind::Derivative(Box::new(inner), symbol(*sym, captures)), repr)
             }
+            Kind::Gradient(inner, by) => {
+                let inner = self.symbolic(inner, captures);
+                let repr = inner.repr.clone();
+                captures.shared.push(inner);
+                let index = captures.shared.len() as u32 - 1;
+                let parts = by.iter().map(|sym| {
+                    let inner = Box::new(make(SymKind::Shared(index), repr.clone()));
+                    make(SymKind::Derivative(inner, symbol(*sym, captures)), repr.clone())
+                });
+                let parts = parts.collect();
+                make(SymKind::Brackets(parts), Repr::Tuple(vec![repr; by.len()]))
+            }
             Kind::At(inner, sym, at) => {
                 let (inner, at) = (self.symbolic(inner, captures), self.symbolic(at, captures));
                 let repr = inner.repr.clone();

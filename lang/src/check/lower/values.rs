@@ -23,9 +23,12 @@ impl Body<'_, '_> {
         let make = |kind, repr| ir::Expr { kind, repr, span };
         match &e.kind {
             // Not reached: programs with errors are not lowered.
-            Kind::Error | Kind::Time | Kind::Derivative(..) | Kind::At(..) | Kind::SymbolicCall(_) => {
-                make(ExprKind::Number(f64::NAN), self.repr(&e.ty))
-            }
+            Kind::Error
+            | Kind::Time
+            | Kind::Derivative(..)
+            | Kind::Gradient(..)
+            | Kind::At(..)
+            | Kind::SymbolicCall(_) => make(ExprKind::Number(f64::NAN), self.repr(&e.ty)),
             Kind::Number(value) => make(ExprKind::Number(*value), Repr::Number),
             Kind::Bare(value, dim, system) => {
                 make(ExprKind::Number(value * self.bare_factor(dim, *system)), Repr::Number)

@@ -1,0 +1,102 @@
+//! Vectors that a frame carries: differentiated by rigid-body algebra and not entry by entry.
+//!
+//! The derivative of `X * p` by anything is cheapest tip to base, factor by factor (see [`calyx_symbolic::Frame`]).
+//! So what came out of a frame is remembered with the frame.
+
+use super::Lowering;
+use super::value::Value;
+use calyx_symbolic::{Frame, NodeId, Vector3};
+
+/// Where a vector came from.
+#[derive(Clone, Debug)]
+pub(super) struct Motion {
+    carried: Carried,
+    frame: Frame,
+    /// The derivative already taken: by which symbol, how often.
+    taken: Option<(u32, usize)>,
+}
+
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Carried {
+    /// A point in coordinates of the frame.
+    Point(Vector3),
+    Origin,
+    Direction(Vector3),
+}
+
+/// Moving factors from which on rigid-body algebra is the cheaper way; shorter chains share more entry by entry.
+const LONG: usize = 6;
+
+/// Derivatives by rigid-body algebra go up to this order.
+const MOST_ORDER: usize = 2;
+
+impl Lowering<'_> {
+    /// The vector that a frame carries, remembered as such.
+    pub(super) fn carried(&mut self, frame: &Frame, carried: Carried) -> Vector3 {
+        let graph = &mut self.graph;
+        let vector = match carried {
+            Carried::Point(point) => frame.apply(graph, point),
+            Carried::Origin => frame.origin(graph),
+            Carried::Direction(vector) => frame.direction(graph, vector),
+        };
+        self.motions.insert(vector, Motion { carried, frame: frame.clone(), taken: None });
+        vector
+    }
+
+    pub(super) fn vector_derivative(&mut self, vector: Vector3, symbol: u32) -> Vector3 {
+        let motion = self.motions.get(&vector);
+        let order = motion.and_then(|motion| match motion.taken {
+            None => Some(1),
+            Some((by, order)) => (by == symbol && order < MOST_ORDER).then_some(order + 1),
+        });
+        let order = order.filter(|_| {
+            motion.is_some_and(|motion| motion.frame.moving_factors(&self.graph, symbol) >= LONG)
+        });
+        let (Some(motion), Some(order)) = (motion.cloned(), order) else {
+            return self.graph.vector_derivative(vector, symbol);
+        };
+        let (graph, frame) = (&mut self.graph, &motion.frame);
+        let all = match motion.carried {
+            Carried::Point(point) => frame.apply_with_derivatives(graph, point, symbol, order),
+            Carried::Origin => frame.origin_with_derivatives(graph, symbol, order),
+            Carried::Direction(vector) => frame.direction_with_derivatives(graph, vector, symbol, order),
+        };
+        let Some(&derivative) = all.get(order) else {
+            return self.graph.vector_derivative(vector, symbol);
+        };
+        self.motions.insert(derivative, Motion { taken: Some((symbol, order)), ..motion });
+        derivative
+    }
+
+    /// The value of a called function moves as the body it was made of does.
+    pub(super) fn carry_motion(&mut self, body: &Value, value: &Value, replacements: &[(u32, NodeId)]) {
+        match (body, value) {
+            (Value::Brackets(body), Value::Brackets(value)) => {
+                body.iter().zip(value).for_each(|(body, value)| self.carry_motion(body, value, replacements));
+            }
+            (Value::Vector(body), Value::Vector(value)) => {
+                let Some(motion) = self.motions.get(body).cloned() else { return };
+                // What is put in for the symbol differentiated by need not be a symbol.
+                let taken = match motion.taken {
+                    Some((by, _)) if replacements.iter().any(|(symbol, _)| *symbol == by) => return,
+                    taken => taken,
+                };
+                let graph = &mut self.graph;
+                let frame = Value::Frame(motion.frame).substituted(graph, replacements);
+                let mut put_in = |v: Vector3| match Value::Vector(v).substituted(graph, replacements) {
+                    Value::Vector(v) => v,
+                    _ => v,
+                };
+                let carried = match motion.carried {
+                    Carried::Point(v) => Carried::Point(put_in(v)),
+                    Carried::Direction(v) => Carried::Direction(put_in(v)),
+                    Carried::Origin => Carried::Origin,
+                };
+                if let Value::Frame(frame) = frame {
+                    self.motions.insert(*value, Motion { carried, frame, taken });
+                }
+            }
+            _ => {}
+        }
+    }
+}
