@@ -2,11 +2,12 @@
 
 use crate::interpreted::Interpreted;
 use crate::loader::ModelLoader;
+use crate::nan::{Seen, explain, label, of_default};
 use calyx_abi::context::codes;
 use calyx_abi::description::ModelDescription;
 use calyx_abi::{Context, Purity, RuntimeError};
 use calyx_gears::error::Severity as FindingSeverity;
-use calyx_gears::externs::check_plan;
+use calyx_gears::externs::{check_plan, check_unheld};
 use calyx_gears::host::{Finding, ModelHost};
 use calyx_lang::diagnostic::{Diagnostic, Severity};
 use calyx_lang::ir::{Program, SourceFile};
@@ -20,10 +21,10 @@ use std::path::Path;
 use std::sync::{Arc, Mutex};
 
 /// Basic blocks a program may enter while it is checked: models build and end; one that does not is stopped.
-const FUEL: u64 = 20_000_000;
+pub(crate) const FUEL: u64 = 20_000_000;
 
 /// Bytes that its values may take meanwhile.
-const MEMORY: u64 = 1_000_000_000;
+pub(crate) const MEMORY: u64 = 1_000_000_000;
 
 /// What checking a model found.
 pub struct Checked {
@@ -88,13 +89,18 @@ enum Params<'a> {
 }
 
 fn check_at(path: &Path, params: Params) -> io::Result<Checked> {
+    let folder = path.parent().map(Path::to_path_buf);
+    Ok(match read(path)? {
+        Ok(text) => check_with(&path.display().to_string(), &text, &ModelLoader { folder }, params),
+        Err(not_text) => *not_text,
+    })
+}
+
+/// The text of a file, or what is wrong with one that is none.
+pub(crate) fn read(path: &Path) -> io::Result<Result<String, Box<Checked>>> {
     let bytes = std::fs::read(path)?;
     let name = path.display().to_string();
-    let folder = path.parent().map(Path::to_path_buf);
-    Ok(match String::from_utf8(bytes) {
-        Ok(text) => check_with(&name, &text, &ModelLoader { folder }, params),
-        Err(error) => not_utf8(&name, &error),
-    })
+    Ok(String::from_utf8(bytes).map_err(|error| Box::new(not_utf8(&name, &error))))
 }
 
 /// Checks a model given as text; it can import the library only.
@@ -162,45 +168,71 @@ fn elaborate_with(
     params: Params,
     print: Box<dyn FnMut(&str) + Send>,
 ) -> Result<Elaborated, Box<Diagnostic>> {
-    let mut interpreted = Interpreted::new(program, Purity::Scene)?;
+    let mut interpreted = Interpreted::new(program, Purity::Scene)?.going_on();
     let mut context = Context::new(Box::new(ModelHost::new(&interpreted.description().units)));
     context.fuel = FUEL;
     context.limits.memory = Some(MEMORY);
-    context.kernels = interpreted.kernels();
+    let seen = Seen::default();
+    context.kernels = seen.watched(interpreted.kernels());
     context.print = print;
     let defaults =
         apply(&interpreted, &[], &mut context).and_then(|()| interpreted.describe_params(&mut context));
-    let applied = match params {
-        Params::Defaults => defaults,
-        Params::Given(given) => apply(&interpreted, given, &mut context),
+    let (applied, given) = match params {
+        Params::Defaults => (defaults, &[][..]),
+        Params::Given(given) => (apply(&interpreted, given, &mut context), given),
     };
     let ran = applied.and_then(|()| interpreted.main(&mut context).map_err(ParamError::Model));
-    let (mut found, mut refused) = (Vec::new(), None);
+    let survived = interpreted.failures();
     let sites = CallSites::new(program);
+    let at_place = |error: &RuntimeError| {
+        let mut error = error.clone();
+        sites.blame(&mut error);
+        explain(program, given, &seen, &error, diagnostic(&error))
+    };
+    let mut found: Vec<Diagnostic> = survived.iter().map(at_place).collect();
+    let mut refused = None;
     if let Some(host) = context.host::<ModelHost>() {
-        found.extend(host.findings.iter().map(|finding| finding_diagnostic(finding, &sites)));
-        if ran.is_ok()
-            && !host.scene.pairs.is_empty()
-            && let Err(error) = check_plan(host)
-        {
-            found.push(diagnostic(&error));
+        // Of a scene that is not complete nobody can say what it would do.
+        if ran.is_ok() && survived.is_empty() {
+            check_unheld(host);
+            if !host.scene.pairs.is_empty()
+                && let Err(error) = check_plan(host)
+            {
+                found.push(at_place(&error));
+            }
         }
+        found.extend(host.findings.iter().map(|finding| finding_diagnostic(finding, &sites)));
     }
     match ran {
         // A run may take longer than checking.
         Err(ParamError::Model(error)) if error.code == codes::LIMIT && matches!(params, Params::Given(_)) => {
         }
-        Err(ParamError::Model(error)) => found.push(diagnostic(&error)),
+        // What comes after a call that failed may follow from it.
+        Err(ParamError::Model(error)) if survived.is_empty() => found.push(at_place(&error)),
+        Err(ParamError::Model(_)) => {}
         Err(ParamError::Given { message, help }) => match params {
             Params::Given(_) => refused = Some(Refused { message, help }),
-            Params::Defaults => {
-                found.push(Diagnostic::error("E0205", message, Span::default(), "").help(help));
-            }
+            Params::Defaults => found.push(wrong_default(program, message, help)),
         },
         Ok(()) => {}
     }
     found.sort_by_key(|diagnostic| (diagnostic.primary.span.file, diagnostic.primary.span.start));
+    // A loop says the same at every turn.
+    found.dedup();
     Ok(Elaborated { description: interpreted.into_description(), found, refused })
+}
+
+/// A default that its param does not allow.
+fn wrong_default(program: &Program, message: String, help: String) -> Diagnostic {
+    // Messages about params begin with the name.
+    let name = message.split('`').nth(1).unwrap_or_default();
+    let param = program.params.iter().find(|param| param.name == name);
+    let span = param.map_or(Span::default(), |param| param.span);
+    let found = Diagnostic::error("E0314", message.clone(), span, "the default is this").help(help);
+    match of_default(program) {
+        Some((place, source)) if place == span => label(program, found, &source, None),
+        _ => found,
+    }
 }
 
 /// Diagnostics that are shown at most; a text with more of them is not a model.

@@ -5,7 +5,7 @@ use calyx_abi::{Context, Kernel, Purity, Repr, RuntimeError, Slot};
 use calyx_gears::library::externs;
 use calyx_lang::diagnostic::Diagnostic;
 use calyx_lang::ir::{FunctionId, Program};
-use calyx_lower::interpret::Interpreter;
+use calyx_lower::interpret::{Interpreter, NanTrace};
 use calyx_lower::kernels::lower_sites;
 use calyx_rt::ParamError;
 use calyx_rt::program::ParamFunction;
@@ -38,6 +38,27 @@ impl<'p> Interpreted<'p> {
         let kernels = tapes.into_iter().map(|tape| Arc::new(TapeKernel(tape)) as Arc<dyn Kernel>).collect();
         let description = calyx_lang::description::describe(program);
         Ok(Interpreted { program, interpreter, kernels, description })
+    }
+
+    /// Goes on after calls of the library that find something wrong with the model; see [`Interpreted::failures`].
+    pub fn going_on(mut self) -> Self {
+        self.interpreter = self.interpreter.going_on();
+        self
+    }
+
+    /// What the program survived, in order.
+    pub fn failures(&self) -> Vec<RuntimeError> {
+        self.interpreter.failures()
+    }
+
+    /// Follows every NaN to where it arises.
+    pub(crate) fn tracing(mut self) -> Self {
+        self.interpreter = self.interpreter.tracing();
+        self
+    }
+
+    pub(crate) fn trace(&self) -> Option<&NanTrace> {
+        self.interpreter.trace()
     }
 
     /// Fills in the defaults and ranges of the params, which `context` holds at their defaults.

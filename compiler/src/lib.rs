@@ -11,13 +11,16 @@
 //! ```
 
 mod check;
+pub mod doc;
 pub mod dump;
 pub mod explain;
 pub mod fix;
 mod interpreted;
 mod loader;
 mod module;
+mod nan;
 pub mod session;
+pub mod testing;
 
 pub use calyx_rt as rt;
 pub use check::{Checked, Refused, check_file, check_run, check_text, render};

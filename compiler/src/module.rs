@@ -2,6 +2,7 @@
 
 use crate::check::{Checked, diagnostic, finding_diagnostic};
 use crate::interpreted::param_function;
+use crate::nan::{Seen, explain};
 use calyx_abi::description::ModelDescription;
 use calyx_abi::{Context, Kernel, RuntimeError, Slot};
 use calyx_codegen::{CodegenError, JitModule, compile_jit, compile_object};
@@ -46,6 +47,8 @@ pub struct Module {
     call_sites: CallSites,
     /// What checking found, at the params' defaults.
     known: Vec<Diagnostic>,
+    /// Inputs at which its kernels gave NaN.
+    seen: Seen,
 }
 
 impl Module {
@@ -65,6 +68,7 @@ impl Module {
             code,
             call_sites,
             known: checked.diagnostics,
+            seen: Seen::default(),
         })
     }
 
@@ -88,11 +92,12 @@ impl Module {
         &self.files
     }
 
-    /// A run-time error at its place in the source.
-    pub fn error(&self, error: &RuntimeError) -> Diagnostic {
+    /// A run-time error at its place in the source; if NaN is behind it, with the expression that arose in. `given` are the
+    /// params of the run.
+    pub fn error(&self, error: &RuntimeError, given: &[(String, String)]) -> Diagnostic {
         let mut error = error.clone();
         self.call_sites.blame(&mut error);
-        diagnostic(&error)
+        explain(&self.program, given, &self.seen, &error, diagnostic(&error))
     }
 
     /// What a run found, without what checking the model has said already.
@@ -108,7 +113,7 @@ impl calyx_rt::Program for Module {
     }
 
     fn kernels(&self) -> Vec<Arc<dyn Kernel>> {
-        self.code.kernels()
+        self.seen.watched(self.code.kernels())
     }
 
     fn param_function(

@@ -291,13 +291,24 @@ fn shown(diagnostics: Vec<Diagnostic>, start: u32) -> Vec<Diagnostic> {
 }
 
 fn is_declaration(kind: &StmtKind) -> bool {
-    matches!(kind, StmtKind::Import(_) | StmtKind::Function(_) | StmtKind::Param(_))
+    matches!(kind, StmtKind::Function(_)) || is_header(kind)
 }
 
 /// Whether a text holds statements that cannot stand in a block.
 fn header_of(module: &Module) -> bool {
-    !module.statements.is_empty()
-        && module.statements.iter().all(|s| matches!(s.kind, StmtKind::Import(_) | StmtKind::Param(_)))
+    !module.statements.is_empty() && module.statements.iter().all(|statement| is_header(&statement.kind))
+}
+
+fn is_header(kind: &StmtKind) -> bool {
+    matches!(
+        kind,
+        StmtKind::Import(_)
+            | StmtKind::Param(_)
+            | StmtKind::Const { .. }
+            | StmtKind::Record(_)
+            | StmtKind::Dimension { .. }
+            | StmtKind::Unit(_)
+    )
 }
 
 /// The text as an expression, if it is one without a semicolon.

@@ -41,6 +41,7 @@ fn example() -> PathBuf {
 fn edited(edits: &[&str]) -> String {
     let text = std::fs::read_to_string(example()).expect("the example is there");
     edits.iter().fold(text, |text, edit| {
+        let edit = edit.replace("\\n", "\n");
         let (old, new) = edit.split_once(" => ").expect("`old => new`");
         assert!(text.contains(old), "the example has no `{old}`");
         text.replace(old, new)
@@ -228,6 +229,16 @@ fn every_stage_can_be_seen() {
 #[test]
 fn formatting() {
     hold(include_str!("cli/fmt.md"));
+}
+
+#[test]
+fn tests_are_run() {
+    hold(include_str!("cli/test.md"));
+}
+
+#[test]
+fn reference_pages_are_written() {
+    hold(include_str!("cli/doc.md"));
 }
 
 #[test]

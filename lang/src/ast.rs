@@ -352,3 +352,11 @@ pub enum BinaryOp {
     Divide,
     Power,
 }
+
+impl BinaryOp {
+    /// Whether it gives a truth value of two values that need be none.
+    pub fn compares(self) -> bool {
+        use BinaryOp::*;
+        matches!(self, Less | LessEqual | Greater | GreaterEqual | Equal | NotEqual)
+    }
+}

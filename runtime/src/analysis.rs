@@ -1,7 +1,7 @@
 //! Runs a frozen scene over a list of positions: plan, system, steps, results.
 
 use crate::contact::problem::Certificate;
-use crate::error::EngineError;
+use crate::error::{EngineError, Subject};
 use crate::plan::Plan;
 use crate::results::{AnalysisResult, OutputRequest, StepRow, Timing, summarize};
 use crate::scene::{Fidelity, GearMesh, Scene, StructureOptions};
@@ -107,10 +107,23 @@ pub fn quasi_static(
         certificate = certificate.worst(&step.certificate);
         let observed: Vec<_> = scene.observables.iter().map(|&o| system.value(&step, o)).collect();
         let row = StepRow::new(position.clone(), outputs, &observed, step.warnings.clone());
+        refuse_nan(&row, outputs)?;
         observer.observe(Event::Step { index, count: positions.len(), row: &row })?;
         rows.push(row);
     }
     timing.add("positions", started.elapsed());
     let summaries = summarize(&rows, outputs);
     Ok(AnalysisResult { plan, rows, summaries, certificate, timing })
+}
+
+/// A result that is no number says nothing; the sooner the model's author knows where it came from the better.
+fn refuse_nan(row: &StepRow, outputs: &[OutputRequest]) -> Result<(), EngineError> {
+    let Some(output) = row.outputs.iter().position(|output| output.value.is_nan()) else { return Ok(()) };
+    let name = outputs.get(output).map_or("", |request| request.name.as_str());
+    Err(EngineError::new(
+        "E0721",
+        format!("output `{name}` is not a number at Time = {} s", row.position.time),
+        "look for 0/0, inf - inf or the root of a negative number",
+    )
+    .about(Subject::Output(output)))
 }

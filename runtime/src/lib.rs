@@ -8,6 +8,7 @@ pub mod analysis;
 pub mod contact;
 pub mod error;
 pub mod fe;
+pub mod holding;
 pub mod material;
 pub mod motion;
 pub mod observe;

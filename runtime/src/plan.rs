@@ -1,6 +1,6 @@
 //! What will be modelled, and why: the scene, less what no observable depends on.
 
-use crate::error::EngineError;
+use crate::error::{EngineError, Subject};
 use crate::scene::{BodyId, FREEDOMS, Fidelity, Ignored, Observable, Scene, StructureOptions};
 
 /// The decision of how a scene is analysed. Nothing has been solved yet.
@@ -37,7 +37,8 @@ impl Plan {
                 ignored.extend(body.prototype.ignored(fidelity));
             }
             if fidelity == Fidelity::Plane && !left_out {
-                refuse_motion_out_of_plane(&body.name, body.free)?;
+                refuse_motion_out_of_plane(&body.name, body.free)
+                    .map_err(|error| error.about(Subject::Body(index)))?;
             }
             bodies.push(BodyPlan {
                 options: StructureOptions { stresses, sharp_edges, ..options },

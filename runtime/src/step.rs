@@ -3,14 +3,14 @@
 use crate::contact::approach::{Approach, PlacedProfile, closest_approach};
 use crate::contact::assembly::{self, compliance};
 use crate::contact::grid::{self, Cell, Grid, GridOptions, Width, assess, lay, pressures};
-use crate::contact::problem::{Certificate, ContactError, ContactProblem, FreeMotion};
+use crate::contact::problem::{Certificate, ContactError, ContactProblem};
 use crate::contact::rigid_limit::rigid_limit;
 use crate::contact::{ContactFrame, Placement, active_set};
 use crate::error::EngineError;
-use crate::motion::PlanePose;
+use crate::holding;
 use crate::profile::Profile;
 use crate::structure::{Chart, Structure};
-use crate::system::{Freedom, System, Teeth};
+use crate::system::{Freedom, System, Teeth, pose};
 use std::f64::consts::PI;
 use std::sync::Arc;
 
@@ -64,8 +64,6 @@ struct Candidate {
 /// A grid is first laid where the gap is below this part of the profile's length; gaps that the solution closes beyond
 /// are found and added afterwards.
 const SEARCH_DEPTH: f64 = 0.01;
-/// A freedom that moves less than this part of the one that moves most is not named.
-const TAKES_PART: f64 = 1e-3;
 /// How often the widths of grids may be mended at a position.
 const REGRIDS: usize = 3;
 
@@ -161,7 +159,7 @@ impl System<'_> {
         let motion = if self.freedoms.is_empty() {
             Vec::new()
         } else {
-            let limit = rigid_limit(&gaps, &arms, &self.drive_direction());
+            let limit = rigid_limit(&gaps, &arms, &holding::drive_direction(self.scene, &self.freedoms));
             limit.map_err(|error| self.explain(&error))?.motion
         };
         let patches = candidates.iter().map(|candidate| self.empty_patch(candidate)).collect();
@@ -174,21 +172,6 @@ impl System<'_> {
         };
         let (active, certificate, warnings) = (Vec::new(), Certificate::default(), Vec::new());
         Ok(StepResult { time, patches, motion, problem, active, certificate, warnings })
-    }
-
-    /// The load whose limit is taken where there is none: meshes driven as their surfaces were chosen.
-    fn drive_direction(&self) -> Vec<f64> {
-        let mut direction = vec![0.0; self.freedoms.len()];
-        for pair in &self.scene.pairs {
-            let Some(mesh) = &pair.mesh else { continue };
-            for (side, sign) in [(0, 1.0), (1, mesh.sign)] {
-                let turn = Freedom { body: pair.bodies[side].0, component: 5 };
-                if let Some(at) = self.freedoms.iter().position(|freedom| *freedom == turn) {
-                    direction[at] = sign * mesh.drive_sense;
-                }
-            }
-        }
-        direction
     }
 
     /// Every pair of teeth near enough to face each other, in a fixed order.
@@ -207,8 +190,7 @@ impl System<'_> {
                 let body = (bodies[side], structures[side].as_ref(), profiles[side].as_ref());
                 self.teeth_near(body, placements[side], placements[other].origin(), reach)
             });
-            let angle = PlanePose::of(self.scene.bodies[bodies[0]].motion.as_ref(), time)?.angle
-                + self.scene.bodies[bodies[0]].phase;
+            let angle = pose(self.scene, bodies[0], time)?.angle + self.scene.bodies[bodies[0]].phase;
             let nominal = pair.mesh.as_ref().filter(|_| !pair.grid.edges);
             let on_path = |tooth: u32| nominal.is_none_or(|mesh| mesh.on_path(tooth, angle));
             let touching = 0.5 * (profiles[0].length() + profiles[1].length());
@@ -413,58 +395,9 @@ impl System<'_> {
         ))
     }
 
-    /// A motion as people call it: every freedom that takes part, with its sense.
-    fn motion_name(&self, motion: &[f64]) -> String {
-        // Turns compared with shifts by what they move on the rim.
-        let size = |at: usize| {
-            let Freedom { body, component } = self.freedoms[at];
-            let radius = self.scene.bodies[body].prototype.enclosing_radius();
-            motion[at].abs() * if component < 3 { 1.0 } else { radius }
-        };
-        let largest = (0..motion.len()).map(size).fold(0.0, f64::max);
-        let parts: Vec<String> = (0..motion.len())
-            .filter(|&at| size(at) > TAKES_PART * largest)
-            .map(|at| {
-                let sense = if motion[at] > 0.0 { "positive" } else { "negative" };
-                format!("{} in the {sense} sense", self.freedom_name(at))
-            })
-            .collect();
-        parts.join(" and ")
-    }
-
     /// A failure of the contact solver in the words of the model.
     fn explain(&self, error: &ContactError) -> EngineError {
-        let named = |motion: &FreeMotion| self.motion_name(&motion.motion);
-        match error {
-            ContactError::Infeasible(motion) => EngineError::new(
-                "E0714",
-                format!("no contact can hold the load: it drives {}", named(motion)),
-                "hold such a freedom (take it out of `free`), or check the sign of the load and that the teeth are in mesh",
-            ),
-            ContactError::Unconstrained(motion) => EngineError::new(
-                "E0715",
-                format!("nothing holds {}", named(motion)),
-                "hold such a freedom (take it out of `free`), or load it",
-            ),
-            ContactError::DependentCells { cell } => EngineError::new(
-                "E0716",
-                format!("the gap equations are not independent of each other at contact cell {cell}"),
-                "let at least one of the two bodies be elastic, and let no two surface pairs describe the same contact",
-            ),
-            ContactError::Jammed => EngineError::new(
-                "E0717",
-                "the bodies overlap in every position",
-                "move the frames apart; look at centre distance, thickness and pitch errors",
-            ),
-            ContactError::Invalid(what) => {
-                EngineError::new("E0718", format!("the contact problem is unusable: {what}"), "")
-            }
-            ContactError::NotConverged => EngineError::new(
-                "E0719",
-                "the contact solver found no solution",
-                "please report the model: this should not happen",
-            ),
-        }
+        holding::explain(self.scene, &self.freedoms, error)
     }
 }
 

@@ -1,10 +1,10 @@
 //! The planned scene, built: structures condensed, freedoms numbered, loads gathered. What every position starts from.
 
 use crate::contact::Placement;
-use crate::error::EngineError;
+use crate::error::{EngineError, Subject};
 use crate::motion::PlanePose;
 use crate::plan::Plan;
-use crate::scene::{FREEDOMS, Scene, StructureOptions};
+use crate::scene::{Scene, StructureOptions};
 use crate::structure::Structure;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
@@ -54,7 +54,8 @@ impl<'s> System<'s> {
         let initial = scene
             .bodies
             .iter()
-            .map(|body| PlanePose::of(body.motion.as_ref(), 0.0))
+            .enumerate()
+            .map(|(body, _)| pose(scene, body, 0.0))
             .collect::<Result<_, _>>()?;
         let structures = build_structures(scene, plan)?;
         Ok(System { scene, structures, freedoms, load, face_width, initial, warm: BTreeMap::new() })
@@ -62,24 +63,26 @@ impl<'s> System<'s> {
 
     /// Where a body's teeth coordinates lie at a time, with the body's phase.
     pub(crate) fn placement(&self, body: usize, time: f64) -> Result<Placement, EngineError> {
-        let body = &self.scene.bodies[body];
-        let pose = PlanePose::of(body.motion.as_ref(), time)?;
-        Ok(Placement::new(pose.angle + body.phase, pose.origin))
+        let pose = pose(self.scene, body, time)?;
+        Ok(Placement::new(pose.angle + self.scene.bodies[body].phase, pose.origin))
     }
 
     /// Angle of a tooth in its body's coordinates, with its pitch error, rad.
     pub(crate) fn tooth_angle(&self, body: usize, structure: &dyn Structure, tooth: u32) -> f64 {
         structure.tooth_angle(tooth) + self.scene.bodies[body].prototype.pitch_error(tooth)
     }
-
-    /// A freedom as people call it.
-    pub(crate) fn freedom_name(&self, index: usize) -> String {
-        let freedom = self.freedoms[index];
-        format!("{} of body \"{}\"", FREEDOMS[freedom.component], self.scene.bodies[freedom.body].name)
-    }
 }
 
-fn number_freedoms(scene: &Scene, plan: &Plan) -> Vec<Freedom> {
+/// Where a body's frame is meant to be at a time.
+///
+/// # Errors
+/// The frame is not a number there, or tilted; the error is about that body.
+pub(crate) fn pose(scene: &Scene, body: usize, time: f64) -> Result<PlanePose, EngineError> {
+    PlanePose::of(scene.bodies[body].motion.as_ref(), time).map_err(|error| error.about(Subject::Body(body)))
+}
+
+/// Free components of the bodies that are modelled, in order.
+pub(crate) fn number_freedoms(scene: &Scene, plan: &Plan) -> Vec<Freedom> {
     let bodies = scene.bodies.iter().zip(&plan.bodies).enumerate().filter(|(_, (_, plan))| !plan.left_out);
     bodies
         .flat_map(|(index, (body, _))| {
@@ -88,7 +91,8 @@ fn number_freedoms(scene: &Scene, plan: &Plan) -> Vec<Freedom> {
         .collect()
 }
 
-fn load_on(scene: &Scene, freedom: Freedom) -> f64 {
+/// The external force or moment on a freedom.
+pub(crate) fn load_on(scene: &Scene, freedom: Freedom) -> f64 {
     let body = &scene.bodies[freedom.body];
     match freedom.component {
         component @ 0..3 => body.force[component],

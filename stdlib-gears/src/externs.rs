@@ -1,8 +1,8 @@
 //! The library's functions as programs call them: the Rust side of `gears.cx` and `prelude.cx`.
 
-use crate::error::GeometryError;
+use crate::error::{GeometryError, Severity};
 use crate::external::{ExternalGear, ExternalGearData, check_rim};
-use crate::host::{ModelHost, Rim, keep};
+use crate::host::{Finding, ModelHost, Rim, keep};
 use crate::mesh_geometry::MeshGeometry;
 use crate::modification::{Modification, ReliefShape, TipRelief};
 use crate::mounting::{Mounting, mount_external};
@@ -11,7 +11,8 @@ use crate::rack::Rack;
 use calyx_abi::externs::{Handle, SymbolicNumber, SymbolicTransform};
 use calyx_abi::{Context, RuntimeError, SymbolicValue};
 use calyx_runtime::analysis::{AnalysisOptions, mesh_cycle, quasi_static};
-use calyx_runtime::error::EngineError;
+use calyx_runtime::error::{EngineError, Subject};
+use calyx_runtime::holding;
 use calyx_runtime::material::Material;
 use calyx_runtime::motion::{Motion, PlanePose};
 use calyx_runtime::plan::Plan;
@@ -129,13 +130,14 @@ calyx_abi::externs! {
         let motion = Arc::new(FrameMotion { value: frame.0, params: context.params.clone() });
         PlanePose::of(motion.as_ref(), 0.0).map_err(engine)?;
         turns_in_the_plane(motion.as_ref())?;
-        let host = host(context)?;
+        let (place, host) = (context.place, host(context)?);
         if host.scene.bodies.iter().any(|body| body.name == name) {
             return Err(refusal("E0671", "name", &format!("there are two bodies called \"{name}\""),
                 "results speak of bodies by name; give each its own"));
         }
         let prototype = entry(&host.gears, blank)?.clone();
         host.body_gears.push(blank.0 as usize);
+        host.body_places.push(place);
         let id = host.scene.add_body(Body { name, prototype, motion, phase: 0.0, free: freedoms, force, moment });
         Ok(Handle(id.0 as u64))
     }
@@ -221,7 +223,9 @@ calyx_abi::externs! {
     /// Registers an output of the model.
     Scene fn calyx_std_output(context, name: String, value: SymbolicNumber) -> () {
         let params = context.params.clone().into();
-        host(context)?.outputs.push(OutputRequest { name, value: value.0, params });
+        let (place, host) = (context.place, host(context)?);
+        host.outputs.push(OutputRequest { name, value: value.0, params });
+        host.output_places.push(place);
         Ok(())
     }
 
@@ -254,13 +258,37 @@ fn analyze(host: &mut ModelHost, over: Handle, fidelity: &str) -> Result<(), Run
         observer.as_mut().map_or(&mut unobserved, |observer| observer.as_mut()),
     );
     host.observer = observer;
-    host.result = Some(result.map_err(engine)?);
+    host.result = Some(result.map_err(|error| host.engine_error(error))?);
     Ok(())
 }
 
 /// What `check` does in place of an analysis: everything short of solving.
+///
+/// # Errors
+/// What the analysis would fail with before its first position is solved.
 pub fn check_plan(host: &ModelHost) -> Result<Plan, RuntimeError> {
-    Plan::new(&host.scene, Fidelity::Plane, StructureOptions::default()).map_err(engine)
+    let plan = Plan::new(&host.scene, Fidelity::Plane, StructureOptions::default());
+    let checked = plan.and_then(|plan| holding::check(&host.scene, &plan).map(|()| plan));
+    checked.map_err(|error| host.engine_error(error))
+}
+
+/// Bodies that may move, and that no mesh holds: an analysis leaves them out.
+pub fn check_unheld(host: &mut ModelHost) {
+    let meshed = |body: usize| host.scene.pairs.iter().any(|pair| pair.bodies.contains(&BodyId(body)));
+    let free = |body: &Body| FREEDOMS.iter().zip(body.free).find(|(_, free)| *free).map(|(name, _)| *name);
+    let bodies = host.scene.bodies.iter().enumerate().filter(|(index, _)| !meshed(*index));
+    let unheld: Vec<Finding> = bodies
+        .filter_map(|(index, body)| {
+            let error = EngineError::new(
+                "E0715",
+                format!("nothing holds body \"{}\" in {}, so it is left out", body.name, free(body)?),
+                "mesh it with another body, or hold it (take the freedom out of `free`)",
+            );
+            let error = host.engine_error(error.about(Subject::Body(index)).blame("free"));
+            Some(Finding { severity: Severity::Warning, error })
+        })
+        .collect();
+    host.findings.extend(unheld);
 }
 
 fn fidelity_named(name: &str) -> Result<Fidelity, RuntimeError> {

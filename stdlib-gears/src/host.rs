@@ -7,6 +7,7 @@ use crate::rack::Rack;
 use calyx_abi::RuntimeError;
 use calyx_abi::externs::Handle;
 use calyx_runtime::analysis::{Observer, Position};
+use calyx_runtime::error::{EngineError, Subject};
 use calyx_runtime::material::Material;
 use calyx_runtime::results::{AnalysisResult, OutputRequest};
 use calyx_runtime::scene::Scene;
@@ -53,6 +54,9 @@ pub struct ModelHost {
     pub gears: Vec<Arc<GearPrototype>>,
     /// The gear of each body of the scene, in order.
     pub body_gears: Vec<usize>,
+    /// Places of the calls that made each body and each output.
+    pub body_places: Vec<(u32, u32, u32)>,
+    pub output_places: Vec<(u32, u32, u32)>,
     pub positions: Vec<Vec<Position>>,
     pub scene: Scene,
     pub outputs: Vec<OutputRequest>,
@@ -68,6 +72,20 @@ impl ModelHost {
     /// The state of a model whose results print in this unit system.
     pub fn new(system: &str) -> ModelHost {
         ModelHost { length_unit: LengthUnit::of_system(system), ..ModelHost::default() }
+    }
+
+    /// A failure of the engine, placed at the call that made what it is about.
+    pub fn engine_error(&self, error: EngineError) -> RuntimeError {
+        let place = match error.subject {
+            Some(Subject::Body(body)) => self.body_places.get(body),
+            Some(Subject::Output(output)) => self.output_places.get(output),
+            None => None,
+        };
+        RuntimeError {
+            argument: error.argument.map(str::to_owned),
+            place: place.copied(),
+            ..RuntimeError::new(error.code, error.message, error.help)
+        }
     }
 
     /// A finding about a gear or a pair in words for the model's author, who finds it at the call in `place`.

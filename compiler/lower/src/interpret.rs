@@ -9,8 +9,11 @@ mod expression;
 mod place;
 mod scalar;
 mod statement;
+mod survive;
+mod trace;
 
 pub use blame::CallSites;
+pub use trace::NanTrace;
 
 use crate::layout::running_sums;
 use crate::link::{LinkError, resolve_externs};
@@ -29,6 +32,10 @@ pub struct Interpreter<'p> {
     frames: Vec<Frame>,
     /// Slots of all params before each.
     param_offsets: Vec<usize>,
+    /// Failures of the library that the program survived; `None` if it survives none.
+    failures: Option<survive::Failures>,
+    /// Follows NaN to where it arises, if somebody wants to know.
+    trace: Option<NanTrace>,
 }
 
 /// Where the locals of a function stand in its frame.
@@ -52,7 +59,7 @@ impl<'p> Interpreter<'p> {
         });
         let frames = frames.collect();
         let (param_offsets, _) = running_sums(program.params.iter().map(|param| param.repr.slots()));
-        Ok(Interpreter { program, externs, allow, frames, param_offsets })
+        Ok(Interpreter { program, externs, allow, frames, param_offsets, failures: None, trace: None })
     }
 
     /// Runs the top level of the model.
@@ -79,7 +86,8 @@ impl<'p> Interpreter<'p> {
             let depth = std::mem::take(&mut ctx.depth);
             let (function, frame) = self.function(id)?;
             let activation = Activation { function, frame, base: 0 };
-            let mut machine = Machine { interpreter: self, ctx, stack: arguments.to_vec(), activation };
+            let mut machine =
+                Machine { interpreter: self, ctx, stack: arguments.to_vec(), activation, guards: 0 };
             machine.at(function.span);
             let result = machine.call(id, 0);
             let slots = machine.stack;
@@ -104,6 +112,8 @@ struct Machine<'m, 'p> {
     ctx: &'m mut Context,
     stack: Vec<Slot>,
     activation: Activation<'m, 'p>,
+    /// Blocks under way, in this function and those that called it, whose errors the program catches.
+    guards: usize,
 }
 
 /// The function at work.

@@ -1,5 +1,6 @@
 //! Symbolic sites to kernels: the expression as a graph, its time derivatives, and a schedule of what is left.
 
+use crate::nan::{self, NanSource};
 use calyx_abi::Repr;
 use calyx_lang::ir::{Capture, Op, Program, Site, SiteId, SymExpr, SymKind, Symbol, SymbolicFunctionId};
 use calyx_lang::span::Span;
@@ -118,17 +119,6 @@ pub fn site_graph(program: &Program, id: SiteId) -> Result<SiteGraph, KernelErro
     Ok(SiteGraph { graph: lowering.graph, nodes, outputs, inputs })
 }
 
-/// Where a NaN among a kernel's outputs came from.
-#[derive(Clone, Debug, PartialEq)]
-pub struct NanSource {
-    /// The expression in which it arose.
-    pub span: Span,
-    /// What its operation was given; empty if the expression is an input or was written as `nan`.
-    pub operands: Vec<f64>,
-    /// The operation; `None` if a NaN was put in from outside (a captured value) or written.
-    pub operation: Option<Node>,
-}
-
 /// Evaluates a site's expression as its kernel does, and follows the first NaN to the expression in which it arose.
 pub fn trace_nan(program: &Program, site: SiteId, inputs: &[f64]) -> Option<NanSource> {
     let site = program.sites.get(site.0 as usize)?;
@@ -138,9 +128,12 @@ pub fn trace_nan(program: &Program, site: SiteId, inputs: &[f64]) -> Option<NanS
         return None;
     }
     let found = lowering.graph.first_nan(&outputs, inputs)?;
-    let operation = (!matches!(found.node, Node::Constant(_) | Node::Symbol(_))).then_some(found.node);
     let span = lowering.spans.get(found.origin as usize).copied().unwrap_or(site.span);
-    Some(NanSource { span, operands: found.operands, operation })
+    let input = match found.node {
+        Node::Symbol(index) => Some(index),
+        _ => None,
+    };
+    Some(NanSource { span, made_by: nan::node_text(found.node, &found.operands), input })
 }
 
 /// Numbers, then all their first time derivatives, and so on.

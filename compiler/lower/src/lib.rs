@@ -4,4 +4,5 @@ pub mod interpret;
 pub mod kernels;
 pub mod layout;
 pub mod link;
+pub mod nan;
 pub mod operations;

@@ -5,6 +5,7 @@ use calyx::fix::{Applied, fix_file};
 use calyx::{Checked, check_file};
 use calyx_lang::diagnostic::Severity;
 use clap::Args;
+use serde_json::json;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -42,7 +43,13 @@ impl Check {
     fn fixed(&self) -> std::io::Result<Checked> {
         let fixed = fix_file(&self.file)?;
         for Applied { file, line, column, code, title } in &fixed.applied {
-            self.message_format.note(&format!("fixed {code} at {file}:{line}:{column}: {title}\n"));
+            match self.message_format {
+                MessageFormat::Human => eprintln!("fixed {code} at {file}:{line}:{column}: {title}"),
+                MessageFormat::Json => {
+                    let place = json!({ "file": file, "line": line, "column": column });
+                    eprintln!("{}", json!({ "fixed": code, "title": title, "primary": place }));
+                }
+            }
         }
         if fixed.applied.is_empty() {
             self.message_format.note("nothing that is certain to fix\n");

@@ -2,6 +2,7 @@
 
 mod check;
 mod compile;
+mod doc;
 mod dump;
 mod eval;
 mod explain;
@@ -11,6 +12,7 @@ mod new;
 mod object;
 mod repl;
 mod run;
+mod test;
 
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;
@@ -56,6 +58,9 @@ enum Command {
     /// Changes blanks and line ends only; comments stay. A file with errors of syntax is left as it is.
     #[command(after_help = fmt::EXAMPLES)]
     Fmt(fmt::Fmt),
+    /// Run the tests in files: functions marked with `test`
+    #[command(after_help = test::EXAMPLES)]
+    Test(test::Test),
     /// Say what a diagnostic means and how to mend it
     ///
     /// Without a code, lists all codes.
@@ -70,6 +75,9 @@ enum Command {
     /// passed over.
     #[command(after_help = repl::EXAMPLES)]
     Repl(repl::Repl),
+    /// Write reference pages from doc comments: of the library, of your modules, of a model's params and outputs
+    #[command(after_help = doc::EXAMPLES)]
+    Doc(doc::Doc),
     /// Show a model at a stage of compilation: tokens, tree, types, ir, graph, clif or asm
     #[command(after_help = dump::EXAMPLES)]
     Dump(dump::Dump),
@@ -84,9 +92,11 @@ fn main() -> ExitCode {
         Command::Check(command) => command.run(),
         Command::Run(command) => command.run(),
         Command::Fmt(command) => command.run(),
+        Command::Test(command) => command.run(),
         Command::Explain(command) => command.run(),
         Command::Eval(command) => command.run(),
         Command::Repl(command) => command.run(),
+        Command::Doc(command) => command.run(),
         Command::Dump(command) => command.run(),
         Command::Object(command) => command.run(),
     }

@@ -2,11 +2,13 @@
 
 use crate::compile::compile;
 use crate::messages::{MODEL_ERROR, MessageFormat, USAGE};
+use calyx::rt::directory::prepare;
 use calyx::rt::params::{ParamError, name_and_value};
 use calyx::rt::run::{RunError, RunOptions, default_directory};
 use calyx::{check_run, rt};
 use clap::Args;
-use std::path::PathBuf;
+use std::io;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 pub const EXAMPLES: &str = "Examples:
@@ -41,13 +43,17 @@ impl Run {
             Ok(compiled) => compiled,
             Err(status) => return status,
         };
-        if module.has_errors() {
-            return ExitCode::from(MODEL_ERROR);
-        }
         let directory = out.unwrap_or_else(|| default_directory(&file));
+        if module.has_errors() {
+            // As after any run that fails, no results of an earlier one are left behind.
+            return match prepare(&directory) {
+                Ok(()) => ExitCode::from(MODEL_ERROR),
+                Err(error) => unwritable(format, &directory, &error),
+            };
+        }
         // Progress bars are for people.
         let silent = quiet || format == MessageFormat::Json;
-        let options = RunOptions { directory: directory.clone(), set, quiet: silent, before };
+        let options = RunOptions { directory: directory.clone(), set: set.clone(), quiet: silent, before };
         match rt::run(&module, &options) {
             Ok(report) => {
                 if !quiet {
@@ -63,16 +69,18 @@ impl Run {
                 ExitCode::from(USAGE)
             }
             Err(RunError::Param(ParamError::Model(error)) | RunError::Model(error)) => {
-                format.diagnostics(&[module.error(&error)], module.files());
+                format.diagnostics(&[module.error(&error, &set)], module.files());
                 ExitCode::from(MODEL_ERROR)
             }
-            Err(RunError::Io { path, error }) => {
-                format.failure(
-                    &format!("cannot write results to {}: {error}", path.display()),
-                    "choose another directory with --out",
-                );
-                ExitCode::from(MODEL_ERROR)
-            }
+            Err(RunError::Io { path, error }) => unwritable(format, &path, &error),
         }
     }
+}
+
+fn unwritable(format: MessageFormat, path: &Path, error: &io::Error) -> ExitCode {
+    format.failure(
+        &format!("cannot write results to {}: {error}", path.display()),
+        "choose another directory with --out",
+    );
+    ExitCode::from(MODEL_ERROR)
 }

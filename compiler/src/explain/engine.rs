@@ -66,6 +66,7 @@ pub const CODES: &[Explanation] = codes! {
     "E0704" "the run was cancelled" "Somebody stopped the run."
     "E0705" "an assertion failed" "The condition of an `assert` was false. The message shows the two sides of a comparison."
     "E0706" "an observable was asked for its value while the model is built" "What the engine observes has a value at each step of an analysis. Make it an `output`."
+    "E0707" "the limit on time or memory was reached" "The run was given a limit. Raise it, or look for a loop or an array that grows without end."
     "E0708" "an `extern` function that the engine does not have" "`extern` declares functions of the engine. Write your own without it, with a body."
     "E0709" "an expression that cannot be made a kernel" "The message says which part of the symbolic expression has no meaning as a formula."
     "E0710" "a frame is not a number at some time" "Some operation in the frame's expression gave NaN, such as the root of a negative number or 0/0. The message shows which, and with what operands."
@@ -78,7 +79,8 @@ pub const CODES: &[Explanation] = codes! {
     "E0717" "the bodies overlap in every position" "The bodies cannot be moved apart. Look at centre distance and tooth thicknesses."
     "E0718" "the contact problem is unusable" "A stiffness or gap is not a number. Look for extreme dimensions."
     "E0719" "the contact solver found no solution" "Please report it with the model."
-    "E0720" "an argument of the engine is not a number" "Some operation gave NaN, such as the root of a negative number or 0/0, and the engine was asked to use it. The message shows in which expression it arose, and with what operands."
+    "E0720" "an error the program threw, without a code of its own" "The model itself threw an error with `throw` and nothing caught it. The message is the model's own."
     "E0721" "an output is not a number" "The output's expression gave NaN at some position. The message shows which operation, at what time, and with what operands."
+    "E0722" "an argument of the engine is not a number" "Some operation gave NaN, such as the root of a negative number or 0/0, and the engine was asked to use it. The message shows in which expression it arose, and with what operands."
     "E0799" "a defect of Calyx; please report it with the model" "Something inside Calyx contradicts itself. It is not the model's fault."
 };

@@ -71,7 +71,14 @@ impl<'a> Checker<'a> {
                         span,
                     },
                 };
-                Expr { kind: Kind::Assert(Box::new(condition), Box::new(message)), ty: Type::Unit, span }
+                let sides = match &condition.kind {
+                    Kind::Binary(op, a, b) if op.compares() => {
+                        Some([a, b].map(|side| self.text(side.span).into()))
+                    }
+                    _ => None,
+                };
+                let assertion = Assertion { condition, message, sides, system: self.shown_system() };
+                Expr { kind: Kind::Assert(Box::new(assertion)), ty: Type::Unit, span }
             }
             Builtin::Len => {
                 let Some([array]) = self.plain("len", arguments, span, ["array"]) else {

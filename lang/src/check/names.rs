@@ -425,7 +425,51 @@ impl<'a> Resolver<'a> {
         }
     }
 
+    /// Nothing hands anything to a test, or takes what it gives.
+    fn test(&mut self, decl: &FunctionDecl) {
+        let place = match (decl.parameters.first(), &decl.result) {
+            (Some(parameter), _) => parameter.name.span,
+            (None, Some(result)) => result.span,
+            (None, None) if matches!(decl.body, FunctionBody::Statement(_)) => return,
+            (None, None) => decl.name.span,
+        };
+        self.report(
+            Diagnostic::error(
+                "E0222",
+                format!("the test `{}` takes or gives something", decl.name.name),
+                place,
+                "not for a test",
+            )
+            .help("write `test function name() { assert(...); }`; a test calls functions with arguments of its own"),
+        );
+    }
+
+    /// What the model runs is not run before a test, so its variables have no values there.
+    fn refuse_in_test(&mut self, name: &Ident, id: VarId) {
+        let variable = &self.names.variables[id.0 as usize];
+        let (owner, declared) = (variable.owner, variable.span);
+        let mut at = Some(self.function);
+        while let Some(function) = at.filter(|function| *function != owner) {
+            let info = &self.names.functions[function.0 as usize];
+            if info.decl.is_some_and(|decl| decl.is_test) {
+                let diagnostic = Diagnostic::error(
+                    "E0223",
+                    format!("a test does not see the variable `{}`", name.name),
+                    name.span,
+                    "a variable of the model",
+                )
+                .label(declared, "declared here")
+                .help("compute what the test needs inside it, or make this a `const` or a function");
+                return self.report(diagnostic);
+            }
+            at = info.parent;
+        }
+    }
+
     fn function(&mut self, decl: &'a FunctionDecl) {
+        if decl.is_test {
+            self.test(decl);
+        }
         decl.result.iter().for_each(|result| self.type_expr(result));
         for parameter in &decl.parameters {
             parameter.annotation.iter().for_each(|annotation| self.type_expr(annotation));
@@ -488,6 +532,7 @@ impl<'a> Resolver<'a> {
                 self.names.uses.insert(name.span, res);
                 if let Res::Var(id) = res {
                     self.outer(id);
+                    self.refuse_in_test(name, id);
                 }
             }
             ExprKind::Index { base, index } => {
@@ -639,6 +684,7 @@ impl<'a> Resolver<'a> {
             Res::Var(id) => {
                 self.names.variables[id.0 as usize].reads += 1;
                 self.outer(id);
+                self.refuse_in_test(name, id);
             }
             Res::Function(id) => {
                 self.names.functions[self.function.0 as usize].callees.insert(id);

@@ -71,7 +71,7 @@ pub enum Kind {
     SymbolicCall(Box<Call>),
     CallExtern(u32, Vec<Expr>),
     Print(Vec<Expr>, UnitSystem),
-    Assert(Box<Expr>, Box<Expr>),
+    Assert(Box<Assertion>),
     Array(Vec<Expr>),
     Tuple(Vec<Expr>),
     Index(Box<Expr>, Box<Expr>),
@@ -92,6 +92,16 @@ pub enum Kind {
 pub enum Piece {
     Text(String),
     Value(Expr),
+}
+
+#[derive(Clone, Debug)]
+pub struct Assertion {
+    pub condition: Expr,
+    pub message: Expr,
+    /// The two sides of a comparison as written: a failure says what they were.
+    pub sides: Option<[String; 2]>,
+    /// What their values are shown in.
+    pub system: UnitSystem,
 }
 
 #[derive(Clone, Debug)]
@@ -319,7 +329,8 @@ impl Expr {
             | Kind::Len(a)
             | Kind::Derivative(a, _)
             | Kind::Gradient(a, _) => vec![a],
-            Kind::Binary(_, a, b) | Kind::Index(a, b) | Kind::At(a, _, b) | Kind::Assert(a, b) => vec![a, b],
+            Kind::Binary(_, a, b) | Kind::Index(a, b) | Kind::At(a, _, b) => vec![a, b],
+            Kind::Assert(assertion) => vec![&assertion.condition, &assertion.message],
             Kind::If(a, b, c) => vec![a, b, c],
             Kind::Op(_, all)
             | Kind::CallExtern(_, all)

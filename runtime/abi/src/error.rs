@@ -91,6 +91,8 @@ pub mod codes {
     pub const EXHAUSTED: &str = "E0707";
     /// The program threw an error without a code of its own.
     pub const THROWN: &str = "E0720";
+    /// An argument of the engine is NaN.
+    pub const NOT_A_NUMBER: &str = "E0722";
     /// A fault of the engine or the compiler, not of the program.
     pub const INTERNAL: &str = "E0799";
 }

@@ -14,6 +14,10 @@ pub trait Value: Sized {
     /// Reads the value; `None` if the slots hold no such value (a defect of the caller, not of the program).
     fn read(context: &Context, slots: &[Slot]) -> Option<Self>;
     fn write(self, context: &mut Context, slots: &mut [Slot]);
+    /// Whether a number in the value is NaN.
+    fn has_nan(&self) -> bool {
+        false
+    }
 }
 
 /// What the engine hands out for a thing it keeps: an index into a table of its own.
@@ -39,6 +43,9 @@ impl Value for f64 {
     }
     fn write(self, _: &mut Context, slots: &mut [Slot]) {
         slots[0] = self.to_bits();
+    }
+    fn has_nan(&self) -> bool {
+        self.is_nan()
     }
 }
 
@@ -77,6 +84,9 @@ impl Value for [f64; 3] {
         for (slot, component) in slots.iter_mut().zip(self) {
             *slot = component.to_bits();
         }
+    }
+    fn has_nan(&self) -> bool {
+        self.iter().any(|component| component.is_nan())
     }
 }
 
@@ -135,6 +145,9 @@ impl<T: Value> Value for Vec<T> {
         }
         slots[0] = context.heap.insert(Object::Array { stride, slots: flat });
     }
+    fn has_nan(&self) -> bool {
+        self.iter().any(Value::has_nan)
+    }
 }
 
 /// Hands out the arguments of a call one after another.
@@ -143,7 +156,28 @@ pub struct Arguments<'a> {
 }
 
 impl Arguments<'_> {
+    /// The next argument, which the declaration calls `name`; NaN in it is refused.
+    ///
+    /// # Errors
+    /// E0720 if it is not a number; internal if the slots hold no such value.
+    pub fn take_number<T: Value>(&mut self, context: &Context, name: &str) -> Result<T, RuntimeError> {
+        let value: T = self.take(context)?;
+        if !value.has_nan() {
+            return Ok(value);
+        }
+        let mut error = RuntimeError::new(
+            codes::NOT_A_NUMBER,
+            format!("`{name}` is not a number"),
+            "look for 0/0, inf - inf or the root of a negative number",
+        );
+        error.argument = Some(name.into());
+        Err(error)
+    }
+
     /// The next argument.
+    ///
+    /// # Errors
+    /// Internal if the slots hold no such value.
     pub fn take<T: Value>(&mut self, context: &Context) -> Result<T, RuntimeError> {
         let count = T::repr().slots().min(self.slots.len());
         let (now, rest) = self.slots.split_at(count);
@@ -195,6 +229,7 @@ pub unsafe fn call<T: Value>(
 /// assert_eq!(EXTERNS[0].symbol, "calyx_example_twice");
 /// ```
 ///
+/// NaN in an argument is refused, except by functions of the language itself (`calyx_std_`), which treat it as a number.
 /// Each becomes an exported C symbol of type [`crate::SlotFn`] and a row of the constant `EXTERNS`.
 #[macro_export]
 macro_rules! externs {
@@ -217,7 +252,13 @@ macro_rules! externs {
                 // SAFETY: passed on from the caller.
                 unsafe {
                     $crate::externs::call::<$result>(ctx, args, count, ret, |$context, #[allow(unused)] mut arguments| {
-                        $(let $argument: $type = arguments.take($context)?;)*
+                        let library = !stringify!($symbol).starts_with("calyx_std_");
+                        $(let $argument: $type = if library {
+                            arguments.take_number($context, stringify!($argument))?
+                        } else {
+                            arguments.take($context)?
+                        };)*
+                        let _ = library;
                         $body
                     })
                 }

@@ -14,7 +14,11 @@ impl<'p> Machine<'_, 'p> {
     /// Evaluates an expression onto the stack.
     pub(super) fn eval(&mut self, expr: &'p Expr) -> Result<(), RuntimeError> {
         match &expr.kind {
-            ExprKind::Number(value) => self.stack.push(value.to_bits()),
+            ExprKind::Number(value) => {
+                let mut slot = value.to_bits();
+                self.trace(|trace| trace.literal(&mut slot, expr.span));
+                self.stack.push(slot);
+            }
             ExprKind::Bool(value) => self.stack.push(u64::from(*value)),
             ExprKind::String(text) => self.stack.push(self.ctx.heap.string(text)),
             ExprKind::Local(local) => {
@@ -106,6 +110,7 @@ impl<'p> Machine<'_, 'p> {
                 let start = self.reserve(expr.repr.slots());
                 self.at(expr.span);
                 helpers::eval_symbolic(self.ctx, value, time, &expr.repr, &mut self.stack[start..])?;
+                self.trace_symbolic(value, time, start);
             }
         }
         Ok(())
@@ -142,6 +147,8 @@ impl<'p> Machine<'_, 'p> {
             expand(&mut SlotScalars, op, &self.stack[start..])
                 .ok_or_else(|| malformed("an operation on other operands"))?
         };
+        let mut result = result;
+        self.trace(|trace| trace.operation(op, &self.stack[start..], &mut result, expr.span));
         self.stack.truncate(start);
         self.stack.extend(result);
         Ok(())
@@ -167,14 +174,20 @@ impl<'p> Machine<'_, 'p> {
             self.stack.extend(zero);
             return Ok(());
         }
+        if self.is_poisoned(id, start) {
+            self.put_poison(result, start);
+            return Ok(());
+        }
+        self.trace(|trace| trace.call(self.extern_parameters(id), &self.stack[start..], &self.ctx.heap));
         let mut slots = vec![0; result.slots()];
-        let called = helpers::call_extern(row, self.ctx, &self.stack[start..], &mut slots);
-        called.map_err(|mut error| {
+        if let Err(mut error) = helpers::call_extern(row, self.ctx, &self.stack[start..], &mut slots) {
             if let Some(declaration) = self.interpreter.program.externs.get(id.0 as usize) {
                 blame::blame(&mut error, &blame_table(declaration, arguments, span));
             }
-            error
-        })?;
+            self.survive(error)?;
+            self.put_poison(result, start);
+            return Ok(());
+        }
         self.stack.truncate(start);
         self.stack.extend(slots);
         Ok(())
@@ -214,6 +227,7 @@ impl<'p> Machine<'_, 'p> {
         let kinds = captures.flat_map(|capture| CaptureKind::of_slots(&capture.repr, capture.observable));
         let kinds: Vec<u8> = kinds.map(|kind| kind as u8).collect();
         self.at(span);
+        self.trace(|trace| trace.capture(id, &self.stack[start..]));
         let id =
             helpers::make_symbolic(self.ctx, id.0 as usize, site.repr.clone(), &kinds, &self.stack[start..])?;
         self.stack.truncate(start);

@@ -15,7 +15,11 @@ impl<'p> Machine<'_, 'p> {
             let Some(current) = function.blocks.get(block) else {
                 return Err(helpers::malformed("a block that is not there"));
             };
-            block = match self.block(current) {
+            let guard = usize::from(current.handler.is_some());
+            self.guards += guard;
+            let done = self.block(current);
+            self.guards -= guard;
+            block = match done {
                 Ok(Some(next)) => next.0 as usize,
                 Ok(None) => return Ok(()),
                 Err(mut error) => {

@@ -337,6 +337,10 @@ impl<'l, 'c> Body<'l, 'c> {
             StmtKind::Eval(value) => {
                 let done = match &value.kind {
                     Kind::Call(call) => self.call_statement(call, None, value.span),
+                    Kind::Assert(assertion) => {
+                        self.assertion(assertion, value.span);
+                        true
+                    }
                     _ => false,
                 };
                 if !done {

@@ -1,5 +1,6 @@
 //! From the typed tree to the typed program: one function per representation of its arguments, control flow as a graph.
 
+mod assertions;
 mod body;
 mod calls;
 mod closures;

@@ -22,13 +22,14 @@ impl Body<'_, '_> {
         let span = e.span;
         let make = |kind, repr| ir::Expr { kind, repr, span };
         match &e.kind {
-            // Not reached: programs with errors are not lowered.
+            // Not reached: programs with errors are not lowered, assertions are statements.
             Kind::Error
             | Kind::Time
             | Kind::Derivative(..)
             | Kind::Gradient(..)
             | Kind::At(..)
-            | Kind::SymbolicCall(_) => make(ExprKind::Number(f64::NAN), self.repr(&e.ty)),
+            | Kind::SymbolicCall(_)
+            | Kind::Assert(_) => make(ExprKind::Number(f64::NAN), self.repr(&e.ty)),
             Kind::Number(value) => make(ExprKind::Number(*value), Repr::Number),
             Kind::Bare(value, dim, system) => {
                 make(ExprKind::Number(value * self.bare_factor(dim, *system)), Repr::Number)
@@ -123,13 +124,6 @@ impl Body<'_, '_> {
                 let id = self.lowering.standard("print", Purity::Scene, &[("line", Repr::String)]);
                 make(ExprKind::CallExtern(id, vec![line]), Repr::Unit)
             }
-            Kind::Assert(condition, message) => {
-                let (condition, message) = self.pair(condition, message);
-                let all = vec![condition, message];
-                let parameters = [("condition", Repr::Bool), ("message", Repr::String)];
-                let id = self.lowering.standard("assert", Purity::Pure, &parameters);
-                make(ExprKind::CallExtern(id, all), Repr::Unit)
-            }
             Kind::Array(all) => {
                 let all = self.owned_values(all);
                 make(ExprKind::Array(all), self.repr(&e.ty))
@@ -193,7 +187,13 @@ impl Body<'_, '_> {
     }
 
     /// `kept` if the value is to be evaluated now.
-    fn format_part(&mut self, value: &Expr, system: UnitSystem, kept: bool, parts: &mut Vec<FormatPart>) {
+    pub(super) fn format_part(
+        &mut self,
+        value: &Expr,
+        system: UnitSystem,
+        kept: bool,
+        parts: &mut Vec<FormatPart>,
+    ) {
         if let Kind::Text(text) = &value.kind {
             return parts.push(FormatPart::Text(text.clone()));
         }
@@ -316,7 +316,7 @@ fn unary(op: UnaryOp, a: ir::Expr, span: Span) -> ir::Expr {
     }
 }
 
-fn binary(op: BinaryOp, a: ir::Expr, b: ir::Expr, span: Span) -> ir::Expr {
+pub(super) fn binary(op: BinaryOp, a: ir::Expr, b: ir::Expr, span: Span) -> ir::Expr {
     let make = |op, all, repr| ir::Expr { kind: ExprKind::Op(op, all), repr, span };
     match binary_form(op, &a.repr, &b.repr) {
         BinaryForm::Plain(op, repr) => make(op, vec![a, b], repr),

@@ -1,0 +1,158 @@
+//! Following NaN to where it arises. A program that failed because of one is interpreted again, and every NaN carries,
+//! in the bits that mean nothing, the number of the operation that made it. So it is known wherever it turns up: in a
+//! variable, an array, an argument, a captured value.
+
+use super::{Interpreter, Machine};
+use crate::kernels::trace_nan;
+use crate::nan::{NanSource, operation_text};
+use calyx_abi::{Heap, HeapId, Repr, Slot};
+use calyx_lang::ir::{Op, SiteId};
+use calyx_lang::span::Span;
+use std::collections::HashMap;
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+/// A quiet NaN of ours; the low 32 bits number its source.
+const MARK: u64 = 0x7ffc_0000_0000_0000;
+/// All bits but the sign, which negation changes, and the number.
+const MARKED: u64 = 0x7fff_ffff_0000_0000;
+
+/// Sources of NaN found so far.
+#[derive(Debug, Default)]
+pub struct NanTrace {
+    state: Mutex<State>,
+}
+
+#[derive(Debug, Default)]
+struct State {
+    sources: Vec<NanSource>,
+    /// In the arguments of the last provided function that was called.
+    in_call: Option<u32>,
+    /// In the values captured by a site's last binding.
+    captured: HashMap<u32, u32>,
+}
+
+impl NanTrace {
+    /// The NaN that the last call of a provided function was given.
+    pub fn in_call(&self) -> Option<NanSource> {
+        let state = self.state();
+        state.in_call.and_then(|id| state.sources.get(id as usize).cloned())
+    }
+
+    /// The NaN that a site captured when it was last bound.
+    pub fn captured(&self, site: SiteId) -> Option<NanSource> {
+        let state = self.state();
+        state.captured.get(&site.0).and_then(|id| state.sources.get(*id as usize).cloned())
+    }
+
+    /// The source of a NaN that a traced program returned.
+    pub fn source(&self, slot: Slot) -> Option<NanSource> {
+        self.state().sources.get(number(slot)? as usize).cloned()
+    }
+
+    // A trace is worth having even if somebody panicked while it was written.
+    fn state(&self) -> MutexGuard<'_, State> {
+        self.state.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    fn add(&self, source: NanSource) -> Slot {
+        let mut state = self.state();
+        state.sources.push(source);
+        MARK | (state.sources.len() - 1) as u64
+    }
+
+    pub(super) fn literal(&self, slot: &mut Slot, span: Span) {
+        if is_nan(*slot) {
+            *slot = self.add(NanSource { span, made_by: None, input: None });
+        }
+    }
+
+    /// Marks what an operation gave: with the mark of an operand, or a new one.
+    pub(super) fn operation(&self, op: Op, operands: &[Slot], result: &mut [Slot], span: Span) {
+        if !result.iter().any(|slot| is_nan(*slot)) {
+            return;
+        }
+        let mark = operands.iter().copied().find(|slot| number(*slot).is_some()).unwrap_or_else(|| {
+            let values: Vec<f64> = operands.iter().map(|slot| f64::from_bits(*slot)).collect();
+            self.add(NanSource { span, made_by: Some(operation_text(op, &values)), input: None })
+        });
+        result.iter_mut().filter(|slot| is_nan(**slot)).for_each(|slot| *slot = mark);
+    }
+
+    /// Notes NaN among the arguments of a provided function.
+    pub(super) fn call(&self, parameters: &[(String, Repr)], arguments: &[Slot], heap: &Heap) {
+        let mut found = None;
+        let mut at = 0;
+        for (_, repr) in parameters {
+            let slots = arguments.get(at..at + repr.slots()).unwrap_or_default();
+            at += repr.slots();
+            found = found.or_else(|| marked(repr, slots, heap));
+        }
+        self.state().in_call = found;
+    }
+
+    pub(super) fn capture(&self, site: SiteId, captured: &[Slot]) {
+        if let Some(id) = captured.iter().find_map(|slot| number(*slot)) {
+            self.state().captured.insert(site.0, id);
+        }
+    }
+}
+
+impl Interpreter<'_> {
+    /// Follows every NaN to where it arises; see [`Interpreter::trace`].
+    pub fn tracing(mut self) -> Self {
+        self.trace = Some(NanTrace::default());
+        self
+    }
+
+    /// What was found, if the interpreter traces.
+    pub fn trace(&self) -> Option<&NanTrace> {
+        self.trace.as_ref()
+    }
+}
+
+impl Machine<'_, '_> {
+    pub(super) fn trace(&self, work: impl FnOnce(&NanTrace)) {
+        if let Some(trace) = &self.interpreter.trace {
+            work(trace);
+        }
+    }
+
+    /// Marks NaN in the value of a symbolic expression, which its kernel has put on the stack from `start` on.
+    pub(super) fn trace_symbolic(&mut self, id: HeapId, time: f64, start: usize) {
+        let Some(trace) = &self.interpreter.trace else { return };
+        let Some(value) = self.ctx.heap.symbolic(id) else { return };
+        if !self.stack[start..].iter().any(|slot| is_nan(*slot)) {
+            return;
+        }
+        let captured = value.captured.iter().map(|held| held.to_bits()).find(|held| number(*held).is_some());
+        let mark = captured.or_else(|| {
+            let inputs: Vec<f64> =
+                [time].iter().chain(&self.ctx.params).chain(&value.captured).copied().collect();
+            Some(trace.add(trace_nan(self.interpreter.program, SiteId(value.site as u32), &inputs)?))
+        });
+        if let Some(mark) = mark {
+            self.stack[start..].iter_mut().filter(|slot| is_nan(**slot)).for_each(|slot| *slot = mark);
+        }
+    }
+}
+
+fn is_nan(slot: Slot) -> bool {
+    f64::from_bits(slot).is_nan()
+}
+
+/// The number of a NaN's source, if it is one of ours.
+fn number(slot: Slot) -> Option<u32> {
+    (slot & MARKED == MARK).then_some(slot as u32)
+}
+
+/// The first marked number in a value.
+fn marked(repr: &Repr, slots: &[Slot], heap: &Heap) -> Option<u32> {
+    match repr {
+        Repr::Number | Repr::Vector | Repr::Transform => slots.iter().find_map(|slot| number(*slot)),
+        Repr::Array(element) => {
+            let (elements, stride) = heap.array(*slots.first()?)?;
+            elements.chunks(stride.max(1)).find_map(|value| marked(element, value, heap))
+        }
+        _ => None,
+    }
+}

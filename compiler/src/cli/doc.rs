@@ -1,0 +1,52 @@
+//! `calyx doc`: reference pages.
+
+use crate::messages::{MODEL_ERROR, MessageFormat, USAGE};
+use calyx::doc::{DocError, library, page, write};
+use clap::Args;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+pub const EXAMPLES: &str = "Examples:
+  calyx doc                      the library, into the directory doc
+  calyx doc gears -o reference   one module
+  calyx doc pair.cx shapes.cx    params, outputs and functions of your own files
+
+The pages are single files of HTML: open them in any browser.";
+
+#[derive(Args)]
+pub struct Doc {
+    /// Modules of the library, or files ending in .cx [default: all of the library]
+    modules: Vec<String>,
+    /// Directory to write to
+    #[arg(short, long, value_name = "DIR", default_value = "doc")]
+    output: PathBuf,
+}
+
+impl Doc {
+    pub fn run(self) -> ExitCode {
+        let format = MessageFormat::Human;
+        let modules = if self.modules.is_empty() {
+            library().into_iter().map(str::to_owned).collect()
+        } else {
+            self.modules
+        };
+        let pages: Result<Vec<_>, _> = modules.iter().map(|name| page(name)).collect();
+        match pages.and_then(|pages| write(&pages, &self.output)) {
+            Ok(first) => {
+                eprintln!("wrote {}", first.display());
+                ExitCode::SUCCESS
+            }
+            Err(DocError::Unknown { name, known }) => {
+                format.failure(
+                    &format!("there is no module `{name}`"),
+                    &format!("the library has {}; a file of your own ends in .cx", known.join(", ")),
+                );
+                ExitCode::from(USAGE)
+            }
+            Err(DocError::Io { path, error }) => {
+                format.failure(&format!("{}: {error}", path.display()), "choose another directory with -o");
+                ExitCode::from(MODEL_ERROR)
+            }
+        }
+    }
+}

@@ -1,0 +1,81 @@
+//! Reference pages from doc comments: what a module or a model offers, as self-contained HTML (`calyx doc`).
+//!
+//! A page is made of the syntax tree alone: what is written in declarations is what a reader needs, and a module that has
+//! errors elsewhere is still documented.
+
+mod collect;
+mod html;
+
+pub use collect::{Entry, Field, Kind, Page};
+
+use calyx_gears::library::{MODULES, PRELUDE};
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// Why pages could not be written.
+#[derive(Debug)]
+pub enum DocError {
+    /// Neither a module of the library nor a file.
+    Unknown {
+        name: String,
+        known: Vec<&'static str>,
+    },
+    Io {
+        path: PathBuf,
+        error: io::Error,
+    },
+}
+
+/// The page of a library module or of a file ending in .cx.
+///
+/// # Errors
+/// There is no such module, or the file cannot be read.
+pub fn page(name: &str) -> Result<Page, DocError> {
+    if let Some(module) = MODULES.iter().find(|module| module.path == name) {
+        return Ok(collect::page(name, module.text, true));
+    }
+    if name == PRELUDE.path {
+        return Ok(collect::page(name, PRELUDE.text, true));
+    }
+    let path = Path::new(name);
+    if path.extension().is_none_or(|extension| extension != "cx") {
+        let known = library();
+        return Err(DocError::Unknown { name: name.to_owned(), known });
+    }
+    let text =
+        std::fs::read_to_string(path).map_err(|error| DocError::Io { path: path.to_owned(), error })?;
+    let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+    // A file that runs something is a model; one that only declares is a module.
+    Ok(collect::page(&stem, &text, false))
+}
+
+/// Names of the library's modules, the one every model sees first.
+pub fn library() -> Vec<&'static str> {
+    std::iter::once(PRELUDE.path).chain(MODULES.iter().map(|module| module.path)).collect()
+}
+
+/// Writes a file for each page and, for more than one, an index; returns the file to open first.
+///
+/// # Errors
+/// A file cannot be written.
+pub fn write(pages: &[Page], directory: &Path) -> Result<PathBuf, DocError> {
+    let unwritable = |path: &Path, error| DocError::Io { path: path.to_owned(), error };
+    std::fs::create_dir_all(directory).map_err(|error| unwritable(directory, error))?;
+    let mut first = None;
+    let mut files: Vec<(String, String)> = Vec::new();
+    if pages.len() > 1 {
+        files.push(("index.html".into(), html::index(pages)));
+    }
+    files.extend(pages.iter().map(|page| (format!("{}.html", page.name), html::page(page, pages))));
+    for (name, text) in files {
+        let path = directory.join(name);
+        std::fs::write(&path, text).map_err(|error| unwritable(&path, error))?;
+        first.get_or_insert(path);
+    }
+    Ok(first.unwrap_or_else(|| directory.to_owned()))
+}
+
+/// A page as plain text: what a reader sees, without its form.
+pub fn text(page: &Page) -> String {
+    html::text(page)
+}

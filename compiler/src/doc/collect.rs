@@ -1,0 +1,284 @@
+//! From a syntax tree to what a page says.
+
+use calyx_lang::ast::*;
+use calyx_lang::dimension::{Dimension, Rational};
+use calyx_lang::parser::parse;
+use calyx_lang::span::{FileId, Span};
+use calyx_lang::units::UnitSystem;
+
+/// A module or a model.
+#[derive(Clone, Debug, Default)]
+pub struct Page {
+    pub name: String,
+    pub doc: String,
+    /// Part of the library, as opposed to a file of the user's.
+    pub library: bool,
+    /// In order of the source.
+    pub entries: Vec<Entry>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    Param,
+    Output,
+    Function,
+    Constant,
+    Record,
+    Dimension,
+    Unit,
+}
+
+/// Something with a name.
+#[derive(Clone, Debug)]
+pub struct Entry {
+    pub kind: Kind,
+    pub name: String,
+    pub doc: String,
+    /// How it is used: a call, a declaration.
+    pub signature: String,
+    /// What a function gives, as written.
+    pub result: Option<Type>,
+    /// Parameters of a function, fields of a record; of a param the param itself.
+    pub fields: Vec<Field>,
+    /// How an engine function acts, in words; empty for others.
+    pub effect: &'static str,
+}
+
+/// A parameter, field or param.
+#[derive(Clone, Debug)]
+pub struct Field {
+    pub name: String,
+    /// `in`, `out` or `inout` for parameters, empty elsewhere.
+    pub mode: &'static str,
+    pub doc: String,
+    pub ty: Option<Type>,
+    pub default: Option<String>,
+    /// Allowed values, in words.
+    pub domain: String,
+    /// Takes an expression, with `:=`.
+    pub symbolic: bool,
+}
+
+/// A type as written.
+#[derive(Clone, Debug)]
+pub struct Type {
+    pub text: String,
+    /// The unit of its numbers in each system, if they have one: `mm`, `inch`.
+    pub units: Vec<String>,
+    /// Names of types in it that are no dimensions: handles and records.
+    pub names: Vec<String>,
+}
+
+/// Reads a page off a text.
+pub fn page(name: &str, text: &str, library: bool) -> Page {
+    let (module, _) = parse(FileId(0), text);
+    let reader = Reader { text };
+    let first_doc = module.statements.first().and_then(|statement| match statement.kind {
+        StmtKind::Import(_) | StmtKind::Units(_) => statement.doc.clone(),
+        _ => None,
+    });
+    Page {
+        name: name.to_owned(),
+        doc: module.doc.clone().or(first_doc).unwrap_or_default(),
+        library,
+        entries: module
+            .statements
+            .iter()
+            .filter(|s| !s.private)
+            .filter_map(|s| reader.entry(s, name, library))
+            .collect(),
+    }
+}
+
+struct Reader<'t> {
+    text: &'t str,
+}
+
+impl Reader<'_> {
+    fn entry(&self, statement: &Stmt, module: &str, library: bool) -> Option<Entry> {
+        let entry = |kind, name: &Ident, signature: String| Entry {
+            kind,
+            name: name.name.clone(),
+            doc: statement.doc.clone().unwrap_or_default(),
+            signature,
+            result: None,
+            fields: Vec::new(),
+            effect: "",
+        };
+        Some(match &statement.kind {
+            StmtKind::Param(param) => {
+                let default = self.slice(param.default.span);
+                let field = Field {
+                    name: param.name.name.clone(),
+                    mode: "",
+                    doc: String::new(),
+                    ty: None,
+                    default: Some(default.clone()),
+                    domain: self.domain(&param.domain),
+                    symbolic: false,
+                };
+                let signature = format!("--set \"{}={default}\"", param.name.name);
+                Entry { fields: vec![field], ..entry(Kind::Param, &param.name, signature) }
+            }
+            StmtKind::Output { name, value } => entry(Kind::Output, name, self.slice(value.span)),
+            StmtKind::Const { name, value } => entry(Kind::Constant, name, self.slice(value.span)),
+            StmtKind::Dimension { name, value } => {
+                let written = value.as_ref().map(|value| self.slice(value.span)).unwrap_or_default();
+                entry(Kind::Dimension, name, written)
+            }
+            StmtKind::Unit(unit) => {
+                let written = match &unit.meaning {
+                    UnitMeaning::Coherent(ty) => self.slice(ty.span),
+                    UnitMeaning::Equal(value) => self.slice(value.span),
+                };
+                entry(Kind::Unit, &unit.name, written)
+            }
+            StmtKind::Record(record) => {
+                let fields: Vec<Field> = record.fields.iter().map(|field| self.field(field)).collect();
+                let signature = call(&record.name.name, &fields);
+                Entry { fields, ..entry(Kind::Record, &record.name, signature) }
+            }
+            StmtKind::Function(function) if !function.is_test => {
+                let fields: Vec<Field> = function.parameters.iter().map(|p| self.parameter(p)).collect();
+                // The prelude's names are known without a module's name before them.
+                let prefix = if library && module != "std" { format!("{module}.") } else { String::new() };
+                let signature = call(&format!("{prefix}{}", function.name.name), &fields);
+                let result = function.result.as_ref().map(|ty| self.ty(ty));
+                Entry {
+                    fields,
+                    result,
+                    effect: effect(function),
+                    ..entry(Kind::Function, &function.name, signature)
+                }
+            }
+            _ => return None,
+        })
+    }
+
+    fn parameter(&self, parameter: &Parameter) -> Field {
+        let (symbolic, default) = match &parameter.default {
+            Some((bind, value)) => (*bind == Bind::Symbolic, value.as_ref().map(|e| self.slice(e.span))),
+            None => (false, None),
+        };
+        Field {
+            name: parameter.name.name.clone(),
+            mode: match parameter.mode {
+                Mode::In => "in",
+                Mode::Out => "out",
+                Mode::InOut => "inout",
+            },
+            doc: parameter.doc.clone().unwrap_or_default(),
+            ty: parameter.annotation.as_ref().map(|ty| self.ty(ty)),
+            default,
+            domain: self.domain(&parameter.domain),
+            symbolic,
+        }
+    }
+
+    fn field(&self, field: &RecordField) -> Field {
+        Field {
+            name: field.name.name.clone(),
+            mode: "",
+            doc: field.doc.clone().unwrap_or_default(),
+            ty: field.annotation.as_ref().map(|ty| self.ty(ty)),
+            default: field.default.as_ref().map(|value| self.slice(value.span)),
+            domain: String::new(),
+            symbolic: false,
+        }
+    }
+
+    fn domain(&self, domain: &Option<Domain>) -> String {
+        let written = |e: &Option<Expr>| e.as_ref().map(|e| self.slice(e.span));
+        match domain {
+            None => String::new(),
+            Some(Domain::Range { low, high, .. }) => match (written(low), written(high)) {
+                (Some(low), Some(high)) => format!("{low} to {high}"),
+                (Some(low), None) => format!("{low} or more"),
+                (None, Some(high)) => format!("{high} or less"),
+                (None, None) => String::new(),
+            },
+            Some(Domain::Choices { values, .. }) => {
+                let values: Vec<String> = values.iter().map(|e| self.slice(e.span)).collect();
+                values.join(" or ")
+            }
+        }
+    }
+
+    fn ty(&self, ty: &TypeExpr) -> Type {
+        let mut names = Vec::new();
+        type_names(ty, &mut names);
+        let units = dimension(ty).map(|dimension| {
+            let mut units: Vec<String> = [UnitSystem::MmNS, UnitSystem::InchLbfS]
+                .map(|system| system.unit_of(dimension).name)
+                .into_iter()
+                .filter(|unit| !unit.is_empty())
+                .collect();
+            units.dedup();
+            units
+        });
+        Type { text: self.slice(ty.span), units: units.unwrap_or_default(), names }
+    }
+
+    /// What is written, on one line.
+    fn slice(&self, span: Span) -> String {
+        let written = self.text.get(span.start as usize..span.end as usize).unwrap_or_default();
+        written.split_whitespace().collect::<Vec<_>>().join(" ")
+    }
+}
+
+/// A call with the arguments that must be given, and those that may be in brackets.
+fn call(name: &str, fields: &[Field]) -> String {
+    let argument = |field: &Field| {
+        let bind = if field.symbolic { ":=" } else { "=" };
+        match &field.default {
+            Some(default) => format!("{} {bind} {default}", field.name),
+            None if field.symbolic => format!("{} := ...", field.name),
+            None => field.name.clone(),
+        }
+    };
+    format!("{name}({})", fields.iter().map(argument).collect::<Vec<_>>().join(", "))
+}
+
+fn effect(function: &FunctionDecl) -> &'static str {
+    match &function.body {
+        FunctionBody::Extern { purity: Some(word) } if word.name == "pure" => "",
+        FunctionBody::Extern { purity: Some(word) } if word.name == "scene" => "adds to the scene",
+        FunctionBody::Extern { .. } => "solves; not called by check",
+        FunctionBody::Statement(_) | FunctionBody::Symbolic(_) => "",
+    }
+}
+
+/// The dimension of the numbers in a type, if there is one.
+fn dimension(ty: &TypeExpr) -> Option<Dimension> {
+    match &ty.kind {
+        TypeKind::Name(name) => Dimension::from_name(&name.name),
+        TypeKind::Apply(_, arguments) => dimension(arguments.first()?),
+        TypeKind::Product(a, b) => Some(dimension(a)?.times(dimension(b)?)),
+        TypeKind::Quotient(a, b) => Some(dimension(a)?.over(dimension(b)?)),
+        TypeKind::Power(base, numerator, denominator) => {
+            dimension(base)?.power(Rational::new(i64::from(*numerator), i64::from(*denominator))?)
+        }
+        TypeKind::Member(..) | TypeKind::Error => None,
+    }
+}
+
+fn type_names(ty: &TypeExpr, names: &mut Vec<String>) {
+    const OF_THE_LANGUAGE: [&str; 4] = ["Bool", "String", "Vector", "Transform"];
+    match &ty.kind {
+        TypeKind::Name(name) => {
+            let known =
+                OF_THE_LANGUAGE.contains(&name.name.as_str()) || Dimension::from_name(&name.name).is_some();
+            if !known {
+                names.push(name.name.clone());
+            }
+        }
+        TypeKind::Member(_, name) => names.push(name.name.clone()),
+        TypeKind::Apply(_, arguments) => arguments.iter().for_each(|ty| type_names(ty, names)),
+        TypeKind::Product(a, b) | TypeKind::Quotient(a, b) => {
+            type_names(a, names);
+            type_names(b, names);
+        }
+        TypeKind::Power(base, ..) => type_names(base, names),
+        TypeKind::Error => {}
+    }
+}

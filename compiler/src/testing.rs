@@ -1,0 +1,206 @@
+//! Tests written in Calyx: `test function` items, each run on its own (`calyx test`).
+//!
+//! A test sees what a file declares, and none of what it runs: everything else is blanked out, byte for byte, so that
+//! places stay right, and one test is called by a param that is put at the end.
+
+use crate::check::{FUEL, MEMORY, diagnostic, has_errors, read};
+use crate::interpreted::Interpreted;
+use crate::loader::ModelLoader;
+use calyx_abi::{Context, Purity, RuntimeError};
+use calyx_gears::host::ModelHost;
+use calyx_lang::ast::{Stmt, StmtKind};
+use calyx_lang::check::check_program;
+use calyx_lang::diagnostic::{Diagnostic, Severity};
+use calyx_lang::ir::{Program, SourceFile};
+use calyx_lang::parser::parse;
+use calyx_lang::span::{FileId, Span};
+use calyx_lower::interpret::CallSites;
+use calyx_rt::{ParamError, Program as _, apply};
+use std::io;
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex};
+
+/// Selects the test to run. Two underscores keep it out of the way of names that people choose.
+const SELECTOR: &str = "__test";
+
+/// Errors in the use of tests themselves.
+const OF_TESTS: [&str; 2] = ["E0222", "E0223"];
+
+/// How a test ended.
+pub struct Outcome {
+    pub name: String,
+    /// Why it failed; `None` if it passed.
+    pub failure: Option<Diagnostic>,
+    /// What it printed.
+    pub lines: Vec<String>,
+}
+
+/// The tests of one file.
+pub struct Tested {
+    pub outcomes: Vec<Outcome>,
+    /// What is wrong with the file, so that no test ran.
+    pub errors: Vec<Diagnostic>,
+    pub files: Vec<SourceFile>,
+}
+
+impl Tested {
+    pub fn passed(&self) -> usize {
+        self.outcomes.iter().filter(|outcome| outcome.failure.is_none()).count()
+    }
+
+    pub fn failed(&self) -> usize {
+        self.outcomes.len() - self.passed()
+    }
+}
+
+/// Runs the tests of a file whose names contain `filter`.
+///
+/// # Errors
+/// The file cannot be read.
+pub fn test_file(path: &Path, filter: &str) -> io::Result<Tested> {
+    let name = path.display().to_string();
+    let text = match read(path)? {
+        Ok(text) => text,
+        Err(checked) => {
+            return Ok(Tested { outcomes: Vec::new(), errors: checked.diagnostics, files: checked.files });
+        }
+    };
+    Ok(test_text(&name, &text, path.parent(), filter))
+}
+
+/// Files with tests in a directory and those below it, or the file itself; in order of name.
+///
+/// # Errors
+/// Something cannot be read.
+pub fn files_with_tests(path: &Path) -> io::Result<Vec<PathBuf>> {
+    if !path.is_dir() {
+        return Ok(vec![path.to_owned()]);
+    }
+    let (mut found, mut pending) = (Vec::new(), vec![path.to_owned()]);
+    while let Some(directory) = pending.pop() {
+        for entry in std::fs::read_dir(&directory)? {
+            let path = entry?.path();
+            let hidden = path.file_name().is_some_and(|name| name.to_string_lossy().starts_with('.'));
+            if path.is_dir() && !hidden && !path.is_symlink() {
+                pending.push(path);
+            } else if path.extension().is_some_and(|extension| extension == "cx") {
+                // What is not UTF-8 is no test; `check` says so.
+                let text = std::fs::read(&path)?;
+                if String::from_utf8(text).is_ok_and(|text| !tests(&text).is_empty()) {
+                    found.push(path);
+                }
+            }
+        }
+    }
+    found.sort();
+    Ok(found)
+}
+
+/// Names of the tests in a text, in order.
+pub fn tests(text: &str) -> Vec<String> {
+    let (module, _) = parse(FileId(0), text);
+    let name = |statement: &Stmt| match &statement.kind {
+        StmtKind::Function(function) if function.is_test => Some(function.name.name.clone()),
+        _ => None,
+    };
+    module.statements.iter().filter_map(name).collect()
+}
+
+fn test_text(name: &str, text: &str, folder: Option<&Path>, filter: &str) -> Tested {
+    let loader = ModelLoader { folder: folder.map(Path::to_path_buf) };
+    // What is blanked out would be reported as unknown.
+    let whole = check_program(name, text, &loader);
+    let misused: Vec<Diagnostic> =
+        whole.diagnostics.into_iter().filter(|found| OF_TESTS.contains(&found.code.as_str())).collect();
+    if !misused.is_empty() {
+        return Tested { outcomes: Vec::new(), errors: misused, files: whole.files };
+    }
+    let names: Vec<String> = tests(text).into_iter().filter(|test| test.contains(filter)).collect();
+    let checked = check_program(name, &harness(text, &names), &loader);
+    let mut files = checked.files;
+    if let Some(own) = files.first_mut() {
+        text.clone_into(&mut own.text);
+    }
+    let errors: Vec<Diagnostic> =
+        checked.diagnostics.into_iter().filter(|found| found.severity == Severity::Error).collect();
+    let (Some(program), false) = (&checked.program, has_errors(&errors)) else {
+        return Tested { outcomes: Vec::new(), errors, files };
+    };
+    let interpreted = match Interpreted::new(program, Purity::Scene) {
+        Ok(interpreted) => interpreted,
+        Err(found) => return Tested { outcomes: Vec::new(), errors: vec![*found], files },
+    };
+    let sites = CallSites::new(program);
+    let outcomes = names.into_iter().enumerate().map(|(index, name)| {
+        let (lines, ended) = run(&interpreted, program, index);
+        let failure = ended.err().map(|error| failure(error, &sites, text.len() as u32));
+        Outcome { name, failure, lines }
+    });
+    Tested { outcomes: outcomes.collect(), errors, files }
+}
+
+/// The text's declarations, and the call of the test that the selector names.
+fn harness(text: &str, names: &[String]) -> String {
+    let (module, _) = parse(FileId(0), text);
+    let mut harness = text.to_owned();
+    for statement in module.statements.iter().filter(|statement| runs(&statement.kind)) {
+        let Span { start, end, .. } = statement.span;
+        let range = start as usize..end as usize;
+        let Some(old) = text.get(range.clone()) else { continue };
+        // As many bytes and the same lines.
+        let blank = |byte: u8| if byte == b'\n' { '\n' } else { ' ' };
+        harness.replace_range(range, &old.bytes().map(blank).collect::<String>());
+    }
+    harness += &format!("\nparam {SELECTOR} = 0;\nswitch ({SELECTOR}) {{\n");
+    for (index, name) in names.iter().enumerate() {
+        harness += &format!("case {index}: {name}(); break;\n");
+    }
+    harness + "}\n"
+}
+
+/// Whether a top-level statement does something, as opposed to declaring something.
+fn runs(kind: &StmtKind) -> bool {
+    !matches!(
+        kind,
+        StmtKind::Empty
+            | StmtKind::Error
+            | StmtKind::Import(_)
+            | StmtKind::Units(_)
+            | StmtKind::Param(_)
+            | StmtKind::Const { .. }
+            | StmtKind::Record(_)
+            | StmtKind::Dimension { .. }
+            | StmtKind::Unit(_)
+            | StmtKind::Function(_)
+    )
+}
+
+/// Runs one test in a context of its own: what it printed, and how it ended.
+fn run(interpreted: &Interpreted, program: &Program, test: usize) -> (Vec<String>, Result<(), RuntimeError>) {
+    let lines = Arc::new(Mutex::new(Vec::new()));
+    let printed = lines.clone();
+    let mut context = Context::new(Box::new(ModelHost::new(&program.units)));
+    context.fuel = FUEL;
+    context.limits.memory = Some(MEMORY);
+    context.kernels = interpreted.kernels();
+    context.print = Box::new(move |line| {
+        if let Ok(mut lines) = printed.lock() {
+            lines.push(line.to_owned());
+        }
+    });
+    let given = [(SELECTOR.to_owned(), test.to_string())];
+    let ended = apply(interpreted, &given, &mut context).map_err(|error| match error {
+        ParamError::Model(error) => error,
+        ParamError::Given { message, help } => RuntimeError::new("E0314", message, help),
+    });
+    let ended = ended.and_then(|()| interpreted.main(&mut context));
+    let lines = lines.lock().map(|mut lines| std::mem::take(&mut *lines)).unwrap_or_default();
+    (lines, ended)
+}
+
+/// The failure for people, who know nothing of the call that was put at the end of the text.
+fn failure(mut error: RuntimeError, sites: &CallSites, end: u32) -> Diagnostic {
+    sites.blame(&mut error);
+    error.details.calls.retain(|call| call.place.0 != 0 || call.place.1 < end);
+    diagnostic(&error)
+}

@@ -1,0 +1,67 @@
+//! Assertions: a failed comparison says what its two sides were.
+
+use super::body::Body;
+use super::values::binary;
+use crate::check::tree::{Assertion, Expr, Kind};
+use crate::ir::{self, ExprKind, FormatPart, Statement};
+use crate::span::Span;
+use calyx_abi::{Purity, Repr};
+
+impl Body<'_, '_> {
+    /// `assert`. The message is made only where the condition is false.
+    pub(super) fn assertion(&mut self, assertion: &Assertion, span: Span) {
+        let (condition, told) = self.tested(assertion);
+        let (holds, fails) = (self.new_block(), self.new_block());
+        self.branch_on(condition, holds, fails);
+        self.start(fails);
+        let mut parts = Vec::new();
+        self.format_part(&assertion.message, assertion.system, false, &mut parts);
+        parts.extend(told);
+        let make = |kind, repr| ir::Expr { kind, repr, span };
+        let message = make(ExprKind::Format(parts), Repr::String);
+        let parameters = [("condition", Repr::Bool), ("message", Repr::String)];
+        let id = self.lowering.standard("assert", Purity::Pure, &parameters);
+        let arguments = vec![make(ExprKind::Bool(false), Repr::Bool), message];
+        self.push(Statement::Eval(make(ExprKind::CallExtern(id, arguments), Repr::Unit)));
+        self.jump(holds);
+        self.start(holds);
+    }
+
+    /// The condition, and what is told of its sides if it compares two values.
+    fn tested(&mut self, assertion: &Assertion) -> (ir::Expr, Vec<FormatPart>) {
+        let condition = &assertion.condition;
+        let (Kind::Binary(op, a, b), Some([left_text, right_text])) = (&condition.kind, &assertion.sides)
+        else {
+            return (self.value(condition), Vec::new());
+        };
+        // Kept, so that a side is evaluated once.
+        let (left, right) = self.pair(a, b);
+        let (left, right) = (self.kept(left), self.kept(right));
+        let mut told = Vec::new();
+        for (text, side, value) in [(left_text, a, &left), (right_text, b, &right)] {
+            if says_itself(side) || !has_text(&value.repr) {
+                continue;
+            }
+            let before = if told.is_empty() { " (" } else { ", " };
+            told.push(FormatPart::Text(format!("{before}{text} is ")));
+            told.push(FormatPart::Value(value.clone(), self.shown_unit(&side.ty, assertion.system)));
+        }
+        if !told.is_empty() {
+            told.push(FormatPart::Text(")".into()));
+        }
+        (binary(*op, left, right, condition.span), told)
+    }
+}
+
+/// A literal tells no more than the text of the assertion does.
+fn says_itself(side: &Expr) -> bool {
+    matches!(side.kind, Kind::Number(_) | Kind::Bare(..) | Kind::Bool(_) | Kind::Text(_))
+}
+
+fn has_text(repr: &Repr) -> bool {
+    match repr {
+        Repr::Number | Repr::Bool | Repr::String | Repr::Vector => true,
+        Repr::Array(element) => has_text(element),
+        _ => false,
+    }
+}

@@ -1,0 +1,161 @@
+//! Whether frames and contacts hold what is free to move: known before anything is solved, and said in the words of the
+//! model.
+//!
+//! However many teeth touch, the contacts of an involute mesh press along one line. So each mesh holds one combination of
+//! freedoms, in one sense, and whether they can balance the load is a small problem of its own.
+
+use crate::contact::problem::{ContactError, FreeMotion};
+use crate::contact::rigid_limit::rigid_limit;
+use crate::error::{EngineError, Subject};
+use crate::plan::Plan;
+use crate::scene::{FREEDOMS, Scene, SurfacePair};
+use crate::system::{Freedom, load_on, number_freedoms, pose};
+
+/// Checks that nominal contact holds every free motion of the planned bodies.
+///
+/// # Errors
+/// What solving the first position would end in: E0714 if a load drives a body away, E0715 if nothing holds a motion.
+pub fn check(scene: &Scene, plan: &Plan) -> Result<(), EngineError> {
+    let freedoms = number_freedoms(scene, plan);
+    if freedoms.is_empty() {
+        return Ok(());
+    }
+    let mut arms = Vec::new();
+    let mut contacts = 0;
+    for pair in &scene.pairs {
+        // Surfaces that are no gears' have no nominal contact: only solving shows what they hold.
+        let Some(row) = nominal_arms(scene, pair, &freedoms)? else { return Ok(()) };
+        arms.extend(row);
+        contacts += 1;
+    }
+    let mut load: Vec<f64> = freedoms.iter().map(|freedom| load_on(scene, *freedom)).collect();
+    if load.iter().all(|&load| load == 0.0) {
+        load = drive_direction(scene, &freedoms);
+    }
+    match rigid_limit(&vec![0.0; contacts], &arms, &load) {
+        Err(error @ (ContactError::Infeasible(_) | ContactError::Unconstrained(_))) => {
+            Err(explain(scene, &freedoms, &error))
+        }
+        // Anything else depends on where the teeth are.
+        _ => Ok(()),
+    }
+}
+
+/// Work that a unit of force along the line of action does on each freedom.
+fn nominal_arms(
+    scene: &Scene,
+    pair: &SurfacePair,
+    freedoms: &[Freedom],
+) -> Result<Option<Vec<f64>>, EngineError> {
+    let Some(mesh) = &pair.mesh else { return Ok(None) };
+    let bodies = pair.bodies.map(|body| body.0);
+    let [first, second] =
+        [pose(scene, bodies[0], mesh.start)?.origin, pose(scene, bodies[1], mesh.start)?.origin];
+    let across = [second[0] - first[0], second[1] - first[1]];
+    let [radius, mate] = mesh.base_radii;
+    let cosine = (radius + mesh.sign * mate).abs() / across[0].hypot(across[1]);
+    if !(0.0..=1.0).contains(&cosine) {
+        return Ok(None);
+    }
+    // A gear that pushes counter-clockwise presses its mate onwards at a right angle to the line of centres, less the
+    // pressure angle outwards.
+    let sense = mesh.drive_sense;
+    let angle = across[1].atan2(across[0]) + sense * cosine.asin();
+    let normal = [angle.cos(), angle.sin()];
+    let arm = |freedom: &Freedom| {
+        let (side, turn) = match freedom.body {
+            body if body == bodies[0] => (-1.0, -sense * radius),
+            body if body == bodies[1] => (1.0, -sense * mesh.sign * mate),
+            _ => return 0.0,
+        };
+        match freedom.component {
+            component @ 0..2 => side * normal[component],
+            5 => turn,
+            _ => 0.0,
+        }
+    };
+    Ok(Some(freedoms.iter().map(arm).collect()))
+}
+
+/// The load whose limit is taken where there is none: meshes driven as their surfaces were chosen.
+pub(crate) fn drive_direction(scene: &Scene, freedoms: &[Freedom]) -> Vec<f64> {
+    let mut direction = vec![0.0; freedoms.len()];
+    for pair in &scene.pairs {
+        let Some(mesh) = &pair.mesh else { continue };
+        for (side, sign) in [(0, 1.0), (1, mesh.sign)] {
+            let turn = Freedom { body: pair.bodies[side].0, component: 5 };
+            if let Some(at) = freedoms.iter().position(|freedom| *freedom == turn) {
+                direction[at] = sign * mesh.drive_sense;
+            }
+        }
+    }
+    direction
+}
+
+/// A freedom that moves less than this part of the one that moves most is not named.
+const TAKES_PART: f64 = 1e-3;
+
+/// A failure of the contact solver in the words of the model.
+pub(crate) fn explain(scene: &Scene, freedoms: &[Freedom], error: &ContactError) -> EngineError {
+    let named = |motion: &FreeMotion| motion_name(scene, freedoms, &motion.motion);
+    let about = |error: EngineError, motion: &FreeMotion| match freedoms.get(motion.freedom) {
+        Some(freedom) => error.about(Subject::Body(freedom.body)).blame("free"),
+        None => error,
+    };
+    match error {
+        ContactError::Infeasible(motion) => about(
+            EngineError::new(
+                "E0714",
+                format!("no contact can hold the load: it drives {}", named(motion)),
+                "hold such a freedom (take it out of `free`), or check the sign of the load and that the teeth are in mesh",
+            ),
+            motion,
+        ),
+        ContactError::Unconstrained(motion) => about(
+            EngineError::new(
+                "E0715",
+                format!("nothing holds {}", named(motion)),
+                "hold such a freedom (take it out of `free`), or load it",
+            ),
+            motion,
+        ),
+        ContactError::DependentCells { cell } => EngineError::new(
+            "E0716",
+            format!("the gap equations are not independent of each other at contact cell {cell}"),
+            "let at least one of the two bodies be elastic, and let no two surface pairs describe the same contact",
+        ),
+        ContactError::Jammed => EngineError::new(
+            "E0717",
+            "the bodies overlap in every position",
+            "move the frames apart; look at centre distance, thickness and pitch errors",
+        ),
+        ContactError::Invalid(what) => {
+            EngineError::new("E0718", format!("the contact problem is unusable: {what}"), "")
+        }
+        ContactError::NotConverged => EngineError::new(
+            "E0719",
+            "the contact solver found no solution",
+            "please report the model: this should not happen",
+        ),
+    }
+}
+
+/// A motion as people call it: every freedom that takes part, with its sense.
+fn motion_name(scene: &Scene, freedoms: &[Freedom], motion: &[f64]) -> String {
+    // Turns compared with shifts by what they move on the rim.
+    let size = |at: usize| {
+        let Freedom { body, component } = freedoms[at];
+        let radius = scene.bodies[body].prototype.enclosing_radius();
+        motion[at].abs() * if component < 3 { 1.0 } else { radius }
+    };
+    let largest = (0..motion.len()).map(size).fold(0.0, f64::max);
+    let parts: Vec<String> = (0..motion.len())
+        .filter(|&at| size(at) > TAKES_PART * largest)
+        .map(|at| {
+            let sense = if motion[at] > 0.0 { "positive" } else { "negative" };
+            let Freedom { body, component } = freedoms[at];
+            format!("{} of body \"{}\" in the {sense} sense", FREEDOMS[component], scene.bodies[body].name)
+        })
+        .collect();
+    parts.join(" and ")
+}
