@@ -205,8 +205,9 @@ fn elaborate_with(
     }
     match ran {
         // A run may take longer than checking.
-        Err(ParamError::Model(error)) if error.code == codes::LIMIT && matches!(params, Params::Given(_)) => {
-        }
+        Err(ParamError::Model(error))
+            if matches!(error.code.as_str(), codes::LIMIT | codes::EXHAUSTED)
+                && matches!(params, Params::Given(_)) => {}
         // What comes after a call that failed may follow from it.
         Err(ParamError::Model(error)) if survived.is_empty() => found.push(at_place(&error)),
         Err(ParamError::Model(_)) => {}
@@ -253,8 +254,13 @@ pub fn render(diagnostics: &[Diagnostic], files: &[SourceFile]) -> String {
 /// A run-time error as a diagnostic at its place.
 pub(crate) fn diagnostic(error: &RuntimeError) -> Diagnostic {
     let label = if error.argument.is_some() { "because of this" } else { "it happened here" };
-    let diagnostic = Diagnostic::error(&error.code, &error.message, place(error.place), label);
-    if error.help.is_empty() { diagnostic } else { diagnostic.help(&error.help) }
+    let mut diagnostic = Diagnostic::error(&error.code, &error.message, place(error.place), label);
+    diagnostic.calls = error.details.calls.clone();
+    match (error.help.as_str(), error.details.origin.as_str()) {
+        ("", "") => diagnostic,
+        ("", origin) => diagnostic.help(format!("by its own words it arose at {origin}")),
+        (help, _) => diagnostic.help(help),
+    }
 }
 
 /// What the library found beside the error that stopped the model, placed on the argument to blame.

@@ -424,3 +424,30 @@ fn quiet_is_quiet_and_what_is_zero_is_not_ignored() {
     assert_eq!(calyx(directory.path(), &arguments).status.code(), Some(1));
     assert!(!directory.path().join("pair.cx.run/run.json").exists());
 }
+
+/// The first Ctrl-C ends the run like any other error of the model.
+#[cfg(unix)]
+#[test]
+fn an_interrupt_ends_the_run() {
+    use std::io::{BufRead, BufReader};
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let model = folder.path().join("model.cx");
+    let text = "param endless = FALSE;\nprint(\"begins\");\ntry { while (endless) { } } catch () { }\n";
+    std::fs::write(&model, text).expect("writable");
+    let mut run = Command::new(env!("CARGO_BIN_EXE_calyx"))
+        .args(["run", "model.cx", "--quiet", "--set", "endless=TRUE"])
+        .current_dir(folder.path())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the command starts");
+    let mut line = String::new();
+    BufReader::new(run.stdout.take().expect("piped")).read_line(&mut line).expect("a line");
+    assert_eq!(line, "begins\n");
+    let sent = Command::new("kill").args(["-INT", &run.id().to_string()]).status();
+    assert!(sent.expect("`kill` is there").success());
+    let output = run.wait_with_output().expect("it ends");
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(1), "{said}");
+    assert!(said.contains("[E0704] Error: the run was cancelled"), "{said}");
+}

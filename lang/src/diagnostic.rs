@@ -1,6 +1,7 @@
 //! What is wrong with a program, as data: made where it is found, rendered elsewhere.
 
 use crate::span::Span;
+use calyx_abi::error::Call;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Severity {
@@ -24,6 +25,8 @@ pub struct Diagnostic {
     pub help: Option<String>,
     /// A change that certainly mends it.
     pub fix: Option<Fix>,
+    /// Of an error of a running program: the calls under way, innermost first.
+    pub calls: Vec<Call>,
 }
 
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -50,6 +53,7 @@ impl Diagnostic {
             labels: Vec::new(),
             help: None,
             fix: None,
+            calls: Vec::new(),
         }
     }
 

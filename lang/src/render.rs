@@ -4,6 +4,7 @@ use crate::diagnostic::{Diagnostic, Label as Note, Severity};
 use crate::ir::SourceFile;
 use crate::span::{FileId, Span};
 use ariadne::{Cache, Color, Config, IndexType, Label, Report, ReportKind, Source};
+use calyx_abi::error::call_lines;
 use serde_json::{Value, json};
 
 /// Whether text may hold terminal colours.
@@ -29,9 +30,15 @@ impl<'a> Renderer<'a> {
 
     /// One diagnostic; ends with a line end.
     pub fn text(&mut self, diagnostic: &Diagnostic) -> String {
-        if self.has_long_line(diagnostic) {
-            return self.without_source(diagnostic);
-        }
+        let text = if self.has_long_line(diagnostic) {
+            self.without_source(diagnostic)
+        } else {
+            self.with_source(diagnostic)
+        };
+        text + &self.calls(diagnostic)
+    }
+
+    fn with_source(&mut self, diagnostic: &Diagnostic) -> String {
         let (kind, colour_of_primary) = match diagnostic.severity {
             Severity::Error => (ReportKind::Error, Color::Red),
             Severity::Warning => (ReportKind::Warning, Color::Yellow),
@@ -69,6 +76,16 @@ impl<'a> Renderer<'a> {
 const LONGEST_LINE: usize = 1000;
 
 impl Renderer<'_> {
+    /// The calls that led to an error of a running program, a line each.
+    fn calls(&self, diagnostic: &Diagnostic) -> String {
+        let lines = call_lines(&diagnostic.calls, |(file, start, end)| {
+            let (file, text) = file_of(FileId(file), self.files.files);
+            let (line, column) = line_column(text, clipped(Span { file: FileId(0), start, end }, text).0);
+            format!("{file}:{line}:{column}")
+        });
+        lines.into_iter().map(|line| format!("    {line}\n")).collect()
+    }
+
     fn has_long_line(&self, diagnostic: &Diagnostic) -> bool {
         std::iter::once(&diagnostic.primary).chain(&diagnostic.labels).any(|note| {
             let Some(text) = self.files.files.get(note.span.file.0 as usize).map(|file| &file.text) else {
@@ -140,9 +157,10 @@ fn clipped(span: Span, text: &str) -> (usize, usize) {
 /// One diagnostic as a JSON object on one line, without the line end.
 ///
 /// `{severity, code, message, primary: {file, line, column, byte_start, byte_end, message}, labels: [...], help, fix}`;
-/// lines and columns count from 1, columns in characters. `help` and `fix` are null where there is none.
+/// lines and columns count from 1, columns in characters. `help` and `fix` are null where there is none. An error of a
+/// running program has the calls under way, innermost first, as `calls: [{function, file, line, ...}]`.
 pub fn to_json(diagnostic: &Diagnostic, files: &[SourceFile]) -> String {
-    json!({
+    let mut value = json!({
         "severity": match diagnostic.severity { Severity::Error => "error", Severity::Warning => "warning" },
         "code": diagnostic.code,
         "message": diagnostic.message,
@@ -155,8 +173,17 @@ pub fn to_json(diagnostic: &Diagnostic, files: &[SourceFile]) -> String {
             value["replacement"] = json!(fix.replacement);
             value
         }),
-    })
-    .to_string()
+    });
+    if !diagnostic.calls.is_empty() {
+        let calls = diagnostic.calls.iter().map(|call| {
+            let (file, start, end) = call.place;
+            let mut value = place_json(Span { file: FileId(file), start, end }, files);
+            value["function"] = json!(call.function);
+            value
+        });
+        value["calls"] = calls.collect();
+    }
+    value.to_string()
 }
 
 fn note_json(note: &Note, files: &[SourceFile]) -> Value {

@@ -258,6 +258,7 @@ fn analyze(host: &mut ModelHost, over: Handle, fidelity: &str) -> Result<(), Run
         observer.as_mut().map_or(&mut unobserved, |observer| observer.as_mut()),
     );
     host.observer = observer;
+    host.failed_analyses += usize::from(result.is_err());
     host.result = Some(result.map_err(|error| host.engine_error(error))?);
     Ok(())
 }

@@ -66,6 +66,8 @@ pub struct ModelHost {
     pub observer: Option<Box<dyn Observer + Send>>,
     /// What the last analysis yielded.
     pub result: Option<AnalysisResult>,
+    /// Analyses that ended with an error, which the program may have caught.
+    pub failed_analyses: usize,
 }
 
 impl ModelHost {

@@ -5,11 +5,14 @@ use crate::messages::{MODEL_ERROR, MessageFormat, USAGE};
 use calyx::rt::directory::prepare;
 use calyx::rt::params::{ParamError, name_and_value};
 use calyx::rt::run::{RunError, RunOptions, default_directory};
+use calyx::rt::{budget, interrupt};
 use calyx::{check_run, rt};
+use calyx_abi::Status;
 use clap::Args;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use std::time::Duration;
 
 pub const EXAMPLES: &str = "Examples:
   calyx run pair.cx
@@ -28,6 +31,12 @@ pub struct Run {
     /// Set a param; a bare VALUE is in the unit of the param's default. May be given several times
     #[arg(long, value_name = "NAME=VALUE", value_parser = name_and_value)]
     set: Vec<(String, String)>,
+    /// End the run with an error after this time, like 10s or 5min
+    #[arg(long, value_name = "TIME", value_parser = budget::time)]
+    time_limit: Option<Duration>,
+    /// End the run with an error when it takes more memory, like 2GB
+    #[arg(long, value_name = "SIZE", value_parser = budget::memory)]
+    memory_limit: Option<u64>,
     /// Print nothing but what the model prints
     #[arg(long)]
     quiet: bool,
@@ -38,7 +47,7 @@ pub struct Run {
 
 impl Run {
     pub fn run(self) -> ExitCode {
-        let Run { file, out, set, quiet, message_format: format } = self;
+        let Run { file, out, set, time_limit, memory_limit, quiet, message_format: format } = self;
         let (module, before) = match compile(&file, quiet, format, || check_run(&file, &set)) {
             Ok(compiled) => compiled,
             Err(status) => return status,
@@ -53,7 +62,15 @@ impl Run {
         }
         // Progress bars are for people.
         let silent = quiet || format == MessageFormat::Json;
-        let options = RunOptions { directory: directory.clone(), set: set.clone(), quiet: silent, before };
+        let options = RunOptions {
+            directory: directory.clone(),
+            set: set.clone(),
+            quiet: silent,
+            before,
+            time_limit,
+            memory_limit,
+            cancel: interrupt::flag(),
+        };
         match rt::run(&module, &options) {
             Ok(report) => {
                 if !quiet {
@@ -70,6 +87,9 @@ impl Run {
             }
             Err(RunError::Param(ParamError::Model(error)) | RunError::Model(error)) => {
                 format.diagnostics(&[module.error(&error, &set)], module.files());
+                if error.status() == Status::Cancelled && directory.join("steps.csv").exists() {
+                    format.note(&format!("the positions solved until then are in {}\n", directory.display()));
+                }
                 ExitCode::from(MODEL_ERROR)
             }
             Err(RunError::Io { path, error }) => unwritable(format, &path, &error),

@@ -32,7 +32,7 @@ pub struct Details {
 }
 
 /// A call that was under way when an error arose.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Call {
     /// The function that was called.
     pub function: String,
@@ -73,6 +73,25 @@ impl RuntimeError {
     }
 }
 
+/// Calls at either end that are shown of very many.
+const SHOWN_CALLS: usize = 8;
+
+/// One line a call, innermost first: `` `f`, called at model.cx:3:7``. Equal calls in a row are counted, and the middle
+/// of very many is left out.
+pub fn call_lines(calls: &[Call], shown_place: impl Fn(Place) -> String) -> Vec<String> {
+    let mut lines = Vec::new();
+    for group in calls.chunk_by(|a, b| a == b) {
+        let Call { function, place } = &group[0];
+        let times = if group.len() > 1 { format!(" ({} times)", group.len()) } else { String::new() };
+        lines.push(format!("in `{function}`, called at {}{times}", shown_place(*place)));
+    }
+    if lines.len() > 2 * SHOWN_CALLS + 1 {
+        let left_out = lines.len() - 2 * SHOWN_CALLS;
+        lines.splice(SHOWN_CALLS..SHOWN_CALLS + left_out, [format!("... {left_out} more ...")]);
+    }
+    lines
+}
+
 /// Codes of the errors that running programs raise by themselves.
 pub mod codes {
     /// An index that is not whole or not within the array.
@@ -95,4 +114,24 @@ pub mod codes {
     pub const NOT_A_NUMBER: &str = "E0722";
     /// A fault of the engine or the compiler, not of the program.
     pub const INTERNAL: &str = "E0799";
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn deep_recursion_is_shown_at_its_ends() {
+        let call = |function: &str, at| Call { function: function.into(), place: (0, at, at + 1) };
+        let shown = |calls: &[Call]| call_lines(calls, |place| place.1.to_string());
+        let deep = [vec![call("leaf", 9)], vec![call("f", 5); 998], vec![call("f", 1)]].concat();
+        assert_eq!(
+            shown(&deep),
+            ["in `leaf`, called at 9", "in `f`, called at 5 (998 times)", "in `f`, called at 1"]
+        );
+        let mutual: Vec<Call> =
+            (0..1000).map(|i| call(if i % 2 == 0 { "even" } else { "odd" }, i % 2)).collect();
+        let lines = shown(&mutual);
+        assert_eq!((lines.len(), lines[8].as_str()), (17, "... 984 more ..."));
+    }
 }

@@ -2,7 +2,9 @@
 //!
 //! The same code serves `calyx run`, which compiles in memory, and executables linked from object files.
 
+pub mod budget;
 pub mod directory;
+pub mod interrupt;
 pub mod linked;
 pub mod params;
 pub mod program;

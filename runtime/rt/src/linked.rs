@@ -1,17 +1,20 @@
 //! The entry point of executables linked from object files.
 
+use crate::budget;
+use crate::interrupt;
 use crate::params::{self, ParamError};
 use crate::program::{ParamFunction, Program};
 use crate::report::problem;
 use crate::run::{RunError, RunOptions, run};
 use calyx_abi::call::KernelFn;
 use calyx_abi::description::{ModelDescription, ModuleTable, ParamValue};
-use calyx_abi::{ABI_VERSION, Context, Kernel, RuntimeError, Slot, stack};
+use calyx_abi::{ABI_VERSION, Context, Kernel, RuntimeError, Slot, Status, stack};
 use clap::{Arg, ArgAction, Command};
 use std::ffi::{CStr, OsString, c_char, c_int};
 use std::os::unix::ffi::OsStringExt;
 use std::path::PathBuf;
 use std::sync::Arc;
+use std::time::Duration;
 
 /// The model, or its analysis, is wrong.
 const MODEL_ERROR: c_int = 1;
@@ -155,6 +158,20 @@ fn command(description: &ModelDescription) -> Command {
                 .help("Set a param; a bare value is in the unit of its default"),
         )
         .arg(
+            Arg::new("time-limit")
+                .long("time-limit")
+                .value_name("TIME")
+                .value_parser(budget::time)
+                .help("End the run with an error after this time, like 10s or 5min"),
+        )
+        .arg(
+            Arg::new("memory-limit")
+                .long("memory-limit")
+                .value_name("SIZE")
+                .value_parser(budget::memory)
+                .help("End the run with an error when it takes more memory, like 2GB"),
+        )
+        .arg(
             Arg::new("quiet")
                 .long("quiet")
                 .action(ArgAction::SetTrue)
@@ -174,6 +191,9 @@ fn run_as_command(program: &LinkedProgram, arguments: Vec<OsString>) -> c_int {
     let mut options = RunOptions {
         directory: matches.get_one::<String>("out").map_or_else(|| "run".into(), PathBuf::from),
         quiet: matches.get_flag("quiet"),
+        time_limit: matches.get_one::<Duration>("time-limit").copied(),
+        memory_limit: matches.get_one::<u64>("memory-limit").copied(),
+        cancel: interrupt::flag(),
         ..RunOptions::default()
     };
     for given in matches.get_many::<String>("set").into_iter().flatten() {
@@ -199,7 +219,16 @@ fn run_as_command(program: &LinkedProgram, arguments: Vec<OsString>) -> c_int {
             }
             0
         }
-        Err(error) => report_failure(&error, description),
+        Err(error) => {
+            let status = report_failure(&error, description);
+            if let RunError::Model(error) = &error
+                && error.status() == Status::Cancelled
+                && options.directory.join("steps.csv").exists()
+            {
+                eprintln!("the positions solved until then are in {}", options.directory.display());
+            }
+            status
+        }
     }
 }
 

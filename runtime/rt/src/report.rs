@@ -2,6 +2,7 @@
 
 use calyx_abi::RuntimeError;
 use calyx_abi::description::{FileDescription, ModelDescription};
+use calyx_abi::error::{Place, call_lines};
 
 /// `error[E0670]: ...` with the place, its line underlined, and the remedy. `kind` is `error` or `warning`.
 pub fn problem(kind: &str, error: &RuntimeError, description: &ModelDescription) -> String {
@@ -13,7 +14,20 @@ pub fn problem(kind: &str, error: &RuntimeError, description: &ModelDescription)
     if !error.help.is_empty() {
         text += &format!("  help: {}\n", error.help);
     }
+    let shown_place = |(file, start, _): Place| {
+        let Some(file) = description.files.get(file as usize) else { return "?".into() };
+        let (line, column) = line_column(file, start as usize);
+        format!("{}:{line}:{column}", file.name)
+    };
+    for line in call_lines(&error.details.calls, shown_place) {
+        text += &format!("  {line}\n");
+    }
     text
+}
+
+fn line_column(file: &FileDescription, start: usize) -> (usize, usize) {
+    let before = file.text.get(..start).unwrap_or_default();
+    (before.matches('\n').count() + 1, before.chars().rev().take_while(|c| *c != '\n').count() + 1)
 }
 
 /// `--> file:line:column`, and the line with a mark under the bytes from `start` to `end`; `None` if the file has no
@@ -54,6 +68,12 @@ mod tests {
             RuntimeError { place: Some((0, 22, 23)), ..RuntimeError::new("E0701", "index 3", "less") };
         let expected = "error[E0701]: index 3\n  --> m.cx:2:10\n   |\n 2 | \tprint(é[3]);\n   | \t        ^\n  help: less\n";
         assert_eq!(problem("error", &error, &description), expected);
+        let mut called = error.clone();
+        called.passed("f", (0, 13, 18));
+        assert_eq!(
+            problem("error", &called, &description),
+            format!("{expected}  in `f`, called at m.cx:2:2\n")
+        );
         // A place that is not in the file is left out.
         let nowhere = RuntimeError { place: Some((0, 400, 401)), ..error };
         assert_eq!(problem("error", &nowhere, &description), "error[E0701]: index 3\n  help: less\n");

@@ -1,17 +1,21 @@
 //! One run: params set, program run, its analysis watched and written down.
 
+use crate::budget;
 use crate::directory::{Stages, StepTable, prepare, warnings, write_run};
 use crate::params::{self, ParamError};
 use crate::program::Program;
 use crate::progress::Progress;
 use crate::table;
 use calyx_abi::description::ModelDescription;
+use calyx_abi::error::codes;
+use calyx_abi::limits::Limits;
 use calyx_abi::{Context, RuntimeError};
 use calyx_gears::host::{Finding, ModelHost};
 use calyx_runtime::analysis::{Event, Observer};
 use calyx_runtime::error::EngineError;
 use std::io;
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
@@ -29,6 +33,12 @@ pub struct RunOptions {
     pub quiet: bool,
     /// What went before, for `timing.json`.
     pub before: StageTimes,
+    /// How long the run may take.
+    pub time_limit: Option<Duration>,
+    /// Bytes that it may take: of the program's values, and of the process while it analyses.
+    pub memory_limit: Option<u64>,
+    /// Set from outside, it ends the run soon; what was written is kept.
+    pub cancel: Arc<AtomicBool>,
 }
 
 /// Why a run did not finish.
@@ -60,14 +70,19 @@ pub fn run(program: &dyn Program, options: &RunOptions) -> Result<RunReport, Run
     let mut host = ModelHost::new(&description.units);
     let progress = Arc::new(Progress::new(options.quiet));
     let failure = Arc::new(Mutex::new(None));
+    let limits = Limits::from_now(options.time_limit, options.memory_limit);
     host.observer = Some(Box::new(Watcher {
         directory: options.directory.clone(),
         description: description.clone(),
         table: None,
         progress: progress.clone(),
         failure: failure.clone(),
+        limits,
+        cancel: options.cancel.clone(),
     }));
     let mut context = Context::new(Box::new(host));
+    context.limits = limits;
+    context.cancel = options.cancel.clone();
     context.kernels = program.kernels();
     let shown = progress.clone();
     context.print = Box::new(move |line| shown.print(line));
@@ -82,12 +97,12 @@ pub fn run(program: &dyn Program, options: &RunOptions) -> Result<RunReport, Run
         return Err(unwritable(error));
     }
     let stages = Stages { before: options.before.clone(), program: outcome? };
-    let (result, findings) = match context.host::<ModelHost>() {
-        Some(host) => (host.result.take(), std::mem::take(&mut host.findings)),
-        None => (None, Vec::new()),
+    let (result, findings, failed) = match context.host::<ModelHost>() {
+        Some(host) => (host.result.take(), std::mem::take(&mut host.findings), host.failed_analyses > 0),
+        None => (None, Vec::new(), false),
     };
     if result.is_none() && !description.outputs.is_empty() {
-        return Err(RunError::Model(no_analysis(description)));
+        return Err(RunError::Model(no_analysis(description, failed)));
     }
     let all_warnings = result.as_ref().map(warnings).unwrap_or_default();
     let mut written: Vec<String> =
@@ -106,13 +121,19 @@ pub fn run(program: &dyn Program, options: &RunOptions) -> Result<RunReport, Run
 }
 
 /// The place is the end of the model, where an analysis would stand.
-fn no_analysis(description: &ModelDescription) -> RuntimeError {
+fn no_analysis(description: &ModelDescription, failed: bool) -> RuntimeError {
     let end = description.files.first().map_or(0, |file| file.text.trim_end().len() as u32);
-    let error = RuntimeError::new(
-        "E0711",
-        "the model declares outputs and analyses nothing",
-        "end it with `analyze(\"quasi_static\", over = gears.mesh_cycle(mesh, 32));`",
-    );
+    let (message, help) = match failed {
+        true => (
+            "the model declares outputs, and its analysis failed",
+            "the model caught the error of the analysis; print it there to see what it was",
+        ),
+        false => (
+            "the model declares outputs and analyses nothing",
+            "end it with `analyze(\"quasi_static\", over = gears.mesh_cycle(mesh, 32));`",
+        ),
+    };
+    let error = RuntimeError::new("E0711", message, help);
     RuntimeError { place: Some((0, end.saturating_sub(1), end)), ..error }
 }
 
@@ -124,6 +145,8 @@ struct Watcher {
     progress: Arc<Progress>,
     /// An error of the file system, which ends the run but is not the model's.
     failure: Arc<Mutex<Option<io::Error>>>,
+    limits: Limits,
+    cancel: Arc<AtomicBool>,
 }
 
 impl Watcher {
@@ -135,10 +158,23 @@ impl Watcher {
         }
         EngineError::new("E0712", message, "choose another directory with --out")
     }
+
+    /// Ends an analysis that was cancelled or has used up its time or memory.
+    fn check_limits(&self) -> Result<(), EngineError> {
+        if self.cancel.load(Ordering::Relaxed) {
+            return Err(EngineError::new(codes::CANCELLED, "the run was cancelled", ""));
+        }
+        let taken = self.limits.memory.and_then(|_| budget::taken()).unwrap_or(0);
+        self.limits
+            .check_time()
+            .and_then(|()| self.limits.check_memory(taken))
+            .map_err(|error| EngineError::new(codes::EXHAUSTED, error.message, error.help))
+    }
 }
 
 impl Observer for Watcher {
     fn observe(&mut self, event: Event<'_>) -> Result<(), EngineError> {
+        self.check_limits()?;
         match event {
             Event::Planned(_) => {
                 let table = StepTable::create(&self.directory, &self.description.outputs);
