@@ -4,7 +4,7 @@ use super::dim::Dim;
 use super::infer::Checker;
 use super::symbols::{Res, similar};
 use super::types::Type;
-use crate::ast::{FunctionBody, FunctionDecl, Ident, StmtKind, TypeExpr, TypeKind};
+use crate::ast::{Mode, FunctionBody, FunctionDecl, Ident, StmtKind, TypeExpr, TypeKind};
 use crate::diagnostic::Diagnostic;
 use crate::dimension::{Dimension, Rational};
 use crate::span::Span;
@@ -189,6 +189,17 @@ impl<'a> Checker<'a> {
 
     fn check_extern(&mut self, decl: &'a FunctionDecl) {
         for parameter in &decl.parameters {
+            if parameter.mode != Mode::In {
+                self.report(
+                    Diagnostic::error(
+                        "E0308",
+                        format!("`{}` cannot be handed back by an extern function", parameter.name.name),
+                        parameter.name.span,
+                        "the engine takes values and returns one",
+                    )
+                    .help("return it"),
+                );
+            }
             let Some(annotation) = &parameter.annotation else {
                 self.report(
                     Diagnostic::error(

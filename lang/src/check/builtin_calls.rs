@@ -25,6 +25,7 @@ impl<'a> Checker<'a> {
                 if arguments.len() < 2 {
                     return self.wrong_count(&name.name, "two or more numbers", arguments, span);
                 }
+                self.refuse_names(&name.name, arguments);
                 let ty = self.fresh_number();
                 let values: Vec<Expr> = arguments.iter().map(|a| self.expr(&a.value)).collect();
                 for value in &values {
@@ -50,23 +51,24 @@ impl<'a> Checker<'a> {
             Builtin::Derivative => self.derivative(arguments, span),
             Builtin::Gradient => self.gradient(arguments, span),
             Builtin::Print => {
+                self.refuse_names("print", arguments);
                 let values: Vec<Expr> = arguments.iter().map(|a| self.printable(&a.value)).collect();
                 Expr { kind: Kind::Print(values, self.shown_system()), ty: Type::Unit, span }
             }
             Builtin::Assert => {
-                if arguments.is_empty() || arguments.len() > 2 {
-                    return self.wrong_count("assert", "a condition and a message", arguments, span);
-                }
-                let condition = self.as_value(|c| c.expr(&arguments[0].value));
+                let parameters = [("condition", false), ("message", true)];
+                let given = self.match_arguments("assert", &parameters, arguments, span).unwrap_or_default();
+                let [Some(written), message] = given[..] else { return Expr::error(span) };
+                let condition = self.as_value(|c| c.expr(&written.value));
                 self.expect(&Type::Bool, &condition, "what is asserted", None);
-                let message = match arguments.get(1) {
+                let message = match message {
                     Some(message) => {
                         let message = self.as_value(|c| c.expr(&message.value));
                         self.expect(&Type::String, &message, "the message", None);
                         message
                     }
                     None => Expr {
-                        kind: Kind::Text(self.text(arguments[0].value.span).to_string()),
+                        kind: Kind::Text(self.text(written.value.span).to_string()),
                         ty: Type::String,
                         span,
                     },
@@ -97,6 +99,21 @@ impl<'a> Checker<'a> {
                 );
                 Expr::error(span)
             }
+        }
+    }
+
+    /// A function of any number of values has no names for them.
+    fn refuse_names(&mut self, function: &str, arguments: &[ast::Argument]) {
+        for (name, _) in arguments.iter().filter_map(|argument| argument.name.as_ref()) {
+            self.report(
+                Diagnostic::error(
+                    "E0205",
+                    format!("`{function}` has no parameter `{}`", name.name),
+                    name.span,
+                    "its arguments have no names",
+                )
+                .help(format!("give values alone: `{function}(a, b)`")),
+            );
         }
     }
 

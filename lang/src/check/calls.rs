@@ -227,9 +227,6 @@ impl<'a> Checker<'a> {
             let ty = self.in_file(file, |c| {
                 parameter.annotation.as_ref().map_or(Type::Error, |a| c.annotation(a, true))
             });
-            if parameter.mode != Mode::In {
-                self.not_yet("out parameters of extern functions are", parameter.name.span);
-            }
             let value = match (argument, &parameter.default) {
                 (Some(argument), _) => match &ty {
                     Type::Symbolic(inner) => {

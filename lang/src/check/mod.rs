@@ -99,6 +99,17 @@ fn check_modules(name: &str, text: &str, loader: &dyn Loader) -> Checked {
         let (lowered, mut found) = lower::lower(&checker.into_typed(), model, files.clone());
         diagnostics.append(&mut found);
         program = Some(lowered);
+    } else if diagnostics.iter().all(|d| !d.code.starts_with("E01")) {
+        // What is well typed is checked for its flow of control all the same.
+        let sound = checker.sound_functions(&diagnostics);
+        let found = lower::flow(&checker.into_typed(), &sound.iter().map(|(id, _)| *id).collect::<Vec<_>>());
+        let within = |d: &Diagnostic| {
+            sound.iter().any(|(_, text)| {
+                let at = d.primary.span;
+                at.file == text.file && at.start >= text.start && at.end <= text.end
+            })
+        };
+        diagnostics.extend(found.into_iter().filter(within));
     }
     diagnostics.sort_by_key(|d| (d.primary.span.file, d.primary.span.start, d.primary.span.end));
     diagnostics.dedup();

@@ -42,7 +42,15 @@ impl<'a> Checker<'a> {
                         match super::constant::text(&value) {
                             Some(text) => choices.push(text.to_string()),
                             None if matches!(value.ty, Type::String) => {
-                                self.not_yet("choices that are computed are", value.span);
+                                self.report(
+                                    Diagnostic::error(
+                                        "E0212",
+                                        "choices are texts written out, without values in braces",
+                                        value.span,
+                                        "this text is computed",
+                                    )
+                                    .help("write what it comes to"),
+                                );
                             }
                             None => {}
                         }

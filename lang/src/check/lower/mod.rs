@@ -58,21 +58,23 @@ impl Model {
     }
 }
 
+/// What the flow of control shows to be wrong with some functions of a program that has errors elsewhere.
+pub fn flow(checker: &Typed, functions: &[FuncId]) -> Vec<Diagnostic> {
+    let mut lowering = Lowering::new(checker, UnitSystem::default(), Program::default());
+    for id in functions {
+        lowering.instance(*id, Substitution::default());
+    }
+    lowering.work();
+    let of_flow = |d: &Diagnostic| ["E02", "W02", "E03"].iter().any(|group| d.code.starts_with(group));
+    lowering.diagnostics.retain(of_flow);
+    lowering.diagnostics
+}
+
 /// The typed program, and what only the flow of control shows to be wrong.
 pub fn lower(checker: &Typed, model: Model, files: Vec<SourceFile>) -> (Program, Vec<Diagnostic>) {
-    let owner = |id: tree::VarId| checker.variable(id).owner;
     let system = model.system;
-    let mut lowering = Lowering {
-        checker,
-        system,
-        program: Program { files, units: system.name().into(), doc: model.doc, ..Program::default() },
-        instances: HashMap::new(),
-        wanted: Vec::new(),
-        closures: closures::closures(&checker.functions, &checker.defs, &owner),
-        symbolic_functions: Default::default(),
-        externs: HashMap::new(),
-        diagnostics: Vec::new(),
-    };
+    let program = Program { files, units: system.name().into(), doc: model.doc, ..Program::default() };
+    let mut lowering = Lowering::new(checker, system, program);
     lowering.params();
     for output in &checker.outputs {
         let dimension = known_dimension(checker, &output.ty);
@@ -113,6 +115,23 @@ fn known_dimension(checker: &Typed, ty: &Type) -> Dimension {
     match checker.store.resolve(ty) {
         Type::Number(dim) | Type::Vector(dim) | Type::Observable(dim) => dim.as_known().unwrap_or(dim.fixed),
         _ => Dimension::NONE,
+    }
+}
+
+impl<'c> Lowering<'c> {
+    fn new(checker: &'c Typed, system: UnitSystem, program: Program) -> Self {
+        let owner = |id: tree::VarId| checker.variable(id).owner;
+        Lowering {
+            checker,
+            system,
+            program,
+            instances: HashMap::new(),
+            wanted: Vec::new(),
+            closures: closures::closures(&checker.functions, &checker.defs, &owner),
+            symbolic_functions: Default::default(),
+            externs: HashMap::new(),
+            diagnostics: Vec::new(),
+        }
     }
 }
 

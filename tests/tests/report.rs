@@ -1,0 +1,53 @@
+//! The two programs that the report prints compile, and do the same interpreted and as machine code.
+
+use calyx::rt::{Program, apply};
+use calyx::{Interpreted, Module, check_file};
+use calyx_abi::{Context, Purity};
+use calyx_gears::host::ModelHost;
+use calyx_tests::root;
+use std::sync::{Arc, Mutex};
+
+/// The lines that a model prints with some params set.
+fn printed(program: &dyn Program, set: &[(&str, &str)]) -> Vec<String> {
+    let lines = Arc::new(Mutex::new(Vec::new()));
+    let mut context = Context::new(Box::new(ModelHost::default()));
+    context.kernels = program.kernels();
+    let kept = lines.clone();
+    context.print = Box::new(move |line| kept.lock().expect("one thread").push(line.to_string()));
+    let set: Vec<_> = set.iter().map(|(name, value)| (name.to_string(), value.to_string())).collect();
+    apply(program, &set, &mut context).expect("params");
+    program.main(&mut context).expect("the model runs");
+    let lines = lines.lock().expect("one thread");
+    lines.clone()
+}
+
+/// The same of both evaluators.
+fn run(name: &str, set: &[(&str, &str)]) -> Vec<String> {
+    let checked = check_file(&root().join("tests/report").join(name)).expect("the file is there");
+    assert!(checked.diagnostics.is_empty(), "{:#?}", checked.diagnostics);
+    let program = checked.program.clone().expect("a program");
+    let interpreted = Interpreted::new(&program, Purity::Effect).expect("linked");
+    let expected = printed(&interpreted, set);
+    let module = Module::compile(checked).expect("compiled");
+    assert_eq!(printed(&module, set), expected, "machine code (left) and interpreter (right) differ");
+    expected
+}
+
+#[test]
+fn the_planet_is_where_it_must_be() {
+    // The places are asserted by the program itself.
+    assert_eq!(run("planet.cx", &[]).len(), 1);
+}
+
+#[test]
+fn the_generator_script_runs_both_ways() {
+    let done = "Done generating pinion tooth finite element mesh.";
+    let left = run("generator.cx", &[]);
+    assert_eq!(left[1], "11 pinion.msh TRUE 1 TRUE FALSE");
+    assert_eq!(left[2], format!("side 1: 0 {} 0", std::f64::consts::PI));
+    assert_eq!((left[4].as_str(), left[5].as_str()), ("[0.001 m, 0 m, 0 m] [0.002 m, 0 m, 0 m]", done));
+    let right = run("generator.cx", &[("isLeftHanded", "FALSE"), ("MESHTYPE", "2")]);
+    assert_eq!(right[1], "11 pinion.msh TRUE 8 TRUE FALSE");
+    assert_eq!(right[3], format!("side 2: 0 {} 0", std::f64::consts::PI));
+    assert_eq!(right[4], "[0.002 m, 0 m, 0 m] [0.001 m, 0 m, 0 m]");
+}
