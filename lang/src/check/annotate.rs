@@ -4,7 +4,7 @@ use super::dim::Dim;
 use super::infer::Checker;
 use super::symbols::{Res, similar};
 use super::types::Type;
-use crate::ast::{Mode, FunctionBody, FunctionDecl, Ident, StmtKind, TypeExpr, TypeKind};
+use crate::ast::{FunctionBody, FunctionDecl, Ident, Mode, StmtKind, TypeExpr, TypeKind};
 use crate::diagnostic::Diagnostic;
 use crate::dimension::{Dimension, Rational};
 use crate::span::Span;
