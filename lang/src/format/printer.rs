@@ -224,31 +224,28 @@ impl<'t> Printer<'t> {
         self.line_ends(token.span.start, until) > 0
     }
 
-    /// Whether the comments before the next token may as well stand behind it.
+    /// Whether the comments before the next token may as well stand behind it: the last ends its line, and none is
+    /// documentation, which would then document what follows.
     fn comments_may_follow(&self) -> bool {
         let Some(token) = self.tokens.get(self.at) else { return true };
-        let before = (self.comment_at..).take_while(|i| self.stands_before(*i, token.span.start));
-        // Documentation would document the item after the token.
-        before
-            .into_iter()
-            .all(|i| self.comments[i].kind != CommentKind::Doc && self.ends_line(i, token.span.start))
+        let rest = self.comments.get(self.comment_at..).unwrap_or_default();
+        let before = &rest[..rest.iter().take_while(|c| c.span.start < token.span.start).count()];
+        before.iter().all(|c| c.kind != CommentKind::Doc)
+            && before.last().is_none_or(|c| self.line_ends(c.span.end, token.span.start) > 0)
     }
 
-    fn stands_before(&self, comment: usize, end: u32) -> bool {
-        self.comments.get(comment).is_some_and(|c| c.span.start < end)
-    }
-
-    /// Whether a comment and those behind it on its line are the last on it before the next token.
-    fn ends_line(&self, comment: usize, next_token: u32) -> bool {
+    /// Whether a comment and those behind it on its line are the last on it before the next token, and the first
+    /// comment of which this is not said.
+    fn ends_line(&self, comment: usize, next_token: u32) -> (bool, usize) {
         let mut index = comment;
         while let Some(c) = self.comments.get(index).filter(|c| c.span.start < next_token) {
-            let next = self.comments.get(index + 1).map_or(next_token, |c| c.span.start.min(next_token));
-            if self.line_ends(c.span.end, next) > 0 || next as usize == self.text.len() {
-                return true;
-            }
             index += 1;
+            let next = self.comments.get(index).map_or(next_token, |c| c.span.start.min(next_token));
+            if self.line_ends(c.span.end, next) > 0 || next as usize == self.text.len() {
+                return (true, index);
+            }
         }
-        false
+        (false, index)
     }
 
     /// Writes the comments before the next token.
@@ -256,11 +253,15 @@ impl<'t> Printer<'t> {
         let next_token = self.tokens.get(self.at).map_or(self.text.len() as u32, |t| t.span.start);
         // After a comment up to the end of the line nothing can stand on that line.
         let mut line_is_full = false;
+        let (mut ends_line, mut known_before) = (false, 0);
         while let Some(comment) = self.comments.get(self.comment_at).filter(|c| c.span.start < next_token) {
             let (start, end) = (comment.span.start, comment.span.end);
+            if self.comment_at >= known_before {
+                (ends_line, known_before) = self.ends_line(self.comment_at, next_token);
+            }
+            self.comment_at += 1;
             let next =
-                self.comments.get(self.comment_at + 1).map_or(next_token, |c| c.span.start.min(next_token));
-            let ends_line = self.ends_line(self.comment_at, next_token);
+                self.comments.get(self.comment_at).map_or(next_token, |c| c.span.start.min(next_token));
             let previous = self.end_before(start);
             let begins_line = previous == 0
                 || self.line_ends(previous, start) > 0
@@ -269,18 +270,13 @@ impl<'t> Printer<'t> {
                 || comment.kind == CommentKind::Doc;
             let line = |empty| if empty { Item::EmptyLine } else { Item::HardLine };
             let before = line(self.empty_line(previous, start));
-            self.comment_at += 1;
             let Some(text) = self.text.get(start as usize..end as usize) else { continue };
-            if ends_line {
-                if begins_line {
-                    self.item(before);
-                    self.item(Item::Text(text));
-                } else {
-                    self.item(Item::Trailing(text));
-                }
-                self.item(line(self.empty_line(end, next)));
-            } else {
+            if !ends_line {
                 self.between(text, begins_line.then_some(before), next < next_token);
+            } else if begins_line {
+                self.items.extend([before, Item::Text(text), line(self.empty_line(end, next))]);
+            } else {
+                self.items.extend([Item::Trailing(text), line(self.empty_line(end, next))]);
             }
             line_is_full = comment.kind != CommentKind::Block;
         }

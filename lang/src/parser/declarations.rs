@@ -142,14 +142,20 @@ pub(super) fn function<'a>(
         }
         Ok(())
     });
-    test.or_not()
-        .map(|test| test.is_some())
-        .then(external.or(defined))
-        .map(|(is_test, (((name, parameters), result), body))| match name {
+    // `function`, and something else on the next line.
+    let begun = just(Kind::Function)
+        .ignore_then(when(move |at| {
+            source.begins_line(at) && !matches!(source.kind(at), Some(Kind::Identifier | Kind::OpenParen))
+        }))
+        .ignore_then(name(source, "the function"))
+        .to(StmtKind::Error);
+    let whole = test.or_not().map(|test| test.is_some()).then(external.or(defined)).map(
+        |(is_test, (((name, parameters), result), body))| match name {
             Some(name) => StmtKind::Function(FunctionDecl { name, parameters, result, body, is_test }),
             None => StmtKind::Error,
-        })
-        .boxed()
+        },
+    );
+    begun.or(whole).boxed()
 }
 
 /// `private` before a declaration of a module; anything else after it is reported, and read all the same.

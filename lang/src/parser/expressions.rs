@@ -1,6 +1,9 @@
 //! Expressions, their literals and argument lists.
 
-use super::recovery::{Reader, advance_to, close, expect, identifier, index_of, name, position, when};
+use super::recovery::{
+    Reader, advance_to, assigns_on_new_line, close, expect, identifier, in_value, index_of, name, position,
+    when,
+};
 use super::source::Source;
 use super::{Extra, Input, Problem, Rule};
 use crate::ast::{Argument, BinaryOp, Bind, Expr, ExprKind, Format, Ident, StringPart, UnaryOp};
@@ -243,7 +246,32 @@ fn boolean<'a>(source: &'a Source<'a>) -> Rule<'a, Expr> {
 }
 
 fn variable<'a>(source: &'a Source<'a>) -> Rule<'a, Expr> {
-    let name = identifier(source);
+    // Not `y` in `x = a +` and `y = 2;` on the next line.
+    let name = when(move |at| {
+        let half_written = matches!(
+            source.previous(at),
+            Some(
+                Kind::Assign
+                    | Kind::Bind
+                    | Kind::Plus
+                    | Kind::Minus
+                    | Kind::Star
+                    | Kind::Slash
+                    | Kind::Caret
+                    | Kind::Less
+                    | Kind::LessEqual
+                    | Kind::Greater
+                    | Kind::GreaterEqual
+                    | Kind::Equal
+                    | Kind::NotEqual
+                    | Kind::And
+                    | Kind::Or
+                    | Kind::Not
+            )
+        );
+        source.begins_statement(at) || !(half_written && assigns_on_new_line(source, at))
+    })
+    .ignore_then(identifier(source));
     spanned(source, name.map(ExprKind::Name))
 }
 
@@ -312,7 +340,9 @@ fn condition<'a>(source: &'a Source<'a>, any: Rule<'a, Expr>) -> Rule<'a, Expr> 
         Kind::CloseParen,
         "an operator or `)`",
     ));
-    let bare = expect(source, Kind::OpenParen, "before the condition").ignore_then(any);
+    let nothing = when(move |at| source.begins_line(at))
+        .map_with(|(), extra| Expr { kind: ExprKind::Error, span: source.range(extra.span()) });
+    let bare = expect(source, Kind::OpenParen, "before the condition").ignore_then(nothing.or(any));
     inside.or(bare).boxed()
 }
 
@@ -323,11 +353,14 @@ fn conditional<'a>(
     any: Rule<'a, Expr>,
     operators: Rule<'a, Expr>,
 ) -> Rule<'a, Expr> {
+    let nothing = when(move |at| source.begins_line(at))
+        .map_with(|(), extra| Expr { kind: ExprKind::Error, span: source.range(extra.span()) });
+    let no_else = expect(source, Kind::Else, "after the first value of the conditional expression")
+        .ignore_then(nothing.or(operators.clone()));
     let parts = just(Kind::If)
         .ignore_then(condition)
         .then(any)
-        .then_ignore(expect(source, Kind::Else, "after the first value of the conditional expression"))
-        .then(operators);
+        .then(just(Kind::Else).ignore_then(operators).or(no_else));
     let node = parts.map(|((condition, then), otherwise)| ExprKind::If {
         condition: Box::new(condition),
         then: Box::new(then),
@@ -418,13 +451,24 @@ fn operator_grammar<'a>(source: &'a Source<'a>, atom: Rule<'a, Expr>, any: Rule<
         select! { Kind::Plus => UnaryOp::Plus, Kind::Minus => UnaryOp::Minus, Kind::Not => UnaryOp::Not }
             .map_with(|op, extra| (op, source.range(extra.span())))
             .boxed();
+    // `x = gears.` and `y = 2;` on the next line.
+    let no_field = custom(move |input: &mut Reader<'a, '_>| {
+        let at = position(input);
+        if !(assigns_on_new_line(source, at) && in_value(source, at)) {
+            return Err(Problem(None));
+        }
+        let place = source.after(at);
+        let message = "the name of the field is expected, not the end of the line";
+        input.emit(Diagnostic::error("E0114", message, place, "a name is expected here").into());
+        Ok(None)
+    });
     let suffix = choice((
         arguments(source, any.clone()).map(Suffix::Call),
         just(Kind::OpenBracket)
             .ignore_then(any)
             .then_ignore(close(source, Kind::CloseBracket, "`]`"))
             .map(Suffix::Index),
-        just(Kind::Dot).ignore_then(name(source, "the field")).map(Suffix::Field),
+        just(Kind::Dot).ignore_then(no_field.or(name(source, "the field"))).map(Suffix::Field),
     ))
     .map_with(|suffix, extra| (suffix, source.range(extra.span())))
     .boxed();

@@ -60,6 +60,21 @@ fn without_consequences(
     // A stable sort: of errors at one place the one found first explains it.
     problems.sort_by_key(|d| d.primary.span.start);
     problems.dedup_by_key(|d| d.primary.span.start);
+    // `x = ` and another statement on the next line: the value is missing, and with it the `;`.
+    let value_is_missing: Vec<bool> = problems
+        .windows(2)
+        .map(|pair| {
+            let (end, next) = (pair[0].primary.span.end, pair[1].primary.span.start);
+            pair[0].code == "E0110"
+                && matches!(pair[1].code.as_str(), "E0112" | "E0114" | "E0124")
+                && source.next_start(end) == Some(next)
+        })
+        .collect();
+    let mut index = 0;
+    problems.retain(|_| {
+        index += 1;
+        value_is_missing.get(index - 1) != Some(&true)
+    });
     let mut bad_text: Vec<_> = lexical.iter().map(|d| d.primary.span).collect();
     bad_text.sort_by_key(|span| span.start);
     problems.retain(|problem| {

@@ -78,6 +78,22 @@ pub(super) fn name<'a>(source: &'a Source<'a>, what: &'static str) -> Rule<'a, O
     .boxed()
 }
 
+/// Whether a token begins a line with an assignment, `name = ...` or `name := ...`. Where a value is missing before it,
+/// that line is a statement of its own: the one above is not written to its end yet.
+pub(super) fn assigns_on_new_line(source: &Source<'_>, at: usize) -> bool {
+    source.kind(at) == Some(Kind::Identifier)
+        && matches!(source.kind(at + 1), Some(Kind::Assign | Kind::Bind))
+        && source.begins_line(at)
+}
+
+/// Whether a `=`, `:=`, `return` or `throw` stands before a token in its statement.
+pub(super) fn in_value(source: &Source<'_>, at: usize) -> bool {
+    let before = (0..at).rev().map_while(|i| source.kind(i));
+    before
+        .take_while(|k| !matches!(k, Kind::Semicolon | Kind::OpenBrace | Kind::CloseBrace))
+        .any(|k| matches!(k, Kind::Assign | Kind::Bind | Kind::Return | Kind::Throw))
+}
+
 /// The `;` that ends a statement. Where it is missing the next statement is read as if it were there; where
 /// something else stands, everything up to the end of the statement is left out.
 pub(super) fn semicolon<'a>(source: &'a Source<'a>) -> Rule<'a, ()> {

@@ -4,6 +4,7 @@ use crate::ast::Ident;
 use crate::lexer::{Kind, Token};
 use crate::span::{FileId, Span};
 use chumsky::span::SimpleSpan;
+use std::cell::Cell;
 use std::collections::HashMap;
 
 /// A lexed file. Tokens are addressed by index; an index past the end stands for the end of the file.
@@ -12,6 +13,8 @@ pub(super) struct Source<'a> {
     text: &'a str,
     tokens: &'a [Token],
     docs: &'a HashMap<usize, String>,
+    /// Where the statement that is being read begins, if it begins with an expression.
+    statement: Cell<usize>,
 }
 
 impl<'a> Source<'a> {
@@ -21,7 +24,7 @@ impl<'a> Source<'a> {
         tokens: &'a [Token],
         docs: &'a HashMap<usize, String>,
     ) -> Self {
-        Source { file, text, tokens, docs }
+        Source { file, text, tokens, docs, statement: Cell::new(usize::MAX) }
     }
 
     pub(super) fn len(&self) -> usize {
@@ -70,6 +73,15 @@ impl<'a> Source<'a> {
         self.docs.get(&index).cloned()
     }
 
+    pub(super) fn begin_statement(&self, index: usize) {
+        self.statement.set(index);
+    }
+
+    /// Whether a token is the first of a statement that begins with an expression.
+    pub(super) fn begins_statement(&self, index: usize) -> bool {
+        self.statement.get() == index
+    }
+
     /// Whether a token stands on a later line than the one before it.
     pub(super) fn begins_line(&self, index: usize) -> bool {
         let (from, to) = (self.after(index).start as usize, self.place(index).start as usize);
@@ -79,6 +91,12 @@ impl<'a> Source<'a> {
     /// Whether a token follows the one before it without a blank.
     pub(super) fn touches_previous(&self, index: usize) -> bool {
         index > 0 && self.after(index).end == self.place(index).start
+    }
+
+    /// Where the first token behind a byte position begins.
+    pub(super) fn next_start(&self, from: u32) -> Option<u32> {
+        let index = self.tokens.partition_point(|t| t.span.start < from);
+        self.tokens.get(index).map(|t| t.span.start)
     }
 
     /// Whether only blanks stand between two byte positions.

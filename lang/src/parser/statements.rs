@@ -2,7 +2,8 @@
 
 use super::expressions::{Expressions, expressions, may_begin};
 use super::recovery::{
-    Reader, close, expect, identifier, name, position, semicolon, skip_statement, unexpected, when,
+    Reader, advance_to, assigns_on_new_line, close, expect, identifier, name, position, semicolon,
+    skip_statement, unexpected, when,
 };
 use super::source::Source;
 use super::{Extra, Input, Problem, Rule, declarations, definitions};
@@ -73,28 +74,31 @@ fn simple<'a>(source: &'a Source<'a>, e: &Expressions<'a>) -> Rule<'a, StmtKind>
 fn expression_or_assignment<'a>(source: &'a Source<'a>, e: &Expressions<'a>) -> Rule<'a, StmtKind> {
     let bind = select! { Kind::Assign => Bind::Evaluate, Kind::Bind => Bind::Symbolic };
     // `name :` is a label, and was tried before.
-    when(move |at| may_begin(source.kind(at)) && begins_expression(source.kind(at)))
-        .ignore_then(e.full.clone())
-        .then(bind.then(e.full.clone()).or_not())
-        .map_with(|(place, assigned), extra| match assigned {
-            None => StmtKind::Expr(place),
-            Some((bind, value)) => {
-                if !is_place(&place) {
-                    extra.emit(
-                        Diagnostic::error(
-                            "E0122",
-                            "this cannot be assigned to",
-                            place.span,
-                            "a value, not a place",
-                        )
-                        .help("assign to a variable or an element of one; compare with `==`")
-                        .into(),
-                    );
-                }
-                StmtKind::Assign { place, bind, value }
+    when(move |at| {
+        source.begin_statement(at);
+        may_begin(source.kind(at)) && begins_expression(source.kind(at))
+    })
+    .ignore_then(e.full.clone())
+    .then(bind.then(e.full.clone()).or_not())
+    .map_with(|(place, assigned), extra| match assigned {
+        None => StmtKind::Expr(place),
+        Some((bind, value)) => {
+            if !is_place(&place) {
+                extra.emit(
+                    Diagnostic::error(
+                        "E0122",
+                        "this cannot be assigned to",
+                        place.span,
+                        "a value, not a place",
+                    )
+                    .help("assign to a variable or an element of one; compare with `==`")
+                    .into(),
+                );
             }
-        })
-        .boxed()
+            StmtKind::Assign { place, bind, value }
+        }
+    })
+    .boxed()
 }
 
 /// Whether a statement that begins with this token is an expression rather than nonsense.
@@ -133,13 +137,23 @@ fn jump<'a>(source: &'a Source<'a>, e: &Expressions<'a>) -> Rule<'a, StmtKind> {
         when(move |at| may_begin(source.kind(at)) && !(source.begins_line(at) && ends_here(source, at)))
             .ignore_then(e.full.clone())
             .or_not();
+    // `goto` and `y = 2;` on the next line.
+    let no_label = custom(move |input: &mut Reader<'a, '_>| {
+        let at = position(input);
+        if !assigns_on_new_line(source, at) {
+            return Err(Problem(None));
+        }
+        let message = "the name of the label is expected, not the end of the line";
+        input.emit(Diagnostic::error("E0114", message, source.after(at), "a name is expected here").into());
+        Ok(None)
+    });
     choice((
         just(Kind::Break).to(StmtKind::Break),
         just(Kind::Continue).to(StmtKind::Continue),
         just(Kind::Return).ignore_then(value.clone()).map(StmtKind::Return),
         just(Kind::Throw).ignore_then(value).map(StmtKind::Throw),
         just(Kind::Goto)
-            .ignore_then(name(source, "the label"))
+            .ignore_then(no_label.or(name(source, "the label")))
             .map(|label| label.map_or(StmtKind::Error, StmtKind::Goto)),
     ))
     .boxed()
@@ -221,7 +235,9 @@ fn loops<'a>(source: &'a Source<'a>, e: &Expressions<'a>, body: Rule<'a, Stmt>) 
     let nothing = spanned(source, empty().to(StmtKind::Empty));
     let step = spanned(source, expression_or_assignment(source, e)).or(nothing.clone()).boxed();
     let init = spanned(source, declarations::variables(source, e.full.clone())).or(step.clone()).boxed();
-    let condition = when(move |at| may_begin(source.kind(at))).ignore_then(e.full.clone()).or_not();
+    let condition = when(move |at| may_begin(source.kind(at)) && !assigns_on_new_line(source, at))
+        .ignore_then(e.full.clone())
+        .or_not();
     let header = expect(source, Kind::OpenParen, "after `for`")
         .ignore_then(init)
         .then_ignore(expect(source, Kind::Semicolon, "after the beginning of a `for`"))
@@ -254,10 +270,13 @@ fn labelled<'a>(source: &'a Source<'a>, e: &Expressions<'a>, body: Rule<'a, Stmt
 }
 
 fn try_catch<'a>(source: &'a Source<'a>, body: Rule<'a, Stmt>) -> Rule<'a, StmtKind> {
-    let header = just(Kind::Catch)
-        .ignore_then(expect(source, Kind::OpenParen, "after `catch`; write `catch ()` to ignore the error"))
-        .ignore_then(identifier(source).or_not())
-        .then_ignore(close(source, Kind::CloseParen, "a name or `)`"));
+    let name = just(Kind::OpenParen).ignore_then(identifier(source).or_not()).then_ignore(close(
+        source,
+        Kind::CloseParen,
+        "a name or `)`",
+    ));
+    let no_name = expect(source, Kind::OpenParen, "after `catch`; write `catch ()` to ignore the error");
+    let header = just(Kind::Catch).ignore_then(name.or(no_name.to(None)));
     let handler = header.then(body.clone()).map(Some);
     let no_handler = expect(source, Kind::Catch, "after the body of `try`").map(|_| None);
     just(Kind::Try)
@@ -295,7 +314,14 @@ fn unusable<'a>(source: &'a Source<'a>) -> Rule<'a, StmtKind> {
             return Err(Problem(None));
         }
         input.emit(unexpected(source, at).into());
-        skip_statement(source, input);
+        let closes = |at| matches!(source.kind(at), Some(Kind::CloseParen | Kind::CloseBracket));
+        if closes(at) {
+            // What follows brackets that close nothing may well be a statement.
+            let end = (at..).find(|i| !closes(*i)).unwrap_or(at);
+            advance_to(input, end + usize::from(source.kind(end) == Some(Kind::Semicolon)));
+        } else {
+            skip_statement(source, input);
+        }
         Ok(StmtKind::Error)
     })
     .boxed()
