@@ -49,7 +49,12 @@ fn compile(tape: &Tape) -> JitModule {
         parameters: vec![],
         result: Repr::Unit,
         locals: vec![],
-        blocks: vec![Block { statements: vec![], terminator: Terminator::Return(None) }],
+        blocks: vec![Block {
+            statements: vec![],
+            terminator: Terminator::Return(None),
+            handler: None,
+            span: Span::default(),
+        }],
         span: Span::default(),
     };
     let program = Program { functions: vec![main], ..Program::default() };
