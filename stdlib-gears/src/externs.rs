@@ -87,7 +87,8 @@ calyx_abi::externs! {
                 "give a whole number of at least 3"));
         }
         if !(face_width > 0.0 && face_width.is_finite()) {
-            return Err(refusal("E0668", "face_width", "the face width must be positive", ""));
+            return Err(refusal("E0668", "face_width", "the face width must be positive",
+                "give the width of the toothed part along the axis"));
         }
         let (place, host) = (context.place, host(context)?);
         let (rack, rim) = (*entry(&host.racks, rack)?, *entry(&host.rims, rim)?);
@@ -146,7 +147,8 @@ calyx_abi::externs! {
         context, first: Handle, second: Handle, tip_corner_contact: bool, cells: f64, grid_width: f64,
     ) -> Handle {
         if cells.fract() != 0.0 {
-            return Err(refusal("E0672", "cells", "the number of cells must be whole", ""));
+            return Err(refusal("E0672", "cells", "the number of cells must be whole",
+                "it is half the number of cells of a grid; 24 is usual"));
         }
         let (place, host) = (context.place, host(context)?);
         let ids = [BodyId(first.0 as usize), BodyId(second.0 as usize)];

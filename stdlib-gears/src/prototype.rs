@@ -97,7 +97,7 @@ impl Prototype for GearPrototype {
             return Err(EngineError::new(
                 "E0675",
                 "a mesh needs elements of order 1 to 3 and a positive refinement",
-                "",
+                "order 3 and refinement 1 are the defaults",
             ));
         }
         let refinement = refinement(options.refinement, options.order);

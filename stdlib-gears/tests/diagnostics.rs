@@ -6,9 +6,13 @@ use calyx_gears::error::{GeometryError, Severity};
 use calyx_gears::external::{ExternalGear, ExternalGearData, check_rim};
 use calyx_gears::fillet::Side;
 use calyx_gears::flank::Flank;
+use calyx_gears::host::Rim;
 use calyx_gears::mesh_geometry::MeshGeometry;
 use calyx_gears::modification::{Modification, ReliefShape, TipRelief};
+use calyx_gears::prototype::GearPrototype;
 use calyx_gears::rack::Rack;
+use calyx_runtime::material::Material;
+use calyx_runtime::scene::{Prototype, StructureOptions};
 use common::{INCH, chapter_5, chapter_5_data, standard_data};
 
 fn expect(row: &str, errors: &[GeometryError], code: &str, argument: &str, says: &str) {
@@ -213,4 +217,19 @@ fn impossible_pairs_are_refused() {
         MeshGeometry::check_external(&first, &second, 3.0 * INCH)
             .is_ok_and(|(_, warnings)| warnings.is_empty())
     );
+}
+
+/// Options that models do not set, but users of the engine's API do.
+#[test]
+fn a_mesh_of_unknown_order_is_refused() {
+    let rim = Rim { radius: 0.70 * INCH, inner_radius: 0.60 * INCH };
+    let steel = Material { youngs_modulus: 206e9, poissons_ratio: 0.3, density: 7850.0 };
+    let gear = ExternalGear::new(chapter_5_data(20, 0.02, 0.15708)).expect("a sound gear");
+    let gear = GearPrototype::new(gear, Vec::new(), steel, rim, INCH, Vec::new()).expect("a gear");
+    for (order, refinement) in [(0, 1.0), (4, 1.0), (3, 0.0), (3, f64::NAN)] {
+        let options = StructureOptions { order, refinement, ..StructureOptions::default() };
+        let error = gear.build(&options).err().expect("refused");
+        assert_eq!(error.code, "E0675", "order {order}, refinement {refinement}");
+        assert!(!error.help.is_empty(), "a remedy");
+    }
 }

@@ -1,59 +1,20 @@
 //! `lang/REFERENCE.md` describes the language as it is: every snippet in it is checked and run, and its tables are
 //! compared with what the compiler knows.
 //!
-//! Fenced blocks of the reference:
-//! - `cx` is a model without any diagnostic, except those that its comments `//~ CODE part of the message` expect on their
-//!   line (`//~^` on the line above);
-//! - `cx fragment` is the same, and unused variables pass;
-//! - `cx module NAME` is a file `NAME.cx` that the models may import;
-//! - `text` after a `cx` block is what the model prints, run by the interpreter and as machine code;
-//! - `diagnostic` after a `cx` block is how its diagnostics are shown.
+//! Its blocks are those of [`calyx_tests::document`].
 
-use calyx::rt::{Program, apply};
-use calyx::{Checked, Interpreted, Module, check_file};
-use calyx_abi::{Context, Purity};
-use calyx_gears::host::ModelHost;
-use calyx_lang::diagnostic::Diagnostic;
 use calyx_lang::dimension::Dimension;
-use calyx_lang::render::{Colour, Renderer};
 use calyx_lang::units::{Unit, UnitSystem};
 use calyx_lang::{codes, lexer};
+use calyx_tests::document::Document;
+use calyx_tests::judge::{judge, write_files};
 use calyx_tests::root;
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
-use std::sync::{Arc, Mutex};
-
-struct Block {
-    /// Line of the reference it begins on.
-    line: usize,
-    /// What stands after the fence.
-    kind: String,
-    text: String,
-}
 
 fn reference() -> String {
     fs::read_to_string(root().join("lang/REFERENCE.md")).expect("the reference")
-}
-
-fn blocks(text: &str) -> Vec<Block> {
-    let mut blocks = Vec::new();
-    let mut open: Option<Block> = None;
-    for (index, line) in text.lines().enumerate() {
-        match (&mut open, line.strip_prefix("```")) {
-            (None, Some(kind)) => {
-                open = Some(Block { line: index + 2, kind: kind.trim().into(), text: String::new() });
-            }
-            (None, None) => {}
-            (Some(_), Some(_)) => blocks.extend(open.take()),
-            (Some(block), None) => {
-                block.text.push_str(line);
-                block.text.push('\n');
-            }
-        }
-    }
-    assert!(open.is_none(), "a block is not closed");
-    blocks
 }
 
 /// The section under a heading, without it.
@@ -79,105 +40,15 @@ fn first_cells<'t>(rows: &[&'t str]) -> Vec<&'t str> {
     rows.iter().filter_map(|row| row.split('|').nth(1)).map(|cell| cell.trim().trim_matches('`')).collect()
 }
 
-/// What a program prints at default params; an error of it is its last line.
-fn output(program: &dyn Program) -> String {
-    let printed = Arc::new(Mutex::new(String::new()));
-    let mut context = Context::new(Box::new(ModelHost::default()));
-    context.kernels = program.kernels();
-    let lines = printed.clone();
-    context.print = Box::new(move |line| {
-        let mut lines = lines.lock().expect("one thread");
-        lines.push_str(line);
-        lines.push('\n');
-    });
-    apply(program, &[], &mut context).expect("defaults");
-    let result = program.main(&mut context);
-    let mut text = printed.lock().expect("one thread").clone();
-    if let Err(error) = result {
-        text.push_str(&format!("error {}: {}\n", error.code, error.message));
-    }
-    text
-}
-
-fn line_of(text: &str, offset: u32) -> usize {
-    text.bytes().take(offset as usize).filter(|b| *b == b'\n').count()
-}
-
-/// Expectations of a block that were not met, and diagnostics that it does not expect.
-fn unexpected(block: &Block, diagnostics: &[Diagnostic]) -> Vec<String> {
-    let mut left: Vec<&Diagnostic> = diagnostics.iter().collect();
-    let mut problems = Vec::new();
-    for (index, line) in block.text.lines().enumerate() {
-        for expectation in line.split("//~").skip(1) {
-            let above = expectation.chars().take_while(|c| *c == '^').count();
-            let text = expectation[above..].trim();
-            let (code, message) = text.split_once(' ').unwrap_or((text, ""));
-            let found = left.iter().position(|d| {
-                d.code == code
-                    && d.primary.span.file.0 == 0
-                    && line_of(&block.text, d.primary.span.start) + above == index
-                    && d.message.contains(message.trim())
-            });
-            match found {
-                Some(at) => drop(left.remove(at)),
-                None => problems.push(format!("line {}: not found: {text}", block.line + index)),
-            }
-        }
-    }
-    left.retain(|d| !(block.kind == "cx fragment" && d.code == "W0201"));
-    let line = |d: &Diagnostic| block.line + line_of(&block.text, d.primary.span.start);
-    problems.extend(left.iter().map(|d| format!("line {}: unexpected: {} {}", line(d), d.code, d.message)));
-    problems
-}
-
-/// Diagnostics as people see them, but for blanks at the ends of lines.
-fn shown(checked: &Checked) -> String {
-    let mut renderer = Renderer::new(&checked.files, Colour::Never);
-    let text: String = checked.diagnostics.iter().map(|diagnostic| renderer.text(diagnostic)).collect();
-    text.lines().map(|line| format!("{}\n", line.trim_end())).collect()
-}
-
-/// What is wrong with a model of the reference, given the block after it.
-fn judge(block: &Block, next: Option<&Block>, folder: &Path) -> Vec<String> {
-    let file = folder.join("model.cx");
-    fs::write(&file, &block.text).expect("a temporary file");
-    let mut checked = check_file(&file).expect("a readable file");
-    let mut problems = unexpected(block, &checked.diagnostics);
-    if let Some(next) = next.filter(|next| next.kind == "diagnostic") {
-        checked.files[0].name = "model.cx".into();
-        let found = shown(&checked);
-        if found != next.text {
-            problems.push(format!("line {}: it is shown as\n{found}", next.line));
-        }
-    }
-    let printed = next.filter(|next| next.kind == "text" && problems.is_empty());
-    let Some(printed) = printed.map(|next| next.text.as_str()) else { return problems };
-    let Some(program) = checked.program.clone() else {
-        return vec![format!("line {}: prints nothing, it has errors", block.line)];
-    };
-    let interpreted = Interpreted::new(&program, Purity::Effect).expect("the interpreter");
-    let compiled = Module::compile(checked).expect("machine code");
-    for (way, found) in [("interpreted", output(&interpreted)), ("compiled", output(&compiled))] {
-        if found != printed {
-            problems.push(format!("line {}: {way}, it prints\n{found}", block.line));
-        }
-    }
-    problems
-}
-
 #[test]
 fn every_snippet_is_judged_and_prints_as_it_says() {
-    let blocks = blocks(&reference());
+    let document = Document::read(&root().join("lang/REFERENCE.md"), "lang/REFERENCE.md");
     let folder = tempfile::tempdir().expect("a temporary folder");
-    for block in &blocks {
-        if let Some(name) = block.kind.strip_prefix("cx module ") {
-            fs::write(folder.path().join(format!("{name}.cx")), &block.text).expect("a temporary file");
-        }
-    }
+    write_files(&document, folder.path());
     let mut problems = Vec::new();
-    for (index, block) in blocks.iter().enumerate() {
-        if block.kind == "cx" || block.kind == "cx fragment" {
-            problems.extend(judge(block, blocks.get(index + 1), folder.path()));
+    for case in &document.cases {
+        for (line, problem) in judge(case, folder.path()).problems {
+            problems.push(format!("line {line}: {problem}"));
         }
     }
     assert!(problems.is_empty(), "lang/REFERENCE.md\n{}", problems.join("\n"));

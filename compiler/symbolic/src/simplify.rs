@@ -19,11 +19,14 @@
 //! | `x + (-y)`, `x - (-y)`, `(-x) - y` | `x - y`, `x + y`, `-(x + y)` | |
 //! | `(-x) * y`, `(-x) / y`, `x / (-y)` | sign outside | |
 //! | `sin(x)*sin(x) + cos(x)*cos(x)` | `1` | finite |
-//! | `sin tan asin atan` of `-x`; `cos abs` of `-x` | sign outside; dropped | |
+//! | `sin(-x)`, `tan(-x)`, `asin(-x)`, `atan(-x)` | sign outside | |
+//! | `cos(-x)`, `abs(-x)` | sign dropped | |
 //! | `abs(abs(x))`, `min(x, x)`, `max(x, x)` | `abs(x)`, `x`, `x` | |
-//! | `x ^ n` for whole n from -2 to 8 | products, `1 / ...` | |
-//! | `!!x` of a truth value, `true & x`, ... | `x`, ... | |
-//! | `select` on a constant, on `!c`, of equal arms | the arm, swapped arms, the arm | |
+//! | `x^-2`, `x^-1`, `x^0`, `x^1`, `x^2`, `x^3`, `x^4`, `x^5`, `x^6`, `x^7`, `x^8` | products, `1 / ...` | |
+//! | `!!(x < y)`, `true & (x < y)`, `false \| (x < y)` | the truth value | |
+//! | `false & x`, `true \| x` | the constant | |
+//! | `select(true, x, y)`, `select(false, x, y)`, `select(c, x, x)` | the arm | |
+//! | `select(!c, x, y)` | `select(c, y, x)` | |
 
 use crate::graph::{Binary, Graph, Node, NodeId, Unary};
 

@@ -117,6 +117,16 @@ const CASES: &[Case] = &[
         },
         domain: (-1.0, 1.0),
     },
+    Case {
+        name: "less or equal",
+        build: |g, x, y| {
+            let z = g.scale(4.0, y);
+            g.binary(Binary::LessEqual, x, z)
+        },
+        domain: (0.8, 2.0),
+    },
+    Case { name: "and", build: |g, x, y| g.binary(Binary::And, x, y), domain: (0.8, 2.0) },
+    Case { name: "or", build: |g, x, y| g.binary(Binary::Or, x, y), domain: (0.8, 2.0) },
 ];
 
 #[test]

@@ -2,6 +2,7 @@
 
 use super::dim::Dim;
 use super::infer::Checker;
+use super::rules::{self, Rule};
 use super::symbols::with_article;
 use super::tree::{Constraint, ConstraintKind, RecordId};
 use super::types::{Mismatch, Type};
@@ -54,7 +55,14 @@ impl Constraint {
 impl Checker<'_> {
     /// Adds a constraint, solving it at once if possible.
     pub fn constrain(&mut self, constraint: Constraint) {
-        match self.try_solve(&constraint) {
+        let outcome = self.try_solve(&constraint);
+        let solved = match &outcome {
+            Outcome::Solved => Some(true),
+            Outcome::Open => None,
+            Outcome::Failed(_) => Some(false),
+        };
+        rules::constraint(&constraint.kind, solved, |ty| self.store.shallow(ty));
+        match outcome {
             Outcome::Solved => {}
             Outcome::Open => self.pending.push(constraint),
             Outcome::Failed(diagnostic) => self.report(*diagnostic),
@@ -123,6 +131,7 @@ impl Checker<'_> {
             };
             let number = match &constraint.kind {
                 Index(..) => {
+                    rules::applied(Rule::DefaultArray);
                     let element = self.store.fresh();
                     Type::array(element)
                 }
@@ -140,7 +149,10 @@ impl Checker<'_> {
                     self.pending.remove(0);
                     continue;
                 }
-                _ => self.fresh_number(),
+                _ => {
+                    rules::applied(Rule::DefaultNumber);
+                    self.fresh_number()
+                }
             };
             // An unknown takes any type.
             let _ = self.store.unify(&unknown, &number);

@@ -3,6 +3,7 @@
 use super::builtins::Builtin;
 use super::dim::Dim;
 use super::infer::Checker;
+use super::rules::{self, Rule};
 use super::symbols::{Constant, NumberConstant, Res, VarKind};
 use super::tree::*;
 use super::types::{Store, Type};
@@ -102,14 +103,19 @@ impl<'a> Checker<'a> {
 
     fn number(&mut self, value: f64, position: Position) -> (Kind, Type) {
         if value == 0.0 {
+            rules::applied(Rule::ZeroLiteral);
             return (Kind::Number(value), Type::Number(self.store.fresh_dim()));
         }
         match (position, self.system()) {
             (Position::Whole, Some(system)) => {
+                rules::applied(Rule::BareLiteral);
                 let dim = self.store.fresh_literal_dim();
                 (Kind::Bare(value, dim.clone(), system), Type::Number(dim))
             }
-            _ => (Kind::Number(value), Type::number()),
+            _ => {
+                rules::applied(Rule::PureLiteral);
+                (Kind::Number(value), Type::number())
+            }
         }
     }
 
@@ -431,16 +437,18 @@ impl<'a> Checker<'a> {
                 Type::Bool
             }
             BinaryOp::Equal | BinaryOp::NotEqual => {
-                self.same(&a, &b, op_span, "compare");
-                let kind = ConstraintKind::Comparable(a.ty.clone());
-                self.constrain(Constraint { kind, span: a.span });
+                if self.same(&a, &b, op_span, "compare") {
+                    let kind = ConstraintKind::Comparable(a.ty.clone());
+                    self.constrain(Constraint { kind, span: a.span });
+                }
                 Type::Bool
             }
             BinaryOp::Add | BinaryOp::Subtract => {
-                let kind = ConstraintKind::Additive(a.ty.clone());
-                self.constrain(Constraint { kind, span: a.span });
                 let verb = if op == BinaryOp::Add { "add" } else { "subtract" };
-                self.same(&a, &b, op_span, verb);
+                if self.same(&a, &b, op_span, verb) {
+                    let kind = ConstraintKind::Additive(a.ty.clone());
+                    self.constrain(Constraint { kind, span: a.span });
+                }
                 a.ty.clone()
             }
             BinaryOp::Multiply | BinaryOp::Divide => {

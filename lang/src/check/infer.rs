@@ -5,6 +5,7 @@
 
 use super::ModuleData;
 use super::dim::Dim;
+use super::rules::{self, Rule};
 use super::symbols::{FunctionInfo, Names, VarKind, Variable, with_article};
 use super::tree::*;
 use super::types::{Mismatch, Store, Substitution, Type};
@@ -412,6 +413,7 @@ impl<'a> Checker<'a> {
         for param in &self.params {
             self.store.unknowns(&param.ty, &mut outer_types, &mut outer_dims);
         }
+        let sees_unknown = !types.is_disjoint(&outer_types) || !dims.is_disjoint(&outer_dims);
         types.retain(|v| !outer_types.contains(v));
         dims.retain(|v| !outer_dims.contains(v) && !self.store.is_literal(*v));
         // A constraint on a quantified type quantifies what else it mentions.
@@ -436,6 +438,14 @@ impl<'a> Checker<'a> {
             }
         }
         self.pending.extend(rest);
+        let applied = [
+            (!types.is_empty(), Rule::GeneraliseType),
+            (!dims.is_empty(), Rule::GeneraliseDimension),
+            (!own.is_empty(), Rule::GeneraliseConstraint),
+            (group.len() > 1, Rule::RecursiveGroup),
+            (sees_unknown, Rule::OuterUnknown),
+        ];
+        applied.iter().filter(|(holds, _)| *holds).for_each(|(_, rule)| rules::applied(*rule));
         let scheme =
             Scheme { types: types.into_iter().collect(), dims: dims.into_iter().collect(), constraints: own };
         for member in group {
@@ -473,6 +483,7 @@ impl<'a> Checker<'a> {
         };
         let mut substitution = Substitution::default();
         if let Some(scheme) = &signature.scheme {
+            rules::applied(Rule::Instantiate);
             for &variable in &scheme.types {
                 let fresh = self.store.fresh();
                 substitution.types.insert(variable, fresh);

@@ -11,9 +11,9 @@ use crate::dimension::{Dimension, Rational};
 use crate::span::Span;
 
 impl Checker<'_> {
-    /// Demands that the two sides of an operator have one type. The later side is to blame.
-    pub(super) fn same(&mut self, a: &Expr, b: &Expr, op_span: Span, verb: &str) {
-        let Err(mismatch) = self.store.unify(&a.ty, &b.ty) else { return };
+    /// Demands that the two sides of an operator have one type, and tells whether they do. The later side is to blame.
+    pub(super) fn same(&mut self, a: &Expr, b: &Expr, op_span: Span, verb: &str) -> bool {
+        let Err(mismatch) = self.store.unify(&a.ty, &b.ty) else { return true };
         let shown = |ty| with_article(&self.store.show(ty));
         let (left, right) = (shown(&a.ty), shown(&b.ty));
         let diagnostic = match mismatch {
@@ -44,12 +44,19 @@ impl Checker<'_> {
                     "add" => format!("cannot add {right} to {left}"),
                     _ => format!("cannot {verb} {right} from {left}"),
                 };
+                let text = [&a.ty, &b.ty].iter().any(|ty| matches!(self.store.shallow(ty), Type::String));
+                let help = if text && verb == "add" {
+                    "values become text by interpolation: `\"{a}{b}\"`"
+                } else {
+                    "both sides must have the same type"
+                };
                 Diagnostic::error("E0301", message, b.span, format!("this is {right}"))
                     .label(a.span, format!("this is {left}"))
-                    .help("both sides must have the same type")
+                    .help(help)
             }
         };
         self.report(diagnostic);
+        false
     }
 
     pub(super) fn dimension_mismatch(

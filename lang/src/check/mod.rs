@@ -25,6 +25,7 @@ mod names;
 mod params;
 mod places;
 mod records;
+pub mod rules;
 mod statements;
 mod symbolic;
 mod symbolic_functions;

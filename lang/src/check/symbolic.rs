@@ -6,7 +6,7 @@
 
 use super::dim::Dim;
 use super::infer::{Checker, Reaching};
-use super::symbols::Res;
+use super::symbols::{Res, with_article};
 use super::tree::*;
 use super::types::Type;
 use crate::ast::{self, BinaryOp, Bind, ExprKind};
@@ -151,6 +151,20 @@ impl<'a> Checker<'a> {
             Type::Array(element) => Type::array(self.quotient(&element, by, span)),
             Type::Tuple(parts) => {
                 Type::Tuple(parts.iter().map(|part| self.quotient(part, by, span)).collect())
+            }
+            Type::Transform => {
+                let help =
+                    "use `velocity(frame)`, `angular_velocity(frame)`, or the derivative of `origin(frame)`";
+                let message = "the derivative of a frame is no frame";
+                self.report(Diagnostic::error("E0304", message, span, "a frame").help(help));
+                Type::Error
+            }
+            known @ (Type::Bool | Type::String | Type::Record(_) | Type::Handle(_)) => {
+                let shown = with_article(&self.store.show(&known));
+                let message = format!("{shown} has no derivative");
+                let help = "numbers, vectors, and brackets of them have derivatives";
+                self.report(Diagnostic::error("E0304", message, span, format!("this is {shown}")).help(help));
+                Type::Error
             }
             _ => {
                 let quotient = self.store.fresh();

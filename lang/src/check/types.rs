@@ -1,6 +1,7 @@
 //! Types under inference, and the store in which unknown ones are found.
 
 use super::dim::{Dim, DimVar, solve};
+use super::rules::{self, Rule};
 use super::tree::RecordId;
 use crate::dimension::Dimension;
 use calyx_abi::Repr;
@@ -180,11 +181,16 @@ impl Store {
             .find(|(variable, _)| !self.literals.contains(variable))
             .or_else(|| difference.unknowns.iter().next_back());
         match unknown {
-            None if difference.fixed.fits(Dimension::NONE) => Ok(()),
+            None if difference.fixed.fits(Dimension::NONE) => {
+                let equal = difference.fixed.is_none();
+                rules::applied(if equal { Rule::KnownDimension } else { Rule::SoftAngle });
+                Ok(())
+            }
             None => Err(Mismatch::Dimension(Box::new((a, b)))),
             Some((&variable, &exponent)) => {
                 let solution = solve(&difference, variable, exponent)
                     .ok_or_else(|| Mismatch::Dimension(Box::new((a, b))))?;
+                rules::applied(Rule::SolveDimension);
                 self.dims[variable.0 as usize] = Some(solution);
                 Ok(())
             }
@@ -211,7 +217,13 @@ impl Store {
 
     pub fn unify(&mut self, a: &Type, b: &Type) -> Result<(), Mismatch> {
         let (a, b) = (self.shallow(a), self.shallow(b));
-        match (&a, &b) {
+        let result = self.unify_shallow(&a, &b);
+        rules::unified(&a, &b, &result);
+        result
+    }
+
+    fn unify_shallow(&mut self, a: &Type, b: &Type) -> Result<(), Mismatch> {
+        match (a, b) {
             (Type::Error, _) | (_, Type::Error) => Ok(()),
             (Type::Unknown(x), Type::Unknown(y)) if x == y => Ok(()),
             (Type::Unknown(x), other) | (other, Type::Unknown(x)) => {

@@ -48,6 +48,16 @@ fn what_nothing_holds_is_named_with_its_direction() {
 }
 
 #[test]
+fn a_scene_without_pairs_is_refused() {
+    let (mut scene, _) = pair(&PairOptions::chapter_5(&PLAIN));
+    scene.pairs.clear();
+    let plan = Plan::new(&scene, Fidelity::Plane, COARSE).expect("a plan");
+    let error = System::new(&scene, &plan).err().expect("nothing to solve");
+    assert_eq!(error.code, "E0713");
+    assert!(error.help.contains("gears.mesh"), "{}", error.help);
+}
+
+#[test]
 fn gears_held_where_they_overlap_press_as_the_load_that_moved_them_there() {
     let (scene, mesh) = pair(&PairOptions::chapter_5(&PLAIN));
     let time = mesh.start + 0.6 * mesh.period;

@@ -1,0 +1,133 @@
+//! Derivative rules and simplifications of the expression graph, and the tests that hold them.
+//!
+//! Their tests are Rust, beside the graph: differences at random points, and random evaluation. What they test is read
+//! from their sources, by the names of their cases.
+
+use super::{Place, Table, rows};
+use crate::root;
+use calyx_symbolic::{Binary, Unary};
+use std::fs;
+
+rows!(unary(Unary) {
+    Unary::Negate => "negate",
+    Unary::Abs => "abs",
+    Unary::Sqrt => "sqrt",
+    Unary::Sin => "sin",
+    Unary::Cos => "cos",
+    Unary::Tan => "tan",
+    Unary::Asin => "asin",
+    Unary::Acos => "acos",
+    Unary::Atan => "atan",
+    Unary::Exp => "exp",
+    Unary::Log => "log",
+    Unary::Floor => "floor",
+    Unary::Ceil => "ceil",
+    Unary::Round => "round",
+    Unary::Not => "not",
+});
+
+rows!(binary(Binary) {
+    Binary::Add => "add",
+    Binary::Subtract => "subtract",
+    Binary::Multiply => "multiply",
+    Binary::Divide => "divide",
+    Binary::Power => "power",
+    Binary::Atan2 => "atan2",
+    Binary::Min => "min",
+    Binary::Max => "max",
+    Binary::Less => "less",
+    Binary::LessEqual => "less or equal",
+    Binary::Equal => "equal",
+    Binary::And => "and",
+    Binary::Or => "or",
+});
+
+const DERIVATIVE_TESTS: &str = "compiler/symbolic/tests/derivatives.rs";
+const SIMPLIFICATIONS: &str = "compiler/symbolic/src/simplify.rs";
+const SIMPLIFICATION_TESTS: &str = "compiler/symbolic/tests/simplification.rs";
+
+/// Every operation of the graph, covered by the cases of the derivative tests whose names begin with it.
+pub fn derivatives() -> Table {
+    let rows = [unary::ALL, binary::ALL, &["select"]].concat();
+    let mut table = Table::new(
+        "Derivative rules",
+        "First, second and mixed derivatives against independent values at random points, by \
+         [derivatives.rs](../../compiler/symbolic/tests/derivatives.rs).",
+        rows.clone(),
+    );
+    let source = read(DERIVATIVE_TESTS);
+    for (line, name) in named_cases(&source) {
+        let operation = name.split(',').next().unwrap_or_default();
+        if let Some(row) = rows.iter().copied().find(|row| *row == operation) {
+            table.cover([row], &place(name, DERIVATIVE_TESTS, line));
+        }
+    }
+    table
+}
+
+/// Every left side in the table that heads `simplify.rs`, covered by the case of the same name.
+pub fn simplifications() -> Table {
+    let rules = simplification_rules();
+    let mut table = Table::new(
+        "Simplifications",
+        "Rules of [simplify.rs](../../compiler/symbolic/src/simplify.rs), each held to its value at random points by \
+         [simplification.rs](../../compiler/symbolic/tests/simplification.rs).",
+        rules.clone(),
+    );
+    let source = read(SIMPLIFICATION_TESTS);
+    for (index, line) in source.lines().enumerate() {
+        let Some((name, _)) = line.trim().strip_prefix('"').and_then(|rest| rest.split_once("\": |")) else {
+            continue;
+        };
+        let plain = |text: &str| text.replace([' ', '`', '\\'], "");
+        if let Some(rule) = rules.iter().find(|rule| plain(rule) == plain(name)) {
+            table.cover([rule.as_str()], &place(name, SIMPLIFICATION_TESTS, index + 1));
+        }
+    }
+    table
+}
+
+/// The first column of the table of rules, one row for each expression in it.
+fn simplification_rules() -> Vec<String> {
+    let source = read(SIMPLIFICATIONS);
+    let rows = source.lines().filter_map(|line| line.strip_prefix("//! | ")).skip(1);
+    // A `|` inside a cell is written `\|`.
+    let made = rows.filter_map(|row| row.split(" | ").next());
+    made.flat_map(outside_code).collect()
+}
+
+/// The parts of a cell between its commas, those inside backquotes left alone.
+fn outside_code(cell: &str) -> Vec<String> {
+    let mut parts = vec![String::new()];
+    let mut in_code = false;
+    for c in cell.chars() {
+        in_code ^= c == '`';
+        match (c, in_code) {
+            (',', false) => parts.push(String::new()),
+            _ => parts.iter_mut().next_back().into_iter().for_each(|part| part.push(c)),
+        }
+    }
+    parts.iter().map(|part| part.trim().to_owned()).collect()
+}
+
+/// Line and name of each `Case { name: "...", ... }` of a test.
+fn named_cases(source: &str) -> Vec<(usize, &str)> {
+    let mut cases = Vec::new();
+    for (index, line) in source.lines().enumerate() {
+        if let Some((_, rest)) = line.split_once("name: \"")
+            && let Some((name, _)) = rest.split_once('"')
+        {
+            cases.push((index + 1, name));
+        }
+    }
+    cases
+}
+
+fn place(name: &str, file: &str, _line: usize) -> Place {
+    // Without the line, which moves with every change of the file.
+    Place { title: format!("`{}`", name.replace('|', "\\|")), link: format!("../../{file}") }
+}
+
+fn read(file: &str) -> String {
+    fs::read_to_string(root().join(file)).unwrap_or_else(|error| panic!("{file}: {error}"))
+}
