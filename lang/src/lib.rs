@@ -16,6 +16,7 @@ pub mod format;
 pub mod ir;
 pub mod lexer;
 pub mod parser;
+mod relocate;
 pub mod render;
 pub mod span;
 pub mod tree_text;

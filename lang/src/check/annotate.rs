@@ -12,34 +12,27 @@ use crate::span::Span;
 /// Type names that are no dimensions.
 const NAMES: &[&str] = &["Bool", "String", "Vector", "Transform", "Array", "Symbolic", "Observable"];
 
-impl<'a> Checker<'a> {
-    /// A capitalised name in an `extern` declaration that means nothing else is the name of something the engine makes.
-    pub(super) fn collect_handles(&mut self) {
-        fn names<'t>(ty: &'t TypeExpr, handles: &mut Vec<&'t Ident>) {
-            match &ty.kind {
-                TypeKind::Name(name) => handles.push(name),
-                TypeKind::Apply(_, parts) => parts.iter().for_each(|part| names(part, handles)),
-                _ => {}
-            }
+/// A capitalised name in an `extern` declaration that means nothing else is the name of something the engine makes.
+pub fn handles_of(decl: &FunctionDecl) -> Vec<String> {
+    fn names(ty: &TypeExpr, handles: &mut Vec<String>) {
+        match &ty.kind {
+            TypeKind::Name(name) => handles.push(name.name.clone()),
+            TypeKind::Apply(_, parts) => parts.iter().for_each(|part| names(part, handles)),
+            _ => {}
         }
-        let mut found = Vec::new();
-        for info in &self.names.externs {
-            let annotations = info.decl.parameters.iter().filter_map(|p| p.annotation.as_ref());
-            annotations.chain(&info.decl.result).for_each(|ty| names(ty, &mut found));
-        }
-        self.handles = found
-            .into_iter()
-            // Records and dimensions of the program.
-            .filter(|name| !self.names.uses.contains_key(&name.span))
-            .map(|name| name.name.clone())
-            .filter(|name| {
-                name.starts_with(char::is_uppercase)
-                    && !NAMES.contains(&name.as_str())
-                    && Dimension::from_name(name).is_none()
-            })
-            .collect();
     }
+    let mut found = Vec::new();
+    let annotations = decl.parameters.iter().filter_map(|p| p.annotation.as_ref());
+    annotations.chain(&decl.result).for_each(|ty| names(ty, &mut found));
+    found.retain(|name| {
+        name.starts_with(char::is_uppercase)
+            && !NAMES.contains(&name.as_str())
+            && Dimension::from_name(name).is_none()
+    });
+    found
+}
 
+impl<'a> Checker<'a> {
     /// The type an annotation stands for. `symbolic` allows what only the engine's functions take.
     pub(super) fn annotation(&mut self, annotation: &TypeExpr, symbolic: bool) -> Type {
         match &annotation.kind {
@@ -167,6 +160,7 @@ impl<'a> Checker<'a> {
             for statement in &module.tree.statements {
                 if let StmtKind::Function(decl) = &statement.kind
                     && let FunctionBody::Extern { purity } = &decl.body
+                    && self.layout.is_own(decl.name.span)
                 {
                     if let Some(purity) = purity
                         && !["pure", "scene", "effect"].contains(&purity.name.as_str())

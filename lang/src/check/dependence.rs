@@ -48,6 +48,11 @@ impl Dependence {
         self.add(Node::Error, value);
     }
 
+    /// An error may carry the variable's value.
+    pub fn thrown_variable(&mut self, id: VarId) {
+        self.edges.entry(Node::Error).or_default().insert(Node::Variable(id));
+    }
+
     pub fn caught(&mut self, id: VarId) {
         self.edges.entry(Node::Variable(id)).or_default().insert(Node::Error);
     }

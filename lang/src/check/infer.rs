@@ -5,6 +5,7 @@
 
 use super::ModuleData;
 use super::dim::Dim;
+use super::excerpt::Layout;
 use super::rules::{self, Rule};
 use super::symbols::{FunctionInfo, Names, VarKind, Variable, with_article};
 use super::tree::*;
@@ -33,6 +34,8 @@ pub struct Signature {
 
 pub struct Checker<'a> {
     pub modules: &'a [ModuleData],
+    /// Which item lies where.
+    pub(super) layout: &'a Layout,
     pub names: Names<'a>,
     pub store: Store,
     pub diagnostics: Vec<Diagnostic>,
@@ -67,15 +70,19 @@ pub struct Checker<'a> {
     pub(super) making: Vec<RecordId>,
     pub(super) function: FuncId,
     pub(super) file: FileId,
+    /// A literal in a declaration has a dimension that uses decide.
+    pub(super) unsettled: bool,
     groups: HashMap<FuncId, Vec<FuncId>>,
     pub(super) variable_types: HashMap<VarId, Type>,
+    reported: HashSet<(String, Span, String)>,
 }
 
 impl<'a> Checker<'a> {
-    pub fn new(modules: &'a [ModuleData], names: Names<'a>) -> Self {
+    pub fn new(modules: &'a [ModuleData], names: Names<'a>, layout: &'a Layout) -> Self {
         let groups = recursive_groups(&names.functions);
-        let mut checker = Checker {
+        Checker {
             modules,
+            layout,
             names,
             store: Store::default(),
             diagnostics: Vec::new(),
@@ -100,11 +107,11 @@ impl<'a> Checker<'a> {
             making: Vec::new(),
             function: FuncId(0),
             file: FileId(0),
+            unsettled: false,
             groups,
             variable_types: HashMap::new(),
-        };
-        checker.collect_handles();
-        checker
+            reported: HashSet::new(),
+        }
     }
 
     /// Infers the whole program. `functions[0]` is the model's top level afterwards.
@@ -113,6 +120,7 @@ impl<'a> Checker<'a> {
         let Some(model) = modules.first() else { return };
         self.declare_records();
         self.declare_consts();
+        self.unsettled = self.store.has_open_literals();
         self.declare_params();
         self.find_rebound(&model.tree.statements);
         let body = self.statements(&model.tree.statements);
@@ -168,26 +176,21 @@ impl<'a> Checker<'a> {
 
     /// The unit system declared in the file being checked.
     pub fn system(&self) -> Option<UnitSystem> {
-        self.modules.iter().find(|module| module.file == self.file).and_then(|module| module.system)
+        self.modules.get(self.file.0 as usize).and_then(|module| module.system)
     }
 
     pub fn text(&self, span: Span) -> &'a str {
         let modules = self.modules;
         modules
-            .iter()
-            .find(|module| module.file == span.file)
+            .get(span.file.0 as usize)
             .and_then(|module| module.text.get(span.start as usize..span.end as usize))
             .unwrap_or("")
     }
 
     /// Reports once, however often a place is visited.
     pub fn report(&mut self, diagnostic: Diagnostic) {
-        let known = self.diagnostics.iter().any(|other| {
-            other.code == diagnostic.code
-                && other.primary.span == diagnostic.primary.span
-                && other.message == diagnostic.message
-        });
-        if !known {
+        let key = (diagnostic.code.clone(), diagnostic.primary.span, diagnostic.message.clone());
+        if self.reported.insert(key) {
             self.diagnostics.push(diagnostic);
         }
     }

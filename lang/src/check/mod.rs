@@ -1,8 +1,10 @@
 //! From syntax trees to a typed program: names, types, dimensions, then control flow.
 //!
-//! [`check_program`] loads the model's modules, resolves names ([`names`]), infers types and dimensions
-//! ([`infer`] and its neighbours) into a typed tree ([`tree`]), lowers that to the typed program ([`lower`]) and checks
-//! what only the flow of control shows ([`flow`]).
+//! What is checked at once is a unit ([`unit`]), in an excerpt of the program ([`excerpt`]): names are resolved
+//! ([`names`]), types and dimensions inferred ([`infer`] and its neighbours) into a typed tree ([`tree`]), and what only
+//! the flow of control shows is checked ([`flow`]). Callers know a function by its interface ([`interface`]). The units of
+//! a program are then lowered to the typed program ([`lower`]). Which units there are and when they are checked again is
+//! the database's affair ([`crate::db`]).
 
 mod annotate;
 mod builtin_calls;
@@ -15,12 +17,14 @@ mod dependence;
 mod dim;
 mod domains;
 mod errors;
+pub(crate) mod excerpt;
 mod expr;
 mod flow;
 mod infer;
+pub(crate) mod interface;
+pub(crate) mod item;
 mod lower;
 mod mismatch;
-mod modules;
 mod names;
 mod params;
 mod places;
@@ -33,17 +37,23 @@ mod symbols;
 mod tree;
 mod typed;
 mod types;
+pub(crate) mod unit;
 
+pub(crate) use annotate::handles_of;
 pub use builtins::names as builtin_names;
+pub(crate) use lower::{Linked, Model, lower, model_doc};
+pub(crate) use symbols::similar;
+pub(crate) use unit::sees;
 
 use crate::ast::Module;
-use crate::deep::deep;
+use crate::db::Database;
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::dimension::Dimension;
 use crate::ir::{Program, SourceFile};
 use crate::span::FileId;
 use crate::units::UnitSystem;
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 /// Finds modules. `import gears.helical;` asks for `["gears", "helical"]`.
 pub trait Loader {
@@ -83,44 +93,15 @@ pub struct ModuleData {
 
 /// Checks a model and everything it imports. `name` is the model's file as shown to people.
 pub fn check_program(name: &str, text: &str, loader: &dyn Loader) -> Checked {
-    deep(|| check_modules(name, text, loader))
+    let mut database = Database::new(loader);
+    database.set_model(name, text);
+    database.load_imports(name, loader);
+    let checked = database.check(name);
+    drop(database);
+    checked.and_then(Arc::into_inner).unwrap_or_default()
 }
 
-fn check_modules(name: &str, text: &str, loader: &dyn Loader) -> Checked {
-    let (modules, files, mut diagnostics) = modules::load(name, text, loader);
-    let mut names = names::resolve(&modules, loader);
-    diagnostics.append(&mut names.diagnostics);
-    let mut checker = infer::Checker::new(&modules, names);
-    checker.program();
-    diagnostics.append(&mut checker.diagnostics);
-    let types = checker.shown_types();
-    let mut program = None;
-    if !has_errors(&diagnostics) {
-        let model = modules.first().map(lower::Model::of).unwrap_or_default();
-        let (lowered, mut found) = lower::lower(&checker.into_typed(), model, files.clone());
-        diagnostics.append(&mut found);
-        program = Some(lowered);
-    } else if diagnostics.iter().all(|d| !d.code.starts_with("E01")) {
-        // What is well typed is checked for its flow of control all the same.
-        let sound = checker.sound_functions(&diagnostics);
-        let found = lower::flow(&checker.into_typed(), &sound.iter().map(|(id, _)| *id).collect::<Vec<_>>());
-        let within = |d: &Diagnostic| {
-            sound.iter().any(|(_, text)| {
-                let at = d.primary.span;
-                at.file == text.file && at.start >= text.start && at.end <= text.end
-            })
-        };
-        diagnostics.extend(found.into_iter().filter(within));
-    }
-    diagnostics.sort_by_key(|d| (d.primary.span.file, d.primary.span.start, d.primary.span.end));
-    diagnostics.dedup();
-    if has_errors(&diagnostics) {
-        program = None;
-    }
-    Checked { program, diagnostics, files, types }
-}
-
-fn has_errors(diagnostics: &[Diagnostic]) -> bool {
+pub(crate) fn has_errors(diagnostics: &[Diagnostic]) -> bool {
     diagnostics.iter().any(|d| d.severity == Severity::Error)
 }
 

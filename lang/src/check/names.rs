@@ -3,10 +3,11 @@
 //! Runs before types are inferred, so that a misspelt name is reported whatever its type might have been.
 //! Functions are visible in their whole block, variables from their declaration on.
 
+use super::ModuleData;
 use super::builtins::{self, Builtin};
 use super::symbols::*;
 use super::tree::{FuncId, RecordId, VarId};
-use super::{Loader, ModuleData};
+use super::unit::Surroundings;
 use crate::ast::*;
 use crate::diagnostic::Diagnostic;
 use crate::span::{FileId, Span};
@@ -21,7 +22,7 @@ struct Scope {
 struct Resolver<'a> {
     names: Names<'a>,
     modules: &'a [ModuleData],
-    loader: &'a dyn Loader,
+    around: &'a dyn Surroundings,
     /// Functions and externs by module and name.
     exports: Vec<HashMap<String, (Res, Span)>>,
     /// Names of each module that importers do not see.
@@ -32,11 +33,11 @@ struct Resolver<'a> {
 }
 
 /// Resolves all names. `modules[0]` is the model, `modules[1]` the prelude.
-pub fn resolve<'a>(modules: &'a [ModuleData], loader: &'a dyn Loader) -> Names<'a> {
+pub fn resolve<'a>(modules: &'a [ModuleData], around: &'a dyn Surroundings) -> Names<'a> {
     let mut resolver = Resolver {
         names: Names::default(),
         modules,
-        loader,
+        around,
         exports: Vec::new(),
         private: Vec::new(),
         scopes: Vec::new(),
@@ -416,7 +417,7 @@ impl<'a> Resolver<'a> {
 
     /// Where a module's name is misspelt in its import only, its right name is used everywhere else: one error is enough.
     fn meant_module(&mut self, name: &str, declared: &Ident) {
-        let known = self.loader.names();
+        let known = self.around.modules();
         let Some(near) = similar(name, known.iter().map(String::as_str)) else { return };
         if self.modules.iter().all(|module| module.name != near)
             && let (Some(scope), Some(last)) = (self.scopes.last_mut(), near.rsplit('.').next())
@@ -721,7 +722,6 @@ impl<'a> Resolver<'a> {
             _ => return,
         };
         let (exports, private) = (&self.exports[module], &self.private[module]);
-        let public = || exports.keys().map(String::as_str).filter(|name| !private.contains(name));
         let res = match exports.get(&field.name) {
             Some((res, _)) if !private.contains(field.name.as_str()) => *res,
             Some((_, declared)) => {
@@ -739,15 +739,15 @@ impl<'a> Resolver<'a> {
                     field.span,
                     "not found in the module",
                 );
-                diagnostic = match similar(&field.name, public()) {
+                let all = self.around.declared(&self.modules[module as usize].name);
+                diagnostic = match similar(&field.name, all.iter().map(String::as_str)) {
                     Some(near) => diagnostic.help(format!("did you mean `{near}`?")).fix(
                         format!("change to `{near}`"),
                         field.span,
                         near,
                     ),
                     None => {
-                        let mut all: Vec<_> = public().map(|name| format!("`{name}`")).collect();
-                        all.sort();
+                        let all: Vec<_> = all.iter().map(|name| format!("`{name}`")).collect();
                         match all.is_empty() {
                             true => diagnostic.help("it has nothing that others see"),
                             false => diagnostic.help(format!("it has {}", all.join(", "))),
@@ -801,12 +801,19 @@ impl<'a> Resolver<'a> {
         };
         let mut candidates: Vec<&str> = Vec::new();
         // Every name is compared with every other: in a text of many thousand errors nobody waits for that.
-        if self.names.diagnostics.len() < MOST_SUGGESTIONS {
+        let mut declared: Vec<String>;
+        let suggests = self.around.suggests() && self.names.diagnostics.len() < MOST_SUGGESTIONS;
+        if suggests {
+            declared =
+                self.modules.get(self.file.0 as usize).map_or(Vec::new(), |m| self.around.declared(&m.name));
+            declared.extend(self.around.declared("prelude"));
             candidates = builtins::names().collect();
             candidates.extend(self.scopes.iter().flat_map(|scope| scope.names.keys().map(String::as_str)));
+            candidates.extend(declared.iter().map(String::as_str));
         }
         let near = match reserved {
             Some(near) => Some(near.to_string()),
+            None if !suggests => None,
             None => similar(&name.name, candidates.into_iter())
                 .or_else(|| Unit::similar(&name.name).filter(|near| near.len() > 2).map(str::to_string)),
         };
@@ -816,7 +823,7 @@ impl<'a> Resolver<'a> {
                 name.span,
                 near,
             ),
-            None if self.loader.module(std::slice::from_ref(&name.name)).is_some() => {
+            None if self.around.is_module(&name.name) => {
                 diagnostic.help(format!("add `import {};` to use the module", name.name))
             }
             None => diagnostic.help("declare it with `var` before this use"),

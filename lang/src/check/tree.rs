@@ -229,7 +229,7 @@ pub struct Constraint {
     pub span: Span,
 }
 
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum ConstraintKind {
     /// `left * right = result`
     Multiply(Type, Type, Type),

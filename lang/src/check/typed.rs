@@ -10,19 +10,20 @@ use crate::ast::{FunctionBody, Ident};
 use crate::ir::ExternDecl;
 use calyx_abi::{Purity, Repr};
 use std::collections::HashMap;
+use std::sync::Arc;
 
-/// Typed functions and the tables their bodies refer to.
-#[derive(Debug, Default)]
+/// Typed functions and the tables their bodies refer to. Clones share them.
+#[derive(Clone, Debug, Default)]
 pub struct Typed {
-    pub functions: HashMap<FuncId, Function>,
-    pub instances: Vec<Substitution>,
-    pub defs: Vec<Def>,
-    pub params: Vec<Param>,
-    pub outputs: Vec<Output>,
-    pub externs: Vec<ExternDecl>,
-    pub store: Store,
-    variables: Vec<Variable>,
-    variable_types: HashMap<VarId, Type>,
+    pub functions: Arc<HashMap<FuncId, Function>>,
+    pub instances: Arc<Vec<Substitution>>,
+    pub defs: Arc<Vec<Def>>,
+    pub params: Arc<Vec<Param>>,
+    pub outputs: Arc<Vec<Output>>,
+    pub externs: Arc<Vec<ExternDecl>>,
+    pub store: Arc<Store>,
+    variables: Arc<Vec<Variable>>,
+    variable_types: Arc<HashMap<VarId, Type>>,
 }
 
 impl Typed {
@@ -33,6 +34,11 @@ impl Typed {
     /// The type found for a variable.
     pub fn type_of(&self, id: VarId) -> Type {
         self.variable_types.get(&id).cloned().unwrap_or(Type::Error)
+    }
+
+    /// Whether a function of it takes arguments of several types.
+    pub fn is_general(&self) -> bool {
+        self.functions.values().any(|function| !function.scheme.types.is_empty())
     }
 
     pub fn function_name(&self, id: FuncId) -> &str {
@@ -68,15 +74,15 @@ impl Checker<'_> {
             }
         });
         Typed {
-            externs: externs.collect(),
-            functions: self.functions,
-            instances: self.instances,
-            defs: self.defs,
-            params: self.params,
-            outputs: self.outputs,
-            store: self.store,
-            variables: self.names.variables,
-            variable_types: self.variable_types,
+            externs: Arc::new(externs.collect()),
+            functions: Arc::new(self.functions),
+            instances: Arc::new(self.instances),
+            defs: Arc::new(self.defs),
+            params: Arc::new(self.params),
+            outputs: Arc::new(self.outputs),
+            store: Arc::new(self.store),
+            variables: Arc::new(self.names.variables),
+            variable_types: Arc::new(self.variable_types),
         }
     }
 }

@@ -50,6 +50,17 @@ impl Type {
         Type::Number(Dim::known(dimension))
     }
 
+    /// The type with other numbers for records.
+    pub fn with_records(&self, number: &dyn Fn(RecordId) -> RecordId) -> Type {
+        match self {
+            Type::Record(id) => Type::Record(number(*id)),
+            Type::Array(element) => Type::array(element.with_records(number)),
+            Type::Symbolic(inner) => Type::Symbolic(Box::new(inner.with_records(number))),
+            Type::Tuple(parts) => Type::Tuple(parts.iter().map(|part| part.with_records(number)).collect()),
+            other => other.clone(),
+        }
+    }
+
     pub fn array(element: Type) -> Type {
         Type::Array(Box::new(element))
     }
@@ -87,8 +98,7 @@ pub struct Store {
 
 impl Store {
     pub fn fresh(&mut self) -> Type {
-        self.types.push(None);
-        Type::Unknown(TypeVar(self.types.len() as u32 - 1))
+        Type::Unknown(self.fresh_variable())
     }
 
     pub fn record(&self, id: RecordId) -> Option<&RecordType> {
@@ -113,8 +123,22 @@ impl Store {
     }
 
     pub fn fresh_dim(&mut self) -> Dim {
+        Dim::unknown(self.fresh_dim_variable())
+    }
+
+    pub fn fresh_variable(&mut self) -> TypeVar {
+        self.types.push(None);
+        TypeVar(self.types.len() as u32 - 1)
+    }
+
+    pub fn fresh_dim_variable(&mut self) -> DimVar {
         self.dims.push(None);
-        Dim::unknown(DimVar(self.dims.len() as u32 - 1))
+        DimVar(self.dims.len() as u32 - 1)
+    }
+
+    /// So many unknowns, of which nothing is known.
+    pub fn unknown(types: u32, dims: u32) -> Store {
+        Store { types: vec![None; types as usize], dims: vec![None; dims as usize], ..Store::default() }
     }
 
     pub fn fresh_literal_dim(&mut self) -> Dim {
@@ -122,6 +146,11 @@ impl Store {
         let variable = DimVar(self.dims.len() as u32 - 1);
         self.literals.insert(variable);
         Dim::unknown(variable)
+    }
+
+    /// Whether a literal is there whose dimension is not decided.
+    pub fn has_open_literals(&self) -> bool {
+        self.literals.iter().any(|variable| self.dims[variable.0 as usize].is_none())
     }
 
     pub fn is_literal(&self, variable: DimVar) -> bool {
@@ -258,6 +287,24 @@ impl Store {
             Type::Tuple(inner) => inner.iter().any(|part| self.occurs(variable, part, depth + 1, parts)),
             _ => false,
         }
+    }
+
+    /// The type where nothing more will be found out: what is unknown is a pure number.
+    pub fn closed(&self, ty: &Type) -> Type {
+        match self.shallow(ty) {
+            Type::Unknown(_) => Type::number(),
+            Type::Number(dim) => Type::Number(self.closed_dim(&dim)),
+            Type::Vector(dim) => Type::Vector(self.closed_dim(&dim)),
+            Type::Observable(dim) => Type::Observable(self.closed_dim(&dim)),
+            Type::Array(element) => Type::array(self.closed(&element)),
+            Type::Symbolic(inner) => Type::Symbolic(Box::new(self.closed(&inner))),
+            Type::Tuple(parts) => Type::Tuple(parts.iter().map(|part| self.closed(part)).collect()),
+            other => other,
+        }
+    }
+
+    pub fn closed_dim(&self, dim: &Dim) -> Dim {
+        Dim::known(self.dim(dim).fixed)
     }
 
     /// Adds what is unknown in a type to the sets.

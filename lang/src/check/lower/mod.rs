@@ -6,6 +6,8 @@ mod calls;
 mod closures;
 mod errors;
 mod jumps;
+mod linked;
+mod placed;
 mod sequence;
 mod sites;
 mod symbolic_functions;
@@ -14,7 +16,8 @@ mod values;
 use super::tree::{self, FuncId, UseId};
 use super::typed::Typed;
 use super::types::{Substitution, Type};
-use crate::ast::{Mode, StmtKind};
+use super::unit::Unit;
+use crate::ast::{Mode, Module, StmtKind};
 use crate::diagnostic::Diagnostic;
 use crate::dimension::Dimension;
 use crate::ir::{ExternDecl, ExternId, Function, FunctionId, Output, Param, Program, SiteId, SourceFile};
@@ -22,27 +25,40 @@ use crate::span::{FileId, Span};
 use crate::units::UnitSystem;
 use body::Body;
 use calyx_abi::{Purity, Repr};
-use closures::Closure;
-use std::collections::HashMap;
+pub use closures::Closure;
+pub use linked::{Linked, flow};
+use std::collections::{HashMap, HashSet};
+use std::sync::LazyLock;
 
 /// A function to be lowered for given types of its scheme's unknowns.
 struct Wanted {
+    unit: usize,
     function: FuncId,
     types: Substitution,
     target: FunctionId,
 }
 
+/// A function of a unit, the representations of its scheme's unknowns, and dimensions where they matter.
+type Instance = (usize, FuncId, Vec<Repr>, Vec<String>);
+
 pub(super) struct Lowering<'c> {
+    linked: &'c Linked<'c>,
+    /// The unit whose code is being lowered.
+    unit: usize,
     checker: &'c Typed,
+    closures: &'c HashMap<FuncId, Closure>,
     program: Program,
     /// In which the model shows numbers.
     system: UnitSystem,
-    instances: HashMap<(FuncId, Vec<Repr>, Vec<String>), FunctionId>,
+    instances: HashMap<Instance, FunctionId>,
     wanted: Vec<Wanted>,
-    closures: HashMap<FuncId, Closure>,
     symbolic_functions: symbolic_functions::Instances,
+    /// Functions that write numbers into text, themselves or by those they call.
+    showing: HashMap<(usize, FuncId), bool>,
     externs: HashMap<String, ExternId>,
     diagnostics: Vec<Diagnostic>,
+    /// Sites, symbolic functions and diagnostics whose places are in files already.
+    placed: (usize, usize, usize),
 }
 
 /// What the model's file says of the model as a whole.
@@ -52,63 +68,49 @@ pub struct Model {
     pub doc: String,
 }
 
-impl Model {
-    pub fn of(module: &super::ModuleData) -> Model {
-        Model { system: module.system.unwrap_or_default(), doc: model_doc(module) }
-    }
-}
-
-/// What the flow of control shows to be wrong with some functions of a program that has errors elsewhere.
-pub fn flow(checker: &Typed, functions: &[FuncId]) -> Vec<Diagnostic> {
-    let mut lowering = Lowering::new(checker, UnitSystem::default(), Program::default());
-    for id in functions {
-        lowering.instance(*id, Substitution::default());
-    }
-    lowering.work();
-    let of_flow = |d: &Diagnostic| ["E02", "W02", "E03"].iter().any(|group| d.code.starts_with(group));
-    lowering.diagnostics.retain(of_flow);
-    lowering.diagnostics
-}
-
-/// The typed program, and what only the flow of control shows to be wrong.
-pub fn lower(checker: &Typed, model: Model, files: Vec<SourceFile>) -> (Program, Vec<Diagnostic>) {
-    let system = model.system;
-    let program = Program { files, units: system.name().into(), doc: model.doc, ..Program::default() };
-    let mut lowering = Lowering::new(checker, system, program);
-    lowering.params();
-    for output in &checker.outputs {
-        let dimension = known_dimension(checker, &output.ty);
-        lowering.program.outputs.push(Output {
-            name: output.name.clone(),
-            doc: output.doc.clone(),
-            // Set when the statement is lowered.
-            site: SiteId(0),
-            unit: system.unit_of(dimension),
-            si: UnitSystem::Si.unit_of(dimension).name,
-            span: output.span,
-        });
-    }
-    let main = lowering.instance(FuncId(0), Substitution::default());
+/// The typed program, and what only lowering shows to be wrong.
+pub fn lower(linked: &Linked<'_>, model: Model, files: Vec<SourceFile>) -> (Program, Vec<Diagnostic>) {
+    let mut lowering = Lowering::new(linked);
+    lowering.system = model.system;
+    let text = files.first().map_or(0, |file| file.text.len());
+    lowering.program =
+        Program { files, units: model.system.name().into(), doc: model.doc, ..Program::default() };
+    lowering.within(0, |lowering| {
+        let checker = lowering.checker;
+        lowering.interface(checker);
+        for output in checker.outputs.iter() {
+            let dimension = known_dimension(checker, &output.ty);
+            lowering.program.outputs.push(Output {
+                name: output.name.clone(),
+                doc: output.doc.clone(),
+                // Set when the statement is lowered.
+                site: SiteId(0),
+                unit: model.system.unit_of(dimension),
+                si: UnitSystem::Si.unit_of(dimension).name,
+                span: lowering.places().map_or(output.span, |places| places.span(output.span)),
+            });
+        }
+    });
+    let main = lowering.instance(0, FuncId(0), Substitution::default());
     lowering.program.main = main;
     lowering.work();
     lowering.export_symbolic_functions();
-    // What nobody calls is still checked for its flow of control; only the model's own is reported.
-    let called: Vec<FuncId> = lowering.instances.keys().map(|(id, ..)| *id).collect();
-    let kept = lowering.program.clone();
-    for (&id, function) in &checker.functions {
-        if !called.contains(&id) && function.span.file == FileId(0) && function.definition.is_none() {
-            lowering.instance(id, Substitution::default());
-        }
+    if let Some(main) = lowering.program.functions.get_mut(main.0 as usize) {
+        main.span = Span::new(FileId(0), 0, text);
     }
-    lowering.work();
-    (kept, lowering.diagnostics)
+    (lowering.program, lowering.diagnostics)
+}
+
+/// What a unit needs of its surroundings, its functions' closures.
+pub fn closures(typed: &Typed) -> HashMap<FuncId, Closure> {
+    closures::closures(&typed.functions, &typed.defs, &|id| typed.variable(id).owner)
 }
 
 /// The comment that opens a file documents the file, also where an import or units follow without a blank line.
-fn model_doc(module: &super::ModuleData) -> String {
-    let first = module.tree.statements.first();
+pub fn model_doc(tree: &Module) -> String {
+    let first = tree.statements.first();
     let first = first.filter(|s| matches!(s.kind, StmtKind::Import(_) | StmtKind::Units(_)));
-    module.tree.doc.clone().or_else(|| first?.doc.clone()).unwrap_or_default()
+    tree.doc.clone().or_else(|| first?.doc.clone()).unwrap_or_default()
 }
 
 fn known_dimension(checker: &Typed, ty: &Type) -> Dimension {
@@ -119,37 +121,51 @@ fn known_dimension(checker: &Typed, ty: &Type) -> Dimension {
 }
 
 impl<'c> Lowering<'c> {
-    fn new(checker: &'c Typed, system: UnitSystem, program: Program) -> Self {
-        let owner = |id: tree::VarId| checker.variable(id).owner;
+    fn new(linked: &'c Linked<'c>) -> Self {
+        static NOTHING: LazyLock<(Unit, Typed)> = LazyLock::new(Default::default);
+        let first: &'c Unit = linked.units().first().copied().unwrap_or(&NOTHING.0);
         Lowering {
-            checker,
-            system,
-            program,
+            linked,
+            unit: 0,
+            checker: linked.typed.first().unwrap_or(&NOTHING.1),
+            closures: &first.closures,
+            program: Program::default(),
             instances: HashMap::new(),
+            system: UnitSystem::default(),
             wanted: Vec::new(),
-            closures: closures::closures(&checker.functions, &checker.defs, &owner),
             symbolic_functions: Default::default(),
+            showing: HashMap::new(),
             externs: HashMap::new(),
             diagnostics: Vec::new(),
+            placed: (0, 0, 0),
         }
     }
-}
 
-impl Lowering<'_> {
     fn work(&mut self) {
         while let Some(wanted) = self.wanted.pop() {
-            let function = Body::lower(self, wanted.function, wanted.types);
+            let function = self.within(wanted.unit, |lowering| {
+                let mut function = Body::lower(lowering, wanted.function, wanted.types);
+                if let Some(places) = lowering.places() {
+                    placed::function(&mut function, &places);
+                }
+                function
+            });
             self.program.functions[wanted.target.0 as usize] = function;
         }
     }
 
-    fn params(&mut self) {
-        let checker = self.checker;
+    /// The params.
+    fn interface(&mut self, checker: &'c Typed) {
+        let places = self.places();
+        let placed = |span| places.as_ref().map_or(span, |places| places.span(span));
         for (index, param) in checker.params.iter().enumerate() {
             let repr = checker.store.repr(&param.ty);
             let mut function = |what: &str, e: &tree::Expr| {
                 let name = format!("{}.{what}", param.name);
-                let lowered = Body::lower_expression(self, &name, e);
+                let mut lowered = Body::lower_expression(self, &name, e);
+                if let Some(places) = &places {
+                    placed::function(&mut lowered, places);
+                }
                 self.program.functions.push(lowered);
                 FunctionId(self.program.functions.len() as u32 - 1)
             };
@@ -168,35 +184,37 @@ impl Lowering<'_> {
                 choices: param.choices.clone(),
                 unit,
                 integral: param.whole,
-                span: param.span,
+                span: placed(param.span),
             });
         }
     }
 
-    /// The function for the given types of a scheme's unknowns.
-    fn instance(&mut self, function: FuncId, types: Substitution) -> FunctionId {
-        let checker = self.checker;
-        let scheme = checker.functions.get(&function).map(|f| f.scheme.clone()).unwrap_or_default();
+    /// The function for the given types of a scheme's unknowns, which are closed.
+    fn instance(&mut self, unit: usize, function: FuncId, types: Substitution) -> FunctionId {
+        let linked: &'c Linked<'c> = self.linked;
+        let typed = linked.typed.get(unit).unwrap_or(self.checker);
+        let scheme = typed.functions.get(&function).map(|f| f.scheme.clone()).unwrap_or_default();
         let reprs = scheme
             .types
             .iter()
-            .map(|v| checker.store.repr(&types.types.get(v).cloned().unwrap_or(Type::number())));
+            .map(|v| typed.store.repr(&types.types.get(v).cloned().unwrap_or(Type::number())));
         // A field stands elsewhere in another record of the same representation.
         let records = scheme.types.iter().filter_map(|v| types.types.get(v));
         let mut shown: Vec<String> = records
-            .filter(|ty| checker.store.has_record(ty))
-            .map(|ty| format!("{:?}", checker.store.resolve(ty)))
+            .filter(|ty| typed.store.has_record(ty))
+            .map(|ty| format!("{:?}", typed.store.resolve(ty)))
             .collect();
         // Dimensions matter only to text that shows units; a function that makes none is shared by all of them.
-        if self.shows_units(function) {
+        let general = !(scheme.types.is_empty() && scheme.dims.is_empty());
+        if general && self.shows_units(unit, function) {
             shown.extend(
-                scheme.types.iter().filter_map(|v| types.types.get(v)).map(|ty| checker.store.show(ty)),
+                scheme.types.iter().filter_map(|v| types.types.get(v)).map(|ty| typed.store.show(ty)),
             );
             shown.extend(
-                scheme.dims.iter().filter_map(|v| types.dims.get(v)).map(|d| checker.store.show_dim(d)),
+                scheme.dims.iter().filter_map(|v| types.dims.get(v)).map(|d| typed.store.show_dim(d)),
             );
         }
-        let key = (function, reprs.collect(), shown);
+        let key = (unit, function, reprs.collect(), shown);
         if let Some(known) = self.instances.get(&key) {
             return *known;
         }
@@ -210,62 +228,62 @@ impl Lowering<'_> {
             span: Default::default(),
         });
         self.instances.insert(key, target);
-        self.wanted.push(Wanted { function, types, target });
+        self.wanted.push(Wanted { unit, function, types, target });
         target
     }
 
     /// Whether a function, or one it calls, writes numbers into text.
-    fn shows_units(&self, function: FuncId) -> bool {
-        let mut stack = vec![function];
-        let mut seen = std::collections::HashSet::new();
-        while let Some(id) = stack.pop() {
-            if !seen.insert(id) {
+    fn shows_units(&mut self, unit: usize, function: FuncId) -> bool {
+        if let Some(known) = self.showing.get(&(unit, function)) {
+            return *known;
+        }
+        let mut stack = vec![(unit, function)];
+        let mut seen = HashSet::new();
+        let mut shows = false;
+        while let Some((unit, id)) = stack.pop() {
+            if shows || !seen.insert((unit, id)) {
                 continue;
             }
-            let Some(function) = self.checker.functions.get(&id) else { continue };
-            let mut found = false;
-            for statement in &function.body {
-                statement.walk(&mut |s| {
-                    for e in s.expressions() {
-                        found |= formats(e, &mut stack);
-                    }
-                });
+            if let Some(known) = self.showing.get(&(unit, id)) {
+                shows |= known;
+                continue;
             }
-            if found {
-                return true;
-            }
+            let mut called = Vec::new();
+            self.within(unit, |lowering| {
+                let Some(function) = lowering.checker.functions.get(&id) else { return };
+                for statement in &function.body {
+                    statement.walk(&mut |s| {
+                        for e in s.expressions() {
+                            shows |= formats(e, &mut called);
+                        }
+                    });
+                }
+                stack.extend(called.into_iter().filter_map(|id| lowering.resolve(id)));
+            });
         }
-        false
+        if !shows {
+            // Nor does anything that was looked at.
+            self.showing.extend(seen.into_iter().map(|id| (id, false)));
+        }
+        self.showing.insert((unit, function), shows);
+        shows
     }
 
     /// The function used at `instance`, seen from a body whose own unknowns are `types`.
     fn used(&mut self, function: FuncId, instance: UseId, types: &Substitution) -> FunctionId {
-        let concrete = self.types_of_use(function, instance, types);
-        self.instance(function, concrete)
-    }
-
-    /// What stands for the unknowns of the scheme of the function used at `instance`.
-    fn types_of_use(&self, function: FuncId, instance: UseId, types: &Substitution) -> Substitution {
-        let checker = self.checker;
-        let store = &checker.store;
-        let scheme = checker.functions.get(&function).map(|f| f.scheme.clone()).unwrap_or_default();
-        let at_use = checker.instances.get(instance.0 as usize).cloned().unwrap_or_default();
-        let mut concrete = Substitution::default();
-        for variable in scheme.types {
-            let ty = at_use.types.get(&variable).cloned().unwrap_or(Type::Unknown(variable));
-            concrete.types.insert(variable, types.ty(store, &ty));
+        match self.callee(function, instance, types) {
+            Some((unit, function, types)) if !self.alone() => self.instance(unit, function, types),
+            // A unit looked at alone: nothing is called.
+            _ => FunctionId(0),
         }
-        for variable in scheme.dims {
-            let dim =
-                at_use.dims.get(&variable).cloned().unwrap_or_else(|| super::dim::Dim::unknown(variable));
-            concrete.dims.insert(variable, types.dim(store, &dim));
-        }
-        concrete
     }
 
     /// The engine's function by its index among the declarations.
     fn extern_id(&mut self, index: u32) -> (ExternId, Repr) {
-        let decl = self.checker.externs[index as usize].clone();
+        let mut decl = self.checker.externs[index as usize].clone();
+        if let Some(places) = self.places() {
+            decl.span = places.span(decl.span);
+        }
         let result = decl.result.clone();
         (self.add_extern(decl), result)
     }
@@ -292,9 +310,7 @@ impl Lowering<'_> {
     }
 
     fn report(&mut self, diagnostic: Diagnostic) {
-        if !self.diagnostics.contains(&diagnostic) {
-            self.diagnostics.push(diagnostic);
-        }
+        self.diagnostics.push(diagnostic);
     }
 
     /// A function's parameters as the typed program has them: its own, then what it sees around it.

@@ -247,6 +247,10 @@ impl Body<'_, '_> {
             _ => &[],
         };
         let Some(repr) = parts.get(at).cloned() else {
+            if self.lowering.alone() {
+                // Perhaps what a function out of reach gives.
+                return SymExpr { kind: SymKind::Number(f64::NAN), repr: Repr::Number, span };
+            }
             self.lowering.report(
                 Diagnostic::error(
                     "E0305",

@@ -17,7 +17,7 @@ const MOST_NESTED: usize = 64;
 /// The functions lowered so far, by function and representation of the arguments.
 #[derive(Default)]
 pub(super) struct Instances {
-    known: HashMap<(FuncId, Vec<Repr>), SymbolicFunctionId>,
+    known: HashMap<(usize, FuncId, Vec<Repr>), SymbolicFunctionId>,
     /// Functions being lowered inside one another.
     depth: usize,
     /// Expressions being lowered inside one another, over all these functions.
@@ -27,8 +27,8 @@ pub(super) struct Instances {
 impl Body<'_, '_> {
     /// The function a call names, for the types it has here.
     pub(super) fn symbolic_callee(&mut self, call: &Call, span: Span) -> Option<SymbolicFunctionId> {
-        let types = self.lowering.types_of_use(call.function, call.instance, &self.types);
-        self.lowering.symbolic_function(call.function, types, span)
+        let (unit, function, types) = self.lowering.callee(call.function, call.instance, &self.types)?;
+        self.lowering.within(unit, |lowering| lowering.symbolic_function(function, types, span))
     }
 }
 
@@ -49,7 +49,7 @@ impl Lowering<'_> {
             .map(|(variable, _)| types.ty(&checker.store, &checker.type_of(*variable)))
             .collect();
         let reprs: Vec<Repr> = parameter_types.iter().map(|ty| checker.store.repr(ty)).collect();
-        if let Some(known) = self.symbolic_functions.known.get(&(id, reprs.clone())) {
+        if let Some(known) = self.symbolic_functions.known.get(&(self.unit, id, reprs.clone())) {
             return Some(*known);
         }
         for ((variable, _), (repr, ty)) in function.parameters.iter().zip(reprs.iter().zip(&parameter_types))
@@ -88,28 +88,36 @@ impl Lowering<'_> {
         self.symbolic_functions.depth -= 1;
         let target = SymbolicFunctionId(self.program.symbolic_functions.len() as u32);
         self.program.symbolic_functions.push(lowered);
-        self.symbolic_functions.known.insert((id, reprs), target);
+        self.symbolic_functions.known.insert((self.unit, id, reprs), target);
         Some(target)
     }
 
     /// Lowers every symbolic function of the model's own top level, for numbers where any type would do.
     pub(super) fn export_symbolic_functions(&mut self) {
+        let mut own: Vec<(u32, usize, FuncId)> = Vec::new();
+        for (unit, typed) in self.linked.typed.iter().enumerate() {
+            let Some(places) = self.linked.places(unit) else { continue };
+            let symbolic = typed
+                .functions
+                .iter()
+                .filter(|(_, function)| function.definition.is_some() && function.span.file == FileId(0));
+            own.extend(symbolic.map(|(id, function)| (places.span(function.span).start, unit, *id)));
+        }
+        own.sort();
+        own.dedup_by_key(|(start, ..)| *start);
+        for (_, unit, id) in own {
+            self.within(unit, |lowering| lowering.export_symbolic_function(id));
+        }
+    }
+
+    fn export_symbolic_function(&mut self, id: FuncId) {
         let checker = self.checker;
-        let mut own: Vec<(FuncId, Span)> = checker
-            .functions
-            .iter()
-            .filter(|(_, function)| function.definition.is_some() && function.span.file == FileId(0))
-            .map(|(id, function)| (*id, function.span))
-            .collect();
-        own.sort_by_key(|(_, span)| span.start);
-        for (id, span) in own {
-            let exported = self.symbolic_function(id, Substitution::default(), span);
-            let function = exported.and_then(|id| self.program.symbolic_functions.get_mut(id.0 as usize));
-            let body = checker.functions.get(&id).and_then(|function| function.definition.as_ref());
-            if let (Some(function), Some(body)) = (function, body) {
-                function.exported = body.exported;
-                function.doc = body.doc.clone();
-            }
+        let Some(found) = checker.functions.get(&id) else { return };
+        let exported = self.symbolic_function(id, Substitution::default(), found.span);
+        let function = exported.and_then(|id| self.program.symbolic_functions.get_mut(id.0 as usize));
+        if let (Some(function), Some(body)) = (function, &found.definition) {
+            function.exported = body.exported;
+            function.doc = body.doc.clone();
         }
     }
 }

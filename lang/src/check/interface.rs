@@ -1,0 +1,270 @@
+//! What callers know of a function's type, free of the check it came from.
+//!
+//! Equal for equal schemes: unknowns are numbered in the order in which they occur, so an edit of a body that leaves
+//! the scheme as it was gives an equal interface.
+
+use super::dim::{Dim, DimVar};
+use super::excerpt::RecordKey;
+use super::infer::{Checker, Signature};
+use super::tree::{
+    Constraint, ConstraintKind, Def, DefId, Expr, FuncId, Function, RecordId, Scheme, SymbolicBody, VarId,
+};
+use super::types::{Store, Type, TypeVar};
+use crate::ast::{Mode, Stmt, StmtKind};
+use crate::span::Span;
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+
+#[derive(Clone, Debug, PartialEq)]
+pub struct Interface {
+    parameters: Vec<Type>,
+    result: Type,
+    /// How many types and dimensions a call is free to choose.
+    types: u32,
+    dims: u32,
+    constraints: Vec<ConstraintKind>,
+    /// The records in these types, by number.
+    pub records: Vec<RecordKey>,
+    /// Of a symbolic function, whether it depends on `Time`.
+    on_time: Option<bool>,
+}
+
+/// Gives unknowns new names.
+struct Renaming<'s> {
+    store: &'s Store,
+    types: BTreeMap<TypeVar, TypeVar>,
+    dims: BTreeMap<DimVar, DimVar>,
+    /// Unknowns that have no name yet get the next number; otherwise meeting one makes the type open.
+    grows: bool,
+    open: bool,
+    /// The numbers of records.
+    record: &'s dyn Fn(RecordId) -> Option<RecordId>,
+}
+
+impl Renaming<'_> {
+    fn ty(&mut self, ty: &Type) -> Type {
+        match self.store.resolve(ty) {
+            Type::Unknown(variable) => {
+                let next = TypeVar(self.types.len() as u32);
+                match self.types.get(&variable) {
+                    Some(known) => Type::Unknown(*known),
+                    None if self.grows => {
+                        self.types.insert(variable, next);
+                        Type::Unknown(next)
+                    }
+                    None => {
+                        self.open = true;
+                        Type::Error
+                    }
+                }
+            }
+            Type::Number(dim) => Type::Number(self.dim(&dim)),
+            Type::Vector(dim) => Type::Vector(self.dim(&dim)),
+            Type::Observable(dim) => Type::Observable(self.dim(&dim)),
+            Type::Array(element) => Type::array(self.ty(&element)),
+            Type::Symbolic(inner) => Type::Symbolic(Box::new(self.ty(&inner))),
+            Type::Tuple(parts) => Type::Tuple(parts.iter().map(|part| self.ty(part)).collect()),
+            Type::Record(id) => match (self.record)(id) {
+                Some(id) => Type::Record(id),
+                None => {
+                    self.open = true;
+                    Type::Error
+                }
+            },
+            other @ (Type::Error
+            | Type::Unit
+            | Type::Bool
+            | Type::String
+            | Type::Transform
+            | Type::Handle(_)) => other,
+        }
+    }
+
+    fn dim(&mut self, dim: &Dim) -> Dim {
+        let dim = self.store.dim(dim);
+        let mut unknowns = BTreeMap::new();
+        for (variable, exponent) in dim.unknowns {
+            let next = DimVar(self.dims.len() as u32);
+            let renamed = match self.dims.get(&variable) {
+                Some(known) => *known,
+                None if self.grows => *self.dims.entry(variable).or_insert(next),
+                None => {
+                    self.open = true;
+                    continue;
+                }
+            };
+            unknowns.insert(renamed, exponent);
+        }
+        Dim { fixed: dim.fixed, unknowns }
+    }
+}
+
+impl Interface {
+    /// Interfaces of a group of functions that share a scheme, whose unknowns are put into the order of the interface.
+    /// `None` if something else in the program still decides a type (a literal without a unit under `units`).
+    pub fn of_group(checker: &mut Checker<'_>, group: &[FuncId]) -> Option<Vec<Interface>> {
+        let signatures: Vec<Signature> =
+            group.iter().map(|id| checker.signatures.get(id).cloned()).collect::<Option<_>>()?;
+        let scheme = signatures.first()?.scheme.clone()?;
+        let records = RefCell::new(Vec::new());
+        let record = |id: RecordId| -> Option<RecordId> {
+            let key = checker.record_key(id)?;
+            let mut records = records.borrow_mut();
+            let at = records.iter().position(|other| *other == key).unwrap_or_else(|| {
+                records.push(key);
+                records.len() - 1
+            });
+            Some(RecordId(at as u32))
+        };
+        let mut order = Renaming {
+            store: &checker.store,
+            record: &record,
+            types: BTreeMap::new(),
+            dims: BTreeMap::new(),
+            grows: true,
+            open: false,
+        };
+        let all = |order: &mut Renaming<'_>| {
+            let each = signatures.iter().map(|signature| {
+                let parameters: Vec<Type> = signature.parameters.iter().map(|ty| order.ty(ty)).collect();
+                (parameters, order.ty(&signature.result))
+            });
+            let types: Vec<_> = each.collect();
+            let mut constraints: Vec<ConstraintKind> = Vec::new();
+            for constraint in &scheme.constraints {
+                let kind = constraint.map(|ty| order.ty(ty));
+                if !constraints.contains(&kind) {
+                    constraints.push(kind);
+                }
+            }
+            (types, constraints)
+        };
+        all(&mut order);
+        // Only what the scheme is general in may be left.
+        order.types.retain(|variable, _| scheme.types.contains(variable));
+        order.dims.retain(|variable, _| scheme.dims.contains(variable));
+        let mut by_number: Vec<_> =
+            order.types.iter().map(|(variable, number)| (*number, *variable)).collect();
+        by_number.sort();
+        let types: Vec<TypeVar> = by_number.into_iter().map(|(_, variable)| variable).collect();
+        let mut by_number: Vec<_> =
+            order.dims.iter().map(|(variable, number)| (*number, *variable)).collect();
+        by_number.sort();
+        let dims: Vec<DimVar> = by_number.into_iter().map(|(_, variable)| variable).collect();
+        let mut named = Renaming {
+            store: &checker.store,
+            record: &record,
+            types: types.iter().zip(0..).map(|(variable, number)| (*variable, TypeVar(number))).collect(),
+            dims: dims.iter().zip(0..).map(|(variable, number)| (*variable, DimVar(number))).collect(),
+            grows: false,
+            open: false,
+        };
+        let (members, constraints) = all(&mut named);
+        if named.open {
+            return None;
+        }
+        let scheme = Scheme { types, dims, constraints: scheme.constraints.clone() };
+        let (types, dims) = (scheme.types.len() as u32, scheme.dims.len() as u32);
+        let records = records.take();
+        let interfaces = members.into_iter().zip(group).map(|((parameters, result), id)| {
+            let body = checker.functions.get(id).and_then(|function| function.definition.as_ref());
+            Interface {
+                parameters,
+                result,
+                types,
+                dims,
+                constraints: constraints.clone(),
+                records: records.clone(),
+                on_time: body.map(|body| checker.defs[body.def.0 as usize].on_time),
+            }
+        });
+        let interfaces = interfaces.collect();
+        for id in group {
+            if let Some(function) = checker.functions.get_mut(id) {
+                function.scheme = scheme.clone();
+            }
+        }
+        Some(interfaces)
+    }
+
+    /// Makes a function known to a check that does not see its body.
+    pub fn import(&self, checker: &mut Checker<'_>, id: FuncId) {
+        let Some(decl) = checker.names.functions[id.0 as usize].decl else { return };
+        let types: Vec<TypeVar> = (0..self.types).map(|_| checker.store.fresh_variable()).collect();
+        let dims: Vec<DimVar> = (0..self.dims).map(|_| checker.store.fresh_dim_variable()).collect();
+        // Its numbers stand for these.
+        let numbered = Store::unknown(self.types, self.dims);
+        let record = |id: RecordId| {
+            let key = self.records.get(id.0 as usize)?;
+            let mut all = (0..checker.names.records.len() as u32).map(RecordId);
+            all.find(|id| checker.record_key(*id).as_ref() == Some(key))
+        };
+        let mut renaming = Renaming {
+            store: &numbered,
+            record: &record,
+            types: types.iter().zip(0..).map(|(variable, number)| (TypeVar(number), *variable)).collect(),
+            dims: dims.iter().zip(0..).map(|(variable, number)| (DimVar(number), *variable)).collect(),
+            grows: false,
+            open: false,
+        };
+        let parameters: Vec<Type> = self.parameters.iter().map(|ty| renaming.ty(ty)).collect();
+        let result = renaming.ty(&self.result);
+        let constraints = self.constraints.iter().map(|kind| Constraint {
+            kind: Constraint { kind: kind.clone(), span: Span::default() }.map(|ty| renaming.ty(ty)),
+            span: Span::default(),
+        });
+        let scheme = Scheme { types, dims, constraints: constraints.collect() };
+        let variables: Vec<(VarId, Mode)> = checker.names.functions[id.0 as usize]
+            .parameters
+            .iter()
+            .copied()
+            .zip(decl.parameters.iter().map(|parameter| parameter.mode))
+            .collect();
+        let place = decl.name.span;
+        let definition = self.on_time.map(|on_time| {
+            checker.defs.push(Def {
+                name: decl.name.name.clone(),
+                expr: Expr::error(place),
+                captures: Vec::new(),
+                stored: false,
+                on_time,
+                observes: false,
+                closed: true,
+                span: place,
+            });
+            let def = DefId(checker.defs.len() as u32 - 1);
+            SymbolicBody { def, exported: false, doc: String::new() }
+        });
+        for ((variable, _), ty) in variables.iter().zip(&parameters) {
+            checker.variable_types.insert(*variable, ty.clone());
+            // What it does with its arguments is not seen here.
+            checker.dependence.function_on_variable(id, *variable);
+            checker.dependence.thrown_variable(*variable);
+        }
+        checker.functions.insert(
+            id,
+            Function {
+                name: decl.name.name.clone(),
+                parameters: variables,
+                result: result.clone(),
+                body: Vec::new(),
+                definition,
+                scheme: scheme.clone(),
+                span: decl.name.span,
+            },
+        );
+        checker.signatures.insert(id, Signature { parameters, result, scheme: Some(scheme) });
+    }
+}
+
+impl Checker<'_> {
+    /// What a record is called by other checks. `None` for one that is declared in a function.
+    pub(super) fn record_key(&self, id: RecordId) -> Option<RecordKey> {
+        let record = self.names.records.get(id.0 as usize)?;
+        let name = record.decl.name.span;
+        let whole =
+            |statement: &Stmt| matches!(&statement.kind, StmtKind::Record(decl) if decl.name.span == name);
+        let module = self.modules.get(record.file.0 as usize)?;
+        module.tree.statements.iter().any(whole).then(|| self.layout.locate(name)).flatten()
+    }
+}

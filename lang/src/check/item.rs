@@ -1,0 +1,154 @@
+//! Items: the top-level statements of a file, each a text of its own.
+//!
+//! Places in an item are counted from its start, so an item stays the same whatever happens above it.
+
+use crate::ast::{Expr, ExprKind, FunctionBody, FunctionDecl, Module, Stmt, StmtKind};
+use crate::relocate;
+use crate::span::{FileId, Span};
+use std::collections::BTreeSet;
+
+/// What a top-level statement is to others. Stays the same while its text is edited.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub enum ItemKind {
+    /// A function with a body; checked on its own unless it sees the model's state.
+    Function,
+    /// A function of the engine.
+    Extern,
+    /// Gives a name to a module, by its dotted path.
+    Import(String),
+    /// Declares a name without running: part of every check that needs the name.
+    Declaration,
+    /// A variable, param or output of the model.
+    State,
+    /// Runs, or says something of the whole file.
+    Other,
+}
+
+#[derive(Debug, PartialEq)]
+pub struct Item {
+    /// Starts at byte 0 of file 0. Documentation is left out where it does not belong to the program.
+    pub statement: Stmt,
+    pub text: String,
+    /// Names in what others see of a function; all names of anything else.
+    pub header_names: BTreeSet<String>,
+    pub names: BTreeSet<String>,
+}
+
+/// An item, what it is and what it declares, and where it starts.
+pub struct Split {
+    pub kind: ItemKind,
+    /// Empty if it declares nothing. Of several names the first; the others are in `more`.
+    pub name: String,
+    pub more: Vec<String>,
+    /// Not seen by importers.
+    pub private: bool,
+    pub start: u32,
+    pub item: Item,
+}
+
+/// The items of a file in order.
+pub fn split(module: &Module, text: &str) -> Vec<Split> {
+    module.statements.iter().map(|statement| split_one(statement.clone(), text)).collect()
+}
+
+fn split_one(mut statement: Stmt, text: &str) -> Split {
+    let Span { start, end, .. } = statement.span;
+    relocate::to(&mut statement, FileId(0), 0);
+    let private = statement.private;
+    let (mut header_names, mut names) = (BTreeSet::new(), BTreeSet::new());
+    let mut more = Vec::new();
+    let (kind, name) = match &mut statement.kind {
+        StmtKind::Function(decl) => {
+            relocate::names(&mut header_names, |visit| relocate::function_header(decl, visit));
+            names = header_names.clone();
+            relocate::names(&mut names, |visit| relocate::function_body(decl, visit));
+            let kind = match decl.body {
+                FunctionBody::Extern { .. } => ItemKind::Extern,
+                _ => ItemKind::Function,
+            };
+            (kind, decl.name.name.clone())
+        }
+        StmtKind::Import(path) => {
+            let name = path.last().map(|ident| ident.name.clone()).unwrap_or_default();
+            let path: Vec<&str> = path.iter().map(|ident| ident.name.as_str()).collect();
+            (ItemKind::Import(path.join(".")), name)
+        }
+        StmtKind::Const { name, .. } | StmtKind::Dimension { name, .. } => {
+            (ItemKind::Declaration, name.name.clone())
+        }
+        StmtKind::Record(decl) => (ItemKind::Declaration, decl.name.name.clone()),
+        StmtKind::Unit(decl) => (ItemKind::Declaration, decl.name.name.clone()),
+        StmtKind::Param(decl) => (ItemKind::State, decl.name.name.clone()),
+        StmtKind::Output { name, .. } => (ItemKind::State, name.name.clone()),
+        StmtKind::Var(decls) => {
+            let mut all = decls.iter().map(|decl| decl.name.name.clone());
+            let first = all.next().unwrap_or_default();
+            more.extend(all);
+            (ItemKind::State, first)
+        }
+        _ => (ItemKind::Other, String::new()),
+    };
+    if !matches!(kind, ItemKind::Function) {
+        relocate::names(&mut names, |visit| relocate::statement(&mut statement, visit));
+        header_names = names.clone();
+    }
+    without_docs(&mut statement);
+    let text = text.get(start as usize..end as usize).unwrap_or_default().to_string();
+    Split { kind, name, more, private, start, item: Item { statement, text, header_names, names } }
+}
+
+fn without_docs(statement: &mut Stmt) {
+    match &mut statement.kind {
+        StmtKind::Function(decl) => {
+            decl.parameters.iter_mut().for_each(|parameter| parameter.doc = None);
+            // A symbolic function is offered by name, with its documentation.
+            if !matches!(decl.body, FunctionBody::Symbolic(_)) {
+                statement.doc = None;
+            }
+        }
+        StmtKind::Record(decl) => {
+            decl.fields.iter_mut().for_each(|field| field.doc = None);
+            statement.doc = None;
+        }
+        // Those of params and outputs belong to the program.
+        StmtKind::Param(_) | StmtKind::Output { .. } => {}
+        _ => statement.doc = None,
+    }
+}
+
+impl Item {
+    /// What others see of a function: everything but its body. Of another item, all.
+    pub fn header(&self) -> Item {
+        let none = BTreeSet::new;
+        let whole = || Item {
+            statement: self.statement.clone(),
+            text: self.text.clone(),
+            header_names: none(),
+            names: none(),
+        };
+        let StmtKind::Function(decl) = &self.statement.kind else { return whole() };
+        let span = decl.name.span;
+        let (body, start) = match &decl.body {
+            FunctionBody::Statement(body) => {
+                let empty = Stmt { kind: StmtKind::Empty, span, doc: None, private: false };
+                (FunctionBody::Statement(Box::new(empty)), body.span.start)
+            }
+            FunctionBody::Symbolic(e) => {
+                (FunctionBody::Symbolic(Expr { kind: ExprKind::Error, span }), e.span.start)
+            }
+            FunctionBody::Extern { .. } => return whole(),
+        };
+        let header = FunctionDecl {
+            name: decl.name.clone(),
+            parameters: decl.parameters.clone(),
+            result: decl.result.clone(),
+            body,
+            is_test: decl.is_test,
+        };
+        let text = self.text.get(..start as usize).unwrap_or(&self.text).to_string();
+        let span = Span::new(self.statement.span.file, 0, text.len());
+        let private = self.statement.private;
+        let statement = Stmt { kind: StmtKind::Function(header), span, doc: None, private };
+        Item { statement, text, header_names: none(), names: none() }
+    }
+}

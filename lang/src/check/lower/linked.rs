@@ -1,0 +1,184 @@
+//! Units put together: which function of which unit a call means, and where items stand in files.
+
+use super::Lowering;
+use crate::check::excerpt::{ItemId, Places, RecordKey};
+use crate::check::tree::{FuncId, RecordId, UseId};
+use crate::check::typed::Typed;
+use crate::check::types::{RecordType, Substitution, Type};
+use crate::check::unit::Unit;
+use crate::diagnostic::Diagnostic;
+use crate::span::FileId;
+use std::collections::{BTreeMap, HashMap};
+use std::sync::Arc;
+
+/// The units of a program.
+pub struct Linked<'u> {
+    units: Vec<&'u Unit>,
+    /// By unit; each knows the records of all, as a general function may be used with records it has never heard of.
+    pub(super) typed: Vec<Typed>,
+    /// Records by unit and number.
+    records: Vec<Vec<RecordKey>>,
+    /// Unit and function by item.
+    functions: HashMap<ItemId, (usize, FuncId)>,
+    /// File and start of each item; empty if places are to stay in excerpts.
+    items: HashMap<ItemId, (FileId, u32)>,
+}
+
+impl<'u> Linked<'u> {
+    /// The model's top level is the first unit. Of functions in several units the first counts.
+    pub fn new(units: Vec<&'u Unit>, items: HashMap<ItemId, (FileId, u32)>) -> Self {
+        let mut functions = HashMap::new();
+        for (index, unit) in units.iter().enumerate() {
+            for (&item, &function) in &unit.functions {
+                functions.entry(item).or_insert((index, function));
+            }
+        }
+        let mut all: BTreeMap<RecordKey, (usize, RecordId)> = BTreeMap::new();
+        for (index, unit) in units.iter().enumerate() {
+            for (&item, number) in unit.records.iter().zip(0..) {
+                all.entry(item).or_insert((index, RecordId(number)));
+            }
+        }
+        let mut records: Vec<Vec<RecordKey>> = units.iter().map(|unit| unit.records.clone()).collect();
+        let mut typed: Vec<Typed> = units.iter().map(|unit| unit.typed.clone()).collect();
+        for (unit, (typed, records)) in typed.iter_mut().zip(&mut records).enumerate() {
+            if all.len() == records.len() || !typed.is_general() {
+                continue;
+            }
+            let missing: Vec<_> = all.iter().filter(|(item, _)| !records.contains(item)).collect();
+            records.extend(missing.iter().map(|(item, _)| **item));
+            for (_, (from, id)) in missing {
+                debug_assert_ne!(*from, unit);
+                let from = units[*from];
+                let Some(record) = from.typed.store.record(*id) else { continue };
+                let own = |id: RecordId| renumbered(id, &from.records, records);
+                let fields = record.fields.iter();
+                let fields = fields
+                    .map(|(name, ty)| (name.clone(), from.typed.store.closed(ty).with_records(&own)))
+                    .collect();
+                Arc::make_mut(&mut typed.store)
+                    .records
+                    .push(RecordType { name: record.name.clone(), fields });
+            }
+        }
+        Linked { units, typed, records, functions, items }
+    }
+
+    pub fn units(&self) -> &[&'u Unit] {
+        &self.units
+    }
+
+    /// From places in the excerpt of a unit to places in files.
+    pub fn places(&self, unit: usize) -> Option<Places<'_>> {
+        let layout = &self.units.get(unit)?.layout;
+        (!self.items.is_empty()).then_some(Places { layout, items: &self.items })
+    }
+}
+
+/// The number that a record of one table has in another.
+fn renumbered(id: RecordId, from: &[RecordKey], to: &[RecordKey]) -> RecordId {
+    let item = from.get(id.0 as usize);
+    let at = item.and_then(|item| to.iter().position(|other| other == item));
+    at.map_or(id, |at| RecordId(at as u32))
+}
+
+impl<'c> Lowering<'c> {
+    /// Lowers something of another unit; what it adds to the program is put to its place in the files.
+    pub(super) fn within<T>(&mut self, unit: usize, work: impl FnOnce(&mut Self) -> T) -> T {
+        let around = self.unit;
+        self.place();
+        self.enter(unit);
+        let result = work(self);
+        self.place();
+        self.enter(around);
+        result
+    }
+
+    /// Whether one unit is looked at by itself, so that what it calls is out of reach.
+    pub(super) fn alone(&self) -> bool {
+        self.linked.items.is_empty()
+    }
+
+    /// Puts what the present unit has added so far to its place.
+    fn place(&mut self) {
+        let (sites, functions, diagnostics) = self.placed;
+        if let Some(places) = self.places() {
+            let program = &mut self.program;
+            program.sites[sites..].iter_mut().for_each(|site| super::placed::site(site, &places));
+            let added = &mut program.symbolic_functions[functions..];
+            added.iter_mut().for_each(|function| super::placed::symbolic_function(function, &places));
+            for found in &mut self.diagnostics[diagnostics..] {
+                *found = places.diagnostic(found);
+            }
+        }
+        self.placed =
+            (self.program.sites.len(), self.program.symbolic_functions.len(), self.diagnostics.len());
+    }
+
+    fn enter(&mut self, unit: usize) {
+        let linked: &'c Linked<'c> = self.linked;
+        if let (Some(entered), Some(typed)) = (linked.units.get(unit), linked.typed.get(unit)) {
+            self.unit = unit;
+            self.checker = typed;
+            self.closures = &entered.closures;
+        }
+    }
+
+    /// From places in the excerpt of the present unit to places in files.
+    pub(super) fn places(&self) -> Option<Places<'c>> {
+        let linked: &'c Linked<'c> = self.linked;
+        linked.places(self.unit)
+    }
+
+    /// The unit that holds a function's body, and the function there. `None` where a unit is looked at alone.
+    pub(super) fn resolve(&self, function: FuncId) -> Option<(usize, FuncId)> {
+        match self.linked.units.get(self.unit)?.foreign.get(&function) {
+            None => Some((self.unit, function)),
+            Some(item) => self.linked.functions.get(item).copied(),
+        }
+    }
+
+    /// The function used at `instance`, seen from a body whose own unknowns are `types`, and what stands for the unknowns
+    /// of its scheme.
+    pub(super) fn callee(
+        &self,
+        function: FuncId,
+        instance: UseId,
+        types: &Substitution,
+    ) -> Option<(usize, FuncId, Substitution)> {
+        let (unit, there) = self.resolve(function)?;
+        let (here, store) = (self.checker, &self.checker.store);
+        let scheme = &here.functions.get(&function)?.scheme;
+        let target = &self.linked.typed.get(unit)?.functions.get(&there)?.scheme;
+        let (from, to) = (self.linked.records.get(self.unit)?, self.linked.records.get(unit)?);
+        let moved = |id| if unit == self.unit { id } else { renumbered(id, from, to) };
+        let at_use = here.instances.get(instance.0 as usize);
+        let mut concrete = Substitution::default();
+        for (variable, to) in scheme.types.iter().zip(&target.types) {
+            let ty = at_use.and_then(|used| used.types.get(variable)).cloned();
+            let ty = types.ty(store, &ty.unwrap_or(Type::Unknown(*variable)));
+            concrete.types.insert(*to, store.closed(&ty).with_records(&moved));
+        }
+        for (variable, to) in scheme.dims.iter().zip(&target.dims) {
+            let dim = at_use.and_then(|used| used.dims.get(variable)).cloned();
+            let dim = types.dim(store, &dim.unwrap_or_else(|| crate::check::dim::Dim::unknown(*variable)));
+            concrete.dims.insert(*to, store.closed_dim(&dim));
+        }
+        Some((unit, there, concrete))
+    }
+}
+
+/// What only the flow of control shows to be wrong in some functions of a unit. Places lie in its excerpt.
+pub fn flow(unit: &Unit, functions: &[FuncId]) -> Vec<Diagnostic> {
+    let linked = Linked::new(vec![unit], HashMap::new());
+    let mut lowering = Lowering::new(&linked);
+    lowering.interface(&unit.typed);
+    for id in functions {
+        let function = unit.typed.functions.get(id);
+        // Those of which only the header is there, and symbolic ones, have no flow.
+        if !unit.foreign.contains_key(id) && function.is_some_and(|function| function.definition.is_none()) {
+            super::body::Body::lower(&mut lowering, *id, Substitution::default());
+        }
+    }
+    lowering.diagnostics
+}

@@ -1,0 +1,169 @@
+//! A unit of checking: a function or functions that name each other, or what runs at a file's top level.
+//!
+//! A unit is checked in an excerpt of the program. What comes out refers to nothing outside but by item.
+
+use super::excerpt::{Excerpt, ItemId, Layout, Part, RecordKey};
+use super::infer::Checker;
+use super::interface::Interface;
+use super::lower::{self, Closure};
+use super::tree::{FuncId, RecordId};
+use super::typed::Typed;
+use super::{has_errors, names};
+use crate::diagnostic::Diagnostic;
+use crate::span::Span;
+use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::sync::Arc;
+
+/// What a check may ask of the program around its excerpt, to make suggestions where something is wrong.
+pub trait Surroundings {
+    /// Names that a module declares.
+    fn declared(&self, module: &str) -> Vec<String>;
+    /// Whether a module of this name can be imported.
+    fn is_module(&self, name: &str) -> bool;
+    /// Modules that can be imported.
+    fn modules(&self) -> Vec<String>;
+    /// Whether suggestions are wanted at all.
+    fn suggests(&self) -> bool {
+        true
+    }
+}
+
+/// What checking a unit found.
+#[derive(Debug, Default)]
+pub struct Unit {
+    pub typed: Typed,
+    pub layout: Layout,
+    /// The functions of the excerpt's items.
+    pub functions: HashMap<ItemId, FuncId>,
+    /// Functions of which the excerpt has only the header.
+    pub foreign: HashMap<FuncId, ItemId>,
+    pub closures: HashMap<FuncId, Closure>,
+    /// By their number in this unit.
+    pub records: Vec<RecordKey>,
+    /// Of names, types and dimensions. Places lie in the excerpt.
+    pub diagnostics: Vec<Diagnostic>,
+    /// Of the flow of control; found only in functions without errors of types.
+    pub flow: Vec<Diagnostic>,
+    /// Types of variables, params and outputs as shown to people.
+    pub types: BTreeMap<String, String>,
+}
+
+/// What the rest of the program contributes to a check.
+pub struct Context<'c> {
+    pub interfaces: &'c HashMap<ItemId, Arc<Interface>>,
+    /// Names of what the engine makes.
+    pub handles: &'c BTreeSet<String>,
+    pub surroundings: &'c dyn Surroundings,
+}
+
+/// Checks the own items of an excerpt. The interfaces are those of `group`, in order, or `None` if they depend on how the
+/// functions are used.
+pub fn check(excerpt: Excerpt, group: &[ItemId], context: &Context<'_>) -> (Unit, Option<Vec<Interface>>) {
+    let Excerpt { modules, layout } = excerpt;
+    let mut names = names::resolve(&modules, context.surroundings);
+    let mut diagnostics = std::mem::take(&mut names.diagnostics);
+    let (mut functions, mut foreign) = (HashMap::new(), HashMap::new());
+    for (index, info) in names.functions.iter().enumerate() {
+        let id = FuncId(index as u32);
+        let Some(decl) = info.decl.filter(|_| info.parent == Some(FuncId(0))) else { continue };
+        let Some(segment) = layout.segment(decl.name.span.file, decl.name.span.start) else { continue };
+        match segment.part {
+            Part::Header => {
+                foreign.insert(id, segment.item);
+            }
+            Part::Own | Part::Whole => {
+                functions.entry(segment.item).or_insert(id);
+            }
+        }
+    }
+    let mut checker = Checker::new(&modules, names, &layout);
+    checker.handles.extend(context.handles.iter().cloned());
+    for (&id, item) in &foreign {
+        if let Some(interface) = context.interfaces.get(item) {
+            interface.import(&mut checker, id);
+        }
+    }
+    checker.program();
+    diagnostics.append(&mut checker.diagnostics);
+    let types = checker.shown_types();
+    let members: Option<Vec<FuncId>> = group.iter().map(|item| functions.get(item).copied()).collect();
+    let interfaces = match checker.unsettled {
+        true => None,
+        false => members.and_then(|members| Interface::of_group(&mut checker, &members)),
+    };
+    let local = |id: RecordId| (ItemId::MAX, id.0);
+    let records = (0..checker.names.records.len() as u32).map(RecordId);
+    let records = records.map(|id| checker.record_key(id).unwrap_or(local(id))).collect();
+    let sound = match has_errors(&diagnostics) {
+        true => Some(checker.sound_functions(&diagnostics)),
+        false => None,
+    };
+    let typed = checker.into_typed();
+    let closures = lower::closures(&typed);
+    let mut unit =
+        Unit { typed, layout, functions, foreign, closures, records, diagnostics, flow: Vec::new(), types };
+    unit.flow = match sound {
+        None => {
+            let mut all: Vec<FuncId> = unit.typed.functions.keys().copied().collect();
+            all.sort();
+            lower::flow(&unit, &all)
+        }
+        Some(sound) => flow_of_sound(&unit, &sound),
+    };
+    (unit, interfaces)
+}
+
+/// What is well typed is checked for its flow of control also where something else in the unit is not.
+fn flow_of_sound(unit: &Unit, sound: &[(FuncId, Span)]) -> Vec<Diagnostic> {
+    let functions: Vec<FuncId> = sound.iter().map(|(id, _)| *id).collect();
+    let mut found = lower::flow(unit, &functions);
+    found.retain(|d| {
+        let at = d.primary.span;
+        let of_flow = ["E02", "W02", "E03"].iter().any(|group| d.code.starts_with(group));
+        let within = |text: &Span| at.file == text.file && at.start >= text.start && at.end <= text.end;
+        of_flow && sound.iter().any(|(_, text)| within(text))
+    });
+    found
+}
+
+/// Whether a function names one of the given variables of the top level around it.
+pub fn sees(extract: super::excerpt::Extract<'_>, variables: &[&str]) -> bool {
+    use crate::ast::{Ident, Stmt, StmtKind, VarDecl};
+    let mut excerpt = Excerpt::new(vec![extract]);
+    let Some(module) = excerpt.modules.first_mut() else { return false };
+    let mut at = module.text.len();
+    let mut decls = Vec::new();
+    for name in variables {
+        let span = Span::new(module.file, at, at + name.len());
+        at += name.len() + 1;
+        decls.push(VarDecl { name: Ident { name: name.to_string(), span }, init: None });
+    }
+    let span = Span::new(module.file, at, at);
+    module.tree.statements.insert(0, Stmt { kind: StmtKind::Var(decls), span, doc: None, private: false });
+    let names = names::resolve(&excerpt.modules, &Nothing);
+    names
+        .functions
+        .iter()
+        .any(|function| function.outer.iter().any(|id| names.variables[id.0 as usize].owner == FuncId(0)))
+}
+
+/// Surroundings of a check whose diagnostics nobody reads.
+struct Nothing;
+
+impl Surroundings for Nothing {
+    fn declared(&self, _: &str) -> Vec<String> {
+        Vec::new()
+    }
+
+    fn is_module(&self, _: &str) -> bool {
+        false
+    }
+
+    fn modules(&self) -> Vec<String> {
+        Vec::new()
+    }
+
+    fn suggests(&self) -> bool {
+        false
+    }
+}

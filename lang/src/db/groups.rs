@@ -1,0 +1,215 @@
+//! Queries over names: which items an item needs, and which functions need each other.
+
+use super::items::{Item, declared, items, module, reachable};
+use super::{Library, Text};
+use crate::check::excerpt::{Extract, Part};
+use crate::check::item::{self, ItemKind};
+use crate::check::sees;
+use salsa::plumbing::AsId;
+use std::collections::{BTreeSet, HashMap, HashSet};
+use std::sync::Arc;
+
+/// Functions that are checked together: one, or several that name each other.
+#[salsa::interned]
+pub(super) struct Group<'db> {
+    pub members: Vec<Item<'db>>,
+}
+
+/// The items that names in a file can mean.
+fn meant<'db>(
+    db: &'db dyn salsa::Database,
+    file: Text,
+    names: &BTreeSet<String>,
+    library: Library,
+) -> Vec<Item<'db>> {
+    let mut found: Vec<Item<'db>> = Vec::new();
+    let mut imported = Vec::new();
+    let (own, prelude) = (declared(db, file), library.prelude(db));
+    for name in names {
+        for &item in own.get(name).into_iter().flatten() {
+            match item.kind(db) {
+                ItemKind::State | ItemKind::Other => continue,
+                ItemKind::Import(path) => imported.extend(module(db, library, path.clone())),
+                ItemKind::Function | ItemKind::Extern | ItemKind::Declaration => {}
+            }
+            found.push(item);
+        }
+    }
+    imported.extend((prelude != file).then_some(prelude));
+    for file in imported {
+        let exported = declared(db, file);
+        for name in names {
+            let all = exported.get(name).into_iter().flatten().copied();
+            found.extend(all.filter(|item| {
+                matches!(item.kind(db), ItemKind::Function | ItemKind::Extern | ItemKind::Declaration)
+            }));
+        }
+    }
+    found.sort_by_key(|item| item.as_id());
+    found.dedup();
+    found
+}
+
+/// What others see of an item.
+#[salsa::tracked]
+pub(super) fn header<'db>(db: &'db dyn salsa::Database, item: Item<'db>) -> Arc<item::Item> {
+    Arc::new(item.content(db).header())
+}
+
+/// The items of a file that declare a name, in order.
+#[salsa::tracked]
+pub(super) fn named<'db>(db: &'db dyn salsa::Database, file: Text, name: String) -> Vec<Item<'db>> {
+    declared(db, file).get(&name).cloned().unwrap_or_default()
+}
+
+/// The items that an item names.
+#[salsa::tracked]
+pub(super) fn links<'db>(db: &'db dyn salsa::Database, item: Item<'db>, library: Library) -> Vec<Item<'db>> {
+    meant(db, item.file(db), &item.content(db).names, library)
+}
+
+/// The items that others need to know of when they use an item.
+#[salsa::tracked]
+pub(super) fn header_links<'db>(
+    db: &'db dyn salsa::Database,
+    item: Item<'db>,
+    library: Library,
+) -> Vec<Item<'db>> {
+    meant(db, item.file(db), &item.content(db).header_names, library)
+}
+
+/// Of the files that import each other, the one that stands for all; a file by itself for itself.
+#[salsa::tracked]
+fn leader(db: &dyn salsa::Database, text: Text, library: Library) -> Text {
+    let mutual = |other: &Text| reachable(db, *other, library).contains(&text);
+    let others = reachable(db, text, library).iter().copied().filter(mutual);
+    others.chain([text]).min_by_key(|file| file.as_id()).unwrap_or(text)
+}
+
+/// Groups of functions, callees first.
+#[derive(Debug, Default, PartialEq, salsa::SalsaValue)]
+pub(super) struct Groups<'db> {
+    pub order: Vec<Vec<Item<'db>>>,
+    of: HashMap<Item<'db>, usize>,
+}
+
+/// The groups of a file and those that it and others import each other.
+#[salsa::tracked]
+fn groups_of_leader(db: &dyn salsa::Database, first: Text, library: Library) -> Groups<'_> {
+    let others = reachable(db, first, library).iter().copied();
+    let mut files: Vec<Text> = others.filter(|file| *leader(db, *file, library) == first).collect();
+    if !files.contains(&first) {
+        files.push(first);
+    }
+    let files: HashSet<Text> = files.into_iter().collect();
+    let all = files.iter().flat_map(|file| items(db, *file)).copied();
+    let mut all: Vec<Item<'_>> = all.filter(|item| is_node(db, *item)).collect();
+    all.sort_by_key(|item| item.as_id());
+    let mut search = Search::default();
+    for &item in &all {
+        search.visit(item, &|item| {
+            let all = links(db, item, library).iter().copied();
+            all.filter(|to| is_node(db, *to) && files.contains(&to.file(db))).collect()
+        });
+    }
+    let mut groups = Groups::default();
+    for mut members in search.found {
+        members.retain(|item| *item.kind(db) != ItemKind::Declaration);
+        members.sort_by_key(|item| item.as_id());
+        groups.of.extend(members.iter().map(|item| (*item, groups.order.len())));
+        groups.order.push(members);
+    }
+    groups
+}
+
+fn is_node(db: &dyn salsa::Database, item: Item<'_>) -> bool {
+    matches!(item.kind(db), ItemKind::Function | ItemKind::Extern | ItemKind::Declaration)
+}
+
+/// Tarjan's algorithm, without recursion: a chain of calls may be as long as a file.
+#[derive(Default)]
+struct Search<'db> {
+    index: HashMap<Item<'db>, usize>,
+    low: HashMap<Item<'db>, usize>,
+    stack: Vec<Item<'db>>,
+    on_stack: HashSet<Item<'db>>,
+    found: Vec<Vec<Item<'db>>>,
+}
+
+impl<'db> Search<'db> {
+    fn visit(&mut self, first: Item<'db>, links: &dyn Fn(Item<'db>) -> Vec<Item<'db>>) {
+        if self.index.contains_key(&first) {
+            return;
+        }
+        let mut open: Vec<(Item<'db>, Vec<Item<'db>>)> = Vec::new();
+        self.enter(first, &mut open, links);
+        while let Some((item, left)) = open.last_mut() {
+            let item = *item;
+            match left.pop() {
+                Some(to) if !self.index.contains_key(&to) => self.enter(to, &mut open, links),
+                Some(to) => {
+                    if self.on_stack.contains(&to) {
+                        let low = self.low[&item].min(self.index[&to]);
+                        self.low.insert(item, low);
+                    }
+                }
+                None => {
+                    open.pop();
+                    let low = self.low[&item];
+                    if let Some((around, _)) = open.last() {
+                        let least = self.low[around].min(low);
+                        self.low.insert(*around, least);
+                    }
+                    if low == self.index[&item] {
+                        let at = self.stack.iter().rposition(|other| *other == item).unwrap_or(0);
+                        let group = self.stack.split_off(at);
+                        group.iter().for_each(|member| {
+                            self.on_stack.remove(member);
+                        });
+                        self.found.push(group);
+                    }
+                }
+            }
+        }
+    }
+
+    fn enter(
+        &mut self,
+        item: Item<'db>,
+        open: &mut Vec<(Item<'db>, Vec<Item<'db>>)>,
+        links: &dyn Fn(Item<'db>) -> Vec<Item<'db>>,
+    ) {
+        let next = self.index.len();
+        self.index.insert(item, next);
+        self.low.insert(item, next);
+        self.stack.push(item);
+        self.on_stack.insert(item);
+        open.push((item, links(item)));
+    }
+}
+
+pub(super) fn groups<'db>(db: &'db dyn salsa::Database, file: Text, library: Library) -> &'db Groups<'db> {
+    groups_of_leader(db, *leader(db, file, library), library)
+}
+
+/// The group a function belongs to.
+#[salsa::tracked(returns(copy))]
+pub(super) fn group_of<'db>(db: &'db dyn salsa::Database, item: Item<'db>, library: Library) -> Group<'db> {
+    let groups = groups(db, item.file(db), library);
+    let members = groups.of.get(&item).and_then(|index| groups.order.get(*index));
+    Group::new(db, members.cloned().unwrap_or_else(|| vec![item]))
+}
+
+/// Whether a function sees a variable, param or output of its file's top level.
+#[salsa::tracked(returns(copy))]
+pub(super) fn sees_state<'db>(db: &'db dyn salsa::Database, item: Item<'db>) -> bool {
+    let file = item.file(db);
+    let (own, content) = (declared(db, file), item.content(db));
+    let state = |name: &&String| {
+        own.get(*name).is_some_and(|all| all.iter().any(|item| *item.kind(db) == ItemKind::State))
+    };
+    let shared: Vec<&str> = content.names.iter().filter(state).map(String::as_str).collect();
+    // A variable of the function may have the name.
+    !shared.is_empty()
+        && sees(Extract { name: String::new(), system: None, items: vec![(0, content, Part::Own)] }, &shared)
+}

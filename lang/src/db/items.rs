@@ -1,0 +1,131 @@
+//! Queries over single files: their trees, their items, and what they declare.
+
+use super::{Library, Parsed, Text};
+use crate::ast::StmtKind;
+use crate::check::item::{self, ItemKind};
+use crate::check::{handles_of, model_doc};
+use crate::parser;
+use crate::span::FileId;
+use crate::units::UnitSystem;
+use std::collections::{BTreeSet, HashMap};
+use std::sync::Arc;
+
+#[salsa::tracked]
+pub(super) fn parse(db: &dyn salsa::Database, text: Text) -> Arc<Parsed> {
+    let (module, diagnostics) = parser::parse(FileId(0), text.content(db));
+    Arc::new(Parsed { module, diagnostics })
+}
+
+/// A top-level statement. It is the same one as long as it declares the same.
+#[salsa::tracked(debug)]
+pub(super) struct Item<'db> {
+    #[returns(copy)]
+    pub file: Text,
+    pub kind: ItemKind,
+    pub name: String,
+    pub more: Vec<String>,
+    /// Not seen by importers.
+    #[returns(copy)]
+    pub private: bool,
+    #[tracked]
+    pub content: Arc<item::Item>,
+    /// Where it starts in its file. An edit above changes it and nothing else.
+    #[tracked]
+    #[returns(copy)]
+    pub start: u32,
+}
+
+#[salsa::tracked]
+pub(super) fn items(db: &dyn salsa::Database, text: Text) -> Vec<Item<'_>> {
+    let parsed = parse(db, text);
+    let split = item::split(&parsed.module, text.content(db)).into_iter();
+    split.map(|i| Item::new(db, text, i.kind, i.name, i.more, i.private, Arc::new(i.item), i.start)).collect()
+}
+
+/// What a file says of itself as a whole.
+#[derive(Clone, Debug, Default, PartialEq, salsa::SalsaValue)]
+pub(super) struct Facts {
+    /// `units ...;` if the file has it.
+    pub system: Option<UnitSystem>,
+    pub doc: String,
+}
+
+#[salsa::tracked]
+pub(super) fn facts(db: &dyn salsa::Database, text: Text) -> Facts {
+    let module = &parse(db, text).module;
+    let system = module.statements.iter().find_map(|statement| match &statement.kind {
+        // An unknown system is reported where statements are checked.
+        StmtKind::Units(name) => UnitSystem::from_name(&name.name),
+        _ => None,
+    });
+    Facts { system, doc: model_doc(module) }
+}
+
+/// The items of a file by the names they declare.
+#[salsa::tracked]
+pub(super) fn declared(db: &dyn salsa::Database, text: Text) -> HashMap<String, Vec<Item<'_>>> {
+    let mut declared: HashMap<String, Vec<Item<'_>>> = HashMap::new();
+    for &item in items(db, text) {
+        for name in [item.name(db)].into_iter().chain(item.more(db)).filter(|name| !name.is_empty()) {
+            declared.entry(name.clone()).or_default().push(item);
+        }
+    }
+    declared
+}
+
+/// Imports and declarations of a file in order: those whose order matters.
+#[salsa::tracked]
+pub(super) fn declarations(db: &dyn salsa::Database, text: Text) -> Vec<Item<'_>> {
+    let all = items(db, text).iter().copied();
+    all.filter(|item| matches!(item.kind(db), ItemKind::Import(_) | ItemKind::Declaration)).collect()
+}
+
+/// The file of a module.
+#[salsa::tracked]
+pub(super) fn module(db: &dyn salsa::Database, library: Library, path: String) -> Option<Text> {
+    library.modules(db).get(&path).copied()
+}
+
+/// The files that a file imports, directly or through others, in order of discovery.
+#[salsa::tracked]
+pub(super) fn reachable(db: &dyn salsa::Database, text: Text, library: Library) -> Vec<Text> {
+    let (mut found, mut seen) = (Vec::new(), BTreeSet::new());
+    let mut at = text;
+    let mut next = 0;
+    loop {
+        for item in declarations(db, at) {
+            if let ItemKind::Import(path) = item.kind(db)
+                && seen.insert(path.clone())
+                && let Some(file) = module(db, library, path.clone())
+            {
+                found.push(*file);
+            }
+        }
+        let Some(&file) = found.get(next) else { return found };
+        (at, next) = (file, next + 1);
+    }
+}
+
+/// Names that a file's declarations of the engine's functions give to what the engine makes.
+#[salsa::tracked]
+fn own_handles(db: &dyn salsa::Database, text: Text) -> BTreeSet<String> {
+    let externs = items(db, text).iter().filter(|item| *item.kind(db) == ItemKind::Extern);
+    let decls = externs.filter_map(|item| match &item.content(db).statement.kind {
+        StmtKind::Function(decl) => Some(handles_of(decl)),
+        _ => None,
+    });
+    // Records and dimensions have names alike.
+    let known = declared(db, text);
+    let other = |name: &String| {
+        known.get(name).is_some_and(|all| all.iter().any(|item| *item.kind(db) == ItemKind::Declaration))
+    };
+    decls.flatten().filter(|name| !other(name)).collect()
+}
+
+/// Those a file may name.
+#[salsa::tracked]
+pub(super) fn handles(db: &dyn salsa::Database, text: Text, library: Library) -> BTreeSet<String> {
+    let imported = reachable(db, text, library).iter().copied();
+    let files = [text, library.prelude(db)].into_iter().chain(imported);
+    files.flat_map(|file| own_handles(db, file).iter().cloned()).collect()
+}

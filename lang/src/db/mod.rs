@@ -1,0 +1,160 @@
+//! The incremental database: texts in, trees and checked models out, recomputed only where a text changed.
+//!
+//! The one way through: the command line asks a fresh database, an editor keeps one. Texts are parsed by file and checked
+//! by unit: a function, functions that name each other, or what else a file has. A unit's check depends on its own text,
+//! on the declarations it names and on the schemes of the functions it calls, and on nothing's place in a file.
+//! These are the only files that know salsa.
+
+mod groups;
+mod items;
+mod program;
+#[cfg(test)]
+mod tests;
+mod units;
+
+use crate::ast::Module;
+use crate::check::item::ItemKind;
+use crate::check::{Checked, Loader};
+use crate::deep::deep;
+use crate::diagnostic::Diagnostic;
+use items::{declarations, parse};
+use program::check;
+use salsa::Setter;
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
+
+/// The tree of one file and what is wrong with its text. Spans have file 0.
+#[derive(Debug, PartialEq)]
+pub struct Parsed {
+    pub module: Module,
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+/// Texts of a model and of every module it may import, and what was computed from them.
+///
+/// Clones share results; a clone may be used on another thread while this one waits to change a text.
+#[derive(Clone)]
+pub struct Database {
+    salsa: Storage,
+    models: BTreeMap<String, Text>,
+    library: Library,
+}
+
+/// One text.
+#[salsa::input(debug)]
+struct Text {
+    /// As shown to people.
+    name: String,
+    /// As imported: `gears.helical`; empty for a model, `prelude` for the prelude.
+    module: String,
+    content: String,
+}
+
+/// What can be imported.
+#[salsa::input]
+struct Library {
+    /// By dotted path.
+    modules: BTreeMap<String, Text>,
+    #[returns(copy)]
+    prelude: Text,
+    /// Modules there are, for suggestions.
+    known: Vec<String>,
+}
+
+#[salsa::db]
+#[derive(Clone, Default)]
+struct Storage {
+    storage: salsa::Storage<Self>,
+}
+
+#[salsa::db]
+impl salsa::Database for Storage {}
+
+impl Database {
+    /// A database without models whose programs see what the loader's prelude declares.
+    pub fn new(loader: &dyn Loader) -> Self {
+        Self::with_storage(Storage::default(), loader)
+    }
+
+    fn with_storage(salsa: Storage, loader: &dyn Loader) -> Self {
+        let (name, content) = loader.prelude();
+        let prelude = Text::new(&salsa, name, "prelude".into(), content);
+        let library = Library::new(&salsa, BTreeMap::new(), prelude, loader.names());
+        Database { salsa, models: BTreeMap::new(), library }
+    }
+
+    /// Adds a model or changes its text. `name` is the file as shown to people.
+    pub fn set_model(&mut self, name: &str, content: &str) {
+        match self.models.get(name) {
+            Some(text) => set(&mut self.salsa, *text, content),
+            None => {
+                let text = Text::new(&self.salsa, name.into(), String::new(), content.into());
+                self.models.insert(name.into(), text);
+            }
+        }
+    }
+
+    /// Adds a module or changes its text, e.g. while it is edited. `path` is dotted, as in `import`.
+    pub fn set_module(&mut self, path: &str, name: &str, content: &str) {
+        let known = self.library.modules(&self.salsa).get(path).copied();
+        match known {
+            Some(text) => set(&mut self.salsa, text, content),
+            None => {
+                let text = Text::new(&self.salsa, name.into(), path.into(), content.into());
+                let mut modules = self.library.modules(&self.salsa).clone();
+                modules.insert(path.into(), text);
+                self.library.set_modules(&mut self.salsa).to(modules);
+            }
+        }
+    }
+
+    /// The tree of a model; `None` if it was never set.
+    pub fn parse(&self, name: &str) -> Option<Arc<Parsed>> {
+        let model = *self.models.get(name)?;
+        Some(deep(|| parse(&self.salsa, model).clone()))
+    }
+
+    /// Asks the loader for every module that a model imports, directly or through others, and that is not yet
+    /// known. Call it after [`Database::set_model`] and before [`Database::check`].
+    pub fn load_imports(&mut self, name: &str, loader: &dyn Loader) {
+        let Some(model) = self.models.get(name).copied() else { return };
+        let mut texts = vec![model, self.library.prelude(&self.salsa)];
+        let mut seen = BTreeSet::new();
+        while let Some(text) = texts.pop() {
+            for path in self.imports(text) {
+                if !seen.insert(path.clone()) {
+                    continue;
+                }
+                let names: Vec<String> = path.split('.').map(str::to_string).collect();
+                if !self.library.modules(&self.salsa).contains_key(&path)
+                    && let Some((name, content)) = loader.module(&names)
+                {
+                    self.set_module(&path, &name, &content);
+                }
+                texts.extend(self.library.modules(&self.salsa).get(&path));
+            }
+        }
+    }
+
+    fn imports(&self, text: Text) -> Vec<String> {
+        let all = deep(|| declarations(&self.salsa, text)).iter().map(|item| item.kind(&self.salsa).clone());
+        let paths = all.filter_map(|kind| match kind {
+            ItemKind::Import(path) => Some(path),
+            _ => None,
+        });
+        paths.collect()
+    }
+
+    /// The typed program of a model and everything wrong with it; `None` if the model was never set.
+    pub fn check(&self, name: &str) -> Option<Arc<Checked>> {
+        let model = *self.models.get(name)?;
+        Some(deep(|| check(&self.salsa, model, self.library).clone()))
+    }
+}
+
+/// Changes a text if it differs: an equal one must not start a new revision.
+fn set(salsa: &mut Storage, text: Text, content: &str) {
+    if text.content(salsa) != content {
+        text.set_content(salsa).to(content.into());
+    }
+}

@@ -1,0 +1,138 @@
+//! Queries over a model as a whole: every unit checked, then put together.
+
+use super::groups::{Group, groups};
+use super::items::{facts, items, module, parse, reachable};
+use super::units::{check_group, check_top, dependents, id};
+use super::{Library, Text};
+use crate::ast::{Ident, StmtKind};
+use crate::check::item::ItemKind;
+use crate::check::unit::Unit;
+use crate::check::{Checked, Linked, Model, has_errors, lower};
+use crate::diagnostic::Diagnostic;
+use crate::ir::SourceFile;
+use crate::span::{FileId, Span};
+use std::collections::{HashMap, HashSet};
+use std::sync::Arc;
+
+/// The files of a program: the model, the prelude, and what they import.
+#[salsa::tracked]
+fn files(db: &dyn salsa::Database, model: Text, library: Library) -> Vec<Text> {
+    let prelude = library.prelude(db);
+    let mut files = vec![model, prelude];
+    for file in reachable(db, model, library).iter().chain(reachable(db, prelude, library)) {
+        if !files.contains(file) {
+            files.push(*file);
+        }
+    }
+    files
+}
+
+// A checked model is large and seldom equal to the one before: comparing does not pay.
+#[salsa::tracked(no_eq)]
+pub(super) fn check(db: &dyn salsa::Database, model: Text, library: Library) -> Arc<Checked> {
+    let files = files(db, model, library);
+    let mut starts = HashMap::new();
+    let mut diagnostics = Vec::new();
+    for (file, &text) in (0..).map(FileId).zip(files) {
+        starts.extend(items(db, text).iter().map(|item| (id(*item), (file, item.start(db)))));
+        let found = &parse(db, text).diagnostics;
+        diagnostics.extend(found.iter().map(|diagnostic| in_file(diagnostic, file)));
+        diagnostics.extend(missing_modules(db, text, file, library));
+    }
+    // Callees first, over all files: a chain of calls then never becomes a chain of queries inside one another.
+    for &file in files.iter().rev() {
+        dependents(db, file, library);
+    }
+    let mut kept: Vec<&Unit> = vec![check_top(db, model, library)];
+    for &file in files {
+        let dependents = dependents(db, file, library);
+        for members in &groups(db, file, library).order {
+            let own = members.first().is_some_and(|item| item.file(db) == file);
+            if own && !members.iter().any(|item| dependents.contains(item)) {
+                kept.extend(&check_group(db, Group::new(db, members.clone()), library).unit);
+            }
+        }
+        if file != model {
+            kept.push(check_top(db, file, library));
+        }
+    }
+    let linked = Linked::new(kept, starts);
+    let placed = |of: &dyn Fn(&Unit) -> &[Diagnostic]| -> Vec<Diagnostic> {
+        let each = linked.units().iter().enumerate().flat_map(|(index, unit)| {
+            let places = linked.places(index);
+            let found = of(unit).iter();
+            found
+                .map(|found| places.as_ref().map_or(found.clone(), |p| p.diagnostic(found)))
+                .collect::<Vec<_>>()
+        });
+        each.collect()
+    };
+    diagnostics.extend(placed(&|unit| &unit.diagnostics));
+    let mut program = None;
+    let sources =
+        files.iter().map(|file| SourceFile { name: file.name(db).clone(), text: file.content(db).clone() });
+    let sources: Vec<SourceFile> = sources.collect();
+    if diagnostics.iter().all(|d| !d.code.starts_with("E01")) {
+        diagnostics.extend(placed(&|unit| &unit.flow));
+        if !has_errors(&diagnostics) {
+            let facts = facts(db, model);
+            let about = Model { system: facts.system.unwrap_or_default(), doc: facts.doc.clone() };
+            let (lowered, mut found) = lower(&linked, about, sources.clone());
+            diagnostics.append(&mut found);
+            program = (!has_errors(&diagnostics)).then_some(lowered);
+        }
+    }
+    diagnostics.sort_by_key(|d| (d.primary.span.file, d.primary.span.start, d.primary.span.end));
+    // A declaration is looked at by every unit that names it.
+    let mut seen = HashSet::new();
+    diagnostics.retain(|d| seen.insert((d.code.clone(), d.primary.span, d.message.clone())));
+    let types = linked.units().first().map(|unit| unit.types.clone()).unwrap_or_default();
+    Arc::new(Checked { program, diagnostics, files: sources, types })
+}
+
+fn in_file(diagnostic: &Diagnostic, file: FileId) -> Diagnostic {
+    let mut diagnostic = diagnostic.clone();
+    diagnostic.primary.span.file = file;
+    diagnostic.labels.iter_mut().for_each(|label| label.span.file = file);
+    if let Some(fix) = &mut diagnostic.fix {
+        fix.span.file = file;
+    }
+    diagnostic
+}
+
+fn missing_modules(db: &dyn salsa::Database, text: Text, file: FileId, library: Library) -> Vec<Diagnostic> {
+    let mut found = Vec::new();
+    let mut seen = HashSet::new();
+    for item in items(db, text) {
+        let ItemKind::Import(path) = item.kind(db) else { continue };
+        if module(db, library, path.clone()).is_some() || !seen.insert(path) {
+            continue;
+        }
+        let StmtKind::Import(names) = &item.content(db).statement.kind else { continue };
+        let start = item.start(db);
+        let moved =
+            |ident: &Ident| Span { file, start: ident.span.start + start, end: ident.span.end + start };
+        if let (Some(first), Some(last)) = (names.first(), names.last()) {
+            found.push(missing(path, moved(first).to(moved(last)), library.known(db)));
+        }
+    }
+    found
+}
+
+fn missing(module: &str, span: Span, known: &[String]) -> Diagnostic {
+    let diagnostic = Diagnostic::error(
+        "E0209",
+        format!("there is no module `{module}`"),
+        span,
+        "neither in the library nor beside this file",
+    );
+    match crate::check::similar(module, known.iter().map(String::as_str)) {
+        Some(near) => {
+            diagnostic.help(format!("did you mean `{near}`?")).fix(format!("change to `{near}`"), span, near)
+        }
+        None if known.is_empty() => {
+            diagnostic.help(format!("put `{}.cx` beside this file", module.replace('.', "/")))
+        }
+        None => diagnostic.help(format!("the library has {}", known.join(", "))),
+    }
+}

@@ -1,0 +1,262 @@
+//! What is computed anew after an edit, by the event log of the database.
+
+use super::*;
+use crate::check::Checked;
+use std::cell::Cell;
+use std::sync::Mutex;
+
+#[derive(Default)]
+struct Modules {
+    asked: Cell<usize>,
+}
+
+impl Loader for Modules {
+    fn module(&self, path: &[String]) -> Option<(String, String)> {
+        self.asked.set(self.asked.get() + 1);
+        let content = match path.join(".").as_str() {
+            "first" => "import second;\n",
+            "second" => "function two() { return 2; }\n",
+            _ => return None,
+        };
+        Some((format!("{}.cx", path.join("/")), content.into()))
+    }
+
+    fn prelude(&self) -> (String, String) {
+        ("<library>/prelude.cx".into(), "/// Nothing yet.\n".into())
+    }
+}
+
+/// A database that records the queries it runs.
+fn watched() -> (Database, Arc<Mutex<Vec<String>>>) {
+    let log = Arc::new(Mutex::new(Vec::new()));
+    let events = log.clone();
+    let storage = salsa::Storage::new(Some(Box::new(move |event: salsa::Event| {
+        if let salsa::EventKind::WillExecute { database_key } = event.kind {
+            events.lock().unwrap().push(format!("{database_key:?}"));
+        }
+    })));
+    (Database::with_storage(Storage { storage }, &Modules::default()), log)
+}
+
+fn ran(log: &Mutex<Vec<String>>) -> Vec<String> {
+    let name = |entry: String| entry.split('(').next().unwrap_or_default().to_string();
+    std::mem::take(&mut *log.lock().unwrap()).into_iter().map(name).collect()
+}
+
+/// How often each query ran since the last time, of those that look at more than names.
+fn counts(log: &Mutex<Vec<String>>) -> String {
+    let mut counts: BTreeMap<String, usize> = BTreeMap::new();
+    for name in ran(log) {
+        *counts.entry(name).or_default() += 1;
+    }
+    let shown = ["parse", "items", "check_group", "check_top", "check"];
+    let shown = shown.iter().filter_map(|name| Some(format!("{name} {}", counts.get(*name)?)));
+    shown.collect::<Vec<_>>().join(", ")
+}
+
+const MODEL: &str = "\
+units inch_lbf_s;
+param size = 2 inch;
+function area(in w, in h) { return w*h; }
+function square(in a) {
+    // A comment.
+    return area(a, a);
+}
+function even(in n) { if (n == 0) return TRUE; return odd(n - 1); }
+function odd(in n) { if (n == 0) return FALSE; return even(n - 1); }
+function sized() { return square(size); }
+var x = sized();
+print(x, even(3));
+";
+
+fn checked(db: &mut Database, text: &str) -> Arc<Checked> {
+    db.set_model("a.cx", text);
+    db.check("a.cx").unwrap()
+}
+
+/// What a fresh database finds.
+fn afresh(text: &str) -> Arc<Checked> {
+    checked(&mut Database::new(&Modules::default()), text)
+}
+
+/// The same findings, program and places as a fresh check gives.
+fn assert_afresh(found: &Checked, text: &str) {
+    let fresh = afresh(text);
+    assert_eq!(found.diagnostics, fresh.diagnostics);
+    assert_eq!(found.types, fresh.types);
+    let functions = |checked: &Checked| {
+        let program = checked.program.as_ref();
+        let mut all: Vec<String> = program.map_or(Vec::new(), |p| {
+            p.functions.iter().map(|f| format!("{:?} {:?}", f.name, f.span)).collect()
+        });
+        all.sort();
+        all
+    };
+    assert_eq!(functions(found), functions(&fresh));
+}
+
+#[test]
+fn a_model_is_checked_by_unit() {
+    let (mut db, log) = watched();
+    let found = checked(&mut db, MODEL);
+    assert_eq!(found.diagnostics, []);
+    // `sized` sees a param and is checked with the top level; `even` and `odd` are one unit.
+    assert_eq!(counts(&log), "parse 2, items 2, check_group 3, check_top 2, check 1");
+}
+
+#[test]
+fn an_unchanged_text_runs_no_query() {
+    let (mut db, log) = watched();
+    let first = checked(&mut db, MODEL);
+    ran(&log);
+    assert!(Arc::ptr_eq(&first, &checked(&mut db, MODEL)));
+    db.parse("a.cx").unwrap();
+    assert_eq!(ran(&log), Vec::<String>::new());
+}
+
+#[test]
+fn an_edit_in_a_body_checks_that_body_only() {
+    let (mut db, log) = watched();
+    checked(&mut db, MODEL);
+    ran(&log);
+    for (old, new) in [
+        // The scheme stays equal.
+        ("return w*h;", "var a = w*h; return a;"),
+        ("// A comment.", "// Another comment, of another length,\n// on two lines."),
+        ("return odd(n - 1)", "var m = n - 1; return odd(m)"),
+    ] {
+        let text = MODEL.replace(old, new);
+        let found = checked(&mut db, &text);
+        assert_eq!(counts(&log), "parse 1, items 1, check_group 1, check 1", "{new}");
+        assert_afresh(&found, &text);
+        checked(&mut db, MODEL);
+        ran(&log);
+    }
+    let text = MODEL.replace("return square(size);", "return area(size, size);");
+    let found = checked(&mut db, &text);
+    assert_eq!(counts(&log), "parse 1, items 1, check_top 1, check 1");
+    assert_afresh(&found, &text);
+}
+
+#[test]
+fn an_edit_outside_of_items_checks_nothing() {
+    let (mut db, log) = watched();
+    checked(&mut db, MODEL);
+    ran(&log);
+    for text in [
+        format!("// A comment above everything.\n\n{MODEL}"),
+        MODEL.replace("function square", "/* between */\n\n   function square"),
+        MODEL.replace("function square", "/// Documents it.\nfunction square"),
+        MODEL.replace("print(x", "\n\n// before\nprint(x"),
+    ] {
+        let found = checked(&mut db, &text);
+        assert_eq!(counts(&log), "parse 1, items 1, check 1");
+        assert_afresh(&found, &text);
+    }
+}
+
+#[test]
+fn another_scheme_checks_its_callers() {
+    let (mut db, log) = watched();
+    checked(&mut db, MODEL);
+    ran(&log);
+    // `square` calls `area`; the scheme of `square` changes too, which the top level uses.
+    let text = MODEL.replace("return w*h;", "return w + h;");
+    let found = checked(&mut db, &text);
+    assert_eq!(counts(&log), "parse 1, items 1, check_group 2, check_top 1, check 1");
+    assert_afresh(&found, &text);
+}
+
+#[test]
+fn findings_move_with_their_place() {
+    let (mut db, log) = watched();
+    let text = MODEL.replace("return area(a, a);", "return area(a, b);");
+    let found = checked(&mut db, &text);
+    assert_eq!(found.diagnostics.len(), 1);
+    ran(&log);
+    let text = format!("// Above.\n{text}");
+    let moved = checked(&mut db, &text);
+    assert_eq!(counts(&log), "parse 1, items 1, check 1");
+    let (before, after) = (found.diagnostics[0].primary.span, moved.diagnostics[0].primary.span);
+    assert_eq!((after.start - before.start, after.end - before.end), (10, 10));
+    assert_afresh(&moved, &text);
+}
+
+#[test]
+fn a_literal_whose_dimension_a_caller_decides_is_checked_with_its_callers() {
+    let (mut db, log) = watched();
+    let text = "units inch_lbf_s;\nfunction gap() { return 3; }\nfunction twice() { return 2*gap(); }\n\
+                var x = 1 inch + twice();\nprint(x);\n";
+    let found = checked(&mut db, text);
+    assert_eq!(found.diagnostics, []);
+    assert_eq!(found.types["x"], "Length");
+    ran(&log);
+    checked(&mut db, &text.replace("2*gap()", "4*gap()"));
+    assert_eq!(counts(&log), "parse 1, items 1, check_top 1, check 1");
+}
+
+#[test]
+fn a_new_function_checks_itself_and_the_order_of_the_top_level() {
+    let (mut db, log) = watched();
+    checked(&mut db, MODEL);
+    ran(&log);
+    let text = MODEL.replace("function square", "function one() { return 1; }\nfunction square");
+    let found = checked(&mut db, &text);
+    assert_eq!(counts(&log), "parse 1, items 1, check_group 1, check_top 1, check 1");
+    assert_afresh(&found, &text);
+}
+
+#[test]
+fn a_missing_name_is_found_when_it_is_declared() {
+    let (mut db, _) = watched();
+    let text = "function f(in x) { return half(x); }\nprint(f(2));\n";
+    assert_eq!(checked(&mut db, text).diagnostics[0].code, "E0201");
+    let text = format!("{text}function half(in x) {{ return x/2; }}\n");
+    assert_eq!(checked(&mut db, &text).diagnostics, []);
+    assert_afresh(&checked(&mut db, &text), &text);
+}
+
+#[test]
+fn an_edit_of_the_library_checks_what_it_concerns() {
+    let (mut db, log) = watched();
+    let loader = Modules::default();
+    db.set_model("a.cx", "import second;\nfunction four(in x) { return x*second.two(); }\nprint(four(1));\n");
+    db.load_imports("a.cx", &loader);
+    assert_eq!(db.check("a.cx").unwrap().diagnostics, []);
+    ran(&log);
+    // Another model uses what was found of the library.
+    db.set_model("b.cx", "import second;\nprint(second.two());\n");
+    db.check("b.cx").unwrap();
+    assert_eq!(counts(&log), "parse 1, items 1, check_top 1, check 1");
+    db.set_module("second", "second.cx", "function two() { return 1 + 1; }\n");
+    db.check("a.cx").unwrap();
+    assert_eq!(counts(&log), "parse 1, items 1, check_group 1, check 1");
+    db.set_module("second", "second.cx", "function two() { return 2 inch; }\n");
+    db.check("a.cx").unwrap();
+    assert_eq!(counts(&log), "parse 1, items 1, check_group 2, check_top 1, check 1");
+}
+
+#[test]
+fn a_module_that_is_not_imported_does_not_concern_a_model() {
+    let (mut db, log) = watched();
+    checked(&mut db, MODEL);
+    ran(&log);
+    db.set_module("second", "second.cx", "function two() { return 2; }\n");
+    db.check("a.cx").unwrap();
+    assert_eq!(counts(&log), "");
+}
+
+#[test]
+fn imports_are_loaded_once_and_through_others() {
+    let (mut db, log) = watched();
+    let loader = Modules::default();
+    db.set_model("a.cx", "import first;\n");
+    db.load_imports("a.cx", &loader);
+    db.load_imports("a.cx", &loader);
+    assert_eq!(loader.asked.get(), 2);
+    let checked = db.check("a.cx").unwrap();
+    let names: Vec<_> = checked.files.iter().map(|f| f.name.as_str()).collect();
+    assert!(names.contains(&"first.cx") && names.contains(&"second.cx"), "{names:?}");
+    ran(&log);
+    assert!(db.check("unknown.cx").is_none());
+}

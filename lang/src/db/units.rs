@@ -1,0 +1,295 @@
+//! Queries that check: groups of functions, and what is left of a file.
+
+use super::groups::{Group, group_of, groups, header, header_links, links, named, sees_state};
+use super::items::{Item, declarations, declared, facts, handles, items, module};
+use super::{Library, Text};
+use crate::check::excerpt::{Excerpt, Extract, ItemId, Part};
+use crate::check::interface::Interface;
+use crate::check::item::ItemKind;
+use crate::check::unit::{self, Context, Surroundings, Unit};
+use salsa::Id;
+use salsa::plumbing::{AsId, FromId};
+use std::collections::{BTreeMap, HashMap, HashSet};
+use std::sync::Arc;
+
+/// What checking a group gave.
+#[derive(Debug, Default)]
+pub(super) struct Checked {
+    /// `None` if it can only be checked together with what uses it.
+    pub unit: Option<Unit>,
+    /// By member of the group.
+    interfaces: Option<Vec<Arc<Interface>>>,
+}
+
+pub(super) fn id(item: Item<'_>) -> ItemId {
+    item.as_id().as_bits()
+}
+
+// Large and seldom equal to the one before: what others need of it is compared, in `interfaces`.
+#[salsa::tracked(no_eq)]
+pub(super) fn check_group<'db>(
+    db: &'db dyn salsa::Database,
+    group: Group<'db>,
+    library: Library,
+) -> Arc<Checked> {
+    let members = group.members(db);
+    let Some(first) = members.first() else { return Arc::default() };
+    let mut gathered = Gathered::new(db, first.file(db), library);
+    for &member in members {
+        gathered.add(member, Part::Own);
+    }
+    gathered.follow();
+    if gathered.open {
+        return Arc::default();
+    }
+    let ids: Vec<ItemId> = members.iter().map(|item| id(*item)).collect();
+    let (unit, interfaces) = gathered.check(&ids);
+    let interfaces = interfaces.map(|all| all.into_iter().map(Arc::new).collect());
+    Arc::new(Checked { unit: Some(unit), interfaces })
+}
+
+/// What callers know of a group's functions; `None` if their types depend on how they are used.
+#[salsa::tracked]
+fn interfaces<'db>(
+    db: &'db dyn salsa::Database,
+    group: Group<'db>,
+    library: Library,
+) -> Option<Vec<Arc<Interface>>> {
+    check_group(db, group, library).interfaces.clone()
+}
+
+fn interface<'db>(db: &'db dyn salsa::Database, item: Item<'db>, library: Library) -> Option<Arc<Interface>> {
+    let group = group_of(db, item, library);
+    let at = group.members(db).iter().position(|member| *member == item)?;
+    interfaces(db, group, library).as_ref()?.get(at).cloned()
+}
+
+/// The functions of a file that are checked with its top level: they see its variables, or their types depend on how they
+/// are used, or they call such functions.
+#[salsa::tracked]
+pub(super) fn dependents(db: &dyn salsa::Database, file: Text, library: Library) -> HashSet<Item<'_>> {
+    let mut found: HashSet<Item<'_>> = HashSet::new();
+    for members in &groups(db, file, library).order {
+        let own = |item: &Item<'_>| item.file(db) == file && *item.kind(db) == ItemKind::Function;
+        if !members.iter().any(own) {
+            continue;
+        }
+        let dependent = members.iter().any(|item| {
+            sees_state(db, *item) || links(db, *item, library).iter().any(|to| found.contains(to))
+        });
+        if dependent || interfaces(db, Group::new(db, members.clone()), library).is_none() {
+            found.extend(members.iter().copied().filter(own));
+        }
+    }
+    found
+}
+
+/// Checks what a file has beside functions that can be checked alone.
+#[salsa::tracked(no_eq)]
+pub(super) fn check_top(db: &dyn salsa::Database, file: Text, library: Library) -> Arc<Unit> {
+    let dependents = dependents(db, file, library);
+    let mut gathered = Gathered::new(db, file, library);
+    gathered.top = true;
+    for &item in items(db, file) {
+        match item.kind(db) {
+            ItemKind::Extern => {}
+            ItemKind::Function if !dependents.contains(&item) => {}
+            _ => gathered.add(item, Part::Own),
+        }
+    }
+    gathered.follow();
+    Arc::new(gathered.check(&[]).0)
+}
+
+/// The items of an excerpt.
+struct Gathered<'db> {
+    db: &'db dyn salsa::Database,
+    library: Library,
+    file: Text,
+    /// Checks a top level, which takes in functions that cannot be checked alone.
+    top: bool,
+    /// Meets a function that cannot be checked alone.
+    open: bool,
+    parts: HashMap<Item<'db>, Part>,
+    left: Vec<Item<'db>>,
+    interfaces: HashMap<ItemId, Arc<Interface>>,
+}
+
+impl<'db> Gathered<'db> {
+    fn new(db: &'db dyn salsa::Database, file: Text, library: Library) -> Self {
+        Gathered {
+            db,
+            library,
+            file,
+            top: false,
+            open: false,
+            parts: HashMap::new(),
+            left: Vec::new(),
+            interfaces: HashMap::new(),
+        }
+    }
+
+    fn add(&mut self, item: Item<'db>, part: Part) {
+        self.parts.insert(item, part);
+        self.left.push(item);
+    }
+
+    /// Adds what is needed by what is there.
+    fn follow(&mut self) {
+        let (db, library) = (self.db, self.library);
+        // What `catch` receives need not be named.
+        for &item in named(db, library.prelude(db), "Error".to_string()) {
+            if *item.kind(db) == ItemKind::Declaration && !self.parts.contains_key(&item) {
+                self.add(item, Part::Whole);
+            }
+        }
+        while let Some(item) = self.left.pop() {
+            let needed = match self.parts.get(&item) {
+                Some(Part::Header) => header_links(db, item, library),
+                _ => links(db, item, library),
+            };
+            for &to in needed {
+                if self.parts.contains_key(&to) {
+                    continue;
+                }
+                let part = match to.kind(db) {
+                    ItemKind::Function => match interface(db, to, library) {
+                        Some(interface) => {
+                            for (record, _) in &interface.records {
+                                let record = Item::from_id(Id::from_bits(*record));
+                                if !self.parts.contains_key(&record) {
+                                    self.add(record, Part::Whole);
+                                }
+                            }
+                            self.interfaces.insert(id(to), interface);
+                            Part::Header
+                        }
+                        None => {
+                            self.open = true;
+                            Part::Whole
+                        }
+                    },
+                    _ => Part::Whole,
+                };
+                self.add(to, part);
+                if self.open && !self.top {
+                    return;
+                }
+            }
+        }
+    }
+
+    fn check(self, group: &[ItemId]) -> (Unit, Option<Vec<Interface>>) {
+        let db = self.db;
+        let mut files: Vec<Text> = Vec::new();
+        for item in self.parts.keys() {
+            files.push(item.file(db));
+            if let ItemKind::Import(path) = item.kind(db) {
+                files.extend(module(db, self.library, path.clone()));
+            }
+        }
+        let prelude = self.library.prelude(db);
+        files.retain(|file| *file != self.file && *file != prelude);
+        files.sort_by_key(|file| file.as_id());
+        files.dedup();
+        if self.file != prelude && !self.file.module(db).is_empty() {
+            files.insert(0, self.file);
+        }
+        // A module may be checked without a model.
+        let model = match self.file.module(db).as_str() {
+            "" => self.extract(self.file),
+            _ => Extract { name: String::new(), system: None, items: Vec::new() },
+        };
+        let mut extracts = vec![model, self.extract(prelude)];
+        extracts.extend(files.into_iter().map(|file| self.extract(file)));
+        let context = Context {
+            interfaces: &self.interfaces,
+            handles: handles(db, self.file, self.library),
+            surroundings: &Around { db, library: self.library, file: self.file },
+        };
+        unit::check(Excerpt::new(extracts), group, &context)
+    }
+
+    fn extract(&self, file: Text) -> Extract<'db> {
+        let db = self.db;
+        let mut chosen: Vec<Item<'db>> = Vec::new();
+        if self.top && file == self.file {
+            chosen.extend(items(db, file).iter().filter(|item| self.parts.contains_key(item)));
+        } else {
+            chosen.extend(declarations(db, file).iter().filter(|item| self.parts.contains_key(item)));
+            // The order of functions matters only between those of one name.
+            let mut by_name: BTreeMap<&String, Vec<Item<'db>>> = BTreeMap::new();
+            for &item in self.parts.keys().filter(|item| item.file(db) == file && is_function(db, **item)) {
+                by_name.entry(item.name(db)).or_default().push(item);
+            }
+            for (name, all) in by_name {
+                match all.as_slice() {
+                    [only] => chosen.push(*only),
+                    _ => {
+                        chosen.extend(named(db, file, name.clone()).iter().filter(|item| all.contains(item)))
+                    }
+                }
+            }
+        }
+        let item = |item: Item<'db>| match self.parts[&item] {
+            Part::Header => (id(item), &**header(db, item), Part::Header),
+            part => (id(item), &**item.content(db), part),
+        };
+        Extract {
+            name: file.module(db).clone(),
+            system: facts(db, file).system,
+            items: chosen.into_iter().map(item).collect(),
+        }
+    }
+}
+
+fn is_function(db: &dyn salsa::Database, item: Item<'_>) -> bool {
+    matches!(item.kind(db), ItemKind::Function | ItemKind::Extern)
+}
+
+/// What a check asks where something is wrong.
+struct Around<'db> {
+    db: &'db dyn salsa::Database,
+    library: Library,
+    file: Text,
+}
+
+/// In a file that declares more names nobody waits for suggestions.
+const MOST_NAMES: usize = 2000;
+
+impl Surroundings for Around<'_> {
+    fn declared(&self, name: &str) -> Vec<String> {
+        let prelude = self.library.prelude(self.db);
+        let file = match name {
+            _ if name == self.file.module(self.db) => self.file,
+            _ if name == prelude.module(self.db) => prelude,
+            _ => match module(self.db, self.library, name.to_string()) {
+                Some(file) => *file,
+                None => return Vec::new(),
+            },
+        };
+        let declared = declared(self.db, file);
+        if declared.len() > MOST_NAMES {
+            return Vec::new();
+        }
+        // Of another file, what importers see.
+        let callable = |all: &Vec<Item<'_>>| {
+            all.iter().any(|item| {
+                let declares = is_function(self.db, *item) || *item.kind(self.db) == ItemKind::Declaration;
+                declares && (file == self.file || !item.private(self.db))
+            })
+        };
+        let mut names: Vec<String> =
+            declared.iter().filter(|(_, all)| callable(all)).map(|(name, _)| name.clone()).collect();
+        names.sort();
+        names
+    }
+
+    fn is_module(&self, name: &str) -> bool {
+        module(self.db, self.library, name.to_string()).is_some() || self.modules().iter().any(|m| m == name)
+    }
+
+    fn modules(&self) -> Vec<String> {
+        self.library.known(self.db).clone()
+    }
+}
