@@ -72,6 +72,10 @@ impl Module {
         })
     }
 
+    pub(crate) fn program(&self) -> &Program {
+        &self.program
+    }
+
     /// The model as an object file, to be linked with `calyx_rt`.
     ///
     /// # Errors
