@@ -142,7 +142,8 @@ pub struct SymbolicFunction {
     pub body: SymExpr,
     /// Number, Bool, Vector, Transform, or a tuple of these for brackets (arrays too: every length is known).
     pub result: Repr,
-    /// What the numbers of the result are shown in, one per value of `result` that is no tuple.
+    /// What the numbers of the result are shown in, one per value of `result` that is no tuple; of a frame, its
+    /// translation.
     pub units: Vec<DisplayUnit>,
     /// A function of the model itself, outside all others: offered by name. Exported names are unique.
     pub exported: bool,

@@ -141,7 +141,7 @@ impl Frame {
         order: usize,
     ) -> Vec<Vector3> {
         let point = jet(graph, point, order.min(2) + 1, Some(symbol));
-        self.factors.iter().fold(point, |x, factor| factor.enter(graph, x, Some(symbol)))
+        self.fused(graph).iter().fold(point, |x, factor| factor.enter(graph, x, Some(symbol)))
     }
 
     /// [`Frame::origin`] and its derivatives by a symbol, likewise.
@@ -162,11 +162,8 @@ impl Frame {
         let vector = jet(graph, vector, order + 1, Some(symbol));
         let rests = vector[1..].iter().flatten().all(|&rate| graph.is_zero(rate));
         if !rests || order == 0 {
-            return self
-                .factors
-                .iter()
-                .rev()
-                .fold(vector, |x, factor| factor.turn_out(graph, x, Some(symbol)));
+            let turns = self.turns(graph);
+            return turns.iter().rev().fold(vector, |x, factor| factor.turn_out(graph, x, Some(symbol)));
         }
         // What rests in the frame turns with it, and all such vectors share the frame's spin.
         let spin = self.spin_in_ground(graph, symbol, order);

@@ -64,6 +64,46 @@ pub enum Binary {
     Or,
 }
 
+impl Unary {
+    /// Every one of them, for tests that leave none out.
+    pub const ALL: [Unary; 15] = [
+        Unary::Negate,
+        Unary::Abs,
+        Unary::Sqrt,
+        Unary::Sin,
+        Unary::Cos,
+        Unary::Tan,
+        Unary::Asin,
+        Unary::Acos,
+        Unary::Atan,
+        Unary::Exp,
+        Unary::Log,
+        Unary::Floor,
+        Unary::Ceil,
+        Unary::Round,
+        Unary::Not,
+    ];
+}
+
+impl Binary {
+    /// Every one of them, for tests that leave none out.
+    pub const ALL: [Binary; 13] = [
+        Binary::Add,
+        Binary::Subtract,
+        Binary::Multiply,
+        Binary::Divide,
+        Binary::Power,
+        Binary::Atan2,
+        Binary::Min,
+        Binary::Max,
+        Binary::Less,
+        Binary::LessEqual,
+        Binary::Equal,
+        Binary::And,
+        Binary::Or,
+    ];
+}
+
 /// One operation and its operands. Truth values are 1.0 and 0.0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Node {
@@ -248,6 +288,18 @@ mod tests {
     #[test]
     fn nodes_stay_small() {
         assert!(size_of::<Node>() <= 16);
+    }
+
+    #[test]
+    fn the_lists_of_operations_leave_none_out() {
+        for (place, operation) in Unary::ALL.iter().enumerate() {
+            assert_eq!(*operation as usize, place);
+        }
+        for (place, operation) in Binary::ALL.iter().enumerate() {
+            assert_eq!(*operation as usize, place);
+        }
+        // `Not` and `Or` are the last ones declared; whoever adds an operation behind them comes by here.
+        assert_eq!((Unary::Not as usize, Binary::Or as usize), (Unary::ALL.len() - 1, Binary::ALL.len() - 1));
     }
 
     #[test]

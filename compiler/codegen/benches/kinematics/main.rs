@@ -1,10 +1,14 @@
 //! The kinematic workloads as kernels, against the same formulas written by hand, interleaved in one run: read the
 //! ratios. And what deriving and compiling them costs. `cargo bench -p calyx-codegen --bench kinematics`.
+//! They are the functions of `examples/kinematics`; chains of other lengths are built as graphs.
 //!
 //! As hand-written code has its own best order, so has it its own way to the sines and cosines: two angles at a time
 //! (*two lanes*), or those of a tile at once by the function that compiled kernels use (*wide sines*).
 
 mod by_hand;
+#[path = "../../tests/common/mod.rs"]
+#[allow(dead_code, reason = "shared by several tests")]
+mod common;
 mod lanes;
 #[path = "../../tests/workloads/mod.rs"]
 mod workloads;
@@ -12,12 +16,48 @@ mod workloads;
 use by_hand::{ByHand, Chain, Generated, Machine, Planet, Sensitivity};
 use calyx_abi::math::sincos_columns;
 use calyx_codegen::{compile_batch, compile_kernel};
-use calyx_symbolic::Graph;
+use calyx_lang::ir::{Program, SymbolicFunctionId};
+use calyx_lower::kernels::lower_kernel;
 use calyx_symbolic::batch::BatchTape;
+use calyx_symbolic::{Graph, Tape};
+use common::text::{check, defaults, read};
 use lanes::{Lanes, Number};
 use std::hint::black_box;
 use std::time::Instant;
 use workloads::{WORKLOADS, Workload, chain};
+
+/// File and function of each workload.
+const WRITTEN: [(&str, &str); 4] =
+    [("planet", "motion"), ("face_milling", "surface"), ("face_milling", "sensitivity"), ("chain", "motion")];
+
+/// A workload as written in Calyx.
+struct Written {
+    workload: Workload,
+    program: Program,
+    function: SymbolicFunctionId,
+    /// Time, on which nothing depends, and the params.
+    uniforms: Vec<f64>,
+}
+
+impl Written {
+    fn new(workload: Workload, file: &str, function: &str) -> Self {
+        let program = check(&read(&format!("examples/kinematics/{file}.cx")));
+        let place = program.symbolic_functions.iter().position(|f| f.exported && f.name == function);
+        let function = SymbolicFunctionId(place.expect("the function is there") as u32);
+        let uniforms = [vec![0.0], defaults(&program)].concat();
+        Written { workload, program, function, uniforms }
+    }
+
+    fn tape(&self) -> Tape {
+        lower_kernel(&self.program, self.function).expect("the workload is an expression")
+    }
+
+    fn varying(&self) -> Vec<bool> {
+        let mut varying = vec![false; self.uniforms.len()];
+        varying.resize(self.uniforms.len() + self.workload.variables.len(), true);
+        varying
+    }
+}
 
 /// Points of a tile (not a power of two: equal strides would share one set of the cache) and tiles of a batch.
 const TILE: usize = 504;
@@ -37,9 +77,14 @@ fn main() {
     println!(
         "ns per point          batch  by hand, two lanes  by hand, wide sines      one point  by hand, one"
     );
-    for workload in WORKLOADS {
-        let p = workload.parameters;
-        let ways = match workload.name {
+    let written: Vec<Written> = WORKLOADS
+        .into_iter()
+        .zip(WRITTEN)
+        .map(|(workload, (file, function))| Written::new(workload, file, function))
+        .collect();
+    for written in &written {
+        let p = &written.uniforms[1..];
+        let ways = match written.workload.name {
             "W1" => [lanes_tile(Planet::new(p)), wide_tile(Planet::new(p)), single_tile(Planet::new(p))],
             "W2" => [
                 lanes_tile(Generated(Machine::new(p))),
@@ -53,35 +98,41 @@ fn main() {
             ],
             _ => [lanes_tile(Chain), wide_tile(Chain), single_tile(Chain)],
         };
-        compare(&workload, &ways, rounds);
+        compare(written, &ways, rounds);
     }
     println!("\nms of processor time    derive    kernel     batch    operations, per point of a batch");
-    for workload in WORKLOADS {
-        compile_times(workload.name, workload.build, &workload.varying(), rounds);
+    for written in &written {
+        compile_times(written.workload.name, || written.tape(), &written.varying(), rounds);
     }
     for factors in [12, 25, 50, 100] {
-        compile_times(&format!("{factors} factors"), |g| chain(g, factors / 2), &[true], rounds);
+        let build = || {
+            let mut graph = Graph::new();
+            let outputs = chain(&mut graph, factors / 2);
+            graph.schedule(1, &outputs)
+        };
+        compile_times(&format!("{factors} factors"), build, &[true], rounds);
     }
 }
 
-fn compare(workload: &Workload, [lanes, wide, single]: &[ByHandTile; 3], rounds: usize) {
-    let tape = workload.tape();
-    let kernel = compile_batch(&tape, &workload.varying()).expect("the workload compiles");
+fn compare(written: &Written, [lanes, wide, single]: &[ByHandTile; 3], rounds: usize) {
+    let (workload, tape) = (&written.workload, written.tape());
+    let kernel = compile_batch(&tape, &written.varying()).expect("the workload compiles");
     let one = compile_kernel(&tape).expect("the workload compiles");
     let columns = workload.columns(TILES * TILE);
     let outputs = tape.outputs.len();
-    let mut batch = kernel.with(workload.parameters).expect("the workload's parameters");
+    let mut batch = kernel.with(&written.uniforms).expect("the workload's parameters");
     let mut compiled = |columns: &[&[f64]], out: &mut [f64]| {
         let mut views: Vec<&mut [f64]> = out.chunks_mut(TILE).collect();
         batch.evaluate(columns, &mut views).expect("the workload's columns");
     };
     let mut point_by_point = {
-        let mut inputs: Vec<f64> = vec![0.0; workload.variables.len()];
-        inputs.extend(workload.parameters);
+        let first = written.uniforms.len();
+        let mut inputs = written.uniforms.clone();
+        inputs.resize(first + workload.variables.len(), 0.0);
         let mut values = vec![0.0; outputs];
         move |columns: &[&[f64]], out: &mut [f64]| {
             for point in 0..columns[0].len() {
-                for (input, column) in inputs.iter_mut().zip(columns) {
+                for (input, column) in inputs[first..].iter_mut().zip(columns) {
                     *input = column[point];
                 }
                 one.eval(&inputs, &mut values);
@@ -297,20 +348,13 @@ fn processor_time() -> f64 {
 }
 
 /// Mean times of deriving a tape, of compiling its kernel for one point, and that for many.
-fn compile_times(
-    name: &str,
-    build: impl Fn(&mut Graph) -> Vec<calyx_symbolic::NodeId>,
-    varying: &[bool],
-    rounds: usize,
-) {
+fn compile_times(name: &str, derive: impl Fn() -> Tape, varying: &[bool], rounds: usize) {
     let (mut sums, mut runs) = ([0.0; 3], 0.0);
     let mut counts = (0, 0);
     let started = processor_time();
     while counts == (0, 0) || processor_time() - started < 0.1 * rounds as f64 {
         let mut times = [processor_time(); 4];
-        let mut graph = Graph::new();
-        let outputs = build(&mut graph);
-        let tape = graph.schedule(varying.len(), &outputs);
+        let tape = derive();
         times[1] = processor_time();
         black_box(compile_kernel(&tape).expect("the bench compiles"));
         times[2] = processor_time();

@@ -1,6 +1,8 @@
 //! What the tests of this crate share: random numbers that are the same everywhere, and evaluation.
 #![allow(dead_code, reason = "each test file uses its part")]
 
+pub mod complex;
+
 use calyx_symbolic::{Graph, NodeId};
 
 /// SplitMix64 (Steele, Lea and Flood 2014).

@@ -6,6 +6,7 @@ use super::{Lowering, known_dimension};
 use crate::check::tree::{Call, FuncId, SymbolicBody};
 use crate::check::types::{Substitution, Type};
 use crate::diagnostic::Diagnostic;
+use crate::dimension::Dimension;
 use crate::ir::{DisplayUnit, SymbolicFunction, SymbolicFunctionId, SymbolicParameter};
 use crate::span::{FileId, Span};
 use calyx_abi::Repr;
@@ -141,7 +142,11 @@ impl<'l, 'c> Body<'l, 'c> {
         let expr = body.symbolic(&checker.defs[definition.def.0 as usize].expr, &mut captures);
         body.report_size(&function.name, function.span, &captures);
         let system = body.lowering.system;
-        let unit = |ty: &Type| system.unit_of(known_dimension(checker, ty));
+        // Of a frame, the unit of its translation.
+        let unit = |ty: &Type| match checker.store.resolve(ty) {
+            Type::Transform => system.unit_of(Dimension::whole([1, 0, 0, 0, 0])),
+            _ => system.unit_of(known_dimension(checker, ty)),
+        };
         let parameters = function
             .parameters
             .iter()
