@@ -1,5 +1,6 @@
 //! Kernels for many points give the bits of kernels for one, whatever varies and however many points there are.
 
+#[allow(dead_code, reason = "shared by several tests")]
 mod workloads;
 
 use calyx_codegen::{BatchError, BatchKernel, compile_batch};

@@ -312,3 +312,28 @@ fn chains_cost_a_fixed_number_of_operations_a_joint() {
         assert_close(values[i], values[i + 9], 1e-12, "tip of eight joints");
     }
 }
+
+/// Rotations about one axis that follow on each other are one; for directions, also with a translation between.
+#[test]
+fn rotations_about_one_axis_are_one() {
+    let mut g = Graph::new();
+    let (time, zero, one) = (g.symbol(0), g.constant(0.0), g.constant(1.0));
+    let axis = [zero, zero, one];
+    let (a, b) = (g.scale(0.7, time), g.multiply(time, time));
+    let sum = g.add(a, b);
+    let (first, second) = (Frame::rotate(a, axis), Frame::rotate(b, axis));
+    let (together, apart) = (Frame::rotate(sum, axis), second.after(&first));
+    let point = [one, time, one];
+    assert_eq!(apart.apply(&mut g, point), together.apply(&mut g, point));
+    assert_eq!(apart.pose_with_derivatives(&mut g, 0, 2), together.pose_with_derivatives(&mut g, 0, 2));
+    let arm = Frame::translate([one, time, zero]);
+    let with_arm = second.after(&arm).after(&first);
+    assert_eq!(with_arm.direction(&mut g, point), together.direction(&mut g, point));
+    assert_eq!(with_arm.angular_acceleration(&mut g, 0), together.angular_acceleration(&mut g, 0));
+    // Other axes stay apart, and translations add up.
+    let across = Frame::rotate(b, [one, zero, zero]).after(&first);
+    assert_ne!(across.apply(&mut g, point), together.apply(&mut g, point));
+    let twice = arm.after(&arm).apply(&mut g, point);
+    let double = g.add_vectors([one, time, zero], [one, time, zero]);
+    assert_eq!(twice, Frame::translate(double).apply(&mut g, point));
+}

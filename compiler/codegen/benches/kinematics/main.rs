@@ -11,6 +11,7 @@ mod by_hand;
 mod common;
 mod lanes;
 #[path = "../../tests/workloads/mod.rs"]
+#[allow(dead_code, reason = "shared by several tests")]
 mod workloads;
 
 use by_hand::{ByHand, Chain, Generated, Machine, Planet, Sensitivity};
@@ -114,6 +115,9 @@ fn main() {
     }
 }
 
+/// Evaluates one tile of points: columns of inputs; columns of outputs, `TILE` numbers each.
+type Way<'w> = dyn FnMut(&[&[f64]], &mut [f64]) + 'w;
+
 fn compare(written: &Written, [lanes, wide, single]: &[ByHandTile; 3], rounds: usize) {
     let (workload, tape) = (&written.workload, written.tape());
     let kernel = compile_batch(&tape, &written.varying()).expect("the workload compiles");
@@ -142,7 +146,7 @@ fn compare(written: &Written, [lanes, wide, single]: &[ByHandTile; 3], rounds: u
             }
         }
     };
-    let mut ways: [(usize, &mut dyn FnMut(&[&[f64]], &mut [f64])); 5] = [
+    let mut ways: [(usize, &mut Way); 5] = [
         (SLICE, &mut compiled),
         (SLICE, &mut |c, o| lanes(c, o)),
         (SLICE, &mut |c, o| wide(c, o)),
@@ -187,12 +191,7 @@ fn median(mut values: Vec<f64>) -> f64 {
 }
 
 /// All ways give the same numbers, up to rounding.
-fn agree(
-    workload: &Workload,
-    ways: &mut [(usize, &mut dyn FnMut(&[&[f64]], &mut [f64]))],
-    columns: &[Vec<f64>],
-    outputs: usize,
-) {
+fn agree(workload: &Workload, ways: &mut [(usize, &mut Way)], columns: &[Vec<f64>], outputs: usize) {
     let part: Vec<&[f64]> = columns.iter().map(|column| &column[..TILE]).collect();
     let found: Vec<Vec<f64>> = ways
         .iter_mut()

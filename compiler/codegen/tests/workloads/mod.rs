@@ -2,7 +2,6 @@
 //! rotations with their derivatives, as gear models have them.
 //!
 //! They multiply active matrices; as changes of coordinates these are those of the reverse motion.
-#![allow(dead_code, reason = "tests and benches use their part each")]
 
 use calyx_symbolic::{Frame, Graph, NodeId, Tape, Vector3};
 

@@ -138,7 +138,7 @@ fn exceptions_are_rare_and_those_expected() {
     for angle in [0.0, -0.0, 5e-324, 1e-300, 0.5, 3.0, 1e6] {
         assert!(ordinary(angle).2, "{angle}");
     }
-    for angle in [std::f64::consts::PI, f64::NAN, f64::INFINITY, 1e7, 355.0 / 113.0 * 0.0 + 1e300] {
+    for angle in [std::f64::consts::PI, f64::NAN, f64::INFINITY, 1e7, 1e300] {
         assert!(!ordinary(angle).2, "{angle}");
     }
 }
@@ -159,7 +159,8 @@ fn every_width_has_the_same_bits() {
     let angles: Vec<f64> =
         angles(30_000).chain(SPECIAL).chain(EXACT.map(|row| f64::from_bits(row[0]))).collect();
     let expected: Vec<(f64, f64)> = angles.iter().map(|&angle| sincos(angle)).collect();
-    let widths: &[(&str, fn(&[f64], &mut [f64], &mut [f64]))] = &[
+    type Columns = fn(&[f64], &mut [f64], &mut [f64]);
+    let widths: &[(&str, Columns)] = &[
         ("as this machine chooses", sincos_columns),
         ("baseline", |a, s, c| columns(a, s, c)),
         #[cfg(target_arch = "x86_64")]
