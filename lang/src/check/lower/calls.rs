@@ -208,11 +208,14 @@ impl Body<'_, '_> {
         let Some(allowed) = allowed.into_iter().reduce(both) else { return };
         let system = self.lowering.system;
         let unit = self.shown_unit(ty, system);
-        let quote = if demand.choices.is_empty() { "" } else { "\"" };
+        let (before, after) = match demand.choices.is_empty() {
+            true => (format!("`{}` must lie in {}, not ", demand.name, demand.text), ""),
+            false => (format!("`{}` cannot be \"", demand.name), "\""),
+        };
         let message = ExprKind::Format(vec![
-            FormatPart::Text(format!("`{}` must lie in {}, not {quote}", demand.name, demand.text)),
+            FormatPart::Text(before),
             FormatPart::Value(value, unit),
-            FormatPart::Text(quote.into()),
+            FormatPart::Text(after.into()),
         ]);
         let message = ir::Expr { kind: message, repr: Repr::String, span };
         let help = match demand.choices.is_empty() {
