@@ -204,3 +204,39 @@ fn executables_explain_themselves_and_their_errors() {
     assert_eq!(failed.status.code(), Some(1));
     assert!(err.contains("index.cx:3:9") && err.contains(" 3 | print(a[n]);\n   |         ^\n"), "{err}");
 }
+
+/// Errors of an executable carry the argument to blame and the calls, and can be caught, with nothing but the program's
+/// own tables.
+#[test]
+fn executables_place_and_catch_errors() {
+    let text = "import gears;\nparam radius = 0.3 mm;\nparam caught = FALSE;\nparam endless = FALSE;\n\
+                function rack(in r) { return gears.rack(module = 2 mm, tip_radius = r - 0 mm); }\n\
+                if (caught) try rack(radius); catch (e) print(e.code, e.place);\n\
+                else if (!endless) rack(radius);\n\
+                while (endless) { }\n";
+    let folder = tempfile::tempdir().unwrap();
+    let model = folder.path().join("racks.cx");
+    std::fs::write(&model, text).unwrap();
+    let (_kept, executable) = link(&model);
+    let run = |arguments: &[&str]| {
+        let output = Command::new(&executable)
+            .args(["--quiet", "--set", "radius=-1 mm"])
+            .args(arguments)
+            .env_clear()
+            .current_dir(folder.path())
+            .output()
+            .unwrap();
+        let said = String::from_utf8_lossy(&output.stderr).replace(&folder.path().display().to_string(), ".");
+        (output.status.code(), String::from_utf8_lossy(&output.stdout).into_owned(), said)
+    };
+    let (status, _, said) = run(&[]);
+    assert_eq!(status, Some(1), "{said}");
+    for part in ["error[E0603]", "racks.cx:5:69", "^^^^^^^^", "in `rack`, called at ./racks.cx:7:20"] {
+        assert!(said.contains(part), "{part} is not in\n{said}");
+    }
+    let (status, out, said) = run(&["--set", "caught=TRUE"]);
+    assert_eq!(status, Some(0), "{said}");
+    assert!(out.starts_with("E0603 ") && out.ends_with("racks.cx:5:69\n"), "{out}");
+    let (status, _, said) = run(&["--set", "endless=TRUE", "--time-limit", "50ms"]);
+    assert!(status == Some(1) && said.contains("error[E0707]") && said.contains("racks.cx:8:8"), "{said}");
+}
