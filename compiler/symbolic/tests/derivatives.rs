@@ -100,7 +100,7 @@ const CASES: &[Case] = &[
         domain: (0.8, 2.0),
     },
     Case {
-        name: "less or equal, and, or",
+        name: "choice within a choice",
         build: |g, x, y| {
             let z = g.scale(4.0, y);
             let (below, above) = (g.binary(Binary::LessEqual, x, z), g.binary(Binary::Less, x, y));
