@@ -1,14 +1,17 @@
 //! Reference pages from doc comments: what a module or a model offers, as self-contained HTML (`calyx doc`).
 //!
-//! A page is made of the syntax tree alone: what is written in declarations is what a reader needs, and a module that has
-//! errors elsewhere is still documented.
+//! A page is made of the syntax tree and of the types of params and outputs: what is written in declarations is what a
+//! reader needs, and a file that has errors elsewhere is still documented.
 
 mod collect;
 mod html;
 
 pub use collect::{Entry, Field, Kind, Page};
 
+use crate::loader::ModelLoader;
 use calyx_gears::library::{MODULES, PRELUDE};
+use calyx_lang::check::check_program;
+use std::collections::BTreeMap;
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -32,10 +35,10 @@ pub enum DocError {
 /// There is no such module, or the file cannot be read.
 pub fn page(name: &str) -> Result<Page, DocError> {
     if let Some(module) = MODULES.iter().find(|module| module.path == name) {
-        return Ok(collect::page(name, module.text, true));
+        return Ok(collect::page(name, module.text, true, &BTreeMap::new()));
     }
     if name == PRELUDE.path {
-        return Ok(collect::page(name, PRELUDE.text, true));
+        return Ok(collect::page(name, PRELUDE.text, true, &BTreeMap::new()));
     }
     let path = Path::new(name);
     if path.extension().is_none_or(|extension| extension != "cx") {
@@ -45,8 +48,10 @@ pub fn page(name: &str) -> Result<Page, DocError> {
     let text =
         std::fs::read_to_string(path).map_err(|error| DocError::Io { path: path.to_owned(), error })?;
     let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-    // A file that runs something is a model; one that only declares is a module.
-    Ok(collect::page(&stem, &text, false))
+    // Types are known of what is sound, whatever else is wrong.
+    let loader = ModelLoader { folder: path.parent().map(Path::to_path_buf) };
+    let types = check_program(name, &text, &loader).types;
+    Ok(collect::page(&stem, &text, false, &types))
 }
 
 /// Names of the library's modules, the one every model sees first.

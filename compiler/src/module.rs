@@ -99,7 +99,10 @@ impl Module {
     /// A run-time error at its place in the source; if NaN is behind it, with the expression that arose in. `given` are the
     /// params of the run.
     pub fn error(&self, error: &RuntimeError, given: &[(String, String)]) -> Diagnostic {
-        explain(&self.program, given, &self.seen, error, diagnostic(error))
+        // What the analysis says of a body is placed at the call that made it, and blames an argument of that.
+        let mut error = error.clone();
+        self.call_sites.blame(&mut error);
+        explain(&self.program, given, &self.seen, &error, diagnostic(&error))
     }
 
     /// What a run found, without what checking the model has said already.

@@ -2,6 +2,7 @@
 
 use crate::contact::problem::Certificate;
 use crate::error::{EngineError, Subject};
+use crate::holding;
 use crate::plan::Plan;
 use crate::results::{AnalysisResult, OutputRequest, StepRow, Timing, summarize};
 use crate::scene::{Fidelity, GearMesh, Scene, StructureOptions};
@@ -95,6 +96,8 @@ pub fn quasi_static(
 ) -> Result<AnalysisResult, EngineError> {
     let mut timing = Timing::default();
     let plan = timing.stage("plan", || Plan::new(scene, options.fidelity, options.structure))?;
+    // Structures take long, and this is known without them.
+    holding::check(scene, &plan)?;
     observer.observe(Event::Planned(&plan))?;
     observer.observe(Event::Stage("structures"))?;
     let mut system = timing.stage("structures", || System::new(scene, &plan))?;

@@ -250,6 +250,7 @@ fn analyze(host: &mut ModelHost, over: Handle, fidelity: &str) -> Result<(), Run
     let options =
         AnalysisOptions { fidelity: fidelity_named(fidelity)?, structure: StructureOptions::default() };
     let positions = entry(&host.positions, over)?.clone();
+    check_unheld(host);
     let mut observer = host.observer.take();
     let mut unobserved = ();
     let result = quasi_static(

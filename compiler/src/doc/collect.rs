@@ -5,6 +5,7 @@ use calyx_lang::dimension::{Dimension, Rational};
 use calyx_lang::parser::parse;
 use calyx_lang::span::{FileId, Span};
 use calyx_lang::units::UnitSystem;
+use std::collections::BTreeMap;
 
 /// A module or a model.
 #[derive(Clone, Debug, Default)]
@@ -69,10 +70,10 @@ pub struct Type {
     pub names: Vec<String>,
 }
 
-/// Reads a page off a text.
-pub fn page(name: &str, text: &str, library: bool) -> Page {
+/// Reads a page off a text. `types` are the inferred types of a model's params and outputs, as shown to people.
+pub fn page(name: &str, text: &str, library: bool, types: &BTreeMap<String, String>) -> Page {
     let (module, _) = parse(FileId(0), text);
-    let reader = Reader { text };
+    let reader = Reader { text, types };
     let first_doc = module.statements.first().and_then(|statement| match statement.kind {
         StmtKind::Import(_) | StmtKind::Units(_) => statement.doc.clone(),
         _ => None,
@@ -92,9 +93,19 @@ pub fn page(name: &str, text: &str, library: bool) -> Page {
 
 struct Reader<'t> {
     text: &'t str,
+    types: &'t BTreeMap<String, String>,
 }
 
 impl Reader<'_> {
+    fn inferred(&self, name: &Ident) -> Option<Type> {
+        let text = self.types.get(&name.name)?.clone();
+        // An output is an observable or a number over time: its dimension is what a reader wants.
+        let inner =
+            text.strip_prefix("Observable(").and_then(|inner| inner.strip_suffix(')')).unwrap_or(&text);
+        let units = Dimension::from_name(inner).map(units).unwrap_or_default();
+        Some(Type { text: inner.to_owned(), units, names: Vec::new() })
+    }
+
     fn entry(&self, statement: &Stmt, module: &str, library: bool) -> Option<Entry> {
         let entry = |kind, name: &Ident, signature: String| Entry {
             kind,
@@ -112,7 +123,7 @@ impl Reader<'_> {
                     name: param.name.name.clone(),
                     mode: "",
                     doc: String::new(),
-                    ty: None,
+                    ty: self.inferred(&param.name),
                     default: Some(default.clone()),
                     domain: self.domain(&param.domain),
                     symbolic: false,
@@ -120,7 +131,9 @@ impl Reader<'_> {
                 let signature = format!("--set \"{}={default}\"", param.name.name);
                 Entry { fields: vec![field], ..entry(Kind::Param, &param.name, signature) }
             }
-            StmtKind::Output { name, value } => entry(Kind::Output, name, self.slice(value.span)),
+            StmtKind::Output { name, value } => {
+                Entry { result: self.inferred(name), ..entry(Kind::Output, name, self.slice(value.span)) }
+            }
             StmtKind::Const { name, value } => entry(Kind::Constant, name, self.slice(value.span)),
             StmtKind::Dimension { name, value } => {
                 let written = value.as_ref().map(|value| self.slice(value.span)).unwrap_or_default();
@@ -207,15 +220,7 @@ impl Reader<'_> {
     fn ty(&self, ty: &TypeExpr) -> Type {
         let mut names = Vec::new();
         type_names(ty, &mut names);
-        let units = dimension(ty).map(|dimension| {
-            let mut units: Vec<String> = [UnitSystem::MmNS, UnitSystem::InchLbfS]
-                .map(|system| system.unit_of(dimension).name)
-                .into_iter()
-                .filter(|unit| !unit.is_empty())
-                .collect();
-            units.dedup();
-            units
-        });
+        let units = dimension(ty).map(units);
         Type { text: self.slice(ty.span), units: units.unwrap_or_default(), names }
     }
 
@@ -224,6 +229,15 @@ impl Reader<'_> {
         let written = self.text.get(span.start as usize..span.end as usize).unwrap_or_default();
         written.split_whitespace().collect::<Vec<_>>().join(" ")
     }
+}
+
+/// The unit of a dimension in each system.
+fn units(dimension: Dimension) -> Vec<String> {
+    let systems = [UnitSystem::MmNS, UnitSystem::InchLbfS];
+    let names = systems.map(|system| system.unit_of(dimension).name);
+    let mut units: Vec<String> = names.into_iter().filter(|unit| !unit.is_empty()).collect();
+    units.dedup();
+    units
 }
 
 /// A call with the arguments that must be given, and those that may be in brackets.
