@@ -30,6 +30,7 @@ mod params;
 mod places;
 mod records;
 pub mod rules;
+mod schemes;
 mod statements;
 mod symbolic;
 mod symbolic_functions;
@@ -76,7 +77,7 @@ pub struct Checked {
     pub diagnostics: Vec<Diagnostic>,
     /// By [`FileId`]; there even if checking failed.
     pub files: Vec<SourceFile>,
-    /// Types of the model's top-level variables, params and outputs as shown to people.
+    /// Types of the model's top-level variables, params, outputs and functions as shown to people.
     pub types: BTreeMap<String, String>,
 }
 

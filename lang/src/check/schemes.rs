@@ -1,0 +1,125 @@
+//! Type schemes of functions as shown to people: `(in a: T, in b: U) -> V where T*U = V`.
+//!
+//! What a scheme leaves open has letters, in the order met: `T U V ...` types, `a b c ...` dimensions.
+
+use super::dim::{Dim, DimVar};
+use super::infer::{Checker, Signature};
+use super::symbols::FunctionInfo;
+use super::tree::ConstraintKind;
+use super::types::{Store, Type, TypeVar};
+use crate::ast::Mode;
+use crate::dimension::Rational;
+
+impl Checker<'_> {
+    /// The scheme of a function; `None` for the top level.
+    pub(super) fn shown_scheme(&self, function: &FunctionInfo<'_>, signature: &Signature) -> Option<String> {
+        let mut letters = Letters { store: &self.store, types: Vec::new(), dims: Vec::new() };
+        let written = function.decl?.parameters.iter().zip(&signature.parameters);
+        let parameters: Vec<String> = written
+            .map(|(parameter, ty)| {
+                let mode = match parameter.mode {
+                    Mode::In => "in",
+                    Mode::Out => "out",
+                    Mode::InOut => "inout",
+                };
+                format!("{mode} {}: {}", parameter.name.name, letters.ty(ty))
+            })
+            .collect();
+        let mut text = format!("({})", parameters.join(", "));
+        let result = letters.ty(&signature.result);
+        if !matches!(self.store.shallow(&signature.result), Type::Unit) {
+            text.push_str(&format!(" -> {result}"));
+        }
+        let constraints = signature.scheme.iter().flat_map(|scheme| &scheme.constraints);
+        let mut demands: Vec<String> = Vec::new();
+        for constraint in constraints {
+            let demand = letters.demand(&constraint.kind);
+            if !demands.contains(&demand) {
+                demands.push(demand);
+            }
+        }
+        if !demands.is_empty() {
+            text.push_str(&format!(" where {}", demands.join(", ")));
+        }
+        Some(text)
+    }
+}
+
+/// The unknowns met so far; their places are their letters.
+struct Letters<'s> {
+    store: &'s Store,
+    types: Vec<TypeVar>,
+    dims: Vec<DimVar>,
+}
+
+impl Letters<'_> {
+    fn ty(&mut self, ty: &Type) -> String {
+        match self.store.shallow(ty) {
+            Type::Unknown(variable) => {
+                letter(&mut self.types, variable, &["T", "U", "V", "W", "X", "Y", "Z"])
+            }
+            Type::Number(dim) => self.dim(&dim),
+            Type::Vector(dim) => match self.dim(&dim).as_str() {
+                "Number" => "Vector".into(),
+                inner => format!("Vector({inner})"),
+            },
+            Type::Observable(dim) => format!("Observable({})", self.dim(&dim)),
+            Type::Array(element) => format!("Array({})", self.ty(&element)),
+            Type::Symbolic(inner) => format!("Symbolic({})", self.ty(&inner)),
+            Type::Tuple(parts) => {
+                let parts: Vec<String> = parts.iter().map(|part| self.ty(part)).collect();
+                format!("[{}]", parts.join(", "))
+            }
+            closed => self.store.show(&closed),
+        }
+    }
+
+    fn dim(&mut self, dim: &Dim) -> String {
+        let dim = self.store.dim(dim);
+        if let Some(known) = dim.as_known() {
+            return known.to_string();
+        }
+        let (mut above, mut below) = (Vec::new(), Vec::new());
+        if !dim.fixed.is_none() {
+            above.push(dim.fixed.to_string());
+        }
+        for (&variable, &exponent) in &dim.unknowns {
+            let name = letter(&mut self.dims, variable, &["a", "b", "c", "d", "e", "f", "g"]);
+            let downwards = exponent.numerator() < 0;
+            let size = if downwards { exponent.negated() } else { exponent };
+            let factor = if size == Rational::ONE { name } else { format!("{name}^{size}") };
+            if downwards { below.push(format!("/{factor}")) } else { above.push(factor) }
+        }
+        let above = if above.is_empty() { "1".into() } else { above.join("*") };
+        format!("{above}{}", below.concat())
+    }
+
+    fn demand(&mut self, kind: &ConstraintKind) -> String {
+        match kind {
+            ConstraintKind::Multiply(a, b, c) => format!("{}*{} = {}", self.ty(a), self.ty(b), self.ty(c)),
+            ConstraintKind::Divide(a, b, c) => format!("{}/{} = {}", self.ty(a), self.ty(b), self.ty(c)),
+            ConstraintKind::Additive(a) => format!("{} adds", self.ty(a)),
+            ConstraintKind::Comparable(a) => format!("{} compares", self.ty(a)),
+            ConstraintKind::Printable(a) => format!("{} prints", self.ty(a)),
+            ConstraintKind::Throwable(a) => format!("{} is thrown", self.ty(a)),
+            ConstraintKind::Index(base, at, element) => {
+                let at = at.map_or("i".into(), |at| at.to_string());
+                format!("{}[{at}] = {}", self.ty(base), self.ty(element))
+            }
+            ConstraintKind::Field(base, name, field) => {
+                format!("{}.{name} = {}", self.ty(base), self.ty(field))
+            }
+        }
+    }
+}
+
+/// The letter of an unknown, numbered where the alphabet ends.
+fn letter<V: PartialEq>(met: &mut Vec<V>, variable: V, alphabet: &[&str]) -> String {
+    let place = met.iter().position(|other| *other == variable).unwrap_or_else(|| {
+        met.push(variable);
+        met.len() - 1
+    });
+    let letter = alphabet[place % alphabet.len()];
+    let round = place / alphabet.len();
+    if round == 0 { letter.into() } else { format!("{letter}{round}") }
+}
