@@ -537,12 +537,7 @@ impl<'a> Checker<'a> {
         });
         let params = self.params.iter().map(|param| (param.name.clone(), self.store.show(&param.ty)));
         let outputs = self.outputs.iter().map(|output| (output.name.clone(), self.store.show(&output.ty)));
-        let functions = (0..).map(FuncId).zip(&self.names.functions).filter_map(|(id, function)| {
-            let shown = function.parent == Some(FuncId(0)) && function.file == FileId(0);
-            let scheme = shown.then(|| self.shown_scheme(function, self.signatures.get(&id)?)).flatten()?;
-            Some((function.name.clone(), scheme))
-        });
-        variables.chain(params).chain(outputs).chain(functions).collect()
+        variables.chain(params).chain(outputs).collect()
     }
 
     /// The result type of the function being checked; `Unit` at the top level.

@@ -3,16 +3,16 @@
 //! What a scheme leaves open has letters, in the order met: `T U V ...` types, `a b c ...` dimensions.
 
 use super::dim::{Dim, DimVar};
-use super::infer::{Checker, Signature};
-use super::symbols::FunctionInfo;
-use super::tree::ConstraintKind;
+use super::infer::Checker;
+use super::tree::{ConstraintKind, FuncId};
 use super::types::{Store, Type, TypeVar};
 use crate::ast::Mode;
 use crate::dimension::Rational;
 
 impl Checker<'_> {
-    /// The scheme of a function; `None` for the top level.
-    pub(super) fn shown_scheme(&self, function: &FunctionInfo<'_>, signature: &Signature) -> Option<String> {
+    /// The name and the scheme of a function; `None` for the top level.
+    pub(super) fn shown_scheme(&self, id: FuncId) -> Option<(String, String)> {
+        let (function, signature) = (self.names.functions.get(id.0 as usize)?, self.signatures.get(&id)?);
         let mut letters = Letters { store: &self.store, types: Vec::new(), dims: Vec::new() };
         let written = function.decl?.parameters.iter().zip(&signature.parameters);
         let parameters: Vec<String> = written
@@ -41,7 +41,7 @@ impl Checker<'_> {
         if !demands.is_empty() {
             text.push_str(&format!(" where {}", demands.join(", ")));
         }
-        Some(text)
+        Some((function.name.clone(), text))
     }
 }
 

@@ -46,6 +46,8 @@ pub struct Unit {
     pub flow: Vec<Diagnostic>,
     /// Types of variables, params and outputs as shown to people.
     pub types: BTreeMap<String, String>,
+    /// Schemes of the functions checked here, as shown to people.
+    pub schemes: BTreeMap<String, String>,
 }
 
 /// What the rest of the program contributes to a check.
@@ -86,6 +88,7 @@ pub fn check(excerpt: Excerpt, group: &[ItemId], context: &Context<'_>) -> (Unit
     checker.program();
     diagnostics.append(&mut checker.diagnostics);
     let types = checker.shown_types();
+    let schemes = functions.values().filter_map(|&id| checker.shown_scheme(id)).collect();
     let members: Option<Vec<FuncId>> = group.iter().map(|item| functions.get(item).copied()).collect();
     let interfaces = match checker.unsettled {
         true => None,
@@ -100,8 +103,18 @@ pub fn check(excerpt: Excerpt, group: &[ItemId], context: &Context<'_>) -> (Unit
     };
     let typed = checker.into_typed();
     let closures = lower::closures(&typed);
-    let mut unit =
-        Unit { typed, layout, functions, foreign, closures, records, diagnostics, flow: Vec::new(), types };
+    let mut unit = Unit {
+        typed,
+        layout,
+        functions,
+        foreign,
+        closures,
+        records,
+        diagnostics,
+        flow: Vec::new(),
+        types,
+        schemes,
+    };
     unit.flow = match sound {
         None => {
             let mut all: Vec<FuncId> = unit.typed.functions.keys().copied().collect();

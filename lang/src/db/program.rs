@@ -44,6 +44,7 @@ pub(super) fn check(db: &dyn salsa::Database, model: Text, library: Library) -> 
         dependents(db, file, library);
     }
     let mut kept: Vec<&Unit> = vec![check_top(db, model, library)];
+    let mut of_model = 1;
     for &file in files {
         let dependents = dependents(db, file, library);
         for members in &groups(db, file, library).order {
@@ -52,7 +53,9 @@ pub(super) fn check(db: &dyn salsa::Database, model: Text, library: Library) -> 
                 kept.extend(&check_group(db, Group::new(db, members.clone()), library).unit);
             }
         }
-        if file != model {
+        if file == model {
+            of_model = kept.len();
+        } else {
             kept.push(check_top(db, file, library));
         }
     }
@@ -86,7 +89,9 @@ pub(super) fn check(db: &dyn salsa::Database, model: Text, library: Library) -> 
     // A declaration is looked at by every unit that names it.
     let mut seen = HashSet::new();
     diagnostics.retain(|d| seen.insert((d.code.clone(), d.primary.span, d.message.clone())));
+    let schemes = linked.units().iter().take(of_model).flat_map(|unit| unit.schemes.clone());
     let types = linked.units().first().map(|unit| unit.types.clone()).unwrap_or_default();
+    let types = types.into_iter().chain(schemes).collect();
     Arc::new(Checked { program, diagnostics, files: sources, types })
 }
 
