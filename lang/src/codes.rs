@@ -99,7 +99,7 @@ const CODES: &[Explanation] = codes! {
     "E0501" "`Time` where a value is needed" "`=` computes at once, and `Time` has no value while the model is built. Keep the expression with `:=`, or evaluate it with `at Time = ...`."
     "E0502" "a time-dependent name where a value is needed" "The name is bound with `:=` to an expression in `Time`. Use it inside another `:=`, or evaluate it with `at Time = ...`."
     "E0503" "`=` and `:=` exchanged" "Whether a name holds a value or an expression is fixed where it is declared, and likewise for parameters."
-    "E0504" "a symbolic name with several definitions" "Which expression the name stands for here depends on the way the program took. Bind each expression to a name of its own."
+    "E0504" "a symbolic name without an expression" "The name is bound with `:=` further down, or in a part of the program that has not run yet. Move the binding before this use."
     "E0505" "an observable used as a value" "What the engine observes has a value at each step of an analysis, not while the model is built. Use it in an `output` or another `:=`."
     "E0506" "something that is no symbol" "Expressions are differentiated by, and evaluated at, `Time`, number params and the number arguments of a symbolic function."
     "E0507" "an expression that cannot stay symbolic" "Numbers, vectors, frames and brackets of them can be bound with `:=`."

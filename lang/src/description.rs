@@ -48,6 +48,8 @@ pub fn describe(program: &Program) -> ModelDescription {
                 name: site.name.clone(),
                 repr: site.repr.clone(),
                 order: site.order,
+                inputs: site.inputs(program),
+                outputs: site.outputs(program),
                 captures: site
                     .captures
                     .iter()

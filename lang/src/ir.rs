@@ -22,6 +22,9 @@ pub struct Program {
     pub sites: Vec<Site>,
     /// Symbolic functions, each once per representation of its arguments. A function stands after those it calls.
     pub symbolic_functions: Vec<SymbolicFunction>,
+    /// Params by which expressions are differentiated that captured other expressions: every [`Site::part`] gives its
+    /// derivatives by them.
+    pub graph_params: Vec<u32>,
     /// Name of the unit system results print in: `SI`, `mm_N_s`, `inch_lbf_s`.
     pub units: String,
     /// Text of the doc comment that opens the model's file; empty if there is none.
@@ -119,15 +122,48 @@ pub struct Site {
     pub repr: Repr,
     /// Highest time derivative its kernel computes beside the value: 2 for a transform, else 0.
     pub order: u8,
+    /// Its value may be captured by other sites: after its time derivatives, of order 2 then, its kernel gives the
+    /// same of its derivative by each of [`Program::graph_params`].
+    pub part: bool,
     pub span: Span,
+}
+
+impl Site {
+    /// Number of its kernel's inputs: time, every param, what it captures.
+    pub fn inputs(&self, program: &Program) -> usize {
+        let captured = self.captures.iter().map(|capture| capture.inputs(program));
+        1 + program.params.len() + captured.sum::<usize>()
+    }
+
+    /// Number of its kernel's outputs.
+    pub fn outputs(&self, program: &Program) -> usize {
+        let by = if self.part { 1 + program.graph_params.len() } else { 1 };
+        self.repr.slots() * (1 + usize::from(self.order)) * by
+    }
 }
 
 #[derive(Clone, Debug)]
 pub struct Capture {
     pub name: String,
-    /// Number, Bool, Vector or Transform; `Symbolic(Number)` with `observable` set for an observable.
+    /// Number, Bool, Vector or Transform; `Symbolic(Number)` with `observable` set for an observable; else
+    /// `Symbolic` of Number, Vector or Transform for an expression, the value of a site that is a [`Site::part`].
     pub repr: Repr,
     pub observable: bool,
+}
+
+impl Capture {
+    /// An expression: what the kernel of its site gives is what the kernel that captured it takes.
+    pub fn is_part(&self) -> bool {
+        !self.observable && matches!(self.repr, Repr::Symbolic(_))
+    }
+
+    /// How many inputs of the kernel it takes.
+    pub fn inputs(&self, program: &Program) -> usize {
+        match &self.repr {
+            Repr::Symbolic(inner) if !self.observable => inner.slots() * 3 * (1 + program.graph_params.len()),
+            repr => repr.slots(),
+        }
+    }
 }
 
 /// `function p(in u, in th) := e;`: an expression with free arguments. Its kernel has the inputs time, every param by
@@ -166,6 +202,25 @@ pub struct SymExpr {
     /// Number, Bool, Vector or Transform, or a tuple of these.
     pub repr: Repr,
     pub span: Span,
+}
+
+impl SymExpr {
+    /// The expressions directly in this one.
+    pub fn operands(&self) -> Vec<&SymExpr> {
+        match &self.kind {
+            SymKind::Number(_)
+            | SymKind::Bool(_)
+            | SymKind::Time
+            | SymKind::Param(_)
+            | SymKind::Capture(_)
+            | SymKind::Argument(_)
+            | SymKind::Shared(_) => Vec::new(),
+            SymKind::Op(_, all) | SymKind::Call(_, all) | SymKind::Brackets(all) => all.iter().collect(),
+            SymKind::If(a, b, c) => vec![a, b, c],
+            SymKind::Derivative(a, _) | SymKind::Element(a, _) => vec![a],
+            SymKind::At(a, _, b) => vec![a, b],
+        }
+    }
 }
 
 #[derive(Clone, Debug)]

@@ -39,21 +39,14 @@ pub struct OutputRequest {
 impl OutputRequest {
     /// The output's value at `time` s, given the value of every observable of the scene.
     pub fn evaluate(&self, time: f64, observed: &[Observed]) -> Observed {
-        let mut inputs = Vec::with_capacity(1 + self.params.len() + self.value.captured.len());
-        inputs.push(time);
-        inputs.extend_from_slice(&self.params);
-        let first = inputs.len();
-        inputs.extend_from_slice(&self.value.captured);
-        let mut place = None;
-        for &at in &self.value.observables {
-            let seen = observed.get(self.value.captured[at] as usize);
-            inputs[first + at] = seen.map_or(f64::NAN, |seen| seen.value);
-            // An output made of one observable keeps that one's place.
-            place = seen.filter(|_| self.value.observables.len() == 1).and_then(|seen| seen.place.clone());
-        }
-        let mut outputs = vec![f64::NAN; self.value.kernel.outputs()];
-        self.value.kernel.eval(&inputs, &mut outputs);
-        Observed { value: outputs[0], place }
+        let seen = |index: usize| observed.get(index).map_or(f64::NAN, |seen| seen.value);
+        // An output made of one observable keeps that one's place.
+        let place = match self.value.observables.as_slice() {
+            [at] => observed.get(self.value.captured[*at] as usize).and_then(|seen| seen.place.clone()),
+            _ => None,
+        };
+        let outputs = self.value.evaluate(time, &self.params, &seen).unwrap_or_default();
+        Observed { value: outputs.first().copied().unwrap_or(f64::NAN), place }
     }
 }
 

@@ -310,12 +310,8 @@ struct FrameMotion {
 impl FrameMotion {
     /// Frame and rate, 12 numbers each.
     fn eval(&self, time: f64) -> Vec<f64> {
-        let mut inputs = Vec::with_capacity(1 + self.params.len() + self.value.captured.len());
-        inputs.push(time);
-        inputs.extend_from_slice(&self.params);
-        inputs.extend_from_slice(&self.value.captured);
-        let mut outputs = vec![f64::NAN; self.value.kernel.outputs().max(24)];
-        self.value.kernel.eval(&inputs, &mut outputs);
+        let mut outputs = self.value.evaluate(time, &self.params, &|_| f64::NAN).unwrap_or_default();
+        outputs.resize(outputs.len().max(24), f64::NAN);
         outputs
     }
 }

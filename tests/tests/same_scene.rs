@@ -59,10 +59,7 @@ fn scene(program: &dyn Program) -> String {
 
 fn symbolic(value: &Arc<SymbolicValue>, params: &[f64]) -> String {
     let values = TIMES.map(|time| {
-        let inputs = [&[time], params, &value.captured[..]].concat();
-        let mut outputs = vec![f64::NAN; value.kernel.outputs()];
-        value.kernel.eval(&inputs, &mut outputs);
-        outputs
+        value.evaluate(time, params, &|index| index as f64).expect("a kernel of these inputs")
     });
     format!("{} {:?} {:?} {:?} {values:?}", value.site, value.repr, value.captured, value.observables)
 }

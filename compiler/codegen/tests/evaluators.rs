@@ -596,6 +596,7 @@ fn params_and_symbolic_values() {
         captures: vec![captured("scale", N), captured("direction", V), captured("mirrored", B)],
         repr: V,
         order: 0,
+        part: false,
         span: Span::default(),
     };
     let symbolic = Repr::Symbolic(Box::new(V));

@@ -12,6 +12,7 @@ use std::fmt;
 
 mod functions;
 mod motion;
+mod parts;
 #[cfg(test)]
 mod tests;
 mod value;
@@ -47,8 +48,10 @@ pub fn lower_sites(program: &Program) -> Result<Vec<Tape>, KernelError> {
 /// The kernel of one site.
 ///
 /// Inputs: time; every param of the program by index (1 or 0 for a truth value; NaN for text, which nothing reads);
-/// the captured values in order (a number, truth value or observable takes one, a vector 3, a transform 12).
-/// Outputs: the value (1, 3 or 12 numbers), then its time derivatives up to [`Site::order`] in the same layout.
+/// the captured values in order (a number, truth value or observable takes one, a vector 3, a transform 12; an
+/// expression all that its own kernel gives).
+/// Outputs: the value (1, 3 or 12 numbers), then its time derivatives up to [`Site::order`] in the same layout; of a
+/// [`Site::part`], then the same of the derivative by each of [`Program::graph_params`].
 pub fn lower_site(program: &Program, site: SiteId) -> Result<Tape, KernelError> {
     match program.sites.get(site.0 as usize) {
         Some(site) => lower(program, site),
@@ -72,21 +75,31 @@ fn outputs<'a>(lowering: &mut Lowering<'a>, site: &'a Site) -> Result<Vec<NodeId
     if site.order > 0 {
         lowering.reject_observables(&value, site.span)?;
     }
-    let graph = &mut lowering.graph;
-    let order = usize::from(site.order);
-    Ok(match &value {
-        Value::Frame(frame) => {
-            let poses = frame.pose_with_derivatives(graph, TIME, order);
-            if poses.len() <= order {
-                return Err(broken("a frame has at most two time derivatives", site.span));
+    let outputs = lowering.rates(&value, site)?;
+    let outputs = lowering.with_params(outputs, site);
+    lowering.reject_beyond(&outputs, site.span)?;
+    Ok(outputs)
+}
+
+impl Lowering<'_> {
+    /// A site's value and its time derivatives.
+    fn rates(&mut self, value: &Value, site: &Site) -> Result<Vec<NodeId>, KernelError> {
+        let graph = &mut self.graph;
+        let order = usize::from(site.order);
+        Ok(match value {
+            Value::Frame(frame) => {
+                let poses = frame.pose_with_derivatives(graph, TIME, order);
+                if poses.len() <= order {
+                    return Err(broken("a frame has at most two time derivatives", site.span));
+                }
+                poses.concat()
             }
-            poses.concat()
-        }
-        value => {
-            let value = value.flat(graph);
-            with_derivatives(graph, &value, order)
-        }
-    })
+            value => {
+                let value = value.flat(graph);
+                with_derivatives(graph, &value, order)
+            }
+        })
+    }
 }
 
 /// A site's expression as a graph, to look at.
@@ -111,7 +124,7 @@ pub fn site_graph(program: &Program, id: SiteId) -> Result<SiteGraph, KernelErro
     let mut inputs = vec!["Time".to_owned()];
     inputs.extend(program.params.iter().map(|param| param.name.clone()));
     for capture in &site.captures {
-        let slots = if capture.observable { 1 } else { capture.repr.slots() };
+        let slots = capture.inputs(program);
         let part = |at| if slots == 1 { capture.name.clone() } else { format!("{}.{at}", capture.name) };
         inputs.extend((0..slots).map(part));
     }
@@ -166,6 +179,8 @@ struct Lowering<'a> {
     functions: HashMap<SymbolicFunctionId, Free>,
     /// Vectors that came out of frames.
     motions: HashMap<Vector3, Motion>,
+    /// Inputs that stand for captured expressions.
+    parts: Vec<std::ops::Range<u32>>,
     /// The next symbol that is no input: an argument of a symbolic function, replaced where it is called.
     next_symbol: u32,
     level: usize,
@@ -177,8 +192,7 @@ impl<'a> Lowering<'a> {
         let mut captures = Vec::with_capacity(site_captures.len());
         for capture in site_captures {
             captures.push(inputs as u32);
-            // An observable is replaced by its value, one number, at each step.
-            inputs += if capture.observable { 1 } else { capture.repr.slots() };
+            inputs += capture.inputs(program);
         }
         Lowering {
             graph: Graph::new(),
@@ -190,6 +204,7 @@ impl<'a> Lowering<'a> {
             scopes: Vec::new(),
             functions: HashMap::new(),
             motions: HashMap::new(),
+            parts: Vec::new(),
             next_symbol: inputs as u32,
             level: 0,
         }
@@ -259,6 +274,7 @@ impl<'a> Lowering<'a> {
             SymKind::At(inner, symbol, replacement) => {
                 let (value, replacement) = (self.value(inner)?, self.number(replacement)?);
                 let symbol = self.symbol(*symbol, expr.span)?;
+                self.reject_parts_at(&value, symbol, inner.span)?;
                 value.substituted(&mut self.graph, &[(symbol, replacement)])
             }
         })
@@ -311,6 +327,7 @@ impl<'a> Lowering<'a> {
         match capture.repr {
             Repr::Number | Repr::Bool => Ok(Value::Number(self.graph.symbol(first))),
             Repr::Vector => Ok(Value::Vector([0, 1, 2].map(|i| self.graph.symbol(first + i)))),
+            Repr::Symbolic(ref inner) => self.part(inner, first, span),
             Repr::Transform => {
                 let pose: Pose = std::array::from_fn(|i| self.graph.symbol(first + i as u32));
                 Ok(Value::Frame(Frame::from_pose(pose)))

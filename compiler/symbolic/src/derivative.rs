@@ -22,6 +22,9 @@ impl Graph {
         if let Some(&known) = self.total_derivatives.get(&(root, symbol)) {
             return known;
         }
+        if self.moving.contains(&symbol) {
+            return self.derivative_of_moving(root, symbol);
+        }
         let variable = self.symbol(symbol);
         let waypoints = self.waypoints(root, variable);
         // From the symbol upwards, each with the derivative of what it leads to.
@@ -40,6 +43,40 @@ impl Graph {
         let result = result.unwrap_or_else(|| self.constant(0.0));
         self.total_derivatives.insert((root, symbol), result);
         result
+    }
+
+    /// Declares that a symbol depends on another one: its derivative by it.
+    pub fn set_rate(&mut self, symbol: u32, by: u32, rate: NodeId) {
+        if self.rates.insert((symbol, by), rate) == Some(rate) {
+            return;
+        }
+        self.moving.insert(by);
+        self.total_derivatives.retain(|(_, known), _| *known != by);
+    }
+
+    /// The derivative by a symbol on which others depend.
+    fn derivative_of_moving(&mut self, root: NodeId, symbol: u32) -> NodeId {
+        let zero = self.constant(0.0);
+        let order = self.reachable(&[root], |id| !self.total_derivatives.contains_key(&(id, symbol)));
+        let origin = self.set_origin(0);
+        for id in order {
+            let known = &self.total_derivatives;
+            let of = |operand: NodeId| known.get(&(operand, symbol)).copied().unwrap_or(zero);
+            let node = self.node(id);
+            let [a, b, c] = node.operands().map(|operand| operand.map_or(zero, of));
+            self.set_origin(self.origin(id));
+            let derivative = match node {
+                Node::Constant(_) => zero,
+                Node::Symbol(index) if index == symbol => self.constant(1.0),
+                Node::Symbol(index) => self.rates.get(&(index, symbol)).copied().unwrap_or(zero),
+                Node::Unary(operation, x) => self.unary_derivative(operation, id, x, a),
+                Node::Binary(operation, x, y) => self.binary_derivative(operation, id, (x, a), (y, b)),
+                Node::Select(condition, ..) => self.select(condition, b, c),
+            };
+            self.total_derivatives.insert((id, symbol), derivative);
+        }
+        self.set_origin(origin);
+        self.total_derivatives.get(&(root, symbol)).copied().unwrap_or(zero)
     }
 
     /// The derivative by a node that is taken for independent of everything else.

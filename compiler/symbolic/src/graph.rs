@@ -5,7 +5,7 @@
 //! ids are a topological order, and every pass over the graph is a loop: no recursion, however deep a chain.
 
 use crate::tape::{Instruction, ValueId};
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 /// One expression of a [`Graph`]. Ids of different graphs must not be mixed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -189,6 +189,10 @@ pub struct Graph {
     pub(crate) derivatives: HashMap<NodeId, Vec<Option<NodeId>>>,
     /// Derivatives by symbols that have been asked for.
     pub(crate) total_derivatives: HashMap<(NodeId, u32), NodeId>,
+    /// Symbols that are not independent: the derivative of the first by the second.
+    pub(crate) rates: HashMap<(u32, u32), NodeId>,
+    /// Symbols by which another one has a rate.
+    pub(crate) moving: HashSet<u32>,
 }
 
 impl Graph {

@@ -69,7 +69,15 @@ impl<'a> Checker<'a> {
                     }
                     "Symbolic" if symbolic => Type::Symbolic(Box::new(self.annotation(argument, false))),
                     "Symbolic" => {
-                        self.not_yet("symbolic values in user functions are", annotation.span);
+                        self.report(
+                            Diagnostic::error(
+                                "E0503",
+                                "an expression is handed over with `:=`",
+                                annotation.span,
+                                "declared as a value",
+                            )
+                            .help("write `in name: Symbolic(...) :=`"),
+                        );
                         Type::Error
                     }
                     other => self.unknown_type(other, name.span),

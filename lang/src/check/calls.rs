@@ -328,9 +328,14 @@ impl<'a> Checker<'a> {
             Some(owner) => format!("{owner}.{}", parameter.name),
             None => parameter.name.clone(),
         };
+        self.made_symbolic(&name, value, ty.clone())
+    }
+
+    /// A checked expression handed on as a value of type `ty`.
+    fn made_symbolic(&mut self, name: &str, value: Expr, ty: Type) -> Expr {
         let span = value.span;
-        let def = self.make_def(&name, value, span);
-        Expr { kind: Kind::MakeSymbolic(def), ty: ty.clone(), span }
+        let def = self.make_def(name, value, span);
+        Expr { kind: Kind::MakeSymbolic(def), ty, span }
     }
 
     fn user_call(
@@ -369,9 +374,28 @@ impl<'a> Checker<'a> {
             decl.parameters.iter().zip(given).zip(&types).zip(variables)
         {
             let value = match (parameter.mode, argument) {
-                (Mode::In, Some(argument)) => self.value_argument(ty, &parameter.name, argument),
+                (Mode::In, Some(argument)) => match self.store.shallow(ty) {
+                    Type::Symbolic(inner) => {
+                        let value = self.symbolic_argument(&inner, &parameter.name, ty, argument, arguments);
+                        self.hand_over(variable, &value);
+                        value
+                    }
+                    _ => self.value_argument(ty, &parameter.name, argument),
+                },
                 (Mode::In, None) if fields.contains_key(&parameter.name.name) => {
                     self.field_argument(ty, &parameter.name, &mut fields, span)
+                }
+                (Mode::In, None) if matches!(self.store.shallow(ty), Type::Symbolic(_)) => {
+                    match (&parameter.default, self.store.shallow(ty)) {
+                        (Some((_, Some(default))), Type::Symbolic(inner)) => {
+                            let value = self.in_file(file, |c| c.as_symbolic(|c| c.whole(default)));
+                            self.expect(&inner, &value, "the default", None);
+                            let value = self.made_symbolic(&parameter.name.name, value, ty.clone());
+                            self.hand_over(variable, &value);
+                            value
+                        }
+                        _ => Expr::error(span),
+                    }
                 }
                 (Mode::In, None) => match &parameter.default {
                     Some((_, Some(default))) => self.in_file(file, |c| {

@@ -3,6 +3,7 @@
 //! Flow-insensitive, so it may refuse a derivative that would have been right, and never lets a wrong one pass.
 //! A branch taken because of a param does not count: params are not differentiable there.
 
+use super::graphs::Graphs;
 use super::tree::{Def, DefId, Expr, FuncId, Kind, Sym, VarId};
 use crate::span::Span;
 use std::collections::{BTreeSet, HashMap, HashSet};
@@ -29,6 +30,11 @@ impl Dependence {
     /// A variable is given a value.
     pub fn variable(&mut self, id: VarId, value: &Expr) {
         self.add(Node::Variable(id), value);
+    }
+
+    /// A name that holds an expression is bound to one.
+    pub fn variable_on_definition(&mut self, id: VarId, def: DefId) {
+        self.edges.entry(Node::Variable(id)).or_default().insert(Node::Definition(def));
     }
 
     pub fn variable_on_function(&mut self, id: VarId, function: FuncId) {
@@ -77,7 +83,7 @@ impl Dependence {
     }
 
     /// Derivatives that would miss something: the param, the captured variable that hides it, the place.
-    pub fn blind_derivatives(&self) -> Vec<(u32, VarId, Span)> {
+    pub fn blind_derivatives(&self, defs: &[Def], graphs: &Graphs) -> Vec<(u32, VarId, Span)> {
         let hides = |param: u32, id: VarId| {
             let (mut seen, mut stack) = (HashSet::new(), vec![Node::Variable(id)]);
             while let Some(node) = stack.pop() {
@@ -93,16 +99,37 @@ impl Dependence {
         self.derivatives
             .iter()
             .filter_map(|(param, captured, span)| {
-                let id = captured.iter().copied().find(|id| hides(*param, *id))?;
+                let captured = through_graphs(captured, defs, graphs);
+                let id = captured.into_iter().find(|id| hides(*param, *id))?;
                 Some((*param, id, *span))
             })
             .collect()
     }
 }
 
+/// Values captured by an expression, those of the expressions it captured included.
+fn through_graphs(captured: &BTreeSet<VarId>, defs: &[Def], graphs: &Graphs) -> BTreeSet<VarId> {
+    let (mut values, mut seen, mut met) = (BTreeSet::new(), HashSet::new(), HashSet::new());
+    let mut pending: Vec<VarId> = captured.iter().copied().collect();
+    while let Some(id) = pending.pop() {
+        let Some(name) = graphs.captured.get(&id) else {
+            values.insert(id);
+            continue;
+        };
+        if met.insert(*name) {
+            let mut found = BTreeSet::new();
+            for def in graphs.bound.get(name).into_iter().flatten() {
+                captured_in(&defs[def.0 as usize].expr, defs, &mut found, &mut seen);
+            }
+            pending.extend(found);
+        }
+    }
+    values
+}
+
 fn sources(e: &Expr, found: &mut BTreeSet<Node>) {
     match &e.kind {
-        Kind::Var(id) => {
+        Kind::Var(id) | Kind::Chosen(id) => {
             found.insert(Node::Variable(*id));
         }
         Kind::Param(id) => {

@@ -50,6 +50,8 @@ pub struct Checker<'a> {
     pub(super) signatures: HashMap<FuncId, Signature>,
     pub(super) pending: Vec<Constraint>,
     pub(super) reaching: HashMap<VarId, Reaching>,
+    /// Symbolic names whose expression is chosen at run time, and what every symbolic name is bound to.
+    pub(super) graphs: super::graphs::Graphs,
     /// Symbolic names that are bound in more than one place.
     pub(super) rebound: HashSet<VarId>,
     /// Definitions of outputs, which may be named in later expressions.
@@ -96,6 +98,7 @@ impl<'a> Checker<'a> {
             signatures: HashMap::new(),
             pending: Vec::new(),
             reaching: HashMap::new(),
+            graphs: Default::default(),
             rebound: HashSet::new(),
             output_defs: HashMap::new(),
             symbolic: false,
@@ -123,6 +126,7 @@ impl<'a> Checker<'a> {
         self.unsettled = self.store.has_open_literals();
         self.declare_params();
         self.find_rebound(&model.tree.statements);
+        self.find_foreign(&model.tree.statements);
         let body = self.statements(&model.tree.statements);
         let span = Span::new(FileId(0), 0, model.text.len());
         self.functions.insert(
@@ -144,6 +148,7 @@ impl<'a> Checker<'a> {
         self.finish_constraints();
         self.finish_params();
         self.finish_definitions();
+        self.finish_graphs();
         self.check_domains();
     }
 
@@ -320,8 +325,10 @@ impl<'a> Checker<'a> {
         let mut parameters = Vec::new();
         for (parameter, variable) in decl.parameters.iter().zip(variables) {
             let ty = self.variable_type(variable);
+            let symbolic = self.variable(variable).kind == VarKind::Symbolic;
+            let ty = if symbolic { Type::Symbolic(Box::new(ty)) } else { ty };
             if let Some(annotation) = &parameter.annotation {
-                let annotated = self.annotation(annotation, false);
+                let annotated = self.annotation(annotation, symbolic);
                 // A fresh unknown takes any type.
                 let _ = self.store.unify(&ty, &annotated);
             }
@@ -352,8 +359,13 @@ impl<'a> Checker<'a> {
                     let ty = self.variable_type(variable);
                     self.parameter_default(&ty, &parameter.name, default);
                 }
-                Some((ast::Bind::Symbolic, _)) => {
-                    self.not_yet("symbolic parameters are", parameter.name.span)
+                Some((ast::Bind::Symbolic, default)) if self.variable(variable).kind == VarKind::Symbolic => {
+                    self.symbolic_parameter(variable);
+                    if let Some(default) = default {
+                        let ty = self.variable_type(variable);
+                        let value = self.as_symbolic(|c| c.whole(default));
+                        self.expect(&ty, &value, "the default", None);
+                    }
                 }
                 _ => {}
             }
@@ -365,6 +377,7 @@ impl<'a> Checker<'a> {
             ast::FunctionBody::Statement(statement) => match &statement.kind {
                 ast::StmtKind::Block(statements) => {
                     self.find_rebound(statements);
+                    self.find_foreign(statements);
                     body = self.statements(statements);
                 }
                 _ => body.push(self.statement(statement)),

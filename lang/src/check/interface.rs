@@ -230,13 +230,20 @@ impl Interface {
                 on_time,
                 observes: false,
                 closed: true,
+                chosen: Default::default(),
+                part: false,
                 span: place,
             });
             let def = DefId(checker.defs.len() as u32 - 1);
             SymbolicBody { def, exported: false, doc: String::new() }
         });
         for ((variable, _), ty) in variables.iter().zip(&parameters) {
-            checker.variable_types.insert(*variable, ty.clone());
+            // A symbolic parameter is a name for what it holds.
+            let held = match ty {
+                Type::Symbolic(inner) => (**inner).clone(),
+                ty => ty.clone(),
+            };
+            checker.variable_types.insert(*variable, held);
             // What it does with its arguments is not seen here.
             checker.dependence.function_on_variable(id, *variable);
             checker.dependence.thrown_variable(*variable);

@@ -20,6 +20,7 @@ mod errors;
 pub(crate) mod excerpt;
 mod expr;
 mod flow;
+mod graphs;
 mod infer;
 pub(crate) mod interface;
 pub(crate) mod item;

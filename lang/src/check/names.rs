@@ -499,7 +499,12 @@ impl<'a> Resolver<'a> {
         let around = std::mem::replace(&mut self.function, id);
         self.scoped(|r| {
             for parameter in &decl.parameters {
-                let variable = r.variable(&parameter.name, VarKind::Parameter(parameter.mode));
+                let symbolic = matches!(parameter.default, Some((Bind::Symbolic, _)))
+                    && matches!(decl.body, FunctionBody::Statement(_));
+                let kind = if symbolic { VarKind::Symbolic } else { VarKind::Parameter(parameter.mode) };
+                let variable = r.variable(&parameter.name, kind);
+                // A parameter need not be used.
+                r.names.variables[variable.0 as usize].reads = 1;
                 r.names.functions[id.0 as usize].parameters.push(variable);
             }
             match &decl.body {

@@ -226,9 +226,6 @@ impl<'a> Checker<'a> {
         {
             let variable = self.variable(id).clone();
             if variable.kind == VarKind::Symbolic {
-                if variable.owner != self.function {
-                    self.not_yet("binding a `:=` name of another function is", place.span);
-                }
                 return self.bind(id, value);
             }
             self.report(

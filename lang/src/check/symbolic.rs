@@ -25,6 +25,7 @@ struct Builder {
     on_time: bool,
     observes: bool,
     closed: bool,
+    chosen: BTreeSet<VarId>,
 }
 
 impl<'a> Checker<'a> {
@@ -41,32 +42,26 @@ impl<'a> Checker<'a> {
             (variable.name.clone(), variable.span, variable.owner)
         };
         let reaching = match self.reaching.get(&id) {
-            Some(Reaching::Several) => None,
-            Some(_) if owner != self.function && self.rebound.contains(&id) => None,
+            Some(_) if self.graphs.foreign.contains(&id) => Some(Reaching::Several),
+            Some(_) if owner != self.function && self.rebound.contains(&id) => Some(Reaching::Several),
             other => other.copied(),
         };
-        let Some(Reaching::One(def)) = reaching else {
-            let diagnostic = if self.reaching.contains_key(&id) {
-                Diagnostic::error(
-                    "E0504",
-                    format!("`{name}` may have one of several expressions here"),
-                    span,
-                    "which one depends on the way the program took",
-                )
-                .label(declared, "declared here")
-                .help("bind each expression to a name of its own; expressions chosen at run time are not available yet")
-            } else {
-                Diagnostic::error(
-                    "E0504",
-                    format!("`{name}` has no expression yet"),
-                    span,
-                    "used before its binding",
-                )
-                .label(declared, "bound here")
-                .help("move the binding before this use")
-            };
-            self.report(diagnostic);
-            return Expr { kind: Kind::Error, ty: self.variable_type(id), span };
+        let def = match reaching {
+            Some(Reaching::One(def)) => def,
+            Some(Reaching::Several) => return self.chosen_name(id, span),
+            None => {
+                self.report(
+                    Diagnostic::error(
+                        "E0504",
+                        format!("`{name}` has no expression yet"),
+                        span,
+                        "used before its binding",
+                    )
+                    .label(declared, "bound here")
+                    .help("move the binding before this use"),
+                );
+                return Expr { kind: Kind::Error, ty: self.variable_type(id), span };
+            }
         };
         self.use_def(def, span)
     }
@@ -101,6 +96,8 @@ impl<'a> Checker<'a> {
                 .help(format!("bind with `:=` to keep `Time`, or say when: `{name} at Time = 0.1 s`"))
             };
             self.report(diagnostic);
+        } else {
+            self.evaluated_later(def, &name, span);
         }
         Expr { kind: Kind::Eval(def, None), ty, span }
     }
@@ -229,7 +226,9 @@ impl<'a> Checker<'a> {
         let def = self.make_def(&name, e, value.span);
         self.defs[def.0 as usize].stored = true;
         self.reaching.insert(id, Reaching::One(def));
-        StmtKind::Bind(def)
+        self.graphs.bound.entry(id).or_default().push(def);
+        self.dependence.variable_on_definition(id, def);
+        StmtKind::Bind(id, def)
     }
 
     /// Splits a checked symbolic expression into its symbolic part and its captures.
@@ -247,6 +246,7 @@ impl<'a> Checker<'a> {
             on_time: false,
             observes: false,
             closed: true,
+            chosen: BTreeSet::new(),
         };
         let expr = self.split(e, &mut builder);
         let id = DefId(self.defs.len() as u32);
@@ -261,6 +261,8 @@ impl<'a> Checker<'a> {
             on_time: builder.on_time,
             observes: builder.observes,
             closed: builder.closed,
+            chosen: builder.chosen,
+            part: false,
             stored: false,
             span,
         });
@@ -286,6 +288,7 @@ impl<'a> Checker<'a> {
                 to.on_time |= found.on_time;
                 to.observes |= found.observes;
                 to.closed &= found.closed;
+                to.chosen.extend(&found.chosen);
                 if to.function.is_some() && !found.closed {
                     let diagnostic = self.outside_argument(&found.name, span).label(
                         found.span,
@@ -332,10 +335,10 @@ impl<'a> Checker<'a> {
             }
             Kind::Gradient(inner, by) => Kind::Gradient(self.differentiated(inner, &by, to, span), by),
             Kind::At(inner, sym, at) => {
-                let on_time = to.on_time;
+                let (on_time, chosen) = (to.on_time, to.chosen.clone());
                 let inner = self.split_box(inner, to);
                 if sym == Sym::Time {
-                    to.on_time = on_time;
+                    (to.on_time, to.chosen) = (on_time, chosen);
                 }
                 Kind::At(inner, sym, self.split_box(at, to))
             }
@@ -382,22 +385,32 @@ impl<'a> Checker<'a> {
             self.report_capture_in_function(&value);
             return Expr { kind: Kind::Error, ty, span };
         }
-        if let Kind::Var(id) = value.kind
+        if let Kind::Chosen(id) = value.kind {
+            to.chosen.insert(id);
+        }
+        if let Kind::Var(id) | Kind::Chosen(id) = value.kind
             && let Some(&hidden) = to.known.get(&id)
         {
             return Expr { kind: Kind::Var(hidden), ty, span };
         }
         let name = match value.kind {
-            Kind::Var(id) => self.variable(id).name.clone(),
+            Kind::Var(id) | Kind::Chosen(id) => self.variable(id).name.clone(),
             // As it is written, where that is short: it names the captured value in results and messages.
             _ => match self.text(span) {
                 text if text.len() <= 40 && !text.is_empty() && !text.contains('\n') => text.to_string(),
                 _ => to.name.clone(),
             },
         };
-        let hidden = self.hidden_variable(&name, span, ty.clone());
-        if let Kind::Var(id) = value.kind {
+        let held = match value.kind {
+            Kind::Chosen(_) => Type::Symbolic(Box::new(ty.clone())),
+            _ => ty.clone(),
+        };
+        let hidden = self.hidden_variable(&name, span, held);
+        if let Kind::Var(id) | Kind::Chosen(id) = value.kind {
             to.known.insert(id, hidden);
+        }
+        if let Kind::Chosen(id) = value.kind {
+            self.graphs.captured.insert(hidden, id);
         }
         to.captures.push((hidden, value));
         Expr { kind: Kind::Var(hidden), ty, span }
@@ -421,7 +434,7 @@ impl<'a> Checker<'a> {
                 );
             }
         }
-        for (param, hidden, span) in self.dependence.blind_derivatives() {
+        for (param, hidden, span) in self.dependence.blind_derivatives(&self.defs, &self.graphs) {
             let name = self.params.get(param as usize).map(|p| p.name.clone()).unwrap_or_default();
             let captured = self.variable(hidden).clone();
             self.report(
@@ -447,7 +460,7 @@ impl<'a> Checker<'a> {
     }
 
     /// The `:=` names assigned in a statement (declarations apart).
-    fn bound_in(&self, statement: &ast::Stmt, bound: &mut BTreeSet<VarId>) {
+    pub(super) fn bound_in(&self, statement: &ast::Stmt, bound: &mut BTreeSet<VarId>) {
         use ast::StmtKind::*;
         match &statement.kind {
             Assign { place, bind: Bind::Symbolic, .. } => {

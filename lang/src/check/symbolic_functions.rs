@@ -166,7 +166,7 @@ impl<'a> Checker<'a> {
     pub(super) fn report_capture_in_function(&mut self, value: &Expr) {
         let diagnostic = match &value.kind {
             Kind::Error => return,
-            Kind::Var(id) => {
+            Kind::Var(id) | Kind::Chosen(id) => {
                 let variable = self.variable(*id);
                 self.outside_argument(&variable.name, value.span).label(variable.span, "declared here")
             }

@@ -9,6 +9,7 @@ use crate::ast::{BinaryOp, Mode, UnaryOp};
 use crate::ir::{DisplayUnit, Op};
 use crate::span::Span;
 use crate::units::UnitSystem;
+use std::collections::BTreeSet;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct VarId(pub u32);
@@ -55,6 +56,8 @@ pub enum Kind {
     Time,
     /// A `:=` expression in a symbolic one: fused.
     Def(DefId),
+    /// The expression that a `:=` name chosen at run time, or a symbolic parameter, has now.
+    Chosen(VarId),
     /// A `:=` expression handed on as a value.
     MakeSymbolic(DefId),
     /// The value of a `:=` expression at a time (0 where it does not depend on time).
@@ -161,8 +164,8 @@ pub enum StmtKind {
     /// Nothing to do (a declaration, or something already reported).
     Nothing,
     Assign(Place, Expr),
-    /// A `:=` executes: its captures are stored.
-    Bind(DefId),
+    /// A `:=` executes: its captures are stored, and the expression itself if the name is chosen at run time.
+    Bind(VarId, DefId),
     Eval(Expr),
     Push(Place, Expr),
     /// An output, by index, is handed to the engine.
@@ -211,6 +214,10 @@ pub struct Def {
     pub observes: bool,
     /// Captures nothing, neither directly nor through other definitions.
     pub closed: bool,
+    /// Names chosen at run time that it depends on, directly or through other definitions, at the time asked for.
+    pub chosen: BTreeSet<VarId>,
+    /// Handed on as a value that other expressions may capture.
+    pub part: bool,
     pub span: Span,
 }
 
@@ -320,6 +327,7 @@ impl Expr {
             | Kind::Param(_)
             | Kind::Time
             | Kind::Def(_)
+            | Kind::Chosen(_)
             | Kind::MakeSymbolic(_) => Vec::new(),
             Kind::Eval(_, time) => time.iter().map(|e| &**e).collect(),
             Kind::Observe(a)

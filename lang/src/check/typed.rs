@@ -9,7 +9,7 @@ use super::types::{Store, Substitution, Type};
 use crate::ast::{FunctionBody, Ident};
 use crate::ir::ExternDecl;
 use calyx_abi::{Purity, Repr};
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 use std::sync::Arc;
 
 /// Typed functions and the tables their bodies refer to. Clones share them.
@@ -22,6 +22,8 @@ pub struct Typed {
     pub outputs: Arc<Vec<Output>>,
     pub externs: Arc<Vec<ExternDecl>>,
     pub store: Arc<Store>,
+    /// Symbolic names that hold their expression at run time.
+    pub chosen: Arc<BTreeSet<VarId>>,
     variables: Arc<Vec<Variable>>,
     variable_types: Arc<HashMap<VarId, Type>>,
 }
@@ -81,6 +83,7 @@ impl Checker<'_> {
             params: Arc::new(self.params),
             outputs: Arc::new(self.outputs),
             store: Arc::new(self.store),
+            chosen: Arc::new(self.graphs.chosen),
             variables: Arc::new(self.names.variables),
             variable_types: Arc::new(self.variable_types),
         }

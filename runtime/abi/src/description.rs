@@ -107,6 +107,8 @@ pub struct KernelDescription {
     pub repr: Repr,
     /// Highest time derivative computed beside the value.
     pub order: u8,
+    pub inputs: usize,
+    pub outputs: usize,
     pub captures: Vec<CaptureDescription>,
 }
 

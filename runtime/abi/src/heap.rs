@@ -5,6 +5,7 @@
 
 use crate::call::{Repr, Slot};
 use crate::error::{Call, RuntimeError};
+use std::collections::HashMap;
 use std::sync::Arc;
 
 /// Index into the [`Heap`].
@@ -16,7 +17,8 @@ pub trait Kernel: Send + Sync {
     fn eval(&self, inputs: &[f64], outputs: &mut [f64]);
     /// Number of inputs.
     fn inputs(&self) -> usize;
-    /// Number of outputs: values, then first time derivatives, then second time derivatives.
+    /// Number of outputs: values, then first time derivatives, then second time derivatives; where other kernels
+    /// take them as inputs, the same again of the derivative by each param that expressions are differentiated by.
     /// Per derivative order 1 for a number, 3 for a vector, 12 for a transform (rotation row by row, translation).
     fn outputs(&self) -> usize;
 }
@@ -34,6 +36,75 @@ pub struct SymbolicValue {
     pub captured: Vec<f64>,
     /// Positions in `captured` that hold indices of observables.
     pub observables: Vec<usize>,
+    /// Expressions captured, by the position in `captured` that stands for them. The kernel takes all that the kernel
+    /// of the expression gives.
+    pub parts: Vec<(usize, Arc<SymbolicValue>)>,
+    /// Expressions inside one another, this one included.
+    depth: usize,
+}
+
+impl SymbolicValue {
+    pub fn new(
+        site: usize,
+        repr: Repr,
+        kernel: Arc<dyn Kernel>,
+        captured: Vec<f64>,
+        observables: Vec<usize>,
+        parts: Vec<(usize, Arc<SymbolicValue>)>,
+    ) -> Self {
+        let depth = 1 + parts.iter().map(|(_, part)| part.depth).max().unwrap_or(0);
+        SymbolicValue { site, repr, kernel, captured, observables, parts, depth }
+    }
+
+    /// Expressions captured inside one another, this one included.
+    pub fn depth(&self) -> usize {
+        self.depth
+    }
+
+    /// What its kernel gives. `observed` is the value of an observable by index. `None` if the kernel takes other
+    /// inputs than these.
+    pub fn evaluate(&self, time: f64, params: &[f64], observed: &dyn Fn(usize) -> f64) -> Option<Vec<f64>> {
+        let inputs = self.inputs(time, params, observed)?;
+        Some(self.outputs(&inputs))
+    }
+
+    /// The kernel's inputs: time, params, then what was captured, an expression by what its own kernel gives.
+    pub fn inputs(&self, time: f64, params: &[f64], observed: &dyn Fn(usize) -> f64) -> Option<Vec<f64>> {
+        self.inputs_with(time, params, observed, &mut HashMap::new())
+    }
+
+    fn inputs_with(
+        &self,
+        time: f64,
+        params: &[f64],
+        observed: &dyn Fn(usize) -> f64,
+        known: &mut HashMap<*const SymbolicValue, Vec<f64>>,
+    ) -> Option<Vec<f64>> {
+        let mut inputs = Vec::with_capacity(self.kernel.inputs());
+        inputs.push(time);
+        inputs.extend_from_slice(params);
+        for (position, &captured) in self.captured.iter().enumerate() {
+            if let Some((_, part)) = self.parts.iter().find(|(at, _)| *at == position) {
+                // One that several others captured is evaluated once.
+                if !known.contains_key(&Arc::as_ptr(part)) {
+                    let below = part.inputs_with(time, params, observed, known)?;
+                    known.insert(Arc::as_ptr(part), part.outputs(&below));
+                }
+                inputs.extend(known.get(&Arc::as_ptr(part))?);
+            } else if self.observables.contains(&position) {
+                inputs.push(observed(captured as usize));
+            } else {
+                inputs.push(captured);
+            }
+        }
+        (inputs.len() == self.kernel.inputs()).then_some(inputs)
+    }
+
+    fn outputs(&self, inputs: &[f64]) -> Vec<f64> {
+        let mut outputs = vec![f64::NAN; self.kernel.outputs()];
+        self.kernel.eval(inputs, &mut outputs);
+        outputs
+    }
 }
 
 /// A heap object.

@@ -211,6 +211,8 @@ pub enum CaptureKind {
     Bool = 1,
     /// Index of an observable.
     Observable = 2,
+    /// Heap id of a symbolic value.
+    Part = 3,
 }
 
 impl CaptureKind {
@@ -218,12 +220,16 @@ impl CaptureKind {
     pub fn of_slots(repr: &Repr, observable: bool) -> impl Iterator<Item = CaptureKind> {
         let kind = match repr {
             _ if observable => CaptureKind::Observable,
+            Repr::Symbolic(_) => CaptureKind::Part,
             Repr::Bool => CaptureKind::Bool,
             _ => CaptureKind::Number,
         };
         std::iter::repeat_n(kind, repr.slots())
     }
 }
+
+/// Expressions captured inside one another.
+const MOST_PARTS: usize = 1000;
 
 /// Executes a `:=`: a symbolic value of the site with the captured slots. `kinds` holds [`CaptureKind`]s as bytes.
 ///
@@ -243,7 +249,19 @@ pub fn make_symbolic(
     });
     let captured = captured.collect();
     let observables = (0..slots.len()).filter(|&index| is(index, CaptureKind::Observable)).collect();
-    let value = SymbolicValue { site, repr, kernel, captured, observables };
+    let mut parts = Vec::new();
+    for index in (0..slots.len()).filter(|&index| is(index, CaptureKind::Part)) {
+        let part = ctx.heap.symbolic(slots[index]).ok_or_else(|| malformed("not a symbolic value"))?;
+        parts.push((index, part));
+    }
+    let value = SymbolicValue::new(site, repr, kernel, captured, observables, parts);
+    if value.depth() > MOST_PARTS {
+        return Err(RuntimeError::new(
+            codes::DEPTH,
+            format!("an expression is built of more than {MOST_PARTS} others one inside another"),
+            "look for a loop that binds a `:=` name again without end",
+        ));
+    }
     Ok(ctx.heap.insert(Object::Symbolic(Arc::new(value))))
 }
 
@@ -267,15 +285,8 @@ pub fn eval_symbolic(
             "make it an `output`, which is evaluated at every step",
         ));
     }
-    let mut inputs = Vec::with_capacity(1 + ctx.params.len() + value.captured.len());
-    inputs.push(time);
-    inputs.extend_from_slice(&ctx.params);
-    inputs.extend_from_slice(&value.captured);
-    let mut outputs = vec![0.0; value.kernel.outputs()];
-    if inputs.len() != value.kernel.inputs() {
-        return Err(malformed("a kernel of another size"));
-    }
-    value.kernel.eval(&inputs, &mut outputs);
+    let outputs = value.evaluate(time, &ctx.params, &|_| f64::NAN);
+    let outputs = outputs.ok_or_else(|| malformed("a kernel of another size"))?;
     let mut slots = Vec::with_capacity(result.len());
     pack(ctx, &value.repr, repr, &mut outputs.into_iter(), &mut slots)?;
     if slots.len() != result.len() {

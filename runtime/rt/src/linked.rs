@@ -102,16 +102,14 @@ impl Program for LinkedProgram {
     }
 
     fn kernels(&self) -> Vec<Arc<dyn Kernel>> {
-        let inputs = 1 + self.description.params.len();
         let kernels = self.description.kernels.iter().enumerate();
         kernels
             .map(|(index, kernel)| {
-                let captured: usize = kernel.captures.iter().map(|capture| capture.repr.slots()).sum();
                 Arc::new(LinkedKernel {
                     // SAFETY: the table has one function per described kernel.
                     function: unsafe { *self.module.kernels.add(index) },
-                    inputs: inputs + captured,
-                    outputs: kernel.repr.slots() * (1 + usize::from(kernel.order)),
+                    inputs: kernel.inputs,
+                    outputs: kernel.outputs,
                 }) as Arc<dyn Kernel>
             })
             .collect()

@@ -82,8 +82,16 @@ fn program(expr: SymExpr, captures: Vec<(Repr, bool)>, order: u8) -> Program {
         .map(|(repr, observable)| Capture { name: "captured".into(), repr, observable })
         .collect();
     let repr = expr.repr.clone();
-    let site =
-        Site { name: "site".into(), shared: Vec::new(), expr, captures, repr, order, span: Span::default() };
+    let site = Site {
+        name: "site".into(),
+        shared: Vec::new(),
+        expr,
+        captures,
+        repr,
+        order,
+        part: false,
+        span: Span::default(),
+    };
     Program { params: vec![param.clone(), param], sites: vec![site], ..Program::default() }
 }
 

@@ -181,6 +181,7 @@ impl<'l, 'c> Body<'l, 'c> {
         }
         let checker = self.lowering.checker;
         let repr = self.repr(&checker.type_of(id));
+        let repr = if checker.chosen.contains(&id) { Repr::Symbolic(Box::new(repr)) } else { repr };
         self.locals.push(Local { name: checker.variable(id).name.clone(), repr });
         let local = LocalId(self.locals.len() as u32 - 1);
         self.by_variable.insert(id, local);
@@ -333,7 +334,15 @@ impl<'l, 'c> Body<'l, 'c> {
                     }
                 }
             }
-            StmtKind::Bind(def) => self.bind(*def),
+            StmtKind::Bind(name, def) => {
+                self.bind(*def);
+                if self.lowering.checker.chosen.contains(name) {
+                    let value = self.symbolic_value(*def, true, span);
+                    let local = self.local(*name);
+                    let place = ir::Place { local, steps: Vec::new(), repr: self.local_repr(local) };
+                    self.push(Statement::Assign { place, value, span });
+                }
+            }
             StmtKind::Eval(value) => {
                 let done = match &value.kind {
                     Kind::Call(call) => self.call_statement(call, None, value.span),

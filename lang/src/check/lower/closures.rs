@@ -4,7 +4,7 @@
 //! where nobody below it assigns them, else `inout`.
 
 use crate::check::tree::{Def, DefId, Expr, FuncId, Function, Kind, StmtKind, VarId};
-use std::collections::{BTreeMap, HashMap, HashSet};
+use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 
 /// Outer variables of a function and whether it assigns them.
 pub type Closure = BTreeMap<VarId, bool>;
@@ -13,6 +13,7 @@ pub type Closure = BTreeMap<VarId, bool>;
 pub fn closures(
     functions: &HashMap<FuncId, Function>,
     defs: &[Def],
+    chosen: &BTreeSet<VarId>,
     owner: &dyn Fn(VarId) -> FuncId,
 ) -> HashMap<FuncId, Closure> {
     let mut closures: HashMap<FuncId, Closure> = HashMap::new();
@@ -25,7 +26,13 @@ pub fn closures(
                     StmtKind::Assign(place, _) | StmtKind::Push(place, _) => {
                         walk.used.insert(place.variable, true);
                     }
-                    StmtKind::Bind(def) | StmtKind::Output(_, def) => walk.binding(*def),
+                    StmtKind::Bind(name, def) => {
+                        walk.binding(*def);
+                        if chosen.contains(name) {
+                            walk.used.insert(*name, true);
+                        }
+                    }
+                    StmtKind::Output(_, def) => walk.binding(*def),
                     _ => {}
                 }
                 s.expressions().into_iter().for_each(|e| walk.expr(e));
@@ -69,7 +76,7 @@ struct Walk<'d> {
 impl Walk<'_> {
     fn expr(&mut self, e: &Expr) {
         match &e.kind {
-            Kind::Var(id) => {
+            Kind::Var(id) | Kind::Chosen(id) => {
                 self.used.entry(*id).or_insert(false);
             }
             Kind::Def(def) => self.fused(*def),

@@ -20,14 +20,17 @@ use super::unit::Unit;
 use crate::ast::{Mode, Module, StmtKind};
 use crate::diagnostic::Diagnostic;
 use crate::dimension::Dimension;
-use crate::ir::{ExternDecl, ExternId, Function, FunctionId, Output, Param, Program, SiteId, SourceFile};
+use crate::ir::{
+    Capture, ExternDecl, ExternId, Function, FunctionId, Output, Param, Program, SiteId, SourceFile, SymExpr,
+    SymKind, Symbol,
+};
 use crate::span::{FileId, Span};
 use crate::units::UnitSystem;
 use body::Body;
 use calyx_abi::{Purity, Repr};
 pub use closures::Closure;
 pub use linked::{Linked, flow};
-use std::collections::{HashMap, HashSet};
+use std::collections::{BTreeSet, HashMap, HashSet};
 use std::sync::LazyLock;
 
 /// A function to be lowered for given types of its scheme's unknowns.
@@ -95,6 +98,7 @@ pub fn lower(linked: &Linked<'_>, model: Model, files: Vec<SourceFile>) -> (Prog
     lowering.program.main = main;
     lowering.work();
     lowering.export_symbolic_functions();
+    lowering.program.graph_params = graph_params(&lowering.program);
     if let Some(main) = lowering.program.functions.get_mut(main.0 as usize) {
         main.span = Span::new(FileId(0), 0, text);
     }
@@ -103,7 +107,24 @@ pub fn lower(linked: &Linked<'_>, model: Model, files: Vec<SourceFile>) -> (Prog
 
 /// What a unit needs of its surroundings, its functions' closures.
 pub fn closures(typed: &Typed) -> HashMap<FuncId, Closure> {
-    closures::closures(&typed.functions, &typed.defs, &|id| typed.variable(id).owner)
+    closures::closures(&typed.functions, &typed.defs, &typed.chosen, &|id| typed.variable(id).owner)
+}
+
+/// Params by which sites differentiate that capture expressions.
+fn graph_params(program: &Program) -> Vec<u32> {
+    let mut found = BTreeSet::new();
+    for site in &program.sites {
+        if site.captures.iter().any(Capture::is_part) {
+            let mut pending: Vec<&SymExpr> = site.shared.iter().chain([&site.expr]).collect();
+            while let Some(e) = pending.pop() {
+                if let SymKind::Derivative(_, Symbol::Param(param)) = e.kind {
+                    found.insert(param);
+                }
+                pending.extend(e.operands());
+            }
+        }
+    }
+    found.into_iter().collect()
 }
 
 /// The comment that opens a file documents the file, also where an import or units follow without a blank line.

@@ -5,6 +5,7 @@ use super::values::{BinaryForm, binary_form, unary_op};
 use crate::ast::BinaryOp;
 use crate::check::expr::constant_index;
 use crate::check::tree::{DefId, Expr, Kind, Sym, VarId};
+use crate::check::types::Type;
 use crate::diagnostic::Diagnostic;
 use crate::ir::{self, Capture, ExprKind, Op, Site, SiteId, SymExpr, SymKind, Symbol};
 use crate::span::Span;
@@ -45,6 +46,12 @@ impl Body<'_, '_> {
 
     /// A site for the definition, with the values it captures here and those its parts captured before.
     pub(super) fn make_symbolic(&mut self, def: DefId, span: Span) -> ir::Expr {
+        let part = self.lowering.checker.defs[def.0 as usize].part;
+        self.symbolic_value(def, part, span)
+    }
+
+    /// The same; `part` if other expressions may capture the value.
+    pub(super) fn symbolic_value(&mut self, def: DefId, part: bool, span: Span) -> ir::Expr {
         let checker = self.lowering.checker;
         let definition = &checker.defs[def.0 as usize];
         let mut captures = Captures::default();
@@ -72,7 +79,7 @@ impl Body<'_, '_> {
             };
             described.push(Capture {
                 name: checker.variable(id).name.clone(),
-                observable: matches!(value.repr, Repr::Symbolic(_)),
+                observable: matches!(checker.type_of(id), Type::Observable(_)),
                 repr: value.repr.clone(),
             });
             values.push(value);
@@ -84,7 +91,8 @@ impl Body<'_, '_> {
             expr,
             captures: described,
             repr: repr.clone(),
-            order: if repr == Repr::Transform { 2 } else { 0 },
+            order: if part || repr == Repr::Transform { 2 } else { 0 },
+            part,
             span: definition.span,
         });
         ir::Expr {
@@ -168,7 +176,10 @@ impl Body<'_, '_> {
                     captures.all.len() as u32 - 1
                 });
                 let local = self.local(*id);
-                let repr = self.local_repr(local);
+                let repr = match self.local_repr(local) {
+                    Repr::Symbolic(inner) => *inner,
+                    repr => repr,
+                };
                 make(SymKind::Capture(index), repr)
             }
             Kind::Unary(op, a) => {

@@ -47,6 +47,10 @@ impl Body<'_, '_> {
                 make(ExprKind::Param(*id), repr)
             }
             Kind::Def(def) | Kind::MakeSymbolic(def) => self.make_symbolic(*def, span),
+            Kind::Chosen(id) => {
+                let local = self.local(*id);
+                make(ExprKind::Local(local), self.local_repr(local))
+            }
             Kind::Eval(def, time) => {
                 let mut value = self.make_symbolic(*def, span);
                 let time = match time {

@@ -1,0 +1,109 @@
+//! Sites that capture expressions, and sites that are captured: the chain rule between kernels.
+//!
+//! The kernel of a captured expression gives its value, its first two time derivatives, and the same of its derivative
+//! by each param that expressions are differentiated by ([`Program::graph_params`]). In the kernel that captured it
+//! these numbers are symbols, each the derivative of another one, so everything done there follows the chain rule. A
+//! derivative that would need more than the part gives is an error.
+//!
+//! [`Program::graph_params`]: calyx_lang::ir::Program::graph_params
+
+use super::value::Value;
+use super::{KernelError, Lowering, TIME, broken};
+use calyx_abi::Repr;
+use calyx_lang::ir::Site;
+use calyx_lang::span::Span;
+use calyx_symbolic::{Frame, NodeId};
+
+/// Stands for derivatives that are not known. No kernel has that many inputs.
+const BEYOND: u32 = u32::MAX;
+/// Value, first and second time derivative.
+const ORDERS: u32 = 3;
+
+impl Lowering<'_> {
+    /// A captured expression, whose numbers are the inputs from `first` on.
+    pub(super) fn part(&mut self, repr: &Repr, first: u32, span: Span) -> Result<Value, KernelError> {
+        let size = repr.slots() as u32;
+        let params = &self.program.graph_params;
+        let block = size * ORDERS;
+        let end = first + block * (1 + params.len() as u32);
+        let declared = self.parts.iter().any(|part| part.start == first);
+        let by = if declared { 0 } else { 1 + self.program.params.len() as u32 };
+        let by: Vec<u32> = (0..by).collect();
+        let beyond = self.graph.symbol(BEYOND);
+        for &symbol in &by {
+            self.graph.set_rate(BEYOND, symbol, beyond);
+        }
+        for input in 0..end - first {
+            let (basis, order) = (input / block, input % block / size);
+            for &symbol in &by {
+                let place = match symbol {
+                    TIME => (order + 1 < ORDERS).then_some(input + size),
+                    param => params
+                        .iter()
+                        .position(|known| 1 + known == param)
+                        .filter(|_| basis == 0)
+                        .map(|position| input + block * (1 + position as u32)),
+                };
+                let rate = match place {
+                    Some(place) => self.graph.symbol(first + place),
+                    None => beyond,
+                };
+                self.graph.set_rate(first + input, symbol, rate);
+            }
+        }
+        if !declared {
+            self.parts.push(first..end);
+        }
+        let symbol = |lowering: &mut Self, i: usize| lowering.graph.symbol(first + i as u32);
+        Ok(match repr {
+            Repr::Number => Value::Number(symbol(self, 0)),
+            Repr::Vector => Value::Vector([0, 1, 2].map(|i| symbol(self, i))),
+            Repr::Transform => Value::Frame(Frame::from_pose(std::array::from_fn(|i| symbol(self, i)))),
+            _ => return Err(broken("an expression must be a number, vector or transform", span)),
+        })
+    }
+
+    /// Outputs of a site that may be captured: after those given, their derivatives by the params.
+    pub(super) fn with_params(&mut self, outputs: Vec<NodeId>, site: &Site) -> Vec<NodeId> {
+        let mut all = outputs.clone();
+        if site.part {
+            for &param in &self.program.graph_params {
+                all.extend(outputs.iter().map(|&output| self.graph.derivative(output, 1 + param)));
+            }
+        }
+        all
+    }
+
+    /// Nothing asked for may need a derivative that a captured expression does not give.
+    pub(super) fn reject_beyond(&self, outputs: &[NodeId], span: Span) -> Result<(), KernelError> {
+        if self.parts.is_empty() || !self.graph.depends_on(outputs, |symbol| symbol == BEYOND) {
+            return Ok(());
+        }
+        Err(KernelError {
+            message: "an expression chosen when the model runs is known with its first two derivatives by `Time`, and \
+                      once by a param"
+                .into(),
+            help: "differentiate before the expression is chosen, or write it without a choice".into(),
+            span,
+        })
+    }
+
+    /// A captured expression comes as numbers at the present time and params, and has no value at others.
+    pub(super) fn reject_parts_at(&self, value: &Value, by: u32, span: Span) -> Result<(), KernelError> {
+        if self.parts.is_empty() || by as usize > self.program.params.len() {
+            return Ok(());
+        }
+        let mut nodes = Vec::new();
+        value.for_each(|node| nodes.push(node));
+        if !self.graph.depends_on(&nodes, |symbol| self.parts.iter().any(|part| part.contains(&symbol))) {
+            return Ok(());
+        }
+        Err(KernelError {
+            message:
+                "inside an expression, one that is chosen when the model runs has no value `at` another place"
+                    .into(),
+            help: "evaluate it before, with `=`".into(),
+            span,
+        })
+    }
+}

@@ -1,0 +1,169 @@
+//! Symbolic names whose expression is chosen when the program runs: bound again in a loop or on one of several ways,
+//! bound by another function, or handed to a function by `in frame :=`.
+//!
+//! Such a name is a variable that holds an expression. Expressions that use it capture what it holds, so at run time
+//! they form a graph; a use that one binding alone can reach still fuses with that binding.
+
+use super::infer::{Checker, Reaching};
+use super::symbols::VarKind;
+use super::tree::*;
+use crate::ast;
+use crate::diagnostic::Diagnostic;
+use crate::span::Span;
+use std::collections::{BTreeSet, HashMap};
+
+#[derive(Debug, Default)]
+pub struct Graphs {
+    /// Names some use of which has no one definition.
+    pub chosen: BTreeSet<VarId>,
+    /// Names that functions other than their own bind.
+    pub foreign: BTreeSet<VarId>,
+    /// Every definition of a name.
+    pub bound: HashMap<VarId, Vec<DefId>>,
+    /// The names that hidden variables took their expressions from.
+    pub captured: HashMap<VarId, VarId>,
+    /// Evaluations at no given time of what depends on chosen names: definition, name, place.
+    evaluated: Vec<(DefId, String, Span)>,
+}
+
+impl<'a> Checker<'a> {
+    /// A use of a `:=` name that has no one definition.
+    pub(super) fn chosen_name(&mut self, id: VarId, span: Span) -> Expr {
+        self.graphs.chosen.insert(id);
+        let e = Expr { kind: Kind::Chosen(id), ty: self.variable_type(id), span };
+        if self.symbolic {
+            return e;
+        }
+        let name = self.variable(id).name.clone();
+        self.evaluate_now(e, &name)
+    }
+
+    /// A symbolic parameter holds what it is called with.
+    pub(super) fn symbolic_parameter(&mut self, variable: VarId) {
+        self.graphs.chosen.insert(variable);
+        self.reaching.insert(variable, Reaching::Several);
+    }
+
+    /// An expression handed to a symbolic parameter.
+    pub(super) fn hand_over(&mut self, parameter: VarId, value: &Expr) {
+        if let Kind::MakeSymbolic(def) = value.kind {
+            self.defs[def.0 as usize].part = true;
+            self.graphs.bound.entry(parameter).or_default().push(def);
+        }
+    }
+
+    /// Notes an evaluation whose dependence on time is known when all definitions are.
+    pub(super) fn evaluated_later(&mut self, def: DefId, name: &str, span: Span) {
+        if !self.defs[def.0 as usize].chosen.is_empty() {
+            self.graphs.evaluated.push((def, name.into(), span));
+        }
+    }
+
+    /// Names that nested functions bind although they are not theirs.
+    pub(super) fn find_foreign(&mut self, statements: &'a [ast::Stmt]) {
+        for statement in statements {
+            let mut inside: Vec<(&'a ast::FunctionDecl, BTreeSet<VarId>)> = Vec::new();
+            self.bound_in_functions(statement, &mut inside);
+            for (decl, bound) in inside {
+                let own = match self.names.uses.get(&decl.name.span) {
+                    Some(super::symbols::Res::Function(id)) => Some(*id),
+                    _ => None,
+                };
+                let foreign = bound.into_iter().filter(|id| {
+                    Some(self.variable(*id).owner) != own && self.variable(*id).kind == VarKind::Symbolic
+                });
+                let foreign: Vec<VarId> = foreign.collect();
+                self.graphs.foreign.extend(foreign);
+            }
+        }
+    }
+
+    /// What every function declared in a statement binds.
+    fn bound_in_functions(
+        &self,
+        statement: &'a ast::Stmt,
+        found: &mut Vec<(&'a ast::FunctionDecl, BTreeSet<VarId>)>,
+    ) {
+        use ast::StmtKind::*;
+        match &statement.kind {
+            Function(decl) => {
+                if let ast::FunctionBody::Statement(body) = &decl.body {
+                    let mut bound = BTreeSet::new();
+                    self.bound_in(body, &mut bound);
+                    found.push((decl, bound));
+                    self.bound_in_functions(body, found);
+                }
+            }
+            Block(all) => all.iter().for_each(|s| self.bound_in_functions(s, found)),
+            If { then, otherwise, .. } => {
+                self.bound_in_functions(then, found);
+                otherwise.iter().for_each(|s| self.bound_in_functions(s, found));
+            }
+            While { body, .. } | DoWhile { body, .. } | Switch { body, .. } | For { body, .. } => {
+                self.bound_in_functions(body, found)
+            }
+            Case { statement, .. } | Default(statement) | Label { statement, .. } => {
+                self.bound_in_functions(statement, found)
+            }
+            Try { body, handler, .. } => {
+                self.bound_in_functions(body, found);
+                self.bound_in_functions(handler, found);
+            }
+            _ => {}
+        }
+    }
+
+    /// After inference: what holds of a chosen name holds of any of its definitions.
+    pub(super) fn finish_graphs(&mut self) {
+        let mut on_time: BTreeSet<VarId> = BTreeSet::new();
+        loop {
+            let before = on_time.len();
+            for id in &self.graphs.chosen {
+                let depends = |def: &DefId| {
+                    let def = &self.defs[def.0 as usize];
+                    def.on_time || !def.chosen.is_disjoint(&on_time)
+                };
+                if self.graphs.bound.get(id).is_some_and(|defs| defs.iter().any(depends)) {
+                    on_time.insert(*id);
+                }
+            }
+            if on_time.len() == before {
+                break;
+            }
+        }
+        let mut found = Vec::new();
+        for (def, name, span) in &self.graphs.evaluated {
+            let def = &self.defs[def.0 as usize];
+            let Some(id) = def.chosen.intersection(&on_time).next() else { continue };
+            found.push(
+                Diagnostic::error(
+                    "E0502",
+                    format!("`{name}` depends on `Time`, so it has no value here"),
+                    *span,
+                    "this is computed at once",
+                )
+                .label(self.variable(*id).span, "declared here")
+                .help(format!("bind with `:=` to keep `Time`, or say when: `{name} at Time = 0.1 s`")),
+            );
+        }
+        for id in &self.graphs.chosen {
+            for def in self.graphs.bound.get(id).into_iter().flatten() {
+                let def = &self.defs[def.0 as usize];
+                if def.observes {
+                    let name = &self.variable(*id).name;
+                    found.push(
+                        Diagnostic::error(
+                            "E0505",
+                            format!("`{name}` is chosen when the model runs and cannot hold an observable"),
+                            def.span,
+                            "this contains an observable",
+                        )
+                        .label(self.variable(*id).span, "has several expressions")
+                        .help("bind the observable to a name of its own"),
+                    );
+                }
+            }
+        }
+        found.into_iter().for_each(|diagnostic| self.report(diagnostic));
+    }
+}
