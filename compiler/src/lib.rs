@@ -27,4 +27,5 @@ pub use calyx_rt as rt;
 pub use check::{Checked, Refused, check_file, check_run, check_text, render};
 pub use interpreted::Interpreted;
 pub use kernel::{Kernel, KernelError, Quantity};
+pub use loader::ModelLoader;
 pub use module::{CompileError, Module};

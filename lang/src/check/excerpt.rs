@@ -107,12 +107,19 @@ impl Excerpt {
 
 /// From places in an excerpt to places in files.
 pub struct Places<'l> {
-    pub layout: &'l Layout,
-    /// File and start of each item.
-    pub items: &'l HashMap<ItemId, (FileId, u32)>,
+    layout: &'l Layout,
+    /// File and start of the item of each segment.
+    starts: Vec<Vec<(FileId, u32)>>,
 }
 
-impl Places<'_> {
+impl<'l> Places<'l> {
+    /// `items` tells where each item starts.
+    pub fn new(layout: &'l Layout, items: &HashMap<ItemId, (FileId, u32)>) -> Self {
+        let start = |segment: &Segment| items.get(&segment.item).copied().unwrap_or_default();
+        let starts = layout.files.iter().map(|segments| segments.iter().map(start).collect());
+        Places { layout, starts: starts.collect() }
+    }
+
     pub fn span(&self, span: Span) -> Span {
         // Belongs to no text.
         if span == Span::default() {
@@ -133,11 +140,13 @@ impl Places<'_> {
     }
 
     fn position(&self, file: FileId, at: u32) -> (FileId, u32) {
-        let found = self.layout.segment(file, at).and_then(|segment| {
-            let (file, start) = self.items.get(&segment.item)?;
-            Some((*file, start + (at - segment.start)))
-        });
-        found.unwrap_or_default()
+        let found = || {
+            let segments = self.layout.files.get(file.0 as usize)?;
+            let index = segments.partition_point(|segment| segment.start <= at).checked_sub(1)?;
+            let (to, start) = *self.starts.get(file.0 as usize)?.get(index)?;
+            Some((to, start + (at - segments[index].start)))
+        };
+        found().unwrap_or_default()
     }
 
     pub fn diagnostic(&self, diagnostic: &Diagnostic) -> Diagnostic {

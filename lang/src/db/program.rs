@@ -59,13 +59,13 @@ pub(super) fn check(db: &dyn salsa::Database, model: Text, library: Library) -> 
             kept.push(check_top(db, file, library));
         }
     }
-    let linked = Linked::new(kept, starts);
+    let linked = Linked::new(kept, &starts);
     let placed = |of: &dyn Fn(&Unit) -> &[Diagnostic]| -> Vec<Diagnostic> {
         let each = linked.units().iter().enumerate().flat_map(|(index, unit)| {
             let places = linked.places(index);
             let found = of(unit).iter();
             found
-                .map(|found| places.as_ref().map_or(found.clone(), |p| p.diagnostic(found)))
+                .map(|found| places.map_or_else(|| found.clone(), |p| p.diagnostic(found)))
                 .collect::<Vec<_>>()
         });
         each.collect()

@@ -28,6 +28,10 @@ impl Loader for Modules {
 
 /// A database that records the queries it runs.
 fn watched() -> (Database, Arc<Mutex<Vec<String>>>) {
+    watched_with(&Modules::default())
+}
+
+fn watched_with(loader: &dyn Loader) -> (Database, Arc<Mutex<Vec<String>>>) {
     let log = Arc::new(Mutex::new(Vec::new()));
     let events = log.clone();
     let storage = salsa::Storage::new(Some(Box::new(move |event: salsa::Event| {
@@ -35,7 +39,7 @@ fn watched() -> (Database, Arc<Mutex<Vec<String>>>) {
             events.lock().unwrap().push(format!("{database_key:?}"));
         }
     })));
-    (Database::with_storage(Storage { storage }, &Modules::default()), log)
+    (Database::with_storage(Storage { storage }, loader), log)
 }
 
 fn ran(log: &Mutex<Vec<String>>) -> Vec<String> {
@@ -259,4 +263,44 @@ fn imports_are_loaded_once_and_through_others() {
     assert!(names.contains(&"first.cx") && names.contains(&"second.cx"), "{names:?}");
     ran(&log);
     assert!(db.check("unknown.cx").is_none());
+}
+
+#[path = "../../tests/support/generator.rs"]
+mod generator;
+
+/// The library of gears.
+struct Gears;
+
+impl Loader for Gears {
+    fn module(&self, path: &[String]) -> Option<(String, String)> {
+        let text = include_str!("../../../stdlib-gears/calyx/gears.cx");
+        (path == ["gears"]).then(|| ("<library>/gears.cx".into(), text.into()))
+    }
+
+    fn prelude(&self) -> (String, String) {
+        ("<library>/prelude.cx".into(), include_str!("../../../stdlib-gears/calyx/prelude.cx").into())
+    }
+}
+
+fn check_generated(db: &mut Database, text: &str) -> Arc<Checked> {
+    db.set_model("long.cx", text);
+    db.load_imports("long.cx", &Gears);
+    let found = db.check("long.cx").unwrap();
+    assert_eq!(found.diagnostics, []);
+    found
+}
+
+#[test]
+fn a_longer_model_runs_queries_in_proportion_and_an_edit_the_same_few() {
+    let mut groups = Vec::new();
+    for sections in [1, 2, 3] {
+        let (mut db, log) = watched_with(&Gears);
+        let text = generator::model(20 + 48 * sections);
+        check_generated(&mut db, &text);
+        groups.push(ran(&log).iter().filter(|name| *name == "check_group").count());
+        check_generated(&mut db, &generator::with_edited_body(&text));
+        assert_eq!(counts(&log), "parse 1, items 1, check_group 1, check 1");
+    }
+    // Six functions a section, each checked by itself.
+    assert_eq!([groups[1] - groups[0], groups[2] - groups[1]], [6, 6]);
 }

@@ -20,13 +20,14 @@ pub struct Linked<'u> {
     records: Vec<Vec<RecordKey>>,
     /// Unit and function by item.
     functions: HashMap<ItemId, (usize, FuncId)>,
-    /// File and start of each item; empty if places are to stay in excerpts.
-    items: HashMap<ItemId, (FileId, u32)>,
+    /// From places in the excerpt of each unit to places in files; none if places are to stay in excerpts.
+    places: Vec<Places<'u>>,
 }
 
 impl<'u> Linked<'u> {
-    /// The model's top level is the first unit. Of functions in several units the first counts.
-    pub fn new(units: Vec<&'u Unit>, items: HashMap<ItemId, (FileId, u32)>) -> Self {
+    /// The model's top level is the first unit. Of functions in several units the first counts. `items` tells where each
+    /// item starts; without it places stay in excerpts.
+    pub fn new(units: Vec<&'u Unit>, items: &HashMap<ItemId, (FileId, u32)>) -> Self {
         let mut functions = HashMap::new();
         for (index, unit) in units.iter().enumerate() {
             for (&item, &function) in &unit.functions {
@@ -61,7 +62,11 @@ impl<'u> Linked<'u> {
                     .push(RecordType { name: record.name.clone(), fields });
             }
         }
-        Linked { units, typed, records, functions, items }
+        let places = match items.is_empty() {
+            true => Vec::new(),
+            false => units.iter().map(|unit| Places::new(&unit.layout, items)).collect(),
+        };
+        Linked { units, typed, records, functions, places }
     }
 
     pub fn units(&self) -> &[&'u Unit] {
@@ -69,9 +74,8 @@ impl<'u> Linked<'u> {
     }
 
     /// From places in the excerpt of a unit to places in files.
-    pub fn places(&self, unit: usize) -> Option<Places<'_>> {
-        let layout = &self.units.get(unit)?.layout;
-        (!self.items.is_empty()).then_some(Places { layout, items: &self.items })
+    pub fn places(&self, unit: usize) -> Option<&Places<'u>> {
+        self.places.get(unit)
     }
 }
 
@@ -96,7 +100,7 @@ impl<'c> Lowering<'c> {
 
     /// Whether one unit is looked at by itself, so that what it calls is out of reach.
     pub(super) fn alone(&self) -> bool {
-        self.linked.items.is_empty()
+        self.linked.places.is_empty()
     }
 
     /// Puts what the present unit has added so far to its place.
@@ -104,9 +108,9 @@ impl<'c> Lowering<'c> {
         let (sites, functions, diagnostics) = self.placed;
         if let Some(places) = self.places() {
             let program = &mut self.program;
-            program.sites[sites..].iter_mut().for_each(|site| super::placed::site(site, &places));
+            program.sites[sites..].iter_mut().for_each(|site| super::placed::site(site, places));
             let added = &mut program.symbolic_functions[functions..];
-            added.iter_mut().for_each(|function| super::placed::symbolic_function(function, &places));
+            added.iter_mut().for_each(|function| super::placed::symbolic_function(function, places));
             for found in &mut self.diagnostics[diagnostics..] {
                 *found = places.diagnostic(found);
             }
@@ -125,7 +129,7 @@ impl<'c> Lowering<'c> {
     }
 
     /// From places in the excerpt of the present unit to places in files.
-    pub(super) fn places(&self) -> Option<Places<'c>> {
+    pub(super) fn places(&self) -> Option<&'c Places<'c>> {
         let linked: &'c Linked<'c> = self.linked;
         linked.places(self.unit)
     }
@@ -170,7 +174,7 @@ impl<'c> Lowering<'c> {
 
 /// What only the flow of control shows to be wrong in some functions of a unit. Places lie in its excerpt.
 pub fn flow(unit: &Unit, functions: &[FuncId]) -> Vec<Diagnostic> {
-    let linked = Linked::new(vec![unit], HashMap::new());
+    let linked = Linked::new(vec![unit], &HashMap::new());
     let mut lowering = Lowering::new(&linked);
     lowering.interface(&unit.typed);
     for id in functions {

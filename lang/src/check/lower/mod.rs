@@ -167,7 +167,7 @@ impl<'c> Lowering<'c> {
             let function = self.within(wanted.unit, |lowering| {
                 let mut function = Body::lower(lowering, wanted.function, wanted.types);
                 if let Some(places) = lowering.places() {
-                    placed::function(&mut function, &places);
+                    placed::function(&mut function, places);
                 }
                 function
             });
@@ -178,13 +178,13 @@ impl<'c> Lowering<'c> {
     /// The params.
     fn interface(&mut self, checker: &'c Typed) {
         let places = self.places();
-        let placed = |span| places.as_ref().map_or(span, |places| places.span(span));
+        let placed = |span| places.map_or(span, |places| places.span(span));
         for (index, param) in checker.params.iter().enumerate() {
             let repr = checker.store.repr(&param.ty);
             let mut function = |what: &str, e: &tree::Expr| {
                 let name = format!("{}.{what}", param.name);
                 let mut lowered = Body::lower_expression(self, &name, e);
-                if let Some(places) = &places {
+                if let Some(places) = places {
                     placed::function(&mut lowered, places);
                 }
                 self.program.functions.push(lowered);

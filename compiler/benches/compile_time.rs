@@ -1,0 +1,72 @@
+//! How long checking and compiling take, over four sizes of the generator's models: `cargo bench -p calyx`.
+
+#[path = "../../lang/tests/support/generator.rs"]
+mod generator;
+
+use calyx::{Checked, ModelLoader, Module, check_text};
+use calyx_lang::db::Database;
+use divan::{Bencher, black_box};
+
+fn main() {
+    divan::main();
+}
+
+fn sound(checked: Checked) -> Checked {
+    assert!(!checked.has_errors(), "{}", checked.render());
+    checked
+}
+
+/// The language only: text to typed program, from nothing.
+#[divan::bench(args = [1_250, 2_500, 5_000, 10_000])]
+fn check_cold(bencher: Bencher, lines: usize) {
+    let (text, loader) = (generator::model(lines), ModelLoader { folder: None });
+    bencher.bench(|| calyx_lang::check::check_program("model.cx", black_box(&text), &loader));
+}
+
+/// What `calyx check` does: the model is also run at its defaults, up to any analysis.
+#[divan::bench(args = [1_250, 2_500, 5_000, 10_000])]
+fn check_and_elaborate(bencher: Bencher, lines: usize) {
+    let text = generator::model(lines);
+    bencher.bench(|| sound(check_text("model.cx", black_box(&text))));
+}
+
+/// One function body changed, in a database that knows the model.
+#[divan::bench(args = [1_250, 2_500, 5_000, 10_000])]
+fn check_after_an_edit(bencher: Bencher, lines: usize) {
+    let text = generator::model(lines);
+    let texts = [generator::with_edited_body(&text), text];
+    let loader = ModelLoader { folder: None };
+    let mut database = Database::new(&loader);
+    let mut turn = 0;
+    let mut check = || {
+        database.set_model("model.cx", &texts[turn % 2]);
+        database.load_imports("model.cx", &loader);
+        turn += 1;
+        database.check("model.cx")
+    };
+    check();
+    bencher.bench_local(check);
+}
+
+/// Text to machine code.
+#[divan::bench(args = [250, 500, 1_000, 2_000])]
+fn compile(bencher: Bencher, lines: usize) {
+    let text = generator::model(lines);
+    bencher.bench(|| Module::compile(sound(check_text("model.cx", black_box(&text)))).map(|_| ()));
+}
+
+/// Of a checked model.
+#[divan::bench(args = [250, 500, 1_000, 2_000])]
+fn machine_code(bencher: Bencher, lines: usize) {
+    let text = generator::model(lines);
+    bencher
+        .with_inputs(|| sound(check_text("model.cx", &text)))
+        .bench_values(|checked| Module::compile(checked).map(|_| ()));
+}
+
+/// A product of frames with its first and second derivatives by time, text to machine code.
+#[divan::bench(args = [25, 50, 100])]
+fn chain(bencher: Bencher, factors: usize) {
+    let text = generator::chain(factors);
+    bencher.bench(|| Module::compile(sound(check_text("model.cx", black_box(&text)))).map(|_| ()));
+}
