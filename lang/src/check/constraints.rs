@@ -297,7 +297,7 @@ impl Checker<'_> {
                     }
                     Outcome::Solved
                 }
-                Type::Record(id) => self.every_field(id, |ty| Comparable(ty), constraint),
+                Type::Record(id) => self.every_field(id, Comparable, constraint),
                 Type::Number(_) | Type::Bool | Type::String | Type::Vector(_) | Type::Error => {
                     Outcome::Solved
                 }

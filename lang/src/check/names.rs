@@ -744,7 +744,7 @@ impl<'a> Resolver<'a> {
                     field.span,
                     "not found in the module",
                 );
-                let all = self.around.declared(&self.modules[module as usize].name);
+                let all = self.around.declared(&self.modules[module].name);
                 diagnostic = match similar(&field.name, all.iter().map(String::as_str)) {
                     Some(near) => diagnostic.help(format!("did you mean `{near}`?")).fix(
                         format!("change to `{near}`"),
