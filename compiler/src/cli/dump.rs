@@ -21,7 +21,7 @@ enum Stage {
     Tokens,
     /// The syntax tree, names unresolved
     Tree,
-    /// Type and dimension of every name of the model
+    /// Type and dimension of the model's variables, params and outputs
     Types,
     /// The typed program: functions as graphs of basic blocks, numbers in SI
     Ir,

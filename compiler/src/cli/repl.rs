@@ -45,8 +45,7 @@ impl Repl {
             Err(status) => return status,
         };
         let mut conversation = Conversation { session, pending: String::new(), ended: false };
-        let done =
-            if io::stdin().is_terminal() { conversation.at_terminal() } else { conversation.from_pipe() };
+        let done = if io::stdin().is_terminal() { conversation.interactive() } else { conversation.piped() };
         match done {
             Ok(()) => ExitCode::SUCCESS,
             Err(error) => {
@@ -65,7 +64,7 @@ struct Conversation {
 }
 
 impl Conversation {
-    fn at_terminal(&mut self) -> LineResult<()> {
+    fn interactive(&mut self) -> LineResult<()> {
         let mut editor = DefaultEditor::new()?;
         eprintln!("Calyx {}. :help lists what can be entered.", env!("CARGO_PKG_VERSION"));
         while !self.ended {
@@ -86,7 +85,7 @@ impl Conversation {
         Ok(())
     }
 
-    fn from_pipe(&mut self) -> LineResult<()> {
+    fn piped(&mut self) -> LineResult<()> {
         for line in io::stdin().lock().lines() {
             self.line(&line?);
             if self.ended {
