@@ -58,9 +58,8 @@ fn scene(program: &dyn Program) -> String {
 }
 
 fn symbolic(value: &Arc<SymbolicValue>, params: &[f64]) -> String {
-    let values = TIMES.map(|time| {
-        value.evaluate(time, params, &|index| index as f64).expect("a kernel of these inputs")
-    });
+    let values = TIMES
+        .map(|time| value.evaluate(time, params, &|index| index as f64).expect("a kernel of these inputs"));
     format!("{} {:?} {:?} {:?} {values:?}", value.site, value.repr, value.captured, value.observables)
 }
 

@@ -220,7 +220,7 @@ pub(super) fn unified(a: &Type, b: &Type, result: &Result<(), Mismatch>) {
         (Ok(()), Type::Observable(_), _) => UnifyObservables,
         (Ok(()), Type::Array(_), _) => UnifyArrays,
         (Ok(()), Type::Tuple(_), _) => UnifyTuples,
-        // Only parameters of the engine have such a type, and they take no values.
+        // Only parameters have such a type, and no two of them are made one.
         (Ok(()), Type::Symbolic(_), _) => return,
         (
             Ok(()),
