@@ -8,6 +8,7 @@ use crate::error::CodegenError;
 use crate::function::{SLOT, TRUSTED};
 use crate::module::ModuleLowering;
 use crate::operation::{self, References};
+use crate::together;
 use calyx_symbolic::{Instruction, Tape};
 use cranelift_codegen::ir::{
     AbiParam, InstBuilder, Signature, StackSlot, StackSlotData, StackSlotKind, Value, types,
@@ -28,6 +29,10 @@ pub fn lower<M: Module>(
     name: &str,
     tape: &Tape,
 ) -> Result<FuncId, CodegenError> {
+    if !tape.is_well_formed() {
+        return Err(CodegenError::Malformed("a tape that uses a value before it is there"));
+    }
+    let tape = &*together::gathered(tape);
     let plan = Plan::new(tape)?;
     let pointers = |count: usize| {
         let mut signature = module.module.make_signature();
@@ -75,10 +80,6 @@ struct Plan {
 impl Plan {
     fn new(tape: &Tape) -> Result<Plan, CodegenError> {
         let count = tape.instructions.len();
-        if !tape.is_well_formed() {
-            return Err(CodegenError::Malformed("a tape that uses a value before it is there"));
-        }
-
         // Equal shares; constants and inputs cost nothing, they are made where they are used.
         let operations = tape.operations();
         let share = operations.div_ceil(operations.div_ceil(CHUNK).max(1)).max(1);
@@ -155,6 +156,7 @@ fn define_chunk<M: Module>(
             wanted.entry(output as usize).or_default().push(position);
         }
         let pairs = sine_cosine_pairs(tape, &range);
+        let mut runs = together::runs(tape, &range).into_iter().peekable();
         let mut chunk = Chunk {
             module,
             builder,
@@ -166,10 +168,16 @@ fn define_chunk<M: Module>(
             references: HashMap::new(),
             pairs,
             pair_buffer: None,
+            together: HashMap::new(),
         };
         for index in range {
+            if let Some(run) = runs.next_if(|run| run.start == index) {
+                chunk.take_together(&run.angles)?;
+            }
             let outputs_here = wanted.get(&index);
-            if tape.instructions[index].is_leaf() && outputs_here.is_none() {
+            // Leaves cost nothing, and what lies in a buffer is read where it is used.
+            let waits = tape.instructions[index].is_leaf() || chunk.in_buffer(index).is_some();
+            if waits && outputs_here.is_none() && !plan.places.contains_key(&index) {
                 continue;
             }
             let value = chunk.value(index)?;
@@ -215,6 +223,16 @@ struct Chunk<'c, 'm, 'f, M: Module> {
     /// Sine and cosine of angles that want both, once computed.
     pairs: HashMap<u32, Option<[Value; 2]>>,
     pair_buffer: Option<StackSlot>,
+    /// Angles whose sines and cosines were taken with those of others.
+    together: HashMap<u32, Buffered>,
+}
+
+/// Where the sine of an angle lies, and its cosine.
+#[derive(Clone, Copy)]
+struct Buffered {
+    buffer: StackSlot,
+    sine: i32,
+    cosine: i32,
 }
 
 impl<M: Module> Chunk<'_, '_, '_, M> {
@@ -228,9 +246,47 @@ impl<M: Module> Chunk<'_, '_, '_, M> {
         Ok(value)
     }
 
+    /// Sine or cosine that lies in a buffer: which, and where.
+    fn in_buffer(&self, index: usize) -> Option<(StackSlot, i32)> {
+        match self.tape.instructions[index] {
+            Instruction::Sin(angle) => self.together.get(&angle).map(|found| (found.buffer, found.sine)),
+            Instruction::Cos(angle) => self.together.get(&angle).map(|found| (found.buffer, found.cosine)),
+            _ => None,
+        }
+    }
+
+    /// Sines and cosines of several angles by one call.
+    fn take_together(&mut self, angles: &[u32]) -> Result<(), CodegenError> {
+        let count = angles.len().next_multiple_of(together::WIDTH);
+        let block = (count * SLOT) as i32;
+        let data = StackSlotData::new(StackSlotKind::ExplicitSlot, 3 * block as u32, 3);
+        let buffer = self.builder.create_sized_stack_slot(data);
+        for place in 0..count {
+            let angle = match angles.get(place) {
+                Some(&angle) => self.operand(angle)?,
+                None => self.builder.ins().f64const(0.0),
+            };
+            self.builder.ins().stack_store(types::I64, angle, buffer, (place * SLOT) as i32);
+        }
+        let [from, sines, cosines] =
+            [0, block, 2 * block].map(|offset| self.builder.ins().stack_addr(types::I64, buffer, offset));
+        let length = self.builder.ins().iconst(types::I64, count as i64);
+        let symbol = "calyx_math_sincos_columns";
+        let function = operation::reference(self.module, &mut self.builder, &mut self.references, symbol)?;
+        self.builder.ins().call(function, &[from, length, sines, cosines]);
+        for (place, &angle) in angles.iter().enumerate() {
+            let sine = block + (place * SLOT) as i32;
+            self.together.insert(angle, Buffered { buffer, sine, cosine: sine + block });
+        }
+        Ok(())
+    }
+
     /// An operand; only what another function computed is not at hand, and that is in scratch memory.
     fn operand(&mut self, id: u32) -> Result<Value, CodegenError> {
         let index = id as usize;
+        if let Some((buffer, offset)) = self.in_buffer(index) {
+            return Ok(self.builder.ins().stack_load(types::I64, types::F64, buffer, offset));
+        }
         if !self.values.contains_key(&index)
             && let (Some(&place), Some(scratch)) = (self.plan.places.get(&index), self.scratch)
         {
@@ -249,6 +305,9 @@ impl<M: Module> Chunk<'_, '_, '_, M> {
                 return Ok(self.builder.ins().load(types::F64, TRUSTED, self.inputs, offset));
             }
             Instruction::Sin(angle) | Instruction::Cos(angle) => {
+                if let Some((buffer, offset)) = self.in_buffer(index) {
+                    return Ok(self.builder.ins().stack_load(types::I64, types::F64, buffer, offset));
+                }
                 if let Some([sine, cosine]) = self.sine_cosine(angle)? {
                     return Ok(if matches!(instruction, Instruction::Sin(_)) { sine } else { cosine });
                 }

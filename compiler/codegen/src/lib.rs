@@ -19,6 +19,7 @@ mod operation;
 mod place;
 mod scalar;
 mod statement;
+mod together;
 
 pub use backend::Backend;
 pub use batch::{Batch, BatchError, BatchKernel, compile_batch};

@@ -63,6 +63,7 @@ impl<'m, M: Module> ModuleLowering<'m, M> {
                 MathFn::Unary(_) => (&[types::F64], &[types::F64]),
                 MathFn::Binary(_) => (&[types::F64, types::F64], &[types::F64]),
                 MathFn::Sincos(_) => (&[types::F64, types::I64, types::I64], &[]),
+                MathFn::SincosColumns(_) => (&[types::I64; 4], &[]),
             };
             signature.params.extend(params.iter().copied().map(AbiParam::new));
             signature.returns.extend(returns.iter().copied().map(AbiParam::new));

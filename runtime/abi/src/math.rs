@@ -133,6 +133,10 @@ pub enum MathFn {
     ///
     /// Calling it is safe if both pointers are valid for writing an `f64`.
     Sincos(unsafe extern "C" fn(f64, *mut f64, *mut f64)),
+    /// Angles, how many, where to store the sines, where to store the cosines.
+    ///
+    /// Calling it is safe if as many `f64` are there, and may be written, and the three do not overlap.
+    SincosColumns(unsafe extern "C" fn(*const f64, usize, *mut f64, *mut f64)),
 }
 
 impl MathFn {
@@ -142,6 +146,7 @@ impl MathFn {
             MathFn::Unary(function) => function as *const u8,
             MathFn::Binary(function) => function as *const u8,
             MathFn::Sincos(function) => function as *const u8,
+            MathFn::SincosColumns(function) => function as *const u8,
         }
     }
 }
@@ -168,6 +173,7 @@ macro_rules! called {
         pub const FUNCTIONS: &[(&str, MathFn)] = &[
             $((stringify!($symbol), MathFn::$kind($symbol)),)+
             ("calyx_math_sincos", MathFn::Sincos(calyx_math_sincos)),
+            ("calyx_math_sincos_columns", MathFn::SincosColumns(calyx_math_sincos_columns)),
         ];
     };
 }
@@ -218,6 +224,28 @@ pub unsafe extern "C" fn calyx_math_sincos(x: f64, sine: *mut f64, cosine: *mut 
         sine.write(s);
         cosine.write(c);
     }
+}
+
+/// [`sincos_columns`] as machine code calls it.
+///
+/// # Safety
+/// `angles` is valid for reading `count` numbers, `sines` and `cosines` for writing as many; none overlap.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn calyx_math_sincos_columns(
+    angles: *const f64,
+    count: usize,
+    sines: *mut f64,
+    cosines: *mut f64,
+) {
+    // SAFETY: the caller promises it.
+    let (angles, sines, cosines) = unsafe {
+        (
+            std::slice::from_raw_parts(angles, count),
+            std::slice::from_raw_parts_mut(sines, count),
+            std::slice::from_raw_parts_mut(cosines, count),
+        )
+    };
+    sincos_columns(angles, sines, cosines);
 }
 
 #[cfg(test)]

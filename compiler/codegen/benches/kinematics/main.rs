@@ -339,7 +339,7 @@ fn wide_tile<W: ByHand<Lanes> + 'static>(workload: W) -> ByHandTile {
 fn processor_time() -> f64 {
     static START: std::sync::OnceLock<Instant> = std::sync::OnceLock::new();
     let text = std::fs::read_to_string("/proc/thread-self/schedstat").ok();
-    let run = text.and_then(|text| text.split(' ').next()?.parse::<f64>().ok());
+    let run = text.and_then(|text| text.split(' ').next()?.parse::<f64>().ok()).filter(|&run| run > 0.0);
     run.map_or_else(
         || START.get_or_init(Instant::now).elapsed().as_secs_f64(),
         |nanoseconds| nanoseconds * 1e-9,
@@ -350,8 +350,10 @@ fn processor_time() -> f64 {
 fn compile_times(name: &str, derive: impl Fn() -> Tape, varying: &[bool], rounds: usize) {
     let (mut sums, mut runs) = ([0.0; 3], 0.0);
     let mut counts = (0, 0);
-    let started = processor_time();
-    while counts == (0, 0) || processor_time() - started < 0.1 * rounds as f64 {
+    let (started, passed) = (processor_time(), Instant::now());
+    while runs == 0.0
+        || processor_time() - started < 0.1 * rounds as f64 && passed.elapsed().as_secs() < rounds as u64
+    {
         let mut times = [processor_time(); 4];
         let tape = derive();
         times[1] = processor_time();

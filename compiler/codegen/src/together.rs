@@ -1,0 +1,71 @@
+//! Kernels for one point take sines and cosines of many angles by one call too: eight at once cost little more than
+//! one. For that, a tape is put in the order of a batch, where each stage ends with its angles.
+
+use calyx_symbolic::batch::{BatchTape, Source};
+use calyx_symbolic::{Instruction, Tape};
+use std::borrow::Cow;
+use std::ops::Range;
+
+/// Fewer angles than this are taken one by one.
+const WORTH_IT: usize = 3;
+
+/// The widest function takes this many at once; what is left over is filled up with zeros.
+pub const WIDTH: usize = 8;
+
+/// Neighbours on a tape that are sines and cosines.
+pub struct Run {
+    /// The first of them.
+    pub start: usize,
+    /// Their angles, each once.
+    pub angles: Vec<u32>,
+}
+
+/// The tape with sines and cosines that do not depend on each other side by side, if there are enough of them.
+pub fn gathered(tape: &Tape) -> Cow<'_, Tape> {
+    // Constants do not vary, everything else may.
+    let batch = BatchTape::new(tape.clone(), &vec![true; tape.inputs]);
+    if batch.angles.iter().all(|angles| angles.len() < WORTH_IT) {
+        return Cow::Borrowed(tape);
+    }
+    let is_first = |source: &Source| matches!(source, Source::Uniform(_) | Source::Column(_));
+    let ids = || (0u32..).zip(&batch.sources);
+    let mut order: Vec<u32> = ids().filter(|(_, source)| is_first(source)).map(|(id, _)| id).collect();
+    // For each stage the sines and cosines after it, as they stand on the tape.
+    let mut after: Vec<Vec<u32>> = vec![Vec::new(); batch.stages.len()];
+    for (id, source) in ids() {
+        if let Source::Sine { stage, .. } | Source::Cosine { stage, .. } = source {
+            after[*stage as usize].push(id);
+        }
+    }
+    for (operations, after) in batch.stages.iter().zip(&after) {
+        order.extend(operations);
+        order.extend(after);
+    }
+    let mut places = vec![0; tape.instructions.len()];
+    (0..).zip(&order).for_each(|(place, &id)| places[id as usize] = place);
+    let place = |id: u32| places[id as usize];
+    Cow::Owned(Tape {
+        inputs: tape.inputs,
+        instructions: order.iter().map(|&id| tape.instructions[id as usize].with_operands(place)).collect(),
+        outputs: tape.outputs.iter().map(|&id| place(id)).collect(),
+    })
+}
+
+/// The runs in a range of a tape that are worth a call together.
+pub fn runs(tape: &Tape, range: &Range<usize>) -> Vec<Run> {
+    let mut runs: Vec<Run> = Vec::new();
+    let mut end = None;
+    for index in range.clone() {
+        let (Instruction::Sin(angle) | Instruction::Cos(angle)) = tape.instructions[index] else { continue };
+        // The sine of a sine in the same run must wait for it.
+        let run = runs.last_mut().filter(|run| end == Some(index) && (angle as usize) < run.start);
+        match run {
+            Some(run) if run.angles.last() == Some(&angle) || run.angles.contains(&angle) => {}
+            Some(run) => run.angles.push(angle),
+            None => runs.push(Run { start: index, angles: vec![angle] }),
+        }
+        end = Some(index + 1);
+    }
+    runs.retain(|run| run.angles.len() >= WORTH_IT);
+    runs
+}
