@@ -418,7 +418,7 @@ fn quiet_is_quiet_and_what_is_zero_is_not_ignored() {
     assert_eq!(err, "");
     assert_eq!(run["ignored_inputs"], serde_json::json!({}));
     // A run leaves no results of an earlier one behind, however it ends.
-    let model = edited(&["[\"theta_z\"], moment => [\"theta_z\", \"u_x\"], moment"]);
+    let model = edited(&["[\"theta_z\"],\n    moment => [\"theta_z\", \"u_x\"],\n    moment"]);
     std::fs::write(directory.path().join("pair.cx"), model).unwrap();
     let arguments = ["run", "pair.cx", "--set", "steps=2"].map(str::to_owned);
     assert_eq!(calyx(directory.path(), &arguments).status.code(), Some(1));

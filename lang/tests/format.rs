@@ -102,6 +102,25 @@ fn pages_are_formatted_as_they_say() {
     assert!(failures.is_empty(), "\n{}", failures.join("\n"));
 }
 
+/// Models, library and tests are written as `calyx fmt` writes them. `CALYX_BLESS=1` formats them.
+#[test]
+fn programs_of_the_repository_are_formatted() {
+    let bless = std::env::var_os("CALYX_BLESS").is_some();
+    let paths = found("", ".cx");
+    assert!(paths.len() >= 3);
+    let mut failures = Vec::new();
+    for path in paths {
+        let text = fs::read_to_string(&path).unwrap();
+        match format(&text) {
+            Ok(formatted) if formatted == text => {}
+            Ok(formatted) if bless => fs::write(&path, formatted).unwrap(),
+            Ok(_) => failures.push(format!("{}: run `calyx fmt`", path.display())),
+            Err(problem) => failures.push(format!("{}: {problem:?}", path.display())),
+        }
+    }
+    assert!(failures.is_empty(), "{}", failures.join("\n"));
+}
+
 /// Every program in any test: same tree, same comments, done at once.
 #[test]
 fn formatting_changes_no_program() {

@@ -113,7 +113,7 @@ impl Printer<'_> {
 
     pub(super) fn list(&mut self, items: &[Expr]) {
         let layout = match items {
-            [only] if is_bracketed(only) => Layout::Hugged,
+            [only] if breaks_inside(only) => Layout::Hugged,
             _ if items.iter().all(is_short) => Layout::Filled,
             _ => Layout::Each,
         };
@@ -207,15 +207,19 @@ impl Printer<'_> {
 
 fn argument_layout(arguments: &[Argument]) -> Layout {
     match arguments {
-        [only] if only.name.is_none() && !only.spread && is_bracketed(&only.value) => Layout::Hugged,
+        [only] if only.name.is_none() && !only.spread && breaks_inside(&only.value) => Layout::Hugged,
         _ if arguments.iter().all(|a| a.name.is_none() && is_short(&a.value)) => Layout::Filled,
         _ => Layout::Each,
     }
 }
 
-/// Whether an expression breaks inside brackets of its own.
-fn is_bracketed(e: &Expr) -> bool {
-    matches!(e.kind, ExprKind::Call { .. } | ExprKind::List(_))
+/// Whether an expression breaks well inside itself.
+fn breaks_inside(e: &Expr) -> bool {
+    match &e.kind {
+        ExprKind::Unary { operand, .. } => breaks_inside(operand),
+        ExprKind::Call { .. } | ExprKind::List(_) | ExprKind::Binary { .. } | ExprKind::Paren(_) => true,
+        _ => false,
+    }
 }
 
 /// Whether several such items may share a line of a list that takes several.

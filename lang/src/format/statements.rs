@@ -80,8 +80,16 @@ impl Printer<'_> {
                 self.token(Kind::Semicolon);
             }
             StmtKind::Function(function) => self.function(function),
-            StmtKind::Block(statements) => self.block(statement, statements),
-            StmtKind::If { condition, then, otherwise } => self.branch(condition, then, otherwise.as_deref()),
+            StmtKind::Block(statements) => self.block(statement, statements, false),
+            StmtKind::If { condition, then, otherwise: None } => self.headed(then, |p| {
+                p.token(Kind::If);
+                p.condition(condition);
+            }),
+            StmtKind::If { condition, then, otherwise: Some(otherwise) } => {
+                self.open();
+                self.branch(condition, then, Some(otherwise));
+                self.item(Item::Close);
+            }
             StmtKind::While { condition, body } => {
                 self.headed(body, |p| {
                     p.token(Kind::While);
@@ -157,9 +165,10 @@ impl Printer<'_> {
             StmtKind::Return(value) => self.jump(Kind::Return, value.as_ref()),
             StmtKind::Throw(value) => self.jump(Kind::Throw, value.as_ref()),
             StmtKind::Try { body, error, handler } => {
-                self.headed(body, |p| p.token(Kind::Try));
+                self.open();
+                self.headed_with(body, true, |p| p.token(Kind::Try));
                 self.after_body(body);
-                self.headed(handler, |p| {
+                self.headed_with(handler, true, |p| {
                     p.token(Kind::Catch);
                     p.space();
                     p.token(Kind::OpenParen);
@@ -168,6 +177,7 @@ impl Printer<'_> {
                     }
                     p.token(Kind::CloseParen);
                 });
+                self.item(Item::Close);
             }
         }
     }
@@ -194,8 +204,10 @@ impl Printer<'_> {
         self.token(Kind::Semicolon);
     }
 
-    /// `{ ... }`. A block of at most one plain statement that is written in one line stays in it if it fits.
-    fn block(&mut self, block: &Stmt, statements: &[Stmt]) {
+    /// `{ ... }`. A block of at most one plain statement that is written in one line stays in it if it fits; blocks that
+    /// are `together`, as those of `if` and `else` are, if all of them do.
+    fn block(&mut self, block: &Stmt, statements: &[Stmt], together: bool) {
+        let together = together && !statements.is_empty();
         let in_line = match statements {
             [] => true,
             [only] => is_plain(only) && !self.spans_lines(block.span.end),
@@ -206,7 +218,7 @@ impl Printer<'_> {
             self.token(Kind::CloseBrace);
             return;
         }
-        if in_line {
+        if in_line && !together {
             self.open();
         }
         self.item(Item::Indent);
@@ -220,7 +232,7 @@ impl Printer<'_> {
         self.comments();
         self.item(Item::Dedent);
         self.item(if in_line { Item::Line } else { Item::HardLine });
-        if in_line {
+        if in_line && !together {
             self.item(Item::Close);
         }
         self.token(Kind::CloseBrace);
@@ -228,22 +240,26 @@ impl Printer<'_> {
 
     /// A head such as `while (c)` and what it governs, which goes to the next line where both do not fit in one.
     pub(super) fn headed(&mut self, body: &Stmt, head: impl FnOnce(&mut Self)) {
+        self.headed_with(body, false, head);
+    }
+
+    fn headed_with(&mut self, body: &Stmt, together: bool, head: impl FnOnce(&mut Self)) {
         let in_line = !matches!(body.kind, StmtKind::Block(_));
         if in_line {
             self.open();
         }
         head(self);
-        self.governed(body);
+        self.governed(body, together);
         if in_line {
             self.item(Item::Close);
         }
     }
 
     /// A block on the line of its head, anything else indented.
-    fn governed(&mut self, body: &Stmt) {
-        if let StmtKind::Block(_) = body.kind {
+    fn governed(&mut self, body: &Stmt, together: bool) {
+        if let StmtKind::Block(statements) = &body.kind {
             self.space();
-            self.statement(body);
+            self.block(body, statements, together);
             return;
         }
         self.item(Item::Indent);
@@ -261,18 +277,18 @@ impl Printer<'_> {
     }
 
     fn branch(&mut self, condition: &Expr, then: &Stmt, otherwise: Option<&Stmt>) {
-        self.headed(then, |p| {
+        self.headed_with(then, true, |p| {
             p.token(Kind::If);
             p.condition(condition);
         });
         let Some(otherwise) = otherwise else { return };
         self.after_body(then);
-        if let StmtKind::If { .. } = otherwise.kind {
+        if let StmtKind::If { condition, then, otherwise } = &otherwise.kind {
             self.token(Kind::Else);
             self.space();
-            self.statement(otherwise);
+            self.branch(condition, then, otherwise.as_deref());
         } else {
-            self.headed(otherwise, |p| p.token(Kind::Else));
+            self.headed_with(otherwise, true, |p| p.token(Kind::Else));
         }
     }
 
