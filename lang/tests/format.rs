@@ -6,7 +6,7 @@
 #[path = "support/formatting.rs"]
 mod formatting;
 
-use calyx_lang::format::{WIDTH, format, format_range};
+use calyx_lang::format::{NotFormatted, WIDTH, format, format_range};
 use formatting::judge;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -117,6 +117,35 @@ fn programs_of_the_repository_are_formatted() {
             Ok(_) => failures.push(format!("{}: run `calyx fmt`", path.display())),
             Err(problem) => failures.push(format!("{}: {problem:?}", path.display())),
         }
+    }
+    assert!(failures.is_empty(), "{}", failures.join("\n"));
+}
+
+/// So are the whole models on the page that people copy from.
+#[test]
+fn snippets_of_the_reference_are_formatted() {
+    let bless = std::env::var_os("CALYX_BLESS").is_some();
+    let path = root().join("lang/REFERENCE.md");
+    let mut page = fs::read_to_string(&path).unwrap();
+    let mut failures = Vec::new();
+    let original = page.clone();
+    for (line, kind, text) in blocks(&original, &["cx", "cx fragment"]) {
+        match format(text) {
+            Ok(formatted) if formatted == text => {}
+            // The one that shows what formatting does.
+            Ok(_) if text.starts_with("// before") => {}
+            Ok(formatted) if bless => {
+                page =
+                    page.replacen(&format!("```{kind}\n{text}```"), &format!("```{kind}\n{formatted}```"), 1);
+            }
+            Ok(formatted) => failures.push(format!("line {line}: not\n{text}but\n{formatted}")),
+            // Snippets that show errors of syntax.
+            Err(NotFormatted::Errors(_)) if text.contains("//~") => {}
+            Err(problem) => failures.push(format!("line {line}: {problem:?}")),
+        }
+    }
+    if bless {
+        fs::write(&path, page).unwrap();
     }
     assert!(failures.is_empty(), "{}", failures.join("\n"));
 }

@@ -86,7 +86,8 @@ impl Fmt {
         let mut text = String::new();
         if let Err(error) = io::stdin().read_to_string(&mut text) {
             MessageFormat::Human.failure(&format!("cannot read standard input: {error}"), "");
-            return ExitCode::from(USAGE);
+            let not_utf8 = error.kind() == io::ErrorKind::InvalidData;
+            return ExitCode::from(if not_utf8 { MODEL_ERROR } else { USAGE });
         }
         let Some(formatted) = formatted("<stdin>", &text) else { return ExitCode::from(MODEL_ERROR) };
         if self.check {

@@ -11,6 +11,7 @@ mod printer;
 mod statements;
 
 use crate::ast::StmtKind;
+use crate::deep::deep;
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::lexer::{self, Kind, Tokens};
 use crate::parser;
@@ -121,7 +122,7 @@ fn lay_out(text: &str, tokens: &Tokens) -> Result<String, NotFormatted> {
         _ => None,
     });
     let mut printer = Printer::new(text, tokens, units.collect());
-    printer.file(&module);
+    deep(|| printer.file(&module));
     let items = printer.finish().ok_or(NotFormatted::WouldChange)?;
     Ok(document::lay_out(&items, WIDTH))
 }
