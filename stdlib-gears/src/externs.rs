@@ -41,13 +41,13 @@ calyx_abi::externs! {
     Pure fn calyx_gears_rack(
         context, module: f64, diametral_pitch: f64, pressure_angle: f64, tip_radius: f64,
     ) -> Handle {
-        let module = match (module > 0.0, diametral_pitch > 0.0) {
+        let module = match (module != 0.0, diametral_pitch != 0.0) {
             (true, false) => module,
             (false, true) => 1.0 / diametral_pitch,
             (true, true) => return Err(refusal("E0663", "diametral_pitch",
                 "the rack has both a module and a diametral pitch", "give one of them; they are each other's inverse")),
             (false, false) => return Err(refusal("E0664", "module",
-                "the rack has neither a positive module nor a positive diametral pitch",
+                "the rack has neither a module nor a diametral pitch",
                 "give its size, like `module = 2.5 mm` or `diametral_pitch = 10 / inch`")),
         };
         let (place, host) = (context.place, host(context)?);
