@@ -109,6 +109,8 @@ const CODES: &[Explanation] = codes! {
     "E0511" "a value in a symbolic function" "A symbolic function is an expression and has no moment at which it could take the value of a variable. It sees its arguments, `Time`, params, constants and other symbolic functions."
     "E0512" "an argument a symbolic function cannot have" "The arguments of a symbolic function are free symbols: numbers, truth values or vectors, passed by `in`. An ordinary function takes whole expressions with `in name :=`."
     "E0513" "a symbolic function that needs itself" "A symbolic function stands for one expression, which would never end. Build the expression in a loop that binds a `:=` name again."
+    "E0514" "a function that is more than an expression" "A function called with symbols in a `:=` becomes part of the expression, so its body may only name values with `var` and return one. Write it as a symbolic function, or call it with values."
+    "E0515" "an axis that is no unit vector" "`Rotate` turns about a vector of length 1; a longer or shorter one would stretch what is turned. Divide the axis by its length, `a/norm(a)`."
 };
 
 #[cfg(test)]

@@ -27,7 +27,8 @@ fn assert_prints(text: &str, lines: &[&str]) {
 
 #[test]
 fn a_chain_built_in_a_loop_is_the_chain_written_out() {
-    let joint = |k: &str| format!("Translate(lengths[{k}]*e1) * Rotate(rates[{k}]*Time + {k}*0.1 rad, axes[{k}])");
+    let joint =
+        |k: &str| format!("Translate(lengths[{k}]*e1) * Rotate(rates[{k}]*Time + {k}*0.1 rad, axes[{k}])");
     let written: Vec<String> = (0..12).map(|k| joint(&k.to_string())).collect();
     let text = format!(
         "var axes = [e1, e2, e3]; var rates = [0.1 rad/s]; var lengths = [0.2 m];
@@ -67,7 +68,12 @@ fn planets_in_a_loop_are_one_kernel() {
          }
          print(round(places[1]/1 m), round(places[2]/1 m), round(places[3]/1 m), round(places[4]/1 m) + 0);",
     );
-    assert_eq!(program.sites.iter().filter(|site| site.name.contains("at")).count(), 1, "{:#?}", program.sites);
+    assert_eq!(
+        program.sites.iter().filter(|site| site.name.contains("at")).count(),
+        1,
+        "{:#?}",
+        program.sites
+    );
     assert_eq!(program.sites.len(), 1);
     assert_eq!(printed(&program), ["10 0 -10 0"]);
 }
@@ -112,6 +118,67 @@ fn functions_take_expressions() {
 }
 
 #[test]
+fn the_side_not_taken_leaves_no_trace() {
+    // Value and derivatives at the singular point, where the guard takes the other side.
+    for (guarded, expected) in [
+        ("if (x > 0) sqrt(x) else 3*x", "0 3"),
+        ("if (x != 0) 1/x else x", "0 1"),
+        ("if (x != 0) sin(x)/x else 1", "1 0"),
+        ("if (x != 0) sin(atan2(x, x*x)) else 2*x", "0 2"),
+        ("if (x > 0) x^0.5 + x^x else 5*x", "0 5"),
+        ("if (x > 0) log(x)*sin(acos(x + 1)) else x^2", "0 0"),
+        ("(if (x > 0) sqrt(x) else 3*x)^2 + (if (x != 0) 1/x else x)*x", "0 0"),
+    ] {
+        assert_prints(
+            &format!(
+                "function f(in x) := {guarded}; function g(in x) := derivative(f(x), x);
+                 var moving := f(Time/1 s);
+                 print(f(0), g(0)); print(moving at Time = 0 s, (derivative(moving, Time)*1 s) at Time = 0 s);"
+            ),
+            &[expected, expected],
+        );
+    }
+}
+
+#[test]
+fn derivatives_follow_their_conventions_where_they_do_not_exist() {
+    for (expression, at, slope) in [
+        ("abs(x)", "0", "1"),
+        ("max(x, 2*x)", "0", "1"),
+        ("min(x, 2*x)", "0", "1"),
+        ("floor(x) + ceil(x) + round(x)", "1", "0"),
+        ("sqrt(x)", "0", "inf"),
+        ("asin(x)", "1", "inf"),
+        ("acos(x)", "1", "-inf"),
+        ("x^0.5", "0", "inf"),
+        ("x^1", "0", "1"),
+        ("x^0", "0", "0"),
+        ("atan2(x, x*x)", "0", "nan"),
+        ("norm(x*e1)", "0", "nan"),
+    ] {
+        let text = format!(
+            "function f(in x) := {expression}; function g(in x) := derivative(f(x), x); print(\"{{g({at})}}\");"
+        );
+        let found = printed(&check(&text));
+        // Angles carry their unit.
+        let found: Vec<&str> = found.iter().filter_map(|line| line.split(' ').next()).collect();
+        assert_eq!(found, [slope], "{expression}");
+    }
+}
+
+#[test]
+fn ordinary_functions_become_part_of_expressions() {
+    assert_prints(
+        "function decay(in x) { var y = x^2; return y + 2*y^2; }
+         function twice(in x) { return 2*decay(x); }
+         var moving := twice(Time/1 s);
+         function around(in u) := derivative(decay(u)*u, u);
+         print(moving at Time = 1 s, (derivative(moving, Time)*1 s) at Time = 1 s, around(1));",
+        &["6 20 13"],
+    );
+}
+
+#[test]
 fn other_functions_bind_names_too() {
     assert_prints(
         "var f := 2*Time;
@@ -138,7 +205,8 @@ fn what_lies_beyond_is_an_error_and_never_zero() {
 
 #[test]
 fn expressions_one_inside_another_are_limited() {
-    let program = check("var x := Time; for (var i = 0; i < 5000; i = i + 1) x := x + 1 s; print(x at Time = 0 s);");
+    let program =
+        check("var x := Time; for (var i = 0; i < 5000; i = i + 1) x := x + 1 s; print(x at Time = 0 s);");
     let outcome = both(&program, &Start::default());
     assert_eq!(outcome.failure().0, "E0702");
 }

@@ -173,6 +173,9 @@ impl<'a> Checker<'a> {
             values.push(value);
         }
         self.symbolic = around;
+        if let (Op::Rotate, [_, axis]) = (signature.op, values.as_slice()) {
+            self.check_axis(axis);
+        }
         let ty = shape_type(signature.result, &d, &e);
         let result = Expr { kind: Kind::Op(signature.op, values), ty, span };
         if signature.symbolic && !self.symbolic { self.evaluate_now(result, signature.name) } else { result }

@@ -353,6 +353,9 @@ impl<'a> Checker<'a> {
         if let ast::FunctionBody::Symbolic(_) = &decl.body {
             return self.symbolic_call(id, name, arguments, span);
         }
+        if self.symbolic && self.names_symbols(arguments) {
+            return self.symbolic_call(id, name, arguments, span);
+        }
         let names: Vec<&str> = decl.parameters.iter().map(|p| p.name.name.as_str()).collect();
         let Some(mut fields) = self.spread(&name.name, &names, arguments) else {
             return Expr::error(span);

@@ -7,6 +7,7 @@
 //! the database's affair ([`crate::db`]).
 
 mod annotate;
+mod axes;
 mod builtin_calls;
 mod builtins;
 mod calls;

@@ -6,7 +6,7 @@
 
 use super::builtins::Builtin;
 use super::infer::Checker;
-use super::symbols::{Res, VarKind};
+use super::symbols::{Constant, Res, VarKind};
 use super::tree::*;
 use super::types::Type;
 use crate::ast::{self, Bind, ExprKind, Mode};
@@ -193,6 +193,28 @@ impl<'a> Checker<'a> {
         self.report(diagnostic);
     }
 
+    /// Whether arguments contain `Time`, `:=` names or arguments of the symbolic function around, so that a function
+    /// called with them must become part of the expression.
+    pub(super) fn names_symbols(&self, arguments: &'a [ast::Argument]) -> bool {
+        let mut pending: Vec<&ast::Expr> = arguments.iter().map(|argument| &argument.value).collect();
+        while let Some(e) = pending.pop() {
+            if let ExprKind::Name(name) = &e.kind {
+                let symbol = match self.names.uses.get(&name.span) {
+                    Some(Res::Constant(Constant::Time)) => true,
+                    Some(Res::Var(id)) => {
+                        self.variable(*id).kind == VarKind::Symbolic || self.is_argument(*id)
+                    }
+                    _ => false,
+                };
+                if symbol {
+                    return true;
+                }
+            }
+            pending.extend(parts(e));
+        }
+        false
+    }
+
     // Brackets.
 
     /// Whether what is written may give brackets of symbolic expressions (and not the value of an array).
@@ -246,6 +268,19 @@ impl<'a> Checker<'a> {
         let ty = self.store.resolve(&e.ty);
         is_symbolic_value(&ty)
             || matches!(ty, Type::Array(_) | Type::Tuple(_)) && brackets_of_values(&ty) && self.is_brackets(e)
+    }
+}
+
+/// The expressions in an expression from which its value is made.
+fn parts(e: &ast::Expr) -> Vec<&ast::Expr> {
+    match &e.kind {
+        ExprKind::Field { base: a, .. } | ExprKind::Unary { operand: a, .. } | ExprKind::Paren(a) => vec![a],
+        ExprKind::Index { base: a, index: b } | ExprKind::Binary { left: a, right: b, .. } => vec![a, b],
+        ExprKind::At { value, at, .. } => vec![value, at],
+        ExprKind::If { condition, then, otherwise } => vec![condition, then, otherwise],
+        ExprKind::Call { arguments, .. } => arguments.iter().map(|argument| &argument.value).collect(),
+        ExprKind::List(all) => all.iter().collect(),
+        _ => Vec::new(),
     }
 }
 

@@ -24,6 +24,12 @@ pub(super) struct Captures {
     all: Vec<(VarId, Span)>,
     /// Arguments of the symbolic function.
     pub(super) arguments: HashMap<VarId, u32>,
+    /// Variables of an ordinary function, by what they stand for among `shared`.
+    pub(super) locals: HashMap<VarId, u32>,
+    /// The body of an ordinary function, whose expressions were checked as values.
+    pub(super) plain: bool,
+    /// Something in it that is no expression in symbols.
+    pub(super) outside: bool,
     /// Definitions named, each put in once.
     by_definition: HashMap<DefId, u32>,
     pub(super) shared: Vec<SymExpr>,
@@ -144,6 +150,20 @@ impl Body<'_, '_> {
             Kind::Var(id) if captures.arguments.contains_key(id) => {
                 make(SymKind::Argument(captures.arguments[id]), self.repr(&e.ty))
             }
+            Kind::Var(id) if captures.locals.contains_key(id) => {
+                let index = captures.locals[id];
+                make(SymKind::Shared(index), captures.shared[index as usize].repr.clone())
+            }
+            Kind::Var(_) if captures.plain => {
+                captures.outside = true;
+                make(SymKind::Number(f64::NAN), self.repr(&e.ty))
+            }
+            Kind::Eval(def, None) if captures.plain && checker_closed(self.lowering.checker, *def) => {
+                self.shared(*def, span, captures)
+            }
+            Kind::Call(call) if captures.plain && call.copy_back.is_empty() && call.demands.is_empty() => {
+                self.symbolic_node(&Expr { kind: Kind::SymbolicCall(call.clone()), ..e.clone() }, captures)
+            }
             Kind::SymbolicCall(call) => {
                 let Some(function) = self.symbolic_callee(call, span) else {
                     return make(SymKind::Number(f64::NAN), Repr::Number);
@@ -229,8 +249,13 @@ impl Body<'_, '_> {
                 let repr = inner.repr.clone();
                 make(SymKind::At(Box::new(inner), symbol(*sym, captures), Box::new(at)), repr)
             }
-            // Everything else was turned into a capture when the definition was made.
-            _ => make(SymKind::Number(f64::NAN), self.repr(&e.ty)),
+            // Already reported, or the body of a function that this unit does not see.
+            Kind::Error => make(SymKind::Number(f64::NAN), self.repr(&e.ty)),
+            // Everything else was turned into a capture when the definition was made, but for an ordinary function.
+            _ => {
+                captures.outside = true;
+                make(SymKind::Number(f64::NAN), self.repr(&e.ty))
+            }
         }
     }
 
@@ -275,6 +300,11 @@ impl Body<'_, '_> {
         };
         SymExpr { kind: SymKind::Element(Box::new(base), at as u32), repr, span }
     }
+}
+
+/// Whether a definition is the same wherever it is named.
+fn checker_closed(checker: &crate::check::typed::Typed, def: DefId) -> bool {
+    checker.defs[def.0 as usize].closed
 }
 
 fn symbol(sym: Sym, captures: &Captures) -> Symbol {

@@ -3,7 +3,8 @@
 use super::body::Body;
 use super::sites::Captures;
 use super::{Lowering, known_dimension};
-use crate::check::tree::{Call, FuncId, SymbolicBody};
+use crate::ast::Mode;
+use crate::check::tree::{Call, Expr, FuncId, Function, StmtKind, SymbolicBody, VarId};
 use crate::check::types::{Substitution, Type};
 use crate::diagnostic::Diagnostic;
 use crate::dimension::Dimension;
@@ -19,17 +20,74 @@ const MOST_NESTED: usize = 64;
 #[derive(Default)]
 pub(super) struct Instances {
     known: HashMap<(usize, FuncId, Vec<Repr>), SymbolicFunctionId>,
+    /// An ordinary function that turned out to be more than an expression.
+    refused: Option<String>,
     /// Functions being lowered inside one another.
     depth: usize,
     /// Expressions being lowered inside one another, over all these functions.
     pub(super) level: usize,
 }
 
+/// What a function is in a symbolic expression.
+enum FunctionText<'c> {
+    Symbolic(&'c SymbolicBody),
+    /// An ordinary function that only names values and returns one: variables with their values, and the result.
+    Plain(Vec<(VarId, &'c Expr)>, &'c Expr),
+}
+
+impl<'c> FunctionText<'c> {
+    fn of(function: &'c Function) -> Option<Self> {
+        if let Some(definition) = &function.definition {
+            return Some(FunctionText::Symbolic(definition));
+        }
+        if function.parameters.iter().any(|(_, mode)| *mode != Mode::In) {
+            return None;
+        }
+        let (mut variables, mut pending) = (Vec::new(), Vec::new());
+        pending.extend(function.body.iter().rev());
+        while let Some(statement) = pending.pop() {
+            match &statement.kind {
+                StmtKind::Nothing => {}
+                // Several variables of one declaration.
+                StmtKind::Block(inner) => pending.extend(inner.iter().rev()),
+                StmtKind::Assign(place, value) if place.steps.is_empty() => {
+                    let again = variables.iter().any(|(variable, _)| *variable == place.variable);
+                    let parameter = function.parameters.iter().any(|(id, _)| *id == place.variable);
+                    if again || parameter {
+                        return None;
+                    }
+                    variables.push((place.variable, value));
+                }
+                StmtKind::Return(Some(value)) if pending.is_empty() => {
+                    return Some(FunctionText::Plain(variables, value));
+                }
+                _ => return None,
+            }
+        }
+        None
+    }
+}
+
+fn not_plain(name: &str, called: Span) -> Diagnostic {
+    Diagnostic::error(
+        "E0514",
+        format!("`{name}` cannot become part of a symbolic expression"),
+        called,
+        "called with symbols here",
+    )
+    .help("its body may only name values with `var` and return one; or write it as a symbolic function")
+}
+
 impl Body<'_, '_> {
     /// The function a call names, for the types it has here.
     pub(super) fn symbolic_callee(&mut self, call: &Call, span: Span) -> Option<SymbolicFunctionId> {
         let (unit, function, types) = self.lowering.callee(call.function, call.instance, &self.types)?;
-        self.lowering.within(unit, |lowering| lowering.symbolic_function(function, types, span))
+        let found = self.lowering.within(unit, |lowering| lowering.symbolic_function(function, types, span));
+        // The function may stand in another unit, the call stands in this one.
+        if let Some(name) = self.lowering.symbolic_functions.refused.take() {
+            self.lowering.report(not_plain(&name, span));
+        }
+        found
     }
 }
 
@@ -43,7 +101,7 @@ impl Lowering<'_> {
     ) -> Option<SymbolicFunctionId> {
         let checker = self.checker;
         let function = checker.functions.get(&id)?;
-        let definition = function.definition.as_ref()?;
+        let body = FunctionText::of(function);
         let parameter_types: Vec<Type> = function
             .parameters
             .iter()
@@ -61,7 +119,7 @@ impl Lowering<'_> {
                     Diagnostic::error(
                         "E0512",
                         format!(
-                            "the argument `{}` of a symbolic function cannot be a {}",
+                            "the argument `{}` of a function in a symbolic expression cannot be a {}",
                             variable.name,
                             checker.store.show(ty)
                         ),
@@ -84,8 +142,12 @@ impl Lowering<'_> {
             );
             return None;
         }
+        let Some(body) = body else {
+            self.symbolic_functions.refused = Some(function.name.clone());
+            return None;
+        };
         self.symbolic_functions.depth += 1;
-        let lowered = Body::lower_symbolic(self, id, definition, types, &parameter_types);
+        let lowered = Body::lower_symbolic(self, id, &body, types, &parameter_types);
         self.symbolic_functions.depth -= 1;
         let target = SymbolicFunctionId(self.program.symbolic_functions.len() as u32);
         self.program.symbolic_functions.push(lowered);
@@ -128,7 +190,7 @@ impl<'l, 'c> Body<'l, 'c> {
     fn lower_symbolic(
         lowering: &'l mut Lowering<'c>,
         id: FuncId,
-        definition: &SymbolicBody,
+        text: &FunctionText<'_>,
         types: Substitution,
         parameter_types: &[Type],
     ) -> SymbolicFunction {
@@ -139,7 +201,22 @@ impl<'l, 'c> Body<'l, 'c> {
             captures.arguments.insert(*variable, index as u32);
         }
         let mut body = Body::new(lowering, id, types);
-        let expr = body.symbolic(&checker.defs[definition.def.0 as usize].expr, &mut captures);
+        let result = match text {
+            FunctionText::Symbolic(definition) => &checker.defs[definition.def.0 as usize].expr,
+            FunctionText::Plain(variables, result) => {
+                captures.plain = true;
+                for (variable, value) in variables {
+                    let value = body.symbolic(value, &mut captures);
+                    captures.shared.push(value);
+                    captures.locals.insert(*variable, captures.shared.len() as u32 - 1);
+                }
+                result
+            }
+        };
+        let expr = body.symbolic(result, &mut captures);
+        if captures.outside {
+            body.lowering.symbolic_functions.refused = Some(function.name.clone());
+        }
         body.report_size(&function.name, function.span, &captures);
         let system = body.lowering.system;
         // Of a frame, the unit of its translation.

@@ -1,0 +1,70 @@
+//! Axes of rotations, where they are known when the model is checked.
+
+use super::constant;
+use super::infer::Checker;
+use super::tree::{Expr, Kind};
+use super::types::Store;
+use crate::ast::{BinaryOp, UnaryOp};
+use crate::diagnostic::Diagnostic;
+use crate::ir::Op;
+
+/// How far the length of an axis may be from one: what rounding its components to six digits does.
+const TOLERANCE: f64 = 1e-6;
+
+impl Checker<'_> {
+    /// A rotation is about a unit vector; another one would stretch the frame.
+    pub(super) fn check_axis(&mut self, axis: &Expr) {
+        let Some([x, y, z]) = vector(axis, &self.store) else { return };
+        let length = (x * x + y * y + z * z).sqrt();
+        // An axis of NaN is left to run as it is.
+        if (length - 1.0).abs() > TOLERANCE {
+            let help = match length > 0.0 {
+                true => "divide it by its length",
+                false => "give it a direction, such as `e3`",
+            };
+            self.report(
+                Diagnostic::error(
+                    "E0515",
+                    format!(
+                        "the axis of a rotation must be a unit vector, and this one has the length {length}"
+                    ),
+                    axis.span,
+                    "not of length 1",
+                )
+                .help(help),
+            );
+        }
+    }
+}
+
+/// The components of a vector that is constant as written.
+fn vector(e: &Expr, store: &Store) -> Option<[f64; 3]> {
+    let both = |a: [f64; 3], b: [f64; 3], f: fn(f64, f64) -> f64| [0, 1, 2].map(|i| f(a[i], b[i]));
+    match &e.kind {
+        Kind::Op(Op::Vector, parts) => {
+            let [x, y, z] = parts.as_slice() else { return None };
+            Some([constant::number(x, store)?, constant::number(y, store)?, constant::number(z, store)?])
+        }
+        Kind::Unary(UnaryOp::Minus, a) => Some(vector(a, store)?.map(|x| -x)),
+        Kind::Binary(BinaryOp::Add, a, b) => Some(both(vector(a, store)?, vector(b, store)?, |a, b| a + b)),
+        Kind::Binary(BinaryOp::Subtract, a, b) => {
+            Some(both(vector(a, store)?, vector(b, store)?, |a, b| a - b))
+        }
+        Kind::Binary(BinaryOp::Multiply, a, b) => match (vector(a, store), vector(b, store)) {
+            (Some(v), None) => {
+                let factor = constant::number(b, store)?;
+                Some(v.map(|x| x * factor))
+            }
+            (None, Some(v)) => {
+                let factor = constant::number(a, store)?;
+                Some(v.map(|x| x * factor))
+            }
+            _ => None,
+        },
+        Kind::Binary(BinaryOp::Divide, a, b) => {
+            let divisor = constant::number(b, store)?;
+            Some(vector(a, store)?.map(|x| x / divisor))
+        }
+        _ => None,
+    }
+}
