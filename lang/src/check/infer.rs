@@ -11,7 +11,7 @@ use super::symbols::{FunctionInfo, Names, VarKind, Variable, with_article};
 use super::tree::*;
 use super::types::{Mismatch, Store, Substitution, Type};
 use crate::ast;
-use crate::diagnostic::{Diagnostic, Severity};
+use crate::diagnostic::Diagnostic;
 use crate::span::{FileId, Span};
 use crate::units::UnitSystem;
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
@@ -517,26 +517,6 @@ impl<'a> Checker<'a> {
         let result = substitution.ty(&self.store, &signature.result);
         self.instances.push(substitution);
         (parameters, result, UseId(self.instances.len() as u32 - 1))
-    }
-
-    /// Functions of the model's own file in whose text nothing is wrong, with that text.
-    pub fn sound_functions(&self, diagnostics: &[Diagnostic]) -> Vec<(FuncId, Span)> {
-        let functions = self.names.functions.iter().enumerate().skip(1);
-        let texts = functions.filter_map(|(index, info)| {
-            let decl = info.decl.filter(|_| info.file == FileId(0))?;
-            let ast::FunctionBody::Statement(body) = &decl.body else { return None };
-            Some((FuncId(index as u32), Span { end: body.span.end, ..decl.name.span }))
-        });
-        let wrong_in = |text: &Span| {
-            diagnostics.iter().any(|d| {
-                let at = d.primary.span;
-                d.severity == Severity::Error
-                    && at.file == text.file
-                    && at.start >= text.start
-                    && at.end <= text.end
-            })
-        };
-        texts.filter(|(_, text)| !wrong_in(text)).collect()
     }
 
     /// Types of what the model declares at its top level.

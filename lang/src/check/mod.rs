@@ -33,6 +33,7 @@ mod places;
 mod records;
 pub mod rules;
 mod schemes;
+mod sound;
 mod statements;
 mod symbolic;
 mod symbolic_functions;
