@@ -74,6 +74,7 @@ pub fn describe(program: &Program) -> ModelDescription {
                 factor: unit.factor,
                 dimension: unit.dimension.exponents(),
             })
+            .chain(program.own_units.iter().map(unit))
             .collect(),
     }
 }

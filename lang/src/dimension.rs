@@ -4,6 +4,7 @@
 //! Angle is *soft*: it is kept for display and conversion, but two dimensions that differ only in it fit each other
 //! (`v = omega * r`), see [`Dimension::fits`].
 
+use calyx_abi::description::{Exponents, OWN_BASES};
 use std::fmt;
 
 /// A reduced fraction with positive denominator: the exponent of one base dimension.
@@ -128,9 +129,12 @@ impl Base {
     }
 }
 
-/// A physical dimension: one exponent per [`Base`].
+/// Base dimensions of physics and those a program may add.
+const BASES: usize = Base::ALL.len() + OWN_BASES;
+
+/// A dimension: one exponent per [`Base`], then one per base dimension that the program declares.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
-pub struct Dimension([Rational; 5]);
+pub struct Dimension([Rational; BASES]);
 
 impl Dimension {
     /// Of a pure number.
@@ -138,18 +142,44 @@ impl Dimension {
 
     /// From whole exponents of length, mass, time, angle, temperature.
     pub const fn whole(exponents: [i32; 5]) -> Self {
-        let [length, mass, time, angle, temperature] = exponents;
-        Dimension([
-            Rational::integer(length),
-            Rational::integer(mass),
-            Rational::integer(time),
-            Rational::integer(angle),
-            Rational::integer(temperature),
-        ])
+        let mut all = [Rational::ZERO; BASES];
+        let mut base = 0;
+        while base < exponents.len() {
+            all[base] = Rational::integer(exponents[base]);
+            base += 1;
+        }
+        Dimension(all)
+    }
+
+    /// The base dimension that the program declares as its `index`-th, if it may have so many.
+    pub fn own(index: usize) -> Option<Self> {
+        let mut exponents = [Rational::ZERO; BASES];
+        *exponents.get_mut(Base::ALL.len() + index)? = Rational::ONE;
+        Some(Dimension(exponents))
+    }
+
+    /// Exponents of the base dimensions that the program declares.
+    pub fn own_exponents(self) -> [Rational; OWN_BASES] {
+        std::array::from_fn(|index| self.0[Base::ALL.len() + index])
+    }
+
+    /// From all exponents as (numerator, denominator).
+    pub fn from_exponents(exponents: Exponents) -> Option<Self> {
+        let mut all = [Rational::ZERO; BASES];
+        for (to, (n, d)) in all.iter_mut().zip(exponents) {
+            *to = Rational::new(i64::from(n), i64::from(d))?;
+        }
+        Some(Dimension(all))
+    }
+
+    /// The part of physics alone.
+    pub fn without_own(mut self) -> Dimension {
+        self.0[Base::ALL.len()..].fill(Rational::ZERO);
+        self
     }
 
     pub fn of(base: Base) -> Self {
-        let mut exponents = [Rational::ZERO; 5];
+        let mut exponents = [Rational::ZERO; BASES];
         exponents[base as usize] = Rational::ONE;
         Dimension(exponents)
     }
@@ -158,8 +188,8 @@ impl Dimension {
         self.0[base as usize]
     }
 
-    /// Exponents of length, mass, time, angle and temperature as (numerator, denominator).
-    pub fn exponents(self) -> [(i32, i32); 5] {
+    /// All exponents as (numerator, denominator).
+    pub fn exponents(self) -> Exponents {
         self.0.map(|e| (e.numerator, e.denominator))
     }
 
@@ -184,7 +214,7 @@ impl Dimension {
 
     /// Dimension of a power; `None` if an exponent leaves -1000 .. 1000 (no physics is out there).
     pub fn power(self, exponent: Rational) -> Option<Dimension> {
-        let mut result = [Rational::ZERO; 5];
+        let mut result = [Rational::ZERO; BASES];
         for (to, from) in result.iter_mut().zip(self.0) {
             *to = from.product(exponent).filter(|e| e.numerator.abs() <= 1000 && e.denominator <= 1000)?;
         }
@@ -255,6 +285,11 @@ impl fmt::Debug for Dimension {
 
 /// Writes `a^2*b/c`: positive powers first, then each negative one after its own `/`. `1` for the empty product.
 pub(crate) fn product<const N: usize>(factors: [(&str, Rational); N]) -> String {
+    product_of(&factors)
+}
+
+/// [`product`] of any number of factors.
+pub(crate) fn product_of(factors: &[(&str, Rational)]) -> String {
     let powered =
         |name: &str, e: Rational| if e == Rational::ONE { name.into() } else { format!("{name}^{e}") };
     let above: Vec<String> =

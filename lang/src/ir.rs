@@ -6,6 +6,8 @@
 //! Generic functions stand here once per representation of their arguments.
 
 use crate::span::Span;
+use calyx_abi::description::Exponents;
+use calyx_abi::display::Display;
 use calyx_abi::{Purity, Repr};
 
 #[derive(Clone, Debug, Default)]
@@ -27,6 +29,8 @@ pub struct Program {
     pub graph_params: Vec<u32>,
     /// Name of the unit system results print in: `SI`, `mm_N_s`, `inch_lbf_s`.
     pub units: String,
+    /// Units that the program declares.
+    pub own_units: Vec<DisplayUnit>,
     /// Text of the doc comment that opens the model's file; empty if there is none.
     pub doc: String,
 }
@@ -78,8 +82,7 @@ pub struct DisplayUnit {
     /// E.g. `lbf*inch`; empty for a pure number.
     pub name: String,
     pub factor: f64,
-    /// Exponents of length, mass, time, angle and temperature (numerator, denominator).
-    pub dimension: [(i32, i32); 5],
+    pub dimension: Exponents,
 }
 
 /// A wanted observable.
@@ -409,7 +412,7 @@ pub enum ExprKind {
     Copy(Box<Expr>),
     /// Number of elements.
     Len(Box<Expr>),
-    /// Text and values joined; numbers in shortest form that reads back, divided by the factor and followed by the unit.
+    /// Text and values joined; each as its display says.
     Format(Vec<FormatPart>),
     /// Takes the error that led to this block and keeps it: a handle. Stands once, at the head of a handler.
     Catch,
@@ -430,7 +433,7 @@ pub enum ExprKind {
 #[derive(Clone, Debug)]
 pub enum FormatPart {
     Text(String),
-    Value(Expr, Option<DisplayUnit>),
+    Value(Expr, Display),
 }
 
 /// Operations on numbers, truth values, vectors and transforms, the same in evaluated and in symbolic expressions.

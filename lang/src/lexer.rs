@@ -505,7 +505,12 @@ impl Lexer<'_> {
         self.at += 1;
         let blanks = self.rest().len() - self.rest().trim_start_matches([' ', '\t']).len();
         self.at += blanks;
+        let spec = self.at;
         self.digits();
+        // `1/mm` is a unit.
+        if self.rest().trim_start_matches([' ', '\t']).starts_with('/') {
+            self.at = spec;
+        }
         if self.rest().starts_with('.') {
             self.at += 1;
             self.digits();

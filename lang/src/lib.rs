@@ -21,3 +21,4 @@ pub mod render;
 pub mod span;
 pub mod tree_text;
 pub mod units;
+pub mod vocabulary;

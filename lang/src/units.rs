@@ -265,16 +265,48 @@ fn power(base: f64, exponent: Rational) -> f64 {
     if exponent.denominator() == 1 { base.powi(exponent.numerator()) } else { base.powf(exponent.to_f64()) }
 }
 
-/// The unit `name^exponent` of a literal.
-pub fn literal_unit(name: &str, exponent: i32) -> Option<DisplayUnit> {
-    let unit = Unit::find(name)?;
-    let dimension = unit.dimension.power(Rational::integer(exponent))?;
-    let shown = if exponent == 1 { name.to_string() } else { format!("{name}^{exponent}") };
-    Some(DisplayUnit {
-        name: shown,
-        factor: power(unit.factor, Rational::integer(exponent)),
-        dimension: dimension.exponents(),
-    })
+/// The unit of a pure number.
+pub fn pure() -> DisplayUnit {
+    DisplayUnit { name: String::new(), factor: 1.0, dimension: Dimension::NONE.exponents() }
+}
+
+/// A power of a unit; `None` if its exponents become absurd.
+pub fn powered(unit: &DisplayUnit, exponent: i32) -> Option<DisplayUnit> {
+    if exponent == 1 {
+        return Some(unit.clone());
+    }
+    let mut dimension = unit.dimension;
+    for to in &mut dimension {
+        let numerator = i64::from(to.0) * i64::from(exponent);
+        let power = Rational::new(numerator, i64::from(to.1)).filter(|e| e.numerator().abs() <= 1000)?;
+        *to = (power.numerator(), power.denominator());
+    }
+    let name = format!("{}^{exponent}", grouped(&unit.name));
+    Some(DisplayUnit { name, factor: power(unit.factor, Rational::integer(exponent)), dimension })
+}
+
+/// A product or quotient of units, named as it is written.
+pub fn combined(left: &DisplayUnit, right: &DisplayUnit, product: bool) -> Option<DisplayUnit> {
+    let name = match (left.name.as_str(), right.name.as_str(), product) {
+        (left, "", _) => left.to_string(),
+        ("", right, true) => right.to_string(),
+        ("", right, false) => format!("1/{}", grouped(right)),
+        (left, right, true) => format!("{left}*{right}"),
+        (left, right, false) => format!("{left}/{}", grouped(right)),
+    };
+    let mut dimension = left.dimension;
+    for (a, b) in dimension.iter_mut().zip(right.dimension) {
+        let sign = if product { 1 } else { -1 };
+        let numerator = i64::from(a.0) * i64::from(b.1) + sign * i64::from(b.0) * i64::from(a.1);
+        let sum = Rational::new(numerator, i64::from(a.1) * i64::from(b.1))?;
+        *a = (sum.numerator(), sum.denominator());
+    }
+    let factor = if product { left.factor * right.factor } else { left.factor / right.factor };
+    Some(DisplayUnit { name, factor, dimension })
+}
+
+fn grouped(name: &str) -> String {
+    if name.contains(['*', '/']) { format!("({name})") } else { name.to_string() }
 }
 
 #[cfg(test)]
@@ -354,11 +386,17 @@ mod tests {
     }
 
     #[test]
-    fn literal_units_take_whole_powers() {
-        let unit = literal_unit("inch", 2).unwrap();
-        assert_eq!((unit.name.as_str(), unit.factor), ("inch^2", INCH * INCH));
-        assert_eq!(literal_unit("inch", i32::MAX), None);
-        assert_eq!(literal_unit("furlong", 1), None);
+    fn units_have_whole_powers_products_and_quotients() {
+        let named = |name: &str| {
+            let unit = Unit::find(name).unwrap();
+            DisplayUnit { name: name.into(), factor: unit.factor, dimension: unit.dimension.exponents() }
+        };
+        let square = powered(&named("inch"), 2).unwrap();
+        assert_eq!((square.name.as_str(), square.factor), ("inch^2", INCH * INCH));
+        assert_eq!(powered(&named("inch"), i32::MAX), None);
+        let moment = combined(&named("lbf"), &named("inch"), true).unwrap();
+        assert_eq!(combined(&pure(), &moment, false).unwrap().name, "1/(lbf*inch)");
+        assert_eq!(combined(&named("mm"), &moment, false).unwrap().name, "mm/(lbf*inch)");
     }
 
     #[test]

@@ -17,6 +17,14 @@ const TEST_MODULE: &str = "extern pure function depth(in d: Length, in shape: St
      extern scene function load(in part: Part) -> Observable(Force);\n\
      function twice(in x) { return 2*x; }\n";
 
+/// A module with everything a module can hold.
+const COSTS: &str = "dimension Cost;\nunit euro: Cost;\nunit cent = 0.01 euro;\n\
+     private const markup = 1.2;\nconst fee = 3 euro;\n\
+     record Offer { price: Cost = fee; private_note = \"\"; }\n\
+     private record Draft { n = 1; }\nprivate unit dime = 10 cent;\n\
+     function sell(in price: Cost) -> Cost { return price*markup + fee; }\n\
+     private function secret() { return Draft(); }\n";
+
 fn library(name: &str) -> Option<(String, String)> {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../stdlib-gears/calyx/{name}.cx"));
     Some((format!("<library>/{name}.cx"), fs::read_to_string(path).ok()?))
@@ -26,6 +34,7 @@ impl Loader for Library {
     fn module(&self, path: &[String]) -> Option<(String, String)> {
         match path.join("/").as_str() {
             "parts" => Some(("parts.cx".into(), TEST_MODULE.into())),
+            "costs" => Some(("costs.cx".into(), COSTS.into())),
             "loose" => Some(("loose.cx".into(), "var x = 1;".into())),
             "gears" => library("gears"),
             _ => None,

@@ -4,6 +4,7 @@ use crate::error::{GeometryError, Severity};
 use crate::modification::Modification;
 use crate::prototype::GearPrototype;
 use crate::rack::Rack;
+use crate::tables::Table;
 use calyx_abi::RuntimeError;
 use calyx_abi::externs::Handle;
 use calyx_runtime::analysis::{Observer, Position};
@@ -11,6 +12,7 @@ use calyx_runtime::error::{EngineError, Subject};
 use calyx_runtime::material::Material;
 use calyx_runtime::results::{AnalysisResult, OutputRequest};
 use calyx_runtime::scene::Scene;
+use std::path::PathBuf;
 use std::sync::Arc;
 
 /// A plain ring under the teeth. Radii in m.
@@ -57,6 +59,8 @@ pub struct ModelHost {
     /// Places of the calls that made each body and each output.
     pub body_places: Vec<(u32, u32, u32)>,
     pub output_places: Vec<(u32, u32, u32)>,
+    /// Tables that were read, by the file they come from.
+    pub tables: Vec<(PathBuf, Table)>,
     pub positions: Vec<Vec<Position>>,
     pub scene: Scene,
     pub outputs: Vec<OutputRequest>,

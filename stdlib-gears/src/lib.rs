@@ -16,3 +16,4 @@ pub mod prototype;
 pub mod rack;
 mod root_finding;
 pub mod sector_mesh;
+pub mod tables;

@@ -21,6 +21,6 @@ pub const MODULES: &[LibraryModule] =
 /// Every function that programs may call: the library's, and those of the language itself.
 pub fn externs() -> &'static [Extern] {
     static ALL: LazyLock<Vec<Extern>> =
-        LazyLock::new(|| [crate::externs::EXTERNS, standard::EXTERNS].concat());
+        LazyLock::new(|| [crate::externs::EXTERNS, crate::tables::EXTERNS, standard::EXTERNS].concat());
     &ALL
 }

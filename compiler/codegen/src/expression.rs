@@ -5,7 +5,7 @@ use crate::function::{FunctionLowering, slot_types};
 use calyx_abi::helpers::CaptureKind;
 use calyx_abi::{Repr, repr_code};
 use calyx_lang::ir::{Expr, ExprKind, FormatPart, Op, SiteId};
-use calyx_lower::layout::{blame_table, shown, stride, tuple_offset};
+use calyx_lower::layout::{blame_table, stride, tuple_offset};
 use calyx_lower::operations::{Scalars, expand, is_scalar};
 use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::{BlockArg, InstBuilder, Type, Value, types};
@@ -243,15 +243,13 @@ impl<'m, M: Module> FunctionLowering<'_, 'm, '_, M> {
         for part in parts {
             match part {
                 FormatPart::Text(text) => self.text(text)?,
-                FormatPart::Value(expr, unit) => {
+                FormatPart::Value(expr, display) => {
                     let values = values.next().unwrap_or_default();
-                    let (factor, name) = shown(unit);
                     self.store_buffer(0, &values);
                     let [code, length] = self.constant(&repr_code::encode(&expr.repr))?;
                     let (address, count) = (self.buffer_address(0), self.word(values.len()));
-                    let factor = self.builder.ins().iconst(types::I64, factor.to_bits() as i64);
-                    let [name, name_length] = self.constant(name.as_bytes())?;
-                    let arguments = [code, length, address, count, factor, name, name_length];
+                    let [display, display_length] = self.constant(&display.encode())?;
+                    let arguments = [code, length, address, count, display, display_length];
                     self.helper("calyx_text_value", &arguments)?;
                 }
             }

@@ -3,6 +3,7 @@
 #[allow(dead_code, reason = "shared by several tests")]
 mod common;
 
+use calyx_abi::display::{Display, NumberStyle};
 use calyx_abi::{Purity, Repr, Slot};
 use calyx_lang::ir::*;
 use calyx_lang::span::Span;
@@ -319,25 +320,25 @@ fn indices_outside_fail_at_the_index() {
 
 #[test]
 fn strings_show_values_in_their_units() {
-    let inch = DisplayUnit {
-        name: "inch".into(),
-        factor: 0.0254,
-        dimension: [(1, 1), (0, 1), (0, 1), (0, 1), (0, 1)],
-    };
+    let plain = || Display::Number(NumberStyle::default());
+    let inch = Display::Number(NumberStyle::in_unit(0.0254, "inch"));
     let format = |parts| expr(ExprKind::Format(parts), S);
     let text = |text: &str| FormatPart::Text(text.into());
-    let inner = format(vec![text("<"), FormatPart::Value(number(0.1), None), text(">")]);
+    let inner = format(vec![text("<"), FormatPart::Value(number(0.1), plain()), text(">")]);
     let value = format(vec![
         text("d = "),
-        FormatPart::Value(number(3.0 * 0.0254), Some(inch)),
+        FormatPart::Value(number(3.0 * 0.0254), inch),
         text(", "),
-        FormatPart::Value(inner, None),
-        FormatPart::Value(truth(true), None),
-        FormatPart::Value(array(N, vec![number(1e300), number(f64::NEG_INFINITY)]), None),
+        FormatPart::Value(inner, Display::Plain),
+        FormatPart::Value(truth(true), Display::Text { width: 6 }),
+        FormatPart::Value(
+            array(N, vec![number(1e300), number(f64::NEG_INFINITY)]),
+            Display::Array(Box::new(plain())),
+        ),
     ]);
     let same = op(Op::Equal, vec![string("é"), format(vec![text("é")])]);
     let program = evaluates(vec![], vec![], tuple(vec![value, same]));
-    assert_eq!(shown(&program), "[d = 3 inch, <0.1>TRUE[1e300, -inf], TRUE]");
+    assert_eq!(shown(&program), "[d = 3 inch, <0.1>TRUE  [1e300, -inf], TRUE]");
 }
 
 #[test]
@@ -507,8 +508,8 @@ fn what_stops_a_run_cannot_be_caught() {
         place: place(0, vec![], S),
         value: expr(
             ExprKind::Format(vec![
-                FormatPart::Value(local(0, S), None),
-                FormatPart::Value(local(0, S), None),
+                FormatPart::Value(local(0, S), Display::Plain),
+                FormatPart::Value(local(0, S), Display::Plain),
             ]),
             S,
         ),
@@ -616,7 +617,7 @@ fn params_and_symbolic_values() {
         low: None,
         high: None,
         choices: vec![],
-        unit: DisplayUnit { name: String::new(), factor: 1.0, dimension: [(0, 1); 5] },
+        unit: DisplayUnit { name: String::new(), factor: 1.0, dimension: [(0, 1); 8] },
         integral: false,
         span: Span::default(),
     };

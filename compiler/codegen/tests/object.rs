@@ -78,7 +78,7 @@ fn model() -> Program {
         low: None,
         high: None,
         choices: vec![],
-        unit: DisplayUnit { name: String::new(), factor: 1.0, dimension: [(0, 1); 5] },
+        unit: DisplayUnit { name: String::new(), factor: 1.0, dimension: [(0, 1); 8] },
         integral: false,
         span: Span::default(),
     };

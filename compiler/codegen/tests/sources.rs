@@ -44,6 +44,32 @@ const MODELS: &[(&str, &[&str])] = &[
          print(first(P()), first(q), first(r), first(4*e1), q.name, r.name);",
         &["1 7 8 4 n m"],
     ),
+    (
+        "units mm_N_s; dimension Cost; unit euro: Cost; unit cent = 0.01 euro;
+         record Part { n = 3; at = -0*e1; price = 2 euro; tags = [\"a\"]; }
+         var all = [Part(), Part(n = 4, at = 2 mm * e2)];
+         print(all[0], all); print([3 N, \"x\", 10 um], Translate(1 inch * e1), -(0 mm * e1));
+         function wide(in v) { return \"{v : 9.2 inch}|{v : e}|{v : .1e}\"; }
+         print(wide(1 inch), wide(10 um), \"{[1 mm, 2 mm] : .3 um} {all[0].price : cent} {all[0] : .1}\");
+         print(\"{\"ab\" : 4}|{TRUE : 6}|{1/3 : .3}|{1/3 : 8.1 %}|{5% : %}\");",
+        &[
+            "Part(n = 3, at = [0 mm, 0 mm, 0 mm], price = 2 euro, tags = [a]) \
+             [Part(n = 3, at = [0 mm, 0 mm, 0 mm], price = 2 euro, tags = [a]), \
+             Part(n = 4, at = [0 mm, 2 mm, 0 mm], price = 2 euro, tags = [a])]",
+            "[3 N, x, 0.01 mm] [[1, 0, 0], [0, 1, 0], [0, 0, 1], [-25.4 mm, 0 mm, 0 mm]] [0 mm, 0 mm, 0 mm]",
+            "     1.00 inch|2.54e1 mm|2.5e1 mm      0.00 inch|1e-2 mm|1.0e-2 mm \
+             [1000.000 um, 2000.000 um] 200 cent \
+             Part(n = 3.0, at = [0.0 mm, 0.0 mm, 0.0 mm], price = 2.0 euro, tags = [a])",
+            "ab  |TRUE  |0.333|    33.3 %|5 %",
+        ],
+    ),
+    (
+        "var xs = [0 mm, 1 mm, 3 mm, 4 mm]; var ys = [0 N, 2 N, 2 N, 6 N];
+         print(interpolate(xs, ys, 2 mm) == 2 N, interpolate(xs, ys, 0.5 mm), interpolate(xs, ys, 4 mm));
+         print(interpolate(xs, ys, 2 mm, \"monotone\"), interpolate(xs, ys, 0.25 mm, \"monotone\") > 0.5 N);
+         print(interpolate(xs, ys, 5 mm));",
+        &["TRUE 1 N 6 N", "2 N TRUE", "E0705"],
+    ),
     ("print(\"before\"); var a = [1]; print(\"{a[1]}\");", &["before", "E0701"]),
 ];
 

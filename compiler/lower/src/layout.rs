@@ -2,7 +2,7 @@
 
 use calyx_abi::Repr;
 use calyx_abi::blame;
-use calyx_lang::ir::{DisplayUnit, Expr, ExternDecl, Function, Mode};
+use calyx_lang::ir::{Expr, ExternDecl, Function, Mode};
 use calyx_lang::span::Span;
 
 /// For each size the sum of those before it, and the sum of all.
@@ -60,7 +60,3 @@ pub fn blame_table(function: &ExternDecl, arguments: &[Expr], call: Span) -> Vec
     }))
 }
 
-/// Factor and name of the unit a value is shown in.
-pub fn shown(unit: &Option<DisplayUnit>) -> (f64, &str) {
-    unit.as_ref().map_or((1.0, ""), |unit| (unit.factor, &unit.name))
-}

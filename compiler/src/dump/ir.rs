@@ -1,6 +1,7 @@
 //! The typed program: params, externs, functions as graphs of basic blocks. Numbers are in SI, dimensions gone.
 
 use calyx_abi::Repr;
+use calyx_abi::display::Display;
 use calyx_abi::text::number;
 use calyx_lang::ir::*;
 use calyx_lang::render::line_column;
@@ -158,8 +159,8 @@ impl Printer<'_> {
             ExprKind::Format(parts) => {
                 let part = |part: &FormatPart| match part {
                     FormatPart::Text(text) => format!("{text:?}"),
-                    FormatPart::Value(value, Some(unit)) if !unit.name.is_empty() => {
-                        format!("{} in {}", one(value), unit.name)
+                    FormatPart::Value(value, Display::Number(style)) if !style.unit.is_empty() => {
+                        format!("{} in {}", one(value), style.unit)
                     }
                     FormatPart::Value(value, _) => one(value),
                 };

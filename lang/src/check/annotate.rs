@@ -93,10 +93,7 @@ impl<'a> Checker<'a> {
     fn declared_type(&mut self, name: &Ident) -> Option<Type> {
         match self.names.uses.get(&name.span).copied()? {
             Res::Record(id) => Some(Type::Record(id)),
-            Res::Dimension(_) => {
-                self.not_yet("dimensions of one's own are", name.span);
-                None
-            }
+            Res::Dimension(id) => self.own_dimension(id).map(Type::quantity),
             Res::Unknown => None,
             _ => Some(self.bad_annotation(format!("`{}` is no type", name.name), name.span)),
         }
@@ -105,6 +102,9 @@ impl<'a> Checker<'a> {
     fn dimension(&mut self, annotation: &TypeExpr) -> Option<Dimension> {
         match &annotation.kind {
             TypeKind::Name(name) => {
+                if let Some(Res::Dimension(id)) = self.names.uses.get(&name.span).copied() {
+                    return self.own_dimension(id);
+                }
                 let found = Dimension::from_name(&name.name);
                 if found.is_none() {
                     self.unknown_type(&name.name, name.span);
@@ -149,6 +149,8 @@ impl<'a> Checker<'a> {
         let handles: Vec<String> = self.handles.iter().cloned().collect();
         let mut candidates: Vec<&str> = NAMES.iter().copied().chain(Dimension::names()).collect();
         candidates.extend(handles.iter().map(String::as_str));
+        candidates.extend(self.names.records.iter().map(|record| record.decl.name.name.as_str()));
+        candidates.extend(self.names.dimensions.iter().map(|own| own.decl.name.name.as_str()));
         let diagnostic = match similar(name, candidates.into_iter()) {
             Some(near) => {
                 diagnostic.help(format!("did you mean `{near}`?")).fix(format!("change to `{near}`"), span, near)

@@ -5,6 +5,7 @@ use super::types::{Store, Type};
 use crate::ast::{BinaryOp, UnaryOp};
 use crate::ir::Op;
 use calyx_abi::math;
+use calyx_abi::units::to_si;
 
 /// The number an expression stands for, in SI, if it is made of literals alone.
 pub fn number(e: &Expr, store: &Store) -> Option<f64> {
@@ -12,7 +13,7 @@ pub fn number(e: &Expr, store: &Store) -> Option<f64> {
         Kind::Number(value) => *value,
         Kind::Bare(value, dim, system) => {
             let dimension = store.dim(dim).as_known()?;
-            value * system.unit_of(dimension).factor
+            to_si(*value, system.unit_of(dimension.without_own()).factor)
         }
         Kind::Unary(UnaryOp::Minus, a) => -number(a, store)?,
         Kind::Unary(UnaryOp::Plus, a) => number(a, store)?,

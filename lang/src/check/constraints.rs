@@ -7,6 +7,7 @@ use super::symbols::with_article;
 use super::tree::{Constraint, ConstraintKind, RecordId};
 use super::types::{Mismatch, Type};
 use crate::diagnostic::Diagnostic;
+use crate::dimension::Dimension;
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 use std::mem::{Discriminant, discriminant};
@@ -32,7 +33,7 @@ impl Constraint {
     pub fn types(&self) -> Vec<&Type> {
         match &self.kind {
             Multiply(a, b, c) | Divide(a, b, c) => vec![a, b, c],
-            Additive(a) | Comparable(a) | Printable(a) | Throwable(a) => vec![a],
+            Additive(a) | Comparable(a) | Printable(a) | Throwable(a) | Styled(a, ..) => vec![a],
             Index(a, _, b) | Field(a, _, b) => vec![a, b],
         }
     }
@@ -46,6 +47,7 @@ impl Constraint {
             Comparable(a) => Comparable(f(a)),
             Printable(a) => Printable(f(a)),
             Throwable(a) => Throwable(f(a)),
+            Styled(a, unit, digits) => Styled(f(a), *unit, *digits),
             Index(a, at, b) => Index(f(a), *at, f(b)),
             Field(a, name, b) => Field(f(a), name.clone(), f(b)),
         }
@@ -91,13 +93,14 @@ impl Checker<'_> {
             let kind = discriminant(&constraint.kind);
             let field = match &constraint.kind {
                 Field(_, name, _) => name.clone(),
+                Styled(_, unit, digits) => format!("{unit:?}{digits}"),
                 _ => String::new(),
             };
             let mut operands: Vec<Type> =
                 constraint.types().into_iter().map(|ty| self.store.resolve(ty)).collect();
             let result = match &constraint.kind {
                 Multiply(..) | Divide(..) | Index(..) | Field(..) => operands.pop(),
-                Additive(_) | Comparable(_) | Printable(_) | Throwable(_) => None,
+                Additive(_) | Comparable(_) | Printable(_) | Throwable(_) | Styled(..) => None,
             };
             match (seen.entry((kind, field, operands)), result) {
                 (Entry::Vacant(entry), result) => {
@@ -297,7 +300,10 @@ impl Checker<'_> {
                     }
                     Outcome::Solved
                 }
-                Type::Record(id) => self.every_field(id, Comparable, constraint),
+                Type::Record(id) => {
+                    let parts = self.field_types(id);
+                    self.every_part(parts, Comparable, constraint)
+                }
                 Type::Number(_) | Type::Bool | Type::String | Type::Vector(_) | Type::Error => {
                     Outcome::Solved
                 }
@@ -326,6 +332,11 @@ impl Checker<'_> {
                 Type::Array(element) => {
                     self.try_solve(&Constraint { kind: Printable(*element), span: constraint.span })
                 }
+                Type::Tuple(parts) => self.every_part(parts, Printable, constraint),
+                Type::Record(id) => {
+                    let parts = self.field_types(id);
+                    self.every_part(parts, Printable, constraint)
+                }
                 Type::Observable(_) => Outcome::failed(self.observable_as_value(constraint.span)),
                 other => {
                     let shown = with_article(&self.store.show(&other));
@@ -336,10 +347,11 @@ impl Checker<'_> {
                             constraint.span,
                             format!("this is {shown}"),
                         )
-                        .help("print numbers, truth values, strings, vectors, frames or arrays of them"),
+                        .help("print numbers, truth values, strings, vectors, frames, and arrays, tuples and records of them"),
                     )
                 }
             },
+            Styled(a, unit, digits) => self.styled(a.clone(), *unit, *digits, constraint),
             Field(base, name, result) => match self.store.shallow(base) {
                 Type::Error => self.fit(constraint, result, &Type::Error),
                 Type::Unknown(_) => Outcome::Open,
@@ -410,21 +422,87 @@ impl Checker<'_> {
         }
     }
 
-    /// Demands the same of all fields of a record.
-    fn every_field(
+    fn field_types(&self, id: RecordId) -> Vec<Type> {
+        let fields = self.store.record(id).into_iter().flat_map(|record| &record.fields);
+        fields.map(|(_, ty)| ty.clone()).collect()
+    }
+
+    /// Demands the same of all parts of a tuple or record.
+    fn every_part(
         &mut self,
-        id: RecordId,
+        parts: Vec<Type>,
         demand: impl Fn(Type) -> ConstraintKind,
         constraint: &Constraint,
     ) -> Outcome {
-        let fields = self.store.record(id).map(|record| record.fields.clone()).unwrap_or_default();
-        for (_, ty) in fields {
+        let mut open = false;
+        for ty in parts {
             match self.try_solve(&Constraint { kind: demand(ty), span: constraint.span }) {
                 Outcome::Solved => {}
-                other => return other,
+                Outcome::Open => open = true,
+                failed => return failed,
             }
         }
-        Outcome::Solved
+        if open { Outcome::Open } else { Outcome::Solved }
+    }
+
+    /// Whether values of a type can be shown in a unit, or with so many digits.
+    fn styled(
+        &mut self,
+        ty: Type,
+        unit: Option<Dimension>,
+        digits: bool,
+        constraint: &Constraint,
+    ) -> Outcome {
+        match (self.store.shallow(&ty), unit) {
+            (Type::Unknown(_), _) => Outcome::Open,
+            (Type::Number(dim) | Type::Vector(dim), Some(unit)) => {
+                let shown = with_article(&self.store.show_dim(&dim));
+                match self.store.unify_dims(&dim, &Dim::known(unit)) {
+                    Ok(()) => Outcome::Solved,
+                    Err(_) => {
+                        let unit = with_article(&self.store.vocabulary.show(unit));
+                        Outcome::failed(
+                            Diagnostic::error(
+                                "E0401",
+                                format!("{shown} cannot be shown in a unit of {unit}"),
+                                constraint.span,
+                                format!("this is {shown}"),
+                            )
+                            .help("choose a unit of its own dimension, or leave the unit out"),
+                        )
+                    }
+                }
+            }
+            (Type::Transform, Some(unit)) if unit != Dimension::of(crate::dimension::Base::Length) => {
+                Outcome::failed(
+                    Diagnostic::error(
+                        "E0401",
+                        "a frame is shown in a unit of length",
+                        constraint.span,
+                        "this is a Transform",
+                    )
+                    .help("choose a unit such as `mm`"),
+                )
+            }
+            (Type::Array(element), _) => self.styled(*element, unit, digits, constraint),
+            (Type::Number(_) | Type::Vector(_) | Type::Transform | Type::Error, _) => Outcome::Solved,
+            (Type::Bool | Type::String, None) if !digits => Outcome::Solved,
+            // Parts without numbers are shown as ever; the unit must fit all that have some.
+            (Type::Tuple(parts), _) => self.every_part(parts, |ty| Styled(ty, unit, digits), constraint),
+            (Type::Record(_), None) => Outcome::Solved,
+            (other, _) => {
+                let shown = with_article(&self.store.show(&other));
+                Outcome::failed(
+                    Diagnostic::error(
+                        "E0408",
+                        format!("{shown} has neither digits nor a unit"),
+                        constraint.span,
+                        format!("this is {shown}"),
+                    )
+                    .help("formats are for numbers; only a width is for texts too: `{name : 12}`"),
+                )
+            }
+        }
     }
 
     fn bad_operands(

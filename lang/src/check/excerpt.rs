@@ -49,6 +49,8 @@ pub struct Segment {
 pub struct Layout {
     /// By file of the excerpt, in order of place.
     files: Vec<Vec<Segment>>,
+    /// Module and name of every base dimension that the program declares, so that all checks number them alike.
+    pub bases: Vec<(String, String)>,
 }
 
 impl Layout {

@@ -12,7 +12,8 @@ use crate::diagnostic::Diagnostic;
 use crate::dimension::{Base, Dimension, Rational};
 use crate::ir::Op;
 use crate::span::Span;
-use crate::units::{Unit, UnitSystem, literal_unit};
+use crate::units::{Unit, UnitSystem, powered};
+use calyx_abi::units::to_si;
 
 /// Where an expression stands.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -120,31 +121,14 @@ impl<'a> Checker<'a> {
     }
 
     fn quantity(&mut self, value: f64, unit: &ast::Ident, exponent: i32) -> (Kind, Type) {
-        match literal_unit(&unit.name, exponent) {
-            Some(found) => {
-                let dimension = Unit::find(&unit.name)
-                    .and_then(|u| u.dimension.power(Rational::integer(exponent)))
-                    .unwrap_or(Dimension::NONE);
-                (Kind::Number(value * found.factor), Type::quantity(dimension))
-            }
-            None => {
-                let diagnostic = Diagnostic::error(
-                    "E0403",
-                    format!("`{}` is not a unit", unit.name),
-                    unit.span,
-                    "a name right after a number must be a unit",
-                );
-                let diagnostic = match Unit::similar(&unit.name) {
-                    Some(near) => diagnostic.help(format!("did you mean `{near}`?")).fix(
-                        format!("change to `{near}`"),
-                        unit.span,
-                        near,
-                    ),
-                    None => diagnostic.help("write `*` between a number and a variable"),
-                };
-                self.report(diagnostic);
-                (Kind::Error, Type::Error)
-            }
+        let known = self.unit_named(unit);
+        if known.is_none() && !matches!(self.names.uses.get(&unit.span), Some(Res::OwnUnit(_))) {
+            self.unknown_unit(unit, "a name right after a number must be a unit");
+        }
+        let unit = known.and_then(|unit| powered(&unit, exponent));
+        match unit.and_then(|unit| Some((unit.factor, Dimension::from_exponents(unit.dimension)?))) {
+            Some((factor, dimension)) => (Kind::Number(to_si(value, factor)), Type::quantity(dimension)),
+            None => (Kind::Error, Type::Error),
         }
     }
 
@@ -154,10 +138,9 @@ impl<'a> Checker<'a> {
             .map(|part| match part {
                 ast::StringPart::Text(text) => Piece::Text(text.clone()),
                 ast::StringPart::Value(value, format) => {
-                    if let Some(format) = format {
-                        self.not_yet("formats are", format.span);
-                    }
-                    Piece::Value(self.printable(value))
+                    let value = self.printable(value);
+                    let style = format.as_ref().map(|format| self.style(&value, format));
+                    Piece::Value(value, style)
                 }
             })
             .collect();
@@ -167,6 +150,21 @@ impl<'a> Checker<'a> {
             _ => Kind::Format(pieces, self.system().unwrap_or_default()),
         };
         (kind, Type::String)
+    }
+
+    /// How a value in a text is to be shown; checks that it can be.
+    fn style(&mut self, value: &Expr, format: &'a ast::Format) -> Style {
+        let unit = format.unit.as_ref().and_then(|unit| self.format_unit(unit));
+        let digits = format.digits.is_some() || format.scientific;
+        let dimension = unit.as_ref().map(|(_, dimension)| *dimension);
+        let kind = ConstraintKind::Styled(value.ty.clone(), dimension, digits);
+        self.constrain(Constraint { kind, span: value.span });
+        Style {
+            width: format.width,
+            digits: format.digits,
+            scientific: format.scientific,
+            unit: unit.map(|(unit, _)| unit),
+        }
     }
 
     /// A value to be written into text.
@@ -244,9 +242,12 @@ impl<'a> Checker<'a> {
                 );
                 (Kind::Error, Type::Error)
             }
-            Res::OwnUnit(_) => {
-                self.not_yet("units of one's own are", span);
-                (Kind::Error, Type::Error)
+            Res::OwnUnit(id) => {
+                let unit = self.own_unit(id);
+                match unit.and_then(|unit| Some((unit.factor, Dimension::from_exponents(unit.dimension)?))) {
+                    Some((factor, dimension)) => (Kind::Number(factor), Type::quantity(dimension)),
+                    None => (Kind::Error, Type::Error),
+                }
             }
             Res::Unit(unit) => (Kind::Number(unit.factor), Type::quantity(unit.dimension)),
             Res::Builtin(_) if Unit::find(&name.name).is_some() => {

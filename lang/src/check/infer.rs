@@ -7,11 +7,13 @@ use super::ModuleData;
 use super::dim::Dim;
 use super::excerpt::Layout;
 use super::rules::{self, Rule};
-use super::symbols::{FunctionInfo, Names, VarKind, Variable, with_article};
+use super::symbols::{FunctionInfo, Names, Res, VarKind, Variable, with_article};
 use super::tree::*;
 use super::types::{Mismatch, Store, Substitution, Type};
 use crate::ast;
 use crate::diagnostic::Diagnostic;
+use crate::dimension::Dimension;
+use crate::ir::DisplayUnit;
 use crate::span::{FileId, Span};
 use crate::units::UnitSystem;
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
@@ -68,6 +70,11 @@ pub struct Checker<'a> {
     pub(super) domains: Vec<super::domains::Check>,
     /// Values of constants; `None` while one is computed.
     pub(super) consts: HashMap<u32, Option<Expr>>,
+    /// Declared dimensions and units that are known; `None` for those that make no sense or are being found out.
+    pub(super) own_dimensions: HashMap<u32, Option<Dimension>>,
+    pub(super) own_units: HashMap<u32, Option<DisplayUnit>>,
+    /// Dimensions and units being found out.
+    pub(super) opening: Vec<Res>,
     /// Records whose defaults are being put in, outermost first.
     pub(super) making: Vec<RecordId>,
     pub(super) function: FuncId,
@@ -107,6 +114,9 @@ impl<'a> Checker<'a> {
             handlers: 0,
             domains: Vec::new(),
             consts: HashMap::new(),
+            own_dimensions: HashMap::new(),
+            own_units: HashMap::new(),
+            opening: Vec::new(),
             making: Vec::new(),
             function: FuncId(0),
             file: FileId(0),
@@ -121,6 +131,7 @@ impl<'a> Checker<'a> {
     pub fn program(&mut self) {
         let modules = self.modules;
         let Some(model) = modules.first() else { return };
+        self.declare_vocabulary();
         self.declare_records();
         self.declare_consts();
         self.unsettled = self.store.has_open_literals();

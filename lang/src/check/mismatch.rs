@@ -91,7 +91,9 @@ impl Checker<'_> {
         let mut parts = Vec::new();
         self.collect_factors(e, true, &mut parts);
         let in_bases = |e: &Expr| match self.store.resolve(&e.ty) {
-            Type::Number(dim) | Type::Vector(dim) => dim.as_known().map(Dimension::in_bases),
+            Type::Number(dim) | Type::Vector(dim) => {
+                dim.as_known().map(|known| self.store.vocabulary.in_bases(known))
+            }
             _ => None,
         };
         let total = in_bases(e).unwrap_or_else(|| self.store.show(&e.ty));
@@ -157,15 +159,21 @@ impl Checker<'_> {
         };
         let missing = known(wanted)?.over(known(got)?).without_angle();
         let inverse = missing.power(Rational::integer(-1))?;
-        let unit = |d: Dimension| self.shown_system().unit_of(d).name;
+        let unit = |d: Dimension| self.store.vocabulary.unit_of(self.shown_system(), d).name;
         let bare = known(got)?.without_angle().is_none();
-        Some(match (missing.known_name(), inverse.known_name()) {
+        Some(match (self.store.vocabulary.name_of(missing), self.store.vocabulary.name_of(inverse)) {
             (Some(name), _) if bare => format!("give it a unit of {name}, such as `{}`", unit(missing)),
-            (_, Some(name)) if missing.known_name().is_none() || name == "Length" || name == "Time" => {
+            (_, Some(name))
+                if self.store.vocabulary.name_of(missing).is_none() || name == "Length" || name == "Time" =>
+            {
                 format!("divide by {} (`{}`)", with_article(name), unit(inverse))
             }
             (Some(name), _) => format!("multiply by {} (`{}`)", with_article(name), unit(missing)),
-            _ => format!("a factor of {} is missing (`{}`)", missing.in_bases(), unit(missing)),
+            _ => format!(
+                "a factor of {} is missing (`{}`)",
+                self.store.vocabulary.in_bases(missing),
+                unit(missing)
+            ),
         })
     }
 }

@@ -42,6 +42,7 @@ mod tree;
 mod typed;
 mod types;
 pub(crate) mod unit;
+mod vocabulary;
 
 pub(crate) use annotate::handles_of;
 pub use builtins::names as builtin_names;

@@ -583,16 +583,13 @@ impl<'a> Resolver<'a> {
         let unit = |res: &Res| matches!(res, Res::OwnUnit(_)).then_some(*res);
         let mut files = self.scopes.iter().take(2).rev();
         let own = files.find_map(|scope| scope.names.get(name).and_then(|(res, _)| unit(res)));
-        own.or_else(|| {
-            let imported = self.scopes.get(1).into_iter().flat_map(|scope| scope.names.values());
-            imported.filter_map(|(res, _)| self.exported_unit(*res, name)).next()
-        })
+        // Those of the modules it imports, directly or through others.
+        own.or_else(|| (2..self.exports.len()).find_map(|module| self.exported_unit(module, name)))
     }
 
-    fn exported_unit(&self, module: Res, name: &str) -> Option<Res> {
-        let Res::Module(module) = module else { return None };
-        let (res, _) = self.exports.get(module as usize)?.get(name)?;
-        let public = !self.private[module as usize].contains(name);
+    fn exported_unit(&self, module: usize, name: &str) -> Option<Res> {
+        let (res, _) = self.exports[module].get(name)?;
+        let public = !self.private[module].contains(name);
         (public && matches!(res, Res::OwnUnit(_))).then_some(*res)
     }
 

@@ -4,11 +4,9 @@ use super::infer::Checker;
 use super::symbols::with_article;
 use super::tree::{DefId, Output, Param, StmtKind};
 use super::types::Type;
-use crate::ast::{self, BinaryOp, Domain, ExprKind, UnaryOp};
+use crate::ast::{self, Domain, ExprKind, UnaryOp};
 use crate::diagnostic::Diagnostic;
-use crate::dimension::{Dimension, Rational};
-use crate::ir::DisplayUnit;
-use crate::units::{Unit, literal_unit};
+use crate::dimension::Dimension;
 
 impl<'a> Checker<'a> {
     /// Params are set before the program runs, so all of them are checked before it.
@@ -84,9 +82,10 @@ impl<'a> Checker<'a> {
             match &ty {
                 Type::Number(dim) => {
                     let dimension = dim.as_known().unwrap_or(Dimension::NONE);
-                    let written = written_unit(&decl.default)
+                    let written = self
+                        .written_unit(&decl.default)
                         .filter(|unit| !unit.name.is_empty() || dimension.is_none())
-                        .unwrap_or_else(|| self.shown_system().unit_of(dimension));
+                        .unwrap_or_else(|| self.store.vocabulary.unit_of(self.shown_system(), dimension));
                     self.params[index].whole &= dimension.is_none();
                     self.params[index].unit = Some(written);
                 }
@@ -149,54 +148,4 @@ fn is_whole(e: &ast::Expr) -> bool {
         ExprKind::Paren(inner) => is_whole(inner),
         _ => false,
     }
-}
-
-/// The unit an expression of literals is written in: `1000 lbf*inch` is in `lbf*inch`, `10 / inch` in `1/inch`.
-fn written_unit(e: &ast::Expr) -> Option<DisplayUnit> {
-    match &e.kind {
-        ExprKind::Number(_) => Some(pure()),
-        ExprKind::Quantity { unit, exponent, .. } => literal_unit(&unit.name, *exponent),
-        ExprKind::Name(name) => {
-            Unit::find(&name.name)?;
-            literal_unit(&name.name, 1)
-        }
-        ExprKind::Paren(inner) | ExprKind::Unary { operand: inner, .. } => written_unit(inner),
-        ExprKind::Binary { op: BinaryOp::Power, left, right, .. } => match (&left.kind, &right.kind) {
-            (ExprKind::Name(name), ExprKind::Number(exponent))
-                if exponent.fract() == 0.0 && exponent.abs() < 100.0 =>
-            {
-                literal_unit(&name.name, *exponent as i32)
-            }
-            _ => None,
-        },
-        ExprKind::Binary { op: op @ (BinaryOp::Multiply | BinaryOp::Divide), left, right, .. } => {
-            combined(&written_unit(left)?, &written_unit(right)?, *op == BinaryOp::Multiply)
-        }
-        _ => None,
-    }
-}
-
-fn pure() -> DisplayUnit {
-    DisplayUnit { name: String::new(), factor: 1.0, dimension: Dimension::NONE.exponents() }
-}
-
-fn combined(left: &DisplayUnit, right: &DisplayUnit, product: bool) -> Option<DisplayUnit> {
-    let group = |name: &str| if name.contains(['*', '/']) { format!("({name})") } else { name.to_string() };
-    let name = match (left.name.as_str(), right.name.as_str(), product) {
-        (left, "", _) => left.to_string(),
-        ("", right, true) => right.to_string(),
-        ("", right, false) => format!("1/{}", group(right)),
-        (left, right, true) => format!("{left}*{right}"),
-        (left, right, false) => format!("{left}/{}", group(right)),
-    };
-    let mut dimension = [(0, 1); 5];
-    for (i, to) in dimension.iter_mut().enumerate() {
-        let (a, b) = (left.dimension[i], right.dimension[i]);
-        let sign = if product { 1 } else { -1 };
-        let numerator = i64::from(a.0) * i64::from(b.1) + sign * i64::from(b.0) * i64::from(a.1);
-        let sum = Rational::new(numerator, i64::from(a.1) * i64::from(b.1))?;
-        *to = (sum.numerator(), sum.denominator());
-    }
-    let factor = if product { left.factor * right.factor } else { left.factor / right.factor };
-    Some(DisplayUnit { name, factor, dimension })
 }

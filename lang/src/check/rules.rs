@@ -63,8 +63,13 @@ rules! {
     PrintVector "a vector has"
     PrintFrame "a frame has"
     PrintArray "an array of what has one has"
+    PrintTuple "a tuple of what has one has"
+    PrintRecord "a record of what has one has"
     PrintOpen "text of an unknown type waits for it"
     PrintRefused "no other type has a text form"
+    StyleNumber "a number is shown in a unit of its own dimension"
+    StyleOpen "a format of an unknown type waits for it"
+    StyleRefused "what holds no numbers has neither digits nor a unit"
     IndexArray "an element of Array(T) is T"
     IndexTuple "an element of a tuple by a constant is that element"
     IndexOpen "an element of an unknown type waits for it"
@@ -133,7 +138,9 @@ pub use record::take;
 /// Notes what became of a constraint: `Some(true)` solved, `Some(false)` refused, `None` still open. `shallow` shows
 /// as much of a type as is known.
 pub(super) fn constraint(kind: &ConstraintKind, solved: Option<bool>, shallow: impl Fn(&Type) -> Type) {
-    use ConstraintKind::{Additive, Comparable, Divide, Field, Index, Multiply, Printable, Throwable};
+    use ConstraintKind::{
+        Additive, Comparable, Divide, Field, Index, Multiply, Printable, Styled, Throwable,
+    };
     use Rule::*;
     let (open, refused) = match kind {
         Multiply(..) => (MultiplyOpen, MultiplyRefused),
@@ -141,6 +148,7 @@ pub(super) fn constraint(kind: &ConstraintKind, solved: Option<bool>, shallow: i
         Additive(_) => (AddOpen, AddRefused),
         Comparable(_) => (CompareOpen, CompareRefused),
         Printable(_) => (PrintOpen, PrintRefused),
+        Styled(..) => (StyleOpen, StyleRefused),
         Index(..) => (IndexOpen, IndexRefused),
         Field(..) => (FieldOpen, FieldRefused),
         Throwable(_) => (ThrowOpen, ThrowRefused),
@@ -184,8 +192,11 @@ pub(super) fn constraint(kind: &ConstraintKind, solved: Option<bool>, shallow: i
                 Type::Vector(_) => Some(PrintVector),
                 Type::Transform => Some(PrintFrame),
                 Type::Array(_) => Some(PrintArray),
+                Type::Tuple(_) => Some(PrintTuple),
+                Type::Record(_) => Some(PrintRecord),
                 _ => None,
             },
+            Styled(a, ..) => matches!(shallow(a), Type::Number(_)).then_some(StyleNumber),
             Index(base, ..) => match shallow(base) {
                 Type::Array(_) => Some(IndexArray),
                 Type::Tuple(_) => Some(IndexTuple),

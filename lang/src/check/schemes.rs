@@ -77,11 +77,11 @@ impl Letters<'_> {
     fn dim(&mut self, dim: &Dim) -> String {
         let dim = self.store.dim(dim);
         if let Some(known) = dim.as_known() {
-            return known.to_string();
+            return self.store.vocabulary.show(known);
         }
         let (mut above, mut below) = (Vec::new(), Vec::new());
         if !dim.fixed.is_none() {
-            above.push(dim.fixed.to_string());
+            above.push(self.store.vocabulary.show(dim.fixed));
         }
         for (&variable, &exponent) in &dim.unknowns {
             let name = letter(&mut self.dims, variable, &["a", "b", "c", "d", "e", "f", "g"]);
@@ -101,6 +101,10 @@ impl Letters<'_> {
             ConstraintKind::Additive(a) => format!("{} adds", self.ty(a)),
             ConstraintKind::Comparable(a) => format!("{} compares", self.ty(a)),
             ConstraintKind::Printable(a) => format!("{} prints", self.ty(a)),
+            ConstraintKind::Styled(a, Some(unit), _) => {
+                format!("{} is shown as {}", self.ty(a), self.store.vocabulary.show(*unit))
+            }
+            ConstraintKind::Styled(a, None, _) => format!("{} is shown by a format", self.ty(a)),
             ConstraintKind::Throwable(a) => format!("{} is thrown", self.ty(a)),
             ConstraintKind::Index(base, at, element) => {
                 let at = at.map_or("i".into(), |at| at.to_string());

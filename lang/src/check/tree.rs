@@ -6,6 +6,7 @@
 use super::dim::{Dim, DimVar};
 use super::types::{Type, TypeVar};
 use crate::ast::{BinaryOp, Mode, UnaryOp};
+use crate::dimension::Dimension;
 use crate::ir::{DisplayUnit, Op};
 use crate::span::Span;
 use crate::units::UnitSystem;
@@ -94,7 +95,16 @@ pub enum Kind {
 #[derive(Clone, Debug)]
 pub enum Piece {
     Text(String),
-    Value(Expr),
+    Value(Expr, Option<Style>),
+}
+
+/// How a value in a text is shown, where that is written.
+#[derive(Clone, Debug)]
+pub struct Style {
+    pub width: Option<u8>,
+    pub digits: Option<u8>,
+    pub scientific: bool,
+    pub unit: Option<DisplayUnit>,
 }
 
 #[derive(Clone, Debug)]
@@ -250,6 +260,8 @@ pub enum ConstraintKind {
     Printable(Type),
     /// Can be thrown: a text or an `Error`.
     Throwable(Type),
+    /// Holds numbers that can be shown so: in a unit of this dimension, if one is given, with digits if that is said.
+    Styled(Type, Option<Dimension>, bool),
     /// `base[index] = result`, array or (with a constant index) tuple.
     Index(Type, Option<usize>, Type),
     /// `base.field = result`, record or vector.
@@ -352,7 +364,7 @@ impl Expr {
                 .iter()
                 .filter_map(|piece| match piece {
                     Piece::Text(_) => None,
-                    Piece::Value(value) => Some(value),
+                    Piece::Value(value, _) => Some(value),
                 })
                 .collect(),
         }

@@ -4,6 +4,7 @@ use super::dim::{Dim, DimVar, solve};
 use super::rules::{self, Rule};
 use super::tree::RecordId;
 use crate::dimension::Dimension;
+use crate::vocabulary::Vocabulary;
 use calyx_abi::Repr;
 use std::collections::{BTreeSet, HashMap};
 
@@ -94,6 +95,8 @@ pub struct Store {
     literals: BTreeSet<DimVar>,
     /// By [`RecordId`].
     pub records: Vec<RecordType>,
+    /// Dimensions and units that the program declares.
+    pub vocabulary: Vocabulary,
 }
 
 impl Store {
@@ -368,9 +371,9 @@ impl Store {
     pub fn show_dim(&self, dim: &Dim) -> String {
         let dim = self.dim(dim);
         match (dim.as_known(), dim.fixed.is_none()) {
-            (Some(known), _) => known.to_string(),
+            (Some(known), _) => self.vocabulary.show(known),
             (None, true) => "Number".into(),
-            (None, false) => format!("{}*_", dim.fixed),
+            (None, false) => format!("{}*_", self.vocabulary.show(dim.fixed)),
         }
     }
 }

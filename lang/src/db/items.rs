@@ -80,6 +80,37 @@ pub(super) fn declarations(db: &dyn salsa::Database, text: Text) -> Vec<Item<'_>
     all.filter(|item| matches!(item.kind(db), ItemKind::Import(_) | ItemKind::Declaration)).collect()
 }
 
+/// The dimensions and units that a file declares. They take part in every check of those who import it: a unit is named
+/// without its module, and shown where none is named.
+#[salsa::tracked]
+pub(super) fn vocabulary(db: &dyn salsa::Database, text: Text) -> Vec<Item<'_>> {
+    let measures = |item: &Item<'_>| {
+        matches!(item.content(db).statement.kind, StmtKind::Dimension { .. } | StmtKind::Unit(_))
+    };
+    declarations(db, text).iter().copied().filter(measures).collect()
+}
+
+/// Names of the base dimensions that a file declares.
+#[salsa::tracked]
+pub(super) fn bases(db: &dyn salsa::Database, text: Text) -> Vec<String> {
+    let base = |item: &Item<'_>| match &item.content(db).statement.kind {
+        StmtKind::Dimension { name, value: None } => Some(name.name.clone()),
+        _ => None,
+    };
+    vocabulary(db, text).iter().filter_map(base).collect()
+}
+
+/// Module and name of the base dimensions of all modules.
+#[salsa::tracked]
+pub(super) fn library_bases(db: &dyn salsa::Database, library: Library) -> Vec<(String, String)> {
+    let files = [library.prelude(db)].into_iter().chain(library.modules(db).values().copied());
+    let named = |file: Text| {
+        let module = file.module(db).clone();
+        bases(db, file).iter().map(move |name| (module.clone(), name.clone())).collect::<Vec<_>>()
+    };
+    files.flat_map(named).collect()
+}
+
 /// The file of a module.
 #[salsa::tracked]
 pub(super) fn module(db: &dyn salsa::Database, library: Library, path: String) -> Option<Text> {

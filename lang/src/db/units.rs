@@ -1,7 +1,9 @@
 //! Queries that check: groups of functions, and what is left of a file.
 
 use super::groups::{Group, group_of, groups, header, header_links, links, named, sees_state};
-use super::items::{Item, declarations, declared, facts, handles, items, module};
+use super::items::{
+    Item, bases, declarations, declared, facts, handles, items, library_bases, module, reachable, vocabulary,
+};
 use super::{Library, Text};
 use crate::check::excerpt::{Excerpt, Extract, ItemId, Part};
 use crate::check::interface::Interface;
@@ -143,6 +145,14 @@ impl<'db> Gathered<'db> {
                 self.add(item, Part::Whole);
             }
         }
+        let imported = reachable(db, self.file, library).iter().copied();
+        for file in [self.file, library.prelude(db)].into_iter().chain(imported) {
+            for &item in vocabulary(db, file) {
+                if !self.parts.contains_key(&item) {
+                    self.add(item, Part::Whole);
+                }
+            }
+        }
         while let Some(item) = self.left.pop() {
             let needed = match self.parts.get(&item) {
                 Some(Part::Header) => header_links(db, item, library),
@@ -207,7 +217,13 @@ impl<'db> Gathered<'db> {
             handles: handles(db, self.file, self.library),
             surroundings: &Around { db, library: self.library, file: self.file },
         };
-        unit::check(Excerpt::new(extracts), group, &context)
+        let mut excerpt = Excerpt::new(extracts);
+        excerpt.layout.bases = library_bases(db, self.library).clone();
+        if self.file.module(db).is_empty() {
+            let own = bases(db, self.file).iter().map(|name| (String::new(), name.clone()));
+            excerpt.layout.bases.extend(own);
+        }
+        unit::check(excerpt, group, &context)
     }
 
     fn extract(&self, file: Text) -> Extract<'db> {

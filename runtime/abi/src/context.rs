@@ -1,12 +1,13 @@
 //! The state of one running model, as generated code and provided functions see it.
 
 use crate::call::Slot;
-use crate::description::FileDescription;
+use crate::description::{FileDescription, UnitDescription};
 pub use crate::error::{RuntimeError, codes};
 use crate::heap::{Heap, Kernel};
 use crate::limits::Limits;
 use std::any::Any;
 use std::mem::offset_of;
+use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
@@ -50,6 +51,10 @@ pub struct Context {
     pub limits: Limits,
     /// The source, by which a caught error tells its place.
     pub files: Arc<[FileDescription]>,
+    /// The directory below which the program may read files; none if there is none.
+    pub directory: Option<PathBuf>,
+    /// Units by which quantities given as text are read.
+    pub units: Arc<[UnitDescription]>,
     /// The string under construction.
     pub text: String,
 }
@@ -87,6 +92,8 @@ impl Context {
             cancel: Arc::default(),
             limits: Limits::default(),
             files: Arc::default(),
+            directory: None,
+            units: Arc::default(),
             text: String::new(),
         }
     }

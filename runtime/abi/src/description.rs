@@ -26,6 +26,13 @@ pub struct ModuleTable {
 // SAFETY: the table and what it points to are constants of the linked program.
 unsafe impl Sync for ModuleTable {}
 
+/// Base dimensions that a program may add to the five of physics.
+pub const OWN_BASES: usize = 3;
+
+/// Exponents of length, mass, time, angle and temperature, then of the dimensions that the program declares, each as
+/// numerator and denominator.
+pub type Exponents = [(i32, i32); 5 + OWN_BASES];
+
 /// The description itself. Kept as JSON in object files and run directories.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct ModelDescription {
@@ -95,8 +102,7 @@ pub struct UnitDescription {
     /// E.g. `lbf*inch`; empty for a pure number.
     pub name: String,
     pub factor: f64,
-    /// Exponents of length, mass, time, angle and temperature (numerator, denominator).
-    pub dimension: [(i32, i32); 5],
+    pub dimension: Exponents,
 }
 
 /// A symbolic site's kernel.

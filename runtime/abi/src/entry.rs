@@ -5,6 +5,7 @@
 
 use crate::call::{Slot, Status};
 use crate::context::{Context, RuntimeError};
+use crate::display::Display;
 use crate::{failure, helpers, limits, repr_code, stack};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -205,9 +206,11 @@ entry_points! {
     }
 
     /// Appends a value to the string under construction.
-    fn calyx_text_value(ctx, repr_address, repr_count, address, count, factor, unit, unit_count) {
+    fn calyx_text_value(ctx, repr_address, repr_count, address, count, display, display_count) {
         let repr = repr(repr_address, repr_count)?;
-        helpers::append_value(ctx, &repr, slots(address, count), f64::from_bits(factor), text(unit, unit_count)?)
+        let display = Display::decode(bytes(display, display_count));
+        let display = display.ok_or_else(|| helpers::malformed("not the code of a display"))?;
+        helpers::append_value(ctx, &repr, slots(address, count), &display)
     }
 
     /// Ends the string under construction; stores its id in `result`.

@@ -5,6 +5,7 @@
 
 use crate::call::{Extern, Repr, Slot, Status};
 use crate::context::{Context, RuntimeError, codes};
+use crate::display::Display;
 use crate::heap::{HeapId, Object, SymbolicValue};
 use crate::limits::check_memory;
 use std::ops::Range;
@@ -139,10 +140,9 @@ pub fn append_value(
     ctx: &mut Context,
     repr: &Repr,
     slots: &[Slot],
-    factor: f64,
-    unit: &str,
+    display: &Display,
 ) -> Result<(), RuntimeError> {
-    crate::text::append(&ctx.heap, repr, slots, factor, unit, &mut ctx.text)
+    crate::text::append(&ctx.heap, repr, slots, display, &mut ctx.text)
         .ok_or_else(|| malformed("not a value that can be shown"))
 }
 

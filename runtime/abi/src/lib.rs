@@ -3,13 +3,15 @@
 //! Every crate of the workspace may see this one; it sees none of ours.
 //! It holds the one scalar definition of each numeric operation ([`math`]), the calling convention
 //! ([`call`]), the run-time values behind opaque slots ([`heap`]), the state a running model carries
-//! ([`context`]), its errors ([`error`], [`failure`]) and limits ([`limits`]), the helpers that programs need beside arithmetic ([`helpers`], as machine code calls them in
-//! [`entry`]), and the description that every compiled model brings along ([`description`]).
+//! ([`context`]), its errors ([`error`], [`failure`]) and limits ([`limits`]), the helpers that programs need beside
+//! arithmetic ([`helpers`], as machine code calls them in [`entry`]), how values are shown ([`display`], [`text`],
+//! [`units`]) and read ([`quantity`]), and the description that every compiled model brings along ([`description`]).
 
 pub mod blame;
 pub mod call;
 pub mod context;
 pub mod description;
+pub mod display;
 pub mod entry;
 pub mod error;
 pub mod externs;
@@ -18,11 +20,13 @@ pub mod heap;
 pub mod helpers;
 pub mod limits;
 pub mod math;
+pub mod quantity;
 pub mod repr_code;
 pub mod stack;
 pub mod standard;
 pub mod text;
 pub mod trigonometry;
+pub mod units;
 
 pub use call::{ABI_VERSION, Extern, Purity, Repr, Slot, SlotFn, Status};
 pub use context::{Context, Host};

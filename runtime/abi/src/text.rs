@@ -1,7 +1,9 @@
 //! Values as text: what `print` and string interpolation show.
 
 use crate::call::{Repr, Slot};
+use crate::display::{Display, NumberStyle};
 use crate::heap::Heap;
+use crate::units::{from_si, to_si};
 use std::fmt::Write;
 
 /// The shortest decimal that reads back as the same number; powers of ten outside 1e-5 .. 1e16.
@@ -16,63 +18,113 @@ pub fn number(x: f64) -> String {
     }
 }
 
-/// A number in SI shown in a unit: the shortest decimal that, times `factor`, gives the number again.
-pub fn quantity(x: f64, factor: f64, unit: &str) -> String {
-    let shown = x / factor;
-    let mut text = number(shown);
-    if shown.is_finite() && shown * factor != x || text.len() > 15 {
-        // The quotient is rounded, so a neighbour of it may be shorter.
-        let shorter = (0..17).find_map(|digits| {
-            let candidate: f64 = format!("{shown:.digits$e}").parse().ok()?;
-            (candidate * factor == x).then(|| number(candidate))
-        });
-        text = shorter.unwrap_or(text);
+/// A number in SI in a unit: the shortest decimal that, taken in that unit, gives the number again.
+fn shortest(x: f64, factor: f64) -> String {
+    let shown = from_si(x, factor);
+    let text = number(shown);
+    if !shown.is_finite() || (to_si(shown, factor) == x && text.len() <= 15) {
+        return text;
     }
-    if !unit.is_empty() {
+    // The quotient is rounded, so a neighbour of it may be shorter.
+    let shorter = (0..17).find_map(|digits| {
+        let candidate: f64 = format!("{shown:.digits$e}").parse().ok()?;
+        (to_si(candidate, factor) == x).then(|| number(candidate))
+    });
+    shorter.unwrap_or(text)
+}
+
+/// A number in SI as a style shows it.
+pub fn quantity(x: f64, style: &NumberStyle) -> String {
+    let factor = if style.factor == 0.0 { 1.0 } else { style.factor };
+    let shown = from_si(x, factor);
+    let mut text = match (style.digits, style.scientific) {
+        _ if !shown.is_finite() => number(shown),
+        (None, false) => shortest(x, factor),
+        (None, true) => format!("{shown:e}"),
+        (Some(digits), scientific) => {
+            let digits = usize::from(digits);
+            let text = if scientific { format!("{shown:.digits$e}") } else { format!("{shown:.digits$}") };
+            // What rounds to nothing has no sign.
+            match text.strip_prefix('-') {
+                Some(rest) if !rest.contains(|c: char| ('1'..='9').contains(&c)) => rest.to_string(),
+                _ => text,
+            }
+        }
+    };
+    let missing = usize::from(style.width).saturating_sub(text.chars().count());
+    text.insert_str(0, &" ".repeat(missing));
+    if !style.unit.is_empty() {
         text.push(' ');
-        text.push_str(unit);
+        text.push_str(&style.unit);
     }
     text
 }
 
-/// Appends a value. `factor` and `unit` apply to every number in it. `None` if the slots do not fit.
-pub fn append(
-    heap: &Heap,
-    repr: &Repr,
-    slots: &[Slot],
-    factor: f64,
-    unit: &str,
-    text: &mut String,
-) -> Option<()> {
-    let numbers = |slots: &[Slot]| {
-        let shown: Vec<_> = slots.iter().map(|&s| quantity(f64::from_bits(s), factor, unit)).collect();
+/// Appends a value. `None` if the slots or the display do not fit the representation.
+pub fn append(heap: &Heap, repr: &Repr, slots: &[Slot], display: &Display, text: &mut String) -> Option<()> {
+    let plain = NumberStyle::default();
+    let style = match display {
+        Display::Number(style) => style,
+        _ => &plain,
+    };
+    // A component that is minus zero is nothing.
+    let numbers = |slots: &[Slot], style: &NumberStyle| {
+        let shown: Vec<_> = slots.iter().map(|&s| quantity(f64::from_bits(s) + 0.0, style)).collect();
         format!("[{}]", shown.join(", "))
     };
     match repr {
         Repr::Unit => {}
-        Repr::Number => text.push_str(&quantity(f64::from_bits(*slots.first()?), factor, unit)),
-        Repr::Bool => text.push_str(if *slots.first()? != 0 { "TRUE" } else { "FALSE" }),
-        Repr::String => text.push_str(heap.str(*slots.first()?)?),
-        Repr::Vector => text.push_str(&numbers(slots.get(..3)?)),
+        Repr::Number => text.push_str(&quantity(f64::from_bits(*slots.first()?), style)),
+        Repr::Bool => pad(if *slots.first()? != 0 { "TRUE" } else { "FALSE" }, display, text),
+        Repr::String => pad(heap.str(*slots.first()?)?, display, text),
+        Repr::Vector => text.push_str(&numbers(slots.get(..3)?, style)),
         Repr::Transform => {
             // Rows of the rotation, then the translation.
-            let rows: Vec<_> = slots.get(..12)?.chunks(3).map(numbers).collect();
-            write!(text, "[{}]", rows.join(", ")).ok()?;
+            let rotation = NumberStyle { factor: 0.0, unit: String::new(), ..style.clone() };
+            let (rows, translation) = slots.get(..12)?.split_at(9);
+            let rows: Vec<_> = rows.chunks(3).map(|row| numbers(row, &rotation)).collect();
+            write!(text, "[{}, {}]", rows.join(", "), numbers(translation, style)).ok()?;
         }
         Repr::Array(element) => {
             let (elements, stride) = heap.array(*slots.first()?)?;
-            let elements = elements.chunks(stride.max(1)).map(|slots| (&**element, slots));
-            list(heap, elements, factor, unit, text)?;
+            let shown = match display {
+                Display::Array(shown) => shown,
+                other => other,
+            };
+            text.push('[');
+            for (index, slots) in elements.chunks(stride.max(1)).enumerate() {
+                if index > 0 {
+                    text.push_str(", ");
+                }
+                append(heap, element, slots, shown, text)?;
+            }
+            text.push(']');
         }
         Repr::Tuple(parts) => {
+            let (open, close) = match display {
+                Display::Record(name, _) => (format!("{name}("), ')'),
+                _ => ("[".into(), ']'),
+            };
+            text.push_str(&open);
             let mut rest = slots;
-            let mut elements = Vec::new();
-            for part in parts {
+            for (index, part) in parts.iter().enumerate() {
+                if index > 0 {
+                    text.push_str(", ");
+                }
                 let (slots, after) = rest.split_at_checked(part.slots())?;
-                elements.push((part, slots));
                 rest = after;
+                let shown = match display {
+                    Display::Tuple(all) => all.get(index)?,
+                    Display::Record(_, fields) => {
+                        let (name, shown) = fields.get(index)?;
+                        write!(text, "{name} = ").ok()?;
+                        shown
+                    }
+                    other => other,
+                };
+                append(heap, part, slots, shown, text)?;
             }
-            list(heap, elements, factor, unit, text)?;
+            text.push(close);
         }
         Repr::Symbolic(_) => text.push_str("(symbolic)"),
         Repr::Handle => write!(text, "#{}", slots.first()?).ok()?,
@@ -80,22 +132,13 @@ pub fn append(
     Some(())
 }
 
-fn list<'a>(
-    heap: &Heap,
-    elements: impl IntoIterator<Item = (&'a Repr, &'a [Slot])>,
-    factor: f64,
-    unit: &str,
-    text: &mut String,
-) -> Option<()> {
-    text.push('[');
-    for (index, (repr, slots)) in elements.into_iter().enumerate() {
-        if index > 0 {
-            text.push_str(", ");
-        }
-        append(heap, repr, slots, factor, unit, text)?;
+/// Appends a text with blanks behind it up to the width it is to have.
+fn pad(shown: &str, display: &Display, text: &mut String) {
+    text.push_str(shown);
+    if let Display::Text { width } = display {
+        let missing = usize::from(*width).saturating_sub(shown.chars().count());
+        text.extend(std::iter::repeat_n(' ', missing));
     }
-    text.push(']');
-    Some(())
 }
 
 #[cfg(test)]
@@ -120,10 +163,61 @@ mod tests {
 
     #[test]
     fn quantities_show_the_decimal_that_was_written() {
-        // 0.0254 times any short decimal must come out as that decimal, although the quotient is rounded.
-        for thousandths in -3000..3000 {
-            let written = f64::from(thousandths) / 1000.0;
-            assert_eq!(quantity(written * 0.0254, 0.0254, "inch"), format!("{} inch", number(written)));
+        // A short decimal in any unit must come out as that decimal, although conversions round.
+        for (factor, unit) in [(0.0254, "inch"), (1e-3, "mm"), (1e-6, "um"), (0.01, "%"), (6894.757, "psi")] {
+            for thousandths in -3000..3000 {
+                let written = f64::from(thousandths) / 1000.0;
+                let style = NumberStyle::in_unit(factor, unit);
+                assert_eq!(quantity(to_si(written, factor), &style), format!("{} {unit}", number(written)));
+            }
         }
+        assert_eq!(quantity(to_si(10.0, 1e-6), &NumberStyle::in_unit(1e-3, "mm")), "0.01 mm");
+    }
+
+    #[test]
+    fn styles_set_width_digits_and_powers_of_ten() {
+        let style = |width, digits, scientific| NumberStyle {
+            factor: 1e-3,
+            unit: "mm".into(),
+            width,
+            digits,
+            scientific,
+        };
+        for (x, style, expected) in [
+            (0.0123456, style(0, Some(2), false), "12.35 mm"),
+            (0.0123456, style(8, Some(2), false), "   12.35 mm"),
+            (0.0123456, style(0, Some(1), true), "1.2e1 mm"),
+            (0.0123456, style(0, None, true), "1.23456e1 mm"),
+            (-1e-9, style(0, Some(3), false), "0.000 mm"),
+            (f64::NEG_INFINITY, style(6, Some(3), false), "  -inf mm"),
+            (0.5, style(6, None, false), "   500 mm"),
+        ] {
+            assert_eq!(quantity(x, &style), expected);
+        }
+    }
+
+    #[test]
+    fn records_tuples_and_frames_show_their_parts() {
+        let mm = || Display::Number(NumberStyle::in_unit(1e-3, "mm"));
+        let plain = || Display::Number(NumberStyle::default());
+        let show = |repr: Repr, numbers: &[f64], display: Display| {
+            let slots: Vec<Slot> = numbers.iter().map(|x| x.to_bits()).collect();
+            let mut text = String::new();
+            append(&Heap::default(), &repr, &slots, &display, &mut text).unwrap();
+            text
+        };
+        let pair = Repr::Tuple(vec![Repr::Number, Repr::Vector]);
+        let fields = vec![("n".into(), plain()), ("at".into(), mm())];
+        let numbers = [3.0, -0.0, 0.5, 1.0];
+        assert_eq!(
+            show(pair.clone(), &numbers, Display::Record("P".into(), fields)),
+            "P(n = 3, at = [0 mm, 500 mm, 1000 mm])"
+        );
+        assert_eq!(show(pair, &numbers, Display::Tuple(vec![plain(), mm()])), "[3, [0 mm, 500 mm, 1000 mm]]");
+        let frame = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, -0.0, 0.0, 1.0, 0.002, 0.0, 0.0];
+        assert_eq!(
+            show(Repr::Transform, &frame, mm()),
+            "[[1, 0, 0], [0, 1, 0], [0, 0, 1], [2 mm, 0 mm, 0 mm]]"
+        );
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::run::StageTimes;
 use calyx_abi::description::{FileDescription, ModelDescription, OutputDescription, ParamDescription};
+use calyx_abi::units::from_si;
 use calyx_abi::{Context, Repr};
 use calyx_runtime::results::{AnalysisResult, OutputSummary, StepRow, Timing};
 use serde_json::{Map, Value, json};
@@ -119,7 +120,7 @@ fn write_json(path: PathBuf, value: &Value) -> io::Result<()> {
 }
 
 fn output_json(output: &OutputDescription, summary: &OutputSummary, result: &AnalysisResult) -> Value {
-    let shown = |si: f64| si / output.unit.factor;
+    let shown = |si: f64| from_si(si, output.unit.factor);
     let row = &result.rows[summary.at_max].position;
     json!({
         "doc": output.doc,
@@ -157,7 +158,8 @@ fn param_json(param: &ParamDescription, slot: u64, context: &Context) -> Value {
         _ => {
             let value = f64::from_bits(slot);
             // What the conversion adds in the last digit is not the user's.
-            let shown: f64 = format!("{:.14e}", value / param.unit.factor).parse().unwrap_or(f64::NAN);
+            let shown: f64 =
+                format!("{:.14e}", from_si(value, param.unit.factor)).parse().unwrap_or(f64::NAN);
             json!({ "value": value, "display": { "unit": param.unit.name, "value": shown } })
         }
     }

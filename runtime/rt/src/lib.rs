@@ -9,7 +9,6 @@ pub mod linked;
 pub mod params;
 pub mod program;
 pub mod progress;
-pub mod quantity;
 pub mod report;
 pub mod run;
 pub mod table;

@@ -1,9 +1,11 @@
 //! Setting a model's params: defaults, given values, ranges.
 
 use crate::program::{ParamFunction, Program};
-use crate::quantity;
 use calyx_abi::description::{ModelDescription, ParamDescription, ParamValue, UnitDescription};
+use calyx_abi::quantity;
+use calyx_abi::units::{from_si, to_si};
 use calyx_abi::{Context, Repr, RuntimeError, Slot};
+use std::path::{Path, PathBuf};
 
 /// Why a param could not be set.
 #[derive(Clone, Debug, PartialEq)]
@@ -28,6 +30,13 @@ pub fn apply(
         }
     }
     context.files = description.files.clone().into();
+    context.units = description.known_units.clone().into();
+    // Beside the model; a text that came from no file has no place to read from.
+    let directory = Path::new(&description.name).parent().map(|parent| match parent.as_os_str().is_empty() {
+        true => PathBuf::from("."),
+        false => parent.to_owned(),
+    });
+    context.directory = directory.filter(|_| Path::new(&description.name).is_file());
     context.params = vec![f64::NAN; description.params.len()];
     context.param_slots = vec![0; description.params.len()];
     for (index, param) in description.params.iter().enumerate() {
@@ -132,7 +141,7 @@ fn read_number(
         |why: &str| given_error(format!("`{}` cannot be `{text}`: {why}", param.name), takes(param, ends));
     let quantity = quantity::parse(text, units).map_err(|why| refused(&why))?;
     // A bare value is in the unit the default is written in.
-    let value = if quantity.unit { quantity.value } else { quantity.value * param.unit.factor };
+    let value = if quantity.unit { quantity.value } else { to_si(quantity.value, param.unit.factor) };
     if quantity.unit && !quantity::fits(quantity.dimension, param.unit.dimension) {
         return Err(refused(&match param.unit.name.as_str() {
             "" => "it is a pure number, without a unit".to_owned(),
@@ -167,7 +176,7 @@ fn takes(param: &ParamDescription, (low, high): Ends) -> String {
     let example = match &param.default {
         Some(ParamValue::Bool(value)) => (if *value { "TRUE" } else { "FALSE" }).to_owned(),
         Some(ParamValue::String(value)) => value.clone(),
-        Some(ParamValue::Number(si)) => shortest(si / param.unit.factor),
+        Some(ParamValue::Number(si)) => shortest(from_si(*si, param.unit.factor)),
         None => return format!("`{name}` takes {domain}"),
     };
     let bare = if unit.is_empty() { String::new() } else { format!(", in {unit} if no unit is given") };
@@ -191,7 +200,7 @@ pub fn domain(param: &ParamDescription, low: Option<f64>, high: Option<f64>) -> 
 
 /// A number in the unit of the param's default.
 pub fn shown(param: &ParamDescription, si: f64) -> String {
-    format!("{} {}", shortest(si / param.unit.factor), param.unit.name).trim_end().to_owned()
+    format!("{} {}", shortest(from_si(si, param.unit.factor)), param.unit.name).trim_end().to_owned()
 }
 
 /// A number for people: what a conversion adds in the sixteenth digit is not shown.

@@ -2,6 +2,7 @@
 
 use crate::params::shortest;
 use calyx_abi::description::ModelDescription;
+use calyx_abi::units::from_si;
 use calyx_runtime::results::{AnalysisResult, Place};
 
 /// One line per output, in the model's units, with the position of its maximum.
@@ -9,7 +10,7 @@ pub fn summary(description: &ModelDescription, result: &AnalysisResult) -> Strin
     let mut rows =
         vec![["output", "unit", "min", "mean", "max", "peak to peak", "maximum at roll"].map(String::from)];
     for (output, summary) in description.outputs.iter().zip(&result.summaries) {
-        let shown = |si: f64| number(si / output.unit.factor);
+        let shown = |si: f64| number(from_si(si, output.unit.factor));
         rows.push([
             output.name.clone(),
             output.unit.name.clone(),

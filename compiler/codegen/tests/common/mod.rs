@@ -259,7 +259,8 @@ fn run(
     let mut shown = String::new();
     if let Ok(slots) = &result {
         let repr = &program.functions[program.main.0 as usize].result;
-        calyx_abi::text::append(&ctx.heap, repr, slots, 1.0, "", &mut shown).unwrap();
+        calyx_abi::text::append(&ctx.heap, repr, slots, &calyx_abi::display::Display::Plain, &mut shown)
+            .unwrap();
     }
     let canonical = |slot: Slot| if f64::from_bits(slot).is_nan() { f64::NAN.to_bits() } else { slot };
     let result = result.map(|slots| slots.into_iter().map(canonical).collect());

@@ -2,7 +2,7 @@
 
 use super::Machine;
 use super::scalar::SlotScalars;
-use crate::layout::{blame_table, shown, stride, tuple_offset};
+use crate::layout::{blame_table, stride, tuple_offset};
 use crate::operations::{Scalars, expand, is_scalar};
 use calyx_abi::context::RuntimeError;
 use calyx_abi::helpers::{self, CaptureKind, malformed};
@@ -206,10 +206,9 @@ impl<'p> Machine<'_, 'p> {
         for part in parts {
             match part {
                 FormatPart::Text(text) => self.ctx.text.push_str(text),
-                FormatPart::Value(value, unit) => {
-                    let (factor, name) = shown(unit);
+                FormatPart::Value(value, display) => {
                     let end = at + value.repr.slots();
-                    helpers::append_value(self.ctx, &value.repr, &self.stack[at..end], factor, name)?;
+                    helpers::append_value(self.ctx, &value.repr, &self.stack[at..end], display)?;
                     at = end;
                 }
             }

@@ -64,7 +64,7 @@ fn at(inner: SymExpr, symbol: Symbol, value: SymExpr) -> SymExpr {
 
 /// A program of one site, with two params.
 fn program(expr: SymExpr, captures: Vec<(Repr, bool)>, order: u8) -> Program {
-    let unit = DisplayUnit { name: String::new(), factor: 1.0, dimension: [(0, 1); 5] };
+    let unit = DisplayUnit { name: String::new(), factor: 1.0, dimension: [(0, 1); 8] };
     let param = Param {
         name: "p".into(),
         doc: String::new(),

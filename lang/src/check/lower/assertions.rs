@@ -15,7 +15,7 @@ impl Body<'_, '_> {
         self.branch_on(condition, holds, fails);
         self.start(fails);
         let mut parts = Vec::new();
-        self.format_part(&assertion.message, assertion.system, false, &mut parts);
+        self.format_part(&assertion.message, None, assertion.system, false, &mut parts);
         parts.extend(told);
         let make = |kind, repr| ir::Expr { kind, repr, span };
         let message = make(ExprKind::Format(parts), Repr::String);
@@ -44,7 +44,7 @@ impl Body<'_, '_> {
             }
             let before = if told.is_empty() { " (" } else { ", " };
             told.push(FormatPart::Text(format!("{before}{text} is ")));
-            told.push(FormatPart::Value(value.clone(), self.shown_unit(&side.ty, assertion.system)));
+            told.push(FormatPart::Value(value.clone(), self.display(&side.ty, None, assertion.system)));
         }
         if !told.is_empty() {
             told.push(FormatPart::Text(")".into()));

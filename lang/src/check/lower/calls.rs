@@ -207,14 +207,14 @@ impl Body<'_, '_> {
         allowed.extend(chosen.reduce(|a, b| truth(ExprKind::Or(Box::new(a), Box::new(b)))));
         let Some(allowed) = allowed.into_iter().reduce(both) else { return };
         let system = self.lowering.system;
-        let unit = self.shown_unit(ty, system);
+        let display = self.display(ty, None, system);
         let (before, after) = match demand.choices.is_empty() {
             true => (format!("`{}` must lie in {}, not ", demand.name, demand.text), ""),
             false => (format!("`{}` cannot be \"", demand.name), "\""),
         };
         let message = ExprKind::Format(vec![
             FormatPart::Text(before),
-            FormatPart::Value(value, unit),
+            FormatPart::Value(value, display),
             FormatPart::Text(after.into()),
         ]);
         let message = ir::Expr { kind: message, repr: Repr::String, span };

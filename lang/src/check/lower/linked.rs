@@ -62,6 +62,14 @@ impl<'u> Linked<'u> {
                     .push(RecordType { name: record.name.clone(), fields });
             }
         }
+        // A general function may be used at dimensions that only the model knows by name.
+        if let Some((model, others)) = typed.split_first_mut() {
+            for other in others {
+                if other.store.vocabulary != model.store.vocabulary {
+                    Arc::make_mut(&mut other.store).vocabulary = model.store.vocabulary.clone();
+                }
+            }
+        }
         let places = match items.is_empty() {
             true => Vec::new(),
             false => units.iter().map(|unit| Places::new(&unit.layout, items)).collect(),

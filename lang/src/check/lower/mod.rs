@@ -76,8 +76,13 @@ pub fn lower(linked: &Linked<'_>, model: Model, files: Vec<SourceFile>) -> (Prog
     let mut lowering = Lowering::new(linked);
     lowering.system = model.system;
     let text = files.first().map_or(0, |file| file.text.len());
-    lowering.program =
-        Program { files, units: model.system.name().into(), doc: model.doc, ..Program::default() };
+    lowering.program = Program {
+        files,
+        units: model.system.name().into(),
+        own_units: lowering.checker.store.vocabulary.units.clone(),
+        doc: model.doc,
+        ..Program::default()
+    };
     lowering.within(0, |lowering| {
         let checker = lowering.checker;
         lowering.interface(checker);
@@ -88,8 +93,8 @@ pub fn lower(linked: &Linked<'_>, model: Model, files: Vec<SourceFile>) -> (Prog
                 doc: output.doc.clone(),
                 // Set when the statement is lowered.
                 site: SiteId(0),
-                unit: model.system.unit_of(dimension),
-                si: UnitSystem::Si.unit_of(dimension).name,
+                unit: checker.store.vocabulary.unit_of(model.system, dimension),
+                si: checker.store.vocabulary.unit_of(UnitSystem::Si, dimension).name,
                 span: lowering.places().map_or(output.span, |places| places.span(output.span)),
             });
         }

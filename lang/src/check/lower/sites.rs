@@ -10,6 +10,7 @@ use crate::diagnostic::Diagnostic;
 use crate::ir::{self, Capture, ExprKind, Op, Site, SiteId, SymExpr, SymKind, Symbol};
 use crate::span::Span;
 use calyx_abi::Repr;
+use calyx_abi::units::to_si;
 use std::collections::HashMap;
 
 /// More nodes than any model needs; definitions that double at each step reach it.
@@ -141,7 +142,7 @@ impl Body<'_, '_> {
         match &e.kind {
             Kind::Number(value) => make(SymKind::Number(*value), Repr::Number),
             Kind::Bare(value, dim, system) => {
-                make(SymKind::Number(value * self.bare_factor(dim, *system)), Repr::Number)
+                make(SymKind::Number(to_si(*value, self.bare_factor(dim, *system))), Repr::Number)
             }
             Kind::Bool(value) => make(SymKind::Bool(*value), Repr::Bool),
             Kind::Time => make(SymKind::Time, Repr::Number),

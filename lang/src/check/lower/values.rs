@@ -3,12 +3,14 @@
 use super::body::Body;
 use crate::ast::{BinaryOp, UnaryOp};
 use crate::check::expr::component;
-use crate::check::tree::{Expr, Kind, Piece};
+use crate::check::tree::{Expr, Kind, Piece, Style};
 use crate::check::types::Type;
 use crate::dimension::Dimension;
 use crate::ir::{self, DisplayUnit, ExprKind, FormatPart, Op};
 use crate::span::Span;
 use crate::units::UnitSystem;
+use calyx_abi::display::{Display, NumberStyle};
+use calyx_abi::units::to_si;
 use calyx_abi::{Purity, Repr};
 
 impl Body<'_, '_> {
@@ -32,7 +34,7 @@ impl Body<'_, '_> {
             | Kind::Assert(_) => make(ExprKind::Number(f64::NAN), self.repr(&e.ty)),
             Kind::Number(value) => make(ExprKind::Number(*value), Repr::Number),
             Kind::Bare(value, dim, system) => {
-                make(ExprKind::Number(value * self.bare_factor(dim, *system)), Repr::Number)
+                make(ExprKind::Number(to_si(*value, self.bare_factor(dim, *system))), Repr::Number)
             }
             Kind::Bool(value) => make(ExprKind::Bool(*value), Repr::Bool),
             Kind::Text(text) => make(ExprKind::String(text.clone()), Repr::String),
@@ -122,7 +124,8 @@ impl Body<'_, '_> {
                     if index > 0 {
                         parts.push(FormatPart::Text(" ".into()));
                     }
-                    self.format_part(value, *system, last.is_some_and(|last| index < last), &mut parts);
+                    let kept = last.is_some_and(|last| index < last);
+                    self.format_part(value, None, *system, kept, &mut parts);
                 }
                 let line = make(ExprKind::Format(parts), Repr::String);
                 let id = self.lowering.standard("print", Purity::Scene, &[("line", Repr::String)]);
@@ -171,18 +174,16 @@ impl Body<'_, '_> {
             }
             Kind::Format(pieces, system) => {
                 let mut parts = Vec::new();
-                let last = pieces
-                    .iter()
-                    .rposition(|piece| matches!(piece, Piece::Value(value) if self.needs_statements(value)));
+                let last = pieces.iter().rposition(
+                    |piece| matches!(piece, Piece::Value(value, _) if self.needs_statements(value)),
+                );
                 for (index, piece) in pieces.iter().enumerate() {
                     match piece {
                         Piece::Text(text) => parts.push(FormatPart::Text(text.clone())),
-                        Piece::Value(value) => self.format_part(
-                            value,
-                            *system,
-                            last.is_some_and(|last| index < last),
-                            &mut parts,
-                        ),
+                        Piece::Value(value, style) => {
+                            let kept = last.is_some_and(|last| index < last);
+                            self.format_part(value, style.as_ref(), *system, kept, &mut parts);
+                        }
                     }
                 }
                 make(ExprKind::Format(parts), Repr::String)
@@ -194,29 +195,59 @@ impl Body<'_, '_> {
     pub(super) fn format_part(
         &mut self,
         value: &Expr,
+        style: Option<&Style>,
         system: UnitSystem,
         kept: bool,
         parts: &mut Vec<FormatPart>,
     ) {
-        if let Kind::Text(text) = &value.kind {
+        if let (Kind::Text(text), None) = (&value.kind, style) {
             return parts.push(FormatPart::Text(text.clone()));
         }
-        let unit = self.shown_unit(&value.ty, system);
+        let display = self.display(&value.ty, style, system);
         let value = self.value(value);
         let value = if kept { self.kept(value) } else { value };
-        parts.push(FormatPart::Value(value, unit));
+        parts.push(FormatPart::Value(value, display));
     }
 
-    pub(super) fn shown_unit(&self, ty: &Type, system: UnitSystem) -> Option<DisplayUnit> {
+    /// How values of a type are shown.
+    pub(super) fn display(&self, ty: &Type, style: Option<&Style>, system: UnitSystem) -> Display {
         let store = &self.lowering.checker.store;
-        match self.types.ty(store, ty) {
+        let number = |unit: Option<DisplayUnit>| {
+            let unit = style.and_then(|style| style.unit.clone()).or(unit);
+            let mut shown =
+                unit.map_or_else(NumberStyle::default, |unit| NumberStyle::in_unit(unit.factor, unit.name));
+            if let Some(style) = style {
+                shown.width = style.width.unwrap_or(0);
+                shown.digits = style.digits;
+                shown.scientific = style.scientific;
+            }
+            Display::Number(shown)
+        };
+        let text = || match style.and_then(|style| style.width) {
+            Some(width) => Display::Text { width },
+            None => Display::Plain,
+        };
+        match store.shallow(&self.types.ty(store, ty)) {
             Type::Number(dim) | Type::Vector(dim) => {
                 let dim = store.dim(&dim);
                 let dimension: Dimension = dim.as_known().unwrap_or(dim.fixed);
-                (!dimension.is_none()).then(|| system.unit_of(dimension))
+                number((!dimension.is_none()).then(|| store.vocabulary.unit_of(system, dimension)))
             }
-            Type::Array(element) => self.shown_unit(&element, system),
-            _ => None,
+            Type::Transform => {
+                let length = Dimension::of(crate::dimension::Base::Length);
+                number(Some(system.unit_of(length)))
+            }
+            Type::Array(element) => Display::Array(Box::new(self.display(&element, style, system))),
+            Type::Tuple(parts) => {
+                Display::Tuple(parts.iter().map(|part| self.display(part, style, system)).collect())
+            }
+            Type::Record(id) => {
+                let Some(record) = store.record(id) else { return Display::Plain };
+                let field = |(name, ty): &(String, Type)| (name.clone(), self.display(ty, style, system));
+                Display::Record(record.name.clone(), record.fields.iter().map(field).collect())
+            }
+            Type::Bool | Type::String => text(),
+            _ => Display::Plain,
         }
     }
 

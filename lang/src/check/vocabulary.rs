@@ -1,0 +1,292 @@
+//! `dimension` and `unit`: what the program adds to the language's own, and units as they are written.
+
+use super::constant;
+use super::infer::Checker;
+use super::symbols::Res;
+use super::types::Type;
+use crate::ast::{self, BinaryOp, ExprKind, UnitMeaning};
+use crate::diagnostic::Diagnostic;
+use crate::dimension::Dimension;
+use crate::ir::DisplayUnit;
+use crate::span::Span;
+use crate::units::{Unit, combined, powered, pure};
+use crate::vocabulary::OwnBase;
+use calyx_abi::description::OWN_BASES;
+
+impl<'a> Checker<'a> {
+    /// Finds out what all declared dimensions and units are, used or not.
+    pub(super) fn declare_vocabulary(&mut self) {
+        let bases = self.layout.bases.iter().take(OWN_BASES);
+        self.store.vocabulary.bases =
+            bases.map(|(_, name)| OwnBase { name: name.clone(), unit: None }).collect();
+        for id in 0..self.names.dimensions.len() as u32 {
+            if let (Some(dimension), Some(_)) =
+                (self.own_dimension(id), self.names.dimensions[id as usize].decl.value)
+            {
+                let name = self.names.dimensions[id as usize].decl.name.name.clone();
+                self.store.vocabulary.named.push((name, dimension));
+            }
+        }
+        for id in 0..self.names.units.len() as u32 {
+            if let Some(unit) = self.own_unit(id) {
+                self.store.vocabulary.units.push(unit);
+            }
+        }
+    }
+
+    /// The dimension declared as the `id`-th.
+    pub(super) fn own_dimension(&mut self, id: u32) -> Option<Dimension> {
+        let (decl, file) = {
+            let declared = &self.names.dimensions[id as usize];
+            (declared.decl, declared.file)
+        };
+        if let Some(known) = self.own_dimensions.get(&id).copied() {
+            if known.is_none() && self.opening.contains(&Res::Dimension(id)) {
+                self.made_of_itself("dimension", decl.name);
+            }
+            return known;
+        }
+        self.own_dimensions.insert(id, None);
+        self.opening.push(Res::Dimension(id));
+        let found = match decl.value {
+            Some(value) => self.in_file(file, |c| match c.annotation(value, false) {
+                Type::Number(dim) => dim.as_known(),
+                Type::Error => None,
+                _ => {
+                    c.report(
+                        Diagnostic::error("E0308", "a dimension belongs here", value.span, "not a dimension")
+                            .help("write a product of powers of dimensions, such as `Force/Length`"),
+                    );
+                    None
+                }
+            }),
+            None => {
+                let module = self.modules.iter().find(|module| module.file == file);
+                let module = module.map_or("", |module| module.name.as_str());
+                let mut bases = self.layout.bases.iter();
+                let at = bases.position(|(of, name)| of == module && *name == decl.name.name);
+                let found = at.and_then(Dimension::own);
+                if found.is_none() {
+                    self.report(
+                        Diagnostic::error(
+                            "E0405",
+                            format!("a program declares at most {OWN_BASES} base dimensions"),
+                            decl.name.span,
+                            "one too many",
+                        )
+                        .help("derive it from others: `dimension Name = Length/Time;`"),
+                    );
+                }
+                found
+            }
+        };
+        if Dimension::from_name(&decl.name.name).is_some() {
+            self.taken("dimension", decl.name);
+        }
+        self.opening.pop();
+        self.own_dimensions.insert(id, found);
+        found
+    }
+
+    /// The unit declared as the `id`-th.
+    pub(super) fn own_unit(&mut self, id: u32) -> Option<DisplayUnit> {
+        let (decl, file) = {
+            let declared = &self.names.units[id as usize];
+            (declared.decl, declared.file)
+        };
+        if let Some(known) = self.own_units.get(&id).cloned() {
+            if known.is_none() && self.opening.contains(&Res::OwnUnit(id)) {
+                self.made_of_itself("unit", &decl.name);
+            }
+            return known;
+        }
+        self.own_units.insert(id, None);
+        self.opening.push(Res::OwnUnit(id));
+        if Unit::find(&decl.name.name).is_some() {
+            self.taken("unit", &decl.name);
+        }
+        let found = match &decl.meaning {
+            UnitMeaning::Coherent(dimension) => {
+                let ty = self.in_file(file, |c| c.annotation(dimension, false));
+                self.coherent_unit(&ty, &decl.name, dimension.span)
+            }
+            UnitMeaning::Equal(value) => self.in_file(file, |c| c.derived_unit(value)),
+        };
+        let name = decl.name.name.clone();
+        let found =
+            found.map(|(dimension, factor)| DisplayUnit { name, factor, dimension: dimension.exponents() });
+        self.opening.pop();
+        self.own_units.insert(id, found.clone());
+        found
+    }
+
+    /// `unit euro: Cost;`
+    fn coherent_unit(&mut self, ty: &Type, name: &ast::Ident, span: Span) -> Option<(Dimension, f64)> {
+        let Type::Number(dim) = ty else { return None };
+        let dimension = dim.as_known()?;
+        let base = (0..self.store.vocabulary.bases.len()).find(|&at| Dimension::own(at) == Some(dimension));
+        let Some(base) = base else {
+            let shown = self.store.vocabulary.show(dimension);
+            let example = self.store.vocabulary.unit_of(self.shown_system(), dimension).name;
+            self.report(
+                Diagnostic::error(
+                    "E0406",
+                    format!("{shown} has units already"),
+                    span,
+                    "no new base dimension",
+                )
+                .help(format!("say how large it is: `unit {} = 2 {example};`", name.name)),
+            );
+            return None;
+        };
+        let first = self.store.vocabulary.bases[base].unit.clone();
+        if let Some(first) = first {
+            let message =
+                format!("{} is measured in `{first}` already", self.store.vocabulary.bases[base].name);
+            self.report(
+                Diagnostic::error("E0406", message, span, "a second unit of the same size")
+                    .help(format!("say how large it is: `unit {} = 0.01 {first};`", name.name)),
+            );
+            return None;
+        }
+        self.store.vocabulary.bases[base].unit = Some(name.name.clone());
+        Some((dimension, 1.0))
+    }
+
+    /// `unit furlong = 220 yard;`
+    fn derived_unit(&mut self, value: &'a ast::Expr) -> Option<(Dimension, f64)> {
+        let place = self.constant_place.replace("a unit");
+        let value = self.as_value(|c| c.expr(value));
+        self.constant_place = place;
+        let dimension = match self.store.resolve(&value.ty) {
+            Type::Error => return None,
+            Type::Number(dim) => dim.as_known(),
+            _ => None,
+        };
+        let factor = constant::number(&value, &self.store).filter(|x| *x > 0.0 && x.is_finite());
+        let found = dimension.zip(factor);
+        if found.is_none() {
+            self.report(
+                Diagnostic::error(
+                    "E0406",
+                    "a unit is a positive quantity that is known",
+                    value.span,
+                    "not a constant quantity",
+                )
+                .help("write a number with a unit, such as `220 yard`"),
+            );
+        }
+        found
+    }
+
+    fn taken(&mut self, kind: &str, name: &ast::Ident) {
+        let message = format!("`{}` is a {kind} of the language", name.name);
+        self.report(
+            Diagnostic::error("E0202", message, name.span, "declared again here").help("choose another name"),
+        );
+    }
+
+    fn made_of_itself(&mut self, kind: &str, name: &ast::Ident) {
+        let message = format!("the {kind} `{}` is defined by itself", name.name);
+        self.report(
+            Diagnostic::error("E0407", message, name.span, "needed for its own meaning")
+                .help("define it by what is known already"),
+        );
+    }
+
+    /// The unit that an identifier stands for after a number or in a format.
+    pub(super) fn unit_named(&mut self, name: &ast::Ident) -> Option<DisplayUnit> {
+        match self.names.uses.get(&name.span).copied() {
+            Some(Res::OwnUnit(id)) => self.own_unit(id),
+            _ => Unit::find(&name.name).map(|unit| DisplayUnit {
+                name: name.name.clone(),
+                factor: unit.factor,
+                dimension: unit.dimension.exponents(),
+            }),
+        }
+    }
+
+    /// The unit an expression of literals is written in: `1000 lbf*inch` is in `lbf*inch`, `10 / inch` in `1/inch`.
+    pub(super) fn written_unit(&mut self, e: &ast::Expr) -> Option<DisplayUnit> {
+        match &e.kind {
+            ExprKind::Number(_) => Some(pure()),
+            ExprKind::Quantity { unit, exponent, .. } => {
+                let unit = self.unit_named(unit)?;
+                powered(&unit, *exponent)
+            }
+            ExprKind::Name(name) => self.unit_named(name),
+            ExprKind::Paren(inner) | ExprKind::Unary { operand: inner, .. } => self.written_unit(inner),
+            ExprKind::Binary { op: BinaryOp::Power, left, right, .. } => {
+                let exponent = whole_exponent(right)?;
+                let unit = self.written_unit(left)?;
+                powered(&unit, exponent)
+            }
+            ExprKind::Binary { op: op @ (BinaryOp::Multiply | BinaryOp::Divide), left, right, .. } => {
+                let (left, right) = (self.written_unit(left)?, self.written_unit(right)?);
+                combined(&left, &right, *op == BinaryOp::Multiply)
+            }
+            _ => None,
+        }
+    }
+
+    /// The unit in a format, which must be a product of units.
+    pub(super) fn format_unit(&mut self, e: &'a ast::Expr) -> Option<(DisplayUnit, Dimension)> {
+        let mut sound = true;
+        self.check_unit_names(e, &mut sound);
+        let unit = if sound { self.written_unit(e) } else { return None };
+        let Some(unit) = unit else {
+            self.report(
+                Diagnostic::error("E0408", "a format ends in a unit", e.span, "not a product of units")
+                    .help("write units joined by `*` and `/`: `{x : .3 lbf/inch^2}`"),
+            );
+            return None;
+        };
+        let dimension = Dimension::from_exponents(unit.dimension)?;
+        Some((unit, dimension))
+    }
+
+    fn check_unit_names(&mut self, e: &ast::Expr, sound: &mut bool) {
+        match &e.kind {
+            ExprKind::Name(name) if self.names.uses.get(&name.span) == Some(&Res::Unknown) => {
+                *sound = false;
+                self.unknown_unit(name, "a format ends in a unit");
+            }
+            ExprKind::Binary { left, right, .. } => {
+                self.check_unit_names(left, sound);
+                self.check_unit_names(right, sound);
+            }
+            ExprKind::Paren(inner) => self.check_unit_names(inner, sound),
+            ExprKind::Error => *sound = false,
+            _ => {}
+        }
+    }
+
+    pub(super) fn unknown_unit(&mut self, unit: &ast::Ident, label: &str) {
+        let diagnostic =
+            Diagnostic::error("E0403", format!("`{}` is not a unit", unit.name), unit.span, label);
+        let own = self.names.units.iter().map(|unit| unit.decl.name.name.as_str());
+        let near = super::symbols::similar(&unit.name, own);
+        let diagnostic = match Unit::similar(&unit.name).map(str::to_string).or(near) {
+            Some(near) => diagnostic.help(format!("did you mean `{near}`?")).fix(
+                format!("change to `{near}`"),
+                unit.span,
+                near,
+            ),
+            None => diagnostic.help(format!(
+                "write `*` between a number and a variable, or declare the unit: `unit {} = ...;`",
+                unit.name
+            )),
+        };
+        self.report(diagnostic);
+    }
+}
+
+/// A whole number, perhaps negative, as an exponent of a unit.
+fn whole_exponent(e: &ast::Expr) -> Option<i32> {
+    match &e.kind {
+        ExprKind::Number(value) if value.fract() == 0.0 && value.abs() < 100.0 => Some(*value as i32),
+        ExprKind::Unary { op: ast::UnaryOp::Minus, operand } => whole_exponent(operand).map(|value| -value),
+        ExprKind::Paren(inner) => whole_exponent(inner),
+        _ => None,
+    }
+}

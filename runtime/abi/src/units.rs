@@ -1,0 +1,43 @@
+//! Between SI and the units people write: one definition, so that what is shown reads back as the number it was.
+
+/// A number given in a unit, in SI.
+///
+/// Where the unit is a whole fraction of the SI unit (`mm`, `um`, `%`) this divides, which rounds once: `10 um` is
+/// the number nearest to 0.00001, as multiplying by a factor that is itself rounded would not give.
+pub fn to_si(value: f64, factor: f64) -> f64 {
+    match divisor(factor) {
+        Some(divisor) => value / divisor,
+        None => value * factor,
+    }
+}
+
+/// A number in SI, in a unit.
+pub fn from_si(value: f64, factor: f64) -> f64 {
+    match divisor(factor) {
+        Some(divisor) => value * divisor,
+        None => value / factor,
+    }
+}
+
+/// The whole number whose reciprocal a factor below one is.
+fn divisor(factor: f64) -> Option<f64> {
+    let inverse = (1.0 / factor).round();
+    let whole = factor > 0.0 && factor < 1.0 && inverse < 9e15;
+    (whole && 1.0 / inverse == factor).then_some(inverse)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn decimal_units_round_once() {
+        assert_eq!(to_si(10.0, 1e-6), 1e-5);
+        assert_eq!(to_si(0.3, 1e-3), 0.0003);
+        assert_eq!(to_si(7.0, 0.01), 0.07);
+        assert_eq!(from_si(1e-5, 1e-3), 0.01);
+        assert_eq!(to_si(3.0, 0.0254), 3.0 * 0.0254);
+        assert_eq!(to_si(2.0, 1e9), 2e9);
+        assert!(to_si(1.0, 0.0).abs() < 1.0 && to_si(f64::NAN, 1e-3).is_nan());
+    }
+}

@@ -1,0 +1,286 @@
+//! Tables from CSV files: read once, below the model's directory, their columns taken in the dimension asked for.
+//!
+//! The prelude (`calyx/prelude.cx`) makes of these what programs call: it knows dimensions, which are gone here.
+
+use crate::host::ModelHost;
+use calyx_abi::description::{Exponents, UnitDescription};
+use calyx_abi::externs::Handle;
+use calyx_abi::quantity::{self, Quantity};
+use calyx_abi::units::to_si;
+use calyx_abi::{Context, RuntimeError};
+use std::path::{Component, Path, PathBuf};
+
+/// Bytes of the largest file that is read: a table, not a measurement of hours.
+const LARGEST: u64 = 100 << 20;
+
+/// A table as it stands in its file.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Table {
+    /// As the model names it.
+    pub name: String,
+    columns: Vec<Column>,
+    /// Line of each row in the file.
+    lines: Vec<u64>,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+struct Column {
+    name: String,
+    /// What stands in brackets behind the name.
+    unit: Option<String>,
+    cells: Vec<String>,
+}
+
+calyx_abi::externs! {
+    Pure fn calyx_std_read_table(context, path: String) -> Handle {
+        let file = locate(context.directory.as_deref(), &path).map_err(|(message, help)| unreadable(&path, &message, help))?;
+        let host = host(context)?;
+        if let Some(known) = host.tables.iter().position(|(known, _)| *known == file) {
+            return Ok(Handle(known as u64));
+        }
+        let text = std::fs::read_to_string(&file)
+            .map_err(|error| unreadable(&path, &error.to_string(), "a table is a text file in UTF-8"))?;
+        let table = parse(&path, &text)?;
+        host.tables.push((file, table));
+        Ok(Handle(host.tables.len() as u64 - 1))
+    }
+
+    Pure fn calyx_std_table_column(context, table: Handle, name: String, unit: String) -> Vec<f64> {
+        let units = context.units.clone();
+        let table = table_of(context, table)?;
+        let wanted = quantity::parse(&unit, &units).ok();
+        column(table, &name, wanted, &units)
+    }
+
+    Pure fn calyx_std_magnitude(context, quantity: String) -> f64 {
+        match quantity::parse(&quantity, &context.units) {
+            Ok(found) if found.value != 0.0 && found.value.is_finite() => Ok(found.value),
+            _ => Err(RuntimeError::new("E0732", format!("`{quantity}` is not a unit"),
+                "give one of what the column holds: `column(table, \"x\", 1 mm)`")),
+        }
+    }
+}
+
+fn host(context: &mut Context) -> Result<&mut ModelHost, RuntimeError> {
+    let missing =
+        || RuntimeError::new("E0799", "the engine's state is missing", "please report it with the model");
+    context.host::<ModelHost>().ok_or_else(missing)
+}
+
+fn table_of(context: &mut Context, handle: Handle) -> Result<&Table, RuntimeError> {
+    let tables = &host(context)?.tables;
+    let found = usize::try_from(handle.0).ok().and_then(|index| tables.get(index));
+    found.map(|(_, table)| table).ok_or_else(|| {
+        RuntimeError::new("E0799", "a table that is not there", "please report it with the model")
+    })
+}
+
+fn unreadable(path: &str, message: &str, help: &str) -> RuntimeError {
+    RuntimeError::new("E0730", format!("`{path}` cannot be read: {message}"), help).of_argument("path")
+}
+
+/// The file a path names, which must lie below the model's directory, whatever links lead there. An error is a
+/// message and what to do.
+fn locate(directory: Option<&Path>, path: &str) -> Result<PathBuf, (String, &'static str)> {
+    let below =
+        "files are read from the model's directory and those in it; give a path relative to the model";
+    let directory =
+        directory.ok_or_else(|| ("there is no model file beside which it could lie".into(), below))?;
+    let relative = Path::new(path);
+    if !relative.components().all(|part| matches!(part, Component::Normal(_) | Component::CurDir)) {
+        return Err(("it leads out of the model's directory".into(), below));
+    }
+    let whole = |path: &Path| path.canonicalize().map_err(|error| (error.to_string(), below));
+    let (directory, file) = (whole(directory)?, whole(&directory.join(relative))?);
+    if !file.starts_with(&directory) {
+        return Err(("it leads out of the model's directory".into(), below));
+    }
+    let about = file.metadata().map_err(|error| (error.to_string(), below))?;
+    if !about.is_file() {
+        return Err(("it is not a file".into(), below));
+    }
+    if about.len() > LARGEST {
+        return Err((format!("it is larger than {} MB", LARGEST >> 20), "split it, or keep every tenth row"));
+    }
+    Ok(file)
+}
+
+/// A table from its text: a line of names, then rows of as many cells. `#` begins a comment line.
+fn parse(name: &str, text: &str) -> Result<Table, RuntimeError> {
+    let malformed = |line: Option<u64>, message: String, help: &str| {
+        let place = line.map(|line| format!(", line {line}")).unwrap_or_default();
+        RuntimeError::new("E0731", format!("{name}{place}: {message}"), help).of_argument("path")
+    };
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let mut reader =
+        csv::ReaderBuilder::new().comment(Some(b'#')).trim(csv::Trim::All).from_reader(text.as_bytes());
+    let help = "the first line names the columns, separated by commas; every other line has as many cells";
+    let header = reader.headers().map_err(|error| malformed(None, error.to_string(), help))?;
+    let mut columns: Vec<Column> = Vec::new();
+    for title in header {
+        let (name, unit) = match title.split_once('[') {
+            Some((name, rest)) => match rest.strip_suffix(']') {
+                Some(unit) => (name.trim(), Some(unit.trim().to_string())),
+                None => {
+                    return Err(malformed(
+                        Some(1),
+                        format!("the bracket of `{title}` does not end"),
+                        "write `name [unit]`",
+                    ));
+                }
+            },
+            None => (title, None),
+        };
+        if name.is_empty() || columns.iter().any(|known| known.name == name) {
+            let what = if name.is_empty() {
+                "a column has no name".into()
+            } else {
+                format!("two columns are called `{name}`")
+            };
+            return Err(malformed(Some(1), what, help));
+        }
+        columns.push(Column { name: name.into(), unit, cells: Vec::new() });
+    }
+    let mut lines = Vec::new();
+    for record in reader.records() {
+        let record = record.map_err(|error| {
+            let line = error.position().map(csv::Position::line);
+            let message = match error.kind() {
+                csv::ErrorKind::UnequalLengths { expected_len, len, .. } => {
+                    format!("{len} cells, where the first line names {expected_len} columns")
+                }
+                _ => error.to_string(),
+            };
+            malformed(line, message, help)
+        })?;
+        lines.push(record.position().map_or(0, csv::Position::line));
+        for (column, cell) in columns.iter_mut().zip(&record) {
+            column.cells.push(cell.to_string());
+        }
+    }
+    Ok(Table { name: name.into(), columns, lines })
+}
+
+/// The numbers of a column in SI. `wanted` is one of what the column is to hold: its dimension, and the unit of a column
+/// that names none.
+fn column(
+    table: &Table,
+    name: &str,
+    wanted: Option<Quantity>,
+    units: &[UnitDescription],
+) -> Result<Vec<f64>, RuntimeError> {
+    let Some(column) = table.columns.iter().find(|column| column.name == name) else {
+        let names: Vec<_> = table.columns.iter().map(|column| format!("`{}`", column.name)).collect();
+        let message = format!("{} has no column `{name}`", table.name);
+        return Err(RuntimeError::new("E0733", message, format!("its columns are {}", names.join(", ")))
+            .of_argument("name"));
+    };
+    let wanted = wanted.unwrap_or(Quantity { value: 1.0, dimension: quantity::PURE, unit: false });
+    let factor = match &column.unit {
+        None => wanted.value,
+        Some(unit) => header_factor(table, column, unit, wanted.dimension, units)?,
+    };
+    let numbers = column.cells.iter().zip(&table.lines).map(|(cell, line)| match cell.parse::<f64>() {
+        Ok(number) => Ok(to_si(number, factor)),
+        Err(_) => {
+            let what = if cell.is_empty() { "nothing stands".into() } else { format!("`{cell}` stands") };
+            let message = format!("{}, line {line}: {what} in the column `{name}`, not a number", table.name);
+            Err(RuntimeError::new(
+                "E0731",
+                message,
+                "write numbers with a decimal point, like `0.25` or `3e7`",
+            ))
+        }
+    });
+    numbers.collect()
+}
+
+/// SI value of the unit that a column's header names.
+fn header_factor(
+    table: &Table,
+    column: &Column,
+    unit: &str,
+    wanted: Exponents,
+    units: &[UnitDescription],
+) -> Result<f64, RuntimeError> {
+    let found = match unit {
+        "" | "1" | "-" => Ok(Quantity { value: 1.0, dimension: quantity::PURE, unit: true }),
+        _ => quantity::parse(&format!("1 {unit}"), units),
+    };
+    let found = found.map_err(|why| {
+        let message = format!("{}, line 1: the unit of `{}` is not known: {why}", table.name, column.name);
+        RuntimeError::new("E0731", message, "write units as in a model: `name [lbf/inch^2]`")
+    })?;
+    if !quantity::fits(found.dimension, wanted) {
+        let message = format!(
+            "the column `{}` of {} is in {unit}, another kind of quantity than is asked for",
+            column.name, table.name
+        );
+        let help = format!("ask for it in its own dimension: `column(table, \"{}\", 1 {unit})`", column.name);
+        return Err(RuntimeError::new("E0732", message, help).of_argument("unit"));
+    }
+    Ok(found.value)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn units() -> Vec<UnitDescription> {
+        let mut length = quantity::PURE;
+        length[0] = (1, 1);
+        let unit = |name: &str, factor| UnitDescription { name: name.into(), factor, dimension: length };
+        vec![unit("mm", 1e-3), unit("m", 1.0)]
+    }
+
+    #[test]
+    fn columns_come_in_the_dimension_asked_for() {
+        let text = "\u{feff}# measured\nroll, depth [mm], note\n0.5, 10, a\n# between\n1, 2.5e1, \"b, c\"\n";
+        let table = parse("t.csv", text).unwrap();
+        let metre = quantity::parse("1 m", &units()).ok();
+        assert_eq!(column(&table, "depth", metre, &units()).unwrap(), [0.01, 0.025]);
+        assert_eq!(column(&table, "roll", None, &units()).unwrap(), [0.5, 1.0]);
+        let error = column(&table, "depth", None, &units()).unwrap_err();
+        assert_eq!((error.code.as_str(), error.argument.as_deref()), ("E0732", Some("unit")));
+        let error = column(&table, "note", None, &units()).unwrap_err();
+        assert!(error.message.starts_with("t.csv, line 3: `a` stands"), "{}", error.message);
+        assert_eq!(column(&table, "dept", None, &units()).unwrap_err().code, "E0733");
+    }
+
+    #[test]
+    fn malformed_tables_are_refused_with_their_line() {
+        for (text, reason) in [
+            ("a, b\n1, 2\n3\n", "t.csv, line 3: 1 cells, where the first line names 2 columns"),
+            ("a, a\n", "two columns are called `a`"),
+            ("a [mm, b\n", "does not end"),
+            (", b\n", "has no name"),
+        ] {
+            let error = parse("t.csv", text).unwrap_err();
+            assert!(error.message.contains(reason), "{text:?}: {}", error.message);
+        }
+        let odd = parse("t.csv", "a [ell]\n1\n").unwrap();
+        assert!(column(&odd, "a", None, &units()).unwrap_err().message.contains("no unit called `ell`"));
+    }
+
+    #[test]
+    fn files_outside_of_the_models_directory_are_refused() {
+        let root = std::env::temp_dir().join(format!("calyx-tables-{}", std::process::id()));
+        let model = root.join("model");
+        std::fs::create_dir_all(model.join("data")).unwrap();
+        std::fs::write(model.join("data/inside.csv"), "a\n1\n").unwrap();
+        std::fs::write(root.join("outside.csv"), "a\n1\n").unwrap();
+        #[cfg(unix)]
+        std::os::unix::fs::symlink(root.join("outside.csv"), model.join("link.csv")).unwrap();
+        let tried = |path: &str| locate(Some(&model), path).map_err(|(message, _)| message);
+        assert!(tried("data/inside.csv").is_ok() && tried("./data/inside.csv").is_ok());
+        let absolute = root.join("outside.csv");
+        for path in ["../outside.csv", "data/../../outside.csv", absolute.to_str().unwrap()] {
+            assert!(tried(path).unwrap_err().contains("leads out"), "{path}");
+        }
+        #[cfg(unix)]
+        assert!(tried("link.csv").unwrap_err().contains("leads out"));
+        assert!(tried("data").unwrap_err().contains("not a file") && tried("none.csv").is_err());
+        assert!(locate(None, "data/inside.csv").is_err());
+        std::fs::remove_dir_all(&root).unwrap();
+    }
+}
