@@ -49,7 +49,6 @@ const CODES: &[Explanation] = codes! {
     "E0123" "a top-level declaration inside a block" "`import`, `units`, `param`, `output`, `private` and `test` concern the file as a whole, so they stand outside blocks and functions."
     "E0124" "a malformed type" "A type is a dimension such as `Length` or `Force/Length^2`, or `Bool`, `String`, `Vector(...)`, `Transform`, `Array(...)`."
     "W0125" "a quantity as a divisor" "A unit binds tighter than any operator, so `1/2 inch` is 1/(2 inch). Write parentheses to say which is meant."
-    "E0190" "not available yet" "This part of the language is described, but this version does not compile it. The message names it; write it another way for now."
     "E0201" "an unknown name" "Nothing of this name is visible here. Variables are visible from their declaration to the end of its block, functions in their whole block, functions of modules as `module.name` after `import module;`."
     "W0201" "an unused variable" "The variable is never read. Remove it, or start its name with `_` to keep it."
     "E0202" "a name declared twice" "A block declares a name once. An inner block may declare it anew; assignment needs no `var`."

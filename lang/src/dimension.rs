@@ -172,6 +172,11 @@ impl Dimension {
         Some(Dimension(all))
     }
 
+    /// Whether no dimension that the program declares is in it.
+    pub fn is_physics(self) -> bool {
+        self == self.without_own()
+    }
+
     /// The part of physics alone.
     pub fn without_own(mut self) -> Dimension {
         self.0[Base::ALL.len()..].fill(Rational::ZERO);

@@ -2,7 +2,7 @@
 
 use super::infer::Checker;
 use super::places::place_value;
-use super::symbols::{Res, similar};
+use super::symbols::{Res, similar, with_article};
 use super::tree::*;
 use super::types::Type;
 use crate::ast::{self, Bind, ExprKind, Mode};
@@ -286,8 +286,10 @@ impl<'a> Checker<'a> {
             );
         }
         let value = self.as_value(|c| c.whole(&argument.value));
-        let cause =
-            Some((parameter.span, format!("`{}` is declared as {}", parameter.name, self.store.show(ty))));
+        let cause = Some((
+            parameter.span,
+            format!("`{}` takes {}", parameter.name, with_article(&self.store.show(ty))),
+        ));
         self.expect(ty, &value, &format!("`{}`", parameter.name), cause);
         value
     }
@@ -313,8 +315,10 @@ impl<'a> Checker<'a> {
             self.report(diagnostic);
         }
         let value = self.as_symbolic(|c| c.whole(&argument.value));
-        let cause =
-            Some((parameter.span, format!("`{}` is declared as {}", parameter.name, self.store.show(ty))));
+        let cause = Some((
+            parameter.span,
+            format!("`{}` takes {}", parameter.name, with_article(&self.store.show(ty))),
+        ));
         self.expect(inner, &value, &format!("`{}`", parameter.name), cause);
         // A body named by a plain text gives its kernel a telling name.
         let owner = all.iter().find_map(|argument| match &argument.value.kind {

@@ -211,18 +211,6 @@ impl<'a> Checker<'a> {
         }
     }
 
-    pub fn not_yet(&mut self, what: &str, span: Span) {
-        self.report(
-            Diagnostic::error(
-                "E0190",
-                format!("{what} not available yet"),
-                span,
-                "not supported by this version",
-            )
-            .help("write it another way for now"),
-        );
-    }
-
     /// Demands that a checked expression has a type. `what` names the place it is put in (`argument `teeth``), `cause`
     /// is where that place got its type.
     pub fn expect(&mut self, expected: &Type, found: &Expr, what: &str, cause: Option<(Span, String)>) {

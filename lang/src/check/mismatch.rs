@@ -143,15 +143,16 @@ impl Checker<'_> {
                 };
                 if !seen.contains(&span) && seen.len() < 4 {
                     seen.push(span);
-                    diagnostic =
-                        diagnostic.label(span, format!("`{name}` is a {}", self.store.show(&factor.ty)));
+                    diagnostic = diagnostic
+                        .label(span, format!("`{name}` is {}", with_article(&self.store.show(&factor.ty))));
                 }
             }
         }
         diagnostic
     }
 
-    /// What the second must be multiplied or divided by to have the dimension of the first.
+    /// What the second must be multiplied or divided by to have the dimension of the first, where that is something a
+    /// model has: a factor that is a product of many dimensions helps nobody.
     fn missing_factor(&self, wanted: &Type, got: &Type) -> Option<String> {
         let known = |ty: &Type| match self.store.resolve(ty) {
             Type::Number(dim) | Type::Vector(dim) | Type::Observable(dim) => dim.as_known(),
@@ -159,21 +160,22 @@ impl Checker<'_> {
         };
         let missing = known(wanted)?.over(known(got)?).without_angle();
         let inverse = missing.power(Rational::integer(-1))?;
-        let unit = |d: Dimension| self.store.vocabulary.unit_of(self.shown_system(), d).name;
-        let bare = known(got)?.without_angle().is_none();
-        Some(match (self.store.vocabulary.name_of(missing), self.store.vocabulary.name_of(inverse)) {
-            (Some(name), _) if bare => format!("give it a unit of {name}, such as `{}`", unit(missing)),
-            (_, Some(name))
-                if self.store.vocabulary.name_of(missing).is_none() || name == "Length" || name == "Time" =>
-            {
-                format!("divide by {} (`{}`)", with_article(name), unit(inverse))
-            }
-            (Some(name), _) => format!("multiply by {} (`{}`)", with_article(name), unit(missing)),
-            _ => format!(
-                "a factor of {} is missing (`{}`)",
-                self.store.vocabulary.in_bases(missing),
-                unit(missing)
-            ),
-        })
+        let vocabulary = &self.store.vocabulary;
+        let unit = |d: Dimension| vocabulary.unit_of(self.shown_system(), d).name;
+        if known(got)?.without_angle().is_none() {
+            let name = vocabulary.show(missing);
+            return Some(format!("give it a unit of {name}, such as `{}`", unit(missing)));
+        }
+        let factor =
+            |d: Dimension| vocabulary.name_of(d).filter(|name| FACTORS.contains(name) || !d.is_physics());
+        match (factor(missing), factor(inverse)) {
+            (_, Some(name)) => Some(format!("divide by {} (`{}`)", with_article(name), unit(inverse))),
+            (Some(name), _) => Some(format!("multiply by {} (`{}`)", with_article(name), unit(missing))),
+            _ => None,
+        }
     }
 }
+
+/// Dimensions that are forgotten as factors.
+const FACTORS: &[&str] =
+    &["Length", "Area", "Volume", "Time", "Mass", "Force", "Velocity", "AngularVelocity", "Temperature"];

@@ -241,8 +241,10 @@ impl<'a> Checker<'a> {
         span: Span,
     ) -> Expr {
         let Some(value) = fields.remove(&parameter.name) else { return Expr::error(span) };
-        let cause =
-            Some((parameter.span, format!("`{}` is declared as {}", parameter.name, self.store.show(ty))));
+        let cause = Some((
+            parameter.span,
+            format!("`{}` takes {}", parameter.name, with_article(&self.store.show(ty))),
+        ));
         self.expect(ty, &value, &format!("`{}`", parameter.name), cause);
         value
     }
