@@ -171,7 +171,7 @@ impl Checker<'_> {
         match (factor(missing), factor(inverse)) {
             (_, Some(name)) => Some(format!("divide by {} (`{}`)", with_article(name), unit(inverse))),
             (Some(name), _) => Some(format!("multiply by {} (`{}`)", with_article(name), unit(missing))),
-            _ => None,
+            _ => Some(format!("the two differ by a factor of {}", vocabulary.in_bases(missing))),
         }
     }
 }
