@@ -4,6 +4,7 @@
 //! that both evaluators do alike. As in [`super::syntax`] the matches are exhaustive.
 
 use super::rows;
+use calyx_abi::display::Display;
 use calyx_lang::ir::*;
 use std::collections::BTreeSet;
 
@@ -56,8 +57,8 @@ rows!(expression(ExprKind) {
 
 rows!(format_part(FormatPart) {
     FormatPart::Text(_) => "text",
-    FormatPart::Value(_, None) => "value in text",
-    FormatPart::Value(_, Some(_)) => "quantity in text",
+    FormatPart::Value(_, Display::Number(style)) if !style.unit.is_empty() => "quantity in text",
+    FormatPart::Value(..) => "value in text",
 });
 
 rows!(symbolic(SymKind) {
