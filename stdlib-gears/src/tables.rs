@@ -235,7 +235,7 @@ mod tests {
 
     #[test]
     fn columns_come_in_the_dimension_asked_for() {
-        let text = "\u{feff}# measured\nroll, depth [mm], note\n0.5, 10, a\n# between\n1, 2.5e1, \"b, c\"\n";
+        let text = "\u{feff}# measured\nroll, depth [mm], note\n0.5, 10, a\n# between\n1, 2.5e1,\"b, c\"\n";
         let table = parse("t.csv", text).unwrap();
         let metre = quantity::parse("1 m", &units()).ok();
         assert_eq!(column(&table, "depth", metre, &units()).unwrap(), [0.01, 0.025]);
