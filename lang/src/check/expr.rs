@@ -140,7 +140,7 @@ impl<'a> Checker<'a> {
                 ast::StringPart::Value(value, format) => {
                     let value = self.printable(value);
                     let style = format.as_ref().map(|format| self.style(&value, format));
-                    Piece::Value(value, style)
+                    Piece::Value(Box::new(value), style)
                 }
             })
             .collect();

@@ -95,7 +95,7 @@ pub enum Kind {
 #[derive(Clone, Debug)]
 pub enum Piece {
     Text(String),
-    Value(Expr, Option<Style>),
+    Value(Box<Expr>, Option<Style>),
 }
 
 /// How a value in a text is shown, where that is written.
@@ -364,7 +364,7 @@ impl Expr {
                 .iter()
                 .filter_map(|piece| match piece {
                     Piece::Text(_) => None,
-                    Piece::Value(value, _) => Some(value),
+                    Piece::Value(value, _) => Some(&**value),
                 })
                 .collect(),
         }
