@@ -145,6 +145,7 @@ impl<'db> Gathered<'db> {
                 self.add(item, Part::Whole);
             }
         }
+        self.follow_links(true);
         let imported = reachable(db, self.file, library).iter().copied();
         for file in [self.file, library.prelude(db)].into_iter().chain(imported) {
             for &item in vocabulary(db, file) {
@@ -153,13 +154,21 @@ impl<'db> Gathered<'db> {
                 }
             }
         }
+        // Units and dimensions are everybody's, and no function belongs in them: one named there by mistake is seen where
+        // the top level is checked. To follow it from every group would go round in circles.
+        self.follow_links(self.top);
+    }
+
+    /// Adds what the items that were added name.
+    fn follow_links(&mut self, to_functions: bool) {
+        let (db, library) = (self.db, self.library);
         while let Some(item) = self.left.pop() {
             let needed = match self.parts.get(&item) {
                 Some(Part::Header) => header_links(db, item, library),
                 _ => links(db, item, library),
             };
             for &to in needed {
-                if self.parts.contains_key(&to) {
+                if self.parts.contains_key(&to) || (!to_functions && *to.kind(db) == ItemKind::Function) {
                     continue;
                 }
                 let part = match to.kind(db) {
