@@ -59,4 +59,3 @@ pub fn blame_table(function: &ExternDecl, arguments: &[Expr], call: Span) -> Vec
         (name.as_str(), (argument.span.file.0, argument.span.start, argument.span.end))
     }))
 }
-
