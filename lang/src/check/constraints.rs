@@ -85,6 +85,16 @@ impl Checker<'_> {
         }
     }
 
+    /// Before a decision that types take part in: what operators have to say of them by now is put in. Types that are known
+    /// cost nothing.
+    pub fn settle<'t>(&mut self, types: impl Iterator<Item = &'t Type>) {
+        let (mut unknown, mut dims) = Default::default();
+        types.for_each(|ty| self.store.unknowns(ty, &mut unknown, &mut dims));
+        if !unknown.is_empty() || !dims.is_empty() {
+            self.solve_constraints();
+        }
+    }
+
     /// Drops constraints that say the same. The operands of an operator decide its result, so equal operands have
     /// equal results; without this, functions that call each other twice would double their schemes at each level.
     fn merge_constraints(&mut self) {

@@ -399,6 +399,7 @@ impl<'a> Checker<'a> {
     /// Brackets: an array, unless the elements are known to differ.
     fn list(&mut self, elements: &'a [ast::Expr], given: Position, span: Span) -> Expr {
         let elements: Vec<Expr> = elements.iter().map(|e| self.expr_at(e, given)).collect();
+        self.settle(elements.iter().map(|e| &e.ty));
         let first = elements.first().map(|e| e.ty.clone());
         if first.is_none_or(|first| elements.iter().all(|e| !self.store.differ(&first, &e.ty))) {
             let element = self.store.fresh();

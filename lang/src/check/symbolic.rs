@@ -201,6 +201,7 @@ impl<'a> Checker<'a> {
             by.push(sym);
             types.push(quotient);
         }
+        self.settle(types.iter());
         let differ = |types: &[Type]| types.iter().any(|ty| self.store.differ(&types[0], ty));
         let ty = if differ(&types) {
             Type::Tuple(types)
