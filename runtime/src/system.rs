@@ -14,7 +14,7 @@ use std::sync::Arc;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Freedom {
     pub body: usize,
-    /// Index in [`FREEDOMS`].
+    /// Index in [`crate::scene::FREEDOMS`].
     pub component: usize,
 }
 

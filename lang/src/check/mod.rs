@@ -1,9 +1,9 @@
 //! From syntax trees to a typed program: names, types, dimensions, then control flow.
 //!
-//! What is checked at once is a unit ([`unit`]), in an excerpt of the program ([`excerpt`]): names are resolved
+//! What is checked at once is a unit ([`mod@unit`]), in an excerpt of the program ([`excerpt`]): names are resolved
 //! ([`names`]), types and dimensions inferred ([`infer`] and its neighbours) into a typed tree ([`tree`]), and what only
 //! the flow of control shows is checked ([`flow`]). Callers know a function by its interface ([`interface`]). The units of
-//! a program are then lowered to the typed program ([`lower`]). Which units there are and when they are checked again is
+//! a program are then lowered to the typed program ([`mod@lower`]). Which units there are and when they are checked again is
 //! the database's affair ([`crate::db`]).
 
 mod annotate;

@@ -50,7 +50,7 @@ pub fn format(text: &str) -> Result<String, NotFormatted> {
     }
 }
 
-/// The changes that [`format`] makes between two bytes of a text, for editors that format a selection.
+/// The changes that [`format()`] makes between two bytes of a text, for editors that format a selection.
 pub fn format_range(text: &str, range: Range<u32>) -> Result<Vec<Edit>, NotFormatted> {
     let formatted = format(text)?;
     let (before, after) = (pieces(text), pieces(&formatted));
