@@ -74,6 +74,7 @@ const CODES: &[Explanation] = codes! {
     "E0221" "a constant that is too large" "Constants are put in wherever they are named, so those that name each other several times over grow without bound. Use a variable."
     "E0222" "a test that takes or gives something" "`calyx test` calls a test without arguments and looks at nothing it gives. Call the function to be tested inside the test, and assert what it should give."
     "E0223" "a variable of the model in a test" "A test runs on its own: what the model runs is not run before it. It sees functions, constants, records and params."
+    "E0224" "a second system of units" "`units` says what the bare numbers of the whole file are in, so a file has one. Remove the other; a single number may have any unit."
     "E0301" "a value of another type" "Every variable and parameter has one type. The message names the one needed and the one found."
     "E0302" "a value inside itself" "The program would need a type that contains itself, such as an array that is its own element."
     "E0303" "a call without a value used as one" "The function returns nothing. Call it as a statement."

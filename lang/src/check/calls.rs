@@ -8,6 +8,7 @@ use super::types::Type;
 use crate::ast::{self, Bind, ExprKind, Mode};
 use crate::diagnostic::Diagnostic;
 use crate::span::Span;
+use std::collections::HashMap;
 
 impl<'a> Checker<'a> {
     pub(super) fn call(&mut self, callee: &'a ast::Expr, arguments: &'a [ast::Argument], span: Span) -> Expr {
@@ -192,17 +193,7 @@ impl<'a> Checker<'a> {
             let info = &self.names.externs[id as usize];
             (info.decl, info.name.clone(), info.file)
         };
-        let names: Vec<&str> = decl.parameters.iter().map(|p| p.name.name.as_str()).collect();
-        let Some(mut fields) = self.spread(&shown, &names, arguments) else {
-            return Expr::error(span);
-        };
-        let optional = |p: &ast::Parameter| matches!(p.default, Some((_, Some(_))));
-        let parameters: Vec<(&str, bool)> = decl
-            .parameters
-            .iter()
-            .map(|p| (p.name.name.as_str(), optional(p) || fields.contains_key(&p.name.name)))
-            .collect();
-        let Some(given) = self.match_arguments(&shown, &parameters, arguments, span) else {
+        let Some((given, mut fields)) = self.given(&shown, decl, arguments, span) else {
             let result =
                 self.in_file(file, |c| decl.result.as_ref().map_or(Type::Unit, |r| c.annotation(r, true)));
             return self.observed(Expr { kind: Kind::Error, ty: result, span });
@@ -342,6 +333,26 @@ impl<'a> Checker<'a> {
         Expr { kind: Kind::MakeSymbolic(def), ty, span }
     }
 
+    /// What a call gives to a function's parameters: an argument each where one is written, and by name the fields of
+    /// the records that it spreads. Nothing if they do not fit; reported.
+    pub(super) fn given(
+        &mut self,
+        called: &str,
+        decl: &ast::FunctionDecl,
+        arguments: &'a [ast::Argument],
+        span: Span,
+    ) -> Option<(Vec<Option<&'a ast::Argument>>, HashMap<String, Expr>)> {
+        let names: Vec<&str> = decl.parameters.iter().map(|p| p.name.name.as_str()).collect();
+        let fields = self.spread(called, &names, arguments)?;
+        let optional = |p: &ast::Parameter| matches!(p.default, Some((_, Some(_))));
+        let parameters: Vec<(&str, bool)> = decl
+            .parameters
+            .iter()
+            .map(|p| (p.name.name.as_str(), optional(p) || fields.contains_key(&p.name.name)))
+            .collect();
+        Some((self.match_arguments(called, &parameters, arguments, span)?, fields))
+    }
+
     fn user_call(
         &mut self,
         id: FuncId,
@@ -360,19 +371,9 @@ impl<'a> Checker<'a> {
         if self.symbolic && self.names_symbols(arguments) {
             return self.symbolic_call(id, name, arguments, span);
         }
-        let names: Vec<&str> = decl.parameters.iter().map(|p| p.name.name.as_str()).collect();
-        let Some(mut fields) = self.spread(&name.name, &names, arguments) else {
-            return Expr::error(span);
-        };
-        let optional = |p: &ast::Parameter| matches!(p.default, Some((_, Some(_))));
-        let parameters: Vec<(&str, bool)> = decl
-            .parameters
-            .iter()
-            .map(|p| (p.name.name.as_str(), optional(p) || fields.contains_key(&p.name.name)))
-            .collect();
-        let given = self.match_arguments(&name.name, &parameters, arguments, span);
+        let given = self.given(&name.name, decl, arguments, span);
         let (types, result, instance) = self.instantiate(id, span);
-        let Some(given) = given else {
+        let Some((given, mut fields)) = given else {
             return Expr { kind: Kind::Error, ty: result, span };
         };
         let variables = self.names.functions[id.0 as usize].parameters.clone();

@@ -111,7 +111,22 @@ impl<'a> Resolver<'a> {
         if index == 0 {
             self.declare_functions(&module.tree.statements);
         }
+        let mut system: Option<&Ident> = None;
         for statement in &module.tree.statements {
+            if let StmtKind::Units(second) = &statement.kind
+                && let Some(first) = system.replace(system.unwrap_or(second))
+            {
+                self.report(
+                    Diagnostic::error(
+                        "E0224",
+                        "a file has one system of units",
+                        statement.span,
+                        format!("`{}` comes too late", second.name),
+                    )
+                    .label(first.span, format!("all numbers of the file are in `{}`", first.name))
+                    .help("remove one of the two; a single number may have any unit, as in `3 inch`"),
+                );
+            }
             if index > 0 {
                 match &statement.kind {
                     StmtKind::Import(_)

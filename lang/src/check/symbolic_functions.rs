@@ -91,19 +91,9 @@ impl<'a> Checker<'a> {
     ) -> Expr {
         let info = &self.names.functions[id.0 as usize];
         let (Some(decl), file) = (info.decl, info.file) else { return Expr::error(span) };
-        let names: Vec<&str> = decl.parameters.iter().map(|p| p.name.name.as_str()).collect();
-        let Some(mut fields) = self.spread(&name.name, &names, arguments) else {
-            return Expr::error(span);
-        };
-        let optional = |p: &ast::Parameter| matches!(p.default, Some((_, Some(_))));
-        let parameters: Vec<(&str, bool)> = decl
-            .parameters
-            .iter()
-            .map(|p| (p.name.name.as_str(), optional(p) || fields.contains_key(&p.name.name)))
-            .collect();
-        let given = self.match_arguments(&name.name, &parameters, arguments, span);
+        let given = self.given(&name.name, decl, arguments, span);
         let (types, result, instance) = self.instantiate(id, span);
-        let Some(given) = given else {
+        let Some((given, mut fields)) = given else {
             return Expr { kind: Kind::Error, ty: result, span };
         };
         let mut values = Vec::new();
