@@ -13,6 +13,7 @@ const ALLOWED: &[(&str, &str, &[&str])] = &[
     ("calyx-codegen", "compiler/codegen", &["calyx-abi", "calyx-lang", "calyx-lower", "calyx-symbolic"]),
     ("calyx-gears", "stdlib-gears", &["calyx-abi", "calyx-runtime"]),
     ("calyx-rt", "runtime/rt", &["calyx-abi", "calyx-gears", "calyx-runtime"]),
+    ("calyx-lsp", "lsp", &["calyx-abi", "calyx-elaborate", "calyx-lang"]),
 ];
 
 /// Crates of others that only one of ours may name.

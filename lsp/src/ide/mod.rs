@@ -1,0 +1,28 @@
+//! Questions about a snapshot of the texts, one file a feature.
+
+use calyx_lang::db::Database;
+use std::sync::Arc;
+
+/// The texts of a folder and what is known of them at one moment.
+///
+/// Files are told apart by their names as shown to people: a path, or `<library>/gears.cx`.
+#[derive(Clone)]
+pub struct Snapshot {
+    pub database: Database,
+}
+
+/// A cursor: a byte offset in a file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Position {
+    pub file: Arc<str>,
+    pub offset: u32,
+}
+
+/// Replaces bytes `start..end` of a file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Edit {
+    pub file: Arc<str>,
+    pub start: u32,
+    pub end: u32,
+    pub replacement: String,
+}
