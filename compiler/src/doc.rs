@@ -8,7 +8,7 @@ mod html;
 
 pub use collect::{Entry, Field, Kind, Page};
 
-use crate::loader::ModelLoader;
+use calyx_elaborate::ModelLoader;
 use calyx_gears::library::{MODULES, PRELUDE};
 use calyx_lang::check::check_program;
 use std::collections::BTreeMap;

@@ -1,6 +1,6 @@
 //! Applies the fixes that diagnostics are certain of to the files of a model.
 
-use crate::check::{Checked, check_file};
+use calyx_elaborate::{Checked, check_file};
 use calyx_lang::diagnostic::{Diagnostic, Fix};
 use calyx_lang::ir::SourceFile;
 use calyx_lang::render::line_column;

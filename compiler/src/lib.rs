@@ -10,22 +10,19 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-mod check;
 pub mod doc;
 pub mod dump;
 pub mod explain;
 pub mod fix;
-mod interpreted;
 mod kernel;
-mod loader;
 mod module;
-mod nan;
 pub mod session;
 pub mod testing;
 
+pub use calyx_elaborate as elaborate;
+pub use calyx_elaborate::{
+    Checked, Interpreted, ModelLoader, Refused, check_file, check_run, check_text, render,
+};
 pub use calyx_rt as rt;
-pub use check::{Checked, Refused, check_file, check_run, check_text, render};
-pub use interpreted::Interpreted;
 pub use kernel::{Kernel, KernelError, Quantity};
-pub use loader::ModelLoader;
 pub use module::{CompileError, Module};

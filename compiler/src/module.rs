@@ -1,11 +1,11 @@
 //! A model compiled to machine code in memory.
 
-use crate::check::{Checked, diagnostic, finding_diagnostic};
-use crate::interpreted::param_function;
-use crate::nan::{Seen, explain};
 use calyx_abi::description::ModelDescription;
 use calyx_abi::{Context, Kernel, RuntimeError, Slot};
 use calyx_codegen::{CodegenError, JitModule, compile_jit, compile_object};
+use calyx_elaborate::diagnostics::{diagnostic, finding_diagnostic};
+use calyx_elaborate::nan::{Seen, explain};
+use calyx_elaborate::{Checked, param_function};
 use calyx_gears::host::Finding;
 use calyx_gears::library::externs;
 use calyx_lang::diagnostic::{Diagnostic, Severity};

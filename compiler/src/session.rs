@@ -4,8 +4,8 @@
 //! anything, and shows what it printed anew. So there is one meaning of the language and no second evaluator, errors leave
 //! no trace, and a definition can be replaced.
 
-use crate::check::{elaborate_printing, has_errors};
-use crate::loader::ModelLoader;
+use calyx_elaborate::diagnostics::has_errors;
+use calyx_elaborate::{ModelLoader, elaborate_printing};
 use calyx_lang::ast::{Module, Stmt, StmtKind};
 use calyx_lang::check::check_program;
 use calyx_lang::diagnostic::{Diagnostic, Severity};

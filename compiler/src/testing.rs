@@ -3,10 +3,10 @@
 //! A test sees what a file declares, and none of what it runs: everything else is blanked out, byte for byte, so that
 //! places stay right, and one test is called by a param that is put at the end.
 
-use crate::check::{FUEL, MEMORY, diagnostic, has_errors, read};
-use crate::interpreted::Interpreted;
-use crate::loader::ModelLoader;
 use calyx_abi::{Context, Purity, RuntimeError};
+use calyx_elaborate::check::read;
+use calyx_elaborate::diagnostics::{diagnostic, has_errors};
+use calyx_elaborate::{FUEL, Interpreted, MEMORY, ModelLoader};
 use calyx_gears::host::ModelHost;
 use calyx_lang::ast::{Stmt, StmtKind};
 use calyx_lang::check::check_program;

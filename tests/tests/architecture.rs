@@ -13,6 +13,19 @@ const ALLOWED: &[(&str, &str, &[&str])] = &[
     ("calyx-codegen", "compiler/codegen", &["calyx-abi", "calyx-lang", "calyx-lower", "calyx-symbolic"]),
     ("calyx-gears", "stdlib-gears", &["calyx-abi", "calyx-runtime"]),
     ("calyx-rt", "runtime/rt", &["calyx-abi", "calyx-gears", "calyx-runtime"]),
+    (
+        "calyx-elaborate",
+        "compiler/elaborate",
+        &[
+            "calyx-abi",
+            "calyx-gears",
+            "calyx-lang",
+            "calyx-lower",
+            "calyx-rt",
+            "calyx-runtime",
+            "calyx-symbolic",
+        ],
+    ),
     ("calyx-lsp", "lsp", &["calyx-abi", "calyx-elaborate", "calyx-lang"]),
 ];
 

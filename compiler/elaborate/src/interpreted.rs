@@ -97,7 +97,7 @@ impl<'p> Interpreted<'p> {
 }
 
 /// The function that computes a param's default or an end of its range.
-pub(crate) fn param_function(program: &Program, param: usize, which: ParamFunction) -> Option<FunctionId> {
+pub fn param_function(program: &Program, param: usize, which: ParamFunction) -> Option<FunctionId> {
     let param = program.params.get(param)?;
     match which {
         ParamFunction::Default => Some(param.default),

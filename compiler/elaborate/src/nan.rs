@@ -24,7 +24,7 @@ const OUTPUT: &str = "E0721";
 
 /// Inputs at which kernels gave NaN: by site, and the site that did so last.
 #[derive(Clone, Default)]
-pub(crate) struct Seen(Arc<Mutex<State>>);
+pub struct Seen(Arc<Mutex<State>>);
 
 #[derive(Default)]
 struct State {
@@ -87,7 +87,7 @@ impl Kernel for Watched {
 
 /// The diagnostic of an error with a label where the NaN behind it arose, if NaN is behind it. `given` are the params of
 /// the run that failed.
-pub(crate) fn explain(
+pub fn explain(
     program: &Program,
     given: &[(String, String)],
     seen: &Seen,

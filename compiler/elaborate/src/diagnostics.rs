@@ -1,0 +1,44 @@
+//! What the engine and the library say, as diagnostics at the place to blame.
+
+use calyx_abi::RuntimeError;
+use calyx_gears::error::Severity as FindingSeverity;
+use calyx_gears::host::Finding;
+use calyx_lang::diagnostic::{Diagnostic, Severity};
+use calyx_lang::span::{FileId, Span};
+use calyx_lower::interpret::CallSites;
+
+/// Whether one of them is an error.
+pub fn has_errors(diagnostics: &[Diagnostic]) -> bool {
+    diagnostics.iter().any(|diagnostic| diagnostic.severity == Severity::Error)
+}
+
+/// A run-time error as a diagnostic at its place.
+pub fn diagnostic(error: &RuntimeError) -> Diagnostic {
+    let label = if error.argument.is_some() { "because of this" } else { "it happened here" };
+    let mut diagnostic = Diagnostic::error(&error.code, &error.message, place(error.place), label);
+    diagnostic.calls = error.details.calls.clone();
+    match (error.help.as_str(), error.details.origin.as_str()) {
+        ("", "") => diagnostic,
+        ("", origin) => diagnostic.help(format!("by its own words it arose at {origin}")),
+        (help, _) => diagnostic.help(help),
+    }
+}
+
+/// What the library found beside the error that stopped the model, placed on the argument to blame.
+pub fn finding_diagnostic(finding: &Finding, sites: &CallSites) -> Diagnostic {
+    let mut error = finding.error.clone();
+    sites.blame(&mut error);
+    let found = diagnostic(&error);
+    match finding.severity {
+        FindingSeverity::Error => found,
+        FindingSeverity::Warning => {
+            Diagnostic { severity: Severity::Warning, code: found.code.replacen('E', "W", 1), ..found }
+        }
+    }
+}
+
+/// The span of a place as running programs note it.
+pub fn place(place: Option<(u32, u32, u32)>) -> Span {
+    let (file, start, end) = place.unwrap_or_default();
+    Span { file: FileId(file), start, end }
+}

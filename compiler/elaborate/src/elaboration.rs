@@ -1,0 +1,205 @@
+//! Running a program without solving anything, and what that shows.
+
+use crate::diagnostics::{diagnostic, finding_diagnostic};
+use crate::interpreted::Interpreted;
+use crate::nan::{Seen, explain, label, of_default};
+use calyx_abi::context::codes;
+use calyx_abi::description::ModelDescription;
+use calyx_abi::{Context, Purity, RuntimeError};
+use calyx_gears::externs::{check_plan, check_unheld};
+use calyx_gears::host::ModelHost;
+use calyx_lang::diagnostic::Diagnostic;
+use calyx_lang::ir::Program;
+use calyx_lang::span::Span;
+use calyx_lower::interpret::CallSites;
+use calyx_rt::{ParamError, Program as _, apply};
+use calyx_runtime::plan::Plan;
+use std::error::Error;
+use std::fmt;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Mutex};
+
+/// Basic blocks a program may enter while it is checked: models build and end; one that does not is stopped.
+pub const FUEL: u64 = 20_000_000;
+
+/// Bytes that its values may take meanwhile.
+pub const MEMORY: u64 = 1_000_000_000;
+
+/// A switch that stops an elaboration from any thread. Clones are the same switch.
+#[derive(Clone, Debug, Default)]
+pub struct Cancel(Arc<AtomicBool>);
+
+impl Cancel {
+    pub fn cancel(&self) {
+        self.0.store(true, Ordering::Relaxed);
+    }
+
+    pub fn is_cancelled(&self) -> bool {
+        self.0.load(Ordering::Relaxed)
+    }
+
+    /// The flag that a running program looks at.
+    pub(crate) fn flag(&self) -> Arc<AtomicBool> {
+        self.0.clone()
+    }
+
+    /// Goes on, unless somebody has cancelled.
+    pub(crate) fn check(&self) -> Result<(), Cancelled> {
+        if self.is_cancelled() { Err(Cancelled) } else { Ok(()) }
+    }
+}
+
+/// An elaboration was stopped by its [`Cancel`]; what it had found until then means nothing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Cancelled;
+
+impl fmt::Display for Cancelled {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str("the elaboration was cancelled")
+    }
+}
+
+impl Error for Cancelled {}
+
+/// The params at which a model is elaborated.
+#[derive(Clone, Copy, Debug)]
+pub enum Params<'a> {
+    Defaults,
+    /// By name, as text; for a run, which may take as long as it likes.
+    Given(&'a [(String, String)]),
+}
+
+/// Why a value given for a param from outside cannot be used.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Refused {
+    pub message: String,
+    /// What to do about it; empty if nothing can be said.
+    pub help: String,
+}
+
+/// What a program describes, at some params.
+#[derive(Debug, Default)]
+pub struct Elaboration {
+    /// What the model says of itself, with the defaults and ranges of its params.
+    pub description: ModelDescription,
+    /// What is wrong with the gears and the scene, and what failed, in order of file and place.
+    pub found: Vec<Diagnostic>,
+    /// Why the params given from outside cannot be used.
+    pub refused: Option<Refused>,
+    /// `false` if the program cannot be run at any params; `found` says why.
+    pub runnable: bool,
+    /// How the scene would be analysed; `None` if there is nothing to analyse or something is wrong with it.
+    pub plan: Option<Plan>,
+}
+
+/// Runs a program without solving anything. It never fails: what is wrong is found, and of several gears one that is
+/// impossible does not hide the others.
+///
+/// # Errors
+/// It was cancelled.
+pub fn elaborate(program: &Program, params: Params, cancel: &Cancel) -> Result<Elaboration, Cancelled> {
+    elaborate_with(program, params, cancel, Box::new(|_| {}))
+}
+
+/// Elaborates a program at its params' defaults: the lines it prints, and what was found.
+pub fn elaborate_printing(program: &Program) -> (Vec<String>, Vec<Diagnostic>) {
+    let lines = Arc::new(Mutex::new(Vec::new()));
+    let printed = lines.clone();
+    let print = move |line: &str| {
+        if let Ok(mut lines) = printed.lock() {
+            lines.push(line.to_owned());
+        }
+    };
+    let elaboration = elaborate_with(program, Params::Defaults, &Cancel::default(), Box::new(print));
+    let lines = lines.lock().map(|lines| lines.clone()).unwrap_or_default();
+    (lines, elaboration.map(|elaboration| elaboration.found).unwrap_or_default())
+}
+
+fn elaborate_with(
+    program: &Program,
+    params: Params,
+    cancel: &Cancel,
+    print: Box<dyn FnMut(&str) + Send>,
+) -> Result<Elaboration, Cancelled> {
+    cancel.check()?;
+    let mut interpreted = match Interpreted::new(program, Purity::Scene) {
+        Ok(interpreted) => interpreted.going_on(),
+        Err(found) => return Ok(Elaboration { found: vec![*found], ..Elaboration::default() }),
+    };
+    cancel.check()?;
+    let mut context = Context::new(Box::new(ModelHost::new(&interpreted.description().units)));
+    context.cancel = cancel.flag();
+    context.fuel = FUEL;
+    context.limits.memory = Some(MEMORY);
+    let seen = Seen::default();
+    context.kernels = seen.watched(interpreted.kernels());
+    context.print = print;
+    let defaults =
+        apply(&interpreted, &[], &mut context).and_then(|()| interpreted.describe_params(&mut context));
+    let (applied, given) = match params {
+        Params::Defaults => (defaults, &[][..]),
+        Params::Given(given) => (apply(&interpreted, given, &mut context), given),
+    };
+    let ran = applied.and_then(|()| interpreted.main(&mut context).map_err(ParamError::Model));
+    cancel.check()?;
+    let survived = interpreted.failures();
+    let sites = CallSites::new(program);
+    let at_place = |error: &RuntimeError| {
+        let mut error = error.clone();
+        sites.blame(&mut error);
+        explain(program, given, &seen, &error, diagnostic(&error))
+    };
+    let mut found: Vec<Diagnostic> = survived.iter().map(at_place).collect();
+    let (mut refused, mut planned) = (None, None);
+    if let Some(host) = context.host::<ModelHost>() {
+        // Of a scene that is not complete nobody can say what it would do.
+        if ran.is_ok() && survived.is_empty() {
+            check_unheld(host);
+            if !host.scene.pairs.is_empty() {
+                match check_plan(host) {
+                    Ok(plan) => planned = Some(plan),
+                    Err(error) => found.push(at_place(&error)),
+                }
+            }
+        }
+        found.extend(host.findings.iter().map(|finding| finding_diagnostic(finding, &sites)));
+    }
+    match ran {
+        // A run may take longer than checking.
+        Err(ParamError::Model(error))
+            if matches!(error.code.as_str(), codes::LIMIT | codes::EXHAUSTED)
+                && matches!(params, Params::Given(_)) => {}
+        // What comes after a call that failed may follow from it.
+        Err(ParamError::Model(error)) if survived.is_empty() => found.push(at_place(&error)),
+        Err(ParamError::Model(_)) => {}
+        Err(ParamError::Given { message, help }) => match params {
+            Params::Given(_) => refused = Some(Refused { message, help }),
+            Params::Defaults => found.push(wrong_default(program, message, help)),
+        },
+        Ok(()) => {}
+    }
+    found.sort_by_key(|diagnostic| (diagnostic.primary.span.file, diagnostic.primary.span.start));
+    // A loop says the same at every turn.
+    found.dedup();
+    cancel.check()?;
+    Ok(Elaboration {
+        description: interpreted.into_description(),
+        found,
+        refused,
+        runnable: true,
+        plan: planned,
+    })
+}
+
+/// A default that its param does not allow.
+fn wrong_default(program: &Program, message: String, help: String) -> Diagnostic {
+    // Messages about params begin with the name.
+    let name = message.split('`').nth(1).unwrap_or_default();
+    let param = program.params.iter().find(|param| param.name == name);
+    let span = param.map_or(Span::default(), |param| param.span);
+    let found = Diagnostic::error("E0314", message.clone(), span, "the default is this").help(help);
+    match of_default(program) {
+        Some((place, source)) if place == span => label(program, found, &source, None),
+        _ => found,
+    }
+}

@@ -1,0 +1,29 @@
+//! Elaboration: what a model describes, known without solving anything.
+//!
+//! A typed program is interpreted at some params with the functions that build a scene and none that solve one. That shows
+//! what is wrong with its gears and meshes and how it would be analysed. `calyx check` does it once; an editor does it in the
+//! background, again after every edit, and cancels what an edit supersedes.
+//!
+//! ```
+//! use calyx_elaborate::{Cancel, ModelLoader, Params, elaborate};
+//! let text = "var a = 1; assert(a > 2);";
+//! let checked = calyx_lang::check::check_program("model.cx", text, &ModelLoader { folder: None });
+//! let program = checked.program.expect("the language has nothing against it");
+//! let elaboration = elaborate(&program, Params::Defaults, &Cancel::default())?;
+//! assert_eq!(elaboration.found[0].code, "E0705");
+//! # Ok::<(), calyx_elaborate::Cancelled>(())
+//! ```
+
+pub mod check;
+pub mod diagnostics;
+mod elaboration;
+mod interpreted;
+mod loader;
+pub mod nan;
+
+pub use check::{Checked, check_file, check_run, check_text, render};
+pub use elaboration::{
+    Cancel, Cancelled, Elaboration, FUEL, MEMORY, Params, Refused, elaborate, elaborate_printing,
+};
+pub use interpreted::{Interpreted, param_function};
+pub use loader::ModelLoader;

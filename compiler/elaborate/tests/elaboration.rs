@@ -1,0 +1,64 @@
+//! Elaboration ends, can be cancelled, and goes on after what is wrong.
+
+use calyx_elaborate::{Cancel, Cancelled, Elaboration, ModelLoader, Params, elaborate};
+use calyx_lang::ir::Program;
+use std::thread;
+use std::time::Duration;
+
+fn program(text: &str) -> Program {
+    let checked = calyx_lang::check::check_program("model.cx", text, &ModelLoader { folder: None });
+    checked.program.unwrap_or_else(|| panic!("{:?}", checked.diagnostics))
+}
+
+fn elaborated(text: &str) -> Elaboration {
+    elaborate(&program(text), Params::Defaults, &Cancel::default()).expect("nobody cancels")
+}
+
+fn codes(elaboration: &Elaboration) -> Vec<&str> {
+    elaboration.found.iter().map(|found| found.code.as_str()).collect()
+}
+
+#[test]
+fn what_is_cancelled_before_it_begins_does_not_run() {
+    let cancel = Cancel::default();
+    cancel.cancel();
+    assert_eq!(elaborate(&program("print(1);"), Params::Defaults, &cancel).unwrap_err(), Cancelled);
+}
+
+#[test]
+fn another_thread_cancels_a_loop_without_end() {
+    // A run, so that the count of steps does not end it first.
+    let (program, cancel) = (program("var n = 0; while (n >= 0) { n = n + 1; }"), Cancel::default());
+    let switch = cancel.clone();
+    let ended = thread::scope(|scope| {
+        scope.spawn(move || {
+            thread::sleep(Duration::from_millis(20));
+            switch.cancel();
+        });
+        elaborate(&program, Params::Defaults, &cancel)
+    });
+    assert!(ended.is_err());
+}
+
+#[test]
+fn a_loop_without_end_is_found() {
+    assert_eq!(codes(&elaborated("while (TRUE) {}")), ["E0703"]);
+}
+
+#[test]
+fn params_from_outside_are_used_or_refused() {
+    let program = program("param n = 3 in 1 .. 5; assert(n < 4);");
+    let given = |text: &str| [("n".to_owned(), text.to_owned())];
+    let ended = |text: &str| elaborate(&program, Params::Given(&given(text)), &Cancel::default()).unwrap();
+    assert!(codes(&ended("2")).is_empty());
+    assert_eq!(codes(&ended("5")), ["E0705"]);
+    assert!(ended("9").refused.is_some_and(|refused| refused.message.contains("`n`")));
+    // The description is that of the model, not of the run.
+    assert_eq!(ended("2").description.params[0].high, Some(5.0));
+}
+
+#[test]
+fn a_program_that_the_engine_cannot_run_says_why() {
+    let ended = elaborated("extern pure function nowhere(in x: Number) -> Number; print(nowhere(1));");
+    assert_eq!((codes(&ended), ended.runnable), (vec!["E0708"], false));
+}
