@@ -37,6 +37,8 @@ const FENCED: &[(&str, &str)] = &[
     ("salsa", "calyx-lang"),
     ("clarabel", "calyx-runtime"),
     ("faer", "calyx-runtime"),
+    ("tokio", "calyx-lsp"),
+    ("tower", "calyx-lsp"),
 ];
 
 /// The names under `[dependencies]` (not `[dev-dependencies]`) of a manifest.

@@ -7,6 +7,7 @@ mod dump;
 mod eval;
 mod explain;
 mod fmt;
+mod lsp;
 mod messages;
 mod new;
 mod object;
@@ -78,6 +79,11 @@ enum Command {
     /// Write reference pages from doc comments: of the library, of your modules, of a model's params and outputs
     #[command(after_help = doc::EXAMPLES)]
     Doc(doc::Doc),
+    /// Serve an editor: diagnostics as you type, completion, hover and the rest
+    ///
+    /// Speaks the Language Server Protocol on standard input and output; editors start it by themselves.
+    #[command(after_help = lsp::EXAMPLES)]
+    Lsp(lsp::Lsp),
     /// Show a model at a stage of compilation: tokens, tree, types, ir, graph, clif or asm
     #[command(after_help = dump::EXAMPLES)]
     Dump(dump::Dump),
@@ -97,6 +103,7 @@ fn main() -> ExitCode {
         Command::Eval(command) => command.run(),
         Command::Repl(command) => command.run(),
         Command::Doc(command) => command.run(),
+        Command::Lsp(command) => command.run(),
         Command::Dump(command) => command.run(),
         Command::Object(command) => command.run(),
     }

@@ -19,8 +19,9 @@ use crate::deep::deep;
 use crate::diagnostic::Diagnostic;
 use items::{declarations, parse};
 use program::check;
-use salsa::Setter;
+use salsa::{Cancelled, Setter};
 use std::collections::{BTreeMap, BTreeSet};
+use std::panic::AssertUnwindSafe;
 use std::sync::Arc;
 
 /// The tree of one file and what is wrong with its text. Spans have file 0.
@@ -38,6 +39,21 @@ pub struct Database {
     salsa: Storage,
     models: BTreeMap<String, Text>,
     library: Library,
+}
+
+/// Why a question has no answer: a text is about to change, or nobody waits for it any more.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Superseded;
+
+/// Stops what one clone of a database computes.
+#[derive(Clone, Debug)]
+pub struct Canceller(salsa::CancellationToken);
+
+impl Canceller {
+    /// Whatever the clone is asked from now on is answered with [`Superseded`].
+    pub fn cancel(&self) {
+        self.0.cancel();
+    }
 }
 
 /// One text.
@@ -106,6 +122,35 @@ impl Database {
                 self.library.set_modules(&mut self.salsa).to(modules);
             }
         }
+    }
+
+    /// Forgets a model.
+    pub fn remove_model(&mut self, name: &str) {
+        self.models.remove(name);
+    }
+
+    /// Forgets a module: who imports it is told that there is none.
+    pub fn remove_module(&mut self, path: &str) {
+        if self.library.modules(&self.salsa).contains_key(path) {
+            let mut modules = self.library.modules(&self.salsa).clone();
+            modules.remove(path);
+            self.library.set_modules(&mut self.salsa).to(modules);
+        }
+    }
+
+    /// Asks questions of a clone that may be interrupted: by a change of a text, which waits until all clones are gone, and
+    /// by the clone's canceller. A panic that is neither is passed on.
+    ///
+    /// # Errors
+    /// It was interrupted.
+    pub fn attempt<T>(&self, questions: impl FnOnce(&Database) -> T) -> Result<T, Superseded> {
+        // What is being computed is thrown away, and everything else is as it was.
+        Cancelled::catch(AssertUnwindSafe(|| questions(self))).map_err(|_| Superseded)
+    }
+
+    /// What stops this clone, from another thread.
+    pub fn canceller(&self) -> Canceller {
+        Canceller(salsa::Database::cancellation_token(&self.salsa))
     }
 
     /// The tree of a model; `None` if it was never set.

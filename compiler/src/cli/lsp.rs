@@ -1,0 +1,55 @@
+//! `calyx lsp`: the language server, for editors.
+
+use calyx_gears::library::{LibraryModule, MODULES, PRELUDE};
+use calyx_lsp::server::library::{Library, LibraryFile, cache_folder};
+use calyx_lsp::server::log::Level;
+use calyx_lsp::server::{Options, stdio};
+use clap::Args;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+pub const EXAMPLES: &str = "\
+Editors:
+  VS Code   install the extension in lsp/editors/vscode; it starts `calyx lsp` by itself
+  Neovim    vim.lsp.start({ name = 'calyx', cmd = { 'calyx', 'lsp' }, root_dir = vim.fn.getcwd() })
+            in an autocommand for the file type of *.cx; see lsp/editors/neovim
+  Helix     languages.toml:  [language-server.calyx]
+                             command = \"calyx\"
+                             args = [\"lsp\"]
+            see lsp/editors/helix
+  Emacs     (add-to-list 'eglot-server-programs '(calyx-mode \"calyx\" \"lsp\")); see lsp/editors/emacs
+  others    the command is `calyx lsp`, files end in .cx
+
+Exit status: 0 when the editor has said `shutdown` and `exit`, 1 if it was gone before.";
+
+#[derive(Args)]
+pub struct Lsp {
+    /// What is said on standard error and in the editor's log: error, info or debug
+    #[arg(long, value_name = "LEVEL", default_value_t)]
+    log: Level,
+    /// Write every message of the editor to a file, to go with a report of a bug. It holds the texts that are edited
+    #[arg(long, value_name = "FILE")]
+    record: Option<PathBuf>,
+    /// What editors say by habit; there is no other way
+    #[arg(long, hide = true)]
+    stdio: bool,
+}
+
+impl Lsp {
+    pub fn run(self) -> ExitCode {
+        let library =
+            Library::new(file(&PRELUDE), MODULES.iter().map(file).collect(), cache_folder().as_deref());
+        match stdio(Options { library, log: self.log, record: self.record }) {
+            Ok(true) => ExitCode::SUCCESS,
+            Ok(false) => ExitCode::FAILURE,
+            Err(error) => {
+                eprintln!("calyx lsp: {error}");
+                ExitCode::FAILURE
+            }
+        }
+    }
+}
+
+fn file(module: &LibraryModule) -> LibraryFile {
+    LibraryFile { path: module.path.to_owned(), name: module.file.to_owned(), text: module.text.to_owned() }
+}

@@ -1,0 +1,228 @@
+//! Diagnostics, sent after every change: a thread of its own checks what changed and publishes what it finds.
+//!
+//! Nothing is waited for: a check that a newer edit supersedes is given up at once and begun again with the newer text.
+
+use super::Shared;
+use super::job::reason;
+use super::view::View;
+use super::workspace::Key;
+use calyx_lang::check::Checked;
+use calyx_lang::db::Superseded;
+use calyx_lang::diagnostic::{Diagnostic as Finding, Severity};
+use calyx_lang::ir::SourceFile;
+use calyx_lang::span::Span;
+use std::collections::{BTreeMap, BTreeSet};
+use std::io;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::{Arc, Condvar, Mutex, PoisonError};
+use std::thread;
+use tokio::runtime::Handle;
+use tower_lsp_server::Client;
+use tower_lsp_server::ls_types::{
+    Diagnostic, DiagnosticRelatedInformation, DiagnosticSeverity, DiagnosticTag, NumberOrString, Uri,
+};
+
+/// Rouses the thread.
+#[derive(Default)]
+pub(crate) struct Wake {
+    state: Mutex<Waking>,
+    roused: Condvar,
+}
+
+#[derive(Clone, Copy, Default, PartialEq, Eq)]
+enum Waking {
+    #[default]
+    Asleep,
+    Roused,
+    Stopped,
+}
+
+impl Wake {
+    pub fn wake(&self) {
+        self.set(Waking::Roused);
+    }
+
+    fn set(&self, to: Waking) {
+        let mut state = self.state.lock().unwrap_or_else(PoisonError::into_inner);
+        if *state != Waking::Stopped {
+            *state = to;
+        }
+        self.roused.notify_all();
+    }
+
+    /// Sleeps until something has changed; returns whether to go on.
+    fn wait(&self) -> bool {
+        let mut state = self.state.lock().unwrap_or_else(PoisonError::into_inner);
+        while *state == Waking::Asleep {
+            state = self.roused.wait(state).unwrap_or_else(PoisonError::into_inner);
+        }
+        let goes_on = *state == Waking::Roused;
+        if goes_on {
+            *state = Waking::Asleep;
+        }
+        goes_on
+    }
+}
+
+/// Ends the thread.
+pub(crate) struct Publisher(Arc<Shared>);
+
+impl Publisher {
+    pub fn stop(self) {
+        self.0.wake.set(Waking::Stopped);
+    }
+}
+
+/// Starts the thread that publishes.
+pub(crate) fn start(shared: Arc<Shared>, client: Client, runtime: Handle) -> io::Result<Publisher> {
+    let publisher = Publisher(shared.clone());
+    thread::Builder::new().name("diagnostics".to_owned()).spawn(move || {
+        let mut published = Published::default();
+        while shared.wake.wait() {
+            let dirty = shared.workspace().take_dirty();
+            publish(&shared, dirty, &mut published, &client, &runtime);
+        }
+    })?;
+    Ok(publisher)
+}
+
+/// Files that show diagnostics, by project.
+type Published = BTreeMap<Key, BTreeSet<Uri>>;
+
+fn publish(shared: &Shared, views: Vec<View>, published: &mut Published, client: &Client, runtime: &Handle) {
+    // Nothing may hold a view while a message waits to be sent.
+    let mut messages = Vec::new();
+    let mut views = views.into_iter();
+    while let Some(view) = views.next() {
+        let home = view.project.clone();
+        let found = catch_unwind(AssertUnwindSafe(|| of_project(&view)));
+        match found {
+            Ok(Ok(found)) => {
+                let shown = published.entry(home).or_default();
+                messages.extend(
+                    shown
+                        .iter()
+                        .filter(|uri| !found.contains_key(uri))
+                        .map(|uri| (uri.clone(), view.version(uri), Vec::new())),
+                );
+                *shown = found
+                    .iter()
+                    .filter(|(_, (_, found))| !found.is_empty())
+                    .map(|(uri, _)| uri.clone())
+                    .collect();
+                messages.extend(found.into_iter().map(|(uri, (version, found))| (uri, version, found)));
+            }
+            Ok(Err(Superseded)) => {
+                // What superseded it rouses the thread again, but need not have touched the others.
+                let left: Vec<Key> =
+                    [home].into_iter().chain(views.map(|view| view.project.clone())).collect();
+                drop(view);
+                left.iter().for_each(|home| shared.workspace().mark_dirty(home));
+                shared.wake.wake();
+                break;
+            }
+            Err(panic) => {
+                shared.log.error(&format!("checking failed: {}", reason(&*panic)));
+            }
+        }
+    }
+    for (uri, version, diagnostics) in messages {
+        runtime.block_on(client.publish_diagnostics(uri, diagnostics, version));
+    }
+}
+
+/// What there is to say about each file.
+type Found = BTreeMap<Uri, (Option<i32>, Vec<Diagnostic>)>;
+
+/// Everything wrong with the files of a project. Open files are there even if nothing is.
+fn of_project(view: &View) -> Result<Found, Superseded> {
+    let database = &view.snapshot.database;
+    let checked = database.attempt(|database| {
+        let checked = view.models.iter().filter_map(|model| database.check(model));
+        checked.collect::<Vec<Arc<Checked>>>()
+    })?;
+    let mut found = Found::new();
+    for (uri, document) in &*view.documents {
+        if document.home == view.project {
+            found.insert(uri.clone(), (Some(document.version), Vec::new()));
+        }
+    }
+    // A module says the same to all who import it.
+    let mut seen = BTreeSet::new();
+    for checked in &checked {
+        for finding in &checked.diagnostics {
+            let Some(file) = source(&checked.files, finding.primary.span) else { continue };
+            // Of the library nothing can be mended here.
+            if view.file(&file.name).is_none_or(|file| file.of_library) {
+                continue;
+            }
+            let span = finding.primary.span;
+            if !seen.insert((file.name.clone(), span.start, span.end, &finding.code, &finding.message)) {
+                continue;
+            }
+            if let (Some(uri), Some(diagnostic)) =
+                (view.uri(&file.name), to_protocol(view, &checked.files, finding))
+            {
+                let version = view.version(&uri);
+                found.entry(uri).or_insert_with(|| (version, Vec::new())).1.push(diagnostic);
+            }
+        }
+    }
+    Ok(found)
+}
+
+fn source(files: &[SourceFile], span: Span) -> Option<&SourceFile> {
+    files.get(span.file.0 as usize)
+}
+
+/// A finding as clients show it; `None` if its file is no part of the project.
+pub fn to_protocol(view: &View, files: &[SourceFile], finding: &Finding) -> Option<Diagnostic> {
+    let span = finding.primary.span;
+    let file = source(files, span)?;
+    let mut message = finding.message.clone();
+    if !finding.primary.message.is_empty() {
+        message += &format!("\n{}", finding.primary.message);
+    }
+    if let Some(help) = &finding.help {
+        message += &format!("\nhelp: {help}");
+    }
+    let mut related = Vec::new();
+    for label in &finding.labels {
+        let Some(file) = source(files, label.span) else { continue };
+        let Some(location) = view.location(&file.name, label.span.start..label.span.end) else { continue };
+        if view.client.related_information {
+            related.push(DiagnosticRelatedInformation { location, message: label.message.clone() });
+        } else {
+            message += &format!("\nline {}: {}", location.range.start.line + 1, label.message);
+        }
+    }
+    let severity = match finding.severity {
+        Severity::Error => DiagnosticSeverity::ERROR,
+        Severity::Warning => DiagnosticSeverity::WARNING,
+    };
+    Some(Diagnostic {
+        range: view.range(&file.name, span.start..span.end)?,
+        severity: Some(severity),
+        code: Some(NumberOrString::String(finding.code.clone())),
+        source: Some("calyx".to_owned()),
+        message,
+        related_information: (!related.is_empty()).then_some(related),
+        tags: is_unused(&finding.code).then(|| vec![DiagnosticTag::UNNECESSARY]),
+        data: fix(view, files, finding),
+        ..Diagnostic::default()
+    })
+}
+
+/// Whether what is found can be taken away, so that editors fade it out: unused names, unreachable statements, unused values.
+fn is_unused(code: &str) -> bool {
+    matches!(code, "W0201" | "W0202" | "W0203")
+}
+
+/// The change that mends a finding, for clients that send it back.
+fn fix(view: &View, files: &[SourceFile], finding: &Finding) -> Option<serde_json::Value> {
+    let fix = finding.fix.as_ref()?;
+    let location = view.location(&source(files, fix.span)?.name, fix.span.start..fix.span.end)?;
+    Some(
+        serde_json::json!({ "title": fix.title, "uri": location.uri, "range": location.range, "newText": fix.replacement }),
+    )
+}

@@ -1,0 +1,23 @@
+//! Answers to requests, one file a group of features.
+//!
+//! A handler finds its place with [`View`](super::view::View)'s conversions, asks [`ide`](crate::ide), and converts what
+//! it says. A new group has a file here with a function `offer`, which says what it can, and a function `route`, which connects methods
+//! with functions; both are called below.
+
+mod formatting;
+
+use super::client::Client;
+use super::router::Router;
+use tower_lsp_server::ls_types::ServerCapabilities;
+
+/// Says what is offered.
+pub fn offer(_client: &Client, capabilities: &mut ServerCapabilities) {
+    formatting::offer(capabilities);
+}
+
+/// The requests that are answered.
+pub fn router() -> Router {
+    let mut router = Router::default();
+    formatting::route(&mut router);
+    router
+}

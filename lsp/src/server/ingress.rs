@@ -1,0 +1,196 @@
+//! The door: messages as they arrive, one after another.
+//!
+//! The crate below polls answers concurrently and in any order, but calls this service in the order of the wire.
+//! So texts change inside `call`, before anything is awaited, and a request takes its views of the texts there too. Its answer is
+//! computed on a thread of its own from the start: a view waiting in a queue would hold up the next change of a text.
+
+use super::Shared;
+use super::backend::Backend;
+use super::job::{Cancel, Job};
+use super::router::Router;
+use serde::de::DeserializeOwned;
+use serde_json::Value;
+use std::collections::HashMap;
+use std::future::{Future, ready};
+use std::pin::Pin;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::task::{Context, Poll};
+use tower::Service;
+use tower_lsp_server::jsonrpc::{Error, ErrorCode, Id, Request, Response};
+use tower_lsp_server::ls_types::notification::{
+    DidChangeTextDocument, DidChangeWatchedFiles, DidChangeWorkspaceFolders, DidCloseTextDocument,
+    DidOpenTextDocument, DidSaveTextDocument, Notification,
+};
+use tower_lsp_server::ls_types::{InitializeParams, Uri};
+use tower_lsp_server::{ExitedError, LspService};
+
+/// What the protocol allows at a time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Phase {
+    /// Before `initialize`.
+    Waiting,
+    Running,
+    /// After `shutdown`.
+    ShutDown,
+}
+
+/// Requests under way.
+#[derive(Clone, Default)]
+struct Pending(Arc<Mutex<HashMap<Id, Arc<Cancel>>>>);
+
+impl Pending {
+    fn lock(&self) -> MutexGuard<'_, HashMap<Id, Arc<Cancel>>> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+/// Applies what changes texts, starts what asks about them, and leaves the rest to the service below.
+pub struct Ingress {
+    pub(super) inner: LspService<Backend>,
+    pub(super) shared: Arc<Shared>,
+    router: Router,
+    pending: Pending,
+}
+
+type Answer = Pin<Box<dyn Future<Output = Result<Option<Response>, ExitedError>> + Send>>;
+
+impl Service<Request> for Ingress {
+    type Response = Option<Response>;
+    type Error = ExitedError;
+    type Future = Answer;
+
+    fn poll_ready(&mut self, context: &mut Context<'_>) -> Poll<Result<(), ExitedError>> {
+        self.inner.poll_ready(context)
+    }
+
+    fn call(&mut self, request: Request) -> Answer {
+        self.shared.record(&request);
+        let phase = self.shared.phase();
+        match (request.method(), phase) {
+            ("initialize", Phase::Waiting) => {
+                let params = request.params().cloned().unwrap_or_default();
+                if let Ok(params) = serde_json::from_value::<InitializeParams>(params) {
+                    self.shared.workspace().initialize(&params);
+                    self.shared.set_phase(Phase::Running);
+                }
+                Box::pin(self.inner.call(request))
+            }
+            ("shutdown", Phase::Running) => {
+                self.shared.set_phase(Phase::ShutDown);
+                Box::pin(self.inner.call(request))
+            }
+            ("$/cancelRequest", _) => {
+                if let Some(id) = request.params().and_then(|params| params.get("id"))
+                    && let Ok(id) = serde_json::from_value::<Id>(id.clone())
+                    && let Some(cancel) = self.pending.lock().get(&id)
+                {
+                    cancel.cancel();
+                }
+                Box::pin(self.inner.call(request))
+            }
+            _ if self.router.route(request.method()).is_some() => self.ask(request, phase),
+            (_, Phase::Running) if request.id().is_none() && self.apply(&request) => {
+                Box::pin(ready(Ok(None)))
+            }
+            _ => Box::pin(self.inner.call(request)),
+        }
+    }
+}
+
+impl Ingress {
+    pub(super) fn new(inner: LspService<Backend>, shared: Arc<Shared>, router: Router) -> Ingress {
+        Ingress { inner, shared, router, pending: Pending::default() }
+    }
+
+    /// Starts to answer a question about texts.
+    fn ask(&mut self, request: Request, phase: Phase) -> Answer {
+        let (method, id, params) = request.into_parts();
+        let (Some(id), Some(route)) = (id, self.router.route(&method).cloned()) else {
+            return Box::pin(ready(Ok(None)));
+        };
+        let refusal = match phase {
+            Phase::Waiting => Some(Error::new(ErrorCode::ServerError(-32002))),
+            Phase::ShutDown => Some(Error::invalid_request()),
+            Phase::Running => None,
+        };
+        if let Some(mut error) = refusal {
+            if phase == Phase::Waiting {
+                error.message = "the server is not initialized".into();
+            }
+            return Box::pin(ready(Ok(Some(Response::from_error(id, error)))));
+        }
+        let params = params.unwrap_or_default();
+        let uri = document_of(&params);
+        let version = uri.as_ref().and_then(|uri| self.shared.workspace().version(uri));
+        let cancel = Arc::new(Cancel::default());
+        self.pending.lock().insert(id.clone(), cancel.clone());
+        let job = Job { method: method.into_owned(), params, route, uri, version, cancel };
+        let shared = self.shared.clone();
+        let views = job.views(&shared);
+        let answering = tokio::task::spawn_blocking(move || job.run(&shared, views));
+        let pending = self.pending.clone();
+        Box::pin(async move {
+            // Panics are caught where they happen; what is left is a runtime that shuts down.
+            let result = answering.await.unwrap_or_else(|_| Err(Error::internal_error()));
+            pending.lock().remove(&id);
+            Ok(Some(Response::from_parts(id, result)))
+        })
+    }
+
+    /// Applies a notification that changes texts; returns whether it is one.
+    fn apply(&self, request: &Request) -> bool {
+        let method = request.method();
+        let params = request.params().cloned().unwrap_or_default();
+        let applied = match method {
+            DidOpenTextDocument::METHOD => self.with::<DidOpenTextDocument>(params, |shared, params| {
+                let document = params.text_document;
+                shared.workspace().open(document.uri, document.version, document.text);
+            }),
+            DidChangeTextDocument::METHOD => self.with::<DidChangeTextDocument>(params, |shared, params| {
+                let document = params.text_document;
+                shared.workspace().change(&document.uri, document.version, &params.content_changes);
+            }),
+            DidCloseTextDocument::METHOD => self.with::<DidCloseTextDocument>(params, |shared, params| {
+                shared.workspace().close(&params.text_document.uri);
+            }),
+            DidSaveTextDocument::METHOD => self.with::<DidSaveTextDocument>(params, |shared, params| {
+                shared.workspace().touched(&params.text_document.uri);
+            }),
+            DidChangeWatchedFiles::METHOD => self.with::<DidChangeWatchedFiles>(params, |shared, params| {
+                for change in &params.changes {
+                    shared.workspace().touched(&change.uri);
+                }
+            }),
+            DidChangeWorkspaceFolders::METHOD => {
+                self.with::<DidChangeWorkspaceFolders>(params, |shared, params| {
+                    shared.workspace().change_roots(&params.event);
+                })
+            }
+            _ => return false,
+        };
+        if let Err(error) = applied {
+            self.shared.log.error(&format!("{method} cannot be read: {error}"));
+        }
+        self.shared.wake.wake();
+        true
+    }
+
+    fn with<N: Notification>(
+        &self,
+        params: Value,
+        apply: impl FnOnce(&Shared, N::Params),
+    ) -> Result<(), serde_json::Error>
+    where
+        N::Params: DeserializeOwned,
+    {
+        apply(&self.shared, serde_json::from_value(params)?);
+        Ok(())
+    }
+}
+
+/// The document that a request is about.
+fn document_of(params: &Value) -> Option<Uri> {
+    let places = ["/textDocument/uri", "/item/uri", "/data/uri"];
+    let uri = places.iter().find_map(|place| params.pointer(place)?.as_str());
+    uri.and_then(|uri| uri.parse().ok())
+}

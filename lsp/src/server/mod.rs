@@ -1,0 +1,131 @@
+//! The Language Server Protocol: messages in, messages out.
+//!
+//! [`ingress`] takes messages in the order they arrive: texts change there ([`workspace`]), and requests take the [`view`] they are
+//! answered on. [`router`] knows which of the [`handlers`] answers what; [`job`] runs it on a thread of its own. [`diagnostics`]
+//! follow every change. Types of the protocol are named here and nowhere else.
+
+mod backend;
+mod capabilities;
+pub mod client;
+pub mod convert;
+pub mod diagnostics;
+pub mod handlers;
+mod imports;
+mod ingress;
+mod job;
+pub mod library;
+pub mod log;
+pub mod project;
+pub mod router;
+pub mod text;
+pub mod view;
+pub mod workspace;
+
+use backend::Backend;
+use diagnostics::Wake;
+use ingress::{Ingress, Phase};
+use library::Library;
+use log::{Level, Log};
+use router::Router;
+use std::fs::File;
+use std::io::{self, Write};
+use std::path::PathBuf;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use tokio::io::{AsyncRead, AsyncWrite};
+use tokio::runtime::{Builder, Handle};
+use tower_lsp_server::jsonrpc::Request;
+use tower_lsp_server::{LspService, Server};
+use workspace::Workspace;
+
+/// How a server is set up.
+pub struct Options {
+    pub library: Library,
+    pub log: Level,
+    /// A file for the messages that arrive, one JSON object a line, to go with a bug report.
+    pub record: Option<PathBuf>,
+}
+
+/// Serves a client on standard input and output until it says `exit` or is gone. Returns whether it left as it should, after
+/// `shutdown`.
+///
+/// # Errors
+/// No threads to be had, or the file to record in cannot be written.
+pub fn stdio(options: Options) -> io::Result<bool> {
+    // A change of a text may keep the thread waiting that reads messages, so there is another one.
+    let runtime = Builder::new_multi_thread().worker_threads(2).enable_all().build()?;
+    let left = runtime.block_on(serve(tokio::io::stdin(), tokio::io::stdout(), options, handlers::router()));
+    // Standard input may never end, and nobody waits for other answers.
+    runtime.shutdown_background();
+    left
+}
+
+/// Serves a client on any pair of streams; to be run on a runtime with several threads.
+///
+/// # Errors
+/// The file to record in cannot be written.
+pub async fn serve(
+    input: impl AsyncRead + Unpin,
+    output: impl AsyncWrite,
+    options: Options,
+    router: Router,
+) -> io::Result<bool> {
+    let record = options.record.map(File::create).transpose()?;
+    let mut made = None;
+    let (service, socket) = LspService::new(|client| {
+        let log = Log::new(options.log, client.clone(), Handle::current());
+        let shared = Arc::new(Shared::new(Workspace::new(options.library), log, record));
+        made = Some((shared.clone(), client.clone()));
+        Backend { shared, client }
+    });
+    let Some((shared, client)) = made else { return Ok(false) };
+    let publisher = diagnostics::start(shared.clone(), client, Handle::current())?;
+    let ingress = Ingress::new(service, shared.clone(), router);
+    /// Answers are computed elsewhere; this is how many may wait to be sent.
+    const MOST_ANSWERS: usize = 256;
+    Server::new(input, output, socket).concurrency_level(MOST_ANSWERS).serve(ingress).await;
+    publisher.stop();
+    Ok(shared.phase() == Phase::ShutDown)
+}
+
+/// What all parts of a server know.
+pub(crate) struct Shared {
+    workspace: Mutex<Workspace>,
+    phase: Mutex<Phase>,
+    pub log: Log,
+    pub wake: Wake,
+    record: Option<Mutex<File>>,
+}
+
+impl Shared {
+    fn new(workspace: Workspace, log: Log, record: Option<File>) -> Shared {
+        Shared {
+            workspace: Mutex::new(workspace),
+            phase: Mutex::new(Phase::Waiting),
+            log,
+            wake: Wake::default(),
+            record: record.map(Mutex::new),
+        }
+    }
+
+    /// The workspace, for a moment. Never to be asked for by who holds a view: whoever changes a text has the workspace, and waits
+    /// until there are no views.
+    pub fn workspace(&self) -> MutexGuard<'_, Workspace> {
+        self.workspace.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    pub fn phase(&self) -> Phase {
+        *self.phase.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    fn set_phase(&self, phase: Phase) {
+        *self.phase.lock().unwrap_or_else(PoisonError::into_inner) = phase;
+    }
+
+    fn record(&self, request: &Request) {
+        if let Some(file) = &self.record {
+            let mut file = file.lock().unwrap_or_else(PoisonError::into_inner);
+            // A record that cannot be written is no reason to stop.
+            let _ = writeln!(file, "{request}");
+        }
+    }
+}

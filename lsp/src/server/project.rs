@@ -1,0 +1,282 @@
+//! Models of one folder and the modules they import, in one database.
+
+use super::imports::imports;
+use super::library::Library;
+use super::text::Text;
+use calyx_lang::check::Loader;
+use calyx_lang::db::Database;
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+/// What a file is to the others of its project.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Role {
+    Model,
+    /// Imported by this dotted path.
+    Module(String),
+    /// Seen by all.
+    Prelude,
+}
+
+/// A file of a project.
+#[derive(Clone, Debug)]
+pub struct File {
+    pub text: Arc<Text>,
+    pub role: Role,
+    /// Part of the program, not of what its user writes.
+    pub of_library: bool,
+}
+
+/// Files by their names as shown to people.
+pub type Files = BTreeMap<Arc<str>, File>;
+
+/// Where the texts of files beside a model come from.
+pub trait Sources {
+    /// The text of a file: of an open one as it is in the editor.
+    fn text(&self, path: &Path) -> Option<Arc<Text>>;
+    /// Modules that closed models of a folder import: such files are modules although nobody who is open says so.
+    fn imported_in(&self, folder: &Path) -> BTreeSet<String>;
+}
+
+/// Models that share a folder, and what they import.
+pub struct Project {
+    /// `None` for a text that is not in a file, and for the library itself.
+    folder: Option<PathBuf>,
+    database: Database,
+    files: Arc<Files>,
+    /// Open files that are home here, in the order they were opened; what else is there is there because these import it.
+    opened: Vec<Arc<str>>,
+    /// Names of the models that only import a module that is open, so that it is checked.
+    importers: BTreeSet<String>,
+    library: Arc<Library>,
+}
+
+/// The library as a database asks for it.
+struct LibraryLoader<'a>(&'a Library);
+
+impl Loader for LibraryLoader<'_> {
+    fn module(&self, path: &[String]) -> Option<(String, String)> {
+        self.0.module(&path.join(".")).map(|file| (file.name.clone(), file.text.clone()))
+    }
+
+    fn names(&self) -> Vec<String> {
+        self.0.modules().iter().map(|module| module.path.clone()).collect()
+    }
+
+    fn prelude(&self) -> (String, String) {
+        let prelude = self.0.prelude();
+        (prelude.name.clone(), prelude.text.clone())
+    }
+}
+
+impl Project {
+    pub fn new(folder: Option<PathBuf>, library: &Arc<Library>) -> Project {
+        let prelude = library.prelude();
+        let text = Arc::new(Text::new(prelude.text.as_str()));
+        let file = File { text, role: Role::Prelude, of_library: true };
+        Project {
+            folder,
+            database: Database::new(&LibraryLoader(library)),
+            files: Arc::new(Files::from([(prelude.name.as_str().into(), file)])),
+            opened: Vec::new(),
+            importers: BTreeSet::new(),
+            library: library.clone(),
+        }
+    }
+
+    /// The project of the library's own files, all of which it has from the start.
+    pub fn of_library(library: &Arc<Library>) -> Project {
+        let mut project = Project::new(None, library);
+        for module in library.modules() {
+            project.put_library(&module.path);
+            project.import(&module.path);
+        }
+        project
+    }
+
+    pub fn database(&self) -> &Database {
+        &self.database
+    }
+
+    pub fn files(&self) -> &Arc<Files> {
+        &self.files
+    }
+
+    /// Names of the models to check: those that are open, and one for every open module.
+    pub fn models(&self) -> Vec<Arc<str>> {
+        let is_model = |name: &&Arc<str>| self.files.get(*name).is_some_and(|file| file.role == Role::Model);
+        let open = self.opened.iter().filter(is_model).cloned();
+        open.chain(self.importers.iter().map(|name| name.as_str().into())).collect()
+    }
+
+    pub fn has_opened(&self, name: &str) -> bool {
+        self.opened.iter().any(|opened| **opened == *name)
+    }
+
+    pub fn is_empty(&self) -> bool {
+        self.opened.is_empty()
+    }
+
+    /// Takes a file in, or lets it go. [`Project::settle`] is to follow.
+    pub fn set_opened(&mut self, name: &Arc<str>, open: bool) {
+        self.opened.retain(|opened| opened != name);
+        if open {
+            self.opened.push(name.clone());
+        }
+    }
+
+    /// Changes the text of a file that is there. Returns whether it imports others than before, so that [`Project::settle`] is to
+    /// follow.
+    pub fn change(&mut self, name: &Arc<str>, text: &Arc<Text>) -> bool {
+        let Some(file) = self.files.get(name) else { return false };
+        let same = imports(file.text.content()) == imports(text.content());
+        self.put(name, text, file.role.clone(), file.of_library);
+        !same
+    }
+
+    /// Finds out which files belong here and what each of them is, and tells the database.
+    pub fn settle(&mut self, sources: &dyn Sources) {
+        let opened = self.opened.clone();
+        let Some(folder) = self.folder.clone() else {
+            // A text that is in no folder can import the library only.
+            for name in &opened {
+                if let Some(text) = sources.text(Path::new(&**name)) {
+                    self.put(name, &text, Role::Model, false);
+                    self.put_library_of(&text);
+                }
+            }
+            return self.keep(|name, file| file.of_library || opened.contains(name));
+        };
+        let mut texts: BTreeMap<Arc<str>, Arc<Text>> = BTreeMap::new();
+        for name in &opened {
+            texts.extend(sources.text(Path::new(&**name)).map(|text| (name.clone(), text)));
+        }
+        let mut modules: BTreeMap<String, Arc<str>> = BTreeMap::new();
+        let mut wanted: Vec<String> = texts.values().flat_map(|text| imports(text.content())).collect();
+        let by_closed = sources.imported_in(&folder);
+        wanted.extend(by_closed.iter().filter(|path| opened.contains(&name_of(&folder, path))).cloned());
+        let mut seen = BTreeSet::new();
+        while let Some(path) = wanted.pop() {
+            if !seen.insert(path.clone()) || self.put_library(&path) {
+                continue;
+            }
+            let name = name_of(&folder, &path);
+            let text = texts.get(&name).cloned().or_else(|| sources.text(Path::new(&*name)));
+            if let Some(text) = text {
+                wanted.extend(imports(text.content()));
+                texts.insert(name.clone(), text);
+                modules.insert(path, name);
+            }
+        }
+        for (name, text) in &texts {
+            let path = modules.iter().find(|(_, module)| *module == name).map(|(path, _)| path.clone());
+            self.put(name, text, path.map_or(Role::Model, Role::Module), false);
+        }
+        self.keep(|name, file| file.of_library || texts.contains_key(name));
+        let importers = modules.iter().filter(|(_, name)| opened.contains(name));
+        self.set_importers(importers.map(|(path, _)| path.clone()).collect());
+    }
+
+    fn put_library_of(&mut self, text: &Text) {
+        for path in imports(text.content()) {
+            self.put_library(&path);
+        }
+    }
+
+    /// Puts a module of the library in place, and those it imports. Returns whether there is such a module.
+    fn put_library(&mut self, path: &str) -> bool {
+        let library = self.library.clone();
+        let Some(module) = library.module(path) else { return false };
+        if !self.files.contains_key(module.name.as_str()) {
+            let text = Arc::new(Text::new(module.text.as_str()));
+            self.put(&module.name.as_str().into(), &text, Role::Module(path.to_owned()), true);
+            self.put_library_of(&text);
+        }
+        true
+    }
+
+    fn put(&mut self, name: &Arc<str>, text: &Arc<Text>, role: Role, of_library: bool) {
+        let before = self.files.get(name).map(|file| &file.role);
+        if before.is_some_and(|before| *before != role) {
+            self.remove(&name.clone());
+        }
+        match &role {
+            Role::Model => self.database.set_model(name, text.content()),
+            Role::Module(path) => self.database.set_module(path, name, text.content()),
+            // Of the library, and never changed.
+            Role::Prelude => return,
+        }
+        let file = File { text: text.clone(), role, of_library };
+        Arc::make_mut(&mut self.files).insert(name.clone(), file);
+    }
+
+    fn keep(&mut self, kept: impl Fn(&Arc<str>, &File) -> bool) {
+        let gone = self.files.iter().filter(|(name, file)| !kept(name, file)).map(|(name, _)| name.clone());
+        for name in gone.collect::<Vec<_>>() {
+            self.remove(&name);
+        }
+    }
+
+    fn remove(&mut self, name: &Arc<str>) {
+        match self.files.get(name).map(|file| file.role.clone()) {
+            Some(Role::Model) => self.database.remove_model(name),
+            Some(Role::Module(path)) => self.database.remove_module(&path),
+            Some(Role::Prelude) | None => return,
+        }
+        Arc::make_mut(&mut self.files).remove(name);
+    }
+
+    fn set_importers(&mut self, paths: BTreeSet<String>) {
+        let names: BTreeSet<String> = paths.iter().map(|path| importer(path)).collect();
+        for gone in self.importers.difference(&names) {
+            self.database.remove_model(gone);
+        }
+        self.importers.clear();
+        for path in paths {
+            self.import(&path);
+        }
+    }
+
+    /// Has a module checked although no open model imports it.
+    fn import(&mut self, path: &str) {
+        let name = importer(path);
+        self.database.set_model(&name, &format!("import {path};\n"));
+        self.importers.insert(name);
+    }
+}
+
+fn importer(path: &str) -> String {
+    format!("<importer of {path}>")
+}
+
+/// The file of a module, as [`Loader`] of the command line finds it.
+pub fn module_path(folder: &Path, path: &str) -> PathBuf {
+    let mut file = folder.to_path_buf();
+    file.extend(path.split('.'));
+    file.set_extension("cx");
+    file
+}
+
+fn name_of(folder: &Path, path: &str) -> Arc<str> {
+    module_path(folder, path).display().to_string().into()
+}
+
+/// The dotted path by which a file can be imported by the models of a folder.
+pub fn dotted(folder: &Path, file: &Path) -> Option<String> {
+    let below = file.strip_prefix(folder).ok()?.with_extension("");
+    let names: Option<Vec<&str>> = below.iter().map(|name| name.to_str()).collect();
+    names.map(|names| names.join("."))
+}
+
+/// Modules imported by the models in a folder, as they are on the disk.
+pub fn imported_by_files(folder: &Path) -> BTreeSet<String> {
+    /// A folder with more files is no folder of models.
+    const MOST_FILES: usize = 200;
+    let Ok(entries) = fs::read_dir(folder) else { return BTreeSet::new() };
+    let paths = entries.flatten().map(|entry| entry.path());
+    let models = paths.filter(|path| path.extension().is_some_and(|extension| extension == "cx"));
+    let texts = models.take(MOST_FILES).filter_map(|path| fs::read_to_string(path).ok());
+    texts.flat_map(|text| imports(&text)).collect()
+}

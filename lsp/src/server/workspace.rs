@@ -1,0 +1,353 @@
+//! Which files there are, open and on the disk, and the projects they make up.
+//!
+//! A file is at home in the project of the folder it is imported from, else in that of its own folder. Edits are applied here, in
+//! the order they arrive, while the client waits; questions are answered elsewhere, on a [`View`].
+
+use super::client::Client;
+use super::library::Library;
+use super::project::{Project, Sources, dotted, imported_by_files};
+use super::text::{Replaced, Text};
+use super::view::View;
+use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use tower_lsp_server::ls_types::{
+    InitializeParams, TextDocumentContentChangeEvent, Uri, WorkspaceFoldersChangeEvent,
+};
+
+/// Which project: models share one if they share their folder.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Key {
+    Folder(PathBuf),
+    /// A text that is not in a file, by its name.
+    Alone(Arc<str>),
+    Library,
+}
+
+/// A text as its editor has it.
+#[derive(Clone, Debug)]
+pub struct Document {
+    /// Its file as shown to people.
+    pub name: Arc<str>,
+    pub text: Arc<Text>,
+    pub version: i32,
+    pub home: Key,
+}
+
+/// Open documents by what clients call them.
+pub type Documents = HashMap<Uri, Document>;
+
+/// All that the server knows.
+pub struct Workspace {
+    pub client: Arc<Client>,
+    library: Arc<Library>,
+    /// Folders that the client works in.
+    roots: Vec<PathBuf>,
+    documents: Arc<Documents>,
+    projects: BTreeMap<Key, Project>,
+    disk: Disk,
+    /// Counts changes of any kind.
+    revision: u64,
+    /// Projects that changed since their diagnostics were last computed, and the document that was edited last.
+    dirty: BTreeSet<Key>,
+    latest: Option<Uri>,
+}
+
+/// What was read from folders, until something there changes.
+#[derive(Default)]
+struct Disk {
+    imported: HashMap<PathBuf, BTreeSet<String>>,
+}
+
+impl Disk {
+    fn imported(&mut self, folder: &Path) -> &BTreeSet<String> {
+        self.imported.entry(folder.to_path_buf()).or_insert_with(|| imported_by_files(folder))
+    }
+}
+
+/// Files as a project sees them: open ones as they are in the editor.
+struct Seen<'a> {
+    documents: &'a Documents,
+    imported: BTreeSet<String>,
+}
+
+impl Sources for Seen<'_> {
+    fn text(&self, path: &Path) -> Option<Arc<Text>> {
+        let open = self.documents.values().find(|document| Path::new(&*document.name) == path);
+        match open {
+            Some(document) => Some(document.text.clone()),
+            None => Some(Arc::new(Text::new(fs::read_to_string(path).ok()?))),
+        }
+    }
+
+    fn imported_in(&self, _: &Path) -> BTreeSet<String> {
+        self.imported.clone()
+    }
+}
+
+impl Workspace {
+    pub fn new(library: Library) -> Workspace {
+        Workspace {
+            client: Arc::default(),
+            library: Arc::new(library),
+            roots: Vec::new(),
+            documents: Arc::default(),
+            projects: BTreeMap::new(),
+            disk: Disk::default(),
+            revision: 0,
+            dirty: BTreeSet::new(),
+            latest: None,
+        }
+    }
+
+    /// Takes in what the client says of itself.
+    pub fn initialize(&mut self, params: &InitializeParams) {
+        self.client = Arc::new(Client::new(&params.capabilities));
+        let folders = params.workspace_folders.iter().flatten();
+        self.roots = folders.filter_map(|folder| path_of(&folder.uri)).collect();
+    }
+
+    /// The client works in other folders than before.
+    pub fn change_roots(&mut self, event: &WorkspaceFoldersChangeEvent) {
+        let gone: Vec<PathBuf> = event.removed.iter().filter_map(|folder| path_of(&folder.uri)).collect();
+        self.roots.retain(|root| !gone.contains(root));
+        self.roots.extend(event.added.iter().filter_map(|folder| path_of(&folder.uri)));
+    }
+
+    /// The version of a document that is open.
+    pub fn version(&self, uri: &Uri) -> Option<i32> {
+        self.documents.get(uri).map(|document| document.version)
+    }
+
+    pub fn documents(&self) -> &Arc<Documents> {
+        &self.documents
+    }
+
+    pub fn library(&self) -> &Arc<Library> {
+        &self.library
+    }
+
+    /// What questions about a file are answered on, as everything is now; about the file edited last if none is named.
+    pub fn view(&self, uri: Option<&Uri>) -> Option<View> {
+        let uri = uri.or(self.latest.as_ref())?;
+        let (name, home) = match self.documents.get(uri) {
+            Some(document) => (document.name.clone(), document.home.clone()),
+            None => self.closed(uri)?,
+        };
+        self.view_of(&home, name)
+    }
+
+    /// A file that is not open but part of a project.
+    fn closed(&self, uri: &Uri) -> Option<(Arc<str>, Key)> {
+        let (name, key) = self.name(uri);
+        if key == Key::Library {
+            return None;
+        }
+        let home = self.projects.iter().find(|(_, project)| project.files().contains_key(&name))?;
+        Some((name, home.0.clone()))
+    }
+
+    fn view_of(&self, home: &Key, file: Arc<str>) -> Option<View> {
+        let project = self.projects.get(home)?;
+        Some(View::new(project, home.clone(), file, self))
+    }
+
+    /// Views of all projects.
+    pub fn views(&self) -> Vec<View> {
+        self.projects.keys().filter_map(|key| self.view_of(key, "".into())).collect()
+    }
+
+    pub fn revision(&self) -> u64 {
+        self.revision
+    }
+
+    /// The projects that changed since this was last asked; that of the document edited last comes first.
+    pub fn take_dirty(&mut self) -> Vec<View> {
+        let latest = self
+            .latest
+            .as_ref()
+            .and_then(|uri| self.documents.get(uri))
+            .map(|document| document.home.clone());
+        let mut keys: Vec<Key> = std::mem::take(&mut self.dirty).into_iter().collect();
+        keys.sort_by_key(|key| Some(key) != latest.as_ref());
+        keys.iter().filter_map(|key| self.view_of(key, "".into())).collect()
+    }
+
+    /// Puts back what [`Workspace::take_dirty`] gave and was not dealt with.
+    pub fn mark_dirty(&mut self, home: &Key) {
+        if self.projects.contains_key(home) {
+            self.dirty.insert(home.clone());
+        }
+    }
+
+    pub fn open(&mut self, uri: Uri, version: i32, text: String) {
+        let (name, own) = self.name(&uri);
+        let text = Arc::new(Text::new(text));
+        let home = self.home(&name, own);
+        let document = Document { name, text, version, home: home.clone() };
+        let name = document.name.clone();
+        Arc::make_mut(&mut self.documents).insert(uri.clone(), document);
+        self.latest = Some(uri);
+        let library = &self.library;
+        let project = self.projects.entry(home.clone()).or_insert_with(|| match &home {
+            Key::Folder(folder) => Project::new(Some(folder.clone()), library),
+            Key::Alone(_) => Project::new(None, library),
+            Key::Library => Project::of_library(library),
+        });
+        project.set_opened(&name, true);
+        // It may stand for what others have read from the disk.
+        self.settle_all_with(&name, home);
+    }
+
+    /// Applies changes; returns what they replaced.
+    pub fn change(
+        &mut self,
+        uri: &Uri,
+        version: i32,
+        changes: &[TextDocumentContentChangeEvent],
+    ) -> Vec<Replaced> {
+        let encoding = self.client.encoding;
+        let Some(document) = Arc::make_mut(&mut self.documents).get_mut(uri) else { return Vec::new() };
+        let (text, replaced) = document.text.changed(changes, encoding);
+        document.text = text.clone();
+        document.version = version;
+        let name = document.name.clone();
+        self.latest = Some(uri.clone());
+        self.revision += 1;
+        let mut unsettled = Vec::new();
+        for (key, project) in &mut self.projects {
+            if project.files().contains_key(&name) {
+                if project.change(&name, &text) && *key != Key::Library {
+                    unsettled.push(key.clone());
+                }
+                self.dirty.insert(key.clone());
+            }
+        }
+        unsettled.into_iter().for_each(|key| self.settle(key));
+        replaced
+    }
+
+    pub fn close(&mut self, uri: &Uri) {
+        let Some(document) = Arc::make_mut(&mut self.documents).remove(uri) else { return };
+        if let Some(project) = self.projects.get_mut(&document.home) {
+            project.set_opened(&document.name, false);
+        }
+        self.changed_on_disk(Path::new(&*document.name));
+        // From now on what others import is what the disk has.
+        self.settle_all_with(&document.name, document.home);
+        self.projects.retain(|_, project| !project.is_empty());
+    }
+
+    /// A file was written, created or deleted; by whom is not known.
+    pub fn touched(&mut self, uri: &Uri) {
+        let Some(path) = path_of(uri) else { return };
+        self.changed_on_disk(&path);
+        for key in self.projects.keys().cloned().collect::<Vec<_>>() {
+            // A file that did not exist is wanted by those that name it.
+            if let Key::Folder(folder) = &key
+                && path.starts_with(folder)
+            {
+                self.settle(key);
+            }
+        }
+    }
+
+    fn changed_on_disk(&mut self, path: &Path) {
+        if let Some(folder) = path.parent() {
+            self.disk.imported.remove(folder);
+        }
+    }
+
+    fn settle_all_with(&mut self, name: &Arc<str>, home: Key) {
+        let path = Path::new(&**name);
+        let mut keys: BTreeSet<Key> = [home].into();
+        for (key, project) in &self.projects {
+            let below = matches!(key, Key::Folder(folder) if path.starts_with(folder));
+            if below || project.files().contains_key(name) {
+                keys.insert(key.clone());
+            }
+        }
+        keys.into_iter().for_each(|key| self.settle(key));
+    }
+
+    fn settle(&mut self, key: Key) {
+        self.revision += 1;
+        let Some(project) = self.projects.get_mut(&key) else { return };
+        self.dirty.insert(key.clone());
+        let imported = match &key {
+            Key::Library => return,
+            Key::Alone(_) => BTreeSet::new(),
+            Key::Folder(folder) => self.disk.imported(folder).clone(),
+        };
+        project.settle(&Seen { documents: &self.documents, imported });
+        // What is imported here is at home here, not a model of its own folder.
+        let adopted: Vec<(Uri, Document)> = self
+            .documents
+            .iter()
+            .filter(|(_, document)| document.home != key && project.files().contains_key(&document.name))
+            .map(|(uri, document)| (uri.clone(), document.clone()))
+            .collect();
+        for (uri, document) in adopted {
+            let is_model = |project: &Project| project.models().contains(&document.name);
+            let leaves = self.projects.get(&document.home).is_some_and(is_model);
+            if !leaves {
+                continue;
+            }
+            if let Some(document) = Arc::make_mut(&mut self.documents).get_mut(&uri) {
+                document.home = key.clone();
+            }
+            if let Some(project) = self.projects.get_mut(&document.home) {
+                project.set_opened(&document.name, false);
+            }
+            if let Some(project) = self.projects.get_mut(&key) {
+                project.set_opened(&document.name, true);
+            }
+            self.settle(document.home.clone());
+            self.projects.retain(|_, project| !project.is_empty());
+            self.settle(key.clone());
+        }
+    }
+
+    /// The name of a file as shown to people, and the project of its own folder.
+    fn name(&self, uri: &Uri) -> (Arc<str>, Key) {
+        let Some(path) = path_of(uri) else {
+            let name: Arc<str> = uri.as_str().into();
+            return (name.clone(), Key::Alone(name));
+        };
+        if let Some(file) = self.library.at(&path) {
+            return (file.name.as_str().into(), Key::Library);
+        }
+        let name: Arc<str> = path.display().to_string().into();
+        match path.parent() {
+            Some(folder) => (name, Key::Folder(folder.to_path_buf())),
+            None => (name.clone(), Key::Alone(name)),
+        }
+    }
+
+    /// The project of the nearest folder whose models import a file, or that of its own folder.
+    fn home(&mut self, name: &Arc<str>, own: Key) -> Key {
+        /// Modules seldom lie deeper below their models.
+        const MOST_LEVELS: usize = 4;
+        let Key::Folder(folder) = &own else { return own };
+        let path = Path::new(&**name);
+        for ancestor in folder.ancestors().take(MOST_LEVELS) {
+            let Some(dotted) = dotted(ancestor, path) else { continue };
+            let key = Key::Folder(ancestor.to_path_buf());
+            let open = self.projects.get(&key).is_some_and(|project| project.files().contains_key(name));
+            if open || self.disk.imported(ancestor).contains(&dotted) {
+                return key;
+            }
+            if self.roots.iter().any(|root| root == ancestor) {
+                break;
+            }
+        }
+        own
+    }
+}
+
+/// The path of a file.
+pub fn path_of(uri: &Uri) -> Option<PathBuf> {
+    let is_file = uri.scheme().as_str().eq_ignore_ascii_case("file");
+    if is_file { uri.to_file_path().map(|path| path.into_owned()) } else { None }
+}
