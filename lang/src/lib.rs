@@ -4,10 +4,12 @@
 //! `text -> tokens -> syntax tree -> names, types, dimensions -> typed program`; every stage returns a value and
 //! diagnostics, none fails.
 
+pub mod analysis;
 pub mod ast;
 pub mod check;
 pub mod codes;
 pub mod db;
+pub mod declared;
 mod deep;
 pub mod description;
 pub mod diagnostic;
@@ -18,6 +20,7 @@ pub mod lexer;
 pub mod parser;
 mod relocate;
 pub mod render;
+pub mod scope;
 pub mod span;
 pub mod tree_text;
 pub mod units;

@@ -217,6 +217,7 @@ impl<'a> Checker<'a> {
                 continue;
             };
             let ty = self.annotation(annotation, true);
+            self.parameter_types.insert(parameter.name.span, ty.clone());
             if let Some((_, Some(default))) = &parameter.default {
                 self.parameter_default(&ty, &parameter.name, default);
             }

@@ -1,6 +1,10 @@
 //! Names every program has without declaring or importing them.
 
+use super::schemes::Shown;
 use super::symbols::{Constant, NumberConstant};
+use crate::analysis::{CallParameter, Callable, NameKind};
+use crate::ast::Mode;
+use crate::dimension::{Base, Dimension};
 use crate::ir::Op;
 
 /// A function built into the language.
@@ -122,6 +126,114 @@ impl Builtin {
             .map(Builtin::Operation)
             .or_else(|| SPECIAL.iter().find(|(special, _)| *special == name).map(|(_, builtin)| *builtin))
     }
+}
+
+/// Parameters and results of the functions that no table row types; the last parameter of an open one may be repeated.
+const SHOWN: &[(&str, &[(&str, &str)], bool, Option<&str>)] = &[
+    ("min", &[("a", "a"), ("b", "a")], true, Some("a")),
+    ("max", &[("a", "a"), ("b", "a")], true, Some("a")),
+    ("sqrt", &[("x", "a")], false, Some("a^(1/2)")),
+    ("derivative", &[("expression", "T"), ("symbol", "a")], false, Some("T/a")),
+    ("gradient", &[("expression", "a"), ("symbols", "[b, ...]")], false, Some("[a/b, ...]")),
+    ("print", &[("value", "T")], true, None),
+    ("assert", &[("condition", "Bool"), ("message", "String")], false, None),
+    ("len", &[("array", "Array(T)")], false, Some("Number")),
+    ("push", &[("array", "Array(T)"), ("value", "T")], false, None),
+];
+
+impl Shape {
+    /// As shown to people; `a` and `b` are unknown dimensions.
+    fn show(self) -> &'static str {
+        match self {
+            Number => "Number",
+            Angle => "Angle",
+            Any => "a",
+            Product => "a*b",
+            VectorAny => "Vector(a)",
+            VectorOther => "Vector(b)",
+            VectorProduct => "Vector(a*b)",
+            VectorLength => "Vector(Length)",
+            Axis => "Vector",
+            VectorRate(RateOf::Length, 1) => "Vector(Velocity)",
+            VectorRate(RateOf::Length, _) => "Vector(Acceleration)",
+            VectorRate(RateOf::Angle, 1) => "Vector(AngularVelocity)",
+            VectorRate(RateOf::Angle, _) => "Vector(AngularAcceleration)",
+            Transform => "Transform",
+        }
+    }
+
+    fn dimension(self) -> Option<Dimension> {
+        match self {
+            Number | Axis => Some(Dimension::NONE),
+            Angle => Some(Dimension::of(Base::Angle)),
+            VectorLength => Some(Dimension::of(Base::Length)),
+            VectorRate(RateOf::Length, 1) => Dimension::from_name("Velocity"),
+            VectorRate(RateOf::Length, _) => Dimension::from_name("Acceleration"),
+            VectorRate(RateOf::Angle, 1) => Dimension::from_name("AngularVelocity"),
+            VectorRate(RateOf::Angle, _) => Dimension::from_name("AngularAcceleration"),
+            Any | Product | VectorAny | VectorOther | VectorProduct | Transform => None,
+        }
+    }
+}
+
+/// How a function of the language is called.
+pub fn callable(name: &str) -> Option<Callable> {
+    let parameter = |name: &str, ty: &str, dimension| CallParameter {
+        name: name.into(),
+        mode: Mode::In,
+        symbolic: false,
+        ty: ty.into(),
+        dimension,
+        default: None,
+        range: None,
+        choices: Vec::new(),
+        doc: None,
+        declared: None,
+    };
+    let (parameters, open, result) = match SIGNATURES.iter().find(|signature| signature.name == name) {
+        Some(signature) => {
+            let each = signature.parameters.iter();
+            let parameters = each.map(|(name, shape)| parameter(name, shape.show(), shape.dimension()));
+            (parameters.collect(), false, Some(signature.result.show()))
+        }
+        None => {
+            let (_, parameters, open, result) = SHOWN.iter().find(|(known, ..)| *known == name)?;
+            let parameters = parameters.iter().map(|(name, ty)| parameter(name, ty, None));
+            (parameters.collect(), *open, *result)
+        }
+    };
+    Some(Callable {
+        name: name.into(),
+        kind: NameKind::Builtin,
+        doc: None,
+        parameters,
+        open,
+        result: result.map(str::to_string),
+        demands: Vec::new(),
+        declared: None,
+    })
+}
+
+/// The type of a function or a name of the language.
+pub fn shown(name: &str) -> Option<String> {
+    if let Some(constant) = constant(name) {
+        let ty = match constant {
+            Constant::Time => "Time",
+            Constant::Basis(_) => "Vector",
+            Constant::Number(_) => "Number",
+            Constant::Bool(_) => "Bool",
+        };
+        return Some(ty.into());
+    }
+    let callable = callable(name)?;
+    let parameters = callable.parameters.iter().map(|p| (p.mode, p.name.to_string(), p.ty.clone()));
+    let shown = Shown {
+        name: name.into(),
+        parameters: parameters.collect(),
+        result: callable.result,
+        demands: Vec::new(),
+    };
+    Some(shown.to_string())
 }
 
 const CONSTANTS: &[(&str, Constant)] = &[

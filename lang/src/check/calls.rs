@@ -1,6 +1,7 @@
 //! Calls: arguments to parameters, and what each kind of function demands.
 
 use super::infer::Checker;
+use super::meanings::note_arguments;
 use super::places::place_value;
 use super::symbols::{Res, similar, with_article};
 use super::tree::*;
@@ -342,6 +343,8 @@ impl<'a> Checker<'a> {
         arguments: &'a [ast::Argument],
         span: Span,
     ) -> Option<(Vec<Option<&'a ast::Argument>>, HashMap<String, Expr>)> {
+        let places = decl.parameters.iter().map(|p| (p.name.name.clone(), p.name.span));
+        note_arguments(&mut self.named_parts, places, arguments);
         let names: Vec<&str> = decl.parameters.iter().map(|p| p.name.name.as_str()).collect();
         let fields = self.spread(called, &names, arguments)?;
         let optional = |p: &ast::Parameter| matches!(p.default, Some((_, Some(_))));

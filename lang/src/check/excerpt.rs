@@ -49,6 +49,7 @@ pub struct Segment {
 pub struct Layout {
     /// By file of the excerpt, in order of place.
     files: Vec<Vec<Segment>>,
+    starts: HashMap<ItemId, (FileId, u32)>,
     /// Module and name of every base dimension that the program declares, so that all checks number them alike.
     pub bases: Vec<(String, String)>,
 }
@@ -64,6 +65,11 @@ impl Layout {
     pub fn locate(&self, span: Span) -> Option<(ItemId, u32)> {
         let segment = self.segment(span.file, span.start)?;
         Some((segment.item, span.start - segment.start))
+    }
+
+    /// Where an item starts.
+    pub fn start(&self, item: ItemId) -> Option<(FileId, u32)> {
+        self.starts.get(&item).copied()
     }
 
     /// Whether a place belongs to what is checked.
@@ -91,6 +97,7 @@ impl Excerpt {
                 relocate::to(&mut statement, file, start);
                 statements.push(statement);
                 segments.push(Segment { start, item: id, part });
+                excerpt.layout.starts.insert(id, (file, start));
                 text.push_str(&item.text);
                 text.push('\n');
             }

@@ -331,6 +331,7 @@ impl<'a> Checker<'a> {
         }
         // A field of an expression kept with `:=` may still be a component of a vector that moves.
         let base = self.expr(base);
+        self.named_fields.push((field.clone(), base.ty.clone()));
         let component = component(&field.name);
         let shallow = self.store.shallow(&base.ty);
         match (&shallow, component) {

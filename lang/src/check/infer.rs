@@ -79,6 +79,12 @@ pub struct Checker<'a> {
     pub(super) making: Vec<RecordId>,
     pub(super) function: FuncId,
     pub(super) file: FileId,
+    /// Names of arguments, and where the parameters or fields they mean are declared.
+    pub(super) named_parts: Vec<(Span, Span)>,
+    /// Types of the parameters of the engine's functions that are checked.
+    pub(super) parameter_types: HashMap<Span, Type>,
+    /// Fields of values, and the types of the values.
+    pub(super) named_fields: Vec<(ast::Ident, Type)>,
     /// A literal in a declaration has a dimension that uses decide.
     pub(super) unsettled: bool,
     groups: HashMap<FuncId, Vec<FuncId>>,
@@ -120,6 +126,9 @@ impl<'a> Checker<'a> {
             making: Vec::new(),
             function: FuncId(0),
             file: FileId(0),
+            named_parts: Vec::new(),
+            parameter_types: HashMap::new(),
+            named_fields: Vec::new(),
             unsettled: false,
             groups,
             variable_types: HashMap::new(),

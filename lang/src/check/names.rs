@@ -551,6 +551,7 @@ impl<'a> Resolver<'a> {
             ExprKind::Name(name) => {
                 let res = self.lookup(name);
                 self.names.uses.insert(name.span, res);
+                self.names.written.insert(name.span);
                 if let Res::Var(id) = res {
                     self.outer(id);
                     self.refuse_in_test(name, id);
@@ -610,14 +611,11 @@ impl<'a> Resolver<'a> {
 
     /// A unit right after a number.
     fn quantity(&mut self, unit: &'a Ident) {
-        if Unit::find(&unit.name).is_none()
-            && let Some(res) = self.own_unit(&unit.name)
-        {
-            self.names.uses.insert(unit.span, res);
-        }
+        let known = Unit::find(&unit.name).map(Res::Unit).or_else(|| self.own_unit(&unit.name));
+        self.names.uses.extend(known.map(|res| (unit.span, res)));
         let hidden = self.scopes.iter().rev().find_map(|scope| scope.names.get(&unit.name));
         if let Some((Res::Var(_) | Res::Param(_) | Res::Const(_), declared)) = hidden
-            && (Unit::find(&unit.name).is_some() || self.names.uses.contains_key(&unit.span))
+            && known.is_some()
         {
             let message =
                 format!("`{0}` after a number is the unit, not what is called `{0}` here", unit.name);

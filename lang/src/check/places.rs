@@ -227,6 +227,7 @@ impl<'a> Checker<'a> {
 
     /// A field of the record in a place.
     fn field_place(&mut self, mut place: Place, field: &ast::Ident, span: Span) -> Option<Place> {
+        self.named_fields.push((field.clone(), place.ty.clone()));
         let (step, ty) = match self.store.shallow(&place.ty) {
             Type::Error => return None,
             Type::Record(id) => match self.store.field(id, &field.name) {

@@ -1,6 +1,7 @@
 //! Records: their fields, how they are made, and how their fields become arguments.
 
 use super::infer::Checker;
+use super::meanings::note_arguments;
 use super::symbols::{similar, with_article};
 use super::tree::*;
 use super::types::{RecordType, Type};
@@ -99,6 +100,8 @@ impl<'a> Checker<'a> {
             (record.decl, record.file)
         };
         let failed = Expr { kind: Kind::Error, ty: ty.clone(), span };
+        let places = decl.fields.iter().map(|field| (field.name.name.clone(), field.name.span));
+        note_arguments(&mut self.named_parts, places, arguments);
         let names: Vec<&str> = decl.fields.iter().map(|field| field.name.name.as_str()).collect();
         let Some(mut fields) = self.spread(&decl.name.name, &names, arguments) else { return failed };
         let parameters: Vec<(&str, bool)> = decl

@@ -8,40 +8,60 @@ use super::tree::{ConstraintKind, FuncId};
 use super::types::{Store, Type, TypeVar};
 use crate::ast::Mode;
 use crate::dimension::Rational;
+use std::fmt::{self, Display, Formatter};
+
+/// The scheme of a function in words.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Shown {
+    pub name: String,
+    /// Mode, name and type of each parameter.
+    pub parameters: Vec<(Mode, String, String)>,
+    /// `None` if it gives nothing.
+    pub result: Option<String>,
+    /// What else is demanded of the types.
+    pub demands: Vec<String>,
+}
+
+impl Display for Shown {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let parameters = self.parameters.iter().map(|(mode, name, ty)| {
+            let mode = match mode {
+                Mode::In => "in",
+                Mode::Out => "out",
+                Mode::InOut => "inout",
+            };
+            format!("{mode} {name}: {ty}")
+        });
+        write!(f, "({})", parameters.collect::<Vec<_>>().join(", "))?;
+        if let Some(result) = &self.result {
+            write!(f, " -> {result}")?;
+        }
+        if !self.demands.is_empty() {
+            write!(f, " where {}", self.demands.join(", "))?;
+        }
+        Ok(())
+    }
+}
 
 impl Checker<'_> {
-    /// The name and the scheme of a function; `None` for the top level.
-    pub(super) fn shown_scheme(&self, id: FuncId) -> Option<(String, String)> {
+    /// The scheme of a function; `None` for the top level.
+    pub(super) fn shown_scheme(&self, id: FuncId) -> Option<Shown> {
         let (function, signature) = (self.names.functions.get(id.0 as usize)?, self.signatures.get(&id)?);
         let mut letters = Letters { store: &self.store, types: Vec::new(), dims: Vec::new() };
-        let written = function.decl?.parameters.iter().zip(&signature.parameters);
-        let parameters: Vec<String> = written
-            .map(|(parameter, ty)| {
-                let mode = match parameter.mode {
-                    Mode::In => "in",
-                    Mode::Out => "out",
-                    Mode::InOut => "inout",
-                };
-                format!("{mode} {}: {}", parameter.name.name, letters.ty(ty))
-            })
-            .collect();
-        let mut text = format!("({})", parameters.join(", "));
-        let result = letters.ty(&signature.result);
-        if !matches!(self.store.shallow(&signature.result), Type::Unit) {
-            text.push_str(&format!(" -> {result}"));
+        let mut shown = Shown { name: function.name.clone(), ..Shown::default() };
+        for (parameter, ty) in function.decl?.parameters.iter().zip(&signature.parameters) {
+            shown.parameters.push((parameter.mode, parameter.name.name.clone(), letters.ty(ty)));
         }
-        let constraints = signature.scheme.iter().flat_map(|scheme| &scheme.constraints);
-        let mut demands: Vec<String> = Vec::new();
-        for constraint in constraints {
+        let result = letters.ty(&signature.result);
+        let nothing = matches!(self.store.shallow(&signature.result), Type::Unit);
+        shown.result = (!nothing).then_some(result);
+        for constraint in signature.scheme.iter().flat_map(|scheme| &scheme.constraints) {
             let demand = letters.demand(&constraint.kind);
-            if !demands.contains(&demand) {
-                demands.push(demand);
+            if !shown.demands.contains(&demand) {
+                shown.demands.push(demand);
             }
         }
-        if !demands.is_empty() {
-            text.push_str(&format!(" where {}", demands.join(", ")));
-        }
-        Some((function.name.clone(), text))
+        Some(shown)
     }
 }
 

@@ -6,7 +6,7 @@ use crate::ast::{Expr, FunctionDecl, Ident, Mode, ParamDecl, RecordDecl, TypeExp
 use crate::diagnostic::Diagnostic;
 use crate::span::{FileId, Span};
 use crate::units::Unit;
-use std::collections::{BTreeSet, HashMap};
+use std::collections::{BTreeSet, HashMap, HashSet};
 
 /// What an identifier stands for.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -115,6 +115,8 @@ pub struct DimensionDecl<'a> {
 pub struct Names<'a> {
     /// By the identifier's place; declarations too.
     pub uses: HashMap<Span, Res>,
+    /// Names that are assigned to.
+    pub written: HashSet<Span>,
     pub variables: Vec<Variable>,
     pub functions: Vec<FunctionInfo<'a>>,
     pub externs: Vec<ExternInfo<'a>>,

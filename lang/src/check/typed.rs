@@ -4,10 +4,11 @@
 
 use super::infer::Checker;
 use super::symbols::{Res, Variable};
-use super::tree::{Def, FuncId, Function, Output, Param, VarId};
+use super::tree::{Def, Expr, FuncId, Function, Output, Param, VarId};
 use super::types::{Store, Substitution, Type};
 use crate::ast::{FunctionBody, Ident};
 use crate::ir::ExternDecl;
+use crate::span::Span;
 use calyx_abi::{Purity, Repr};
 use std::collections::{BTreeSet, HashMap};
 use std::sync::Arc;
@@ -20,6 +21,8 @@ pub struct Typed {
     pub defs: Arc<Vec<Def>>,
     pub params: Arc<Vec<Param>>,
     pub outputs: Arc<Vec<Output>>,
+    /// Values of the constants, each at its declaration.
+    pub consts: Arc<Vec<Expr>>,
     pub externs: Arc<Vec<ExternDecl>>,
     pub store: Arc<Store>,
     /// Symbolic names that hold their expression at run time.
@@ -49,8 +52,8 @@ impl Typed {
 }
 
 impl Checker<'_> {
-    /// Lets go of syntax trees.
-    pub fn into_typed(self) -> Typed {
+    /// Lets go of syntax trees. What every identifier stands for comes apart: only editors ask for it.
+    pub fn into_typed(self) -> (Typed, HashMap<Span, Res>) {
         let externs = self.names.externs.iter().map(|info| {
             let purity = match &info.decl.body {
                 FunctionBody::Extern { purity: Some(word) } if word.name == "pure" => Purity::Pure,
@@ -75,7 +78,8 @@ impl Checker<'_> {
                 span: info.decl.name.span,
             }
         });
-        Typed {
+        let typed = Typed {
+            consts: Arc::new(self.consts.into_values().flatten().collect()),
             externs: Arc::new(externs.collect()),
             functions: Arc::new(self.functions),
             instances: Arc::new(self.instances),
@@ -86,6 +90,7 @@ impl Checker<'_> {
             chosen: Arc::new(self.graphs.chosen),
             variables: Arc::new(self.names.variables),
             variable_types: Arc::new(self.variable_types),
-        }
+        };
+        (typed, self.names.uses)
     }
 }

@@ -6,6 +6,8 @@ use super::excerpt::{Excerpt, ItemId, Layout, Part, RecordKey};
 use super::infer::Checker;
 use super::interface::Interface;
 use super::lower::{self, Closure};
+use super::meanings::Meanings;
+use super::schemes::Shown;
 use super::tree::{FuncId, RecordId};
 use super::typed::Typed;
 use super::{has_errors, names};
@@ -48,6 +50,8 @@ pub struct Unit {
     pub types: BTreeMap<String, String>,
     /// Schemes of the functions checked here, as shown to people.
     pub schemes: BTreeMap<String, String>,
+    /// For editors.
+    pub meanings: Meanings,
 }
 
 /// What the rest of the program contributes to a check.
@@ -88,7 +92,11 @@ pub fn check(excerpt: Excerpt, group: &[ItemId], context: &Context<'_>) -> (Unit
     checker.program();
     diagnostics.append(&mut checker.diagnostics);
     let types = checker.shown_types();
-    let schemes = functions.values().filter_map(|&id| checker.shown_scheme(id)).collect();
+    let own = (1..checker.names.functions.len() as u32).map(FuncId).filter(|id| !foreign.contains_key(id));
+    let own: HashMap<FuncId, Shown> = own.filter_map(|id| Some((id, checker.shown_scheme(id)?))).collect();
+    let schemes = functions.values().filter_map(|id| own.get(id));
+    let schemes = schemes.map(|scheme| (scheme.name.clone(), scheme.to_string())).collect();
+    let meanings = Meanings::of(&mut checker, own);
     let members: Option<Vec<FuncId>> = group.iter().map(|item| functions.get(item).copied()).collect();
     let interfaces = match checker.unsettled {
         true => None,
@@ -101,7 +109,7 @@ pub fn check(excerpt: Excerpt, group: &[ItemId], context: &Context<'_>) -> (Unit
         true => Some(checker.sound_functions(&diagnostics)),
         false => None,
     };
-    let typed = checker.into_typed();
+    let (typed, uses) = checker.into_typed();
     let closures = lower::closures(&typed);
     let mut unit = Unit {
         typed,
@@ -114,6 +122,7 @@ pub fn check(excerpt: Excerpt, group: &[ItemId], context: &Context<'_>) -> (Unit
         flow: Vec::new(),
         types,
         schemes,
+        meanings: meanings.with_uses(uses),
     };
     unit.flow = match sound {
         None => {

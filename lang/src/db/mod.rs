@@ -5,6 +5,7 @@
 //! on the declarations it names and on the schemes of the functions it calls, and on nothing's place in a file.
 //! These are the only files that know salsa.
 
+mod analysis;
 mod groups;
 mod items;
 mod program;

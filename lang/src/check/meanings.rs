@@ -1,0 +1,251 @@
+//! What the names in a checked unit stand for, kept for editors.
+//!
+//! Checking finds all of this out anyway; here it is put by, without reference to syntax trees. Places lie in the unit's
+//! excerpt.
+
+use super::infer::Checker;
+use super::schemes::Shown;
+use super::symbols::{Res, VarKind};
+use super::tree::FuncId;
+use super::typed::Typed;
+use super::types::{Store, Type};
+use crate::analysis::NameKind;
+use crate::ast::{Bind, FunctionBody};
+use crate::dimension::Dimension;
+use crate::span::Span;
+use std::collections::{HashMap, HashSet};
+
+/// Of one unit.
+#[derive(Debug, Default)]
+pub struct Meanings {
+    uses: HashMap<Span, Res>,
+    /// Names of arguments and fields, and the parameter or field that each means.
+    parts: HashMap<Span, Span>,
+    /// Parameters of the engine's functions and fields of records, with their types.
+    part_types: HashMap<Span, (NameKind, String, Option<Dimension>)>,
+    /// `.x`, `.y` and `.z` of vectors, with their types.
+    components: HashMap<Span, String>,
+    /// Names that are assigned to.
+    written: HashSet<Span>,
+    /// Where functions are named, and whether they are symbolic.
+    functions: Vec<(Span, bool)>,
+    /// Schemes of the functions that were checked here, nested ones too.
+    schemes: HashMap<FuncId, Shown>,
+    externs: Vec<Span>,
+    consts: Vec<(Span, String)>,
+    records: Vec<Span>,
+    dimensions: Vec<Span>,
+    units: Vec<Span>,
+    params: Vec<Span>,
+    outputs: Vec<Span>,
+    modules: Vec<String>,
+}
+
+/// What one name stands for.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Meaning {
+    pub kind: NameKind,
+    pub declared: Declared,
+    /// As shown to people. Of functions declared elsewhere it is not known here.
+    pub ty: Option<String>,
+    pub written: bool,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+pub enum Declared {
+    /// By the language.
+    Nowhere,
+    At(Span),
+    /// A module as a whole, by its dotted path.
+    Module(String),
+}
+
+impl Meanings {
+    /// What a checker found out; `schemes` are those of its functions.
+    pub fn of(checker: &mut Checker<'_>, schemes: HashMap<FuncId, Shown>) -> Meanings {
+        let mut parts: HashMap<Span, Span> = checker.named_parts.drain(..).collect();
+        let (mut part_types, mut components) = (HashMap::new(), HashMap::new());
+        let names = &checker.names;
+        for (index, record) in names.records.iter().enumerate() {
+            let known = checker.store.record(super::tree::RecordId(index as u32));
+            for field in &record.decl.fields {
+                let ty = known.and_then(|r| r.fields.iter().find(|(name, _)| *name == field.name.name));
+                let shown = ty.map_or_else(|| "_".into(), |(_, ty)| checker.store.show(ty));
+                let dimension = ty.and_then(|(_, ty)| dimension(&checker.store, ty));
+                part_types.insert(field.name.span, (NameKind::Field, shown, dimension));
+                parts.insert(field.name.span, field.name.span);
+            }
+        }
+        for info in &names.externs {
+            for parameter in &info.decl.parameters {
+                let ty = parameter.annotation.as_ref().map_or("", |a| checker.text(a.span));
+                let known = checker.parameter_types.get(&parameter.name.span);
+                let dimension = known.and_then(|ty| dimension(&checker.store, ty));
+                part_types.insert(parameter.name.span, (NameKind::Parameter, ty.into(), dimension));
+                parts.insert(parameter.name.span, parameter.name.span);
+            }
+        }
+        for (field, base) in &checker.named_fields {
+            let id = match checker.store.shallow(base) {
+                Type::Record(id) => id,
+                Type::Vector(dim) => {
+                    components.insert(field.span, checker.store.show(&Type::Number(dim)));
+                    continue;
+                }
+                _ => continue,
+            };
+            let declared = names.records.get(id.0 as usize).and_then(|record| {
+                record.decl.fields.iter().find(|f| f.name.name == field.name).map(|f| f.name.span)
+            });
+            parts.extend(declared.map(|declared| (field.span, declared)));
+        }
+        let symbolic = |info: &super::symbols::FunctionInfo<'_>| match info.decl {
+            Some(decl) => (decl.name.span, matches!(decl.body, FunctionBody::Symbolic(_))),
+            None => (Span::default(), false),
+        };
+        let const_type = |id: usize| match checker.consts.get(&(id as u32)) {
+            Some(Some(value)) => checker.store.show(&value.ty),
+            _ => "_".into(),
+        };
+        Meanings {
+            parts,
+            part_types,
+            components,
+            schemes,
+            functions: names.functions.iter().map(symbolic).collect(),
+            externs: names.externs.iter().map(|info| info.decl.name.span).collect(),
+            consts: names
+                .consts
+                .iter()
+                .enumerate()
+                .map(|(id, declared)| (declared.decl.name.span, const_type(id)))
+                .collect(),
+            records: names.records.iter().map(|record| record.decl.name.span).collect(),
+            dimensions: names.dimensions.iter().map(|dimension| dimension.decl.name.span).collect(),
+            units: names.units.iter().map(|unit| unit.decl.name.span).collect(),
+            params: names.params.iter().map(|(decl, _)| decl.name.span).collect(),
+            outputs: names.outputs.iter().map(|(name, ..)| name.span).collect(),
+            modules: checker.modules.iter().map(|module| module.name.clone()).collect(),
+            written: std::mem::take(&mut checker.names.written),
+            uses: HashMap::new(),
+        }
+    }
+
+    /// Adds what identifiers stand for, by their places.
+    pub fn with_uses(mut self, uses: HashMap<Span, Res>) -> Meanings {
+        self.uses = uses;
+        self
+    }
+
+    /// The scheme of a function that was checked here.
+    pub fn scheme(&self, id: FuncId) -> Option<&Shown> {
+        self.schemes.get(&id)
+    }
+
+    /// The function that is declared at a place.
+    pub fn function_at(&self, span: Span) -> Option<FuncId> {
+        match self.uses.get(&span) {
+            Some(Res::Function(id)) => Some(*id),
+            _ => None,
+        }
+    }
+
+    /// The dimension of the numbers that a variable, param, parameter or field declared at a place holds, if it is known.
+    pub fn dimension_at(&self, typed: &Typed, span: Span) -> Option<Dimension> {
+        if let Some((_, _, dimension)) = self.part_types.get(&span) {
+            return *dimension;
+        }
+        match *self.uses.get(&span)? {
+            Res::Var(id) => dimension(&typed.store, &typed.type_of(id)),
+            Res::Param(id) => dimension(&typed.store, &typed.params.get(id as usize)?.ty),
+            Res::Output(id) => dimension(&typed.store, &typed.outputs.get(id as usize)?.ty),
+            _ => None,
+        }
+    }
+
+    /// What the name at a place stands for.
+    pub fn at(&self, typed: &Typed, span: Span) -> Option<Meaning> {
+        let written = self.written.contains(&span);
+        if let Some(declared) = self.parts.get(&span) {
+            let declares = Declared::At(*declared);
+            if let Some((kind, ty, _)) = self.part_types.get(declared) {
+                return Some(Meaning { kind: *kind, declared: declares, ty: Some(ty.clone()), written });
+            }
+            let found = (*declared != span).then(|| self.at(typed, *declared)).flatten();
+            return found.map(|found| Meaning { declared: declares, written, ..found });
+        }
+        if let Some(ty) = self.components.get(&span) {
+            return Some(Meaning {
+                kind: NameKind::Field,
+                declared: Declared::Nowhere,
+                ty: Some(ty.clone()),
+                written,
+            });
+        }
+        let at = |spans: &[Span], id: u32| spans.get(id as usize).map(|span| Declared::At(*span));
+        let (kind, declared, ty) = match *self.uses.get(&span)? {
+            Res::Var(id) => {
+                let variable = typed.variable(id);
+                let kind = match variable.kind {
+                    VarKind::Value | VarKind::Hidden => NameKind::Variable,
+                    VarKind::Symbolic => NameKind::Symbolic,
+                    VarKind::Parameter(_) => NameKind::Parameter,
+                };
+                (kind, Declared::At(variable.span), Some(typed.store.show(&typed.type_of(id))))
+            }
+            Res::Param(id) => {
+                let ty = typed.params.get(id as usize).map(|param| typed.store.show(&param.ty));
+                (NameKind::Param, at(&self.params, id)?, ty)
+            }
+            Res::Output(id) => {
+                let ty = typed.outputs.get(id as usize).map(|output| typed.store.show(&output.ty));
+                (NameKind::Output, at(&self.outputs, id)?, ty)
+            }
+            Res::Function(id) => {
+                let (span, symbolic) = *self.functions.get(id.0 as usize)?;
+                let kind = if symbolic { NameKind::SymbolicFunction } else { NameKind::Function };
+                (kind, Declared::At(span), self.scheme(id).map(Shown::to_string))
+            }
+            Res::Extern(id) => (NameKind::Extern, at(&self.externs, id)?, None),
+            Res::Const(id) => {
+                let (span, ty) = self.consts.get(id as usize)?;
+                (NameKind::Const, Declared::At(*span), Some(ty.clone()))
+            }
+            Res::Record(id) => (NameKind::Record, at(&self.records, id.0)?, None),
+            Res::Dimension(id) => (NameKind::Dimension, at(&self.dimensions, id)?, None),
+            Res::OwnUnit(id) => (NameKind::Unit, at(&self.units, id)?, None),
+            Res::Module(id) => {
+                let path = self.modules.get(id as usize)?.clone();
+                (NameKind::Module, Declared::Module(path), None)
+            }
+            Res::Builtin(_) => (NameKind::Builtin, Declared::Nowhere, None),
+            Res::Constant(_) => (NameKind::Constant, Declared::Nowhere, None),
+            Res::Unit(_) => (NameKind::Unit, Declared::Nowhere, None),
+            Res::Unknown => return None,
+        };
+        Some(Meaning { kind, declared, ty, written })
+    }
+}
+
+/// The dimension of numbers of a type, symbolic ones too.
+pub fn dimension(store: &Store, ty: &Type) -> Option<Dimension> {
+    match store.shallow(ty) {
+        Type::Number(dim) | Type::Vector(dim) | Type::Observable(dim) => store.dim(&dim).as_known(),
+        Type::Symbolic(inner) | Type::Array(inner) => dimension(store, &inner),
+        _ => None,
+    }
+}
+
+/// Remembers what parameter each argument's name means.
+pub(super) fn note_arguments(
+    parts: &mut Vec<(Span, Span)>,
+    parameters: impl Iterator<Item = (String, Span)>,
+    arguments: &[crate::ast::Argument],
+) {
+    let named = || arguments.iter().filter_map(|a| a.name.as_ref());
+    if named().next().is_none() {
+        return;
+    }
+    let parameters: HashMap<String, Span> = parameters.collect();
+    parts.extend(named().filter_map(|(name, _): &(_, Bind)| Some((name.span, *parameters.get(&name.name)?))));
+}

@@ -1,0 +1,601 @@
+//! Queries for editors: what names mean, of what type expressions are, what is seen from a place.
+//!
+//! Meanings are found by item, relative to its start, and kept until the unit that the item is checked in is checked again.
+
+use super::groups::group_of;
+use super::items::{Item, items, module, parse};
+use super::units::{check_group, check_top, dependents, id};
+use super::{Database, Library, Parsed, Text};
+use crate::analysis::*;
+use crate::ast::{Bind, FunctionBody, Mode, StmtKind};
+use crate::check::excerpt::ItemId;
+use crate::check::item::ItemKind;
+use crate::check::meanings::Declared as Target;
+use crate::check::unit::Unit;
+use crate::check::{Shown, builtins, expressions};
+use crate::declared::{self, Declared};
+use crate::deep::deep;
+use crate::lexer::{self, Tokens};
+use crate::relocate;
+use crate::scope;
+use crate::span::{FileId, Span};
+use salsa::Id;
+use salsa::plumbing::FromId;
+use std::collections::HashMap;
+use std::ops::Range;
+use std::sync::Arc;
+
+#[salsa::tracked(no_eq)]
+fn tokens(db: &dyn salsa::Database, text: Text) -> Arc<Tokens> {
+    Arc::new(lexer::lex(FileId(0), text.content(db)))
+}
+
+/// A name in an item, with places relative to the items they are in.
+#[derive(Debug)]
+struct Relative {
+    start: u32,
+    end: u32,
+    text: Arc<str>,
+    kind: NameKind,
+    target: RelativeTarget,
+    ty: Option<Arc<str>>,
+    written: bool,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum RelativeTarget {
+    Nowhere,
+    In(ItemId, u32, u32),
+    Module(Text),
+}
+
+/// The unit that an item is checked in.
+fn unit_of<'db>(db: &'db dyn salsa::Database, item: Item<'db>, library: Library) -> Option<&'db Unit> {
+    let file = item.file(db);
+    let alone = match item.kind(db) {
+        ItemKind::Extern => true,
+        ItemKind::Function => !dependents(db, file, library).contains(&item),
+        _ => false,
+    };
+    match alone {
+        true => check_group(db, group_of(db, item, library), library).unit.as_ref(),
+        false => Some(check_top(db, file, library)),
+    }
+}
+
+/// The scheme of a function that is an item.
+fn scheme<'db>(db: &'db dyn salsa::Database, item: Item<'db>, library: Library) -> Option<&'db Shown> {
+    let unit = unit_of(db, item, library)?;
+    unit.meanings.scheme(*unit.functions.get(&id(item))?)
+}
+
+/// The names of an item.
+#[salsa::tracked(no_eq)]
+fn relative_names<'db>(
+    db: &'db dyn salsa::Database,
+    item: Item<'db>,
+    library: Library,
+) -> Arc<Vec<Relative>> {
+    let Some(unit) = unit_of(db, item, library) else { return Arc::default() };
+    let Some((file, start)) = unit.layout.start(id(item)) else { return Arc::default() };
+    let content = item.content(db);
+    let mut found: Vec<Relative> = Vec::new();
+    // Many names are of few declarations.
+    let mut types: HashMap<RelativePlace, Option<Arc<str>>> = HashMap::new();
+    let mut statement = content.statement.clone();
+    relocate::to(&mut statement, file, start);
+    relocate::statement(&mut statement, &mut |span, text| {
+        let Some(text) = text else { return };
+        let Some(meaning) = unit.meanings.at(&unit.typed, *span) else { return };
+        let target = match &meaning.declared {
+            Target::Nowhere => RelativeTarget::Nowhere,
+            Target::Module(path) => match module(db, library, path.clone()) {
+                Some(file) => RelativeTarget::Module(*file),
+                None => return,
+            },
+            Target::At(at) => match unit.layout.locate(*at) {
+                Some((to, from)) => RelativeTarget::In(to, from, from + at.end.saturating_sub(at.start)),
+                None => return,
+            },
+        };
+        let ty = match target {
+            RelativeTarget::In(to, from, _) => types
+                .entry((to, from))
+                .or_insert_with(|| {
+                    let to = item_of(to);
+                    let elsewhere = || match (meaning.kind, to.kind(db)) {
+                        (NameKind::Extern, _) => extern_scheme(db, to).map(|shown| shown.to_string()),
+                        (_, ItemKind::Function) => scheme(db, to, library).map(Shown::to_string),
+                        _ => None,
+                    };
+                    meaning.ty.clone().or_else(elsewhere).map(Arc::from)
+                })
+                .clone(),
+            _ => meaning.ty.or_else(|| builtins::shown(text)).map(Arc::from),
+        };
+        found.push(Relative {
+            start: span.start.saturating_sub(start),
+            end: span.end.saturating_sub(start),
+            text: text.into(),
+            kind: meaning.kind,
+            target,
+            ty,
+            written: meaning.written,
+        });
+    });
+    found.sort_by_key(|name| name.start);
+    Arc::new(found)
+}
+
+type RelativePlace = (ItemId, u32);
+
+/// The item of an id found in this revision.
+fn item_of<'db>(id: ItemId) -> Item<'db> {
+    Item::from_id(Id::from_bits(id))
+}
+
+/// The types of a function of the engine, as declared.
+fn extern_scheme(db: &dyn salsa::Database, item: Item<'_>) -> Option<Shown> {
+    let content = item.content(db);
+    let StmtKind::Function(decl) = &content.statement.kind else { return None };
+    let text =
+        |span: Span| content.text.get(span.start as usize..span.end as usize).unwrap_or("_").to_string();
+    let parameters = decl.parameters.iter().map(|parameter| {
+        let ty = parameter.annotation.as_ref().map_or_else(|| "_".into(), |annotation| text(annotation.span));
+        (parameter.mode, parameter.name.name.clone(), ty)
+    });
+    Some(Shown {
+        name: decl.name.name.clone(),
+        parameters: parameters.collect(),
+        result: decl.result.as_ref().map(|result| text(result.span)),
+        demands: Vec::new(),
+    })
+}
+
+impl Database {
+    fn find(&self, file: &str) -> Option<Text> {
+        let db = &self.salsa;
+        let modules = || self.library.modules(db).values().copied().chain([self.library.prelude(db)]);
+        self.models.get(file).copied().or_else(|| modules().find(|text| text.name(db) == file))
+    }
+
+    /// Names of the models, in order.
+    pub fn models(&self) -> impl Iterator<Item = &str> {
+        self.models.keys().map(String::as_str)
+    }
+
+    /// All files: models, modules, and the prelude.
+    pub fn files(&self) -> Vec<Arc<str>> {
+        let db = &self.salsa;
+        let modules =
+            self.library.modules(db).values().chain([&self.library.prelude(db)]).copied().collect::<Vec<_>>();
+        let modules = modules.into_iter().map(|text| Arc::from(text.name(db).as_str()));
+        self.models().map(Arc::from).chain(modules).collect()
+    }
+
+    /// The files that a file imports, directly or through others.
+    pub fn imported(&self, file: &str) -> Vec<Arc<str>> {
+        let db = &self.salsa;
+        let Some(text) = self.find(file) else { return Vec::new() };
+        let all = super::items::reachable(db, text, self.library).iter();
+        all.map(|text| Arc::from(text.name(db).as_str())).collect()
+    }
+
+    /// The dotted path of a module's file; `None` for a model.
+    pub fn module_of(&self, file: &str) -> Option<String> {
+        let path = self.find(file)?.module(&self.salsa).clone();
+        (!path.is_empty()).then_some(path)
+    }
+
+    /// The file of a module, by its dotted path.
+    pub fn file_of(&self, module: &str) -> Option<Arc<str>> {
+        let db = &self.salsa;
+        self.library.modules(db).get(module).map(|text| Arc::from(text.name(db).as_str()))
+    }
+
+    /// Modules that can be imported, by their dotted paths.
+    pub fn modules(&self) -> Vec<String> {
+        let db = &self.salsa;
+        let mut all: Vec<String> = self.library.known(db).clone();
+        all.extend(self.library.modules(db).keys().cloned());
+        all.sort();
+        all.dedup();
+        all
+    }
+
+    /// The text of a file.
+    pub fn text(&self, file: &str) -> Option<&str> {
+        Some(self.find(file)?.content(&self.salsa))
+    }
+
+    /// The tokens of a file; places have file 0.
+    pub fn tokens(&self, file: &str) -> Option<Arc<Tokens>> {
+        Some(tokens(&self.salsa, self.find(file)?).clone())
+    }
+
+    /// The tree of a file; places have file 0.
+    pub fn tree(&self, file: &str) -> Option<Arc<Parsed>> {
+        let text = self.find(file)?;
+        Some(deep(|| parse(&self.salsa, text).clone()))
+    }
+
+    /// The names of a file that mean something, in order.
+    pub fn names(&self, file: &str) -> Vec<Name> {
+        let Some(text) = self.find(file) else { return Vec::new() };
+        deep(|| {
+            let each = items(&self.salsa, text).iter();
+            each.flat_map(|item| self.names_of(*item)).collect()
+        })
+    }
+
+    /// The names of a file's top-level statements that a range touches, in order.
+    pub fn names_in(&self, file: &str, range: Range<u32>) -> Vec<Name> {
+        let Some(text) = self.find(file) else { return Vec::new() };
+        deep(|| {
+            let touched = self.items_in(text, range);
+            touched.into_iter().flat_map(|item| self.names_of(item)).collect()
+        })
+    }
+
+    /// The name at an offset, or that ends there.
+    pub fn name_at(&self, file: &str, offset: u32) -> Option<Name> {
+        let around = self.names_in(file, offset..offset);
+        let touches = |name: &&Name| name.start <= offset && offset <= name.end;
+        around.iter().filter(touches).max_by_key(|name| name.start).cloned()
+    }
+
+    /// The items of a file that a range touches.
+    fn items_in(&self, text: Text, range: Range<u32>) -> Vec<Item<'_>> {
+        let db = &self.salsa;
+        let all = items(db, text);
+        // They do not overlap, so their ends are in order as their starts are.
+        let end = |item: &Item<'_>| item.start(db) + item.content(db).text.len() as u32;
+        let first = all.partition_point(|item| end(item) < range.start);
+        all.iter().skip(first).copied().take_while(|item| item.start(db) <= range.end).collect()
+    }
+
+    fn names_of<'db>(&'db self, item: Item<'db>) -> Vec<Name> {
+        let db = &self.salsa;
+        let start = item.start(db);
+        let mut files: HashMap<Text, Arc<str>> = HashMap::new();
+        let mut file =
+            |text: Text| files.entry(text).or_insert_with(|| Arc::from(text.name(db).as_str())).clone();
+        let each = relative_names(db, item, self.library).iter();
+        let each = each.map(|name| {
+            let declared = match name.target {
+                RelativeTarget::Nowhere => None,
+                RelativeTarget::Module(text) => Some(Place { file: file(text), start: 0, end: 0 }),
+                RelativeTarget::In(to, from, end) => {
+                    let to = item_of(to);
+                    let base = to.start(db);
+                    Some(Place { file: file(to.file(db)), start: base + from, end: base + end })
+                }
+            };
+            Name {
+                start: start + name.start,
+                end: start + name.end,
+                text: name.text.clone(),
+                kind: name.kind,
+                declared,
+                ty: name.ty.clone(),
+                declares: name.target == RelativeTarget::In(id(item), name.start, name.end),
+                writes: name.written,
+            }
+        });
+        each.collect()
+    }
+
+    /// Every name in any file that means what is declared at a place, the declaration included, by file.
+    pub fn references(&self, place: &Place) -> Vec<(Arc<str>, Name)> {
+        let db = &self.salsa;
+        let Some(target) = self.find(&place.file) else { return Vec::new() };
+        let name = match place.end {
+            0 => target.module(db).rsplit('.').next().unwrap_or_default(),
+            _ => self
+                .text(&place.file)
+                .and_then(|t| t.get(place.start as usize..place.end as usize))
+                .unwrap_or(""),
+        };
+        let mut found = Vec::new();
+        deep(|| {
+            for file in self.files() {
+                let Some(text) = self.find(&file) else { continue };
+                for &item in items(db, text) {
+                    if item.content(db).names.contains(name) {
+                        let names = self.names_of(item).into_iter();
+                        let meant = names.filter(|name| name.declared.as_ref() == Some(place));
+                        found.extend(meant.map(|name| (file.clone(), name)));
+                    }
+                }
+            }
+        });
+        found
+    }
+
+    /// The expressions of the checked program that a range touches, in order of their starts, outer before inner.
+    pub fn expressions(&self, file: &str, range: Range<u32>) -> Vec<Typed> {
+        let Some(text) = self.find(file) else { return Vec::new() };
+        let db = &self.salsa;
+        let mut found: Vec<Typed> = Vec::new();
+        deep(|| {
+            for item in self.items_in(text, range.clone()) {
+                let Some(unit) = unit_of(db, item, self.library) else { continue };
+                let Some((own, base)) = unit.layout.start(id(item)) else { continue };
+                let start = item.start(db);
+                let length = item.content(db).text.len() as u32;
+                let relative = |at: u32| at.saturating_sub(start).min(length) + base;
+                let wanted = Span { file: own, start: relative(range.start), end: relative(range.end) };
+                let all = expressions::touching(&unit.typed, wanted)
+                    .into_iter()
+                    .filter(|typed| typed.start >= base && typed.end <= base + length);
+                found.extend(all.map(|typed| Typed {
+                    start: typed.start - base + start,
+                    end: typed.end - base + start,
+                    ..typed
+                }));
+            }
+        });
+        found.sort_by_key(|typed| (typed.start, u32::MAX - typed.end));
+        found.dedup_by(|b, a| (a.start, a.end) == (b.start, b.end));
+        found
+    }
+
+    /// The smallest expression around an offset.
+    pub fn expression_at(&self, file: &str, offset: u32) -> Option<Typed> {
+        let around = self.expressions(file, offset..offset).into_iter();
+        let around = around.filter(|typed| typed.start <= offset && offset <= typed.end);
+        around.min_by_key(|typed| (typed.end - typed.start, u32::MAX - typed.start))
+    }
+
+    /// Names that can be used at an offset: of the file from the inside out, of the prelude, and of the language. A name that is
+    /// hidden by a nearer one is left out.
+    pub fn visible(&self, file: &str, offset: u32) -> Vec<Visible> {
+        let (Some(text), Some(tokens)) = (self.find(file), self.tokens(file)) else { return Vec::new() };
+        let db = &self.salsa;
+        let content = text.content(db);
+        let mut found: Vec<Visible> = Vec::new();
+        let mut seen = std::collections::HashSet::new();
+        let own: Arc<str> = Arc::from(text.name(db).as_str());
+        for local in scope::visible(&tokens.tokens, offset) {
+            let name = content.get(local.span.start as usize..local.span.end as usize).unwrap_or_default();
+            if !seen.insert(name.to_string()) {
+                continue;
+            }
+            // What the checker knows of it; in a broken text perhaps nothing.
+            let known = self.name_at(file, local.span.start).filter(|known| known.declares);
+            let declared = match local.kind {
+                NameKind::Module => self.name_at(file, local.span.start).and_then(|known| known.declared),
+                _ => Some(Place { file: own.clone(), start: local.span.start, end: local.span.end }),
+            };
+            found.push(Visible {
+                name: name.into(),
+                kind: known.as_ref().map_or(local.kind, |known| known.kind),
+                ty: known.and_then(|known| known.ty),
+                declared,
+                level: Some(local.level),
+            });
+        }
+        let prelude = self.library.prelude(db);
+        if prelude != text {
+            found.extend(self.exports(prelude).into_iter().filter(|v| seen.insert(v.name.to_string())));
+        }
+        for name in builtins::names() {
+            if seen.insert(name.to_string()) {
+                let constant = builtins::constant(name).is_some();
+                let kind = if constant { NameKind::Constant } else { NameKind::Builtin };
+                let ty = builtins::shown(name).map(|shown| Arc::from(shown.to_string()));
+                found.push(Visible { name: name.into(), kind, ty, declared: None, level: None });
+            }
+        }
+        found
+    }
+
+    /// What importers see of a module.
+    pub fn members(&self, module_path: &str) -> Vec<Visible> {
+        match module(&self.salsa, self.library, module_path.to_string()) {
+            Some(text) => self.exports(*text),
+            None => Vec::new(),
+        }
+    }
+
+    fn exports(&self, text: Text) -> Vec<Visible> {
+        let db = &self.salsa;
+        let own: Arc<str> = Arc::from(text.name(db).as_str());
+        let mut found = Vec::new();
+        deep(|| {
+            for &item in items(db, text) {
+                let named =
+                    matches!(item.kind(db), ItemKind::Function | ItemKind::Extern | ItemKind::Declaration);
+                if !named || item.private(db) {
+                    continue;
+                }
+                let start = item.start(db);
+                let name = relative_names(db, item, self.library)
+                    .iter()
+                    .find(|name| name.target == RelativeTarget::In(id(item), name.start, name.end));
+                found.extend(name.map(|name| Visible {
+                    name: name.text.clone(),
+                    kind: name.kind,
+                    ty: name.ty.clone(),
+                    declared: Some(Place {
+                        file: own.clone(),
+                        start: start + name.start,
+                        end: start + name.end,
+                    }),
+                    level: None,
+                }));
+            }
+        });
+        found
+    }
+
+    /// The exported declarations of this name of any module that is known: module and place.
+    pub fn exported(&self, name: &str) -> Vec<(String, Visible)> {
+        let db = &self.salsa;
+        let mut found = Vec::new();
+        for (path, text) in self.library.modules(db) {
+            if super::items::declared(db, *text).contains_key(name) {
+                let all = self.exports(*text).into_iter().filter(|visible| &*visible.name == name);
+                found.extend(all.map(|visible| (path.clone(), visible)));
+            }
+        }
+        found
+    }
+
+    /// What the declaration of a name says. `place` is that of the name.
+    pub fn declaration(&self, place: &Place) -> Option<Declaration> {
+        let text = self.text(&place.file)?;
+        let tree = self.tree(&place.file)?;
+        let (item, found) = declared::find(&tree.module, place.start)?;
+        let name = self.name_at(&place.file, place.start).filter(|name| name.start == place.start);
+        let kind = match (&name, found) {
+            (Some(name), _) => name.kind,
+            (None, found) => written_kind(found),
+        };
+        let of = match found {
+            Declared::Statement(statement) => statement.span,
+            _ => item.span,
+        };
+        let doc = match (kind, declared::doc(found)) {
+            (NameKind::Module, _) => None,
+            (_, doc) => doc.map(str::to_string),
+        };
+        Some(Declaration {
+            kind,
+            name: text.get(place.start as usize..place.end as usize)?.into(),
+            header: declared::header(found, text),
+            doc,
+            ty: name.and_then(|name| name.ty),
+            item: Place { file: place.file.clone(), start: of.start, end: of.end },
+        })
+    }
+
+    /// What a module says of itself.
+    pub fn module_doc(&self, file: &str) -> Option<String> {
+        self.tree(file)?.module.doc.clone()
+    }
+
+    /// How a function of the language is called.
+    pub fn builtin(&self, name: &str) -> Option<Callable> {
+        builtins::callable(name)
+    }
+
+    /// How the function or record that is declared at a place is called.
+    pub fn callable(&self, place: &Place) -> Option<Callable> {
+        let db = &self.salsa;
+        let text = self.find(&place.file)?;
+        let content = text.content(db);
+        let tree = self.tree(&place.file)?;
+        let (_, Declared::Statement(statement)) = declared::find(&tree.module, place.start)? else {
+            return None;
+        };
+        let item = deep(|| self.items_in(text, place.start..place.start)).into_iter().next()?;
+        let unit = deep(|| unit_of(db, item, self.library));
+        // To places in the unit's excerpt.
+        let base = unit.and_then(|unit| unit.layout.start(id(item)));
+        let moved = |span: Span| {
+            let (file, base) = base.unwrap_or_default();
+            let by = |at: u32| (at + base).saturating_sub(item.start(db));
+            Span { file, start: by(span.start), end: by(span.end) }
+        };
+        let dimension = |span: Span| unit?.meanings.dimension_at(&unit?.typed, moved(span));
+        let slice = |span: Span| content.get(span.start as usize..span.end as usize).map(str::to_string);
+        let at = |span: Span| Some(Place { file: place.file.clone(), start: span.start, end: span.end });
+        let mut callable = Callable {
+            name: content.get(place.start as usize..place.end as usize)?.into(),
+            kind: NameKind::Function,
+            doc: statement.doc.clone(),
+            parameters: Vec::new(),
+            open: false,
+            result: None,
+            demands: Vec::new(),
+            declared: Some(place.clone()),
+        };
+        match &statement.kind {
+            StmtKind::Function(decl) => {
+                let shown = match &decl.body {
+                    FunctionBody::Extern { .. } => {
+                        callable.kind = NameKind::Extern;
+                        extern_scheme(db, item)
+                    }
+                    body => {
+                        if matches!(body, FunctionBody::Symbolic(_)) {
+                            callable.kind = NameKind::SymbolicFunction;
+                        }
+                        let function = unit.and_then(|unit| unit.meanings.function_at(moved(decl.name.span)));
+                        function.and_then(|function| unit?.meanings.scheme(function)).cloned()
+                    }
+                };
+                let shown = shown.unwrap_or_default();
+                callable.result = shown.result;
+                callable.demands = shown.demands;
+                for (index, parameter) in decl.parameters.iter().enumerate() {
+                    let (bind, value) = match &parameter.default {
+                        Some((bind, value)) => (*bind, value.as_ref()),
+                        None => (Bind::Evaluate, None),
+                    };
+                    callable.parameters.push(CallParameter {
+                        name: parameter.name.name.as_str().into(),
+                        mode: parameter.mode,
+                        symbolic: bind == Bind::Symbolic,
+                        ty: shown.parameters.get(index).map(|(_, _, ty)| ty.clone()).unwrap_or_default(),
+                        dimension: dimension(parameter.name.span),
+                        default: value.and_then(|value| slice(value.span)),
+                        range: declared::range(parameter.domain.as_ref(), content),
+                        choices: declared::choices(parameter.domain.as_ref()),
+                        doc: parameter.doc.clone(),
+                        declared: at(parameter.name.span),
+                    });
+                }
+            }
+            StmtKind::Record(decl) => {
+                callable.kind = NameKind::Record;
+                callable.result = Some(decl.name.name.clone());
+                for field in &decl.fields {
+                    let meaning = unit.and_then(|unit| unit.meanings.at(&unit.typed, moved(field.name.span)));
+                    callable.parameters.push(CallParameter {
+                        name: field.name.name.as_str().into(),
+                        mode: Mode::In,
+                        symbolic: false,
+                        ty: meaning.and_then(|meaning| meaning.ty).unwrap_or_default(),
+                        dimension: dimension(field.name.span),
+                        default: field.default.as_ref().and_then(|value| slice(value.span)),
+                        range: None,
+                        choices: Vec::new(),
+                        doc: field.doc.clone(),
+                        declared: at(field.name.span),
+                    });
+                }
+            }
+            _ => return None,
+        }
+        Some(callable)
+    }
+}
+
+/// What a declaration declares, by its text alone.
+fn written_kind(found: Declared<'_>) -> NameKind {
+    match found {
+        Declared::Variable(_, decl) => match decl.init {
+            Some((Bind::Symbolic, _)) => NameKind::Symbolic,
+            _ => NameKind::Variable,
+        },
+        Declared::Parameter(..) => NameKind::Parameter,
+        Declared::Field(..) => NameKind::Field,
+        Declared::Caught(_) => NameKind::Variable,
+        Declared::Statement(statement) => match &statement.kind {
+            StmtKind::Function(decl) => match decl.body {
+                FunctionBody::Statement(_) => NameKind::Function,
+                FunctionBody::Symbolic(_) => NameKind::SymbolicFunction,
+                FunctionBody::Extern { .. } => NameKind::Extern,
+            },
+            StmtKind::Record(_) => NameKind::Record,
+            StmtKind::Param(_) => NameKind::Param,
+            StmtKind::Output { .. } => NameKind::Output,
+            StmtKind::Const { .. } => NameKind::Const,
+            StmtKind::Dimension { .. } => NameKind::Dimension,
+            StmtKind::Unit(_) => NameKind::Unit,
+            _ => NameKind::Module,
+        },
+    }
+}

@@ -1,0 +1,181 @@
+//! Finds the declaration of a name in a syntax tree, and what its text says of it.
+
+use crate::ast::{
+    Domain, Expr, FunctionBody, FunctionDecl, Ident, Module, Parameter, RecordDecl, RecordField, Stmt,
+    StmtKind, StringPart, VarDecl,
+};
+use crate::span::Span;
+
+/// A declaration in a tree.
+#[derive(Clone, Copy, Debug)]
+pub enum Declared<'t> {
+    /// A function, record, param, output, constant, dimension, unit or import.
+    Statement(&'t Stmt),
+    Variable(&'t Stmt, &'t VarDecl),
+    Parameter(&'t FunctionDecl, &'t Parameter),
+    Field(&'t RecordDecl, &'t RecordField),
+    /// What `catch` receives.
+    Caught(&'t Stmt),
+}
+
+/// The declaration whose name starts at an offset, and the top-level statement it lies in.
+pub fn find(module: &Module, offset: u32) -> Option<(&Stmt, Declared<'_>)> {
+    let after = module.statements.partition_point(|statement| statement.span.start <= offset);
+    let item = module.statements.get(after.checked_sub(1)?)?;
+    Some((item, within(item, offset)?))
+}
+
+fn within(statement: &Stmt, offset: u32) -> Option<Declared<'_>> {
+    let here = |name: &Ident| name.span.start == offset;
+    match &statement.kind {
+        StmtKind::Function(decl) => {
+            if here(&decl.name) {
+                return Some(Declared::Statement(statement));
+            }
+            let parameter = decl.parameters.iter().find(|parameter| here(&parameter.name));
+            parameter.map(|parameter| Declared::Parameter(decl, parameter)).or_else(|| match &decl.body {
+                FunctionBody::Statement(body) => within(body, offset),
+                _ => None,
+            })
+        }
+        StmtKind::Record(decl) if !here(&decl.name) => {
+            let field = decl.fields.iter().find(|field| here(&field.name))?;
+            Some(Declared::Field(decl, field))
+        }
+        StmtKind::Var(decls) => {
+            let decl = decls.iter().find(|decl| here(&decl.name))?;
+            Some(Declared::Variable(statement, decl))
+        }
+        StmtKind::Try { error: Some(error), .. } if here(error) => Some(Declared::Caught(statement)),
+        _ if name_of(statement).is_some_and(here) => Some(Declared::Statement(statement)),
+        _ => {
+            let inner = children(statement).into_iter();
+            inner.filter(|s| s.span.start <= offset && offset < s.span.end).find_map(|s| within(s, offset))
+        }
+    }
+}
+
+/// The name that a statement declares, if it declares one.
+pub fn name_of(statement: &Stmt) -> Option<&Ident> {
+    match &statement.kind {
+        StmtKind::Function(decl) => Some(&decl.name),
+        StmtKind::Record(decl) => Some(&decl.name),
+        StmtKind::Unit(decl) => Some(&decl.name),
+        StmtKind::Param(decl) => Some(&decl.name),
+        StmtKind::Output { name, .. } | StmtKind::Const { name, .. } | StmtKind::Dimension { name, .. } => {
+            Some(name)
+        }
+        StmtKind::Import(path) => path.last(),
+        _ => None,
+    }
+}
+
+/// The statements directly inside a statement, in order of place.
+pub fn children(statement: &Stmt) -> Vec<&Stmt> {
+    match &statement.kind {
+        StmtKind::Block(all) => all.iter().collect(),
+        StmtKind::If { then, otherwise, .. } => {
+            [Some(then), otherwise.as_ref()].into_iter().flatten().map(|inner| &**inner).collect()
+        }
+        StmtKind::While { body, .. }
+        | StmtKind::DoWhile { body, .. }
+        | StmtKind::Switch { body, .. }
+        | StmtKind::Case { statement: body, .. }
+        | StmtKind::Default(body)
+        | StmtKind::Label { statement: body, .. } => vec![body],
+        StmtKind::For { init, step, body, .. } => vec![init, step, body],
+        StmtKind::Try { body, handler, .. } => vec![body, handler],
+        StmtKind::Function(FunctionDecl { body: FunctionBody::Statement(body), .. }) => vec![body],
+        _ => Vec::new(),
+    }
+}
+
+/// The text of a declaration without what is inside it.
+pub fn header(declared: Declared<'_>, text: &str) -> String {
+    let slice = |start: u32, end: u32| text.get(start as usize..end as usize).unwrap_or_default();
+    match declared {
+        Declared::Statement(statement) => {
+            let end = match &statement.kind {
+                StmtKind::Function(FunctionDecl { body: FunctionBody::Statement(body), .. }) => {
+                    body.span.start
+                }
+                _ => statement.span.end,
+            };
+            slice(statement.span.start, end).trim_end().trim_end_matches(';').to_string()
+        }
+        Declared::Variable(_, decl) => match &decl.init {
+            Some((_, value)) => format!("var {}", slice(decl.name.span.start, value.span.end)),
+            None => format!("var {}", decl.name.name),
+        },
+        Declared::Parameter(_, parameter) => {
+            let mode = match parameter.mode {
+                crate::ast::Mode::In => "in",
+                crate::ast::Mode::Out => "out",
+                crate::ast::Mode::InOut => "inout",
+            };
+            let ends = [
+                Some(parameter.name.span.end),
+                parameter.annotation.as_ref().map(|annotation| annotation.span.end),
+                parameter.default.as_ref().and_then(|(_, value)| value.as_ref()).map(|value| value.span.end),
+                parameter.domain.as_ref().map(|domain| domain_span(domain).end),
+            ];
+            let end = ends.into_iter().flatten().max().unwrap_or_default();
+            format!("{mode} {}", slice(parameter.name.span.start, end))
+        }
+        Declared::Field(record, field) => {
+            let ends = [
+                Some(field.name.span.end),
+                field.annotation.as_ref().map(|annotation| annotation.span.end),
+                field.default.as_ref().map(|value| value.span.end),
+            ];
+            let end = ends.into_iter().flatten().max().unwrap_or_default();
+            format!("{}.{}", record.name.name, slice(field.name.span.start, end))
+        }
+        Declared::Caught(_) => "catch (Error)".into(),
+    }
+}
+
+/// The `///` text of a declaration.
+pub fn doc(declared: Declared<'_>) -> Option<&str> {
+    match declared {
+        Declared::Statement(statement) | Declared::Variable(statement, _) => statement.doc.as_deref(),
+        Declared::Parameter(_, parameter) => parameter.doc.as_deref(),
+        Declared::Field(_, field) => field.doc.as_deref(),
+        Declared::Caught(_) => None,
+    }
+}
+
+fn domain_span(domain: &Domain) -> Span {
+    match domain {
+        Domain::Range { span, .. } | Domain::Choices { span, .. } => *span,
+    }
+}
+
+/// The ends of a range as written.
+pub fn range(domain: Option<&Domain>, text: &str) -> Option<String> {
+    let Some(Domain::Range { low, high, .. }) = domain else { return None };
+    let slice = |e: &Option<Expr>| {
+        let e = e.as_ref()?;
+        text.get(e.span.start as usize..e.span.end as usize)
+    };
+    let ends = format!("{} .. {}", slice(low).unwrap_or_default(), slice(high).unwrap_or_default());
+    Some(ends.trim().to_string())
+}
+
+/// The strings that are allowed.
+pub fn choices(domain: Option<&Domain>) -> Vec<String> {
+    let Some(Domain::Choices { values, .. }) = domain else { return Vec::new() };
+    values.iter().filter_map(plain_string).collect()
+}
+
+/// The text of a string without interpolated values.
+pub fn plain_string(e: &Expr) -> Option<String> {
+    match &e.kind {
+        crate::ast::ExprKind::String(parts) => match parts.as_slice() {
+            [] => Some(String::new()),
+            [StringPart::Text(text)] => Some(text.clone()),
+            _ => None,
+        },
+        _ => None,
+    }
+}

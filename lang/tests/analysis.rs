@@ -1,0 +1,215 @@
+//! What editors ask of checked texts, over the examples and the library: names are found, declared where they say, and seen.
+
+#[path = "support/library.rs"]
+mod library;
+
+use calyx_lang::analysis::{Name, NameKind, Place};
+use calyx_lang::db::Database;
+use calyx_lang::lexer::Kind;
+use library::{Library, folder};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+fn models(below: &Path, found: &mut Vec<PathBuf>) {
+    for entry in fs::read_dir(below).expect("examples").flatten() {
+        let path = entry.path();
+        if path.is_dir() {
+            models(&path, found);
+        } else if path.extension().is_some_and(|extension| extension == "cx") {
+            found.push(path);
+        }
+    }
+}
+
+fn examples() -> Vec<(String, Database)> {
+    let mut paths = Vec::new();
+    models(&folder("../examples"), &mut paths);
+    let loader = Library::read();
+    let load = |path: &PathBuf| {
+        let (name, text) = (path.display().to_string(), fs::read_to_string(path).expect("a model"));
+        (name.clone(), database(&name, &text, &loader))
+    };
+    paths.iter().map(load).collect()
+}
+
+fn database(name: &str, text: &str, loader: &Library) -> Database {
+    let mut database = Database::new(loader);
+    database.set_model(name, text);
+    database.load_imports(name, loader);
+    database
+}
+
+fn of(text: &str) -> Database {
+    database("a.cx", text, &Library::read())
+}
+
+fn at(text: &str, mark: &str) -> u32 {
+    text.find(mark).unwrap_or_else(|| panic!("{mark}")) as u32
+}
+
+#[test]
+fn every_identifier_of_the_examples_is_known() {
+    for (file, database) in examples() {
+        for file in database.files().iter().map(|file| &**file).chain([file.as_str()]) {
+            let text = database.text(file).expect("a text");
+            let names = database.names(file);
+            for token in &database.tokens(file).expect("tokens").tokens {
+                let word = &text[token.span.start as usize..token.span.end as usize];
+                let known = names.binary_search_by_key(&token.span.start, |name| name.start).is_ok();
+                // Types that the language has are no names of the program, nor are systems of units and words of `extern`.
+                let own = |word: &str| {
+                    word.starts_with(char::is_uppercase) || word.contains("_s") || word == "pure"
+                };
+                let of_extern = matches!(word, "scene" | "effect" | "SI");
+                if token.kind == Kind::Identifier && !own(word) && !of_extern {
+                    assert!(known, "{file}: `{word}` at {}", token.span.start);
+                }
+            }
+            for pair in names.windows(2) {
+                assert!(pair[0].end <= pair[1].start, "{file}: {pair:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn names_are_declared_where_they_say_and_found_from_there() {
+    for (file, database) in examples() {
+        for name in database.names(&file) {
+            let Some(place) = &name.declared else { continue };
+            let target = database.text(&place.file).expect("a text");
+            if name.kind == NameKind::Module {
+                continue;
+            }
+            assert_eq!(&target[place.start as usize..place.end as usize], &*name.text, "{name:?}");
+            let itself = database.name_at(&place.file, place.start).expect("a name");
+            assert!(itself.declares && itself.kind == name.kind, "{name:?} {itself:?}");
+            assert_eq!(itself.ty, name.ty, "{name:?}");
+            let found = database.references(place);
+            assert!(found.iter().any(|(of, found)| **of == *file && *found == name), "{name:?}");
+            assert!(found.iter().any(|(_, found)| found.declares), "{name:?}");
+            let declaration = database.declaration(place).expect("a declaration");
+            assert_eq!(declaration.kind, name.kind);
+            assert!(declaration.header.contains(&*name.text), "{declaration:?}");
+        }
+    }
+}
+
+#[test]
+fn every_name_is_seen_where_it_is_used() {
+    for (file, database) in examples() {
+        for name in database.names(&file) {
+            let part = matches!(name.kind, NameKind::Field | NameKind::Unit | NameKind::Dimension);
+            let elsewhere = name
+                .declared
+                .as_ref()
+                .is_some_and(|place| *place.file != *file && !place.file.ends_with("prelude.cx"));
+            // An argument's name belongs to the call.
+            let argument = name.kind == NameKind::Parameter
+                && database.text(&file).is_some_and(|text| {
+                    let rest = text[name.end as usize..].trim_start();
+                    rest.starts_with('=') || rest.starts_with(":=")
+                });
+            if part || elsewhere || argument || name.declares {
+                continue;
+            }
+            let seen = database.visible(&file, name.start);
+            let found = seen.iter().find(|visible| visible.name == name.text);
+            let found = found.unwrap_or_else(|| panic!("{file}: {name:?} is not seen"));
+            assert_eq!(
+                (found.kind, &found.declared, &found.ty),
+                (name.kind, &name.declared, &name.ty),
+                "{file}: {name:?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn calls_of_the_library_are_described() {
+    let database =
+        of("import gears;\nvar m = gears.material(youngs_modulus = 206 GPa, poissons_ratio = 0.3);\n");
+    let members = database.members("gears");
+    assert!(members.len() > 10);
+    for member in &members {
+        let place = member.declared.clone().expect("a place");
+        if member.kind == NameKind::Extern {
+            let callable = database.callable(&place).expect("callable");
+            assert!(callable.doc.is_some() && callable.result.is_some(), "{callable:?}");
+            for parameter in &callable.parameters {
+                assert!(parameter.doc.is_some() && !parameter.ty.is_empty(), "{callable:?}");
+            }
+        }
+    }
+    let text = database.text("a.cx").expect("a text");
+    let name = database.name_at("a.cx", at(text, "youngs")).expect("an argument");
+    assert_eq!((name.kind, name.ty.as_deref()), (NameKind::Parameter, Some("Pressure")));
+    let typed = database.expression_at("a.cx", at(text, "206")).expect("a number");
+    assert_eq!((typed.ty.as_str(), typed.bare), ("Pressure", false));
+}
+
+#[test]
+fn functions_records_and_fields() {
+    let text = "\
+units mm_N_s;
+/// A plate.
+record Plate {
+    /// How thick.
+    thickness = 3 mm;
+    label: String;
+}
+/// Adds.
+function sum(in a, in b = 2 mm) { var total = a + b; return total; }
+var p = Plate(label = \"x\");
+p.thickness = 5;
+print(sum(p.thickness), p.label);
+";
+    let database = of(text);
+    assert_eq!(database.check("a.cx").expect("checked").diagnostics, []);
+    let name = |mark: &str| database.name_at("a.cx", at(text, mark)).unwrap_or_else(|| panic!("{mark}"));
+    let field = name("thickness = 5");
+    assert!(field.writes || name("p.thickness = 5").writes);
+    assert_eq!((field.kind, field.ty.as_deref()), (NameKind::Field, Some("Length")));
+    assert_eq!(name("label = \"x").declared, name("label: String").declared);
+    let sum = name("sum(p").declared.expect("a place");
+    let callable = database.callable(&sum).expect("callable");
+    assert_eq!(callable.doc.as_deref(), Some("Adds."));
+    assert_eq!(callable.result.as_deref(), Some("Length"));
+    let parameters: Vec<_> =
+        callable.parameters.iter().map(|p| (&*p.name, p.ty.as_str(), p.default.as_deref())).collect();
+    assert_eq!(parameters, [("a", "Length", None), ("b", "Length", Some("2 mm"))]);
+    let record = database.callable(&name("Plate(").declared.expect("a place")).expect("callable");
+    assert_eq!(record.parameters[0].doc.as_deref(), Some("How thick."));
+    assert_eq!(record.parameters[1].ty, "String");
+    let bare = database.expression_at("a.cx", at(text, "5;")).expect("a number");
+    assert!(bare.bare && bare.ty == "Length");
+    assert_eq!(database.declaration(&sum).expect("declared").header, "function sum(in a, in b = 2 mm)");
+}
+
+#[test]
+fn broken_texts_have_scopes() {
+    let text = "var size = 2;\nfunction f(in width, out depth) {\n  var half = width/2;\n  for (var i = 0; i < 3; i = i + 1) {\n    var here = ha";
+    let names: Vec<String> = of(text)
+        .visible("a.cx", text.len() as u32)
+        .iter()
+        .take(6)
+        .map(|v| format!("{} {:?}", v.name, v.level))
+        .collect();
+    assert_eq!(
+        names,
+        ["i Some(0)", "half Some(1)", "depth Some(1)", "width Some(1)", "f Some(2)", "size Some(2)"]
+    );
+}
+
+#[test]
+fn references_cross_files() {
+    let text = "import gears;\nvar a = gears.rack(module = 2 mm, tip_radius = 0.5 mm);\nvar b = gears.rack(module = 3 mm, tip_radius = 0.5 mm);\nprint(1);\n";
+    let database = of(text);
+    let rack = database.name_at("a.cx", at(text, "rack")).and_then(|name| name.declared).expect("a place");
+    let found: Vec<(String, Name)> =
+        database.references(&rack).into_iter().map(|(file, name)| (file.to_string(), name)).collect();
+    assert_eq!(found.iter().filter(|(file, _)| file == "a.cx").count(), 2);
+    assert!(found.iter().any(|(file, name)| file.ends_with("gears.cx") && name.declares));
+    let module = Place { file: rack.file, start: 0, end: 0 };
+    assert_eq!(database.references(&module).len(), 3);
+}
