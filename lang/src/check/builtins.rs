@@ -128,8 +128,11 @@ impl Builtin {
     }
 }
 
+/// Name, parameters with their types, whether it is open, result.
+type ShownBuiltin = (&'static str, &'static [(&'static str, &'static str)], bool, Option<&'static str>);
+
 /// Parameters and results of the functions that no table row types; the last parameter of an open one may be repeated.
-const SHOWN: &[(&str, &[(&str, &str)], bool, Option<&str>)] = &[
+const SHOWN: &[ShownBuiltin] = &[
     ("min", &[("a", "a"), ("b", "a")], true, Some("a")),
     ("max", &[("a", "a"), ("b", "a")], true, Some("a")),
     ("sqrt", &[("x", "a")], false, Some("a^(1/2)")),

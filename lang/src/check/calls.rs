@@ -11,6 +11,9 @@ use crate::diagnostic::Diagnostic;
 use crate::span::Span;
 use std::collections::HashMap;
 
+/// The argument of each parameter, and the fields of records among the arguments by name.
+pub(super) type Given<'a> = (Vec<Option<&'a ast::Argument>>, HashMap<String, Expr>);
+
 impl<'a> Checker<'a> {
     pub(super) fn call(&mut self, callee: &'a ast::Expr, arguments: &'a [ast::Argument], span: Span) -> Expr {
         let name = match &callee.kind {
@@ -342,7 +345,7 @@ impl<'a> Checker<'a> {
         decl: &ast::FunctionDecl,
         arguments: &'a [ast::Argument],
         span: Span,
-    ) -> Option<(Vec<Option<&'a ast::Argument>>, HashMap<String, Expr>)> {
+    ) -> Option<Given<'a>> {
         let places = decl.parameters.iter().map(|p| (p.name.name.clone(), p.name.span));
         note_arguments(&mut self.named_parts, places, arguments);
         let names: Vec<&str> = decl.parameters.iter().map(|p| p.name.name.as_str()).collect();
