@@ -45,14 +45,16 @@ struct Ahead {
     forced: bool,
 }
 
-pub(super) fn lay_out(items: &[Item<'_>], width: usize) -> String {
+/// The text in lines of a width, all but the first indented by so many columns at least; the first is to stand behind
+/// as many.
+pub(super) fn lay_out(items: &[Item<'_>], width: usize, indent: usize) -> String {
     let ahead = look_ahead(items);
     let mut page = Page {
         out: String::new(),
-        column: 0,
+        column: indent,
         pending: Pending::Nothing,
-        indent: 0,
-        pending_indent: 0,
+        indent,
+        pending_indent: indent,
         after_open: true,
     };
     // How the groups around the item are laid out; `None` is in one line.
@@ -253,18 +255,18 @@ mod tests {
 
     #[test]
     fn a_group_that_fits_stays_in_its_line() {
-        assert_eq!(lay_out(&list(Breaks::All), 80), "f(one, two, three, four);\n");
+        assert_eq!(lay_out(&list(Breaks::All), 80, 0), "f(one, two, three, four);\n");
     }
 
     #[test]
     fn what_follows_a_group_must_fit_too() {
-        assert_eq!(lay_out(&list(Breaks::All), 25), "f(one, two, three, four);\n");
-        assert_eq!(lay_out(&list(Breaks::All), 24), "f(\n    one,\n    two,\n    three,\n    four);\n");
+        assert_eq!(lay_out(&list(Breaks::All), 25, 0), "f(one, two, three, four);\n");
+        assert_eq!(lay_out(&list(Breaks::All), 24, 0), "f(\n    one,\n    two,\n    three,\n    four);\n");
     }
 
     #[test]
     fn a_filled_group_breaks_where_it_must() {
-        assert_eq!(lay_out(&list(Breaks::Filled), 16), "f(one, two,\n    three,\n    four);\n");
+        assert_eq!(lay_out(&list(Breaks::Filled), 16, 0), "f(one, two,\n    three,\n    four);\n");
     }
 
     #[test]
@@ -284,7 +286,7 @@ mod tests {
             Item::Dedent,
             Item::Text("}"),
         ];
-        assert_eq!(lay_out(&items, 80), "{\n    a // why\n\n    b\n}\n");
+        assert_eq!(lay_out(&items, 80, 0), "{\n    a // why\n\n    b\n}\n");
     }
 
     #[test]
@@ -300,6 +302,6 @@ mod tests {
             Item::Close,
             Item::Close,
         ];
-        assert_eq!(lay_out(&items, 80), "a\nb\nc\n");
+        assert_eq!(lay_out(&items, 80, 0), "a\nb\nc\n");
     }
 }

@@ -10,13 +10,14 @@ mod expressions;
 mod printer;
 mod statements;
 
-use crate::ast::StmtKind;
+use crate::ast::{Module, StmtKind};
 use crate::deep::deep;
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::lexer::{self, Kind, Tokens};
 use crate::parser;
 use crate::span::{FileId, Span};
 use printer::Printer;
+use std::collections::BTreeSet;
 use std::ops::Range;
 
 /// Columns of a line, as far as it can be broken.
@@ -40,8 +41,21 @@ pub struct Edit {
 
 /// The text of a file in its canonical layout.
 pub fn format(text: &str) -> Result<String, NotFormatted> {
+    format_in(text, &Place::default())
+}
+
+/// Where a part of a file stands: what its layout depends on beside its own text.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Place {
+    /// Units that the file declares in another part.
+    pub units: BTreeSet<String>,
+    /// Columns before its lines.
+    pub indent: usize,
+}
+
+fn format_in(text: &str, place: &Place) -> Result<String, NotFormatted> {
     let tokens = lexer::lex(FileId(0), text);
-    let formatted = lay_out(text, &tokens)?;
+    let formatted = lay_out(text, &tokens, place)?;
     let again = lexer::lex(FileId(0), &formatted);
     if meaning(text, &tokens) == meaning(&formatted, &again) {
         Ok(formatted)
@@ -50,18 +64,42 @@ pub fn format(text: &str) -> Result<String, NotFormatted> {
     }
 }
 
-/// The changes that [`format()`] makes between two bytes of a text, for editors that format a selection.
+/// The changes that [`format()`] makes between two bytes of a text.
 pub fn format_range(text: &str, range: Range<u32>) -> Result<Vec<Edit>, NotFormatted> {
     let formatted = format(text)?;
-    let (before, after) = (pieces(text), pieces(&formatted));
+    let mut edits = edits(text, &formatted)?;
+    edits.retain(|edit| edit.span.start <= range.end && range.start <= edit.span.end);
+    Ok(edits)
+}
+
+/// The changes that lay out a part of a file, whatever the rest of it is like. The part begins and ends with statements
+/// or comments; changes are counted from its beginning, and none is before its first or behind its last word.
+pub fn format_part(part: &str, place: &Place) -> Result<Vec<Edit>, NotFormatted> {
+    let formatted = format_in(part, place)?;
+    let mut edits = edits(part, &formatted)?;
+    edits.retain(|edit| edit.span.start > 0 && (edit.span.end as usize) < part.len());
+    Ok(edits)
+}
+
+/// The units that a file declares, which are laid out like those of the language.
+pub fn declared_units(module: &Module) -> BTreeSet<String> {
+    let units = module.statements.iter().filter_map(|statement| match &statement.kind {
+        StmtKind::Unit(unit) => Some(unit.name.name.clone()),
+        _ => None,
+    });
+    units.collect()
+}
+
+/// What has to change between the words of a text to make another with the same words.
+fn edits(text: &str, formatted: &str) -> Result<Vec<Edit>, NotFormatted> {
+    let (before, after) = (pieces(text), pieces(formatted));
     if before.len() != after.len() {
         return Err(NotFormatted::WouldChange);
     }
     let mut edits = Vec::new();
     let mut change = |old: Range<u32>, new: Range<u32>| {
-        let replacement = slice(&formatted, new.start, new.end);
-        if slice(text, old.start, old.end) != replacement && old.start <= range.end && range.start <= old.end
-        {
+        let replacement = slice(formatted, new.start, new.end);
+        if slice(text, old.start, old.end) != replacement {
             let span = Span::new(FileId(0), old.start as usize, old.end as usize);
             edits.push(Edit { span, replacement: replacement.into() });
         }
@@ -72,7 +110,7 @@ pub fn format_range(text: &str, range: Range<u32>) -> Result<Vec<Edit>, NotForma
         // One piece, or several where a separator went before a comment.
         let length = (1..=before.len() - index).find(|length| {
             let run = index..index + length;
-            same_words(text, &before[run.clone()], &formatted, &after[run])
+            same_words(text, &before[run.clone()], formatted, &after[run])
         });
         let Some(length) = length else { return Err(NotFormatted::WouldChange) };
         let last = index + length - 1;
@@ -111,20 +149,17 @@ fn slice(text: &str, from: u32, to: u32) -> &str {
     text.get(from as usize..to as usize).unwrap_or_default()
 }
 
-fn lay_out(text: &str, tokens: &Tokens) -> Result<String, NotFormatted> {
+fn lay_out(text: &str, tokens: &Tokens, place: &Place) -> Result<String, NotFormatted> {
     let (module, diagnostics) = parser::parse_tokens(FileId(0), text, tokens);
     let errors: Vec<_> = diagnostics.into_iter().filter(|d| d.severity == Severity::Error).collect();
     if !errors.is_empty() {
         return Err(NotFormatted::Errors(errors));
     }
-    let units = module.statements.iter().filter_map(|statement| match &statement.kind {
-        StmtKind::Unit(unit) => Some(unit.name.name.clone()),
-        _ => None,
-    });
-    let mut printer = Printer::new(text, tokens, units.collect());
+    let units = &declared_units(&module) | &place.units;
+    let mut printer = Printer::new(text, tokens, units);
     deep(|| printer.file(&module));
     let items = printer.finish().ok_or(NotFormatted::WouldChange)?;
-    Ok(document::lay_out(&items, WIDTH))
+    Ok(document::lay_out(&items, WIDTH, place.indent))
 }
 
 /// A token or a comment as far as it counts.

@@ -1,5 +1,15 @@
 //! Questions about a snapshot of the texts, one file a feature.
 
+pub mod folding;
+pub mod formatting;
+pub mod fuzzy;
+mod lines;
+pub mod selection;
+pub mod source;
+pub mod symbols;
+pub mod typing;
+mod walk;
+
 use calyx_lang::db::Database;
 use std::sync::Arc;
 

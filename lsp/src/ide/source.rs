@@ -1,0 +1,55 @@
+//! One file as features of its structure need it: text, tokens and tree together.
+
+use calyx_lang::db::Parsed;
+use calyx_lang::lexer::{self, Token, Tokens};
+use calyx_lang::parser;
+use calyx_lang::span::FileId;
+use std::sync::Arc;
+
+/// A file of a snapshot. All places in it are bytes of `text`.
+#[derive(Clone)]
+pub struct Source {
+    pub text: Arc<str>,
+    pub tokens: Arc<Tokens>,
+    pub tree: Arc<Parsed>,
+}
+
+impl Source {
+    /// A text that belongs to no database.
+    pub fn new(text: &str) -> Source {
+        let tokens = lexer::lex(FileId(0), text);
+        let (module, diagnostics) = parser::parse_tokens(FileId(0), text, &tokens);
+        Source { text: text.into(), tokens: Arc::new(tokens), tree: Arc::new(Parsed { module, diagnostics }) }
+    }
+
+    /// The text between two bytes.
+    pub fn slice(&self, start: u32, end: u32) -> &str {
+        super::lines::slice(&self.text, start, end)
+    }
+
+    /// The text of a token.
+    pub fn word(&self, token: &Token) -> &str {
+        self.slice(token.span.start, token.span.end)
+    }
+
+    /// Index of the first token that ends behind a byte: the one around it, or the next one.
+    pub fn token_after(&self, offset: u32) -> usize {
+        self.tokens.tokens.partition_point(|token| token.span.end <= offset)
+    }
+
+    /// Where the `///` block directly above a byte begins; the byte itself if there is none.
+    pub fn with_documentation(&self, start: u32) -> u32 {
+        let comments = &self.tokens.comments;
+        let mut from = start;
+        let before = comments.partition_point(|comment| comment.span.start < start);
+        for comment in comments.iter().take(before).rev() {
+            let between = self.slice(comment.span.end, from);
+            let directly_above = between.trim().is_empty() && between.matches('\n').count() == 1;
+            if comment.kind != lexer::CommentKind::Doc || !directly_above {
+                break;
+            }
+            from = comment.span.start;
+        }
+        from
+    }
+}

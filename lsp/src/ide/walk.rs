@@ -1,0 +1,232 @@
+//! The nodes of a tree, one under the other, for questions that treat them alike.
+
+use calyx_lang::ast::*;
+use calyx_lang::span::Span;
+
+/// A part of a file that can hold others.
+#[derive(Clone, Copy, Debug)]
+pub enum Node<'t> {
+    Statement(&'t Stmt),
+    Expression(&'t Expr),
+    Argument(&'t Argument),
+    Variable(&'t VarDecl),
+    Parameter(&'t Parameter),
+    Field(&'t RecordField),
+    Domain(&'t Domain),
+    Type(&'t TypeExpr),
+    /// A name that is declared, or a word that is not an expression of its own.
+    Name(&'t Ident),
+}
+
+impl<'t> Node<'t> {
+    /// First and last byte. Of a parameter without `in`, of a spread argument without `..`: the tree does not know where
+    /// these stand.
+    pub fn range(self) -> (u32, u32) {
+        let of = |span: Span| (span.start, span.end);
+        match self {
+            Node::Statement(statement) => of(statement.span),
+            Node::Expression(e) => of(e.span),
+            Node::Domain(Domain::Range { span, .. } | Domain::Choices { span, .. }) => of(*span),
+            Node::Type(ty) => of(ty.span),
+            Node::Name(name) => of(name.span),
+            Node::Argument(argument) => {
+                let start = argument.name.as_ref().map_or(argument.value.span, |(name, _)| name.span).start;
+                (start, argument.value.span.end.max(start))
+            }
+            Node::Variable(_) | Node::Parameter(_) | Node::Field(_) => {
+                let (mut start, mut end) = (u32::MAX, 0);
+                self.children(&mut |child| {
+                    let (from, to) = child.range();
+                    (start, end) = (start.min(from), end.max(to));
+                });
+                (start.min(end), end)
+            }
+        }
+    }
+
+    /// Visits what stands directly under it, in order of place.
+    pub fn children(self, visit: &mut dyn FnMut(Node<'t>)) {
+        match self {
+            Node::Statement(statement) => statement_children(&statement.kind, visit),
+            Node::Expression(e) => expression_children(&e.kind, visit),
+            Node::Argument(argument) => {
+                argument.name.iter().for_each(|(name, _)| visit(Node::Name(name)));
+                visit(Node::Expression(&argument.value));
+            }
+            Node::Variable(variable) => {
+                visit(Node::Name(&variable.name));
+                variable.init.iter().for_each(|(_, value)| visit(Node::Expression(value)));
+            }
+            Node::Parameter(parameter) => {
+                visit(Node::Name(&parameter.name));
+                parameter.annotation.iter().for_each(|ty| visit(Node::Type(ty)));
+                let default = parameter.default.iter().filter_map(|(_, value)| value.as_ref());
+                default.for_each(|value| visit(Node::Expression(value)));
+                parameter.domain.iter().for_each(|domain| visit(Node::Domain(domain)));
+            }
+            Node::Field(field) => {
+                visit(Node::Name(&field.name));
+                field.annotation.iter().for_each(|ty| visit(Node::Type(ty)));
+                field.default.iter().for_each(|value| visit(Node::Expression(value)));
+            }
+            Node::Domain(Domain::Range { low, high, .. }) => {
+                low.iter().chain(high).for_each(|e| visit(Node::Expression(e)));
+            }
+            Node::Domain(Domain::Choices { values, .. }) => {
+                values.iter().for_each(|e| visit(Node::Expression(e)));
+            }
+            Node::Type(ty) => match &ty.kind {
+                TypeKind::Name(_) | TypeKind::Member(..) | TypeKind::Error => {}
+                TypeKind::Apply(_, arguments) => arguments.iter().for_each(|ty| visit(Node::Type(ty))),
+                TypeKind::Product(left, right) | TypeKind::Quotient(left, right) => {
+                    visit(Node::Type(left));
+                    visit(Node::Type(right));
+                }
+                TypeKind::Power(base, ..) => visit(Node::Type(base)),
+            },
+            Node::Name(_) => {}
+        }
+    }
+
+    /// Visits it and everything under it, the outer before the inner.
+    pub fn walk(self, visit: &mut dyn FnMut(Node<'t>)) {
+        visit(self);
+        self.children(&mut |child| child.walk(visit));
+    }
+}
+
+fn statement_children<'t>(kind: &'t StmtKind, visit: &mut dyn FnMut(Node<'t>)) {
+    match kind {
+        StmtKind::Empty | StmtKind::Error | StmtKind::Break | StmtKind::Continue => {}
+        StmtKind::Import(path) => path.iter().for_each(|name| visit(Node::Name(name))),
+        StmtKind::Units(name) | StmtKind::Goto(name) => visit(Node::Name(name)),
+        StmtKind::Param(param) => {
+            visit(Node::Name(&param.name));
+            visit(Node::Expression(&param.default));
+            param.domain.iter().for_each(|domain| visit(Node::Domain(domain)));
+        }
+        StmtKind::Const { name, value } | StmtKind::Output { name, value } => {
+            visit(Node::Name(name));
+            visit(Node::Expression(value));
+        }
+        StmtKind::Record(record) => {
+            visit(Node::Name(&record.name));
+            record.fields.iter().for_each(|field| visit(Node::Field(field)));
+        }
+        StmtKind::Dimension { name, value } => {
+            visit(Node::Name(name));
+            value.iter().for_each(|ty| visit(Node::Type(ty)));
+        }
+        StmtKind::Unit(unit) => {
+            visit(Node::Name(&unit.name));
+            match &unit.meaning {
+                UnitMeaning::Coherent(ty) => visit(Node::Type(ty)),
+                UnitMeaning::Equal(value) => visit(Node::Expression(value)),
+            }
+        }
+        StmtKind::Var(variables) => variables.iter().for_each(|variable| visit(Node::Variable(variable))),
+        StmtKind::Assign { place, value, .. } => {
+            visit(Node::Expression(place));
+            visit(Node::Expression(value));
+        }
+        StmtKind::Expr(e) => visit(Node::Expression(e)),
+        StmtKind::Function(function) => {
+            visit(Node::Name(&function.name));
+            function.parameters.iter().for_each(|parameter| visit(Node::Parameter(parameter)));
+            function.result.iter().for_each(|ty| visit(Node::Type(ty)));
+            match &function.body {
+                FunctionBody::Statement(body) => visit(Node::Statement(body)),
+                FunctionBody::Symbolic(value) => visit(Node::Expression(value)),
+                FunctionBody::Extern { .. } => {}
+            }
+        }
+        StmtKind::Block(statements) => {
+            statements.iter().for_each(|statement| visit(Node::Statement(statement)));
+        }
+        StmtKind::If { condition, then, otherwise } => {
+            visit(Node::Expression(condition));
+            visit(Node::Statement(then));
+            otherwise.iter().for_each(|otherwise| visit(Node::Statement(otherwise)));
+        }
+        StmtKind::While { condition, body } => {
+            visit(Node::Expression(condition));
+            visit(Node::Statement(body));
+        }
+        StmtKind::DoWhile { body, condition } => {
+            visit(Node::Statement(body));
+            visit(Node::Expression(condition));
+        }
+        StmtKind::For { init, condition, step, body } => {
+            visit(Node::Statement(init));
+            condition.iter().for_each(|condition| visit(Node::Expression(condition)));
+            visit(Node::Statement(step));
+            visit(Node::Statement(body));
+        }
+        StmtKind::Switch { value, body } => {
+            visit(Node::Expression(value));
+            visit(Node::Statement(body));
+        }
+        StmtKind::Case { value, statement } => {
+            visit(Node::Expression(value));
+            visit(Node::Statement(statement));
+        }
+        StmtKind::Default(statement) => visit(Node::Statement(statement)),
+        StmtKind::Label { label, statement } => {
+            visit(Node::Name(label));
+            visit(Node::Statement(statement));
+        }
+        StmtKind::Return(value) | StmtKind::Throw(value) => {
+            value.iter().for_each(|value| visit(Node::Expression(value)));
+        }
+        StmtKind::Try { body, error, handler } => {
+            visit(Node::Statement(body));
+            error.iter().for_each(|name| visit(Node::Name(name)));
+            visit(Node::Statement(handler));
+        }
+    }
+}
+
+fn expression_children<'t>(kind: &'t ExprKind, visit: &mut dyn FnMut(Node<'t>)) {
+    match kind {
+        ExprKind::Error | ExprKind::Number(_) | ExprKind::Bool(_) | ExprKind::Name(_) => {}
+        ExprKind::Quantity { unit, .. } => visit(Node::Name(unit)),
+        ExprKind::String(parts) => {
+            for part in parts {
+                if let StringPart::Value(value, format) = part {
+                    visit(Node::Expression(value));
+                    let unit = format.iter().filter_map(|format| format.unit.as_ref());
+                    unit.for_each(|unit| visit(Node::Expression(unit)));
+                }
+            }
+        }
+        ExprKind::Field { base, field } => {
+            visit(Node::Expression(base));
+            visit(Node::Name(field));
+        }
+        ExprKind::Call { callee, arguments } => {
+            visit(Node::Expression(callee));
+            arguments.iter().for_each(|argument| visit(Node::Argument(argument)));
+        }
+        ExprKind::Index { base, index } => {
+            visit(Node::Expression(base));
+            visit(Node::Expression(index));
+        }
+        ExprKind::Unary { operand, .. } => visit(Node::Expression(operand)),
+        ExprKind::Binary { left, right, .. } => {
+            visit(Node::Expression(left));
+            visit(Node::Expression(right));
+        }
+        ExprKind::List(items) => items.iter().for_each(|item| visit(Node::Expression(item))),
+        ExprKind::If { condition, then, otherwise } => {
+            visit(Node::Expression(condition));
+            visit(Node::Expression(then));
+            visit(Node::Expression(otherwise));
+        }
+        ExprKind::At { value, symbol, at } => {
+            visit(Node::Expression(value));
+            visit(Node::Name(symbol));
+            visit(Node::Expression(at));
+        }
+        ExprKind::Paren(inner) => visit(Node::Expression(inner)),
+    }
+}
