@@ -190,6 +190,48 @@ impl ExternalGear {
         2.0 * self.pin_centre_radius(pin_diameter) * odd + pin_diameter
     }
 
+    /// Whether such pins touch the involutes of the flanks beside a space, as a measurement over them supposes.
+    pub fn pin_touches_flanks(&self, pin_diameter: f64) -> bool {
+        let centre = self.roll_at_radius(self.pin_centre_radius(pin_diameter));
+        let touching = centre - 0.5 * pin_diameter / self.base_radius;
+        (self.form_roll..self.tip_roll).contains(&touching)
+    }
+
+    /// Span measurement (base tangent length) over a number of teeth, m.
+    pub fn span(&self, teeth: u32) -> f64 {
+        (f64::from(teeth) - 1.0) * self.base_pitch + 2.0 * self.base_radius * self.half_base_angle
+    }
+
+    /// The number of teeth over which the jaws touch nearest to the middle of the flanks, and the span measurement; `None`
+    /// if for no number they touch involutes.
+    pub fn usual_span(&self) -> Option<(u32, f64)> {
+        let middle = self.roll_at_radius(self.pitch_radius + self.profile_shift() * self.rack.module);
+        // Half the span is the tangent from the base circle to where a jaw touches.
+        let touching = |teeth: u32| 0.5 * self.span(teeth) / self.base_radius;
+        let most = (self.teeth / 2).max(2);
+        let nearest = (middle - touching(1)) * 2.0 * self.base_radius / self.base_pitch + 1.0;
+        let teeth = (nearest.round() as u32).clamp(2, most);
+        (self.form_roll..self.tip_roll).contains(&touching(teeth)).then(|| (teeth, self.span(teeth)))
+    }
+
+    /// Depth below the pitch circle to which the straight flank of the rack cuts, m.
+    fn straight_depth(&self) -> f64 {
+        self.generation.tip_centre_depth + self.rack.tip_radius * math::sin(self.rack.pressure_angle)
+    }
+
+    /// The profile shift, in modules, by which this gear lies above the beginning of undercut, if outer and root diameter
+    /// shift with it. Negative for a gear that is undercut.
+    pub fn undercut_margin(&self) -> f64 {
+        let sine = math::sin(self.rack.pressure_angle);
+        (self.pitch_radius * sine * sine - self.straight_depth()) / self.rack.module
+    }
+
+    /// The number of teeth below which the rack, reaching to the same depth, undercuts; not whole.
+    pub fn undercut_teeth(&self) -> f64 {
+        let sine = math::sin(self.rack.pressure_angle);
+        2.0 * self.straight_depth() / (self.rack.module * sine * sine)
+    }
+
     /// The root of one side of a tooth, from the form circle to the middle of the space.
     pub fn root_fillet(&self, side: Side) -> RootFillet {
         RootFillet::new(self.generation, self.form_inclination, side)
@@ -243,9 +285,6 @@ impl ExternalGear {
     }
 
     fn undercut_warning(&self) -> GeometryError {
-        let (sine, _) = math::sincos(self.rack.pressure_angle);
-        let limit = self.generation.tip_centre_depth + self.rack.tip_radius * sine;
-        let shift = (limit - self.pitch_radius * sine * sine) / self.rack.module;
         GeometryError::warning(
             "E0614",
             "teeth",
@@ -255,7 +294,8 @@ impl ExternalGear {
             ],
             sentence![
                 "use more teeth, or enlarge `profile_shift` (or thickness) and both diameters by a shift of ",
-                number shift, " or more"
+                number - self.undercut_margin(),
+                " or more"
             ],
         )
     }

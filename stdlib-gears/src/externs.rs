@@ -2,7 +2,7 @@
 
 use crate::error::{GeometryError, Severity};
 use crate::external::{ExternalGear, ExternalGearData, check_rim};
-use crate::host::{Finding, ModelHost, Rim, keep};
+use crate::host::{Finding, Meeting, ModelHost, Rim, keep};
 use crate::mesh_geometry::MeshGeometry;
 use crate::modification::{Modification, ReliefShape, TipRelief};
 use crate::mounting::{Mounting, mount_external};
@@ -113,6 +113,7 @@ calyx_abi::externs! {
         host.note(&gear.warnings, place);
         let prototype = GearPrototype::new(gear, modifications, material, rim, face_width, pitch_errors)
             .map_err(|errors| refused(host, &of_modifications(errors), place))?;
+        host.gear_places.push(place);
         Ok(keep(&mut host.gears, Arc::new(prototype)))
     }
 
@@ -155,8 +156,13 @@ calyx_abi::externs! {
         let gears = [body_gear(host, ids[0])?, body_gear(host, ids[1])?];
         let poses = [pose(host, ids[0])?, pose(host, ids[1])?];
         let across = [0, 1].map(|i| poses[1].0.origin[i] - poses[0].0.origin[i]);
+        let center_distance = across[0].hypot(across[1]);
+        // What can touch has a geometry, also where it cannot run.
+        if let Ok(geometry) = MeshGeometry::external(&gears[0].gear, &gears[1].gear, center_distance) {
+            host.meetings.push(Meeting { bodies: ids.map(|id| id.0), geometry, place });
+        }
         let (found, warnings) =
-            MeshGeometry::check_external(&gears[0].gear, &gears[1].gear, across[0].hypot(across[1]))
+            MeshGeometry::check_external(&gears[0].gear, &gears[1].gear, center_distance)
                 .map_err(|errors| refused(host, &errors, place))?;
         host.note(&warnings, place);
         let sense = drive_sense(&host.scene.bodies[ids[0].0], &host.scene.bodies[ids[1].0], poses[0].1);

@@ -1,6 +1,7 @@
 //! What the library keeps for a running model: every gear, rack and material the program made, and the scene.
 
 use crate::error::{GeometryError, Severity};
+use crate::mesh_geometry::MeshGeometry;
 use crate::modification::Modification;
 use crate::prototype::GearPrototype;
 use crate::rack::Rack;
@@ -54,11 +55,15 @@ pub struct ModelHost {
     pub rims: Vec<Rim>,
     pub modifications: Vec<Modification>,
     pub gears: Vec<Arc<GearPrototype>>,
+    /// Places of the calls that made each gear.
+    pub gear_places: Vec<(u32, u32, u32)>,
     /// The gear of each body of the scene, in order.
     pub body_gears: Vec<usize>,
     /// Places of the calls that made each body and each output.
     pub body_places: Vec<(u32, u32, u32)>,
     pub output_places: Vec<(u32, u32, u32)>,
+    /// Pairs of gears that were to mesh, those refused among them.
+    pub meetings: Vec<Meeting>,
     /// Tables that were read, by the file they come from.
     pub tables: Vec<(PathBuf, Table)>,
     pub positions: Vec<Vec<Position>>,
@@ -127,6 +132,15 @@ impl ModelHost {
             .for_each(|other| self.note(std::slice::from_ref(other), place));
         Some(self.told(first, place))
     }
+}
+
+/// Two bodies whose gears meet.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Meeting {
+    pub bodies: [usize; 2],
+    pub geometry: MeshGeometry,
+    /// Place of the call.
+    pub place: (u32, u32, u32),
 }
 
 /// Something an engineer should know, with the place of the call it arose in and the argument to blame.

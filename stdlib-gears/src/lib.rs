@@ -1,5 +1,6 @@
 //! Gears: geometry and tooth meshes in Rust, under a library written in Calyx.
 
+pub mod derived;
 pub mod error;
 pub mod external;
 pub mod externs;

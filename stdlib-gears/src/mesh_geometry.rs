@@ -236,6 +236,11 @@ impl MeshGeometry {
         radius_at_roll(self.base_radius[0], first_roll)
     }
 
+    /// Distance between the root circle of one member and the tip circle of its external mate, m.
+    pub fn clearance(&self, gear: &ExternalGear, mate: &ExternalGear) -> f64 {
+        self.center_distance - gear.root_radius - mate.outer_radius
+    }
+
     /// An external pair that can run: its geometry and warnings, or all that is wrong with it.
     pub fn check_external(
         first: &ExternalGear,
@@ -280,7 +285,7 @@ impl MeshGeometry {
             ));
         }
         for (argument, gear, mate) in [("first", first, second), ("second", second, first)] {
-            let clearance = center_distance - gear.root_radius - mate.outer_radius;
+            let clearance = mesh.clearance(gear, mate);
             if clearance < -ROUNDING_OF_DATA * gear.rack.module {
                 errors.push(GeometryError::error(
                     "E0636",

@@ -1,6 +1,7 @@
 //! Running a program without solving anything, and what that shows.
 
 use crate::diagnostics::{diagnostic, finding_diagnostic};
+use crate::geometry::Geometry;
 use crate::interpreted::Interpreted;
 use crate::nan::{Seen, explain, label, of_default};
 use calyx_abi::context::codes;
@@ -90,6 +91,8 @@ pub struct Elaboration {
     pub runnable: bool,
     /// How the scene would be analysed; `None` if there is nothing to analyse or something is wrong with it.
     pub plan: Option<Plan>,
+    /// What follows from the gears and meshes that were made, also where others are impossible.
+    pub geometry: Geometry,
 }
 
 /// Runs a program without solving anything. It never fails: what is wrong is found, and of several gears one that is
@@ -150,7 +153,7 @@ fn elaborate_with(
         explain(program, given, &seen, &error, diagnostic(&error))
     };
     let mut found: Vec<Diagnostic> = survived.iter().map(at_place).collect();
-    let (mut refused, mut planned) = (None, None);
+    let (mut refused, mut planned, mut geometry) = (None, None, Geometry::default());
     if let Some(host) = context.host::<ModelHost>() {
         // Of a scene that is not complete nobody can say what it would do.
         if ran.is_ok() && survived.is_empty() {
@@ -162,6 +165,7 @@ fn elaborate_with(
                 }
             }
         }
+        geometry = Geometry::of(host);
         found.extend(host.findings.iter().map(|finding| finding_diagnostic(finding, &sites)));
     }
     match ran {
@@ -188,6 +192,7 @@ fn elaborate_with(
         refused,
         runnable: true,
         plan: planned,
+        geometry,
     })
 }
 

@@ -17,13 +17,17 @@
 pub mod check;
 pub mod diagnostics;
 mod elaboration;
+pub mod geometry;
 mod interpreted;
 mod loader;
 pub mod nan;
+pub mod shown;
 
+pub use calyx_gears::derived::{Kind, Quantity};
 pub use check::{Checked, check_file, check_run, check_text, render};
 pub use elaboration::{
     Cancel, Cancelled, Elaboration, FUEL, MEMORY, Params, Refused, elaborate, elaborate_printing,
 };
+pub use geometry::{GearGeometry, Geometry, Made, Membership, MeshGeometry};
 pub use interpreted::{Interpreted, param_function};
 pub use loader::ModelLoader;

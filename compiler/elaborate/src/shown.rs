@@ -1,0 +1,105 @@
+//! Quantities as people read them: rounded, in the unit of the file.
+
+use calyx_abi::units::from_si;
+use calyx_gears::derived::{Kind, Quantity};
+use calyx_gears::host::LengthUnit;
+use calyx_lang::dimension::{Base, Dimension};
+use calyx_lang::ir::DisplayUnit;
+
+/// Significant digits of a derived value: more than any drawing has, fewer than any rounding shows in.
+const DIGITS: i32 = 6;
+
+/// What a derived quantity measures.
+pub fn dimension(kind: Kind) -> Dimension {
+    match kind {
+        Kind::Length => Dimension::of(Base::Length),
+        Kind::Curvature => Dimension::NONE.over(Dimension::of(Base::Length)),
+        Kind::Angle => Dimension::of(Base::Angle),
+        Kind::Number => Dimension::NONE,
+    }
+}
+
+/// The value of a derived quantity with its unit, in a file whose system of units is `system`: lengths as messages about
+/// gears give them (millimetres, or inches), angles in degrees. Lengths are rounded to tenths of a micrometre (hundredths of
+/// a thousandth of an inch), finer than anybody measures and coarser than the rounding of the data shows.
+pub fn value(quantity: &Quantity, system: &str) -> String {
+    let LengthUnit { name, metres } = LengthUnit::of_system(system);
+    match quantity.kind {
+        Kind::Length if metres > 0.01 => format!("{} {name}", fixed(quantity.value / metres, 5)),
+        Kind::Length => format!("{} {name}", fixed(quantity.value / metres, 4)),
+        Kind::Curvature => format!("{} / {name}", rounded(quantity.value * metres)),
+        Kind::Angle => format!("{} deg", fixed(quantity.value.to_degrees(), 4)),
+        Kind::Number => fixed(quantity.value, 4),
+    }
+}
+
+/// A number in SI with a unit, rounded.
+pub fn in_unit(si: f64, unit: &DisplayUnit) -> String {
+    let number = rounded(from_si(si, unit.factor));
+    if unit.name.is_empty() { number } else { format!("{number} {}", unit.name) }
+}
+
+/// A number in six significant digits, without zeros that say nothing.
+pub fn rounded(value: f64) -> String {
+    if value == 0.0 {
+        return "0".into();
+    }
+    if !value.is_finite() {
+        return value.to_string();
+    }
+    let magnitude = value.abs().log10().floor() as i32;
+    if !(-4..9).contains(&magnitude) {
+        let text = format!("{value:.*e}", DIGITS as usize - 1);
+        return match text.split_once('e') {
+            Some((digits, power)) => format!("{}e{power}", without_zeros(digits)),
+            None => text,
+        };
+    }
+    fixed(value, (DIGITS - 1 - magnitude).max(0) as usize)
+}
+
+/// A number with at most so many decimals.
+fn fixed(value: f64, decimals: usize) -> String {
+    let text = format!("{value:.decimals$}");
+    match without_zeros(&text) {
+        "-0" => "0".into(),
+        text => text.to_owned(),
+    }
+}
+
+fn without_zeros(text: &str) -> &str {
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { text }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_have_six_digits_and_no_idle_zeros() {
+        for (value, text) in [
+            (0.0, "0"),
+            (20.0, "20"),
+            (46.984_631_04, "46.9846"),
+            (-0.018_5, "-0.0185"),
+            (1.492_529_98, "1.49253"),
+            (9.999_999_9, "10"),
+            (0.000_012_345_678, "1.23457e-5"),
+            (2.06e11, "2.06e11"),
+            (123_456.7, "123457"),
+            (f64::INFINITY, "inf"),
+        ] {
+            assert_eq!(rounded(value), text);
+        }
+    }
+
+    #[test]
+    fn lengths_are_in_the_unit_of_messages_about_gears() {
+        let quantity = |kind, value| Quantity { kind, value, ..Quantity::default() };
+        assert_eq!(value(&quantity(Kind::Length, 0.0254), "inch_lbf_s"), "1 inch");
+        assert_eq!(value(&quantity(Kind::Length, 0.0254), "SI"), "25.4 mm");
+        assert_eq!(value(&quantity(Kind::Curvature, 1.0 / 0.0025), "mm_N_s"), "0.4 / mm");
+        assert_eq!(value(&quantity(Kind::Angle, 20.0_f64.to_radians()), "SI"), "20 deg");
+        assert_eq!(dimension(Kind::Curvature).known_name(), Some("Curvature"));
+    }
+}

@@ -1,0 +1,204 @@
+//! What follows from the data of a gear and of a mesh, by the terms and symbols of ISO 1122-1 and ISO 21771: for people
+//! who read a model, in the order in which they would ask.
+//!
+//! Every value comes from the geometry that an analysis uses ([`ExternalGear`], [`MeshGeometry`]).
+
+use crate::external::ExternalGear;
+use crate::mesh_geometry::MeshGeometry;
+use crate::modification::Modification;
+use crate::prototype::GearPrototype;
+use crate::rack::Rack;
+
+/// Diameter in modules of the pins that the measurement over pins is given for (the usual 1.728 over diametral pitch).
+pub const PIN: f64 = 1.728;
+
+/// What a quantity measures.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Kind {
+    /// m
+    Length,
+    /// 1/m
+    Curvature,
+    /// rad
+    Angle,
+    #[default]
+    Number,
+}
+
+/// A quantity that follows from what the model says.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Quantity {
+    pub name: &'static str,
+    /// As in formulas: `d_b`, `epsilon_alpha`.
+    pub symbol: &'static str,
+    /// SI.
+    pub value: f64,
+    pub kind: Kind,
+    /// What it is given for, or what it is in modules; empty if the name says all.
+    pub note: String,
+    /// Whether somebody who asks for few values wants this one.
+    pub essential: bool,
+    /// Of a quantity of a mesh: the member it belongs to, 0 for the first; `None` if to both.
+    pub member: Option<usize>,
+}
+
+impl Quantity {
+    fn new(name: &'static str, symbol: &'static str, kind: Kind, value: f64) -> Self {
+        Quantity { name, symbol, value, kind, note: String::new(), essential: true, member: None }
+    }
+
+    fn length(name: &'static str, symbol: &'static str, value: f64) -> Self {
+        Self::new(name, symbol, Kind::Length, value)
+    }
+
+    fn number(name: &'static str, symbol: &'static str, value: f64) -> Self {
+        Self::new(name, symbol, Kind::Number, value)
+    }
+
+    fn angle(name: &'static str, symbol: &'static str, value: f64) -> Self {
+        Self::new(name, symbol, Kind::Angle, value)
+    }
+
+    /// One for those who want to know it all.
+    fn further(self) -> Self {
+        Quantity { essential: false, ..self }
+    }
+
+    fn note(self, note: impl Into<String>) -> Self {
+        Quantity { note: note.into(), ..self }
+    }
+
+    fn in_modules(self, rack: &Rack) -> Self {
+        let modules = self.value / rack.module;
+        if modules.abs() < 0.005 { self } else { self.note(format!("{modules:.2} modules")) }
+    }
+
+    fn of(self, member: usize) -> Self {
+        Quantity { member: Some(member), ..self }
+    }
+}
+
+/// Quantities of a gear.
+pub fn of_gear(prototype: &GearPrototype) -> Vec<Quantity> {
+    let gear = &prototype.gear;
+    let rack = &gear.rack;
+    let [flank, _] = prototype.flanks();
+    let mut all = vec![
+        Quantity::number("number of teeth", "z", f64::from(gear.teeth)),
+        Quantity::length("transverse module", "m_t", rack.module),
+        Quantity::new("diametral pitch", "P", Kind::Curvature, 1.0 / rack.module).further(),
+        Quantity::angle("pressure angle", "alpha_t", rack.pressure_angle).further(),
+        Quantity::length("reference (pitch) diameter", "d", 2.0 * gear.pitch_radius),
+        Quantity::length("base diameter", "d_b", 2.0 * gear.base_radius),
+        Quantity::length("tip (outside) diameter", "d_a", 2.0 * gear.outer_radius),
+        Quantity::length("tip form diameter", "d_Fa", 2.0 * gear.radius_at_roll(flank.edge_roll()))
+            .note("the rounded tip edge begins")
+            .further(),
+        Quantity::length("root diameter", "d_f", 2.0 * gear.root_radius),
+        Quantity::length("root form diameter", "d_Ff", 2.0 * gear.form_radius).note(if gear.undercut {
+            "the involute begins, undercut"
+        } else {
+            "the involute begins"
+        }),
+        Quantity::angle("roll angle at the root form diameter", "xi_Ff", gear.form_roll).further(),
+        Quantity::angle("roll angle at the tip diameter", "xi_a", gear.tip_roll).further(),
+        Quantity::length("base pitch", "p_b", gear.base_pitch).further(),
+        Quantity::length("tooth thickness at the reference circle", "s_t", gear.tooth_thickness),
+        Quantity::length("tooth thickness at the tip", "s_a", gear.tip_thickness()).in_modules(rack),
+        Quantity::length("tooth depth", "h", gear.outer_radius - gear.root_radius).in_modules(rack).further(),
+        Quantity::number("profile shift coefficient", "x", gear.profile_shift())
+            .note("of its tooth thickness"),
+        undercut_margin(gear),
+        Quantity::number("teeth below which this depth is undercut", "z_min", gear.undercut_teeth())
+            .further(),
+        Quantity::length("fillet radius at the root circle", "rho_f", gear.root_fillet_curvature_radius())
+            .in_modules(rack)
+            .further(),
+    ];
+    if let Some((teeth, span)) = gear.usual_span() {
+        all.push(
+            Quantity::length("span measurement", "W_k", span).note(format!("over {teeth} teeth")).further(),
+        );
+    }
+    let pin = PIN * rack.module;
+    if gear.pin_touches_flanks(pin) {
+        let over = Quantity::length("measurement over pins", "M_d", gear.over_pins(pin));
+        all.push(over.note(format!("pins of {PIN} modules")).further());
+    }
+    for modification in &prototype.modifications {
+        if let Modification::TipRelief(relief) = modification {
+            let diameter = 2.0 * gear.radius_at_roll(relief.start_roll);
+            all.push(Quantity::length("diameter at which the tip relief begins", "d_Ca", diameter).further());
+        }
+    }
+    all
+}
+
+fn undercut_margin(gear: &ExternalGear) -> Quantity {
+    let margin = gear.undercut_margin();
+    Quantity::number("profile shift above undercut", "x - x_min", margin).note(if margin < 0.0 {
+        "undercut; by so much more shift it were none"
+    } else {
+        "so much less shift, and undercut begins"
+    })
+}
+
+/// Quantities of a pair of external gears, the first of which the roll angles of `mesh` belong to.
+pub fn of_mesh(gears: [&ExternalGear; 2], mesh: &MeshGeometry) -> Vec<Quantity> {
+    let [first, second] = gears;
+    let distance = mesh.center_distance;
+    let teeth = gears.map(|gear| f64::from(gear.teeth));
+    let reference = first.pitch_radius + second.pitch_radius;
+    let mut all = vec![
+        Quantity::length("centre distance", "a", distance),
+        Quantity::length("reference centre distance", "a_d", reference).further(),
+        Quantity::angle("operating pressure angle", "alpha_wt", mesh.operating_pressure_angle),
+        Quantity::number("transverse contact ratio", "epsilon_alpha", mesh.contact_ratio),
+        Quantity::length("length of the path of contact", "g_alpha", mesh.line_of_action_length).further(),
+        Quantity::number("gear ratio", "u", teeth[1] / teeth[0]).note("second over first"),
+        Quantity::length("circumferential backlash", "j_wt", mesh.backlash).in_modules(&first.rack),
+        Quantity::length("normal backlash", "j_bn", mesh.normal_backlash).further(),
+    ];
+    if let Some(tight) = mesh.zero_backlash_center_distance {
+        all.push(Quantity::length("centre distance without backlash", "a_min", tight).further());
+    }
+    let points = mesh.first_roll;
+    // In the order of the path on each member, from its root to its tip.
+    let rolls = [
+        [points.start_of_active_profile, points.lowest_single_tooth, points.highest_single_tooth],
+        [points.end_of_active_profile, points.highest_single_tooth, points.lowest_single_tooth]
+            .map(|roll| mesh.second_roll(roll)),
+    ];
+    for (member, [start, lowest, highest]) in rolls.into_iter().enumerate() {
+        let (gear, mate) = (gears[member], gears[1 - member]);
+        let diameter = |roll: f64| 2.0 * gear.radius_at_roll(roll.max(0.0));
+        let operating = 2.0 * distance * teeth[member] / (teeth[0] + teeth[1]);
+        let mut own = vec![
+            Quantity::length("operating pitch diameter", "d_w", operating).further(),
+            Quantity::length("tip clearance at the root", "c", mesh.clearance(gear, mate))
+                .in_modules(&gear.rack),
+            Quantity::length("start of active profile, diameter", "d_Nf", diameter(start)),
+            Quantity::length(
+                "active profile above the fillet",
+                "c_F",
+                gear.radius_at_roll(start.max(0.0)) - gear.form_radius,
+            )
+            .further(),
+        ];
+        // Above two, there are always two pairs and more in contact.
+        if (1.0..2.0).contains(&mesh.contact_ratio) {
+            own.push(Quantity::length(
+                "lowest single-tooth contact (LPSTC), diameter",
+                "d_LPSTC",
+                diameter(lowest),
+            ));
+            own.push(Quantity::length(
+                "highest single-tooth contact (HPSTC), diameter",
+                "d_HPSTC",
+                diameter(highest),
+            ));
+        }
+        all.extend(own.into_iter().map(|quantity| quantity.of(member)));
+    }
+    all
+}
