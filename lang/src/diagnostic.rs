@@ -25,6 +25,8 @@ pub struct Diagnostic {
     pub help: Option<String>,
     /// A change that certainly mends it.
     pub fix: Option<Fix>,
+    /// Changes that may be what was meant: offered in editors, never made unasked.
+    pub suggestions: Vec<Fix>,
     /// Of an error of a running program: the calls under way, innermost first.
     pub calls: Vec<Call>,
 }
@@ -53,6 +55,7 @@ impl Diagnostic {
             labels: Vec::new(),
             help: None,
             fix: None,
+            suggestions: Vec::new(),
             calls: Vec::new(),
         }
     }
@@ -73,6 +76,12 @@ impl Diagnostic {
 
     pub fn fix(mut self, title: impl Into<String>, span: Span, replacement: impl Into<String>) -> Self {
         self.fix = Some(Fix { title: title.into(), span, replacement: replacement.into() });
+        self
+    }
+
+    /// Offers a change that may be meant.
+    pub fn suggest(mut self, title: impl Into<String>, span: Span, replacement: impl Into<String>) -> Self {
+        self.suggestions.push(Fix { title: title.into(), span, replacement: replacement.into() });
         self
     }
 }

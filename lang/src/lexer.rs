@@ -435,7 +435,8 @@ impl Lexer<'_> {
     fn foreign_comment(&mut self, start: usize) {
         self.at += 1;
         let span = self.span(start);
-        self.error("E0101", "`#` begins no comment", span, "not part of the language", "write `//`");
+        let problem = Diagnostic::error("E0101", "`#` begins no comment", span, "not part of the language");
+        self.out.diagnostics.push(problem.help("write `//`").fix("write `//`", span, "//"));
         self.at += self.rest().find('\n').unwrap_or(self.rest().len());
     }
 
@@ -475,22 +476,19 @@ impl Lexer<'_> {
                 self.at += 1;
             }
             let span = self.span(start);
-            self.error(
-                "E0105",
-                "this is not a number",
-                span,
-                "malformed",
-                "write numbers as `1250`, `0.15708` or `3e7`",
-            );
+            let mut problem = Diagnostic::error("E0105", "this is not a number", span, "malformed")
+                .help("write numbers as `1250`, `0.15708` or `3e7`");
+            let written = &self.text[start..self.at];
+            if written.bytes().all(|b| b.is_ascii_digit() || b == b'_') && !written.ends_with('_') {
+                let digits = written.replace('_', "");
+                problem = problem.fix(format!("write `{digits}`"), span, digits);
+            }
+            self.out.diagnostics.push(problem);
         } else if self.text[start..self.at].parse::<f64>().is_ok_and(f64::is_infinite) {
             let span = self.span(start);
-            self.error(
-                "E0105",
-                "this number is too large",
-                span,
-                "beyond 1.8e308",
-                "write `inf` for infinity",
-            );
+            let problem = Diagnostic::error("E0105", "this number is too large", span, "beyond 1.8e308");
+            let problem = problem.help("write `inf` for infinity").suggest("write `inf`", span, "inf");
+            self.out.diagnostics.push(problem);
         }
         self.push(Kind::Number, start);
     }
@@ -555,7 +553,8 @@ impl Lexer<'_> {
         let shown: String = self.text[start..self.at].chars().take(10).collect();
         let span = self.span(start);
         let message = format!("`{}` has no meaning here", shown.escape_debug());
-        self.error("E0101", message, span, "not part of the language", "remove it");
+        let problem = Diagnostic::error("E0101", message, span, "not part of the language");
+        self.out.diagnostics.push(problem.help("remove it").suggest("remove it", span, ""));
     }
 
     fn single_quoted(&mut self, start: usize) {
@@ -648,7 +647,10 @@ impl Lexer<'_> {
                 let span = self.span(start);
                 let message = format!("`\\{}` is no escape", other.escape_debug());
                 let help = "the escapes are `\\n`, `\\t`, `\\\"` and `\\\\`; braces are doubled";
-                self.error("E0104", message, span, "unknown escape", help);
+                let problem = Diagnostic::error("E0104", message, span, "unknown escape").help(help);
+                // A path of Windows, or a sign that needs no escape here.
+                let doubled = format!("\\{}", &self.text[start..self.at]);
+                self.out.diagnostics.push(problem.suggest("write `\\\\`", span, doubled));
             }
         }
     }

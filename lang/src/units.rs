@@ -33,7 +33,9 @@ impl Unit {
             let slip = name.len() > 2 && strsim::damerau_levenshtein(spelling, name) == 1;
             strsim::jaro_winkler(spelling, name).max(if slip { 0.85 } else { 0.0 })
         };
+        // Where letters are missing likeness alone finds `rad` in `breadth`.
         spellings
+            .filter(|spelling| spelling.chars().count().abs_diff(name.chars().count()) <= 2)
             .map(|s| (close(s), *s))
             .filter(|(similarity, _)| *similarity > 0.8)
             .max_by(|a, b| a.0.total_cmp(&b.0))

@@ -41,7 +41,7 @@ fn check(text: &str) {
         for label in &d.labels {
             inside(label.span.start, label.span.end);
         }
-        if let Some(fix) = &d.fix {
+        for fix in d.fix.iter().chain(&d.suggestions) {
             inside(fix.span.start, fix.span.end);
         }
     }

@@ -22,17 +22,19 @@ impl Checker<'_> {
                 true => "divide it by its length",
                 false => "give it a direction, such as `e3`",
             };
-            self.report(
-                Diagnostic::error(
-                    "E0515",
-                    format!(
-                        "the axis of a rotation must be a unit vector, and this one has the length {length}"
-                    ),
-                    axis.span,
-                    "not of length 1",
-                )
-                .help(help),
-            );
+            let diagnostic = Diagnostic::error(
+                "E0515",
+                format!("the axis of a rotation must be a unit vector, and this one has the length {length}"),
+                axis.span,
+                "not of length 1",
+            )
+            .help(help);
+            let text = self.text(axis.span);
+            let unit = format!("({text}) / norm({text})");
+            self.report(match length > 0.0 {
+                true => diagnostic.suggest("divide it by its length", axis.span, unit),
+                false => diagnostic.suggest("turn about `e3`", axis.span, "e3"),
+            });
         }
     }
 }

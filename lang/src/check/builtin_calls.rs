@@ -104,7 +104,9 @@ impl<'a> Checker<'a> {
 
     /// A function of any number of values has no names for them.
     fn refuse_names(&mut self, function: &str, arguments: &[ast::Argument]) {
-        for (name, _) in arguments.iter().filter_map(|argument| argument.name.as_ref()) {
+        for argument in arguments {
+            let Some((name, _)) = &argument.name else { continue };
+            let written = Span { end: argument.value.span.start, ..name.span };
             self.report(
                 Diagnostic::error(
                     "E0205",
@@ -112,7 +114,8 @@ impl<'a> Checker<'a> {
                     name.span,
                     "its arguments have no names",
                 )
-                .help(format!("give values alone: `{function}(a, b)`")),
+                .help(format!("give values alone: `{function}(a, b)`"))
+                .suggest(format!("remove `{} =`", name.name), written, ""),
             );
         }
     }

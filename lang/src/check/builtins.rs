@@ -208,7 +208,7 @@ pub fn callable(name: &str) -> Option<Callable> {
     Some(Callable {
         name: name.into(),
         kind: NameKind::Builtin,
-        doc: None,
+        doc: crate::help::builtin(name).map(|help| help.text.to_string()),
         parameters,
         open,
         result: result.map(str::to_string),

@@ -49,7 +49,8 @@ impl<'a> Checker<'a> {
     fn not_callable(&mut self, what: &str, span: Span) -> Expr {
         self.report(
             Diagnostic::error("E0306", format!("{what} is not a function"), span, "cannot be called")
-                .help("only functions are called; write `*` to multiply"),
+                .help("only functions are called; write `*` to multiply")
+                .suggest("multiply", Span { start: span.end, ..span }, " *"),
         );
         Expr::error(span)
     }
@@ -111,15 +112,27 @@ impl<'a> Checker<'a> {
                     }
                 }
                 None if named => {
-                    self.report(
-                        Diagnostic::error(
-                            "E0206",
-                            "an argument without a name follows named ones",
-                            argument.value.span,
-                            "which parameter is this?",
-                        )
-                        .help("name it, or move it to the front"),
-                    );
+                    let place = Span { end: argument.value.span.start, ..argument.value.span };
+                    let written = |parameter: &str| {
+                        let mut names = arguments.iter().filter_map(|argument| argument.name.as_ref());
+                        names.any(|(name, _)| name.name == *parameter)
+                    };
+                    let free = parameters
+                        .iter()
+                        .zip(&given)
+                        .filter(|((name, optional), given)| given.is_none() && !optional && !written(name));
+                    let diagnostic = Diagnostic::error(
+                        "E0206",
+                        "an argument without a name follows named ones",
+                        argument.value.span,
+                        "which parameter is this?",
+                    )
+                    .help("name it, or move it to the front");
+                    let offer = |diagnostic: Diagnostic, name: &str| {
+                        diagnostic.suggest(format!("name it `{name}`"), place, format!("{name} = "))
+                    };
+                    let diagnostic = free.take(3).fold(diagnostic, |d, ((name, _), _)| offer(d, name));
+                    self.report(diagnostic);
                     sound = false;
                     continue;
                 }
@@ -147,6 +160,11 @@ impl<'a> Checker<'a> {
                 None => index,
             };
             if let Some(first) = given[at] {
+                let before = index.checked_sub(1).and_then(|before| arguments.get(before));
+                let removed = Span {
+                    start: before.map_or(argument.value.span.start, |before| before.value.span.end),
+                    ..argument.value.span
+                };
                 self.report(
                     Diagnostic::error(
                         "E0206",
@@ -155,7 +173,8 @@ impl<'a> Checker<'a> {
                         "given again here",
                     )
                     .label(first.value.span, "first given here")
-                    .help("give each argument once"),
+                    .help("give each argument once")
+                    .suggest(format!("remove this `{}`", parameters[at].0), removed, ""),
                 );
                 sound = false;
                 continue;
@@ -269,6 +288,7 @@ impl<'a> Checker<'a> {
         argument: &'a ast::Argument,
     ) -> Expr {
         if let Some((name, Bind::Symbolic)) = &argument.name {
+            let between = Span { start: name.span.end, end: argument.value.span.start, ..name.span };
             self.report(
                 Diagnostic::error(
                     "E0503",
@@ -277,7 +297,8 @@ impl<'a> Checker<'a> {
                     "given with `:=`",
                 )
                 .label(parameter.span, "declared here")
-                .help(format!("write `{} = ...`", name.name)),
+                .help(format!("write `{} = ...`", name.name))
+                .fix("use `=`", between, " = "),
             );
         }
         let value = self.as_value(|c| c.whole(&argument.value));

@@ -140,15 +140,19 @@ impl<'a> Checker<'a> {
             if let (Some(low), Some(high)) = (low, high)
                 && low > high
             {
-                self.report(
-                    Diagnostic::error(
-                        "E0313",
-                        format!("the range of `{}` is empty", check.name),
-                        check.span,
-                        "low end above high end",
-                    )
-                    .help("write the smaller end first"),
-                );
+                let mut diagnostic = Diagnostic::error(
+                    "E0313",
+                    format!("the range of `{}` is empty", check.name),
+                    check.span,
+                    "low end above high end",
+                )
+                .help("write the smaller end first");
+                if let (Some(low), Some(high)) = (&check.low, &check.high) {
+                    let swapped = format!("{} .. {}", self.text(high.span), self.text(low.span));
+                    let title = format!("write `{swapped}`");
+                    diagnostic = diagnostic.suggest(title, low.span.to(high.span), swapped);
+                }
+                self.report(diagnostic);
             }
             let Some(value) = &check.value else { continue };
             if let Some(number) = constant::number(value, &self.store)
@@ -182,10 +186,19 @@ impl<'a> Checker<'a> {
                     Some(near) => diagnostic
                         .help(format!("did you mean \"{near}\"? Allowed: {allowed}"))
                         .fix(format!("change to \"{near}\""), value.span, format!("\"{near}\"")),
-                    None => diagnostic.help(format!("allowed: {allowed}")),
+                    None => {
+                        let choices = check.choices.iter().take(MOST_CHOICES);
+                        choices.fold(diagnostic.help(format!("allowed: {allowed}")), |diagnostic, choice| {
+                            let choice = format!("\"{choice}\"");
+                            diagnostic.suggest(format!("change to {choice}"), value.span, choice)
+                        })
+                    }
                 };
                 self.report(diagnostic);
             }
         }
     }
 }
+
+/// Choices offered in place of a wrong one.
+const MOST_CHOICES: usize = 8;

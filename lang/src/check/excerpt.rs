@@ -164,7 +164,7 @@ impl<'l> Places<'l> {
         for label in &mut placed.labels {
             label.span = self.span(label.span);
         }
-        if let Some(fix) = &mut placed.fix {
+        for fix in placed.fix.iter_mut().chain(&mut placed.suggestions) {
             fix.span = self.span(fix.span);
         }
         placed

@@ -226,7 +226,12 @@ impl<'a> Checker<'a> {
                         span,
                         "not called",
                     )
-                    .help(format!("write `{}(field = value)`", name.name)),
+                    .help(format!("write `{}(field = value)`", name.name))
+                    .suggest(
+                        format!("write `{}()`", name.name),
+                        span,
+                        format!("{}()", name.name),
+                    ),
                 );
                 (Kind::Error, Type::Error)
             }
@@ -264,7 +269,12 @@ impl<'a> Checker<'a> {
                         span,
                         "not called",
                     )
-                    .help(format!("call it: `{}(...)`", name.name)),
+                    .help(format!("call it: `{}(...)`", name.name))
+                    .suggest(
+                        format!("write `{}()`", name.name),
+                        span,
+                        format!("{}()", name.name),
+                    ),
                 );
                 (Kind::Error, Type::Error)
             }

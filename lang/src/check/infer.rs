@@ -266,6 +266,9 @@ impl<'a> Checker<'a> {
             )
             .help(self.kind_help(&resolved.0, &resolved.1)),
         };
+        if diagnostic.code == "E0301" {
+            diagnostic = self.converted(diagnostic, &resolved.0, found, &resolved.1);
+        }
         if let Some((span, message)) = cause {
             diagnostic = diagnostic.label(span, message);
         }

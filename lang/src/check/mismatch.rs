@@ -30,6 +30,16 @@ impl Checker<'_> {
                     Diagnostic::error("E0401", message, b.span, format!("this is {y}: {}", self.factors(b)))
                         .label(a.span, format!("this is {x}: {}", self.factors(a)));
                 let diagnostic = self.origins(diagnostic, &[a, b]);
+                // A side without a unit is the likelier one to lack something.
+                let pure = |ty: &Type| match self.store.resolve(ty) {
+                    Type::Number(dim) => dim.as_known().is_some_and(Dimension::is_none),
+                    _ => false,
+                };
+                let (first, second) = if pure(&a.ty) { ((b, a), (a, b)) } else { ((a, b), (b, a)) };
+                let mut diagnostic = self.with_units(diagnostic, &first.0.ty, first.1);
+                if diagnostic.suggestions.is_empty() {
+                    diagnostic = self.with_units(diagnostic, &second.0.ty, second.1);
+                }
                 match self.missing_factor(&a.ty, &b.ty) {
                     Some(help) => diagnostic.help(help),
                     None => diagnostic,
@@ -50,9 +60,13 @@ impl Checker<'_> {
                 } else {
                     "both sides must have the same type"
                 };
-                Diagnostic::error("E0301", message, b.span, format!("this is {right}"))
+                let diagnostic = Diagnostic::error("E0301", message, b.span, format!("this is {right}"))
                     .label(a.span, format!("this is {left}"))
-                    .help(help)
+                    .help(help);
+                match text && verb == "add" {
+                    true => self.as_text(diagnostic, a, b),
+                    false => diagnostic,
+                }
             }
         };
         self.report(diagnostic);
@@ -80,6 +94,7 @@ impl Checker<'_> {
         }
         diagnostic = self.origins(diagnostic, &[found]);
         let types = (Type::Number(wanted.clone()), Type::Number(got.clone()));
+        diagnostic = self.with_units(diagnostic, &types.0, found);
         if let Some(help) = self.missing_factor(&types.0, &types.1) {
             diagnostic = diagnostic.help(help);
         }
@@ -115,7 +130,7 @@ impl Checker<'_> {
         format!("{text} = {total}")
     }
 
-    fn collect_factors<'e>(&self, e: &'e Expr, above: bool, parts: &mut Vec<(&'e Expr, bool)>) {
+    pub(super) fn collect_factors<'e>(&self, e: &'e Expr, above: bool, parts: &mut Vec<(&'e Expr, bool)>) {
         match &e.kind {
             Kind::Binary(op @ (BinaryOp::Multiply | BinaryOp::Divide), a, b) => {
                 self.collect_factors(a, above, parts);

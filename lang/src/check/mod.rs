@@ -30,6 +30,7 @@ mod lower;
 pub(crate) mod meanings;
 mod mismatch;
 mod names;
+mod offers;
 mod params;
 mod places;
 mod records;

@@ -617,12 +617,14 @@ impl<'a> Resolver<'a> {
         if let Some((Res::Var(_) | Res::Param(_) | Res::Const(_), declared)) = hidden
             && known.is_some()
         {
+            let before = Span { end: unit.span.start, ..unit.span };
             let message =
                 format!("`{0}` after a number is the unit, not what is called `{0}` here", unit.name);
             self.report(
                 Diagnostic::warning("W0205", message, unit.span, "the unit")
                     .label(*declared, "this is not meant")
-                    .help(format!("write `*` to multiply by it: `2*{}`, or choose another name", unit.name)),
+                    .help(format!("write `*` to multiply by it: `2*{}`, or choose another name", unit.name))
+                    .suggest(format!("multiply by `{}`", unit.name), before, "* "),
             );
         }
     }

@@ -87,17 +87,7 @@ impl<'a> Checker<'a> {
                     Some(Place { variable: id, steps: Vec::new(), ty: self.variable_type(id), span: e.span })
                 }
                 Some(Res::Var(id)) => {
-                    let declared = self.variable(id).span;
-                    self.report(
-                        Diagnostic::error(
-                            "E0503",
-                            format!("`{}` is bound with `:=` and keeps an expression", name.name),
-                            e.span,
-                            "cannot take a value",
-                        )
-                        .label(declared, "declared with `:=` here")
-                        .help(format!("write `{} := ...`, or use another variable", name.name)),
-                    );
+                    self.report(self.keeps_expression(id, e.span));
                     None
                 }
                 Some(Res::Param(id)) => {
@@ -262,6 +252,23 @@ impl<'a> Checker<'a> {
         };
         place.steps.push(step);
         Some(Place { ty, span, ..place })
+    }
+
+    /// The `:=` name that a target is, which takes no value.
+    pub(super) fn symbolic_target(&self, e: &ast::Expr) -> Option<VarId> {
+        let ExprKind::Name(name) = &e.kind else { return None };
+        match self.names.uses.get(&name.span) {
+            Some(Res::Var(id)) if self.variable(*id).kind == VarKind::Symbolic => Some(*id),
+            _ => None,
+        }
+    }
+
+    pub(super) fn keeps_expression(&self, id: VarId, span: Span) -> Diagnostic {
+        let variable = self.variable(id);
+        let message = format!("`{}` is bound with `:=` and keeps an expression", variable.name);
+        Diagnostic::error("E0503", message, span, "cannot take a value")
+            .label(variable.span, "declared with `:=` here")
+            .help(format!("write `{} := ...`, or use another variable", variable.name))
     }
 
     fn no_place(&mut self, span: Span) {

@@ -6,7 +6,7 @@ use super::infer::Checker;
 use super::symbols::{Res, VarKind, similar};
 use super::tree::*;
 use super::types::Type;
-use crate::ast::{self, Bind, ExprKind};
+use crate::ast::{self, BinaryOp, Bind, ExprKind};
 use crate::diagnostic::Diagnostic;
 use crate::span::Span;
 
@@ -199,6 +199,13 @@ impl<'a> Checker<'a> {
         if bind == Bind::Symbolic {
             return self.rebind(place, value);
         }
+        let between = Span { start: place.span.end, end: value.span.start, ..place.span };
+        if let Some(id) = self.symbolic_target(place) {
+            let problem = self.keeps_expression(id, place.span);
+            self.report(problem.suggest("use `:=`", between, " := "));
+            self.stored(value);
+            return StmtKind::Nothing;
+        }
         let target = match &place.kind {
             ExprKind::Name(_) | ExprKind::Index { .. } | ExprKind::Field { .. } | ExprKind::Paren(_) => {
                 self.place(place)
@@ -228,6 +235,7 @@ impl<'a> Checker<'a> {
             if variable.kind == VarKind::Symbolic {
                 return self.bind(id, value);
             }
+            let between = Span { start: place.span.end, end: value.span.start, ..place.span };
             self.report(
                 Diagnostic::error(
                     "E0503",
@@ -236,7 +244,8 @@ impl<'a> Checker<'a> {
                     "a name's kind is fixed where it is declared",
                 )
                 .label(variable.span, "declared here")
-                .help(format!("write `{0} = ...`, or declare it with `var {0} := ...`", variable.name)),
+                .help(format!("write `{0} = ...`, or declare it with `var {0} := ...`", variable.name))
+                .suggest("use `=`", between, " = "),
             );
         } else if self.place(place).is_some() {
             self.report(
@@ -261,15 +270,21 @@ impl<'a> Checker<'a> {
             Kind::Call(_) | Kind::CallExtern(..) | Kind::Print(..) | Kind::Assert(..) | Kind::Error
         );
         if !call {
-            self.report(
-                Diagnostic::warning(
-                    "W0203",
-                    "the value of this expression is not used",
-                    e.span,
-                    "computed for nothing",
-                )
-                .help("assign it to a variable, or remove it"),
-            );
+            let problem = Diagnostic::warning(
+                "W0203",
+                "the value of this expression is not used",
+                e.span,
+                "computed for nothing",
+            )
+            .help("assign it to a variable, or remove it");
+            // `a == b;` was meant to assign.
+            let problem = match &e.kind {
+                ExprKind::Binary { op: BinaryOp::Equal, op_span, left, .. } if may_be_place(left) => {
+                    problem.suggest("assign with `=`", *op_span, "=")
+                }
+                _ => problem,
+            };
+            self.report(problem);
         }
         StmtKind::Eval(value)
     }
@@ -365,4 +380,8 @@ impl<'a> Checker<'a> {
             }
         }
     }
+}
+
+fn may_be_place(e: &ast::Expr) -> bool {
+    matches!(e.kind, ExprKind::Name(_) | ExprKind::Index { .. } | ExprKind::Field { .. })
 }

@@ -99,7 +99,7 @@ fn in_file(diagnostic: &Diagnostic, file: FileId) -> Diagnostic {
     let mut diagnostic = diagnostic.clone();
     diagnostic.primary.span.file = file;
     diagnostic.labels.iter_mut().for_each(|label| label.span.file = file);
-    if let Some(fix) = &mut diagnostic.fix {
+    for fix in diagnostic.fix.iter_mut().chain(&mut diagnostic.suggestions) {
         fix.span.file = file;
     }
     diagnostic

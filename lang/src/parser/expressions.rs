@@ -139,11 +139,15 @@ fn unit_exponent<'a>(source: &'a Source<'a>, input: &mut Reader<'a, '_>) -> (i32
         return (if negative { -magnitude } else { magnitude }, Some(span));
     }
     let span = source.place(caret).to(source.place(digits));
-    input.emit(
+    let mut problem =
         Diagnostic::error("E0121", "the exponent of a unit is a whole number", span, "not a whole number")
-            .help("put the quantity in parentheses to raise all of it to a power: `(2 inch)^x`")
-            .into(),
-    );
+            .help("put the quantity in parentheses to raise all of it to a power: `(2 inch)^x`");
+    if let (Some(unit), Some(number)) = (caret.checked_sub(1), caret.checked_sub(2)) {
+        let raised = format!("({} {})", source.text(number), source.text(unit));
+        let place = source.place(number).to(source.place(unit));
+        problem = problem.suggest(format!("raise `{raised}`"), place, raised);
+    }
+    input.emit(problem.into());
     let end = match source.kind(digits) {
         Some(Kind::Number | Kind::Identifier) => digits + 1,
         _ => digits,
@@ -387,6 +391,9 @@ fn missing<'a>(source: &'a Source<'a>) -> Rule<'a, Expr> {
             (Some(Kind::Star), Some(Kind::Star)) => Some("the power is written `^`".into()),
             _ => None,
         };
+        if problem.help.is_some() {
+            problem = super::recovery::foreign_operator(source, at, problem);
+        }
         input.emit(problem.into());
         Ok(Expr { kind: ExprKind::Error, span: source.after(at) })
     })
@@ -410,9 +417,13 @@ fn divided_quantity(left: &Expr, op: BinaryOp, right: &Expr) -> Option<Diagnosti
         "write `{above}/({value} {0})`, or `{above} {0} / {value}` to divide the quantity",
         unit.name
     );
+    let place = left.span.to(right.span);
+    let unit = &unit.name;
     Some(
-        Diagnostic::warning("W0125", message, left.span.to(right.span), "the unit belongs to the divisor")
-            .help(help),
+        Diagnostic::warning("W0125", message, place, "the unit belongs to the divisor")
+            .help(help)
+            .suggest(format!("divide by `{value} {unit}`"), place, format!("{above}/({value} {unit})"))
+            .suggest(format!("divide `{above} {unit}`"), place, format!("{above} {unit} / {value}")),
     )
 }
 

@@ -5,6 +5,7 @@ use super::{Extra, Input, Problem, Rule};
 use crate::ast::Ident;
 use crate::diagnostic::Diagnostic;
 use crate::lexer::{self, Kind};
+use crate::span::Span;
 use chumsky::input::InputRef;
 use chumsky::prelude::*;
 
@@ -163,6 +164,44 @@ fn unknown_word(source: &Source<'_>, at: usize) -> Option<Diagnostic> {
     })
 }
 
+/// Mends `i++`, `a += b` and `a ** b` at the token behind which an operand is missing, where the change is certain.
+pub(super) fn foreign_operator(source: &Source<'_>, at: usize, problem: Diagnostic) -> Diagnostic {
+    let ends = |index| {
+        matches!(source.kind(index), None | Some(Kind::Semicolon | Kind::CloseParen | Kind::CloseBrace))
+    };
+    let named = |index| source.begins_statement(index) && source.kind(index) == Some(Kind::Identifier);
+    let (Some(first), Some(sign)) = (at.checked_sub(2), at.checked_sub(1)) else { return problem };
+    match source.kind(at) {
+        Some(Kind::Star) if source.touches_previous(at) => {
+            problem.fix("write `^`", source.place(sign).to(source.place(at)), "^")
+        }
+        Some(Kind::Assign) if source.touches_previous(at) && named(first) => {
+            // A sum on the right would need parentheses.
+            let simple = |kind| {
+                matches!(kind, Kind::Number | Kind::Identifier | Kind::Dot | Kind::Caret | Kind::Percent)
+            };
+            let mut end = at + 1;
+            while source.kind(end).is_some_and(simple) {
+                end += 1;
+            }
+            if end == at + 1 || !ends(end) {
+                return problem;
+            }
+            let place = source.place(sign).to(source.place(at));
+            let written = format!("= {} {}", source.text(first), source.text(sign));
+            problem.fix(format!("write `{} {written} ...`", source.text(first)), place, written)
+        }
+        _ if ends(at) && first > 0 && named(first - 1) => {
+            let name = source.text(first - 1);
+            let place = source.place(first).to(source.place(sign));
+            let written = format!("= {name} {} 1", source.text(sign));
+            let place = Span { start: source.after(first).end, ..place };
+            problem.fix(format!("write `{name} {written}`"), place, format!(" {written}"))
+        }
+        _ => problem,
+    }
+}
+
 /// A token no rule can use.
 pub(super) fn unexpected(source: &Source<'_>, at: usize) -> Diagnostic {
     let place = source.place(at);
@@ -170,7 +209,11 @@ pub(super) fn unexpected(source: &Source<'_>, at: usize) -> Diagnostic {
     match source.kind(at) {
         Some(Kind::CloseParen | Kind::CloseBracket | Kind::CloseBrace) => {
             let message = format!("{} closes nothing", source.describe(at));
-            Diagnostic::error("E0116", message, place, "no bracket is open here").help("remove it")
+            Diagnostic::error("E0116", message, place, "no bracket is open here").help("remove it").suggest(
+                "remove it",
+                place,
+                "",
+            )
         }
         Some(Kind::Percent) => problem("`%` is a unit and follows a number".into())
             .help("the remainder of a division is `a - b*floor(a/b)`"),

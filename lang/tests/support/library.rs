@@ -40,7 +40,7 @@ pub fn improper(diagnostics: &[Diagnostic], text: &str) -> Option<String> {
     let outside = |start: u32, end: u32| start > end || text.get(start as usize..end as usize).is_none();
     diagnostics.iter().find_map(|d| {
         let labels = d.labels.iter().filter(|label| label.span.file == FileId(0)).map(|label| label.span);
-        let fix = d.fix.iter().map(|fix| fix.span);
+        let fix = d.fix.iter().chain(&d.suggestions).map(|fix| fix.span);
         let mut spans = labels.chain(fix).chain((d.primary.span.file == FileId(0)).then_some(d.primary.span));
         if spans.any(|span| outside(span.start, span.end)) {
             return Some(format!("{} lies outside the text: {d:?}", d.code));

@@ -301,7 +301,8 @@ impl<'l, 'c> Body<'l, 'c> {
                 if statement.span.file == FileId(0) {
                     self.lowering.report(
                         Diagnostic::warning("W0202", "this is never reached", statement.span, "unreachable")
-                            .help("remove it, or the `return`, `break` or `goto` before it"),
+                            .help("remove it, or the `return`, `break` or `goto` before it")
+                            .suggest("remove this statement", statement.span, ""),
                     );
                 }
             }
