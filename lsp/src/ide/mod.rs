@@ -1,12 +1,23 @@
 //! Questions about a snapshot of the texts, one file a feature.
 
+pub mod actions;
+mod constant;
+pub mod definition;
 pub mod folding;
 pub mod formatting;
 pub mod fuzzy;
+pub mod hover;
+mod labels;
 mod lines;
+mod near;
+mod numbers;
+mod problems;
+pub mod references;
+pub mod rename;
 pub mod selection;
 pub mod source;
 pub mod symbols;
+mod symbols_of;
 pub mod typing;
 mod walk;
 

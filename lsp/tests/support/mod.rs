@@ -4,9 +4,11 @@
 //! `cx` names another file beside it (```` ```cx util.cx ````). `$0` is the cursor and is not part of the text; two of them are a
 //! selection. `CALYX_BLESS=1` writes what is answered into the file.
 
+#![allow(dead_code, reason = "every test uses its part of this")]
+
 use calyx_lang::check::Loader;
 use calyx_lang::db::Database;
-use calyx_lsp::ide::{Position, Snapshot};
+use calyx_lsp::ide::{Edit, Position, Snapshot};
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -100,12 +102,32 @@ fn case(heading: &str, section: &str) -> Case {
         }
         files.push((name.to_string(), text));
     }
-    let loader = Files::new(&files);
+    assert!(!files.is_empty(), "`{heading}` has no ```cx block");
+    let snapshot = snapshot(&files);
+    Case { heading: heading.to_string(), files, cursors, snapshot }
+}
+
+/// A snapshot of these files, by name and text; the first is the model.
+pub fn snapshot(files: &[(String, String)]) -> Snapshot {
+    let loader = Files::new(files);
     let mut database = Database::new(&loader);
-    let (model, text) = files.first().unwrap_or_else(|| panic!("`{heading}` has no ```cx block"));
+    let (model, text) = &files[0];
     database.set_model(model, text);
     database.load_imports(model, &loader);
-    Case { heading: heading.to_string(), files, cursors, snapshot: Snapshot { database } }
+    Snapshot { database }
+}
+
+/// The files after some edits, whose places are those before any of them.
+pub fn changed(files: &[(String, String)], edits: &[Edit]) -> Vec<(String, String)> {
+    let mut changed = files.to_vec();
+    let mut edits: Vec<&Edit> = edits.iter().collect();
+    edits.sort_by_key(|edit| std::cmp::Reverse((edit.start, edit.end)));
+    for edit in edits {
+        let file = changed.iter_mut().find(|(name, _)| **name == *edit.file);
+        let (_, text) = file.unwrap_or_else(|| panic!("{} is not of the case", edit.file));
+        text.replace_range(edit.start as usize..edit.end as usize, &edit.replacement);
+    }
+    changed
 }
 
 /// The library, and the files of a case.

@@ -4,20 +4,26 @@
 //! it says. A new group has a file here with a function `offer`, which says what it can, and a function `route`, which connects methods
 //! with functions; both are called below.
 
+mod actions;
 mod formatting;
+mod navigation;
 
 use super::client::Client;
 use super::router::Router;
 use tower_lsp_server::ls_types::ServerCapabilities;
 
 /// Says what is offered.
-pub fn offer(_client: &Client, capabilities: &mut ServerCapabilities) {
+pub fn offer(client: &Client, capabilities: &mut ServerCapabilities) {
+    actions::offer(capabilities);
     formatting::offer(capabilities);
+    navigation::offer(client, capabilities);
 }
 
 /// The requests that are answered.
 pub fn router() -> Router {
     let mut router = Router::default();
+    actions::route(&mut router);
     formatting::route(&mut router);
+    navigation::route(&mut router);
     router
 }

@@ -1,0 +1,116 @@
+//! Declares an unknown name, and takes back a declaration's `private`.
+
+use super::{Action, Asked, fix};
+use crate::ide::near::{Given, Receiver};
+use calyx_lang::ast::{Bind, Expr, ExprKind, StmtKind};
+use calyx_lang::diagnostic::Diagnostic;
+use calyx_lang::dimension::Dimension;
+use calyx_lang::usual_units::written;
+
+pub(super) fn of(asked: &Asked, problem: &Diagnostic, found: &mut Vec<Action>) {
+    if problem.code == "E0220" {
+        variable_for_constant(asked, problem, found);
+        return;
+    }
+    let place = problem.primary.span;
+    let name = asked.slice(place);
+    if problem.code != "E0201" || name.is_empty() {
+        return;
+    }
+    let around = asked.around(place);
+    // `b = 3;` for `var b = 3;`
+    let assigned = around.statements().next_back().filter(|statement| match &statement.kind {
+        StmtKind::Assign { place: Expr { kind: ExprKind::Name(target), .. }, .. } => target.span == place,
+        _ => false,
+    });
+    if let Some(statement) = assigned {
+        let start = statement.span.start;
+        found.push(
+            fix(format!("Declare `{name}` here with `var`"), vec![asked.edit(start, start, "var ")])
+                .preferred(),
+        );
+        return;
+    }
+    // What is called is a function, what has members may be a module.
+    let called = around.expressions().rev().nth(1).is_some_and(|outer| match &outer.kind {
+        ExprKind::Call { callee, .. } => callee.span == place,
+        ExprKind::Field { base, .. } => base.span == place,
+        _ => false,
+    });
+    let is_expression = around.expression().is_some_and(|e| e.span == place);
+    let Some(statement) = around.whole_statement().filter(|_| is_expression && !called) else { return };
+    let value = match around.given().and_then(|given| demanded(asked, &given, place.start)) {
+        Some(dimension) => {
+            let unit = asked.system().0.unit_of(dimension).name;
+            written(if unit.is_empty() { "1" } else { "0" }, &unit)
+        }
+        None => "0".into(),
+    };
+    let (line, indent) = asked.line(statement.span.start);
+    let declare = |keyword: &str, line: u32, indent: &str| {
+        asked.edit(line, line, format!("{indent}{keyword} {name} = {value};\n"))
+    };
+    if asked
+        .tree
+        .module
+        .statements
+        .iter()
+        .all(|top| top.span.start != line && line_has_code(asked, line, statement.span.start))
+    {
+        return;
+    }
+    found.push(fix(format!("Declare `{name}` as a variable"), vec![declare("var", line, indent)]));
+    let in_model = asked.snapshot.database.module_of(&asked.file).is_none();
+    let top = asked
+        .tree
+        .module
+        .statements
+        .iter()
+        .find(|top| top.span.start <= place.start && place.end <= top.span.end);
+    if let Some(top) = top.filter(|_| in_model) {
+        let (line, indent) = asked.line(top.span.start);
+        found.push(fix(format!("Declare `{name}` as a param"), vec![declare("param", line, indent)]));
+    }
+}
+
+/// Whether something stands on the line before the statement.
+fn line_has_code(asked: &Asked, line: u32, start: u32) -> bool {
+    asked.text.get(line as usize..start as usize).is_none_or(|before| !before.trim().is_empty())
+}
+
+/// The dimension of the parameter that takes a name as its argument.
+fn demanded(asked: &Asked, given: &Given, start: u32) -> Option<Dimension> {
+    let (Receiver::Argument(argument) | Receiver::Positional(argument)) = given.to else { return None };
+    let whole = given.value.span.start == start && matches!(given.value.kind, ExprKind::Name(_));
+    if !whole || given.bind != Bind::Evaluate {
+        return None;
+    }
+    let around = super::Around::new(&asked.tree.module, argument.value.span.start..argument.value.span.end);
+    let (_, callee, arguments) = around.call()?;
+    let callable = super::arguments::callable(asked, callee)?;
+    let parameter = match &argument.name {
+        Some((name, _)) => callable.parameters.iter().find(|parameter| *parameter.name == *name.name),
+        None => {
+            let in_order = arguments.iter().take_while(|other| other.name.is_none() && !other.spread);
+            let index = in_order.into_iter().position(|other| other.value.span == argument.value.span)?;
+            callable.parameters.get(index)
+        }
+    };
+    parameter?.dimension
+}
+
+/// `const` becomes `var` where a constant is assigned.
+fn variable_for_constant(asked: &Asked, problem: &Diagnostic, found: &mut Vec<Action>) {
+    for label in &problem.labels {
+        let around = asked.around(label.span);
+        let declared = around.statements().next_back().filter(|statement| match &statement.kind {
+            StmtKind::Const { name, .. } => name.span == label.span && !statement.private,
+            _ => false,
+        });
+        if let Some(statement) = declared {
+            let start = statement.span.start;
+            let edit = asked.edit(start, start + "const".len() as u32, "var");
+            found.push(fix(format!("Make `{}` a variable", asked.slice(label.span)), vec![edit]));
+        }
+    }
+}

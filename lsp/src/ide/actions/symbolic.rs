@@ -1,0 +1,60 @@
+//! `=` and `:=` exchanged: where a symbol is lost, where a value was meant.
+
+use super::{Action, Asked, fix};
+use crate::ide::near::{Given, Receiver};
+use calyx_lang::ast::{Bind, StmtKind};
+use calyx_lang::diagnostic::Diagnostic;
+
+pub(super) fn of(asked: &Asked, problem: &Diagnostic, found: &mut Vec<Action>) {
+    let around = asked.around(problem.primary.span);
+    let Some(given) = around.given() else { return };
+    match problem.code.as_str() {
+        "E0501" | "E0502" => {
+            found.extend(keep(asked, &given, "Bind").map(Action::preferred));
+            let end = given.value.span.end;
+            found.push(fix("Take its value `at Time = 0 s`", vec![asked.edit(end, end, " at Time = 0 s")]));
+        }
+        "E0505" => {
+            found.extend(keep(asked, &given, "Bind").map(Action::preferred));
+            found.extend(as_output(asked, &given));
+        }
+        "E0507" if given.bind == Bind::Symbolic => {
+            let between = asked.edit(given.name.end, given.value.span.start, " = ");
+            found.push(fix("Use `=`: this has a value at once", vec![between]).preferred());
+        }
+        // The value was taken before: where it is declared it would have to stay an expression.
+        "E0509" => {
+            let captured = problem
+                .labels
+                .iter()
+                .find_map(|label| asked.snapshot.database.name_at(&asked.file, label.span.start)?.declared);
+            let Some(place) = captured.filter(|place| place.file == asked.file) else { return };
+            let around = super::Around::new(&asked.tree.module, place.start..place.end);
+            found.extend(around.given().and_then(|given| keep(asked, &given, "Bind")).map(Action::preferred));
+        }
+        _ => {}
+    }
+}
+
+/// `=` becomes `:=`.
+fn keep(asked: &Asked, given: &Given, verb: &str) -> Option<Action> {
+    let Receiver::Variable(_, decl) = given.to else { return None };
+    if given.bind != Bind::Evaluate {
+        return None;
+    }
+    let between = asked.edit(given.name.end, given.value.span.start, " := ");
+    Some(fix(format!("{verb} `{}` with `:=`, which keeps the expression", decl.name.name), vec![between]))
+}
+
+/// `var x = observable;` becomes an output.
+fn as_output(asked: &Asked, given: &Given) -> Option<Action> {
+    let Receiver::Variable(statement, decl) = given.to else { return None };
+    let StmtKind::Var(all) = &statement.kind else { return None };
+    let top = asked.tree.module.statements.iter().any(|top| top.span == statement.span);
+    if !top || all.len() != 1 {
+        return None;
+    }
+    let head = format!("output {} := ", decl.name.name);
+    let edit = asked.edit(statement.span.start, given.value.span.start, head);
+    Some(fix(format!("Make `{}` an output", decl.name.name), vec![edit]))
+}

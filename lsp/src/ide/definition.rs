@@ -1,0 +1,91 @@
+//! Where what a name means is declared.
+
+use super::labels::label_at;
+use super::near::Around;
+use super::{Position, Snapshot};
+use calyx_lang::analysis::{Name, NameKind, Place, Visible};
+use calyx_lang::declared::{Declared, find};
+use calyx_lang::span::Span;
+use std::ops::Range;
+use std::sync::Arc;
+
+/// Where a name leads.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Definition {
+    /// The name that was asked about.
+    pub origin: Range<u32>,
+    pub file: Arc<str>,
+    /// The name where it is declared; empty at the start of a module.
+    pub name: Range<u32>,
+    /// The whole declaration.
+    pub item: Range<u32>,
+}
+
+/// The declaration of what the name at a cursor means; of a module its file.
+pub fn definition(snapshot: &Snapshot, at: &Position) -> Option<Definition> {
+    let database = &snapshot.database;
+    if let Some(name) = database.name_at(&at.file, at.offset) {
+        return declared(snapshot, &name, name.declared.as_ref()?);
+    }
+    let label = label_at(&database.tree(&at.file)?.module, at.offset)?;
+    let range = |span: Span| span.start..span.end;
+    let all = [label.declared].into_iter().chain(label.jumps);
+    let origin = all.into_iter().find(|span| span.start <= at.offset && at.offset <= span.end)?;
+    let (name, item) = (range(label.declared), range(label.declared));
+    Some(Definition { origin: range(origin), file: at.file.clone(), name, item })
+}
+
+/// The record that the value at a cursor is one of.
+pub fn type_definition(snapshot: &Snapshot, at: &Position) -> Option<Definition> {
+    let database = &snapshot.database;
+    let name = database.name_at(&at.file, at.offset)?;
+    if name.kind == NameKind::Record {
+        return declared(snapshot, &name, name.declared.as_ref()?);
+    }
+    // What a function gives, what an array holds.
+    let ty = name.ty.as_deref()?;
+    let ty = ty.rsplit("->").next().unwrap_or(ty).trim();
+    let ty = ty.trim_start_matches("Array(").trim_end_matches(')');
+    let (module, record) = ty.rsplit_once('.').map_or((None, ty), |(module, record)| (Some(module), record));
+    let is_record = |known: &&Visible| known.kind == NameKind::Record && *known.name == *record;
+    let visible = || database.visible(&at.file, at.offset);
+    let known = match module {
+        Some(module) => database.members(module).iter().find(is_record).cloned(),
+        None => visible().iter().find(is_record).cloned(),
+    };
+    // A record of a module is known by its own name in types.
+    let exported =
+        || database.exported(record).into_iter().map(|(_, known)| known).find(|known| is_record(&known));
+    let place = known.or_else(exported)?.declared?;
+    declared(snapshot, &name, &place)
+}
+
+fn declared(snapshot: &Snapshot, name: &Name, place: &Place) -> Option<Definition> {
+    let whole = match place.end {
+        // A module.
+        0 => 0..0,
+        _ => item(snapshot, place).unwrap_or(place.start..place.end),
+    };
+    Some(Definition {
+        origin: name.start..name.end,
+        file: place.file.clone(),
+        name: place.start..place.end,
+        item: whole,
+    })
+}
+
+/// The statement that declares what is declared at a place.
+fn item(snapshot: &Snapshot, place: &Place) -> Option<Range<u32>> {
+    let tree = snapshot.database.tree(&place.file)?;
+    let (top, found) = find(&tree.module, place.start)?;
+    let span = match found {
+        Declared::Statement(statement) | Declared::Variable(statement, _) | Declared::Caught(statement) => {
+            statement.span
+        }
+        Declared::Parameter(..) | Declared::Field(..) => {
+            let around = Around::new(&tree.module, place.start..place.end);
+            around.statements().next_back().map_or(top.span, |inner| inner.span)
+        }
+    };
+    Some(span.start..span.end)
+}

@@ -1,0 +1,165 @@
+//! What a name means: its declaration, type, value and documentation.
+
+use super::words::card;
+use super::{code, numbers, paragraphs};
+use crate::ide::numbers::system;
+use crate::ide::{Position, Snapshot, constant, symbols_of};
+use calyx_lang::analysis::{CallParameter, Declaration, Name, NameKind, Place};
+use calyx_lang::db::Database;
+use calyx_lang::declared::{Declared, find};
+use calyx_lang::dimension::Dimension;
+use calyx_lang::help;
+use calyx_lang::units::UnitSystem;
+
+/// Lines of a declaration that are shown.
+const MOST_LINES: usize = 12;
+
+/// A card about a name at a cursor.
+pub(super) fn of(snapshot: &Snapshot, at: &Position, name: &Name) -> Option<String> {
+    let database = &snapshot.database;
+    let Some(place) = &name.declared else { return of_language(name) };
+    if name.kind == NameKind::Module {
+        let path = database.module_of(&place.file)?;
+        return Some(paragraphs([Some(code(&format!("import {path};"))), database.module_doc(&place.file)]));
+    }
+    let declaration = database.declaration(place)?;
+    let system = database.tree(&at.file).and_then(|tree| system(&tree.module)).unwrap_or_default();
+    if let Some(parameter) = parameter(database, place) {
+        return Some(of_parameter(&parameter, &declaration, system));
+    }
+    let dimension = dimension(snapshot, at, name, place);
+    let mut facts = type_line(name, &declaration, dimension, system);
+    if matches!(name.kind, NameKind::Const | NameKind::Param)
+        && let Some(known) = constant::of_declaration(database, place)
+    {
+        let value =
+            numbers::value(known.si, known.dimension.or(dimension).unwrap_or(Dimension::NONE), system);
+        // What stands there already need not be said again.
+        if !declaration.header.contains(&format!("= {value}")) {
+            facts.truncate(1);
+            let ty = facts.pop().unwrap_or_default();
+            facts.push(match name.kind {
+                NameKind::Param => format!("{ty}, by default `{value}`"),
+                _ => format!("{ty} = `{value}`"),
+            });
+        }
+    }
+    let symbols = matches!(name.kind, NameKind::Symbolic | NameKind::Output | NameKind::SymbolicFunction);
+    let free = symbols.then(|| symbols_of::line(database, place)).flatten();
+    let module =
+        database.module_of(&place.file).filter(|_| place.file != at.file && name.kind != NameKind::Field);
+    let from = module.filter(|module| module != "prelude").map(|module| format!("of the module `{module}`"));
+    facts.extend(from);
+    let facts = (!facts.is_empty()).then(|| facts.join(" · "));
+    Some(paragraphs([Some(code(&shortened(&declaration.header))), facts, free, declaration.doc]))
+}
+
+/// What every program has.
+fn of_language(name: &Name) -> Option<String> {
+    let head = match (name.kind, &name.ty) {
+        (NameKind::Builtin, Some(scheme)) => format!("{}{scheme}", name.text),
+        (_, Some(ty)) => format!("{}: {ty}", name.text),
+        (_, None) => name.text.to_string(),
+    };
+    let help = help::builtin(&name.text)?;
+    Some(paragraphs([Some(code(&head)), Some(card(help))]))
+}
+
+/// The parameter or field that is declared at a place, as it is called.
+fn parameter(database: &Database, place: &Place) -> Option<CallParameter> {
+    let tree = database.tree(&place.file)?;
+    let owner = match find(&tree.module, place.start)?.1 {
+        Declared::Parameter(decl, _) => decl.name.span,
+        Declared::Field(decl, _) => decl.name.span,
+        _ => return None,
+    };
+    let callable =
+        database.callable(&Place { file: place.file.clone(), start: owner.start, end: owner.end })?;
+    callable.parameters.into_iter().find(|parameter| parameter.declared.as_ref() == Some(place))
+}
+
+/// What an argument is: its type, what it is if it is left out, what it may be.
+fn of_parameter(parameter: &CallParameter, declaration: &Declaration, system: UnitSystem) -> String {
+    let mut facts = Vec::new();
+    let written = declaration.header.contains(&format!(": {}", parameter.ty));
+    match parameter.ty.as_str() {
+        "" | "_" => {}
+        _ if written => {}
+        // Letters stand for what a call decides.
+        ty if ty.len() == 1 && ty.starts_with(char::is_lowercase) => {
+            facts.push("a number of any dimension".into())
+        }
+        ty if ty.len() == 1 => facts.push("of any type that its use allows".into()),
+        ty => facts.push(format!("`{ty}`")),
+    }
+    facts.extend(parameter.dimension.and_then(|dimension| numbers::shown_in(dimension, system)));
+    if parameter.symbolic {
+        facts.push(format!("an expression: `{} := ...`", parameter.name));
+    }
+    if let Some(default) = &parameter.default {
+        facts.push(format!("`{default}` if it is left out"));
+    }
+    if let Some(range) = &parameter.range {
+        facts.push(format!("from `{}`", range.replace(" .. ", "` to `")));
+    }
+    if !parameter.choices.is_empty() {
+        let choices: Vec<String> = parameter.choices.iter().map(|choice| format!("`\"{choice}\"`")).collect();
+        facts.push(format!("one of {}", choices.join(", ")));
+    }
+    let facts = (!facts.is_empty()).then(|| facts.join(" · "));
+    paragraphs([Some(code(&declaration.header)), facts, parameter.doc.clone()])
+}
+
+/// The dimension of the number that a name holds.
+fn dimension(snapshot: &Snapshot, at: &Position, name: &Name, place: &Place) -> Option<Dimension> {
+    let database = &snapshot.database;
+    let here = database.expressions(&at.file, name.start..name.end);
+    let used = here.iter().find(|typed| (typed.start, typed.end) == (name.start, name.end));
+    let known = used.and_then(|typed| typed.dimension);
+    let first = || {
+        let tree = database.tree(&place.file)?;
+        let value = symbols_of::value_at(&tree.module, place.start)?;
+        let typed = database.expressions(&place.file, value.span.start..value.span.end);
+        typed.iter().find(|typed| (typed.start, typed.end) == (value.span.start, value.span.end))?.dimension
+    };
+    let named = || name.ty.as_deref().and_then(Dimension::from_name);
+    known.or_else(first).or_else(named)
+}
+
+/// Type, and the unit in which the file shows it.
+fn type_line(
+    name: &Name,
+    declaration: &Declaration,
+    dimension: Option<Dimension>,
+    system: UnitSystem,
+) -> Vec<String> {
+    let mut facts = Vec::new();
+    let Some(ty) = name.ty.as_deref().or(declaration.ty.as_deref()) else { return facts };
+    let shown = match name.kind {
+        // Their types are written in the declaration.
+        NameKind::Extern | NameKind::Record | NameKind::Dimension | NameKind::Unit | NameKind::Module => None,
+        NameKind::Function | NameKind::SymbolicFunction => (!declaration.header.contains("->")).then_some(ty),
+        _ => Some(ty),
+    };
+    facts.extend(shown.map(|ty| format!("`{ty}`")));
+    if shown == Some(ty) && Dimension::from_name(ty).is_some() {
+        facts.extend(dimension.and_then(|dimension| numbers::shown_in(dimension, system)));
+    }
+    facts
+}
+
+/// A declaration that fits a card.
+fn shortened(header: &str) -> String {
+    let lines: Vec<&str> = header.lines().collect();
+    // Lines below the first are indented as they stand in the file.
+    let indent = lines.iter().skip(1).filter(|line| !line.trim().is_empty());
+    let indent = indent.map(|line| line.len() - line.trim_start().len()).min().unwrap_or(0).saturating_sub(4);
+    let shown = lines.iter().enumerate().take(MOST_LINES);
+    let mut shown: Vec<&str> = shown
+        .map(|(index, line)| if index == 0 { line } else { line.get(indent..).unwrap_or(line) })
+        .collect();
+    if lines.len() > MOST_LINES {
+        shown.push("    ...");
+    }
+    shown.join("\n")
+}
