@@ -4,6 +4,7 @@ use crate::diagnostics::{diagnostic, finding_diagnostic};
 use crate::geometry::Geometry;
 use crate::interpreted::Interpreted;
 use crate::nan::{Seen, explain, label, of_default};
+use crate::values::{self, Value};
 use calyx_abi::context::codes;
 use calyx_abi::description::ModelDescription;
 use calyx_abi::{Context, Purity, RuntimeError};
@@ -15,6 +16,7 @@ use calyx_lang::span::Span;
 use calyx_lower::interpret::CallSites;
 use calyx_rt::{ParamError, Program as _, apply};
 use calyx_runtime::plan::Plan;
+use std::collections::BTreeMap;
 use std::error::Error;
 use std::fmt;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -91,6 +93,9 @@ pub struct Elaboration {
     pub runnable: bool,
     /// How the scene would be analysed; `None` if there is nothing to analyse or something is wrong with it.
     pub plan: Option<Plan>,
+    /// Values of the top level's variables at its end; of those that hold no expression, number, text or truth value
+    /// there is none.
+    pub values: BTreeMap<String, Value>,
     /// What follows from the gears and meshes that were made, also where others are impossible.
     pub geometry: Geometry,
 }
@@ -143,7 +148,8 @@ fn elaborate_with(
         Params::Defaults => (defaults, &[][..]),
         Params::Given(given) => (apply(&interpreted, given, &mut context), given),
     };
-    let ran = applied.and_then(|()| interpreted.main(&mut context).map_err(ParamError::Model));
+    let ran = applied.and_then(|()| interpreted.main_to_values(&mut context).map_err(ParamError::Model));
+    let values = ran.as_ref().map(|slots| values::of_top_level(program, slots, &context)).unwrap_or_default();
     cancel.check()?;
     let survived = interpreted.failures();
     let sites = CallSites::new(program);
@@ -180,7 +186,7 @@ fn elaborate_with(
             Params::Given(_) => refused = Some(Refused { message, help }),
             Params::Defaults => found.push(wrong_default(program, message, help)),
         },
-        Ok(()) => {}
+        Ok(_) => {}
     }
     found.sort_by_key(|diagnostic| (diagnostic.primary.span.file, diagnostic.primary.span.start));
     // A loop says the same at every turn.
@@ -192,6 +198,7 @@ fn elaborate_with(
         refused,
         runnable: true,
         plan: planned,
+        values,
         geometry,
     })
 }

@@ -61,6 +61,11 @@ impl<'p> Interpreted<'p> {
         self.interpreter.trace()
     }
 
+    /// Runs the model's top level: the slots of its variables at its end.
+    pub(crate) fn main_to_values(&self, context: &mut Context) -> Result<Vec<Slot>, RuntimeError> {
+        self.interpreter.run_main_to_values(context)
+    }
+
     /// Fills in the defaults and ranges of the params, which `context` holds at their defaults.
     pub(crate) fn describe_params(&mut self, context: &mut Context) -> Result<(), ParamError> {
         for index in 0..self.description.params.len() {

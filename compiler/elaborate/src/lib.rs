@@ -14,14 +14,17 @@
 //! # Ok::<(), calyx_elaborate::Cancelled>(())
 //! ```
 
+pub mod binding;
 pub mod check;
 pub mod diagnostics;
 mod elaboration;
 pub mod geometry;
+mod infix;
 mod interpreted;
 mod loader;
 pub mod nan;
 pub mod shown;
+pub mod values;
 
 pub use calyx_gears::derived::{Kind, Quantity};
 pub use check::{Checked, check_file, check_run, check_text, render};
@@ -29,5 +32,7 @@ pub use elaboration::{
     Cancel, Cancelled, Elaboration, FUEL, MEMORY, Params, Refused, elaborate, elaborate_printing,
 };
 pub use geometry::{GearGeometry, Geometry, Made, Membership, MeshGeometry};
+pub use infix::Infix;
 pub use interpreted::{Interpreted, param_function};
 pub use loader::ModelLoader;
+pub use values::Value;

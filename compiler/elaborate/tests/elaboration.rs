@@ -1,6 +1,8 @@
 //! Elaboration ends, can be cancelled, and goes on after what is wrong.
 
+use calyx_elaborate::values::{default_of, range_of};
 use calyx_elaborate::{Cancel, Cancelled, Elaboration, ModelLoader, Params, elaborate};
+use calyx_lang::dimension::Dimension;
 use calyx_lang::ir::Program;
 use std::thread;
 use std::time::Duration;
@@ -61,4 +63,35 @@ fn params_from_outside_are_used_or_refused() {
 fn a_program_that_the_engine_cannot_run_says_why() {
     let ended = elaborated("extern pure function nowhere(in x: Number) -> Number; print(nowhere(1));");
     assert_eq!((codes(&ended), ended.runnable), (vec!["E0708"], false));
+}
+
+#[test]
+fn values_are_those_at_the_end_in_units_of_the_file() {
+    let ended = elaborated(
+        "units mm_N_s;
+         /// How wide.
+         param width = 3 mm in 1 mm .. 20 mm;
+         param kind = \"wide\" in [\"wide\", \"slim\"];
+         var length = 2 * width;
+         length = length + 1 inch;
+         var at = length * e1 - 2 mm * e3;
+         var long = length > 1 mm;
+         var name = \"{kind}\";
+         var moving := length * Time;
+         for (var i = 0; i < 2; i = i + 1) { var twice = i; print(twice); }
+         for (var k = 0; k < 2; k = k + 1) { var twice = 7 * k; print(twice, moving at Time = 1 s, at, long, name); }",
+    );
+    assert!(ended.found.is_empty(), "{:?}", ended.found);
+    let shown = |name: &str, dimension: &str| {
+        let dimension = Dimension::from_name(dimension).unwrap_or(Dimension::NONE);
+        ended.values.get(name)?.shown(dimension, "mm_N_s")
+    };
+    assert_eq!(shown("length", "Length").as_deref(), Some("31.4 mm"));
+    assert_eq!(shown("at", "Length").as_deref(), Some("(31.4, 0, -2) mm"));
+    assert_eq!(shown("long", "").as_deref(), Some("TRUE"));
+    assert_eq!(shown("name", "").as_deref(), Some("\"wide\""));
+    assert_eq!((shown("moving", "Length"), shown("twice", "")), (None, None));
+    let [width, kind] = &ended.description.params[..] else { panic!("two params") };
+    assert_eq!([default_of(width), range_of(width)].map(Option::unwrap), ["3 mm", "1 mm .. 20 mm"]);
+    assert_eq!([default_of(kind), range_of(kind)].map(Option::unwrap), ["\"wide\"", "\"wide\", \"slim\""]);
 }

@@ -70,6 +70,14 @@ impl<'p> Interpreter<'p> {
         self.run_function(self.program.main, &[], ctx).map(|_| ())
     }
 
+    /// Runs the top level of the model, and hands back the slots of its variables in order as it leaves them.
+    ///
+    /// # Errors
+    /// As for [`Interpreter::run_main`].
+    pub fn run_main_to_values(&self, ctx: &mut Context) -> Result<Vec<Slot>, RuntimeError> {
+        self.run(self.program.main, &[], ctx, true)
+    }
+
     /// Runs one function (a param's default, say) and returns the slots of its result, followed by those of its
     /// `out` and `inout` parameters. `arguments` holds the slots of its `in` and `inout` parameters.
     ///
@@ -81,16 +89,34 @@ impl<'p> Interpreter<'p> {
         arguments: &[Slot],
         ctx: &mut Context,
     ) -> Result<Vec<Slot>, RuntimeError> {
+        self.run(id, arguments, ctx, false)
+    }
+
+    /// With `keep`, the slots of the function's variables are what is handed back.
+    fn run(
+        &self,
+        id: FunctionId,
+        arguments: &[Slot],
+        ctx: &mut Context,
+        keep: bool,
+    ) -> Result<Vec<Slot>, RuntimeError> {
         stack::with_stack(|| {
             ctx.text.clear();
             let depth = std::mem::take(&mut ctx.depth);
             let (function, frame) = self.function(id)?;
             let activation = Activation { function, frame, base: 0 };
-            let mut machine =
-                Machine { interpreter: self, ctx, stack: arguments.to_vec(), activation, guards: 0 };
+            let mut machine = Machine {
+                interpreter: self,
+                ctx,
+                stack: arguments.to_vec(),
+                activation,
+                guards: 0,
+                kept: None,
+            };
+            machine.kept = keep.then(Vec::new);
             machine.at(function.span);
             let result = machine.call(id, 0);
-            let slots = machine.stack;
+            let slots = machine.kept.unwrap_or(machine.stack);
             ctx.depth = depth;
             result.map(|()| slots).map_err(|mut error| {
                 error.place.get_or_insert(ctx.place);
@@ -114,6 +140,8 @@ struct Machine<'m, 'p> {
     activation: Activation<'m, 'p>,
     /// Blocks under way, in this function and those that called it, whose errors the program catches.
     guards: usize,
+    /// What the variables of the outermost function end with, if somebody wants them.
+    kept: Option<Vec<Slot>>,
 }
 
 /// The function at work.
@@ -175,6 +203,9 @@ impl<'p> Machine<'_, 'p> {
             }
         }
         self.run_blocks()?;
+        if let Some(kept) = self.kept.as_mut().filter(|_| start == 0 && self.ctx.depth == 1) {
+            kept.extend(self.stack.get(base..base + frame.slots).unwrap_or_default());
+        }
         for (local, mode) in &function.parameters {
             if *mode != Mode::In {
                 let slots = self.local(*local)?;

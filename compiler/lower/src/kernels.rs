@@ -10,6 +10,7 @@ use motion::{Carried, Motion};
 use std::collections::HashMap;
 use std::fmt;
 
+mod definitions;
 mod functions;
 mod motion;
 mod parts;
@@ -17,6 +18,9 @@ mod parts;
 mod tests;
 mod value;
 
+pub use definitions::{
+    DefinitionGraph, DefinitionId, InputSymbol, Shape, SymbolKind, definition_expressions, definition_graph,
+};
 pub use functions::lower_kernel;
 use value::Value;
 

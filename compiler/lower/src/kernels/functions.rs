@@ -47,11 +47,7 @@ pub fn lower_kernel(program: &Program, id: SymbolicFunctionId) -> Result<Tape, K
         .get(id.0 as usize)
         .ok_or_else(|| broken("no such symbolic function", Span::default()))?;
     let mut lowering = Lowering::new(program, &[]);
-    let first = lowering.inputs as u32;
-    let (symbols, arguments) = lowering.free_arguments(&function.parameters, first);
-    lowering.inputs += symbols.len();
-    lowering.next_symbol = lowering.inputs as u32;
-    let body = lowering.body(function, arguments)?;
+    let body = lowering.free_body(function)?;
     let outputs = body.flat(&mut lowering.graph);
     Ok(lowering.graph.schedule(lowering.inputs, &outputs))
 }
@@ -72,6 +68,15 @@ impl<'a> Lowering<'a> {
         });
         let arguments = arguments.collect();
         (symbols, arguments)
+    }
+
+    /// The body of a function that stands for itself: its arguments are the inputs after those there are.
+    pub(super) fn free_body(&mut self, function: &'a SymbolicFunction) -> Result<Value, KernelError> {
+        let first = self.inputs as u32;
+        let (symbols, arguments) = self.free_arguments(&function.parameters, first);
+        self.inputs += symbols.len();
+        self.next_symbol = self.inputs as u32;
+        self.body(function, arguments)
     }
 
     fn body(&mut self, function: &'a SymbolicFunction, arguments: Vec<Value>) -> Result<Value, KernelError> {

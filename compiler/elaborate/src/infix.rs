@@ -1,0 +1,345 @@
+//! Simplified expressions in the notation of the language, parts that are used again under names of their own.
+
+use crate::shown::rounded;
+use calyx_lower::kernels::{DefinitionGraph, Shape};
+use calyx_symbolic::{Binary, Factor, Node, NodeId, Unary};
+use std::collections::HashMap;
+
+/// A part longer than this gets a name, so that no line is too long to be read.
+const LONGEST: usize = 90;
+/// A part used more than once gets a name if it is longer than this.
+const WORTH_A_NAME: usize = 20;
+/// Parts beyond which nobody reads on.
+const MOST_PARTS: usize = 12;
+/// Operations beyond which nothing is written.
+const MOST_OPERATIONS: usize = 300;
+
+/// An expression in the notation of the language.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Infix {
+    /// The whole, in terms of the parts.
+    pub value: String,
+    /// Parts by name, each in terms of those before it.
+    pub parts: Vec<(String, String)>,
+    /// Numbers in it were computed from others, so they are in SI and have lost their unit.
+    pub bare: bool,
+}
+
+/// How tightly the outermost operation of a text binds, loosest first.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Binding {
+    Choice,
+    Or,
+    And,
+    Comparison,
+    Sum,
+    Product,
+    Sign,
+    Power,
+    Atom,
+}
+
+/// A text and what surrounds it must know of it.
+#[derive(Clone)]
+struct Piece {
+    text: String,
+    binding: Binding,
+}
+
+impl Piece {
+    fn atom(text: impl Into<String>) -> Piece {
+        Piece { text: text.into(), binding: Binding::Atom }
+    }
+
+    /// In a place that holds what binds at least so tightly.
+    fn within(&self, least: Binding) -> String {
+        if self.binding >= least { self.text.clone() } else { format!("({})", self.text) }
+    }
+}
+
+/// The expression as text; `None` if it is too long to be read. `literals` are constants as the source writes them, by the
+/// bits of their number.
+pub(crate) fn infix(definition: &DefinitionGraph, literals: &HashMap<u64, String>) -> Option<Infix> {
+    let roots = definition.shape.nodes();
+    let nodes = definition.graph.reachable(&roots, |_| true);
+    if nodes.len() > MOST_OPERATIONS {
+        return None;
+    }
+    let mut writer = Writer {
+        definition,
+        literals,
+        uses: HashMap::new(),
+        powers: HashMap::new(),
+        pieces: HashMap::new(),
+        out: Infix::default(),
+        prefix: prefix(definition),
+    };
+    writer.count(&nodes, &roots);
+    for id in nodes {
+        writer.write(id);
+        if writer.out.parts.len() > MOST_PARTS {
+            return None;
+        }
+    }
+    writer.out.value = writer.shape(&definition.shape)?.text;
+    (writer.out.value.len() <= LONGEST * MOST_PARTS).then_some(writer.out)
+}
+
+/// What names of parts begin with: no input has such a name.
+fn prefix(definition: &DefinitionGraph) -> &'static str {
+    let taken = |prefix: &&str| {
+        let numbered = |name: &str| {
+            name.strip_prefix(*prefix).is_some_and(|rest| rest.chars().all(|c| c.is_ascii_digit()))
+        };
+        !definition.inputs.iter().any(|input| numbered(&input.text))
+    };
+    ["u", "v", "w"].into_iter().find(taken).unwrap_or("part")
+}
+
+struct Writer<'a> {
+    definition: &'a DefinitionGraph,
+    literals: &'a HashMap<u64, String>,
+    uses: HashMap<NodeId, usize>,
+    /// Products of one factor: the factor, and how often.
+    powers: HashMap<NodeId, (NodeId, u32)>,
+    pieces: HashMap<NodeId, Piece>,
+    out: Infix,
+    prefix: &'static str,
+}
+
+impl Writer<'_> {
+    /// How often each node is written, if none gets a name.
+    fn count(&mut self, nodes: &[NodeId], roots: &[NodeId]) {
+        for root in roots {
+            *self.uses.entry(*root).or_default() += 1;
+        }
+        for id in nodes {
+            if let Node::Binary(Binary::Multiply, a, b) = self.definition.graph.node(*id) {
+                let power = |id| self.powers.get(&id).copied().unwrap_or((id, 1));
+                let ((base, m), (other, n)) = (power(a), power(b));
+                if base == other {
+                    self.powers.insert(*id, (base, m + n));
+                    *self.uses.entry(base).or_default() += 1;
+                    continue;
+                }
+            }
+            for operand in self.definition.graph.node(*id).operands().into_iter().flatten() {
+                *self.uses.entry(operand).or_default() += 1;
+            }
+        }
+    }
+
+    fn piece(&self, id: NodeId) -> Piece {
+        self.pieces.get(&id).cloned().unwrap_or_else(|| Piece::atom("..."))
+    }
+
+    fn write(&mut self, id: NodeId) {
+        let node = self.definition.graph.node(id);
+        let piece = match self.powers.get(&id) {
+            Some((base, times)) => Piece {
+                text: format!("{}^{times}", self.piece(*base).within(Binding::Atom)),
+                binding: Binding::Power,
+            },
+            None => self.node(node),
+        };
+        let leaf = matches!(node, Node::Constant(_) | Node::Symbol(_));
+        let uses = self.uses.get(&id).copied().unwrap_or(0);
+        let named = !leaf && (piece.text.len() > LONGEST || uses > 1 && piece.text.len() > WORTH_A_NAME);
+        let piece = if named {
+            let name = format!("{}{}", self.prefix, self.out.parts.len() + 1);
+            self.out.parts.push((name.clone(), piece.text));
+            Piece::atom(name)
+        } else {
+            piece
+        };
+        self.pieces.insert(id, piece);
+    }
+
+    fn node(&mut self, node: Node) -> Piece {
+        match node {
+            Node::Constant(bits) => self.constant(bits),
+            Node::Symbol(index) => {
+                let input = self.definition.inputs.get(index as usize);
+                Piece::atom(input.map_or("?", |input| input.text.as_str()))
+            }
+            Node::Unary(operation, a) => self.unary(operation, a),
+            Node::Binary(operation, a, b) => self.binary(operation, a, b),
+            Node::Select(c, a, b) => {
+                let [c, a] = [c, a].map(|id| self.piece(id));
+                Piece {
+                    text: format!("if ({}) {} else {}", c.text, a.within(Binding::Or), self.piece(b).text),
+                    binding: Binding::Choice,
+                }
+            }
+        }
+    }
+
+    fn constant(&mut self, bits: u64) -> Piece {
+        if let Some(literal) = self.literals.get(&bits) {
+            return Piece::atom(literal);
+        }
+        let value = f64::from_bits(bits);
+        if let Some(literal) = self.literals.get(&(-value).to_bits()) {
+            return Piece { text: format!("-{literal}"), binding: Binding::Sign };
+        }
+        // Whole numbers are exponents, orders and counts.
+        self.out.bare |= value.fract() != 0.0 || value.abs() >= 100.0;
+        if value < 0.0 {
+            return Piece { text: rounded(value), binding: Binding::Sign };
+        }
+        Piece::atom(rounded(value))
+    }
+
+    fn unary(&mut self, operation: Unary, a: NodeId) -> Piece {
+        let inner = self.piece(a);
+        let name = match operation {
+            Unary::Negate => {
+                let text = format!("-{}", inner.within(Binding::Product));
+                return Piece { text, binding: Binding::Sign };
+            }
+            Unary::Not => {
+                let equality = match self.definition.graph.node(a) {
+                    Node::Binary(Binary::Equal, x, y) => Some((x, y)),
+                    _ => None,
+                };
+                if let Some((x, y)) = equality {
+                    return self.between(x, "!=", y, Binding::Comparison);
+                }
+                return Piece { text: format!("!{}", inner.within(Binding::Atom)), binding: Binding::Sign };
+            }
+            Unary::Abs => "abs",
+            Unary::Sqrt => "sqrt",
+            Unary::Sin => "sin",
+            Unary::Cos => "cos",
+            Unary::Tan => "tan",
+            Unary::Asin => "asin",
+            Unary::Acos => "acos",
+            Unary::Atan => "atan",
+            Unary::Exp => "exp",
+            Unary::Log => "log",
+            Unary::Floor => "floor",
+            Unary::Ceil => "ceil",
+            Unary::Round => "round",
+        };
+        Piece::atom(format!("{name}({})", inner.text))
+    }
+
+    fn binary(&mut self, operation: Binary, a: NodeId, b: NodeId) -> Piece {
+        let call =
+            |name: &str| Piece::atom(format!("{name}({}, {})", self.piece(a).text, self.piece(b).text));
+        match operation {
+            Binary::Add => {
+                let second = self.piece(b);
+                // A negative constant stands second.
+                if let Some(positive) =
+                    second.text.strip_prefix('-').filter(|_| second.binding == Binding::Sign)
+                {
+                    let text = format!("{} - {positive}", self.piece(a).within(Binding::Sum));
+                    return Piece { text, binding: Binding::Sum };
+                }
+                self.between(a, "+", b, Binding::Sum)
+            }
+            Binary::Subtract => self.between(a, "-", b, Binding::Sum),
+            Binary::Multiply => self.between(a, "*", b, Binding::Product),
+            Binary::Divide => self.between(a, "/", b, Binding::Product),
+            Binary::Power => {
+                let [a, b] = [self.piece(a).within(Binding::Atom), self.piece(b).within(Binding::Power)];
+                Piece { text: format!("{a}^{b}"), binding: Binding::Power }
+            }
+            Binary::Less => self.between(a, "<", b, Binding::Comparison),
+            Binary::LessEqual => self.between(a, "<=", b, Binding::Comparison),
+            Binary::Equal => self.between(a, "==", b, Binding::Comparison),
+            Binary::And => self.between(a, "&", b, Binding::And),
+            Binary::Or => self.between(a, "|", b, Binding::Or),
+            Binary::Atan2 => call("atan2"),
+            Binary::Min => call("min"),
+            Binary::Max => call("max"),
+        }
+    }
+
+    /// Two operands, of which what is on the right binds more tightly unless grouping does not matter.
+    fn between(&self, a: NodeId, sign: &str, b: NodeId, binding: Binding) -> Piece {
+        let tighter = match binding {
+            Binding::Sum => Binding::Product,
+            Binding::Product => Binding::Power,
+            Binding::Comparison => Binding::Sum,
+            same => same,
+        };
+        let left = if binding == Binding::Comparison { tighter } else { binding };
+        // A sum of sums and a product of products read without brackets.
+        let right = if matches!(sign, "+" | "*") { binding } else { tighter };
+        let text = format!("{} {sign} {}", self.piece(a).within(left), self.piece(b).within(right));
+        Piece { text, binding }
+    }
+
+    fn shape(&self, shape: &Shape) -> Option<Piece> {
+        Some(match shape {
+            Shape::Number(node) => self.piece(*node),
+            Shape::Vector(vector) => self.vector(*vector),
+            Shape::Frame(factors) => self.frame(factors)?,
+            Shape::Brackets(parts) => {
+                let parts: Vec<String> =
+                    parts.iter().map(|part| self.shape(part).map(|part| part.text)).collect::<Option<_>>()?;
+                Piece::atom(format!("[{}]", parts.join(", ")))
+            }
+        })
+    }
+
+    /// A sum over the axes.
+    fn vector(&self, vector: [NodeId; 3]) -> Piece {
+        let whole: Vec<String> = vector.iter().map(|id| self.piece(*id).text).collect();
+        if let [Some(x), Some(y), Some(z)] =
+            [(0, ".x"), (1, ".y"), (2, ".z")].map(|(at, end)| whole[at].strip_suffix(end))
+            && x == y
+            && y == z
+        {
+            return Piece::atom(x);
+        }
+        let graph = &self.definition.graph;
+        let mut text = String::new();
+        let mut terms = 0;
+        for (id, axis) in vector.into_iter().zip(["e1", "e2", "e3"]) {
+            if graph.is_zero(id) {
+                continue;
+            }
+            let term = if graph.is_one(id) {
+                axis.to_owned()
+            } else {
+                format!("{} * {axis}", self.piece(id).within(Binding::Product))
+            };
+            match (terms, term.strip_prefix('-')) {
+                (0, _) => text += &term,
+                (_, Some(positive)) => text += &format!(" - {positive}"),
+                (_, None) => text += &format!(" + {term}"),
+            }
+            terms += 1;
+        }
+        match terms {
+            0 => Piece { text: "0 * e1".into(), binding: Binding::Product },
+            1 if !text.contains(' ') => Piece::atom(text),
+            1 => Piece { text, binding: Binding::Product },
+            _ => Piece { text, binding: Binding::Sum },
+        }
+    }
+
+    /// The chain, read right to left from ground as it is written. `None` if a factor cannot be written.
+    fn frame(&self, factors: &[Factor]) -> Option<Piece> {
+        let factor = |factor: &Factor| match factor {
+            Factor::Translate(vector) => Some(format!("Translate({})", self.vector(*vector).text)),
+            Factor::Rotate { angle, axis } => {
+                Some(format!("Rotate({}, {})", self.piece(*angle).text, self.vector(*axis).text))
+            }
+            // A frame that was captured stands as its twelve numbers.
+            Factor::Rigid { rotation, .. } => {
+                let first = self.piece(rotation[0][0]).text;
+                first.strip_suffix("[0]").map(str::to_owned)
+            }
+        };
+        let texts: Vec<String> = factors.iter().rev().map(factor).collect::<Option<_>>()?;
+        match texts.len() {
+            0 => Some(Piece::atom("Translate(0 * e1)")),
+            1 => Some(Piece::atom(texts.concat())),
+            _ => Some(Piece { text: texts.join(" * "), binding: Binding::Product }),
+        }
+    }
+}

@@ -1,0 +1,95 @@
+//! Values that names have once a model has been elaborated: of params, and of variables when the top level has ended.
+
+use crate::shown::{in_unit, rounded};
+use calyx_abi::description::{ParamDescription, ParamValue};
+use calyx_abi::units::from_si;
+use calyx_abi::{Context, Repr, Slot};
+use calyx_lang::dimension::Dimension;
+use calyx_lang::ir::{DisplayUnit, Program};
+use calyx_lang::units::UnitSystem;
+use std::collections::BTreeMap;
+
+/// The value of a variable of the top level when that has ended. Numbers are in SI; what they measure, the types say.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Value {
+    Number(f64),
+    Vector([f64; 3]),
+    Bool(bool),
+    Text(String),
+}
+
+impl Value {
+    /// The value in the units of a file; `None` where the model's own dimensions are in it.
+    pub fn shown(&self, dimension: Dimension, system: &str) -> Option<String> {
+        let unit = || {
+            let system = UnitSystem::from_name(system).unwrap_or(UnitSystem::Si);
+            dimension.is_physics().then(|| system.unit_of(dimension))
+        };
+        Some(match self {
+            Value::Number(number) => in_unit(*number, &unit()?),
+            Value::Vector(vector) => {
+                let unit = unit()?;
+                let parts = vector.map(|number| rounded(from_si(number, unit.factor)));
+                format!("({}) {}", parts.join(", "), unit.name).trim_end().to_owned()
+            }
+            Value::Bool(true) => "TRUE".into(),
+            Value::Bool(false) => "FALSE".into(),
+            Value::Text(text) => format!("{text:?}"),
+        })
+    }
+}
+
+/// The value of a param as the model has it, in the unit of its default.
+pub fn default_of(param: &ParamDescription) -> Option<String> {
+    Some(match param.default.as_ref()? {
+        ParamValue::Number(number) => of_param(*number, param),
+        ParamValue::Bool(true) => "TRUE".into(),
+        ParamValue::Bool(false) => "FALSE".into(),
+        ParamValue::String(text) => format!("{text:?}"),
+    })
+}
+
+/// The range of a param in the unit of its default, or its choices; `None` if it has neither.
+pub fn range_of(param: &ParamDescription) -> Option<String> {
+    if !param.choices.is_empty() {
+        let choices: Vec<String> = param.choices.iter().map(|choice| format!("{choice:?}")).collect();
+        return Some(choices.join(", "));
+    }
+    let end = |end: Option<f64>| end.map(|end| of_param(end, param)).unwrap_or_default();
+    (param.low.is_some() || param.high.is_some())
+        .then(|| format!("{} .. {}", end(param.low), end(param.high)).trim().to_owned())
+}
+
+fn of_param(number: f64, param: &ParamDescription) -> String {
+    let unit = &param.unit;
+    in_unit(number, &DisplayUnit { name: unit.name.clone(), factor: unit.factor, dimension: unit.dimension })
+}
+
+/// Variables of the top level by name, from the slots that its function ended with. Names that stand for
+/// variables of several values (in blocks beside each other, say) are left out.
+pub(crate) fn of_top_level(program: &Program, slots: &[Slot], context: &Context) -> BTreeMap<String, Value> {
+    let Some(main) = program.functions.get(program.main.0 as usize) else { return BTreeMap::new() };
+    let (mut values, mut at) = (BTreeMap::new(), 0);
+    for local in &main.locals {
+        let own = slots.get(at..at + local.repr.slots()).unwrap_or_default();
+        at += local.repr.slots();
+        let value = value(&local.repr, own, context);
+        // What a `:=` captured has the name of the variable that it was.
+        let known = values.entry(local.name.clone()).or_insert_with(|| value.clone());
+        if *known != value {
+            *known = None;
+        }
+    }
+    values.into_iter().filter_map(|(name, value)| Some((name, value?))).collect()
+}
+
+fn value(repr: &Repr, slots: &[Slot], context: &Context) -> Option<Value> {
+    let number = |slot: &Slot| f64::from_bits(*slot);
+    match (repr, slots) {
+        (Repr::Number, [slot]) => Some(Value::Number(number(slot))),
+        (Repr::Vector, [x, y, z]) => Some(Value::Vector([x, y, z].map(number))),
+        (Repr::Bool, [slot]) => Some(Value::Bool(*slot != 0)),
+        (Repr::String, [slot]) => context.heap.str(*slot).map(|text| Value::Text(text.to_owned())),
+        _ => None,
+    }
+}
