@@ -1,16 +1,19 @@
 //! Declares an unknown name, and takes back a declaration's `private`.
 
 use super::{Action, Asked, fix};
+use crate::ide::Edit;
 use crate::ide::near::{Given, Receiver};
 use calyx_lang::ast::{Bind, Expr, ExprKind, StmtKind};
+use calyx_lang::declared::name_of;
 use calyx_lang::diagnostic::Diagnostic;
 use calyx_lang::dimension::Dimension;
 use calyx_lang::usual_units::written;
 
 pub(super) fn of(asked: &Asked, problem: &Diagnostic, found: &mut Vec<Action>) {
-    if problem.code == "E0220" {
-        variable_for_constant(asked, problem, found);
-        return;
+    match problem.code.as_str() {
+        "E0220" => return variable_for_constant(asked, problem, found),
+        "E0204" => return found.extend(public(asked, problem)),
+        _ => {}
     }
     let place = problem.primary.span;
     let name = asked.slice(place);
@@ -113,4 +116,30 @@ fn variable_for_constant(asked: &Asked, problem: &Diagnostic, found: &mut Vec<Ac
             found.push(fix(format!("Make `{}` a variable", asked.slice(label.span)), vec![edit]));
         }
     }
+}
+
+/// Takes back the `private` of what another module hides.
+fn public(asked: &Asked, problem: &Diagnostic) -> Option<Action> {
+    let place = problem.primary.span;
+    let around = asked.around(place);
+    let member = around.expression().and_then(|e| match &e.kind {
+        ExprKind::Field { base, field } if field.span == place => Some((base.span.end, &field.name)),
+        _ => None,
+    });
+    let (module_end, name) = member?;
+    let database = &asked.snapshot.database;
+    let module = database.name_at(&asked.file, module_end)?.declared?.file;
+    let (tree, text) = (database.tree(&module)?, database.text(&module)?);
+    let hidden = tree.module.statements.iter().find(|statement| {
+        statement.private && name_of(statement).is_some_and(|declared| declared.name == *name)
+    })?;
+    let start = hidden.span.start;
+    let rest = text.get(start as usize..)?.strip_prefix("private")?;
+    let length = "private".len() + (rest.len() - rest.trim_start().len());
+    let own = !module.starts_with('<');
+    own.then(|| {
+        let edit =
+            Edit { file: module.clone(), start, end: start + length as u32, replacement: String::new() };
+        fix(format!("Make `{name}` visible outside its module"), vec![edit])
+    })
 }

@@ -7,6 +7,7 @@ mod convert;
 mod declare;
 mod extract;
 mod fixes;
+mod formats;
 mod import;
 mod outputs;
 mod symbolic;
@@ -83,6 +84,7 @@ pub fn actions(snapshot: &Snapshot, file: &str, range: Range<u32>) -> Vec<Action
         outputs::of(&asked, problem, &mut found);
         arguments::of(&asked, problem, &mut found);
         vectors::of(&asked, problem, &mut found);
+        formats::of(&asked, problem, &mut found);
         let mended = (problem.code.clone(), problem.primary.span.start..problem.primary.span.end);
         for action in &mut found[from..] {
             action.mends = Some(mended.clone());
