@@ -145,8 +145,8 @@ impl Database {
     /// # Errors
     /// It was interrupted.
     pub fn attempt<T>(&self, questions: impl FnOnce(&Database) -> T) -> Result<T, Superseded> {
-        // What is being computed is thrown away, and everything else is as it was.
-        Cancelled::catch(AssertUnwindSafe(|| questions(self))).map_err(|_| Superseded)
+        // Attached throughout, so that no cancellation is lost between two questions.
+        attempt(|| salsa::Database::attach(&self.salsa, |_| questions(self)))
     }
 
     /// What stops this clone, from another thread.
@@ -196,6 +196,15 @@ impl Database {
         let model = *self.models.get(name)?;
         Some(deep(|| check(&self.salsa, model, self.library).clone()))
     }
+}
+
+/// Asks questions of any databases, all of which may be interrupted as in [`Database::attempt`].
+///
+/// # Errors
+/// One was interrupted.
+pub fn attempt<T>(questions: impl FnOnce() -> T) -> Result<T, Superseded> {
+    // What is being computed is thrown away, and everything else is as it was.
+    Cancelled::catch(AssertUnwindSafe(questions)).map_err(|_| Superseded)
 }
 
 /// Changes a text if it differs: an equal one must not start a new revision.

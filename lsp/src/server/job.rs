@@ -3,7 +3,7 @@
 use super::Shared;
 use super::router::Route;
 use super::view::View;
-use calyx_lang::db::{Canceller, Superseded};
+use calyx_lang::db::{Canceller, Superseded, attempt};
 use serde_json::Value;
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -94,10 +94,7 @@ impl Job {
             (Route::OfDocument(answer), [view, ..]) => {
                 view.snapshot.database.attempt(|_| answer(view, params))
             }
-            (Route::OfWorkspace(answer), []) => Ok(answer(&[], params)),
-            (Route::OfWorkspace(answer), all @ [view, ..]) => {
-                view.snapshot.database.attempt(|_| answer(all, params))
-            }
+            (Route::OfWorkspace(answer), all) => attempt(|| answer(all, params)),
         }));
         drop(views);
         match answered {

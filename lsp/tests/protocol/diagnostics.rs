@@ -1,0 +1,60 @@
+//! What is published about a text.
+
+use crate::client::{Client, codes};
+use serde_json::json;
+
+const MODEL: &str = "untitled:model";
+
+#[test]
+fn diagnostics_follow_the_text_and_carry_its_version() {
+    let mut client = Client::ready(json!({}));
+    client.open(MODEL, "print(1 mm + 2);\n");
+    let found = client.diagnostics(MODEL, 1);
+    assert_eq!(codes(Some(&found)), ["E0401"]);
+    assert_eq!(found[0]["source"], "calyx");
+    assert_eq!(found[0]["severity"], 1);
+    client.set(MODEL, 2, "print(1 mm + 2 mm);\n");
+    assert_eq!(client.diagnostics(MODEL, 2), [] as [serde_json::Value; 0]);
+    client.close(MODEL);
+    assert!(client.leave());
+}
+
+#[test]
+fn other_places_are_related_where_the_client_shows_them_and_told_where_it_does_not() {
+    let text = "var a = 1 mm;\nvar a = 2 mm;\nprint(a);\n";
+    let can = json!({ "textDocument": { "publishDiagnostics": { "relatedInformation": true } } });
+    let mut client = Client::ready(can);
+    client.open(MODEL, text);
+    let found = client.diagnostics(MODEL, 1);
+    assert_eq!(codes(Some(&found)), ["E0202"]);
+    assert_eq!(found[0]["range"]["start"], json!({ "line": 1, "character": 4 }));
+    let related = &found[0]["relatedInformation"][0];
+    assert_eq!(related["location"]["uri"], MODEL);
+    assert_eq!(related["location"]["range"]["start"], json!({ "line": 0, "character": 4 }));
+    assert!(client.leave());
+
+    let mut client = Client::ready(json!({}));
+    client.open(MODEL, text);
+    let found = client.diagnostics(MODEL, 1);
+    let message = found[0]["message"].as_str().expect("a message");
+    assert!(found[0].get("relatedInformation").is_none());
+    assert!(message.contains("\nline 1: "), "{message}");
+    assert!(client.leave());
+}
+
+#[test]
+fn what_can_go_is_marked_and_fixes_travel_along() {
+    let mut client = Client::ready(json!({}));
+    client.open(MODEL, "var unused = 1;\nimport gear;\n");
+    let found = client.diagnostics(MODEL, 1);
+    let by_code =
+        |code: &str| found.iter().find(|d| d["code"] == code).unwrap_or_else(|| panic!("{found:?}"));
+    assert_eq!(by_code("W0201")["tags"], json!([1]));
+    assert_eq!(by_code("W0201")["severity"], 2);
+    let import = by_code("E0209");
+    assert_eq!(import["data"]["newText"], "gears");
+    assert_eq!(import["data"]["uri"], MODEL);
+    let message = import["message"].as_str().expect("a message");
+    assert!(message.contains("help: did you mean `gears`?"), "{message}");
+    assert!(client.leave());
+}

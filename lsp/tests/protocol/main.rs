@@ -1,0 +1,10 @@
+//! The server as clients see it: messages in, messages out, over pipes in memory.
+//!
+//! The real command over its standard streams is tested beside the command, in `compiler/tests/lsp.rs`.
+
+mod cancellation;
+mod client;
+mod diagnostics;
+mod edits;
+mod life_cycle;
+mod workspace;
