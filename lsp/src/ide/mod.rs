@@ -3,6 +3,7 @@
 pub mod actions;
 mod constant;
 pub mod definition;
+pub mod elaborated;
 pub mod folding;
 pub mod formatting;
 pub mod fuzzy;
@@ -22,6 +23,8 @@ pub mod typing;
 mod walk;
 
 use calyx_lang::db::Database;
+use elaborated::Elaborated;
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// The texts of a folder and what is known of them at one moment.
@@ -30,6 +33,15 @@ use std::sync::Arc;
 #[derive(Clone)]
 pub struct Snapshot {
     pub database: Database,
+    /// What elaboration has last said, by model; nothing as long as it has not yet.
+    pub elaborated: Arc<BTreeMap<Arc<str>, Arc<Elaborated>>>,
+}
+
+impl Snapshot {
+    /// A snapshot of which nothing is elaborated.
+    pub fn new(database: Database) -> Snapshot {
+        Snapshot { database, elaborated: Arc::default() }
+    }
 }
 
 /// A cursor: a byte offset in a file.

@@ -3,6 +3,7 @@
 //! Nothing is waited for: a check that a newer edit supersedes is given up at once and begun again with the newer text.
 
 use super::Shared;
+use super::background::Background;
 use super::job::reason;
 use super::view::View;
 use super::workspace::Key;
@@ -42,6 +43,11 @@ impl Wake {
         self.set(Waking::Roused);
     }
 
+    /// Ends the thread.
+    pub fn stop(&self) {
+        self.set(Waking::Stopped);
+    }
+
     fn set(&self, to: Waking) {
         let mut state = self.state.lock().unwrap_or_else(PoisonError::into_inner);
         if *state != Waking::Stopped {
@@ -64,18 +70,8 @@ impl Wake {
     }
 }
 
-/// Ends the thread.
-pub(crate) struct Publisher(Arc<Shared>);
-
-impl Publisher {
-    pub fn stop(self) {
-        self.0.wake.set(Waking::Stopped);
-    }
-}
-
 /// Starts the thread that publishes.
-pub(crate) fn start(shared: Arc<Shared>, client: Client, runtime: Handle) -> io::Result<Publisher> {
-    let publisher = Publisher(shared.clone());
+pub(crate) fn start(shared: Arc<Shared>, client: Client, runtime: Handle) -> io::Result<()> {
     thread::Builder::new().name("diagnostics".to_owned()).spawn(move || {
         let mut published = Published::default();
         while shared.wake.wait() {
@@ -83,7 +79,7 @@ pub(crate) fn start(shared: Arc<Shared>, client: Client, runtime: Handle) -> io:
             publish(&shared, dirty, &mut published, &client, &runtime);
         }
     })?;
-    Ok(publisher)
+    Ok(())
 }
 
 /// Files that show diagnostics, by project.
@@ -95,7 +91,7 @@ fn publish(shared: &Shared, views: Vec<View>, published: &mut Published, client:
     let mut views = views.into_iter();
     while let Some(view) = views.next() {
         let home = view.project.clone();
-        let found = catch_unwind(AssertUnwindSafe(|| of_project(&view)));
+        let found = catch_unwind(AssertUnwindSafe(|| of_project(&view, &shared.background)));
         match found {
             Ok(Ok(found)) => {
                 let shown = published.entry(home).or_default();
@@ -134,41 +130,66 @@ fn publish(shared: &Shared, views: Vec<View>, published: &mut Published, client:
 /// What there is to say about each file.
 type Found = BTreeMap<Uri, (Option<i32>, Vec<Diagnostic>)>;
 
-/// Everything wrong with the files of a project. Open files are there even if nothing is.
-fn of_project(view: &View) -> Result<Found, Superseded> {
-    let database = &view.snapshot.database;
-    let checked = database.attempt(|database| {
-        let checked = view.models.iter().filter_map(|model| database.check(model));
-        checked.collect::<Vec<Arc<Checked>>>()
-    })?;
-    let mut found = Found::new();
-    for (uri, document) in &*view.documents {
-        if document.home == view.project {
-            found.insert(uri.clone(), (Some(document.version), Vec::new()));
+/// Everything wrong with the files of a project. Open files are there even if nothing is. Has models elaborated whose program is a
+/// new one.
+fn of_project(view: &View, background: &Background) -> Result<Found, Superseded> {
+    let all = view.snapshot.database.attempt(|database| {
+        let checked = view.models.iter().filter_map(|model| Some((model.clone(), database.check(model)?)));
+        let checked: Vec<(Arc<str>, Arc<Checked>)> = checked.collect();
+        let carried = view.snapshot.elaborated.values();
+        let carried: Vec<_> = carried.map(|known| (known.clone(), known.found(database))).collect();
+        (checked, carried)
+    });
+    let (checked, carried) = all?;
+    let mut findings = Findings::new(view);
+    for (model, checked) in &checked {
+        findings.add(&checked.files, &checked.diagnostics);
+        // What only imports a module describes nothing.
+        if view.file(model).is_some() {
+            background.submit(&view.project, model, checked, view.snapshot.elaborated.get(model));
         }
     }
-    // A module says the same to all who import it.
-    let mut seen = BTreeSet::new();
-    for checked in &checked {
-        for finding in &checked.diagnostics {
-            let Some(file) = source(&checked.files, finding.primary.span) else { continue };
+    for (known, found) in &carried {
+        findings.add(known.files(), found);
+    }
+    Ok(findings.found)
+}
+
+/// Findings as they are gathered.
+struct Findings<'a> {
+    view: &'a View,
+    found: Found,
+    /// A module says the same to all who import it.
+    seen: BTreeSet<(String, u32, u32, String, String)>,
+}
+
+impl<'a> Findings<'a> {
+    fn new(view: &'a View) -> Findings<'a> {
+        let open = view.documents.iter().filter(|(_, document)| document.home == view.project);
+        let found = open.map(|(uri, document)| (uri.clone(), (Some(document.version), Vec::new()))).collect();
+        Findings { view, found, seen: BTreeSet::new() }
+    }
+
+    fn add(&mut self, files: &[SourceFile], findings: &[Finding]) {
+        let view = self.view;
+        for finding in findings {
+            let span = finding.primary.span;
+            let Some(file) = source(files, span) else { continue };
             // Of the library nothing can be mended here.
             if view.file(&file.name).is_none_or(|file| file.of_library) {
                 continue;
             }
-            let span = finding.primary.span;
-            if !seen.insert((file.name.clone(), span.start, span.end, &finding.code, &finding.message)) {
+            let key =
+                (file.name.clone(), span.start, span.end, finding.code.clone(), finding.message.clone());
+            if !self.seen.insert(key) {
                 continue;
             }
-            if let (Some(uri), Some(diagnostic)) =
-                (view.uri(&file.name), to_protocol(view, &checked.files, finding))
-            {
+            if let (Some(uri), Some(diagnostic)) = (view.uri(&file.name), to_protocol(view, files, finding)) {
                 let version = view.version(&uri);
-                found.entry(uri).or_insert_with(|| (version, Vec::new())).1.push(diagnostic);
+                self.found.entry(uri).or_insert_with(|| (version, Vec::new())).1.push(diagnostic);
             }
         }
     }
-    Ok(found)
 }
 
 fn source(files: &[SourceFile], span: Span) -> Option<&SourceFile> {

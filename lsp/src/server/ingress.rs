@@ -148,7 +148,11 @@ impl Ingress {
             }),
             DidChangeTextDocument::METHOD => self.with::<DidChangeTextDocument>(params, |shared, params| {
                 let document = params.text_document;
-                shared.workspace().change(&document.uri, document.version, &params.content_changes);
+                let mut workspace = shared.workspace();
+                if let Some(home) = workspace.home_of(&document.uri) {
+                    shared.background.edited(home);
+                }
+                workspace.change(&document.uri, document.version, &params.content_changes);
             }),
             DidCloseTextDocument::METHOD => self.with::<DidCloseTextDocument>(params, |shared, params| {
                 shared.workspace().close(&params.text_document.uri);

@@ -2,9 +2,10 @@
 //!
 //! [`ingress`] takes messages in the order they arrive: texts change there ([`workspace`]), and requests take the [`view`] they are
 //! answered on. [`router`] knows which of the [`handlers`] answers what; [`job`] runs it on a thread of its own. [`diagnostics`]
-//! follow every change. Types of the protocol are named here and nowhere else.
+//! follow every change, those of gears from the [`background`]. Types of the protocol are named here and nowhere else.
 
 mod backend;
+mod background;
 mod capabilities;
 pub mod client;
 pub mod convert;
@@ -22,6 +23,7 @@ pub mod view;
 pub mod workspace;
 
 use backend::Backend;
+use background::Background;
 use diagnostics::Wake;
 use ingress::{Ingress, Phase};
 use library::Library;
@@ -78,12 +80,14 @@ pub async fn serve(
         Backend { shared, client }
     });
     let Some((shared, client)) = made else { return Ok(false) };
-    let publisher = diagnostics::start(shared.clone(), client, Handle::current())?;
+    diagnostics::start(shared.clone(), client, Handle::current())?;
+    background::start(shared.clone())?;
     let ingress = Ingress::new(service, shared.clone(), router);
     /// Answers are computed elsewhere; this is how many may wait to be sent.
     const MOST_ANSWERS: usize = 256;
     Server::new(input, output, socket).concurrency_level(MOST_ANSWERS).serve(ingress).await;
-    publisher.stop();
+    shared.wake.stop();
+    shared.background.stop();
     Ok(shared.phase() == Phase::ShutDown)
 }
 
@@ -93,6 +97,7 @@ pub(crate) struct Shared {
     phase: Mutex<Phase>,
     pub log: Log,
     pub wake: Wake,
+    pub background: Background,
     record: Option<Mutex<File>>,
 }
 
@@ -103,6 +108,7 @@ impl Shared {
             phase: Mutex::new(Phase::Waiting),
             log,
             wake: Wake::default(),
+            background: Background::default(),
             record: record.map(Mutex::new),
         }
     }

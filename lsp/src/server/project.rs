@@ -3,6 +3,8 @@
 use super::imports::imports;
 use super::library::Library;
 use super::text::Text;
+use crate::ide::Snapshot;
+use crate::ide::elaborated::Elaborated;
 use calyx_lang::check::Loader;
 use calyx_lang::db::Database;
 use std::collections::{BTreeMap, BTreeSet};
@@ -50,6 +52,7 @@ pub struct Project {
     opened: Vec<Arc<str>>,
     /// Names of the models that only import a module that is open, so that it is checked.
     importers: BTreeSet<String>,
+    elaborated: Arc<BTreeMap<Arc<str>, Arc<Elaborated>>>,
     library: Arc<Library>,
 }
 
@@ -82,6 +85,7 @@ impl Project {
             files: Arc::new(Files::from([(prelude.name.as_str().into(), file)])),
             opened: Vec::new(),
             importers: BTreeSet::new(),
+            elaborated: Arc::default(),
             library: library.clone(),
         }
     }
@@ -96,8 +100,16 @@ impl Project {
         project
     }
 
-    pub fn database(&self) -> &Database {
-        &self.database
+    /// Everything as it is now. A text that changes waits until all snapshots are gone.
+    pub fn snapshot(&self) -> Snapshot {
+        Snapshot { database: self.database.clone(), elaborated: self.elaborated.clone() }
+    }
+
+    /// Keeps what elaboration says of a model.
+    pub fn set_elaborated(&mut self, model: &Arc<str>, elaborated: Elaborated) {
+        if self.files.get(model).is_some_and(|file| file.role == Role::Model) {
+            Arc::make_mut(&mut self.elaborated).insert(model.clone(), Arc::new(elaborated));
+        }
     }
 
     pub fn files(&self) -> &Arc<Files> {
@@ -221,7 +233,10 @@ impl Project {
 
     fn remove(&mut self, name: &Arc<str>) {
         match self.files.get(name).map(|file| file.role.clone()) {
-            Some(Role::Model) => self.database.remove_model(name),
+            Some(Role::Model) => {
+                self.database.remove_model(name);
+                Arc::make_mut(&mut self.elaborated).remove(name);
+            }
             Some(Role::Module(path)) => self.database.remove_module(&path),
             Some(Role::Prelude) | None => return,
         }

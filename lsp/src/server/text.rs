@@ -107,14 +107,13 @@ impl Text {
         start.min(end)..start.max(end)
     }
 
-    /// The text after changes, each of which is placed in what the ones before it left, and what they replaced.
+    /// The text after changes, each of which is placed in what the ones before it left.
     pub fn changed(
         self: &Arc<Text>,
         changes: &[TextDocumentContentChangeEvent],
         encoding: Encoding,
-    ) -> (Arc<Text>, Vec<Replaced>) {
+    ) -> Arc<Text> {
         let mut text = self.clone();
-        let mut replaced = Vec::new();
         for change in changes {
             let bytes = match change.range {
                 Some(range) => text.bytes(range, encoding),
@@ -124,29 +123,9 @@ impl Text {
             content.push_str(text.slice(0..bytes.start));
             content.push_str(&change.text);
             content.push_str(text.slice(bytes.end..text.len()));
-            replaced.push(Replaced { start: bytes.start, end: bytes.end, by: change.text.len() as u32 });
             text = Arc::new(Text::new(content));
         }
-        (text, replaced)
-    }
-}
-
-/// Bytes `start..end` have become `by` others.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Replaced {
-    pub start: u32,
-    pub end: u32,
-    pub by: u32,
-}
-
-impl Replaced {
-    /// Where bytes are after the change; `None` if it touched them.
-    pub fn moved(&self, bytes: &Bytes<u32>) -> Option<Bytes<u32>> {
-        if bytes.end < self.start {
-            return Some(bytes.clone());
-        }
-        let shift = |offset: u32| (offset - self.end) + self.start + self.by;
-        (bytes.start > self.end).then(|| shift(bytes.start)..shift(bytes.end))
+        text
     }
 }
 
@@ -195,21 +174,11 @@ mod tests {
     fn changes_build_on_each_other() {
         let text = Arc::new(Text::new("first µ\nsecond\n"));
         let changes = [change(at(0, 6), at(0, 7), "😀"), change(at(0, 8), at(1, 3), "x\r\n")];
-        let (changed, replaced) = text.changed(&changes, Encoding::Utf16);
+        let changed = text.changed(&changes, Encoding::Utf16);
         assert_eq!(&**changed.content(), "first 😀x\r\nond\n");
-        assert_eq!(replaced, [Replaced { start: 6, end: 8, by: 4 }, Replaced { start: 10, end: 14, by: 3 }]);
         let whole = TextDocumentContentChangeEvent { range: None, range_length: None, text: "new".into() };
-        assert_eq!(&**text.changed(&[whole], Encoding::Utf16).0.content(), "new");
+        assert_eq!(&**text.changed(&[whole], Encoding::Utf16).content(), "new");
         let backwards = change(at(1, 6), at(1, 0), "");
-        assert_eq!(&**text.changed(&[backwards], Encoding::Utf16).0.content(), "first µ\n\n");
-    }
-
-    #[test]
-    fn bytes_are_followed_through_a_change_that_leaves_them_alone() {
-        let replaced = Replaced { start: 10, end: 12, by: 5 };
-        assert_eq!(replaced.moved(&(2..9)), Some(2..9));
-        assert_eq!(replaced.moved(&(13..15)), Some(16..18));
-        assert_eq!(replaced.moved(&(2..10)), None);
-        assert_eq!(replaced.moved(&(12..14)), None);
+        assert_eq!(&**text.changed(&[backwards], Encoding::Utf16).content(), "first µ\n\n");
     }
 }

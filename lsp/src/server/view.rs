@@ -28,7 +28,7 @@ pub struct View {
 impl View {
     pub(super) fn new(project: &Project, key: Key, file: Arc<str>, workspace: &Workspace) -> View {
         View {
-            snapshot: ide::Snapshot { database: project.database().clone() },
+            snapshot: project.snapshot(),
             file,
             files: project.files().clone(),
             client: workspace.client.clone(),

@@ -6,8 +6,9 @@
 use super::client::Client;
 use super::library::Library;
 use super::project::{Project, Sources, dotted, imported_by_files};
-use super::text::{Replaced, Text};
+use super::text::Text;
 use super::view::View;
+use crate::ide::elaborated::Elaborated;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -120,6 +121,11 @@ impl Workspace {
         self.documents.get(uri).map(|document| document.version)
     }
 
+    /// The project of a document that is open.
+    pub fn home_of(&self, uri: &Uri) -> Option<&Key> {
+        self.documents.get(uri).map(|document| &document.home)
+    }
+
     pub fn documents(&self) -> &Arc<Documents> {
         &self.documents
     }
@@ -200,16 +206,11 @@ impl Workspace {
         self.settle_all_with(&name, home);
     }
 
-    /// Applies changes; returns what they replaced.
-    pub fn change(
-        &mut self,
-        uri: &Uri,
-        version: i32,
-        changes: &[TextDocumentContentChangeEvent],
-    ) -> Vec<Replaced> {
+    /// Applies changes of an open document.
+    pub fn change(&mut self, uri: &Uri, version: i32, changes: &[TextDocumentContentChangeEvent]) {
         let encoding = self.client.encoding;
-        let Some(document) = Arc::make_mut(&mut self.documents).get_mut(uri) else { return Vec::new() };
-        let (text, replaced) = document.text.changed(changes, encoding);
+        let Some(document) = Arc::make_mut(&mut self.documents).get_mut(uri) else { return };
+        let text = document.text.changed(changes, encoding);
         document.text = text.clone();
         document.version = version;
         let name = document.name.clone();
@@ -225,7 +226,14 @@ impl Workspace {
             }
         }
         unsettled.into_iter().for_each(|key| self.settle(key));
-        replaced
+    }
+
+    /// Keeps what elaboration says of a model, to be published.
+    pub fn set_elaborated(&mut self, home: &Key, model: &Arc<str>, elaborated: Elaborated) {
+        if let Some(project) = self.projects.get_mut(home) {
+            project.set_elaborated(model, elaborated);
+            self.dirty.insert(home.clone());
+        }
     }
 
     pub fn close(&mut self, uri: &Uri) {

@@ -114,7 +114,7 @@ pub fn snapshot(files: &[(String, String)]) -> Snapshot {
     let (model, text) = &files[0];
     database.set_model(model, text);
     database.load_imports(model, &loader);
-    Snapshot { database }
+    Snapshot::new(database)
 }
 
 /// The files after some edits, whose places are those before any of them.
