@@ -3,7 +3,7 @@
 //! A model is elaborated in the background, on a text that may have changed since. What was said of places that no change has
 //! touched still holds, and is found where those places are now.
 
-use calyx_elaborate::Elaboration;
+use calyx_elaborate::{Elaboration, GearGeometry, Made, MeshGeometry};
 use calyx_lang::analysis::Place;
 use calyx_lang::check::Checked;
 use calyx_lang::db::Database;
@@ -94,6 +94,18 @@ impl Elaborated {
         let change = change(self.files.get(index)?, database)?.undone();
         let (start, _) = change.moved(offset, offset)?;
         Some((FileId(index as u32), start))
+    }
+
+    /// The gear that the call around an offset of a file makes.
+    pub fn gear_at(&self, database: &Database, file: &str, offset: u32) -> Option<&Made<GearGeometry>> {
+        let (file, offset) = self.before(database, file, offset)?;
+        self.elaboration.geometry.gear_at(file.0, offset)
+    }
+
+    /// The mesh that the call around an offset of a file makes.
+    pub fn mesh_at(&self, database: &Database, file: &str, offset: u32) -> Option<&Made<MeshGeometry>> {
+        let (file, offset) = self.before(database, file, offset)?;
+        self.elaboration.geometry.mesh_at(file.0, offset)
     }
 
     /// Where a place in the texts it was made from is now.

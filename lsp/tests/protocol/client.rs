@@ -136,7 +136,9 @@ impl Client {
 
     /// Takes one message in. What the server asks of the client is granted.
     fn receive(&mut self) {
-        let message = self.messages.recv_timeout(PATIENCE).expect("the server has something to say");
+        let received = self.messages.recv_timeout(PATIENCE);
+        let message =
+            received.unwrap_or_else(|_| panic!("nothing more is said after {:#?}", self.notifications));
         match (message.get("id").and_then(Value::as_i64), message.get("method")) {
             (Some(id), None) => {
                 self.answers.insert(id, message);

@@ -109,7 +109,7 @@ impl Random {
 
 const START: &str = "import gears;\nunits mm_N_s;\nparam width = 20 mm in 1 mm .. 50 mm;\n\
     function area(in a, in b = 2 mm) {\n    return a*b;\n}\n// größer 😀\n\
-    var size = area(width);\nif (size > 3 mm^2) {\n    print(\"Ø {size}\");\n}\noutput o = size;\n";
+    var size = area(width);\nif (size > 3 mm^2) {\n    print(\"Ø {size}\");\n}\noutput o := size;\n";
 
 const PIECES: &[&str] = &[
     "var x = 3 mm;\n",
@@ -133,7 +133,7 @@ const PIECES: &[&str] = &[
     "function f(in a) { return a; }\n",
     "print(width);\n",
     " mm",
-    "output q = area(1 mm);\n",
+    "output q := area(1 mm);\n",
     "x = ",
     "gears.",
     "\t",

@@ -4,7 +4,7 @@ use crate::client::{Client, Folder};
 use serde_json::json;
 
 const MODULE: &str = "units mm_N_s;\nfunction twice(in x) { return 2*x; }\n";
-const MODEL: &str = "import util;\nunits mm_N_s;\noutput o = util.twice(1 mm);\n";
+const MODEL: &str = "import util;\nunits mm_N_s;\noutput o := util.twice(1 mm);\n";
 
 #[test]
 fn a_module_on_the_disk_is_found_and_its_buffer_wins() {
@@ -41,7 +41,7 @@ fn errors_of_a_module_are_shown_in_the_module() {
 #[test]
 fn a_module_opened_by_itself_is_checked_as_a_module() {
     let folder = Folder::new();
-    folder.write("pair.cx", "import parts.util;\noutput o = parts.util.twice(1);\n");
+    folder.write("pair.cx", "import parts.util;\noutput o := parts.util.twice(1);\n");
     let module = folder.write("parts/util.cx", MODULE);
     let mut client = Client::ready(json!({}));
     // What runs belongs to the model; only a module is told so.
