@@ -1,0 +1,211 @@
+//! Highlighting repeats the language's words in three notations; each must hold all of them and no others.
+
+use crate::read;
+use calyx_lang::check::builtin_names;
+use calyx_lang::dimension::Dimension;
+use calyx_lang::lexer::keywords;
+use calyx_lang::units::Unit;
+use serde_json::Value;
+use std::collections::BTreeSet;
+
+type Words = BTreeSet<String>;
+
+fn set<'a>(words: impl IntoIterator<Item = &'a str>) -> Words {
+    words.into_iter().map(str::to_owned).collect()
+}
+
+/// All spellings that are words; `%` is one of the operators to an editor.
+fn units() -> Words {
+    let spellings = Unit::all().iter().flat_map(|unit| unit.aliases.iter().chain([&unit.name]).copied());
+    set(spellings.filter(|spelling| *spelling != "%"))
+}
+
+/// Names with a fixed meaning that are not functions.
+fn constants() -> Words {
+    set(["Time", "e1", "e2", "e3", "pi", "inf", "nan", "TRUE", "FALSE"])
+}
+
+fn functions() -> Words {
+    set(builtin_names()).difference(&constants()).cloned().collect()
+}
+
+/// What may stand between `extern` and `function`.
+const EFFECTS: [&str; 3] = ["pure", "scene", "effect"];
+
+fn without(words: &Words, others: impl IntoIterator<Item = &'static str>) -> Words {
+    words.difference(&set(others)).cloned().collect()
+}
+
+/// The words that a regular expression spells out, leaving out its escapes: `\b`, `\p{L}`.
+fn spelt_out(regex: &str) -> Words {
+    let mut words = Words::new();
+    let mut word = String::new();
+    let mut characters = regex.chars().peekable();
+    while let Some(character) = characters.next() {
+        if character.is_alphanumeric() || character == '_' {
+            word.push(character);
+            continue;
+        }
+        words.insert(std::mem::take(&mut word));
+        if character == '\\' && characters.next().is_some_and(|escape| escape == 'p') {
+            let _ = characters.by_ref().take_while(|c| *c != '}').count();
+        }
+    }
+    words.insert(word);
+    words.retain(|word| word.chars().any(char::is_alphabetic));
+    words
+}
+
+/// Everything spelt out in the regular expressions below a place of the grammar.
+fn below(value: &Value) -> Words {
+    match value {
+        Value::Array(items) => items.iter().flat_map(below).collect(),
+        Value::Object(fields) => fields
+            .iter()
+            .flat_map(|(name, value)| match (name.as_str(), value) {
+                ("match" | "begin" | "end", Value::String(regex)) => spelt_out(regex),
+                _ => below(value),
+            })
+            .collect(),
+        _ => Words::new(),
+    }
+}
+
+struct Grammar(Value);
+
+impl Grammar {
+    fn read() -> Grammar {
+        let text = read("vscode/syntaxes/calyx.tmLanguage.json");
+        Grammar(serde_json::from_str(&text).expect("the grammar is JSON"))
+    }
+
+    fn section(&self, name: &str) -> &Value {
+        let section = &self.0["repository"][name];
+        assert!(section.is_object(), "the grammar has no section `{name}`");
+        section
+    }
+
+    fn sections(&self, names: &[&str]) -> Words {
+        names.iter().flat_map(|name| below(self.section(name))).collect()
+    }
+
+    fn pattern(&self, section: &str, scope: &str) -> Words {
+        let patterns = self.section(section)["patterns"].as_array().expect("patterns");
+        let pattern = patterns.iter().find(|pattern| pattern["name"] == scope);
+        below(pattern.unwrap_or_else(|| panic!("`{section}` has no `{scope}`")))
+    }
+}
+
+#[test]
+fn the_textmate_grammar_has_the_languages_words() {
+    let grammar = Grammar::read();
+    let found =
+        grammar.sections(&["declarations", "functions", "parameters", "statements", "keywords", "at"]);
+    let mut expected = without(&set(keywords()), ["TRUE", "FALSE"]);
+    expected.extend(set(EFFECTS));
+    assert_eq!(found, expected);
+    // Each of the words that are always words is one of some rule of its own, whatever stands around it.
+    let always = grammar.sections(&["keywords"]);
+    let contextual = [
+        "import",
+        "units",
+        "param",
+        "output",
+        "extern",
+        "at",
+        "private",
+        "test",
+        "const",
+        "record",
+        "dimension",
+        "unit",
+        "TRUE",
+        "FALSE",
+    ];
+    assert_eq!(always, without(&set(keywords()), contextual));
+    assert_eq!(grammar.sections(&["constants"]), constants());
+    assert_eq!(grammar.pattern("unit-product", "keyword.other.unit.calyx"), units());
+    assert_eq!(grammar.pattern("types", "support.type.dimension.calyx"), set(Dimension::names()));
+    assert_eq!(grammar.pattern("calls", "support.function.calyx"), functions());
+}
+
+/// The words of `syn keyword GROUP ...`, which may go on in lines that begin with `\`.
+fn vim_keywords(syntax: &str, group: &str) -> Words {
+    let mut words = Words::new();
+    let mut inside = false;
+    for line in syntax.lines() {
+        let rest = match line.strip_prefix("syn keyword ").and_then(|rest| rest.split_once(' ')) {
+            Some((of, rest)) => {
+                inside = of == group;
+                rest
+            }
+            None => match line.trim_start().strip_prefix("\\ ") {
+                Some(rest) => rest,
+                None => {
+                    inside = false;
+                    continue;
+                }
+            },
+        };
+        if inside {
+            words.extend(
+                rest.split(' ').filter(|word| *word != "contained" && !word.contains('=')).map(str::to_owned),
+            );
+        }
+    }
+    words
+}
+
+#[test]
+fn the_vim_syntax_has_the_languages_words() {
+    let syntax = read("neovim/syntax/calyx.vim");
+    let groups =
+        |groups: &[&str]| groups.iter().flat_map(|group| vim_keywords(&syntax, group)).collect::<Words>();
+    let always = groups(&[
+        "calyxConditional",
+        "calyxRepeat",
+        "calyxLabel",
+        "calyxStatement",
+        "calyxException",
+        "calyxStorage",
+        "calyxMode",
+        "calyxBoolean",
+    ]);
+    let all = set(keywords());
+    let contextual: Words = all.difference(&always).cloned().collect();
+    assert!(always.is_subset(&all), "{:?}", always.difference(&all));
+    for word in contextual.iter().map(String::as_str).chain(EFFECTS) {
+        let in_match = syntax
+            .lines()
+            .filter(|line| line.starts_with("syn match"))
+            .any(|line| line.split(|c: char| !c.is_alphanumeric()).any(|part| part == word));
+        assert!(in_match, "no rule knows `{word}`");
+    }
+    assert_eq!(groups(&["calyxConstant"]), without(&constants(), ["TRUE", "FALSE"]));
+    // `min` is a function only where it is called.
+    assert_eq!(groups(&["calyxBuiltin"]), without(&functions(), ["min"]));
+    assert_eq!(groups(&["calyxUnitFactor"]), units());
+    let dimensions = groups(&["calyxDimension"]);
+    // `Time` is shown as the time.
+    let missing: Words = set(Dimension::names()).difference(&dimensions).cloned().collect();
+    assert_eq!(missing, set(["Time"]));
+}
+
+/// The strings of `(defconst NAME '(...))`.
+fn lisp_list(text: &str, name: &str) -> Words {
+    let (_, rest) = text.split_once(&format!("(defconst {name}")).unwrap_or_else(|| panic!("no {name}"));
+    let (_, rest) = rest.split_once("'(").expect("a list");
+    let (list, _) = rest.split_once(')').expect("the list ends");
+    set(list.split('"').skip(1).step_by(2))
+}
+
+#[test]
+fn the_emacs_mode_has_the_languages_words() {
+    let mode = read("emacs/calyx-mode.el");
+    let words = |names: &[&str]| names.iter().flat_map(|name| lisp_list(&mode, name)).collect::<Words>();
+    assert_eq!(words(&["calyx--keywords", "calyx--contextual", "calyx--booleans"]), set(keywords()));
+    assert_eq!(words(&["calyx--constants", "calyx--booleans"]), constants());
+    assert_eq!(words(&["calyx--builtins"]), functions());
+    assert_eq!(words(&["calyx--units"]), units());
+    assert!(set(Dimension::names()).is_subset(&words(&["calyx--types"])));
+}
