@@ -20,8 +20,13 @@ pub enum Declared<'t> {
 
 /// The declaration whose name starts at an offset, and the top-level statement it lies in.
 pub fn find(module: &Module, offset: u32) -> Option<(&Stmt, Declared<'_>)> {
-    let after = module.statements.partition_point(|statement| statement.span.start <= offset);
-    let item = module.statements.get(after.checked_sub(1)?)?;
+    find_in(&module.statements, offset)
+}
+
+/// The same among some statements of a file, in order.
+pub(crate) fn find_in(statements: &[Stmt], offset: u32) -> Option<(&Stmt, Declared<'_>)> {
+    let after = statements.partition_point(|statement| statement.span.start <= offset);
+    let item = statements.get(after.checked_sub(1)?)?;
     Some((item, within(item, offset)?))
 }
 

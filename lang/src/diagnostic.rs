@@ -1,6 +1,6 @@
 //! What is wrong with a program, as data: made where it is found, rendered elsewhere.
 
-use crate::span::Span;
+use crate::span::{FileId, Span};
 use calyx_abi::error::Call;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -62,6 +62,18 @@ impl Diagnostic {
 
     pub fn warning(code: &str, message: impl Into<String>, span: Span, label: impl Into<String>) -> Self {
         Diagnostic { severity: Severity::Warning, ..Diagnostic::error(code, message, span, label) }
+    }
+
+    /// Places counted from the start of a part of `file`, put where the part lies.
+    pub(crate) fn moved(&self, file: FileId, by: u32) -> Self {
+        let mut moved = self.clone();
+        let to = |span: &mut Span| *span = Span { file, start: span.start + by, end: span.end + by };
+        to(&mut moved.primary.span);
+        moved.labels.iter_mut().for_each(|label| to(&mut label.span));
+        if let Some(fix) = &mut moved.fix {
+            to(&mut fix.span);
+        }
+        moved
     }
 
     pub fn label(mut self, span: Span, message: impl Into<String>) -> Self {

@@ -2,10 +2,11 @@
 //!
 //! Places in an item are counted from its start, so an item stays the same whatever happens above it.
 
-use crate::ast::{Expr, ExprKind, FunctionBody, FunctionDecl, Module, Stmt, StmtKind};
+use crate::ast::{Expr, ExprKind, FunctionBody, FunctionDecl, Stmt, StmtKind};
 use crate::relocate;
 use crate::span::{FileId, Span};
 use std::collections::BTreeSet;
+use std::sync::Arc;
 
 /// What a top-level statement is to others. Stays the same while its text is edited.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
@@ -34,7 +35,8 @@ pub struct Item {
     pub names: BTreeSet<String>,
 }
 
-/// An item, what it is and what it declares, and where it starts.
+/// A statement as an item: what it is and what it declares.
+#[derive(Debug)]
 pub struct Split {
     pub kind: ItemKind,
     /// Empty if it declares nothing. Of several names the first; the others are in `more`.
@@ -42,16 +44,13 @@ pub struct Split {
     pub more: Vec<String>,
     /// Not seen by importers.
     pub private: bool,
+    /// Where it starts in the text it was split from.
     pub start: u32,
-    pub item: Item,
+    pub item: Arc<Item>,
 }
 
-/// The items of a file in order.
-pub fn split(module: &Module, text: &str) -> Vec<Split> {
-    module.statements.iter().map(|statement| split_one(statement.clone(), text)).collect()
-}
-
-fn split_one(mut statement: Stmt, text: &str) -> Split {
+/// A statement of a text as an item.
+pub fn split(mut statement: Stmt, text: &str) -> Split {
     let Span { start, end, .. } = statement.span;
     relocate::to(&mut statement, FileId(0), 0);
     let private = statement.private;
@@ -94,7 +93,8 @@ fn split_one(mut statement: Stmt, text: &str) -> Split {
     }
     without_docs(&mut statement);
     let text = text.get(start as usize..end as usize).unwrap_or_default().to_string();
-    Split { kind, name, more, private, start, item: Item { statement, text, header_names, names } }
+    let item = Arc::new(Item { statement, text, header_names, names });
+    Split { kind, name, more, private, start, item }
 }
 
 fn without_docs(statement: &mut Stmt) {

@@ -3,7 +3,7 @@
 //! Meanings are found by item, relative to its start, and kept until the unit that the item is checked in is checked again.
 
 use super::groups::group_of;
-use super::items::{Item, items, module, parse};
+use super::items::{Item, Part, items, module, parse, parts, tokens};
 use super::units::{check_group, check_top, dependents, id};
 use super::{Database, Library, Parsed, Text};
 use crate::analysis::*;
@@ -15,20 +15,15 @@ use crate::check::unit::Unit;
 use crate::check::{Shown, builtins, expressions};
 use crate::declared::{self, Declared};
 use crate::deep::deep;
-use crate::lexer::{self, Tokens};
+use crate::lexer::Tokens;
 use crate::relocate;
 use crate::scope;
-use crate::span::{FileId, Span};
+use crate::span::Span;
 use salsa::Id;
 use salsa::plumbing::FromId;
 use std::collections::HashMap;
 use std::ops::Range;
 use std::sync::Arc;
-
-#[salsa::tracked(no_eq)]
-fn tokens(db: &dyn salsa::Database, text: Text) -> Arc<Tokens> {
-    Arc::new(lexer::lex(FileId(0), text.content(db)))
-}
 
 /// A name in an item, with places relative to the items they are in.
 #[derive(Debug)]
@@ -156,7 +151,7 @@ impl Database {
     fn find(&self, file: &str) -> Option<Text> {
         let db = &self.salsa;
         let modules = || self.library.modules(db).values().copied().chain([self.library.prelude(db)]);
-        self.models.get(file).copied().or_else(|| modules().find(|text| text.name(db) == file))
+        self.models.get(file).copied().or_else(|| modules().find(|text| **text.name(db) == *file))
     }
 
     /// Names of the models, in order.
@@ -169,7 +164,7 @@ impl Database {
         let db = &self.salsa;
         let modules =
             self.library.modules(db).values().chain([&self.library.prelude(db)]).copied().collect::<Vec<_>>();
-        let modules = modules.into_iter().map(|text| Arc::from(text.name(db).as_str()));
+        let modules = modules.into_iter().map(|text| text.name(db).clone());
         self.models().map(Arc::from).chain(modules).collect()
     }
 
@@ -178,7 +173,7 @@ impl Database {
         let db = &self.salsa;
         let Some(text) = self.find(file) else { return Vec::new() };
         let all = super::items::reachable(db, text, self.library).iter();
-        all.map(|text| Arc::from(text.name(db).as_str())).collect()
+        all.map(|text| text.name(db).clone()).collect()
     }
 
     /// The dotted path of a module's file; `None` for a model.
@@ -190,7 +185,7 @@ impl Database {
     /// The file of a module, by its dotted path.
     pub fn file_of(&self, module: &str) -> Option<Arc<str>> {
         let db = &self.salsa;
-        self.library.modules(db).get(module).map(|text| Arc::from(text.name(db).as_str()))
+        self.library.modules(db).get(module).map(|text| text.name(db).clone())
     }
 
     /// Modules that can be imported, by their dotted paths.
@@ -239,9 +234,18 @@ impl Database {
 
     /// The name at an offset, or that ends there.
     pub fn name_at(&self, file: &str, offset: u32) -> Option<Name> {
-        let around = self.names_in(file, offset..offset);
-        let touches = |name: &&Name| name.start <= offset && offset <= name.end;
-        around.iter().filter(touches).max_by_key(|name| name.start).cloned()
+        let text = self.find(file)?;
+        deep(|| {
+            // Of two that meet there the later one.
+            self.items_in(text, offset..offset).into_iter().rev().find_map(|item| self.name_in(item, offset))
+        })
+    }
+
+    fn name_in(&self, item: Item<'_>, offset: u32) -> Option<Name> {
+        let at = offset.checked_sub(item.start(&self.salsa))?;
+        let names = relative_names(&self.salsa, item, self.library);
+        let name = names.get(names.partition_point(|name| name.start <= at).checked_sub(1)?)?;
+        (at <= name.end).then(|| self.placed(item, name))
     }
 
     /// The items of a file that a range touches.
@@ -254,35 +258,34 @@ impl Database {
         all.iter().skip(first).copied().take_while(|item| item.start(db) <= range.end).collect()
     }
 
-    fn names_of<'db>(&'db self, item: Item<'db>) -> Vec<Name> {
+    fn names_of(&self, item: Item<'_>) -> Vec<Name> {
+        let names = relative_names(&self.salsa, item, self.library);
+        names.iter().map(|name| self.placed(item, name)).collect()
+    }
+
+    /// A name of an item, in its file.
+    fn placed(&self, item: Item<'_>, name: &Relative) -> Name {
         let db = &self.salsa;
         let start = item.start(db);
-        let mut files: HashMap<Text, Arc<str>> = HashMap::new();
-        let mut file =
-            |text: Text| files.entry(text).or_insert_with(|| Arc::from(text.name(db).as_str())).clone();
-        let each = relative_names(db, item, self.library).iter();
-        let each = each.map(|name| {
-            let declared = match name.target {
-                RelativeTarget::Nowhere => None,
-                RelativeTarget::Module(text) => Some(Place { file: file(text), start: 0, end: 0 }),
-                RelativeTarget::In(to, from, end) => {
-                    let to = item_of(to);
-                    let base = to.start(db);
-                    Some(Place { file: file(to.file(db)), start: base + from, end: base + end })
-                }
-            };
-            Name {
-                start: start + name.start,
-                end: start + name.end,
-                text: name.text.clone(),
-                kind: name.kind,
-                declared,
-                ty: name.ty.clone(),
-                declares: name.target == RelativeTarget::In(id(item), name.start, name.end),
-                writes: name.written,
+        let declared = match name.target {
+            RelativeTarget::Nowhere => None,
+            RelativeTarget::Module(text) => Some(Place { file: text.name(db).clone(), start: 0, end: 0 }),
+            RelativeTarget::In(to, from, end) => {
+                let to = item_of(to);
+                let base = to.start(db);
+                Some(Place { file: to.file(db).name(db).clone(), start: base + from, end: base + end })
             }
-        });
-        each.collect()
+        };
+        Name {
+            start: start + name.start,
+            end: start + name.end,
+            text: name.text.clone(),
+            kind: name.kind,
+            declared,
+            ty: name.ty.clone(),
+            declares: name.target == RelativeTarget::In(id(item), name.start, name.end),
+            writes: name.written,
+        }
     }
 
     /// Every name in any file that means what is declared at a place, the declaration included, by file.
@@ -350,12 +353,16 @@ impl Database {
     /// Names that can be used at an offset: of the file from the inside out, of the prelude, and of the language. A name that is
     /// hidden by a nearer one is left out.
     pub fn visible(&self, file: &str, offset: u32) -> Vec<Visible> {
+        deep(|| self.seen_from(file, offset))
+    }
+
+    fn seen_from(&self, file: &str, offset: u32) -> Vec<Visible> {
         let (Some(text), Some(tokens)) = (self.find(file), self.tokens(file)) else { return Vec::new() };
         let db = &self.salsa;
         let content = text.content(db);
         let mut found: Vec<Visible> = Vec::new();
         let mut seen = std::collections::HashSet::new();
-        let own: Arc<str> = Arc::from(text.name(db).as_str());
+        let own: Arc<str> = text.name(db).clone();
         for local in scope::visible(&tokens.tokens, offset) {
             let name = content.get(local.span.start as usize..local.span.end as usize).unwrap_or_default();
             if !seen.insert(name.to_string()) {
@@ -400,7 +407,7 @@ impl Database {
 
     fn exports(&self, text: Text) -> Vec<Visible> {
         let db = &self.salsa;
-        let own: Arc<str> = Arc::from(text.name(db).as_str());
+        let own: Arc<str> = text.name(db).clone();
         let mut found = Vec::new();
         deep(|| {
             for &item in items(db, text) {
@@ -442,11 +449,18 @@ impl Database {
         found
     }
 
+    /// The part of a file that an offset lies in.
+    fn part_at(&self, file: &str, offset: u32) -> Option<&Part> {
+        let text = self.find(file)?;
+        let all = deep(|| parts(&self.salsa, text));
+        all.get(all.partition_point(|part| part.start <= offset).checked_sub(1)?)
+    }
+
     /// What the declaration of a name says. `place` is that of the name.
     pub fn declaration(&self, place: &Place) -> Option<Declaration> {
-        let text = self.text(&place.file)?;
-        let tree = self.tree(&place.file)?;
-        let (item, found) = declared::find(&tree.module, place.start)?;
+        let part = self.part_at(&place.file, place.start)?;
+        let text = self.text(&place.file)?.get(part.start as usize..)?;
+        let (item, found) = declared::find_in(&part.piece.statements, place.start - part.start)?;
         let name = self.name_at(&place.file, place.start).filter(|name| name.start == place.start);
         let kind = match (&name, found) {
             (Some(name), _) => name.kind,
@@ -462,11 +476,13 @@ impl Database {
         };
         Some(Declaration {
             kind,
-            name: text.get(place.start as usize..place.end as usize)?.into(),
+            name: text
+                .get((place.start - part.start) as usize..(place.end.checked_sub(part.start)?) as usize)?
+                .into(),
             header: declared::header(found, text),
             doc,
             ty: name.and_then(|name| name.ty),
-            item: Place { file: place.file.clone(), start: of.start, end: of.end },
+            item: Place { file: place.file.clone(), start: of.start + part.start, end: of.end + part.start },
         })
     }
 
@@ -484,25 +500,27 @@ impl Database {
     pub fn callable(&self, place: &Place) -> Option<Callable> {
         let db = &self.salsa;
         let text = self.find(&place.file)?;
-        let content = text.content(db);
-        let tree = self.tree(&place.file)?;
-        let (_, Declared::Statement(statement)) = declared::find(&tree.module, place.start)? else {
-            return None;
-        };
+        let part = self.part_at(&place.file, place.start)?;
+        let content = text.content(db).get(part.start as usize..)?;
+        let found = declared::find_in(&part.piece.statements, place.start - part.start)?;
+        let (_, Declared::Statement(statement)) = found else { return None };
         let item = deep(|| self.items_in(text, place.start..place.start)).into_iter().next()?;
         let unit = deep(|| unit_of(db, item, self.library));
         // To places in the unit's excerpt.
         let base = unit.and_then(|unit| unit.layout.start(id(item)));
         let moved = |span: Span| {
             let (file, base) = base.unwrap_or_default();
-            let by = |at: u32| (at + base).saturating_sub(item.start(db));
+            let by = |at: u32| (at + part.start + base).saturating_sub(item.start(db));
             Span { file, start: by(span.start), end: by(span.end) }
         };
         let dimension = |span: Span| unit?.meanings.dimension_at(&unit?.typed, moved(span));
         let slice = |span: Span| content.get(span.start as usize..span.end as usize).map(str::to_string);
-        let at = |span: Span| Some(Place { file: place.file.clone(), start: span.start, end: span.end });
+        let at = |span: Span| {
+            let (start, end) = (span.start + part.start, span.end + part.start);
+            Some(Place { file: place.file.clone(), start, end })
+        };
         let mut callable = Callable {
-            name: content.get(place.start as usize..place.end as usize)?.into(),
+            name: text.content(db).get(place.start as usize..place.end as usize)?.into(),
             kind: NameKind::Function,
             doc: statement.doc.clone(),
             parameters: Vec::new(),

@@ -2,18 +2,107 @@
 
 use super::{Library, Parsed, Text};
 use crate::ast::StmtKind;
-use crate::check::item::{self, ItemKind};
+use crate::check::item::{self, ItemKind, Split};
 use crate::check::{handles_of, model_doc};
+use crate::diagnostic::Diagnostic;
+use crate::lexer::{self, Tokens};
 use crate::parser;
+use crate::parser::pieces::{Piece, Placed, pieces};
 use crate::span::FileId;
 use crate::units::UnitSystem;
 use std::collections::{BTreeSet, HashMap};
-use std::sync::Arc;
+use std::ops::Deref;
+use std::sync::{Arc, Mutex, PoisonError};
 
-#[salsa::tracked]
+#[salsa::tracked(no_eq)]
+pub(super) fn tokens(db: &dyn salsa::Database, text: Text) -> Arc<Tokens> {
+    Arc::new(lexer::lex(FileId(0), text.content(db)))
+}
+
+/// A piece of a text, parsed and split into items.
+#[derive(Debug)]
+pub(super) struct Part {
+    pub start: u32,
+    pub piece: Arc<Piece>,
+    pub splits: Arc<Vec<Split>>,
+}
+
+/// Pieces of a text by what is written in them, from one revision to the next: whoever edits a text parses little of it.
+#[derive(Debug, Default)]
+pub(super) struct Kept(Mutex<HashMap<Arc<str>, Known>>);
+
+#[derive(Clone, Debug)]
+struct Known {
+    piece: Arc<Piece>,
+    splits: Arc<Vec<Split>>,
+}
+
+#[salsa::tracked(no_eq)]
+pub(super) fn parts(db: &dyn salsa::Database, text: Text) -> Arc<Vec<Part>> {
+    let content = text.content(db);
+    let mut kept = text.kept(db).0.lock().unwrap_or_else(PoisonError::into_inner);
+    let pieces = pieces(content, tokens(db, text), |slice| Some(kept.get(slice)?.piece.clone()));
+    let count = pieces.len();
+    let mut next: HashMap<Arc<str>, Known> = HashMap::with_capacity(count);
+    let mut parts = Vec::with_capacity(count);
+    for Placed { range, piece } in pieces {
+        let start = range.start as u32;
+        let slice = content.get(range).unwrap_or_default();
+        let last = parts.len() + 1 == count;
+        // A text may say the same twice.
+        let again = || next.get_key_value(slice).map(|(written, known)| (written.clone(), known.clone()));
+        let known = kept.remove_entry(slice).or_else(again);
+        let (written, splits) = match known.filter(|(_, known)| Arc::ptr_eq(&known.piece, &piece)) {
+            Some((written, known)) => (written, known.splits),
+            None => {
+                let each = piece.statements.iter().map(|statement| item::split(statement.clone(), slice));
+                (Arc::from(slice), Arc::new(each.collect()))
+            }
+        };
+        // What the last one is depends on the file's end.
+        if !last {
+            next.insert(written, Known { piece: piece.clone(), splits: splits.clone() });
+        }
+        parts.push(Part { start, piece, splits });
+    }
+    *kept = next;
+    Arc::new(parts)
+}
+
+/// What is wrong with the syntax of a file.
+pub(super) fn problems(db: &dyn salsa::Database, text: Text) -> Vec<Diagnostic> {
+    let own = parts(db, text)
+        .iter()
+        .flat_map(|part| part.piece.problems.iter().map(|problem| problem.moved(FileId(0), part.start)));
+    tokens(db, text).diagnostics.iter().cloned().chain(own).collect()
+}
+
+/// The tree of a file as a whole.
+#[salsa::tracked(no_eq)]
 pub(super) fn parse(db: &dyn salsa::Database, text: Text) -> Arc<Parsed> {
-    let (module, diagnostics) = parser::parse(FileId(0), text.content(db));
+    let placed = parts(db, text)
+        .iter()
+        .map(|part| Placed { range: part.start as usize..part.start as usize, piece: part.piece.clone() });
+    let (module, diagnostics) = parser::assemble(FileId(0), tokens(db, text), &placed.collect::<Vec<_>>());
     Arc::new(Parsed { module, diagnostics })
+}
+
+/// The content of an item. Most are the very same from one revision to the next, which is seen without looking inside.
+#[derive(Clone, Debug, salsa::SalsaValue)]
+pub(super) struct Content(pub Arc<item::Item>);
+
+impl PartialEq for Content {
+    fn eq(&self, other: &Content) -> bool {
+        Arc::ptr_eq(&self.0, &other.0) || self.0 == other.0
+    }
+}
+
+impl Deref for Content {
+    type Target = item::Item;
+
+    fn deref(&self) -> &item::Item {
+        &self.0
+    }
 }
 
 /// A top-level statement. It is the same one as long as it declares the same.
@@ -28,7 +117,7 @@ pub(super) struct Item<'db> {
     #[returns(copy)]
     pub private: bool,
     #[tracked]
-    pub content: Arc<item::Item>,
+    pub content: Content,
     /// Where it starts in its file. An edit above changes it and nothing else.
     #[tracked]
     #[returns(copy)]
@@ -37,9 +126,12 @@ pub(super) struct Item<'db> {
 
 #[salsa::tracked]
 pub(super) fn items(db: &dyn salsa::Database, text: Text) -> Vec<Item<'_>> {
-    let parsed = parse(db, text);
-    let split = item::split(&parsed.module, text.content(db)).into_iter();
-    split.map(|i| Item::new(db, text, i.kind, i.name, i.more, i.private, Arc::new(i.item), i.start)).collect()
+    let each = parts(db, text).iter().flat_map(|part| part.splits.iter().map(|split| (part.start, split)));
+    let item = |(start, split): (u32, &Split)| {
+        let (kind, name, more) = (split.kind.clone(), split.name.clone(), split.more.clone());
+        Item::new(db, text, kind, name, more, split.private, Content(split.item.clone()), start + split.start)
+    };
+    each.map(item).collect()
 }
 
 /// What a file says of itself as a whole.
@@ -52,13 +144,13 @@ pub(super) struct Facts {
 
 #[salsa::tracked]
 pub(super) fn facts(db: &dyn salsa::Database, text: Text) -> Facts {
-    let module = &parse(db, text).module;
-    let system = module.statements.iter().find_map(|statement| match &statement.kind {
+    let statements = || parts(db, text).iter().flat_map(|part| &part.piece.statements);
+    let system = statements().find_map(|statement| match &statement.kind {
         // An unknown system is reported where statements are checked.
         StmtKind::Units(name) => UnitSystem::from_name(&name.name),
         _ => None,
     });
-    Facts { system, doc: model_doc(module) }
+    Facts { system, doc: model_doc(tokens(db, text).file_doc.as_deref(), statements()) }
 }
 
 /// The items of a file by the names they declare.

@@ -18,7 +18,7 @@ use crate::check::item::ItemKind;
 use crate::check::{Checked, Loader};
 use crate::deep::deep;
 use crate::diagnostic::Diagnostic;
-use items::{declarations, parse};
+use items::{Kept, declarations, parse};
 use program::check;
 use salsa::{Cancelled, Setter};
 use std::collections::{BTreeMap, BTreeSet};
@@ -61,10 +61,12 @@ impl Canceller {
 #[salsa::input(debug)]
 struct Text {
     /// As shown to people.
-    name: String,
+    name: Arc<str>,
     /// As imported: `gears.helical`; empty for a model, `prelude` for the prelude.
     module: String,
     content: String,
+    /// Never changes; what it holds speeds up parsing and decides nothing.
+    kept: Kept,
 }
 
 /// What can be imported.
@@ -95,7 +97,7 @@ impl Database {
 
     fn with_storage(salsa: Storage, loader: &dyn Loader) -> Self {
         let (name, content) = loader.prelude();
-        let prelude = Text::new(&salsa, name, "prelude".into(), content);
+        let prelude = Text::new(&salsa, name.into(), "prelude".into(), content, Kept::default());
         let library = Library::new(&salsa, BTreeMap::new(), prelude, loader.names());
         Database { salsa, models: BTreeMap::new(), library }
     }
@@ -105,7 +107,8 @@ impl Database {
         match self.models.get(name) {
             Some(text) => set(&mut self.salsa, *text, content),
             None => {
-                let text = Text::new(&self.salsa, name.into(), String::new(), content.into());
+                let text =
+                    Text::new(&self.salsa, name.into(), String::new(), content.into(), Kept::default());
                 self.models.insert(name.into(), text);
             }
         }
@@ -117,7 +120,7 @@ impl Database {
         match known {
             Some(text) => set(&mut self.salsa, text, content),
             None => {
-                let text = Text::new(&self.salsa, name.into(), path.into(), content.into());
+                let text = Text::new(&self.salsa, name.into(), path.into(), content.into(), Kept::default());
                 let mut modules = self.library.modules(&self.salsa).clone();
                 modules.insert(path.into(), text);
                 self.library.set_modules(&mut self.salsa).to(modules);

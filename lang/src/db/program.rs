@@ -1,7 +1,7 @@
 //! Queries over a model as a whole: every unit checked, then put together.
 
 use super::groups::{Group, groups};
-use super::items::{facts, items, module, parse, reachable};
+use super::items::{facts, items, module, problems, reachable};
 use super::units::{check_group, check_top, dependents, id};
 use super::{Library, Text};
 use crate::ast::{Ident, StmtKind};
@@ -35,8 +35,7 @@ pub(super) fn check(db: &dyn salsa::Database, model: Text, library: Library) -> 
     let mut diagnostics = Vec::new();
     for (file, &text) in (0..).map(FileId).zip(files) {
         starts.extend(items(db, text).iter().map(|item| (id(*item), (file, item.start(db)))));
-        let found = &parse(db, text).diagnostics;
-        diagnostics.extend(found.iter().map(|diagnostic| in_file(diagnostic, file)));
+        diagnostics.extend(problems(db, text).iter().map(|diagnostic| in_file(diagnostic, file)));
         diagnostics.extend(missing_modules(db, text, file, library));
     }
     // Callees first, over all files: a chain of calls then never becomes a chain of queries inside one another.
@@ -72,8 +71,9 @@ pub(super) fn check(db: &dyn salsa::Database, model: Text, library: Library) -> 
     };
     diagnostics.extend(placed(&|unit| &unit.diagnostics));
     let mut program = None;
-    let sources =
-        files.iter().map(|file| SourceFile { name: file.name(db).clone(), text: file.content(db).clone() });
+    let sources = files
+        .iter()
+        .map(|file| SourceFile { name: file.name(db).to_string(), text: file.content(db).clone() });
     let sources: Vec<SourceFile> = sources.collect();
     if diagnostics.iter().all(|d| !d.code.starts_with("E01")) {
         diagnostics.extend(placed(&|unit| &unit.flow));

@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::check::Checked;
+use crate::span::FileId;
 use std::cell::Cell;
 use std::sync::Mutex;
 
@@ -53,7 +54,7 @@ fn counts(log: &Mutex<Vec<String>>) -> String {
     for name in ran(log) {
         *counts.entry(name).or_default() += 1;
     }
-    let shown = ["parse", "items", "check_group", "check_top", "check"];
+    let shown = ["parts", "items", "check_group", "check_top", "check"];
     let shown = shown.iter().filter_map(|name| Some(format!("{name} {}", counts.get(*name)?)));
     shown.collect::<Vec<_>>().join(", ")
 }
@@ -105,13 +106,14 @@ fn a_model_is_checked_by_unit() {
     let found = checked(&mut db, MODEL);
     assert_eq!(found.diagnostics, []);
     // `sized` sees a param and is checked with the top level; `even` and `odd` are one unit.
-    assert_eq!(counts(&log), "parse 2, items 2, check_group 3, check_top 2, check 1");
+    assert_eq!(counts(&log), "parts 2, items 2, check_group 3, check_top 2, check 1");
 }
 
 #[test]
 fn an_unchanged_text_runs_no_query() {
     let (mut db, log) = watched();
     let first = checked(&mut db, MODEL);
+    db.parse("a.cx").unwrap();
     ran(&log);
     assert!(Arc::ptr_eq(&first, &checked(&mut db, MODEL)));
     db.parse("a.cx").unwrap();
@@ -131,14 +133,14 @@ fn an_edit_in_a_body_checks_that_body_only() {
     ] {
         let text = MODEL.replace(old, new);
         let found = checked(&mut db, &text);
-        assert_eq!(counts(&log), "parse 1, items 1, check_group 1, check 1", "{new}");
+        assert_eq!(counts(&log), "parts 1, items 1, check_group 1, check 1", "{new}");
         assert_afresh(&found, &text);
         checked(&mut db, MODEL);
         ran(&log);
     }
     let text = MODEL.replace("return square(size);", "return area(size, size);");
     let found = checked(&mut db, &text);
-    assert_eq!(counts(&log), "parse 1, items 1, check_top 1, check 1");
+    assert_eq!(counts(&log), "parts 1, items 1, check_top 1, check 1");
     assert_afresh(&found, &text);
 }
 
@@ -154,7 +156,7 @@ fn an_edit_outside_of_items_checks_nothing() {
         MODEL.replace("print(x", "\n\n// before\nprint(x"),
     ] {
         let found = checked(&mut db, &text);
-        assert_eq!(counts(&log), "parse 1, items 1, check 1");
+        assert_eq!(counts(&log), "parts 1, items 1, check 1");
         assert_afresh(&found, &text);
     }
 }
@@ -167,7 +169,7 @@ fn another_scheme_checks_its_callers() {
     // `square` calls `area`; the scheme of `square` changes too, which the top level uses.
     let text = MODEL.replace("return w*h;", "return w + h;");
     let found = checked(&mut db, &text);
-    assert_eq!(counts(&log), "parse 1, items 1, check_group 2, check_top 1, check 1");
+    assert_eq!(counts(&log), "parts 1, items 1, check_group 2, check_top 1, check 1");
     assert_afresh(&found, &text);
 }
 
@@ -180,7 +182,7 @@ fn findings_move_with_their_place() {
     ran(&log);
     let text = format!("// Above.\n{text}");
     let moved = checked(&mut db, &text);
-    assert_eq!(counts(&log), "parse 1, items 1, check 1");
+    assert_eq!(counts(&log), "parts 1, items 1, check 1");
     let (before, after) = (found.diagnostics[0].primary.span, moved.diagnostics[0].primary.span);
     assert_eq!((after.start - before.start, after.end - before.end), (10, 10));
     assert_afresh(&moved, &text);
@@ -196,7 +198,7 @@ fn a_literal_whose_dimension_a_caller_decides_is_checked_with_its_callers() {
     assert_eq!(found.types["x"], "Length");
     ran(&log);
     checked(&mut db, &text.replace("2*gap()", "4*gap()"));
-    assert_eq!(counts(&log), "parse 1, items 1, check_top 1, check 1");
+    assert_eq!(counts(&log), "parts 1, items 1, check_top 1, check 1");
 }
 
 #[test]
@@ -206,7 +208,7 @@ fn a_new_function_checks_itself_and_the_order_of_the_top_level() {
     ran(&log);
     let text = MODEL.replace("function square", "function one() { return 1; }\nfunction square");
     let found = checked(&mut db, &text);
-    assert_eq!(counts(&log), "parse 1, items 1, check_group 1, check_top 1, check 1");
+    assert_eq!(counts(&log), "parts 1, items 1, check_group 1, check_top 1, check 1");
     assert_afresh(&found, &text);
 }
 
@@ -231,13 +233,13 @@ fn an_edit_of_the_library_checks_what_it_concerns() {
     // Another model uses what was found of the library.
     db.set_model("b.cx", "import second;\nprint(second.two());\n");
     db.check("b.cx").unwrap();
-    assert_eq!(counts(&log), "parse 1, items 1, check_top 1, check 1");
+    assert_eq!(counts(&log), "parts 1, items 1, check_top 1, check 1");
     db.set_module("second", "second.cx", "function two() { return 1 + 1; }\n");
     db.check("a.cx").unwrap();
-    assert_eq!(counts(&log), "parse 1, items 1, check_group 1, check 1");
+    assert_eq!(counts(&log), "parts 1, items 1, check_group 1, check 1");
     db.set_module("second", "second.cx", "function two() { return 2 inch; }\n");
     db.check("a.cx").unwrap();
-    assert_eq!(counts(&log), "parse 1, items 1, check_group 2, check_top 1, check 1");
+    assert_eq!(counts(&log), "parts 1, items 1, check_group 2, check_top 1, check 1");
 }
 
 #[test]
@@ -248,7 +250,7 @@ fn a_module_that_is_not_imported_does_not_concern_a_model() {
     db.set_module("second", "second.cx", "function two() { return 2; }\n");
     db.check("a.cx").unwrap();
     // It is read for the dimensions it may declare, and nothing is checked.
-    assert_eq!(counts(&log), "parse 1, items 1");
+    assert_eq!(counts(&log), "parts 1, items 1");
 }
 
 #[test]
@@ -300,8 +302,71 @@ fn a_longer_model_runs_queries_in_proportion_and_an_edit_the_same_few() {
         check_generated(&mut db, &text);
         groups.push(ran(&log).iter().filter(|name| *name == "check_group").count());
         check_generated(&mut db, &generator::with_edited_body(&text));
-        assert_eq!(counts(&log), "parse 1, items 1, check_group 1, check 1");
+        assert_eq!(counts(&log), "parts 1, items 1, check_group 1, check 1");
     }
     // Six functions a section, each checked by itself.
     assert_eq!([groups[1] - groups[0], groups[2] - groups[1]], [6, 6]);
+}
+
+/// Numbers without pattern; the same in every run.
+struct Random(u64);
+
+impl Random {
+    fn below(&mut self, end: usize) -> usize {
+        self.0 = self.0.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        (self.0 >> 33) as usize % end.max(1)
+    }
+}
+
+#[test]
+fn a_text_that_was_edited_parses_as_if_it_were_new() {
+    const WRITTEN: [&str; 24] = [
+        "{",
+        "}",
+        "(",
+        ")",
+        ";",
+        "var x = 1;",
+        "/// Says it.\n",
+        "// note\n",
+        "\n",
+        "\n\n",
+        "else ",
+        "try ",
+        "do ",
+        "while ",
+        "for (",
+        "function f(in a) ",
+        "\"",
+        "{x}",
+        "output ",
+        "units SI;",
+        "@",
+        "/*",
+        "return ",
+        "µ",
+    ];
+    let mut random = Random(1);
+    let mut db = Database::new(&Modules::default());
+    let mut text = MODEL.to_string();
+    for round in 0..1500 {
+        if round % 100 == 0 {
+            text = MODEL.to_string();
+        }
+        let boundary = |random: &mut Random| {
+            let at = random.below(text.len() + 1);
+            (at..=text.len()).find(|at| text.is_char_boundary(*at)).unwrap_or(0)
+        };
+        let start = boundary(&mut random);
+        let end = if random.below(3) == 0 { boundary(&mut random).clamp(start, start + 20) } else { start };
+        let end = (end..=text.len()).find(|at| text.is_char_boundary(*at)).unwrap_or(start);
+        text.replace_range(start..end, WRITTEN[random.below(WRITTEN.len())]);
+        db.set_model("a.cx", &text);
+        let found = db.parse("a.cx").unwrap();
+        let mut fresh = Database::new(&Modules::default());
+        fresh.set_model("a.cx", &text);
+        assert_eq!(found, fresh.parse("a.cx").unwrap(), "{text}");
+        let (module, diagnostics) = crate::parser::parse(FileId(0), &text);
+        assert_eq!((&found.module, &found.diagnostics), (&module, &diagnostics), "{text}");
+    }
 }

@@ -8,18 +8,21 @@ mod declarations;
 mod definitions;
 mod expressions;
 mod nesting;
+pub(crate) mod pieces;
 mod recovery;
 mod source;
 mod statements;
 
-use crate::ast::Module;
+use crate::ast::{Module, Stmt};
 use crate::deep::deep;
 use crate::diagnostic::Diagnostic;
 use crate::lexer::{self, Kind, Tokens};
+use crate::relocate;
 use crate::span::FileId;
 use chumsky::error::{Error, LabelError};
 use chumsky::prelude::*;
 use chumsky::util::MaybeRef;
+use pieces::Placed;
 use source::Source;
 
 /// The tree of a file and everything wrong with its text, in order of place.
@@ -29,21 +32,38 @@ pub fn parse(file: FileId, text: &str) -> (Module, Vec<Diagnostic>) {
 
 /// The same, for who needs the tokens too.
 pub fn parse_tokens(file: FileId, text: &str, tokens: &Tokens) -> (Module, Vec<Diagnostic>) {
-    let Tokens { tokens, docs, file_doc, diagnostics, .. } = tokens;
-    let mut diagnostics = diagnostics.clone();
-    let doc = file_doc.clone();
-    let source = Source::new(file, text, tokens, docs);
+    assemble(file, tokens, &pieces::pieces(text, tokens, |_| None))
+}
+
+/// A file of its pieces.
+pub(crate) fn assemble(file: FileId, tokens: &Tokens, pieces: &[Placed]) -> (Module, Vec<Diagnostic>) {
+    let mut module = Module { statements: Vec::new(), doc: tokens.file_doc.clone() };
+    let mut diagnostics = tokens.diagnostics.clone();
+    for Placed { range, piece } in pieces {
+        let start = range.start as u32;
+        module.statements.extend(piece.statements.iter().map(|statement| {
+            let mut statement = statement.clone();
+            let to = statement.span.start + start;
+            relocate::to(&mut statement, file, to);
+            statement
+        }));
+        diagnostics.extend(piece.problems.iter().map(|problem| problem.moved(file, start)));
+    }
+    (module, in_order(diagnostics))
+}
+
+/// Statements that follow each other, and what is wrong with their syntax.
+fn parse_run(text: &str, tokens: &Tokens, ends_file: bool) -> (Vec<Stmt>, Vec<Diagnostic>) {
+    let Tokens { tokens, docs, diagnostics, .. } = tokens;
+    let source = Source::new(FileId(0), text, tokens, docs, ends_file);
     if let Some(too_deep) = nesting::too_deep(&source) {
-        diagnostics.push(too_deep);
-        return (Module { statements: Vec::new(), doc }, in_order(diagnostics));
+        return (Vec::new(), vec![too_deep]);
     }
     let kinds: Vec<Kind> = tokens.iter().map(|t| t.kind).collect();
     let (statements, problems) =
         deep(|| statements::file(&source).parse(kinds.as_slice()).into_output_errors());
     let problems: Vec<Diagnostic> = problems.into_iter().filter_map(|p| p.0).map(|d| *d).collect();
-    let problems = without_consequences(&source, &diagnostics, problems);
-    diagnostics.extend(problems);
-    (Module { statements: statements.unwrap_or_default(), doc }, in_order(diagnostics))
+    (statements.unwrap_or_default(), in_order(without_consequences(&source, diagnostics, problems)))
 }
 
 fn in_order(mut diagnostics: Vec<Diagnostic>) -> Vec<Diagnostic> {

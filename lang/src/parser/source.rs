@@ -13,6 +13,8 @@ pub(super) struct Source<'a> {
     text: &'a str,
     tokens: &'a [Token],
     docs: &'a HashMap<usize, String>,
+    /// The file ends with its last token.
+    ends_file: bool,
     /// Where the statement that is being read begins, if it begins with an expression.
     statement: Cell<usize>,
 }
@@ -23,8 +25,9 @@ impl<'a> Source<'a> {
         text: &'a str,
         tokens: &'a [Token],
         docs: &'a HashMap<usize, String>,
+        ends_file: bool,
     ) -> Self {
-        Source { file, text, tokens, docs, statement: Cell::new(usize::MAX) }
+        Source { file, text, tokens, docs, ends_file, statement: Cell::new(usize::MAX) }
     }
 
     pub(super) fn len(&self) -> usize {
@@ -107,7 +110,8 @@ impl<'a> Source<'a> {
     /// How to name a token in a message: its own text where that is short.
     pub(super) fn describe(&self, index: usize) -> String {
         match self.kind(index) {
-            None => "the end of the file".into(),
+            None if self.ends_file => "the end of the file".into(),
+            None => "the end of the statement".into(),
             Some(Kind::Identifier | Kind::Number) if self.text(index).len() <= 30 => {
                 format!("`{}`", self.text(index))
             }

@@ -17,7 +17,7 @@ use super::tree::{self, FuncId, UseId};
 use super::typed::Typed;
 use super::types::{Substitution, Type};
 use super::unit::Unit;
-use crate::ast::{Mode, Module, StmtKind};
+use crate::ast::{Mode, Stmt, StmtKind};
 use crate::diagnostic::Diagnostic;
 use crate::dimension::Dimension;
 use crate::ir::{
@@ -133,10 +133,9 @@ fn graph_params(program: &Program) -> Vec<u32> {
 }
 
 /// The comment that opens a file documents the file, also where an import or units follow without a blank line.
-pub fn model_doc(tree: &Module) -> String {
-    let first = tree.statements.first();
-    let first = first.filter(|s| matches!(s.kind, StmtKind::Import(_) | StmtKind::Units(_)));
-    tree.doc.clone().or_else(|| first?.doc.clone()).unwrap_or_default()
+pub fn model_doc<'s>(file_doc: Option<&str>, mut statements: impl Iterator<Item = &'s Stmt>) -> String {
+    let first = statements.next().filter(|s| matches!(s.kind, StmtKind::Import(_) | StmtKind::Units(_)));
+    file_doc.or_else(|| first?.doc.as_deref()).unwrap_or_default().to_string()
 }
 
 fn known_dimension(checker: &Typed, ty: &Type) -> Dimension {
