@@ -451,3 +451,53 @@ fn an_interrupt_ends_the_run() {
     assert_eq!(output.status.code(), Some(1), "{said}");
     assert!(said.contains("[E0704] Error: the run was cancelled"), "{said}");
 }
+
+/// What was solved until somebody ends the run stays, with what it is of; progress told to programs says how far it is.
+#[cfg(unix)]
+#[test]
+fn a_run_that_is_ended_keeps_what_it_solved() {
+    use std::io::{BufRead, BufReader, Read};
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    std::fs::copy(example(), folder.path().join("pair.cx")).expect("writable");
+    let mut run = Command::new(env!("CARGO_BIN_EXE_calyx"))
+        .args(["run", "pair.cx", "--quiet", "--progress", "json", "--set", "steps=5000"])
+        .current_dir(folder.path())
+        .stdout(Stdio::null())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the command starts");
+    let mut err = BufReader::new(run.stderr.take().expect("piped"));
+    let mut stages = Vec::new();
+    loop {
+        let mut line = String::new();
+        assert!(err.read_line(&mut line).expect("text") > 0, "it ended after {stages:?}");
+        let progress: Value = serde_json::from_str(&line).expect("one object a line");
+        if progress["done"] == 0 {
+            assert!(progress["total"].is_null() && progress["seconds_left"].is_null(), "{line}");
+            stages.push(progress["stage"].as_str().expect("a name").to_owned());
+        } else {
+            assert!(
+                progress["total"].as_u64() > Some(5000) && number(&progress["seconds_left"]) > 0.0,
+                "{line}"
+            );
+        }
+        if progress["done"] == 2 {
+            break;
+        }
+    }
+    assert_eq!(stages, ["structures", "positions"]);
+    let sent = Command::new("kill").args(["-INT", &run.id().to_string()]).status();
+    assert!(sent.expect("`kill` is there").success());
+    let mut rest = String::new();
+    err.read_to_string(&mut rest).expect("text");
+    assert_eq!(run.wait().expect("it ends").code(), Some(1), "{rest}");
+    assert!(rest.contains("[E0704] Error: the run was cancelled"), "{rest}");
+
+    let directory = folder.path().join("pair.cx.run");
+    let run = json(directory.join("run.json"));
+    assert_eq!(run["incomplete"]["code"], "E0704");
+    assert!(run["outputs"].is_null() && run["params"]["steps"]["value"] == 5000.0, "{run}");
+    let rows = std::fs::read_to_string(directory.join("steps.csv")).expect("rows").lines().count() - 1;
+    assert!(rows >= 2 && run["positions"] == rows, "{rows}: {run}");
+    assert!(!directory.join("timing.json").exists());
+}

@@ -2,6 +2,7 @@
 
 use crate::error::{EngineError, Subject};
 use crate::scene::{BodyId, FREEDOMS, Fidelity, Ignored, Observable, Scene, StructureOptions};
+use std::sync::Arc;
 
 /// The decision of how a scene is analysed. Nothing has been solved yet.
 #[derive(Clone, Debug)]
@@ -54,6 +55,23 @@ impl Plan {
         ignored.sort();
         ignored.dedup();
         Ok(Plan { fidelity, bodies, ignored })
+    }
+
+    /// Which structure each body has, counted from 0; `None` for a body that is left out. Bodies that differ in nothing but
+    /// their motion share one.
+    pub fn structures(&self, scene: &Scene) -> Vec<Option<usize>> {
+        let mut known: Vec<(*const (), bool)> = Vec::new();
+        let planned = scene.bodies.iter().zip(&self.bodies);
+        let number = planned.map(|(body, plan)| {
+            let key = (Arc::as_ptr(&body.prototype).cast::<()>(), plan.options.sharp_edges);
+            (!plan.left_out).then(|| {
+                known.iter().position(|other| *other == key).unwrap_or_else(|| {
+                    known.push(key);
+                    known.len() - 1
+                })
+            })
+        });
+        number.collect()
     }
 }
 

@@ -101,14 +101,12 @@ pub(crate) fn load_on(scene: &Scene, freedom: Freedom) -> f64 {
 }
 
 fn build_structures(scene: &Scene, plan: &Plan) -> Result<Vec<Option<Arc<dyn Structure>>>, EngineError> {
-    // Bodies that differ in nothing but their motion share a structure; one that needs stresses serves all.
-    let key = |index: usize| {
-        let prototype = Arc::as_ptr(&scene.bodies[index].prototype).cast::<()>();
-        (prototype, plan.bodies[index].options.sharp_edges)
-    };
+    let numbers = plan.structures(scene);
     let mut wanted: Vec<(usize, StructureOptions)> = Vec::new();
-    for (index, body) in plan.bodies.iter().enumerate().filter(|(_, body)| !body.left_out) {
-        match wanted.iter_mut().find(|(other, _)| key(*other) == key(index)) {
+    for (index, (number, body)) in numbers.iter().zip(&plan.bodies).enumerate() {
+        let Some(number) = *number else { continue };
+        match wanted.get_mut(number) {
+            // One that needs stresses serves all that share it.
             Some((_, options)) => options.stresses |= body.options.stresses,
             None => wanted.push((index, body.options)),
         }
@@ -117,11 +115,5 @@ fn build_structures(scene: &Scene, plan: &Plan) -> Result<Vec<Option<Arc<dyn Str
         .par_iter()
         .map(|(index, options)| scene.bodies[*index].prototype.build(options))
         .collect::<Result<_, _>>()?;
-    let of_body = |index: usize| {
-        let at = wanted.iter().position(|(other, _)| key(*other) == key(index))?;
-        built.get(at).cloned()
-    };
-    Ok((0..scene.bodies.len())
-        .map(|index| if plan.bodies[index].left_out { None } else { of_body(index) })
-        .collect())
+    Ok(numbers.into_iter().map(|number| number.and_then(|number| built.get(number).cloned())).collect())
 }

@@ -3,6 +3,7 @@
 use crate::diagnostics::has_errors;
 use crate::elaboration::{Cancel, Params, Refused, elaborate};
 use crate::loader::ModelLoader;
+use crate::plan::Planned;
 use calyx_abi::description::ModelDescription;
 use calyx_lang::diagnostic::Diagnostic;
 use calyx_lang::ir::{Program, SourceFile};
@@ -23,6 +24,8 @@ pub struct Checked {
     pub files: Vec<SourceFile>,
     /// Types of the model's top-level names as shown to people.
     pub types: BTreeMap<String, String>,
+    /// How the model would be analysed; `None` if it analyses nothing, or cannot.
+    pub plan: Option<Planned>,
     /// Why the params given from outside cannot be used.
     pub refused: Option<Refused>,
 }
@@ -85,6 +88,7 @@ fn check_with(name: &str, text: &str, loader: &ModelLoader, params: Params) -> C
         diagnostics: checked.diagnostics,
         files: checked.files,
         types: checked.types,
+        plan: None,
         refused: None,
     };
     // Nobody holds this switch, so nobody cancels.
@@ -93,6 +97,7 @@ fn check_with(name: &str, text: &str, loader: &ModelLoader, params: Params) -> C
     {
         result.description = elaboration.description;
         result.diagnostics.extend(elaboration.found);
+        result.plan = elaboration.plan;
         result.refused = elaboration.refused;
         if !elaboration.runnable {
             result.program = None;
@@ -132,6 +137,7 @@ fn not_utf8(name: &str, error: &std::string::FromUtf8Error) -> Checked {
         diagnostics: vec![diagnostic],
         files: vec![SourceFile { name: name.to_owned(), text }],
         types: BTreeMap::new(),
+        plan: None,
         refused: None,
     }
 }

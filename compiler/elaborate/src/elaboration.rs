@@ -2,8 +2,9 @@
 
 use crate::diagnostics::{diagnostic, finding_diagnostic};
 use crate::geometry::Geometry;
-use crate::interpreted::Interpreted;
+use crate::interpreted::{Interpreted, no_kernel};
 use crate::nan::{Seen, explain, label, of_default};
+use crate::plan::Planned;
 use crate::values::{self, Value};
 use calyx_abi::context::codes;
 use calyx_abi::description::ModelDescription;
@@ -11,11 +12,11 @@ use calyx_abi::{Context, Purity, RuntimeError};
 use calyx_gears::externs::{check_plan, check_unheld};
 use calyx_gears::host::ModelHost;
 use calyx_lang::diagnostic::Diagnostic;
-use calyx_lang::ir::Program;
+use calyx_lang::ir::{Program, SiteId};
 use calyx_lang::span::Span;
 use calyx_lower::interpret::CallSites;
+use calyx_lower::kernels::lower_site;
 use calyx_rt::{ParamError, Program as _, apply};
-use calyx_runtime::plan::Plan;
 use std::collections::BTreeMap;
 use std::error::Error;
 use std::fmt;
@@ -92,7 +93,7 @@ pub struct Elaboration {
     /// `false` if the program cannot be run at any params; `found` says why.
     pub runnable: bool,
     /// How the scene would be analysed; `None` if there is nothing to analyse or something is wrong with it.
-    pub plan: Option<Plan>,
+    pub plan: Option<Planned>,
     /// Values of the top level's variables at its end; of those that hold no expression, number, text or truth value
     /// there is none.
     pub values: BTreeMap<String, Value>,
@@ -129,17 +130,24 @@ fn elaborate_with(
     cancel: &Cancel,
     print: Box<dyn FnMut(&str) + Send>,
 ) -> Result<Elaboration, Cancelled> {
-    cancel.check()?;
-    let mut interpreted = match Interpreted::new(program, Purity::Scene) {
+    let mut tapes = Vec::with_capacity(program.sites.len());
+    for site in (0..program.sites.len() as u32).map(SiteId) {
+        cancel.check()?;
+        match lower_site(program, site) {
+            Ok(tape) => tapes.push(tape),
+            Err(error) => return Ok(unrunnable(no_kernel(&error))),
+        }
+    }
+    let mut interpreted = match Interpreted::with_tapes(program, Purity::Scene, tapes) {
         Ok(interpreted) => interpreted.going_on(),
-        Err(found) => return Ok(Elaboration { found: vec![*found], ..Elaboration::default() }),
+        Err(found) => return Ok(unrunnable(found)),
     };
     cancel.check()?;
     let mut context = Context::new(Box::new(ModelHost::new(&interpreted.description().units)));
     context.cancel = cancel.flag();
     context.fuel = FUEL;
     context.limits.memory = Some(MEMORY);
-    let seen = Seen::default();
+    let seen = Seen::stopped_by(cancel.flag());
     context.kernels = seen.watched(interpreted.kernels());
     context.print = print;
     let defaults =
@@ -166,7 +174,7 @@ fn elaborate_with(
             check_unheld(host);
             if !host.scene.pairs.is_empty() {
                 match check_plan(host) {
-                    Ok(plan) => planned = Some(plan),
+                    Ok(plan) => planned = Some(Planned::of(host, &plan, interpreted.description())),
                     Err(error) => found.push(at_place(&error)),
                 }
             }
@@ -201,6 +209,11 @@ fn elaborate_with(
         values,
         geometry,
     })
+}
+
+/// A program that cannot be run at any params.
+fn unrunnable(found: Box<Diagnostic>) -> Elaboration {
+    Elaboration { found: vec![*found], ..Elaboration::default() }
 }
 
 /// A default that its param does not allow.

@@ -6,10 +6,10 @@ use calyx_gears::library::externs;
 use calyx_lang::diagnostic::Diagnostic;
 use calyx_lang::ir::{FunctionId, Program};
 use calyx_lower::interpret::{Interpreter, NanTrace};
-use calyx_lower::kernels::lower_sites;
+use calyx_lower::kernels::{KernelError, lower_sites};
 use calyx_rt::ParamError;
 use calyx_rt::program::ParamFunction;
-use calyx_symbolic::TapeKernel;
+use calyx_symbolic::{Tape, TapeKernel};
 use std::sync::Arc;
 
 /// A checked model and its interpreter.
@@ -27,13 +27,19 @@ impl<'p> Interpreted<'p> {
     /// E0708 where the program declares a function the engine does not have, E0709 where an expression cannot be made
     /// a kernel.
     pub fn new(program: &'p Program, allow: Purity) -> Result<Self, Box<Diagnostic>> {
+        let tapes = lower_sites(program).map_err(|error| no_kernel(&error))?;
+        Self::with_tapes(program, allow, tapes)
+    }
+
+    /// The same with the kernels of all sites, in order.
+    pub(crate) fn with_tapes(
+        program: &'p Program,
+        allow: Purity,
+        tapes: Vec<Tape>,
+    ) -> Result<Self, Box<Diagnostic>> {
         let interpreter = Interpreter::new(program, externs(), allow).map_err(|error| {
             Diagnostic::error("E0708", error.to_string(), error.span, "declared here")
                 .help("`extern` declares functions of the engine; write your own without it, with a body")
-        })?;
-        let tapes = lower_sites(program).map_err(|error| {
-            let found = Diagnostic::error("E0709", &error.message, error.span, "this expression");
-            if error.help.is_empty() { found } else { found.help(&error.help) }
         })?;
         let kernels = tapes.into_iter().map(|tape| Arc::new(TapeKernel(tape)) as Arc<dyn Kernel>).collect();
         let description = calyx_lang::description::describe(program);
@@ -99,6 +105,12 @@ impl<'p> Interpreted<'p> {
         let Some(id) = param_function(self.program, param, which) else { return Ok(None) };
         Ok(self.interpreter.run_function(id, &[], context)?.first().copied())
     }
+}
+
+/// An expression of which no kernel can be made, as a diagnostic.
+pub(crate) fn no_kernel(error: &KernelError) -> Box<Diagnostic> {
+    let found = Diagnostic::error("E0709", &error.message, error.span, "this expression");
+    Box::new(if error.help.is_empty() { found } else { found.help(&error.help) })
 }
 
 /// The function that computes a param's default or an end of its range.

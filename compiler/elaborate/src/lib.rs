@@ -4,6 +4,15 @@
 //! what is wrong with its gears and meshes and how it would be analysed. `calyx check` does it once; an editor does it in the
 //! background, again after every edit, and cancels what an edit supersedes.
 //!
+//! | question | answer |
+//! |---|---|
+//! | what is wrong with the gears? | [`Elaboration::found`] |
+//! | what follows from the gear or mesh at this call? | [`Elaboration::geometry`]: [`Geometry::gear_at`], [`Geometry::mesh_at`]; as text by [`shown::value`] |
+//! | what does this variable or param hold? | [`Elaboration::values`], [`values::default_of`], [`values::range_of`] |
+//! | how would it be analysed? | [`Elaboration::plan`]: [`Planned::text`] |
+//! | what does this `:=` stand for? | [`binding::definition_in`], [`binding::binding`]: from the program alone |
+//! | what did the last run give? | [`results::RunSummary`]: from its directory |
+//!
 //! ```
 //! use calyx_elaborate::{Cancel, ModelLoader, Params, elaborate};
 //! let text = "var a = 1; assert(a > 2);";
@@ -23,6 +32,8 @@ mod infix;
 mod interpreted;
 mod loader;
 pub mod nan;
+pub mod plan;
+pub mod results;
 pub mod shown;
 pub mod values;
 
@@ -35,4 +46,5 @@ pub use geometry::{GearGeometry, Geometry, Made, Membership, MeshGeometry};
 pub use infix::Infix;
 pub use interpreted::{Interpreted, param_function};
 pub use loader::ModelLoader;
+pub use plan::Planned;
 pub use values::Value;

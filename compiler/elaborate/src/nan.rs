@@ -15,6 +15,7 @@ use calyx_lower::nan::NanSource;
 use calyx_rt::program::ParamFunction;
 use calyx_rt::{Program as _, apply};
 use std::collections::HashMap;
+use std::sync::atomic::AtomicBool;
 use std::sync::{Arc, Mutex};
 
 /// Codes of errors that NaN causes: of a frame, an argument, an output.
@@ -24,7 +25,11 @@ const OUTPUT: &str = "E0721";
 
 /// Inputs at which kernels gave NaN: by site, and the site that did so last.
 #[derive(Clone, Default)]
-pub struct Seen(Arc<Mutex<State>>);
+pub struct Seen {
+    state: Arc<Mutex<State>>,
+    /// Stops the second run of a program, too.
+    cancel: Arc<AtomicBool>,
+}
 
 #[derive(Default)]
 struct State {
@@ -33,6 +38,11 @@ struct State {
 }
 
 impl Seen {
+    /// Notes of a run that this flag stops.
+    pub(crate) fn stopped_by(cancel: Arc<AtomicBool>) -> Seen {
+        Seen { cancel, ..Seen::default() }
+    }
+
     /// Kernels, one per site, that note it when NaN comes out of them.
     pub fn watched(&self, kernels: Vec<Arc<dyn Kernel>>) -> Vec<Arc<dyn Kernel>> {
         let watch =
@@ -41,7 +51,7 @@ impl Seen {
     }
 
     fn note(&self, site: usize, inputs: &[f64]) {
-        if let Ok(mut state) = self.0.lock() {
+        if let Ok(mut state) = self.state.lock() {
             state.inputs.insert(site, inputs.to_vec());
             state.last = Some(site);
         }
@@ -49,7 +59,7 @@ impl Seen {
 
     /// The site to blame for an error, and its inputs.
     fn of(&self, program: &Program, code: &str) -> Option<(usize, Vec<f64>)> {
-        let state = self.0.lock().ok()?;
+        let state = self.state.lock().ok()?;
         let site = match code {
             // The first output that is not a number is the one that is reported.
             OUTPUT => {
@@ -95,7 +105,7 @@ pub fn explain(
     diagnostic: Diagnostic,
 ) -> Diagnostic {
     match error.code.as_str() {
-        ARGUMENT => match retrace(program, given, |interpreted| interpreted.trace()?.in_call()) {
+        ARGUMENT => match retrace(program, given, seen, |interpreted| interpreted.trace()?.in_call()) {
             Some(source) => label(program, diagnostic, &source, None),
             None => diagnostic,
         },
@@ -105,7 +115,7 @@ pub fn explain(
             let site = SiteId(site as u32);
             let Some(found) = trace_nan(program, site, &inputs) else { return diagnostic };
             let Some(input) = found.input else { return label(program, diagnostic, &found, time) };
-            match retrace(program, given, |interpreted| interpreted.trace()?.captured(site)) {
+            match retrace(program, given, seen, |interpreted| interpreted.trace()?.captured(site)) {
                 Some(source) => label(program, diagnostic, &source, None),
                 None => from_outside(program, diagnostic, site, input, found.span),
             }
@@ -166,10 +176,12 @@ fn from_outside(
 fn retrace<R>(
     program: &Program,
     given: &[(String, String)],
+    seen: &Seen,
     ask: impl FnOnce(&Interpreted) -> Option<R>,
 ) -> Option<R> {
     let interpreted = Interpreted::new(program, Purity::Scene).ok()?.tracing();
     let mut context = context(&interpreted);
+    context.cancel = seen.cancel.clone();
     apply(&interpreted, given, &mut context).ok()?;
     // It ends where it ended before.
     let _ = interpreted.main(&mut context);

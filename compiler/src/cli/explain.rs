@@ -1,37 +1,68 @@
-//! `calyx explain`: the page behind a diagnostic code.
+//! `calyx explain`: the page behind a diagnostic code, or the plan of a model.
 
-use crate::messages::{MessageFormat, USAGE};
+use crate::messages::{MODEL_ERROR, MessageFormat, USAGE};
+use calyx::check_run;
 use calyx::explain::{all, page, similar_codes};
+use calyx::rt::params::name_and_value;
 use clap::Args;
+use std::path::Path;
 use std::process::ExitCode;
 
 pub const EXAMPLES: &str = "Examples:
   calyx explain E0401
-  calyx explain";
+  calyx explain
+  calyx explain pair.cx --set torque=500";
 
 #[derive(Args)]
 pub struct Explain {
-    /// The code, like E0401
-    code: Option<String>,
+    /// The code, like E0401; or a model, a .cx file, whose analysis is explained without being done
+    #[arg(value_name = "CODE or FILE")]
+    subject: Option<String>,
+    /// Set a param of the model, as for `calyx run`
+    #[arg(long, value_name = "NAME=VALUE", value_parser = name_and_value)]
+    set: Vec<(String, String)>,
 }
 
 impl Explain {
     pub fn run(self) -> ExitCode {
-        let Some(code) = self.code else {
+        let Some(subject) = self.subject else {
             for explanation in all() {
                 println!("{}  {}", explanation.code, explanation.title);
             }
             return ExitCode::SUCCESS;
         };
-        if let Some(page) = page(&code) {
+        if Path::new(&subject).extension().is_some_and(|extension| extension == "cx") {
+            return plan(Path::new(&subject), &self.set);
+        }
+        if let Some(page) = page(&subject) {
             print!("{page}");
             return ExitCode::SUCCESS;
         }
-        let help = match similar_codes(&code).as_slice() {
+        let help = match similar_codes(&subject).as_slice() {
             [] => "`calyx explain` lists all codes".to_owned(),
             near => format!("did you mean {}? `calyx explain` lists all codes", near.join(" or ")),
         };
-        MessageFormat::Human.failure(&format!("there is no code `{code}`"), &help);
+        MessageFormat::Human.failure(&format!("there is no code `{subject}`"), &help);
         ExitCode::from(USAGE)
     }
+}
+
+/// Prints how a model would be analysed.
+fn plan(file: &Path, set: &[(String, String)]) -> ExitCode {
+    let format = MessageFormat::Human;
+    let checked = match check_run(file, set) {
+        Ok(checked) => checked,
+        Err(error) => return format.unreadable(file, &error),
+    };
+    format.diagnostics(&checked.diagnostics, &checked.files);
+    if let Some(refused) = &checked.refused {
+        format.failure(&refused.message, &refused.help);
+        return ExitCode::from(USAGE);
+    }
+    match &checked.plan {
+        Some(plan) => print!("{}", plan.text()),
+        None if checked.has_errors() => return ExitCode::from(MODEL_ERROR),
+        None => println!("There is nothing to analyse: no two bodies mesh."),
+    }
+    ExitCode::SUCCESS
 }

@@ -4,11 +4,12 @@ use crate::compile::compile;
 use crate::messages::{MODEL_ERROR, MessageFormat, USAGE};
 use calyx::rt::directory::prepare;
 use calyx::rt::params::{ParamError, name_and_value};
+use calyx::rt::progress::ProgressFormat;
 use calyx::rt::run::{RunError, RunOptions, default_directory};
 use calyx::rt::{budget, interrupt};
 use calyx::{check_run, rt};
 use calyx_abi::Status;
-use clap::Args;
+use clap::{Args, ValueEnum};
 use std::io;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -20,6 +21,16 @@ pub const EXAMPLES: &str = "Examples:
   calyx run pair.cx --out results/case-1 --quiet
 
 Exit status: 0 when results are written, 1 if the model or its analysis failed, 2 if the command was not used as it can be.";
+
+/// Who watches the run.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum Progress {
+    /// A bar, on a terminal
+    #[default]
+    Human,
+    /// One JSON object a line: stage, done, total, seconds_left
+    Json,
+}
 
 #[derive(Args)]
 pub struct Run {
@@ -40,6 +51,9 @@ pub struct Run {
     /// Print nothing but what the model prints
     #[arg(long)]
     quiet: bool,
+    /// How progress is shown on standard error
+    #[arg(long, value_enum, default_value_t, value_name = "FORMAT")]
+    progress: Progress,
     /// How messages are written to standard error
     #[arg(long, value_enum, default_value_t, value_name = "FORMAT")]
     message_format: MessageFormat,
@@ -47,7 +61,7 @@ pub struct Run {
 
 impl Run {
     pub fn run(self) -> ExitCode {
-        let Run { file, out, set, time_limit, memory_limit, quiet, message_format: format } = self;
+        let Run { file, out, set, time_limit, memory_limit, quiet, progress, message_format: format } = self;
         let (module, before) = match compile(&file, quiet, format, || check_run(&file, &set)) {
             Ok(compiled) => compiled,
             Err(status) => return status,
@@ -66,6 +80,10 @@ impl Run {
             directory: directory.clone(),
             set: set.clone(),
             quiet: silent,
+            progress: match progress {
+                Progress::Human => ProgressFormat::Human,
+                Progress::Json => ProgressFormat::Json,
+            },
             before,
             time_limit,
             memory_limit,

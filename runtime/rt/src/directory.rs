@@ -3,7 +3,7 @@
 use crate::run::StageTimes;
 use calyx_abi::description::{FileDescription, ModelDescription, OutputDescription, ParamDescription};
 use calyx_abi::units::from_si;
-use calyx_abi::{Context, Repr};
+use calyx_abi::{Context, Repr, RuntimeError};
 use calyx_runtime::results::{AnalysisResult, OutputSummary, StepRow, Timing};
 use serde_json::{Map, Value, json};
 use sha2::{Digest, Sha256};
@@ -51,6 +51,31 @@ impl StepTable {
     }
 }
 
+/// Writes `run.json` of a run that was ended before its time: what it was given, how far it came, and what ended it.
+pub fn write_unfinished(
+    directory: &Path,
+    description: &ModelDescription,
+    context: &Context,
+    solved: usize,
+    ended_by: &RuntimeError,
+) -> io::Result<()> {
+    let mut run = head_json(description, context);
+    run["incomplete"] = json!({ "code": ended_by.code, "message": ended_by.message });
+    run["positions"] = json!(solved);
+    write_json(directory.join("run.json"), &run)
+}
+
+/// What a run was: versions, source and params.
+fn head_json(description: &ModelDescription, context: &Context) -> Value {
+    json!({
+        "calyx": env!("CARGO_PKG_VERSION"),
+        "abi": calyx_abi::ABI_VERSION,
+        "model": description.name,
+        "source": source_json(description),
+        "params": params_json(description, context),
+    })
+}
+
 /// Writes `run.json` and `timing.json` of a finished run. `result` is `None` for a model without an analysis.
 pub fn write_run(
     directory: &Path,
@@ -60,13 +85,7 @@ pub fn write_run(
     warnings: &[String],
     stages: &Stages,
 ) -> io::Result<()> {
-    let mut run = json!({
-        "calyx": env!("CARGO_PKG_VERSION"),
-        "abi": calyx_abi::ABI_VERSION,
-        "model": description.name,
-        "source": source_json(description),
-        "params": params_json(description, context),
-    });
+    let mut run = head_json(description, context);
     if let Some(result) = result {
         let summaries = description.outputs.iter().zip(&result.summaries);
         let outputs =
@@ -167,10 +186,15 @@ fn param_json(param: &ParamDescription, slot: u64, context: &Context) -> Value {
 
 /// The model's hash, and name and hash of every file it consists of.
 fn source_json(description: &ModelDescription) -> Value {
-    let hash = |file: &FileDescription| hex(&Sha256::digest(file.text.as_bytes()));
+    let hash = |file: &FileDescription| text_hash(&file.text);
     let files: Vec<Value> =
         description.files.iter().map(|file| json!({ "name": file.name, "sha256": hash(file) })).collect();
     json!({ "sha256": description.files.first().map(hash), "files": files })
+}
+
+/// The hash by which `run.json` tells of which text it is.
+pub fn text_hash(text: &str) -> String {
+    hex(&Sha256::digest(text.as_bytes()))
 }
 
 fn hex(bytes: &[u8]) -> String {

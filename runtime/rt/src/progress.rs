@@ -1,25 +1,45 @@
-//! Progress with the time that remains, on a terminal only.
+//! Progress with the time that remains: a bar on a terminal, or one JSON object a line for programs.
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use std::time::Duration;
+use serde_json::json;
+use std::sync::Mutex;
+use std::time::{Duration, Instant};
+
+/// Who watches a run.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum ProgressFormat {
+    /// A bar, if standard error is a terminal.
+    #[default]
+    Human,
+    /// On standard error, `{"stage": ..., "done": ..., "total": ..., "seconds_left": ...}` a line: when a stage begins,
+    /// and after each position. What is not known is null.
+    Json,
+}
 
 /// Shows the stage under way and, once positions are being solved, how many are left.
 pub struct Progress {
     bar: ProgressBar,
+    /// The stage under way and when it began, for programs that watch.
+    lines: Option<Mutex<(&'static str, Instant)>>,
 }
 
 impl Progress {
-    /// Draws on standard error; draws nothing if `quiet` or if that is no terminal.
-    pub fn new(quiet: bool) -> Progress {
-        let target = if quiet { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };
+    /// Draws on standard error; draws no bar if `quiet` or if that is no terminal.
+    pub fn new(format: ProgressFormat, quiet: bool) -> Progress {
+        let json = format == ProgressFormat::Json;
+        let target = if quiet || json { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };
         let bar = ProgressBar::with_draw_target(None, target);
         bar.set_style(style("{spinner} {msg}"));
         bar.enable_steady_tick(Duration::from_millis(100));
-        Progress { bar }
+        Progress { bar, lines: json.then(|| Mutex::new(("", Instant::now()))) }
     }
 
     pub fn stage(&self, name: &'static str) {
         self.bar.set_message(name);
+        if let Some(Ok(mut stage)) = self.lines.as_ref().map(Mutex::lock) {
+            *stage = (name, Instant::now());
+            eprintln!("{}", line(name, 0, None, None));
+        }
     }
 
     pub fn step(&self, index: usize, count: usize) {
@@ -28,6 +48,10 @@ impl Progress {
             self.bar.set_style(style("{spinner} {msg} [{bar:32}] {pos}/{len}, {eta} left"));
         }
         self.bar.set_position(index as u64 + 1);
+        if let Some(Ok(stage)) = self.lines.as_ref().map(Mutex::lock) {
+            let (name, began) = *stage;
+            eprintln!("{}", line(name, index + 1, Some(count), Some(began.elapsed())));
+        }
     }
 
     pub fn finish(&self) {
@@ -40,6 +64,31 @@ impl Progress {
     }
 }
 
+/// A line for programs; what is left takes as long as what was done.
+fn line(stage: &str, done: usize, total: Option<usize>, elapsed: Option<Duration>) -> serde_json::Value {
+    let left = elapsed.zip(total).filter(|_| done > 0);
+    let left =
+        left.map(|(elapsed, total)| elapsed.as_secs_f64() / done as f64 * total.saturating_sub(done) as f64);
+    json!({ "stage": stage, "done": done, "total": total, "seconds_left": left })
+}
+
 fn style(template: &str) -> ProgressStyle {
     ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lines_say_what_is_left() {
+        assert_eq!(
+            line("structures", 0, None, None).to_string(),
+            r#"{"stage":"structures","done":0,"total":null,"seconds_left":null}"#
+        );
+        assert_eq!(
+            line("positions", 3, Some(9), Some(Duration::from_secs(6))).to_string(),
+            r#"{"stage":"positions","done":3,"total":9,"seconds_left":12.0}"#
+        );
+    }
 }

@@ -1,21 +1,21 @@
 //! One run: params set, program run, its analysis watched and written down.
 
 use crate::budget;
-use crate::directory::{Stages, StepTable, prepare, warnings, write_run};
+use crate::directory::{Stages, StepTable, prepare, warnings, write_run, write_unfinished};
 use crate::params::{self, ParamError};
 use crate::program::Program;
-use crate::progress::Progress;
+use crate::progress::{Progress, ProgressFormat};
 use crate::table;
 use calyx_abi::description::ModelDescription;
 use calyx_abi::error::codes;
 use calyx_abi::limits::Limits;
-use calyx_abi::{Context, RuntimeError};
+use calyx_abi::{Context, RuntimeError, Status};
 use calyx_gears::host::{Finding, ModelHost};
 use calyx_runtime::analysis::{Event, Observer};
 use calyx_runtime::error::EngineError;
 use std::io;
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
@@ -31,6 +31,8 @@ pub struct RunOptions {
     pub set: Vec<(String, String)>,
     /// Nothing but what the program prints, and errors.
     pub quiet: bool,
+    /// How progress is shown; for people it is silent if `quiet`.
+    pub progress: ProgressFormat,
     /// What went before, for `timing.json`.
     pub before: StageTimes,
     /// How long the run may take.
@@ -68,7 +70,8 @@ pub fn run(program: &dyn Program, options: &RunOptions) -> Result<RunReport, Run
     let description = program.description();
     let unwritable = |error| RunError::Io { path: options.directory.clone(), error };
     let mut host = ModelHost::new(&description.units);
-    let progress = Arc::new(Progress::new(options.quiet));
+    let progress = Arc::new(Progress::new(options.progress, options.quiet));
+    let solved = Arc::new(AtomicUsize::new(0));
     let failure = Arc::new(Mutex::new(None));
     let limits = Limits::from_now(options.time_limit, options.memory_limit);
     host.observer = Some(Box::new(Watcher {
@@ -76,6 +79,7 @@ pub fn run(program: &dyn Program, options: &RunOptions) -> Result<RunReport, Run
         description: description.clone(),
         table: None,
         progress: progress.clone(),
+        solved: solved.clone(),
         failure: failure.clone(),
         limits,
         cancel: options.cancel.clone(),
@@ -95,6 +99,14 @@ pub fn run(program: &dyn Program, options: &RunOptions) -> Result<RunReport, Run
     progress.finish();
     if let Some(error) = failure.lock().ok().and_then(|mut failure| failure.take()) {
         return Err(unwritable(error));
+    }
+    // What was solved until somebody ended the run is worth keeping, with what it is of.
+    if let Err(RunError::Model(error)) = &outcome
+        && error.status() == Status::Cancelled
+        && solved.load(Ordering::Relaxed) > 0
+    {
+        let solved = solved.load(Ordering::Relaxed);
+        write_unfinished(&options.directory, description, &context, solved, error).map_err(unwritable)?;
     }
     let stages = Stages { before: options.before.clone(), program: outcome? };
     let (result, findings, failed) = match context.host::<ModelHost>() {
@@ -143,6 +155,8 @@ struct Watcher {
     description: ModelDescription,
     table: Option<StepTable>,
     progress: Arc<Progress>,
+    /// Positions that are on disk.
+    solved: Arc<AtomicUsize>,
     /// An error of the file system, which ends the run but is not the model's.
     failure: Arc<Mutex<Option<io::Error>>>,
     limits: Limits,
@@ -184,6 +198,7 @@ impl Observer for Watcher {
             Event::Step { index, count, row } => {
                 let written = self.table.as_mut().map_or(Ok(()), |table| table.write(index, row));
                 written.map_err(|error| self.fail(error))?;
+                self.solved.store(index + 1, Ordering::Relaxed);
                 self.progress.step(index, count);
             }
         }

@@ -1,0 +1,85 @@
+//! How long an elaboration takes, and how soon it ends after it was cancelled, on the pair of the report and on a model
+//! of many gears: `cargo bench -p calyx-elaborate`.
+
+use calyx_elaborate::{Cancel, ModelLoader, Params, elaborate};
+use calyx_lang::ir::Program;
+use std::thread;
+use std::time::{Duration, Instant};
+
+/// Moments at which an elaboration is cancelled.
+const CANCELLED: u32 = 200;
+
+fn main() {
+    measure("spur pair", &program(include_str!("../../../examples/spur_pair.cx")));
+    measure("train of 60 gears", &program(&train(60)));
+}
+
+fn program(text: &str) -> Program {
+    let checked = calyx_lang::check::check_program("model.cx", text, &ModelLoader { folder: None });
+    checked.program.unwrap_or_else(|| panic!("{:?}", checked.diagnostics))
+}
+
+/// Gears of their own in a row, each meshed with the one before.
+fn train(gears: usize) -> String {
+    let mut text = String::from(
+        "import gears;\nunits mm_N_s;\nvar steel = gears.material(206 GPa, 0.3);\n\
+         var rack = gears.rack(module = 2 mm, tip_radius = 0.5 mm);\n",
+    );
+    for k in 0..gears {
+        let speed = if k % 2 == 0 { "1" } else { "-1" };
+        let free = if k + 1 < gears { ", free = [\"theta_z\"]" } else { "" };
+        text += &format!(
+            "var blank{k} = gears.external(teeth = 30, rack = rack, face_width = 10 mm, outer_diameter = 64 mm,\n    \
+                 root_diameter = 55 mm, material = steel, rim = gears.simple_rim(45 mm, 30 mm), tooth_thickness = 3.1 mm);\n\
+             var body{k} = gears.body(\"body{k}\", blank{k}{free}, moment = {} * e3,\n    \
+                 frame := Rotate({speed} rpm * Time, e3) * Translate({} mm * e1));\n",
+            if k == 0 { "1 N*m" } else { "0 N*m" },
+            60 * k,
+        );
+        if k > 0 {
+            text += &format!(
+                "var mesh{k} = gears.mesh(body{}, body{k});\noutput share{k} := gears.load_share(mesh{k});\n",
+                k - 1
+            );
+        }
+    }
+    text
+}
+
+fn measure(name: &str, program: &Program) {
+    let whole = (0..5).map(|_| {
+        let began = Instant::now();
+        let ended = elaborate(program, Params::Defaults, &Cancel::default()).expect("nobody cancels");
+        assert!(ended.plan.is_some(), "{:?}", ended.found);
+        began.elapsed()
+    });
+    let whole = whole.min().unwrap_or_default();
+    let mut late: Vec<Duration> =
+        (1..=CANCELLED).filter_map(|k| cancelled(program, whole * k / (CANCELLED + 1))).collect();
+    late.sort();
+    let at = |part: f64| late.get((part * (late.len() as f64 - 1.0)) as usize).copied().unwrap_or_default();
+    println!(
+        "{name}: elaborated in {whole:.1?}; cancelled at {} moments, it ended {:.1?} later (median), {:.1?} at 95 %, {:.1?} at most",
+        late.len(),
+        at(0.5),
+        at(0.95),
+        at(1.0)
+    );
+}
+
+/// How long after it was cancelled an elaboration ended; `None` if it had ended before.
+fn cancelled(program: &Program, after: Duration) -> Option<Duration> {
+    let cancel = Cancel::default();
+    let switch = cancel.clone();
+    thread::scope(|scope| {
+        let working = scope.spawn(move || {
+            let ended = elaborate(program, Params::Defaults, &cancel);
+            (ended.is_err(), Instant::now())
+        });
+        thread::sleep(after);
+        let at = Instant::now();
+        switch.cancel();
+        let (was_cancelled, ended) = working.join().ok()?;
+        was_cancelled.then(|| ended.duration_since(at))
+    })
+}

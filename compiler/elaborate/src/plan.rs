@@ -1,0 +1,213 @@
+//! How a model would be analysed, for people: what is modelled and why, what is left out and why, and what it costs.
+
+use crate::shown::{in_unit, rounded};
+use calyx_abi::description::ModelDescription;
+use calyx_gears::host::{LengthUnit, ModelHost};
+use calyx_lang::dimension::Dimension;
+use calyx_lang::units::UnitSystem;
+use calyx_runtime::plan::Plan;
+use calyx_runtime::scene::{Body, FREEDOMS};
+use std::fmt::Write;
+
+/// The plan of a scene, in the words of its model. Nothing has been solved.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Planned {
+    /// As `analyze` calls it.
+    pub fidelity: &'static str,
+    pub bodies: Vec<PlannedBody>,
+    pub meshes: Vec<PlannedMesh>,
+    /// Names of the outputs, which decide what is modelled.
+    pub outputs: Vec<String>,
+    /// Lengths of the lists of positions that the model makes.
+    pub positions: Vec<usize>,
+    /// Different elastic structures; bodies of one gear share theirs.
+    pub structures: usize,
+    /// Inputs that this fidelity cannot see, each with the reason.
+    pub not_seen: Vec<(String, String)>,
+}
+
+/// How a body is treated.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PlannedBody {
+    pub name: String,
+    /// Its gear in a few words.
+    pub gear: String,
+    /// The freedoms of its frame that are not held, and the load on each.
+    pub free: Vec<(&'static str, String)>,
+    pub left_out: bool,
+    /// Why it is modelled the way it is, or left out.
+    pub reason: &'static str,
+}
+
+/// Where teeth may touch.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PlannedMesh {
+    pub bodies: [String; 2],
+    /// Contact cells of each pair of teeth.
+    pub cells: usize,
+    /// Whether tip edges are searched.
+    pub edges: bool,
+    pub contact_ratio: Option<f64>,
+}
+
+impl Planned {
+    pub(crate) fn of(host: &ModelHost, plan: &Plan, description: &ModelDescription) -> Planned {
+        let scene = &host.scene;
+        let gear = |index: usize| host.gears.get(*host.body_gears.get(index)?);
+        let bodies = scene.bodies.iter().zip(&plan.bodies).enumerate().map(|(index, (body, planned))| {
+            let LengthUnit { name, metres } = host.length_unit;
+            PlannedBody {
+                name: body.name.clone(),
+                gear: gear(index).map_or_else(String::new, |blank| {
+                    let width = rounded(blank.face_width / metres);
+                    format!("{} teeth, face width {width} {name}", blank.gear.teeth)
+                }),
+                free: free(body, &description.units),
+                left_out: planned.left_out,
+                reason: planned.reason,
+            }
+        });
+        let meshes = scene.pairs.iter().map(|pair| {
+            let numbers = pair.bodies.map(|body| body.0);
+            let meeting = host.meetings.iter().find(|meeting| meeting.bodies == numbers);
+            PlannedMesh {
+                bodies: numbers
+                    .map(|body| scene.bodies.get(body).map_or_else(String::new, |b| b.name.clone())),
+                cells: 2 * pair.grid.half_cells + 1,
+                edges: pair.grid.edges,
+                contact_ratio: meeting.map(|meeting| meeting.geometry.contact_ratio),
+            }
+        });
+        let structures = plan.structures(scene).into_iter().flatten().max().map_or(0, |last| last + 1);
+        Planned {
+            fidelity: plan.fidelity.name(),
+            bodies: bodies.collect(),
+            meshes: meshes.collect(),
+            outputs: description.outputs.iter().map(|output| output.name.clone()).collect(),
+            positions: host.positions.iter().map(Vec::len).collect(),
+            structures,
+            not_seen: plan.ignored.iter().map(|i| (i.input.clone(), i.reason.clone())).collect(),
+        }
+    }
+
+    /// Freedoms of bodies that are modelled: the unknowns beside the pressures.
+    pub fn freedoms(&self) -> usize {
+        self.bodies.iter().filter(|body| !body.left_out).map(|body| body.free.len()).sum()
+    }
+
+    /// The plan as text, in sections.
+    pub fn text(&self) -> String {
+        let mut text = String::new();
+        let mut section = |title: &str, lines: Vec<String>| {
+            if !lines.is_empty() {
+                let gap = if text.is_empty() { "" } else { "\n" };
+                let _ = write!(text, "{gap}{title}\n  {}\n", lines.join("\n  "));
+            }
+        };
+        section("How", vec![self.fidelity_text()]);
+        let modelled = self.bodies.iter().filter(|body| !body.left_out);
+        section("Bodies", modelled.flat_map(body_lines).collect());
+        section("Contact", self.meshes.iter().map(mesh_line).collect());
+        section("Degrees of freedom", self.freedom_lines());
+        section("Wanted", lines_of(&self.outputs));
+        let left_out = self.bodies.iter().filter(|body| body.left_out);
+        let left_out = left_out.map(|body| {
+            let reason = body.reason.strip_prefix("left out: ").unwrap_or(body.reason);
+            format!("body \"{}\": {reason}", body.name)
+        });
+        let not_seen = self.not_seen.iter().map(|(input, reason)| format!("`{input}`: {reason}"));
+        section("Left out", left_out.chain(not_seen).collect());
+        section("Cost", self.cost_lines());
+        text
+    }
+
+    fn fidelity_text(&self) -> String {
+        match self.fidelity {
+            "plane" => {
+                "fidelity \"plane\": one transverse section in plane strain, the same all along the face"
+                    .into()
+            }
+            other => format!("fidelity \"{other}\""),
+        }
+    }
+
+    fn freedom_lines(&self) -> Vec<String> {
+        let bodies = self.bodies.iter().filter(|body| !body.left_out);
+        let free: Vec<String> = bodies
+            .flat_map(|body| {
+                body.free.iter().map(move |(freedom, load)| format!("{freedom} of \"{}\", {load}", body.name))
+            })
+            .collect();
+        if free.is_empty() { vec!["none: every frame moves as given".into()] } else { free }
+    }
+
+    fn cost_lines(&self) -> Vec<String> {
+        let mut lines = vec![match self.structures {
+            1 => "1 elastic structure is condensed, once".to_owned(),
+            count => format!("{count} elastic structures are condensed, each once"),
+        }];
+        // Where no edges are searched, no more pairs touch than the next whole number above the contact ratio.
+        let cells: usize = self
+            .meshes
+            .iter()
+            .map(|mesh| mesh.cells * mesh.contact_ratio.map_or(1, |ratio| ratio.ceil() as usize))
+            .sum();
+        let freedoms = match self.freedoms() {
+            1 => "1 free motion".to_owned(),
+            count => format!("{count} free motions"),
+        };
+        let unknowns = format!("about {cells} contact pressures and {freedoms}");
+        lines.push(match self.positions[..] {
+            [] => format!("no list of positions; each would be one contact problem of {unknowns}"),
+            [count] => format!("{count} positions, each one contact problem of {unknowns}"),
+            _ => {
+                let counts: Vec<String> = self.positions.iter().map(usize::to_string).collect();
+                let counts = counts.join(" or ");
+                format!("{counts} positions, whichever are analysed, each one contact problem of {unknowns}")
+            }
+        });
+        lines
+    }
+}
+
+/// Width to which names are set in lines.
+const WIDTH: usize = 96;
+
+/// Names with commas between them, in lines.
+fn lines_of(names: &[String]) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for (index, name) in names.iter().enumerate() {
+        let comma = if index + 1 < names.len() { "," } else { "" };
+        match lines.last_mut().filter(|line| line.len() + name.len() + 2 <= WIDTH) {
+            Some(line) => *line += &format!(" {name}{comma}"),
+            None => lines.push(format!("{name}{comma}")),
+        }
+    }
+    lines
+}
+
+/// The free components of a body's frame, with the load on each.
+fn free(body: &Body, system: &str) -> Vec<(&'static str, String)> {
+    let system = UnitSystem::from_name(system).unwrap_or(UnitSystem::Si);
+    let of = |name: &str| system.unit_of(Dimension::from_name(name).unwrap_or(Dimension::NONE));
+    let loads = body.force.iter().chain(&body.moment);
+    let each = FREEDOMS.iter().zip(body.free).zip(loads).enumerate().filter(|(_, ((_, free), _))| *free);
+    each.map(|(index, ((name, _), load))| {
+        let (kind, unit) = if index < 3 { ("force", of("Force")) } else { ("moment", of("Moment")) };
+        let load = if *load == 0.0 { "no load".into() } else { format!("{kind} {}", in_unit(*load, &unit)) };
+        (*name, load)
+    })
+    .collect()
+}
+
+fn body_lines(body: &PlannedBody) -> [String; 2] {
+    let gear = if body.gear.is_empty() { String::new() } else { format!(": {}", body.gear) };
+    [format!("\"{}\"{gear}", body.name), format!("  {}", body.reason)]
+}
+
+fn mesh_line(mesh: &PlannedMesh) -> String {
+    let [first, second] = &mesh.bodies;
+    let ratio = mesh.contact_ratio.map(|ratio| format!(", contact ratio {ratio:.3}")).unwrap_or_default();
+    let edges = if mesh.edges { "flanks and tip edges" } else { "flanks on the nominal path" };
+    format!("\"{first}\" with \"{second}\": {edges}, {} cells a pair of teeth{ratio}", mesh.cells)
+}
