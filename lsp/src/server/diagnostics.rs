@@ -12,7 +12,7 @@ use calyx_lang::db::Superseded;
 use calyx_lang::diagnostic::{Diagnostic as Finding, Severity};
 use calyx_lang::ir::SourceFile;
 use calyx_lang::span::Span;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use std::io;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::{Arc, Condvar, Mutex, PoisonError};
@@ -74,24 +74,39 @@ impl Wake {
 pub(crate) fn start(shared: Arc<Shared>, client: Client, runtime: Handle) -> io::Result<()> {
     thread::Builder::new().name("diagnostics".to_owned()).spawn(move || {
         let mut published = Published::default();
+        let mut kept = VecDeque::new();
         while shared.wake.wait() {
             let dirty = shared.workspace().take_dirty();
-            publish(&shared, dirty, &mut published, &client, &runtime);
+            kept.push_back(publish(&shared, dirty, &mut published, &client, &runtime));
+            if kept.len() > KEPT {
+                kept.pop_front();
+            }
         }
     })?;
     Ok(())
 }
 
+/// Checked programs are large, and the database lets go of an old one just when a text changes and the client waits. So they are kept until
+/// it has, and are taken apart on this thread.
+const KEPT: usize = 2;
+
 /// Files that show diagnostics, by project.
 type Published = BTreeMap<Key, BTreeSet<Uri>>;
 
-fn publish(shared: &Shared, views: Vec<View>, published: &mut Published, client: &Client, runtime: &Handle) {
+fn publish(
+    shared: &Shared,
+    views: Vec<View>,
+    published: &mut Published,
+    client: &Client,
+    runtime: &Handle,
+) -> Vec<Arc<Checked>> {
     // Nothing may hold a view while a message waits to be sent.
     let mut messages = Vec::new();
+    let mut kept = Vec::new();
     let mut views = views.into_iter();
     while let Some(view) = views.next() {
         let home = view.project.clone();
-        let found = catch_unwind(AssertUnwindSafe(|| of_project(&view, &shared.background)));
+        let found = catch_unwind(AssertUnwindSafe(|| of_project(&view, &shared.background, &mut kept)));
         match found {
             Ok(Ok(found)) => {
                 let shown = published.entry(home).or_default();
@@ -125,14 +140,19 @@ fn publish(shared: &Shared, views: Vec<View>, published: &mut Published, client:
     for (uri, version, diagnostics) in messages {
         runtime.block_on(client.publish_diagnostics(uri, diagnostics, version));
     }
+    kept
 }
 
 /// What there is to say about each file.
 type Found = BTreeMap<Uri, (Option<i32>, Vec<Diagnostic>)>;
 
 /// Everything wrong with the files of a project. Open files are there even if nothing is. Has models elaborated whose program is a
-/// new one.
-fn of_project(view: &View, background: &Background) -> Result<Found, Superseded> {
+/// new one. What was checked is kept.
+fn of_project(
+    view: &View,
+    background: &Background,
+    kept: &mut Vec<Arc<Checked>>,
+) -> Result<Found, Superseded> {
     let all = view.snapshot.database.attempt(|database| {
         let checked = view.models.iter().filter_map(|model| Some((model.clone(), database.check(model)?)));
         let checked: Vec<(Arc<str>, Arc<Checked>)> = checked.collect();
@@ -152,6 +172,7 @@ fn of_project(view: &View, background: &Background) -> Result<Found, Superseded>
     for (known, found) in &carried {
         findings.add(known.files(), found);
     }
+    kept.extend(checked.into_iter().map(|(_, checked)| checked));
     Ok(findings.found)
 }
 
