@@ -39,15 +39,21 @@ impl Lsp {
     pub fn run(self) -> ExitCode {
         let library =
             Library::new(file(&PRELUDE), MODULES.iter().map(file).collect(), cache_folder().as_deref());
-        match stdio(Options { library, log: self.log, record: self.record }) {
+        let options = match std::env::current_exe() {
+            Ok(executable) => Options { library, log: self.log, executable, record: self.record },
+            Err(error) => return failed(&error),
+        };
+        match stdio(options) {
             Ok(true) => ExitCode::SUCCESS,
             Ok(false) => ExitCode::FAILURE,
-            Err(error) => {
-                eprintln!("calyx lsp: {error}");
-                ExitCode::FAILURE
-            }
+            Err(error) => failed(&error),
         }
     }
+}
+
+fn failed(error: &std::io::Error) -> ExitCode {
+    eprintln!("calyx lsp: {error}");
+    ExitCode::FAILURE
 }
 
 fn file(module: &LibraryModule) -> LibraryFile {

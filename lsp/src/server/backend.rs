@@ -1,12 +1,13 @@
-//! The life of the server: `initialize`, `initialized`, `shutdown`.
+//! The life of the server, and commands.
 
 use super::Shared;
 use super::capabilities::capabilities;
+use super::commands;
 use std::sync::Arc;
 use tower_lsp_server::jsonrpc::Result;
 use tower_lsp_server::ls_types::{
-    DidChangeWatchedFilesRegistrationOptions, FileSystemWatcher, GlobPattern, InitializeParams,
-    InitializeResult, InitializedParams, Registration, ServerInfo,
+    DidChangeWatchedFilesRegistrationOptions, ExecuteCommandParams, FileSystemWatcher, GlobPattern,
+    InitializeParams, InitializeResult, InitializedParams, LSPAny, Registration, ServerInfo,
 };
 use tower_lsp_server::{Client, LanguageServer};
 
@@ -38,6 +39,10 @@ impl LanguageServer for Backend {
 
     async fn shutdown(&self) -> Result<()> {
         Ok(())
+    }
+
+    async fn execute_command(&self, params: ExecuteCommandParams) -> Result<Option<LSPAny>> {
+        commands::execute(&self.shared, &self.client, params).await
     }
 }
 

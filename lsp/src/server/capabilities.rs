@@ -1,6 +1,7 @@
 //! What the server offers.
 
 use super::client::Client;
+use super::commands;
 use super::handlers;
 use tower_lsp_server::ls_types::{
     ServerCapabilities, TextDocumentSyncCapability, TextDocumentSyncKind, TextDocumentSyncOptions,
@@ -17,6 +18,7 @@ pub fn capabilities(client: &Client) -> ServerCapabilities {
     };
     let mut capabilities = ServerCapabilities {
         position_encoding: Some(client.encoding_kind()),
+        execute_command_provider: Some(commands::offered()),
         text_document_sync: Some(TextDocumentSyncCapability::Options(sync)),
         ..ServerCapabilities::default()
     };

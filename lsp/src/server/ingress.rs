@@ -8,6 +8,7 @@ use super::Shared;
 use super::backend::Backend;
 use super::job::{Cancel, Job};
 use super::router::Router;
+use super::runs::Stop;
 use serde::de::DeserializeOwned;
 use serde_json::Value;
 use std::collections::HashMap;
@@ -19,7 +20,7 @@ use tower::Service;
 use tower_lsp_server::jsonrpc::{Error, ErrorCode, Id, Request, Response};
 use tower_lsp_server::ls_types::notification::{
     DidChangeTextDocument, DidChangeWatchedFiles, DidChangeWorkspaceFolders, DidCloseTextDocument,
-    DidOpenTextDocument, DidSaveTextDocument, Notification,
+    DidOpenTextDocument, DidSaveTextDocument, Notification, WorkDoneProgressCancel,
 };
 use tower_lsp_server::ls_types::{InitializeParams, Uri};
 use tower_lsp_server::{ExitedError, LspService};
@@ -137,7 +138,7 @@ impl Ingress {
         })
     }
 
-    /// Applies a notification that changes texts; returns whether it is one.
+    /// Applies a notification that changes texts, or stops a run; returns whether it is one.
     fn apply(&self, request: &Request) -> bool {
         let method = request.method();
         let params = request.params().cloned().unwrap_or_default();
@@ -168,6 +169,11 @@ impl Ingress {
             DidChangeWorkspaceFolders::METHOD => {
                 self.with::<DidChangeWorkspaceFolders>(params, |shared, params| {
                     shared.workspace().change_roots(&params.event);
+                })
+            }
+            WorkDoneProgressCancel::METHOD => {
+                self.with::<WorkDoneProgressCancel>(params, |shared, params| {
+                    shared.runs.stop(&Stop::Token(params.token));
                 })
             }
             _ => return false,

@@ -39,6 +39,7 @@ impl fmt::Display for Level {
 }
 
 /// Where messages go.
+#[derive(Clone)]
 pub struct Log {
     level: Level,
     client: Client,

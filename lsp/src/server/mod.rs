@@ -2,12 +2,14 @@
 //!
 //! [`ingress`] takes messages in the order they arrive: texts change there ([`workspace`]), and requests take the [`view`] they are
 //! answered on. [`router`] knows which of the [`handlers`] answers what; [`job`] runs it on a thread of its own. [`diagnostics`]
-//! follow every change, those of gears from the [`background`]. Types of the protocol are named here and nowhere else.
+//! follow every change, those of gears from the [`background`]. [`commands`] run models,
+//! in processes of their own. Types of the protocol are named here and nowhere else.
 
 mod backend;
 mod background;
 mod capabilities;
 pub mod client;
+mod commands;
 pub mod convert;
 pub mod diagnostics;
 pub mod handlers;
@@ -18,6 +20,7 @@ pub mod library;
 pub mod log;
 pub mod project;
 pub mod router;
+mod runs;
 pub mod text;
 pub mod view;
 pub mod workspace;
@@ -29,6 +32,7 @@ use ingress::{Ingress, Phase};
 use library::Library;
 use log::{Level, Log};
 use router::Router;
+use runs::Runs;
 use std::fs::File;
 use std::io::{self, Write};
 use std::path::PathBuf;
@@ -43,6 +47,8 @@ use workspace::Workspace;
 pub struct Options {
     pub library: Library,
     pub log: Level,
+    /// The `calyx` command, which runs models.
+    pub executable: PathBuf,
     /// A file for the messages that arrive, one JSON object a line, to go with a bug report.
     pub record: Option<PathBuf>,
 }
@@ -75,7 +81,8 @@ pub async fn serve(
     let mut made = None;
     let (service, socket) = LspService::new(|client| {
         let log = Log::new(options.log, client.clone(), Handle::current());
-        let shared = Arc::new(Shared::new(Workspace::new(options.library), log, record));
+        let workspace = Workspace::new(options.library);
+        let shared = Arc::new(Shared::new(workspace, log, options.executable, record));
         made = Some((shared.clone(), client.clone()));
         Backend { shared, client }
     });
@@ -98,17 +105,21 @@ pub(crate) struct Shared {
     pub log: Log,
     pub wake: Wake,
     pub background: Background,
+    pub runs: Runs,
+    pub executable: PathBuf,
     record: Option<Mutex<File>>,
 }
 
 impl Shared {
-    fn new(workspace: Workspace, log: Log, record: Option<File>) -> Shared {
+    fn new(workspace: Workspace, log: Log, executable: PathBuf, record: Option<File>) -> Shared {
         Shared {
             workspace: Mutex::new(workspace),
             phase: Mutex::new(Phase::Waiting),
             log,
             wake: Wake::default(),
             background: Background::default(),
+            runs: Runs::default(),
+            executable,
             record: record.map(Mutex::new),
         }
     }

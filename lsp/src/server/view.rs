@@ -5,6 +5,8 @@ use super::library::Library;
 use super::project::{File, Files, Project};
 use super::workspace::{Documents, Key, Workspace, path_of};
 use crate::ide;
+use calyx_elaborate::results::RunSummary;
+use std::collections::HashMap;
 use std::sync::Arc;
 use tower_lsp_server::ls_types::Uri;
 
@@ -22,6 +24,7 @@ pub struct View {
     pub models: Vec<Arc<str>>,
     /// Counts changes of anything.
     pub revision: u64,
+    runs: Arc<HashMap<Arc<str>, Arc<RunSummary>>>,
     library: Arc<Library>,
 }
 
@@ -36,6 +39,7 @@ impl View {
             project: key,
             models: project.models(),
             revision: workspace.revision(),
+            runs: workspace.runs().clone(),
             library: workspace.library().clone(),
         }
     }
@@ -43,6 +47,11 @@ impl View {
     /// A file by its name as shown to people.
     pub fn file(&self, name: &str) -> Option<&File> {
         self.files.get(name)
+    }
+
+    /// What the last run of a model has given, if it has run since the server began.
+    pub fn run(&self, model: &str) -> Option<&RunSummary> {
+        self.runs.get(model).map(|run| &**run)
     }
 
     /// What clients call a file.

@@ -9,6 +9,7 @@ use super::project::{Project, Sources, dotted, imported_by_files};
 use super::text::Text;
 use super::view::View;
 use crate::ide::elaborated::Elaborated;
+use calyx_elaborate::results::RunSummary;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -47,6 +48,7 @@ pub struct Workspace {
     roots: Vec<PathBuf>,
     documents: Arc<Documents>,
     projects: BTreeMap<Key, Project>,
+    runs: Arc<HashMap<Arc<str>, Arc<RunSummary>>>,
     disk: Disk,
     /// Counts changes of any kind.
     revision: u64,
@@ -95,6 +97,7 @@ impl Workspace {
             roots: Vec::new(),
             documents: Arc::default(),
             projects: BTreeMap::new(),
+            runs: Arc::default(),
             disk: Disk::default(),
             revision: 0,
             dirty: BTreeSet::new(),
@@ -226,6 +229,17 @@ impl Workspace {
             }
         }
         unsettled.into_iter().for_each(|key| self.settle(key));
+    }
+
+    /// Keeps what a run of a model has given.
+    pub fn set_run(&mut self, model: &str, summary: RunSummary) {
+        Arc::make_mut(&mut self.runs).insert(model.into(), Arc::new(summary));
+        self.revision += 1;
+    }
+
+    /// What models have given when they ran, by their files.
+    pub fn runs(&self) -> &Arc<HashMap<Arc<str>, Arc<RunSummary>>> {
+        &self.runs
     }
 
     /// Keeps what elaboration says of a model, to be published.

@@ -58,3 +58,30 @@ fn what_can_go_is_marked_and_fixes_travel_along() {
     assert!(message.contains("help: did you mean `gears`?"), "{message}");
     assert!(client.leave());
 }
+
+#[test]
+fn what_only_elaboration_shows_follows_and_stays_while_the_text_is_broken() {
+    let mut client = Client::ready(json!({}));
+    let lines = ["var a = 1;", "assert(a > 2);", "print(a);"];
+    client.open(MODEL, &lines.join("\n"));
+    client.codes_become(MODEL, &["E0705"]);
+    // Broken elsewhere, it cannot be elaborated again.
+    client.set(MODEL, 2, &["var a = 1;", "// One line more.", "assert(a > 2);", "print(b);"].join("\n"));
+    let found = client.diagnostics(MODEL, 2);
+    assert_eq!(codes(Some(&found)), ["E0201"], "what lies between two changes is taken for changed");
+    client.set(MODEL, 3, &lines.join("\n"));
+    client.codes_become(MODEL, &["E0705"]);
+    client.change(MODEL, 4, json!([{
+        "range": { "start": { "line": 0, "character": 0 }, "end": { "line": 0, "character": 0 } }, "text": "print(b);\n"
+    }]));
+    let found = client.diagnostics(MODEL, 4);
+    let [.., assertion] = found.as_slice() else { panic!("{found:?}") };
+    assert_eq!(assertion["code"], "E0705");
+    assert_eq!(assertion["range"]["start"]["line"], 2);
+    // Where it is mended nothing is said any more, even before it is elaborated.
+    client.set(MODEL, 5, "print(b);\nvar a = 1;\nassert(a > 0);\nprint(a);");
+    client.codes_become(MODEL, &["E0201"]);
+    client.set(MODEL, 6, "var a = 1;\nassert(a > 3);\nprint(a);");
+    client.codes_become(MODEL, &["E0705"]);
+    assert!(client.leave());
+}

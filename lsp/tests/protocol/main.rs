@@ -4,7 +4,9 @@
 
 mod cancellation;
 mod client;
+mod commands;
 mod diagnostics;
 mod edits;
+mod library;
 mod life_cycle;
 mod workspace;

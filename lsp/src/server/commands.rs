@@ -1,0 +1,122 @@
+//! What clients ask to be done: run a model, run a test, show the plan, stop.
+//!
+//! The first argument of each is the document, as clients call it.
+
+use super::Shared;
+use super::runs::{self, Stop};
+use super::workspace::path_of;
+use calyx_elaborate::{Cancel, Params, elaborate};
+use calyx_lang::db::Superseded;
+use serde_json::{Value, json};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use tower_lsp_server::Client;
+use tower_lsp_server::jsonrpc::{Error, ErrorCode, Result};
+use tower_lsp_server::ls_types::{ExecuteCommandOptions, ExecuteCommandParams, MessageType, Uri};
+
+/// Runs a model; answers when it is done, with what it gave.
+pub const RUN: &str = "calyx.run";
+/// Runs a test, whose name is the second argument; answers whether it passed.
+pub const TEST: &str = "calyx.test";
+/// Gives the plan of a model's analysis as text.
+pub const PLAN: &str = "calyx.plan";
+/// Stops the run of a model.
+pub const CANCEL: &str = "calyx.cancel";
+
+pub fn offered() -> ExecuteCommandOptions {
+    let commands = [RUN, TEST, PLAN, CANCEL].map(str::to_owned).to_vec();
+    ExecuteCommandOptions { commands, ..ExecuteCommandOptions::default() }
+}
+
+pub async fn execute(
+    shared: &Arc<Shared>,
+    client: &Client,
+    params: ExecuteCommandParams,
+) -> Result<Option<Value>> {
+    let uri = params.arguments.first().and_then(|uri| serde_json::from_value::<Uri>(uri.clone()).ok());
+    let Some(uri) = uri else {
+        return Err(Error::invalid_params(format!("{} takes the URI of a model", params.command)));
+    };
+    match params.command.as_str() {
+        RUN => {
+            let model = saved(shared, &uri)?;
+            let summary = runs::run(shared, client, &uri, &model).await.map_err(refused)?;
+            Ok(Some(json!({ "directory": summary.directory, "message": summary.message })))
+        }
+        TEST => {
+            let model = saved(shared, &uri)?;
+            let name = params.arguments.get(1).and_then(Value::as_str).unwrap_or_default();
+            let tested = runs::test(shared, &model, name).await.map_err(refused)?;
+            let kind = if tested.passed { MessageType::INFO } else { MessageType::ERROR };
+            client.show_message(kind, &tested.message).await;
+            Ok(Some(json!({ "passed": tested.passed, "message": tested.message })))
+        }
+        PLAN => {
+            let shared = shared.clone();
+            let plan = tokio::task::spawn_blocking(move || plan(&shared, &uri)).await;
+            plan.unwrap_or_else(|_| Err(Error::internal_error())).map(|text| Some(json!(text)))
+        }
+        CANCEL => {
+            let stopped = shared.runs.stop(&Stop::Model(uri));
+            Ok(Some(json!(stopped)))
+        }
+        other => Err(Error {
+            message: format!("there is no command `{other}`").into(),
+            ..Error::method_not_found()
+        }),
+    }
+}
+
+fn refused(message: String) -> Error {
+    Error { code: ErrorCode::ServerError(-32803), message: message.into(), data: None }
+}
+
+/// The file of a document. What runs is what is on the disk, so that must be what the editor shows.
+fn saved(shared: &Shared, uri: &Uri) -> Result<PathBuf> {
+    let path = path_of(uri).ok_or_else(|| refused("save the model to a file first".to_owned()))?;
+    let shown = shared.workspace().documents().get(uri).map(|document| document.text.clone());
+    let on_disk = std::fs::read_to_string(&path);
+    let name = path.file_name().unwrap_or_default().display();
+    match (shown, on_disk) {
+        (Some(shown), Ok(on_disk)) if **shown.content() == *on_disk => Ok(path),
+        (None, Ok(_)) => Ok(path),
+        (_, Ok(_)) => Err(refused(format!("{name} has changes that are not saved: save it first"))),
+        (_, Err(error)) => Err(refused(format!("{name} cannot be read: {error}"))),
+    }
+}
+
+/// How often a plan is begun again because a text has changed meanwhile.
+const MOST_ATTEMPTS: usize = 5;
+
+/// The plan of a model as it is in the editor.
+fn plan(shared: &Shared, uri: &Uri) -> Result<String> {
+    for _ in 0..MOST_ATTEMPTS {
+        let Some(view) = shared.workspace().view(Some(uri)) else {
+            return Err(refused("open the model first".to_owned()));
+        };
+        let name = Path::new(&*view.file).file_name().unwrap_or_default().display().to_string();
+        let checked = view.snapshot.database.attempt(|database| database.check(&view.file));
+        let known = view.snapshot.elaborated.get(&view.file).cloned();
+        // A text that changes need not wait for the rest.
+        drop(view);
+        let checked = match checked {
+            Ok(Some(checked)) => checked,
+            Ok(None) => return Err(refused(format!("{name} is a module: models have plans"))),
+            Err(Superseded) => continue,
+        };
+        let Some(program) = &checked.program else {
+            return Err(refused(format!("{name} has errors: mend them first")));
+        };
+        let text = match known.filter(|known| known.is_of(&checked)) {
+            Some(known) => known.elaboration.plan.as_ref().map(|plan| plan.text()),
+            None => {
+                let elaboration = elaborate(program, Params::Defaults, &Cancel::default());
+                elaboration.ok().and_then(|elaboration| elaboration.plan).map(|plan| plan.text())
+            }
+        };
+        let nothing =
+            || refused(format!("{name} has nothing to analyse, or something is wrong with its scene"));
+        return text.ok_or_else(nothing);
+    }
+    Err(Error::content_modified())
+}
