@@ -152,6 +152,12 @@ impl Database {
         attempt(|| salsa::Database::attach(&self.salsa, |_| questions(self)))
     }
 
+    /// Asks questions of this database in the middle of an attempt on another, e.g. of texts as an edit would make them.
+    /// They are not interrupted.
+    pub fn aside<T>(&self, questions: impl FnOnce(&Database) -> T) -> T {
+        salsa::attach_allow_change(&self.salsa, || questions(self))
+    }
+
     /// What stops this clone, from another thread.
     pub fn canceller(&self) -> Canceller {
         Canceller(salsa::Database::cancellation_token(&self.salsa))
@@ -170,7 +176,7 @@ impl Database {
         let mut texts = vec![model, self.library.prelude(&self.salsa)];
         let mut seen = BTreeSet::new();
         while let Some(text) = texts.pop() {
-            for path in self.imports(text) {
+            for path in self.aside(|database| database.imports(text)) {
                 if !seen.insert(path.clone()) {
                     continue;
                 }

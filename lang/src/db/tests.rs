@@ -370,3 +370,18 @@ fn a_text_that_was_edited_parses_as_if_it_were_new() {
         assert_eq!((&found.module, &found.diagnostics), (&module, &diagnostics), "{text}");
     }
 }
+
+#[test]
+fn another_database_can_be_asked_in_the_middle_of_an_attempt() {
+    let (mut database, _) = watched();
+    database.set_model("model.cx", "var a = 1;\nprint(a);\n");
+    let errors = |database: &Database| database.check("model.cx").map(|checked| checked.diagnostics.len());
+    let found = database.attempt(|database| {
+        let before = errors(database);
+        let mut trial = Database::new(&Modules::default());
+        trial.set_model("model.cx", "import first;\nvar a = 1;\nprint(b);\n");
+        trial.load_imports("model.cx", &Modules::default());
+        (before, trial.aside(errors) > Some(0), errors(database) == before)
+    });
+    assert_eq!(found.ok(), Some((Some(0), true, true)));
+}

@@ -202,8 +202,12 @@ impl<'a> Trial<'a> {
             return Err(error(message));
         }
         for file in self.files.iter().filter(|file| !file.starts_with('<')) {
-            let after: BTreeMap<u32, Name> =
-                self.after.names(file).into_iter().map(|name| (name.start, name)).collect();
+            let after: BTreeMap<u32, Name> = self
+                .after
+                .aside(|after| after.names(file))
+                .into_iter()
+                .map(|name| (name.start, name))
+                .collect();
             for name in self.before.names(file) {
                 let found = after.get(&self.moved(file, name.start));
                 let same =
@@ -222,7 +226,9 @@ impl<'a> Trial<'a> {
     /// The message of an error that was not there before.
     fn new_error(&self, of_interest: &dyn Fn(&str) -> bool) -> Option<String> {
         for model in &self.models {
-            let (Some(old), Some(new)) = (self.before.check(model), self.after.check(model)) else {
+            let (Some(old), Some(new)) =
+                (self.before.check(model), self.after.aside(|after| after.check(model)))
+            else {
                 continue;
             };
             let errors = |checked: &Checked| -> Vec<(String, String, u32, String)> {
