@@ -28,7 +28,11 @@ local editor = vim.fn.jobstart({
 
 --- Evaluates Lua in the inner editor.
 local function lua(code, ...)
-  return vim.rpcrequest(editor, 'nvim_exec_lua', code, { ... })
+  local answer = vim.rpcrequest(editor, 'nvim_exec_lua', code, { ... })
+  if answer == vim.NIL then
+    return nil
+  end
+  return answer
 end
 
 --- Keys as they would be typed.
@@ -243,6 +247,22 @@ step('an untidy model is formatted', function()
     if vim.lsp.buf.format then vim.lsp.buf.format({ timeout_ms = 20000 }) else vim.lsp.buf.formatting_sync(nil, 20000) end
   ]])
   assert(text() == original, text())
+end)
+
+step('the plan of the model is shown beside it', function()
+  lua("vim.cmd('CalyxPlan')")
+  local plan = eventually('a window with the plan', function()
+    return lua([[
+      for _, window in ipairs(vim.api.nvim_list_wins()) do
+        local buffer = vim.api.nvim_win_get_buf(window)
+        if vim.api.nvim_buf_get_name(buffer):match('calyx%-plan') then
+          return table.concat(vim.api.nvim_buf_get_lines(buffer, 0, -1, false), '\n')
+        end
+      end
+    ]])
+  end)
+  assert(plan:find('pinion', 1, true), plan)
+  assert(text() == original, 'the model keeps the cursor')
 end)
 
 step('the server ends when the editor does', function()
