@@ -5,17 +5,26 @@
 //! freedoms, in one sense, and whether they can balance the load is a small problem of its own.
 
 use crate::contact::problem::{ContactError, FreeMotion};
-use crate::contact::rigid_limit::rigid_limit;
+use crate::contact::rigid_limit::rigid_limit_until;
 use crate::error::{EngineError, Subject};
 use crate::plan::Plan;
 use crate::scene::{FREEDOMS, Scene, SurfacePair};
 use crate::system::{Freedom, load_on, number_freedoms, pose};
+use calyx_abi::context::codes;
 
 /// Checks that nominal contact holds every free motion of the planned bodies.
 ///
 /// # Errors
 /// What solving the first position would end in: E0714 if a load drives a body away, E0715 if nothing holds a motion.
 pub fn check(scene: &Scene, plan: &Plan) -> Result<(), EngineError> {
+    check_until(scene, plan, &|| false)
+}
+
+/// The same, until `stopped` says that nobody wants to know any more.
+///
+/// # Errors
+/// As [`check`].
+pub fn check_until(scene: &Scene, plan: &Plan, stopped: &dyn Fn() -> bool) -> Result<(), EngineError> {
     let freedoms = number_freedoms(scene, plan);
     if freedoms.is_empty() {
         return Ok(());
@@ -32,7 +41,7 @@ pub fn check(scene: &Scene, plan: &Plan) -> Result<(), EngineError> {
     if load.iter().all(|&load| load == 0.0) {
         load = drive_direction(scene, &freedoms);
     }
-    match rigid_limit(&vec![0.0; contacts], &arms, &load) {
+    match rigid_limit_until(&vec![0.0; contacts], &arms, &load, stopped) {
         Err(error @ (ContactError::Infeasible(_) | ContactError::Unconstrained(_))) => {
             Err(explain(scene, &freedoms, &error))
         }
@@ -132,6 +141,7 @@ pub(crate) fn explain(scene: &Scene, freedoms: &[Freedom], error: &ContactError)
         ContactError::Invalid(what) => {
             EngineError::new("E0718", format!("the contact problem is unusable: {what}"), "")
         }
+        ContactError::Stopped => EngineError::new(codes::CANCELLED, "the run was cancelled", ""),
         ContactError::NotConverged => EngineError::new(
             "E0719",
             "the contact solver found no solution",

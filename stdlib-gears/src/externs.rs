@@ -18,7 +18,7 @@ use calyx_runtime::motion::{Motion, PlanePose};
 use calyx_runtime::plan::Plan;
 use calyx_runtime::results::OutputRequest;
 use calyx_runtime::scene::{
-    Body, BodyId, FREEDOMS, Fidelity, GridOptions, Observable, PairId, StructureOptions, SurfacePair,
+    Body, BodyId, FREEDOMS, Fidelity, GridOptions, Observable, PairId, Scene, StructureOptions, SurfacePair,
 };
 use std::sync::Arc;
 
@@ -154,6 +154,7 @@ calyx_abi::externs! {
         let (place, host) = (context.place, host(context)?);
         let ids = [BodyId(first.0 as usize), BodyId(second.0 as usize)];
         let gears = [body_gear(host, ids[0])?, body_gear(host, ids[1])?];
+        meet_once(&host.scene, ids)?;
         let poses = [pose(host, ids[0])?, pose(host, ids[1])?];
         let across = [0, 1].map(|i| poses[1].0.origin[i] - poses[0].0.origin[i]);
         let center_distance = across[0].hypot(across[1]);
@@ -275,10 +276,11 @@ fn analyze(host: &mut ModelHost, over: Handle, fidelity: &str) -> Result<(), Run
 /// What `check` does in place of an analysis: everything short of solving.
 ///
 /// # Errors
-/// What the analysis would fail with before its first position is solved.
-pub fn check_plan(host: &ModelHost) -> Result<Plan, RuntimeError> {
+/// What the analysis would fail with before its first position is solved. If `stopped` says that nobody wants to know any
+/// more, the answer means nothing.
+pub fn check_plan(host: &ModelHost, stopped: &dyn Fn() -> bool) -> Result<Plan, RuntimeError> {
     let plan = Plan::new(&host.scene, Fidelity::Plane, StructureOptions::default());
-    let checked = plan.and_then(|plan| holding::check(&host.scene, &plan).map(|()| plan));
+    let checked = plan.and_then(|plan| holding::check_until(&host.scene, &plan, stopped).map(|()| plan));
     checked.map_err(|error| host.engine_error(error))
 }
 
@@ -345,6 +347,28 @@ fn turns_in_the_plane(motion: &dyn Motion) -> Result<(), RuntimeError> {
             "frame",
             "a plane model needs every body to turn about an axis parallel to e3",
             "let the frame use rotations about e3 and translations in the plane only",
+        ));
+    }
+    Ok(())
+}
+
+/// Two meshes of the same bodies would share one load in no determined way.
+fn meet_once(scene: &Scene, ids: [BodyId; 2]) -> Result<(), RuntimeError> {
+    if ids[0] == ids[1] {
+        return Err(refusal(
+            "E0652",
+            "second",
+            "a body cannot mesh with itself",
+            "give the other body; several bodies may share one gear",
+        ));
+    }
+    if scene.pairs.iter().any(|pair| ids.iter().all(|id| pair.bodies.contains(id))) {
+        let [first, second] = ids.map(|id| scene.bodies.get(id.0).map_or("", |body| &body.name));
+        return Err(refusal(
+            "E0652",
+            "second",
+            &format!("\"{first}\" and \"{second}\" are in mesh already"),
+            "keep the mesh that was made before in a variable, and use it again",
         ));
     }
     Ok(())

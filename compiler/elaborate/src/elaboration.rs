@@ -173,7 +173,7 @@ fn elaborate_with(
         if ran.is_ok() && survived.is_empty() {
             check_unheld(host);
             if !host.scene.pairs.is_empty() {
-                match check_plan(host) {
+                match check_plan(host, &|| cancel.is_cancelled()) {
                     Ok(plan) => planned = Some(Planned::of(host, &plan, interpreted.description())),
                     Err(error) => found.push(at_place(&error)),
                 }

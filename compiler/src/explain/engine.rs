@@ -40,6 +40,7 @@ pub const CODES: &[Explanation] = codes! {
     "E0641" "the tip relief is too deep, or negative" "A relief takes off some hundredths of a millimetre: about the teeth's deflection under load."
     "E0650" "the first gear of a mesh does not turn" "A mesh cycle is the time of one pitch, so the first gear needs a speed: `frame := Rotate(3 rpm * Time, e3)`."
     "E0651" "the two frames do not turn in the ratio of the teeth" "Frames say how the bodies would move if nothing deflected, so their speeds stand in the inverse ratio of the teeth, with opposite signs for external gears."
+    "E0652" "a mesh of two bodies that are in mesh already, or of one with itself" "A pair of gears touches along one line of action; a second mesh of the same two would share its load in no determined way. `mesh` returns what outputs and cycles ask for: keep it in a variable."
     "E0660" "Young's modulus is not positive" "Steel has about 206 GPa, or 3e7 psi."
     "E0661" "Poisson's ratio is not from 0 to below 0.5" "Steel has 0.3. At 0.5 a material would be incompressible, which these elements do not treat."
     "E0662" "the density is negative" "Steel has 7850 kg/m^3."

@@ -331,9 +331,10 @@ fn without_idle_cells(scaled: &Scaled, mut found: Found) -> Result<Option<Found>
 /// Primal active set from a feasible start. `None` at the limit of iterations.
 fn single_pivoting(scaled: &Scaled, iterations: &mut usize) -> Result<Option<Found>, ContactError> {
     let n = scaled.cells();
-    let (mut forces, mut active) = match balance(&scaled.arms, &scaled.stiffness, &scaled.load) {
+    let (mut forces, mut active) = match balance(&scaled.arms, &scaled.stiffness, &scaled.load, &|| false) {
         Balance::Found { forces, cells } => (forces, cells),
         Balance::RunsAway(motion) => return Err(ContactError::Infeasible(scaled.free_motion(&motion))),
+        Balance::Stopped => return Err(ContactError::Stopped),
     };
     // The active cells must see every freedom; once they do, exchanges keep it so.
     while let Some(motion) = null_motion(&scaled.resistance(active.iter().copied()), 1e-12) {

@@ -13,10 +13,17 @@ pub(super) enum Balance {
     Found { forces: Vec<f64>, cells: Vec<usize> },
     /// A motion that closes no gap, strains no spring, and on which the load does positive work.
     RunsAway(Vec<f64>),
+    /// Nobody wants to know any more.
+    Stopped,
 }
 
 /// Finds `p >= 0` and any x with `C'p - K x = -f`. Data scaled so that columns of C are of the order of one.
-pub(super) fn balance(arms: &Matrix, stiffness: &Matrix, load: &[f64]) -> Balance {
+pub(super) fn balance(
+    arms: &Matrix,
+    stiffness: &Matrix,
+    load: &[f64],
+    stopped: &dyn Fn() -> bool,
+) -> Balance {
     let (n, m) = (arms.rows, arms.columns);
     // Springs take any force in the range of K; what is left is equilibrium on its null space.
     let unsprung = null_space(stiffness);
@@ -42,6 +49,9 @@ pub(super) fn balance(arms: &Matrix, stiffness: &Matrix, load: &[f64]) -> Balanc
         else {
             break;
         };
+        if stopped() {
+            return Balance::Stopped;
+        }
         passive.push(entering);
         while !passive.is_empty() {
             let trial = least_squares(&columns, &passive, &target);

@@ -51,6 +51,9 @@ pub enum ContactError {
     Invalid(&'static str),
     #[error("the contact solver did not converge")]
     NotConverged,
+    /// Nobody wanted to know any more.
+    #[error("the contact problem was given up")]
+    Stopped,
 }
 
 fn sense(direction: f64) -> &'static str {

@@ -26,6 +26,19 @@ pub struct RigidLimit {
 /// [`ContactError::Infeasible`] if no contact stops the motion, [`ContactError::Unconstrained`] if the load does not
 /// decide some freedom, [`ContactError::Jammed`] if there is no position without overlap.
 pub fn rigid_limit(gaps: &[f64], arms: &[f64], direction: &[f64]) -> Result<RigidLimit, ContactError> {
+    rigid_limit_until(gaps, arms, direction, &|| false)
+}
+
+/// The same, until `stopped` says that nobody wants to know any more: with many freedoms it takes long.
+///
+/// # Errors
+/// As [`rigid_limit`]; [`ContactError::Stopped`].
+pub fn rigid_limit_until(
+    gaps: &[f64],
+    arms: &[f64],
+    direction: &[f64],
+    stopped: &dyn Fn() -> bool,
+) -> Result<RigidLimit, ContactError> {
     let (n, m) = (gaps.len(), direction.len());
     if arms.len() != n * m {
         return Err(ContactError::Invalid("sizes of the arrays do not match"));
@@ -44,12 +57,16 @@ pub fn rigid_limit(gaps: &[f64], arms: &[f64], direction: &[f64]) -> Result<Rigi
         }
     }
     let load: Vec<f64> = direction.iter().zip(&scale).map(|(g, s)| g * s).collect();
-    let basis = match balance(&scaled_arms, &Matrix::zeros(m, m), &load) {
+    let basis = match balance(&scaled_arms, &Matrix::zeros(m, m), &load, stopped) {
         Balance::Found { cells, .. } => cells,
         Balance::RunsAway(motion) => return Err(ContactError::Infeasible(free_motion(&motion, &scale))),
+        Balance::Stopped => return Err(ContactError::Stopped),
     };
     let basis = complete(&scaled_arms, basis)
         .map_err(|motion| ContactError::Unconstrained(free_motion(&motion, &scale)))?;
+    if stopped() {
+        return Err(ContactError::Stopped);
+    }
     let (motion, mut touching) = simplex(gaps, &scaled_arms, &load, basis)?;
     touching.sort_unstable();
     Ok(RigidLimit { motion: motion.iter().zip(&scale).map(|(y, s)| y * s).collect(), touching })
@@ -119,4 +136,38 @@ fn simplex(
         }
     }
     Err(ContactError::NotConverged)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::cell::Cell;
+
+    /// Wheels in a row, each driven by the one before.
+    fn train(wheels: usize) -> (Vec<f64>, Vec<f64>) {
+        let mut arms = vec![0.0; wheels * wheels];
+        for k in 0..wheels {
+            arms[k * wheels + k] = -1.0;
+            if k + 1 < wheels {
+                arms[k * wheels + k + 1] = 1.0;
+            }
+        }
+        let mut load = vec![0.0; wheels];
+        load[0] = 1.0;
+        (arms, load)
+    }
+
+    #[test]
+    fn it_stops_as_soon_as_nobody_wants_to_know() {
+        let (arms, load) = train(20);
+        let gaps = [0.0; 20];
+        assert!(rigid_limit(&gaps, &arms, &load).is_ok());
+        let asked = Cell::new(0);
+        let third = || {
+            asked.set(asked.get() + 1);
+            asked.get() == 3
+        };
+        assert_eq!(rigid_limit_until(&gaps, &arms, &load, &third), Err(ContactError::Stopped));
+        assert_eq!(asked.get(), 3);
+    }
 }
