@@ -8,8 +8,7 @@ use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 const MODEL: &str = "\
 units mm_N_s;
 param width = 20 mm in 1 mm .. 50 mm;
-output o := 2*width;
-print(o);
+print(width);
 ";
 
 struct Editor {

@@ -6,7 +6,7 @@ use super::Shared;
 use super::background::Background;
 use super::job::reason;
 use super::view::View;
-use super::workspace::Key;
+use super::workspace::{Changed, Key};
 use calyx_lang::check::Checked;
 use calyx_lang::db::Superseded;
 use calyx_lang::diagnostic::{Diagnostic as Finding, Severity};
@@ -73,13 +73,16 @@ impl Wake {
 /// Starts the thread that publishes.
 pub(crate) fn start(shared: Arc<Shared>, client: Client, runtime: Handle) -> io::Result<()> {
     thread::Builder::new().name("diagnostics".to_owned()).spawn(move || {
-        let mut published = Published::default();
+        let mut publisher = Publisher { shared: &shared, client, runtime, shown: BTreeMap::new() };
         let mut kept = VecDeque::new();
         while shared.wake.wait() {
-            let dirty = shared.workspace().take_dirty();
-            kept.push_back(publish(&shared, dirty, &mut published, &client, &runtime));
-            if kept.len() > KEPT {
-                kept.pop_front();
+            // One at a time: a view that waits for its turn would hold up who edits its project.
+            let next = || shared.workspace().next_changed();
+            while let Some(changed) = next() {
+                kept.push_back(publisher.publish(changed));
+                if kept.len() > KEPT {
+                    kept.pop_front();
+                }
             }
         }
     })?;
@@ -90,57 +93,57 @@ pub(crate) fn start(shared: Arc<Shared>, client: Client, runtime: Handle) -> io:
 /// it has, and are taken apart on this thread.
 const KEPT: usize = 2;
 
-/// Files that show diagnostics, by project.
-type Published = BTreeMap<Key, BTreeSet<Uri>>;
+/// Sends what is found, and knows what was sent.
+struct Publisher<'a> {
+    shared: &'a Shared,
+    client: Client,
+    runtime: Handle,
+    /// Files that show diagnostics, by project.
+    shown: BTreeMap<Key, BTreeSet<Uri>>,
+}
 
-fn publish(
-    shared: &Shared,
-    views: Vec<View>,
-    published: &mut Published,
-    client: &Client,
-    runtime: &Handle,
-) -> Vec<Arc<Checked>> {
-    // Nothing may hold a view while a message waits to be sent.
-    let mut messages = Vec::new();
-    let mut kept = Vec::new();
-    let mut views = views.into_iter();
-    while let Some(view) = views.next() {
+impl Publisher<'_> {
+    /// Checks a project and sends what is found. Returns what was checked.
+    fn publish(&mut self, changed: Changed) -> Vec<Arc<Checked>> {
+        let view = match changed {
+            Changed::Project(view) => view,
+            Changed::Gone(home) => {
+                for uri in self.shown.remove(&home).unwrap_or_default() {
+                    self.send(uri, None, Vec::new());
+                }
+                return Vec::new();
+            }
+        };
         let home = view.project.clone();
-        let found = catch_unwind(AssertUnwindSafe(|| of_project(&view, &shared.background, &mut kept)));
-        match found {
+        let mut kept = Vec::new();
+        let checked =
+            catch_unwind(AssertUnwindSafe(|| of_project(&view, &self.shared.background, &mut kept)));
+        // Nothing may hold a view while a message waits to be sent, or while the workspace is asked for.
+        drop(view);
+        match checked {
             Ok(Ok(found)) => {
-                let shown = published.entry(home).or_default();
-                messages.extend(
-                    shown
-                        .iter()
-                        .filter(|uri| !found.contains_key(uri))
-                        .map(|uri| (uri.clone(), view.version(uri), Vec::new())),
-                );
-                *shown = found
-                    .iter()
-                    .filter(|(_, (_, found))| !found.is_empty())
-                    .map(|(uri, _)| uri.clone())
-                    .collect();
-                messages.extend(found.into_iter().map(|(uri, (version, found))| (uri, version, found)));
+                let speaks = |(uri, (_, found)): (&Uri, &(Option<i32>, Vec<Diagnostic>))| {
+                    (!found.is_empty()).then(|| uri.clone())
+                };
+                let now = found.iter().filter_map(speaks).collect();
+                let before = self.shown.insert(home, now).unwrap_or_default();
+                for uri in before.into_iter().filter(|uri| !found.contains_key(uri)) {
+                    self.send(uri, None, Vec::new());
+                }
+                for (uri, (version, found)) in found {
+                    self.send(uri, version, found);
+                }
             }
-            Ok(Err(Superseded)) => {
-                // What superseded it rouses the thread again, but need not have touched the others.
-                let left: Vec<Key> =
-                    [home].into_iter().chain(views.map(|view| view.project.clone())).collect();
-                drop(view);
-                left.iter().for_each(|home| shared.workspace().mark_dirty(home));
-                shared.wake.wake();
-                break;
-            }
-            Err(panic) => {
-                shared.log.error(&format!("checking failed: {}", reason(&*panic)));
-            }
+            // At once again, with the newer text.
+            Ok(Err(Superseded)) => self.shared.workspace().mark_dirty(&home),
+            Err(panic) => self.shared.log.error(&format!("checking failed: {}", reason(&*panic))),
         }
+        kept
     }
-    for (uri, version, diagnostics) in messages {
-        runtime.block_on(client.publish_diagnostics(uri, diagnostics, version));
+
+    fn send(&self, uri: Uri, version: Option<i32>, found: Vec<Diagnostic>) {
+        self.runtime.block_on(self.client.publish_diagnostics(uri, found, version));
     }
-    kept
 }
 
 /// What there is to say about each file.

@@ -37,6 +37,13 @@ pub struct Document {
     pub home: Key,
 }
 
+/// What has become of a project.
+pub enum Changed {
+    Project(View),
+    /// Its last document was closed.
+    Gone(Key),
+}
+
 /// Open documents by what clients call them.
 pub type Documents = HashMap<Uri, Document>;
 
@@ -171,23 +178,21 @@ impl Workspace {
         self.revision
     }
 
-    /// The projects that changed since this was last asked; that of the document edited last comes first.
-    pub fn take_dirty(&mut self) -> Vec<View> {
-        let latest = self
-            .latest
-            .as_ref()
-            .and_then(|uri| self.documents.get(uri))
-            .map(|document| document.home.clone());
-        let mut keys: Vec<Key> = std::mem::take(&mut self.dirty).into_iter().collect();
-        keys.sort_by_key(|key| Some(key) != latest.as_ref());
-        keys.iter().filter_map(|key| self.view_of(key, "".into())).collect()
+    /// A project that has changed since it was last given here; that of the document edited last before others.
+    pub fn next_changed(&mut self) -> Option<Changed> {
+        let latest = self.latest.as_ref().and_then(|uri| self.documents.get(uri));
+        let latest = latest.map(|document| &document.home).filter(|home| self.dirty.contains(*home));
+        let key = latest.or_else(|| self.dirty.first())?.clone();
+        self.dirty.remove(&key);
+        Some(match self.view_of(&key, "".into()) {
+            Some(view) => Changed::Project(view),
+            None => Changed::Gone(key),
+        })
     }
 
-    /// Puts back what [`Workspace::take_dirty`] gave and was not dealt with.
+    /// Puts back what [`Workspace::next_changed`] gave and was not dealt with.
     pub fn mark_dirty(&mut self, home: &Key) {
-        if self.projects.contains_key(home) {
-            self.dirty.insert(home.clone());
-        }
+        self.dirty.insert(home.clone());
     }
 
     pub fn open(&mut self, uri: Uri, version: i32, text: String) {

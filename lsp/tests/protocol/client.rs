@@ -182,6 +182,12 @@ impl Client {
         loop {
             if let Some(at) = self.notifications.iter().position(wanted) {
                 let message = self.notifications.remove(at);
+                // What was published before is history.
+                let mut index = 0;
+                self.notifications.retain(|earlier| {
+                    index += 1;
+                    index > at || earlier["params"]["uri"] != uri
+                });
                 let diagnostics = message["params"]["diagnostics"].as_array();
                 return diagnostics.cloned().unwrap_or_default();
             }
