@@ -147,6 +147,37 @@ fn extern_scheme(db: &dyn salsa::Database, item: Item<'_>) -> Option<Shown> {
     })
 }
 
+/// An item in the excerpt that its unit is checked in.
+#[derive(Clone, Copy)]
+struct Part {
+    /// Of the excerpt.
+    file: FileId,
+    base: u32,
+    /// In its own file.
+    start: u32,
+    length: u32,
+}
+
+/// The expressions of a unit that lie in some of its items and that a range of their file touches.
+fn expressions_of(unit: &Unit, parts: &[Part], range: &Range<u32>) -> Vec<Typed> {
+    let mut parts = parts.to_vec();
+    parts.sort_by_key(|part| part.base);
+    let (Some(first), Some(last)) = (parts.first(), parts.last()) else { return Vec::new() };
+    let wanted = Span { file: first.file, start: first.base, end: last.base + last.length };
+    let mut found = expressions::touching(&unit.typed, wanted);
+    found.retain_mut(|typed| {
+        let Some(at) = parts.partition_point(|part| part.base <= typed.start).checked_sub(1) else {
+            return false;
+        };
+        let part = parts[at];
+        let inside = typed.end <= part.base + part.length;
+        typed.start = typed.start - part.base + part.start;
+        typed.end = (typed.end + part.start).saturating_sub(part.base);
+        inside && typed.start <= range.end && range.start <= typed.end
+    });
+    found
+}
+
 impl Database {
     fn find(&self, file: &str) -> Option<Text> {
         let db = &self.salsa;
@@ -318,29 +349,26 @@ impl Database {
     /// The expressions of the checked program that a range touches, in order of their starts, outer before inner.
     pub fn expressions(&self, file: &str, range: Range<u32>) -> Vec<Typed> {
         let Some(text) = self.find(file) else { return Vec::new() };
-        let db = &self.salsa;
-        let mut found: Vec<Typed> = Vec::new();
-        deep(|| {
-            for item in self.items_in(text, range.clone()) {
-                let Some(unit) = unit_of(db, item, self.library) else { continue };
-                let Some((own, base)) = unit.layout.start(id(item)) else { continue };
-                let start = item.start(db);
-                let length = item.content(db).text.len() as u32;
-                let relative = |at: u32| at.saturating_sub(start).min(length) + base;
-                let wanted = Span { file: own, start: relative(range.start), end: relative(range.end) };
-                let all = expressions::touching(&unit.typed, wanted)
-                    .into_iter()
-                    .filter(|typed| typed.start >= base && typed.end <= base + length);
-                found.extend(all.map(|typed| Typed {
-                    start: typed.start - base + start,
-                    end: typed.end - base + start,
-                    ..typed
-                }));
-            }
+        let mut found = deep(|| {
+            let units = self.parts(text, range.clone()).into_values();
+            units.flat_map(|(unit, parts)| expressions_of(unit, &parts, &range)).collect::<Vec<_>>()
         });
         found.sort_by_key(|typed| (typed.start, u32::MAX - typed.end));
         found.dedup_by(|b, a| (a.start, a.end) == (b.start, b.end));
         found
+    }
+
+    /// The units that the items of a range are checked in, each once however many items it has.
+    fn parts(&self, text: Text, range: Range<u32>) -> HashMap<(*const Unit, FileId), (&Unit, Vec<Part>)> {
+        let db = &self.salsa;
+        let mut units: HashMap<_, (&Unit, Vec<Part>)> = HashMap::new();
+        for item in self.items_in(text, range) {
+            let Some(unit) = unit_of(db, item, self.library) else { continue };
+            let Some((file, base)) = unit.layout.start(id(item)) else { continue };
+            let part = Part { file, base, start: item.start(db), length: item.content(db).text.len() as u32 };
+            units.entry((std::ptr::from_ref(unit), file)).or_insert((unit, Vec::new())).1.push(part);
+        }
+        units
     }
 
     /// The smallest expression around an offset.

@@ -24,8 +24,8 @@ pub struct Fold {
 }
 
 /// All folds of a file in order of place.
-pub fn folds(source: &Source) -> Vec<Fold> {
-    let lines = Lines::new(&source.text);
+pub fn folds(source: &Source<'_>) -> Vec<Fold> {
+    let lines = Lines::new(source.text);
     let mut folds = brackets(source, &lines);
     comments(source, &lines, &mut folds);
     imports(&source.tree.module.statements, &mut folds);
@@ -41,7 +41,7 @@ pub fn folds(source: &Source) -> Vec<Fold> {
 }
 
 /// Brackets of all kinds with a line end between them.
-fn brackets(source: &Source, lines: &Lines<'_>) -> Vec<Fold> {
+fn brackets(source: &Source<'_>, lines: &Lines<'_>) -> Vec<Fold> {
     let mut folds = Vec::new();
     let mut open: Vec<(Kind, u32)> = Vec::new();
     let mut strings = 0_usize;
@@ -82,7 +82,7 @@ fn opening(close: Kind) -> Kind {
 }
 
 /// Comments over several lines, and those of one kind on lines below each other.
-fn comments(source: &Source, lines: &Lines<'_>, folds: &mut Vec<Fold>) {
+fn comments(source: &Source<'_>, lines: &Lines<'_>, folds: &mut Vec<Fold>) {
     let mut run: Option<(CommentKind, u32, u32)> = None;
     for comment in &source.tokens.comments {
         let (start, end) = (comment.span.start, comment.span.end);

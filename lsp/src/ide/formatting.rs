@@ -18,14 +18,14 @@ pub struct Change {
 }
 
 /// The changes that make a file what `calyx fmt` makes of it; none if it has errors.
-pub fn format_file(source: &Source) -> Vec<Change> {
-    let edits = format::format_range(&source.text, 0..source.text.len() as u32).unwrap_or_default();
+pub fn format_file(source: &Source<'_>) -> Vec<Change> {
+    let edits = format::format_range(source.text, 0..source.text.len() as u32).unwrap_or_default();
     edits.into_iter().filter_map(|edit| smallest(source, 0, edit)).collect()
 }
 
 /// The changes to the top-level statements and comments that a selection touches.
-pub fn format_selection(source: &Source, selection: Range<u32>) -> Vec<Change> {
-    let lines = Lines::new(&source.text);
+pub fn format_selection(source: &Source<'_>, selection: Range<u32>) -> Vec<Change> {
+    let lines = Lines::new(source.text);
     let place = Place { units: format::declared_units(&source.tree.module), indent: 0 };
     let parts = parts(source, &lines, &selection);
     let (Some(first), Some(last)) = (parts.first(), parts.last()) else { return Vec::new() };
@@ -40,7 +40,7 @@ pub fn format_selection(source: &Source, selection: Range<u32>) -> Vec<Change> {
 }
 
 /// The runs of statements and comments that share lines and that a selection touches.
-fn parts(source: &Source, lines: &Lines<'_>, selection: &Range<u32>) -> Vec<(u32, u32)> {
+fn parts(source: &Source<'_>, lines: &Lines<'_>, selection: &Range<u32>) -> Vec<(u32, u32)> {
     let statements = &source.tree.module.statements;
     let first = statements.partition_point(|statement| statement.span.end < selection.start);
     let touched = statements.get(first..).unwrap_or_default().iter();
@@ -77,7 +77,7 @@ fn parts(source: &Source, lines: &Lines<'_>, selection: &Range<u32>) -> Vec<(u32
 
 /// The changes in a part that begins and ends with a statement or a comment; `None` if it has errors.
 fn format_piece(
-    source: &Source,
+    source: &Source<'_>,
     lines: &Lines<'_>,
     (start, end): (u32, u32),
     place: &Place,
@@ -93,7 +93,7 @@ fn format_piece(
 }
 
 /// A change without what stays as it is at its beginning and end, so that a cursor there stays too.
-fn smallest(source: &Source, from: u32, edit: format::Edit) -> Option<Change> {
+fn smallest(source: &Source<'_>, from: u32, edit: format::Edit) -> Option<Change> {
     let (start, end) = (from + edit.span.start, from + edit.span.end);
     let (old, new) = (source.slice(start, end), edit.replacement.as_str());
     let same = |(a, b): &(char, char)| a == b;
@@ -108,7 +108,7 @@ fn smallest(source: &Source, from: u32, edit: format::Edit) -> Option<Change> {
 
 /// The changes to the statement that ends at a byte, if it has lines of its own and no errors. Its first line stays
 /// indented as it is, because that is what its author sees.
-pub(super) fn format_ended(source: &Source, lines: &Lines<'_>, offset: u32) -> Option<Vec<Change>> {
+pub(super) fn format_ended(source: &Source<'_>, lines: &Lines<'_>, offset: u32) -> Option<Vec<Change>> {
     let statement = statement_with_lines(&source.tree.module.statements, lines, offset)?;
     let (start, end) = (statement.span.start, statement.span.end);
     if end != offset && lines.line(start) != lines.line(end) {

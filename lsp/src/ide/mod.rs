@@ -1,13 +1,17 @@
 //! Questions about a snapshot of the texts, one file a feature.
 
 pub mod actions;
+pub mod call_hierarchy;
+pub mod code_lenses;
 mod constant;
 pub mod definition;
+pub mod document_links;
 pub mod elaborated;
 pub mod folding;
 pub mod formatting;
 pub mod fuzzy;
 pub mod hover;
+pub mod inlay_hints;
 mod labels;
 mod lines;
 mod near;
@@ -16,6 +20,7 @@ mod problems;
 pub mod references;
 pub mod rename;
 pub mod selection;
+pub mod semantic_tokens;
 pub mod source;
 pub mod symbols;
 mod symbols_of;

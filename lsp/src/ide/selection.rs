@@ -9,7 +9,7 @@ use calyx_lang::lexer::{CommentKind, Kind};
 type Range = (u32, u32);
 
 /// Ranges around a byte, each inside the next; the last is the whole file.
-pub fn selections(source: &Source, offset: u32) -> Vec<Range> {
+pub fn selections(source: &Source<'_>, offset: u32) -> Vec<Range> {
     let offset = offset.min(source.text.len() as u32);
     let mut ranges = Vec::new();
     let (token, strings) = words(source, offset);
@@ -22,8 +22,8 @@ pub fn selections(source: &Source, offset: u32) -> Vec<Range> {
     let documented = documented(source, offset);
     let at = statements.partition_point(|statement| statement.span.end < documented);
     // Where two statements touch, the cursor is in the one it stands before.
-    let touching = statements.iter().skip(at).take(2).filter(|s| s.span.start <= documented);
-    if let Some(statement) = touching.last() {
+    let mut touching = statements.iter().skip(at).take(2).filter(|s| s.span.start <= documented);
+    if let Some(statement) = touching.next_back() {
         descend(source, Node::Statement(statement), documented, &mut path);
     }
     path.reverse();
@@ -49,7 +49,7 @@ fn growing(mut ranges: Vec<Range>, offset: u32) -> Vec<Range> {
 }
 
 /// The beginning of what the documentation documents that a byte is in; otherwise the byte.
-fn documented(source: &Source, offset: u32) -> u32 {
+fn documented(source: &Source<'_>, offset: u32) -> u32 {
     let comments = &source.tokens.comments;
     let at = comments.partition_point(|comment| comment.span.end < offset);
     let comment = comments.get(at).filter(|comment| comment.span.start <= offset);
@@ -62,7 +62,7 @@ fn documented(source: &Source, offset: u32) -> u32 {
     }
 }
 
-fn descend(source: &Source, node: Node<'_>, offset: u32, path: &mut Vec<Range>) {
+fn descend(source: &Source<'_>, node: Node<'_>, offset: u32, path: &mut Vec<Range>) {
     let range = node.range();
     match node {
         Node::Statement(statement) => {
@@ -97,26 +97,26 @@ fn descend(source: &Source, node: Node<'_>, offset: u32, path: &mut Vec<Range>) 
 }
 
 /// `in` of a parameter and `..` of an argument stand before what the tree knows of them.
-fn with_words_before(source: &Source, start: u32) -> u32 {
+fn with_words_before(source: &Source<'_>, start: u32) -> u32 {
     let before = source.tokens.tokens.partition_point(|token| token.span.end <= start).checked_sub(1);
     let token = before.and_then(|at| source.tokens.tokens.get(at));
     let belongs = |kind| matches!(kind, Kind::In | Kind::Out | Kind::InOut | Kind::DotDot);
     token.filter(|token| belongs(token.kind)).map_or(start, |token| token.span.start)
 }
 
-fn after_semicolon(source: &Source, end: u32) -> u32 {
+fn after_semicolon(source: &Source<'_>, end: u32) -> u32 {
     let next = source.tokens.tokens.get(source.token_after(end));
     next.filter(|token| token.kind == Kind::Semicolon).map_or(end, |token| token.span.end)
 }
 
 /// The word, token or comment a byte is in or at, and the strings and comments around it.
-fn words(source: &Source, offset: u32) -> (Vec<Range>, Vec<Range>) {
+fn words(source: &Source<'_>, offset: u32) -> (Vec<Range>, Vec<Range>) {
     let tokens = &source.tokens.tokens;
     let (mut found, mut around) = (Vec::new(), Vec::new());
     let comments = &source.tokens.comments;
     let at = comments.partition_point(|comment| comment.span.end < offset);
     if let Some(comment) = comments.get(at).filter(|comment| comment.span.start <= offset) {
-        found.extend(word(&source.text, comment.span.start, comment.span.end, offset));
+        found.extend(word(source.text, comment.span.start, comment.span.end, offset));
         found.push((comment.span.start, comment.span.end));
         around.extend(comment_run(source, at));
         return (found, around);
@@ -129,7 +129,7 @@ fn words(source: &Source, offset: u32) -> (Vec<Range>, Vec<Range>) {
         touching.filter(|token| token.span.start < token.span.end).max_by_key(|token| is_word(token.kind));
     if let Some(token) = token {
         if token.kind == Kind::StringText {
-            found.extend(word(&source.text, token.span.start, token.span.end, offset));
+            found.extend(word(source.text, token.span.start, token.span.end, offset));
         }
         found.push((token.span.start, token.span.end));
     }
@@ -138,7 +138,7 @@ fn words(source: &Source, offset: u32) -> (Vec<Range>, Vec<Range>) {
 }
 
 /// The comments below each other of which one is the `at`-th.
-fn comment_run(source: &Source, at: usize) -> Option<Range> {
+fn comment_run(source: &Source<'_>, at: usize) -> Option<Range> {
     let comments = &source.tokens.comments;
     let adjacent = |a: usize, b: usize| {
         let (Some(a), Some(b)) = (comments.get(a), comments.get(b)) else { return false };
@@ -154,7 +154,7 @@ fn comment_run(source: &Source, at: usize) -> Option<Range> {
 }
 
 /// What stands between the quotes around a byte.
-fn string_content(source: &Source, offset: u32) -> Option<Range> {
+fn string_content(source: &Source<'_>, offset: u32) -> Option<Range> {
     let tokens = &source.tokens.tokens;
     let line_start = source.slice(0, offset).rfind('\n').map_or(0, |at| at as u32 + 1);
     let from = tokens.partition_point(|token| token.span.start < line_start);
@@ -187,7 +187,7 @@ fn word(text: &str, start: u32, end: u32, offset: u32) -> Option<Range> {
 }
 
 /// What stands between brackets around a byte, with and without them, inside its statement.
-fn brackets(source: &Source, offset: u32) -> Vec<Range> {
+fn brackets(source: &Source<'_>, offset: u32) -> Vec<Range> {
     let tokens = &source.tokens.tokens;
     let statement = source.tree.module.statements.iter();
     let around = statement_around(statement, offset).unwrap_or((0, source.text.len() as u32));

@@ -1,5 +1,6 @@
 //! One file as features of its structure need it: text, tokens and tree together.
 
+use super::Snapshot;
 use calyx_lang::db::Parsed;
 use calyx_lang::lexer::{self, Token, Tokens};
 use calyx_lang::parser;
@@ -8,27 +9,37 @@ use std::sync::Arc;
 
 /// A file of a snapshot. All places in it are bytes of `text`.
 #[derive(Clone)]
-pub struct Source {
-    pub text: Arc<str>,
+pub struct Source<'s> {
+    pub text: &'s str,
     pub tokens: Arc<Tokens>,
     pub tree: Arc<Parsed>,
 }
 
-impl Source {
-    /// A text that belongs to no database.
-    pub fn new(text: &str) -> Source {
+impl<'s> Source<'s> {
+    /// A file by its name as shown to people; `None` if there is none.
+    pub fn of(snapshot: &'s Snapshot, file: &str) -> Option<Source<'s>> {
+        let database = &snapshot.database;
+        Some(Source {
+            text: database.text(file)?,
+            tokens: database.tokens(file)?,
+            tree: database.tree(file)?,
+        })
+    }
+
+    /// A text that belongs to no snapshot.
+    pub fn new(text: &'s str) -> Source<'s> {
         let tokens = lexer::lex(FileId(0), text);
         let (module, diagnostics) = parser::parse_tokens(FileId(0), text, &tokens);
-        Source { text: text.into(), tokens: Arc::new(tokens), tree: Arc::new(Parsed { module, diagnostics }) }
+        Source { text, tokens: Arc::new(tokens), tree: Arc::new(Parsed { module, diagnostics }) }
     }
 
     /// The text between two bytes.
-    pub fn slice(&self, start: u32, end: u32) -> &str {
-        super::lines::slice(&self.text, start, end)
+    pub fn slice(&self, start: u32, end: u32) -> &'s str {
+        super::lines::slice(self.text, start, end)
     }
 
     /// The text of a token.
-    pub fn word(&self, token: &Token) -> &str {
+    pub fn word(&self, token: &Token) -> &'s str {
         self.slice(token.span.start, token.span.end)
     }
 

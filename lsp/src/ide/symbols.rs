@@ -2,8 +2,10 @@
 
 use super::fuzzy;
 use super::source::Source;
+use calyx_lang::analysis::Name;
 use calyx_lang::ast::*;
 use calyx_lang::span::Span;
+use std::collections::HashMap;
 use std::sync::Arc;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -38,16 +40,23 @@ pub struct Symbol {
 }
 
 /// Types as shown to people, by where a name is declared.
-pub type Types<'a> = &'a dyn Fn(u32) -> Option<Arc<str>>;
+pub type Types = HashMap<u32, Arc<str>>;
+
+/// The types of what is declared in a file, of its names.
+pub fn types(names: &[Name]) -> Types {
+    let declared = names.iter().filter(|name| name.declares);
+    let known = declared.filter_map(|name| Some((name.start, name.ty.clone()?)));
+    known.filter(|(_, ty)| **ty != *"_").collect()
+}
 
 /// The declarations of a file: of its top level, fields of records, variables and functions of functions.
-pub fn symbols(source: &Source, types: Types<'_>) -> Vec<Symbol> {
+pub fn symbols(source: &Source<'_>, types: &Types) -> Vec<Symbol> {
     Outline { source, types }.block(&source.tree.module.statements, true)
 }
 
 struct Outline<'a> {
-    source: &'a Source,
-    types: Types<'a>,
+    source: &'a Source<'a>,
+    types: &'a Types,
 }
 
 impl Outline<'_> {
@@ -70,9 +79,10 @@ impl Outline<'_> {
             StmtKind::Dimension { name, .. } => declares(name, SymbolKind::Dimension),
             StmtKind::Unit(unit) => declares(&unit.name, SymbolKind::Unit),
             StmtKind::Record(record) => {
-                let fields = record.fields.iter().map(|field| self.field(field)).collect();
+                let children = record.fields.iter().map(|field| self.field(field)).collect();
                 symbols.push(Symbol {
-                    children: fields,
+                    detail: None,
+                    children,
                     ..self.symbol(&record.name, SymbolKind::Record, whole)
                 });
             }
@@ -101,7 +111,7 @@ impl Outline<'_> {
 
     fn symbol(&self, name: &Ident, kind: SymbolKind, (start, end): (u32, u32)) -> Symbol {
         let Span { start: name_start, end: name_end, .. } = name.span;
-        let detail = (self.types)(name_start).map(|ty| ty.to_string());
+        let detail = self.types.get(&name_start).map(|ty| ty.to_string());
         let (start, end) = (start.min(name_start), end.max(name_end));
         Symbol {
             name: name.name.clone(),
@@ -133,7 +143,9 @@ impl Outline<'_> {
             },
             _ => Vec::new(),
         };
-        let detail = (!function.is_test).then(|| self.signature(function));
+        // Of the types that were found, or else as written.
+        let known = symbol.detail.clone().filter(|detail| detail.starts_with('('));
+        let detail = (!function.is_test).then(|| known.unwrap_or_else(|| self.signature(function)));
         Symbol { detail, children, ..symbol }
     }
 
@@ -171,7 +183,7 @@ pub const MOST_FOUND: usize = 256;
 
 /// Declarations of all files whose names hold the letters of `query` in order, the best first; those of the workspace
 /// before those of the library where both fit alike.
-pub fn find<'a>(query: &str, files: impl Iterator<Item = (Arc<str>, &'a Source)>) -> Vec<Found> {
+pub fn find<'a>(query: &str, files: impl Iterator<Item = (Arc<str>, &'a Source<'a>)>) -> Vec<Found> {
     let mut found = Vec::new();
     for (file, source) in files {
         let library = is_library(&file);
@@ -180,7 +192,7 @@ pub fn find<'a>(query: &str, files: impl Iterator<Item = (Arc<str>, &'a Source)>
                 found.push((score, Found { symbol, file: file.clone(), container, library }));
             }
         };
-        for mut symbol in symbols(source, &|_| None) {
+        for mut symbol in symbols(source, &Types::new()) {
             let children = std::mem::take(&mut symbol.children);
             if symbol.kind == SymbolKind::Record {
                 children.into_iter().for_each(|field| add(field, Some(symbol.name.clone())));

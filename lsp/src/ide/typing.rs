@@ -14,8 +14,8 @@ const INDENT: usize = 4;
 pub const TRIGGERS: [char; 3] = [';', '}', '\n'];
 
 /// The changes after a character was typed right before a byte.
-pub fn typed(source: &Source, offset: u32, character: char) -> Vec<Change> {
-    let lines = Lines::new(&source.text);
+pub fn typed(source: &Source<'_>, offset: u32, character: char) -> Vec<Change> {
+    let lines = Lines::new(source.text);
     match character {
         '\n' => new_line(source, &lines, offset),
         ';' if ends(source, offset, Kind::Semicolon).is_some() => {
@@ -30,14 +30,14 @@ pub fn typed(source: &Source, offset: u32, character: char) -> Vec<Change> {
 }
 
 /// Index of the token of a kind that ends at a byte.
-fn ends(source: &Source, offset: u32, kind: Kind) -> Option<usize> {
+fn ends(source: &Source<'_>, offset: u32, kind: Kind) -> Option<usize> {
     let at = source.token_after(offset).checked_sub(1)?;
     let token = source.tokens.tokens.get(at)?;
     (token.kind == kind && token.span.end == offset).then_some(at)
 }
 
 /// A `}` that begins its line under the statement whose block it closes.
-fn align_brace(source: &Source, lines: &Lines<'_>, at: usize) -> Vec<Change> {
+fn align_brace(source: &Source<'_>, lines: &Lines<'_>, at: usize) -> Vec<Change> {
     let Some(token) = source.tokens.tokens.get(at) else { return Vec::new() };
     if !lines.begins(token.span.start) {
         return Vec::new();
@@ -48,7 +48,7 @@ fn align_brace(source: &Source, lines: &Lines<'_>, at: usize) -> Vec<Change> {
     indent(source, lines, lines.line(token.span.start), wanted)
 }
 
-fn new_line(source: &Source, lines: &Lines<'_>, offset: u32) -> Vec<Change> {
+fn new_line(source: &Source<'_>, lines: &Lines<'_>, offset: u32) -> Vec<Change> {
     let line = lines.line(offset);
     let Some(above) = line.checked_sub(1) else { return Vec::new() };
     let end_above = lines.end(above);
@@ -74,7 +74,7 @@ fn new_line(source: &Source, lines: &Lines<'_>, offset: u32) -> Vec<Change> {
 
 /// Below a line of documentation, or below a comment that was broken in two: it goes on. An empty line of documentation,
 /// where nothing was written after the last line end, was its end.
-fn comment_goes_on(source: &Source, lines: &Lines<'_>, above: usize, mark: &str) -> Vec<Change> {
+fn comment_goes_on(source: &Source<'_>, lines: &Lines<'_>, above: usize, mark: &str) -> Vec<Change> {
     let below = lines.content(above + 1).trim_start();
     let indentation = lines.indentation(above).to_string();
     let before = above.checked_sub(1).map_or("", |line| lines.content(line).trim());
@@ -89,7 +89,7 @@ fn comment_goes_on(source: &Source, lines: &Lines<'_>, above: usize, mark: &str)
 }
 
 /// `case` and `default` stand further out than the statements before them.
-fn case_above(source: &Source, lines: &Lines<'_>, above: usize) -> Vec<Change> {
+fn case_above(source: &Source<'_>, lines: &Lines<'_>, above: usize) -> Vec<Change> {
     let tokens = &source.tokens.tokens;
     let first = tokens.get(source.token_after(lines.start(above)));
     let is_case = first.is_some_and(|token| {
@@ -102,7 +102,7 @@ fn case_above(source: &Source, lines: &Lines<'_>, above: usize) -> Vec<Change> {
 }
 
 /// Replaces the blanks a line begins with.
-fn indent(source: &Source, lines: &Lines<'_>, line: usize, wanted: String) -> Vec<Change> {
+fn indent(source: &Source<'_>, lines: &Lines<'_>, line: usize, wanted: String) -> Vec<Change> {
     let start = lines.start(line);
     let end = start + lines.indentation(line).len() as u32;
     if source.slice(start, end) == wanted {
@@ -182,7 +182,7 @@ fn open_brackets(tokens: &[Token]) -> Vec<Open> {
 }
 
 /// The blanks that the line beginning at a byte should begin with.
-fn wanted(source: &Source, lines: &Lines<'_>, line_start: u32) -> String {
+fn wanted(source: &Source<'_>, lines: &Lines<'_>, line_start: u32) -> String {
     let tokens = &source.tokens.tokens;
     let at = source.token_after(line_start);
     let before = tokens.get(..at).unwrap_or_default();

@@ -198,9 +198,10 @@ impl Ingress {
     }
 }
 
-/// The document that a request is about.
+/// The document that a request is about. What an earlier answer has kept with an item comes before where the item is, which need not
+/// be open.
 fn document_of(params: &Value) -> Option<Uri> {
-    let places = ["/textDocument/uri", "/item/uri", "/data/uri"];
+    let places = ["/textDocument/uri", "/item/data/uri", "/item/uri", "/data/uri"];
     let uri = places.iter().find_map(|place| params.pointer(place)?.as_str());
     uri.and_then(|uri| uri.parse().ok())
 }

@@ -24,8 +24,8 @@ pub struct Router {
 }
 
 impl Router {
-    /// Answers a request about one document: its params have a `textDocument`, or an `item` or `data` with a `uri`. Any other is
-    /// about the document that was edited last.
+    /// Answers a request about one document: its params have a `textDocument`, or an `item` or `data` with a `uri`. Any
+    /// other is about the document that was edited last.
     ///
     /// About a document that is not known nothing is said.
     pub fn on<R: Request>(

@@ -5,8 +5,9 @@ use calyx_lang::lexer::CommentKind;
 use calyx_lsp::ide::folding::folds;
 use calyx_lsp::ide::formatting::{format_file, format_selection};
 use calyx_lsp::ide::selection::selections;
+use calyx_lsp::ide::semantic_tokens::{SemanticToken, difference, tokens};
 use calyx_lsp::ide::source::Source;
-use calyx_lsp::ide::symbols::{Symbol, symbols};
+use calyx_lsp::ide::symbols::{Symbol, Types, symbols};
 use calyx_lsp::ide::typing::typed;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -145,22 +146,22 @@ fn edited(text: &str, random: &mut Random) -> String {
 }
 
 /// Runs a check on the programs and on many broken forms of them.
-fn for_all(check: impl Fn(&Source, &mut Random)) {
+fn for_all(check: impl Fn(&Source<'_>, &mut Random)) {
     let mut random = Random(0x9E37_79B9_7F4A_7C15);
     for text in programs() {
         check(&Source::new(&text), &mut random);
         // Long texts take as long as many short ones.
-        for _ in 0..(40_000 / text.len()).clamp(3, 60) {
+        for _ in 0..(20_000 / text.len()).clamp(2, 40) {
             check(&Source::new(&edited(&text, &mut random)), &mut random);
         }
     }
 }
 
-fn line_of(source: &Source, offset: u32) -> usize {
+fn line_of(source: &Source<'_>, offset: u32) -> usize {
     source.text[..offset as usize].matches('\n').count()
 }
 
-fn place(source: &Source, random: &mut Random) -> u32 {
+fn place(source: &Source<'_>, random: &mut Random) -> u32 {
     let mut at = random.below(source.text.len() + 1);
     while !source.text.is_char_boundary(at) {
         at -= 1;
@@ -191,7 +192,7 @@ fn folds_nest() {
 
 #[test]
 fn symbols_nest() {
-    fn check(source: &Source, symbols: &[Symbol], (start, end): (u32, u32)) {
+    fn check(source: &Source<'_>, symbols: &[Symbol], (start, end): (u32, u32)) {
         let mut from = start;
         for symbol in symbols {
             assert!(from <= symbol.start && symbol.end <= end, "{symbol:?}\n{}", source.text);
@@ -202,7 +203,7 @@ fn symbols_nest() {
         }
     }
     for_all(|source, _| {
-        check(source, &symbols(source, &|_| None), (0, source.text.len() as u32));
+        check(source, &symbols(source, &Types::new()), (0, source.text.len() as u32));
     });
 }
 
@@ -256,9 +257,9 @@ fn layout_of_a_selection_is_part_of_that_of_the_file_and_keeps_the_meaning() {
     for_all(|source, random| {
         let (a, b) = (place(source, random), place(source, random));
         let changes = format_selection(source, a.min(b)..a.max(b));
-        let text = changed(&source.text, &changes);
-        assert_same_meaning(&source.text, &text);
-        if let Ok(expected) = calyx_lang::format::format(&source.text) {
+        let text = changed(source.text, &changes);
+        assert_same_meaning(source.text, &text);
+        if let Ok(expected) = calyx_lang::format::format(source.text) {
             let after = calyx_lang::format::format(&text);
             assert_eq!(after, Ok(expected), "{}\nbecomes\n{text}", source.text);
         }
@@ -280,7 +281,7 @@ fn typing_keeps_the_meaning() {
             let offset = places.swap_remove(random.below(places.len()));
             let character = source.text[..offset].chars().next_back().unwrap();
             let changes = typed(source, offset as u32, character);
-            assert_same_meaning(&source.text, &changed(&source.text, &changes));
+            assert_same_meaning(source.text, &changed(source.text, &changes));
         }
         for _ in 0..15 {
             let at = place(source, random) as usize;
@@ -294,10 +295,7 @@ fn typing_keeps_the_meaning() {
                     && comment.span.start as usize + 2 <= at
                     && at <= comment.span.end as usize
             });
-            assert_same_meaning(
-                if in_comment && !changes.is_empty() { &source.text } else { &broken },
-                &text,
-            );
+            assert_same_meaning(if in_comment && !changes.is_empty() { source.text } else { &broken }, &text);
         }
     });
 }
@@ -307,4 +305,51 @@ fn assert_same_meaning(before: &str, after: &str) {
     let first = words.0.iter().zip(&words.1).find(|(a, b)| a != b);
     let line = before.lines().zip(after.lines()).find(|(a, b)| a != b);
     assert!(words.0 == words.1, "{first:?} in {line:?}");
+}
+
+fn all_tokens(source: &Source<'_>) -> Vec<SemanticToken> {
+    tokens(source, &[], 0..source.text.len() as u32)
+}
+
+#[test]
+fn tokens_are_in_order_and_apart() {
+    for_all(|source, random| {
+        let all = all_tokens(source);
+        for pair in all.windows(2) {
+            assert!(pair[0].end <= pair[1].start, "{pair:?}");
+        }
+        for token in &all {
+            let text = source.slice(token.start, token.end);
+            assert!(!text.is_empty() && !text.contains('\n'), "{token:?} is `{text}`");
+        }
+        // A part of the file has its tokens, and some that reach into it.
+        let (a, b) = (place(source, random), place(source, random));
+        let range = a.min(b)..a.max(b);
+        let part = tokens(source, &[], range.clone());
+        let inside: Vec<_> = all.iter().filter(|t| range.start <= t.start && t.end <= range.end).collect();
+        assert!(inside.iter().all(|token| part.contains(token)));
+        assert!(part.iter().all(|token| all.iter().any(|t| t.start <= token.start && token.end <= t.end)));
+    });
+}
+
+#[test]
+fn the_difference_of_tokens_makes_the_new_of_the_old() {
+    let kinds = |text: &str| {
+        // As clients are told them: by length, so that little changes behind an edit.
+        let source = Source::new(text);
+        all_tokens(&source).iter().map(|t| (t.end - t.start, t.kind, t.modifiers)).collect::<Vec<_>>()
+    };
+    let mut random = Random(0x1234_5678_9ABC_DEF1);
+    for text in programs().iter().filter(|text| text.len() < 10_000) {
+        let old = kinds(text);
+        assert_eq!(difference(&old, &old), None);
+        for _ in 0..20 {
+            let new = kinds(&edited(text, &mut random));
+            let mut made = old.clone();
+            if let Some(change) = difference(&old, &new) {
+                made.splice(change.start..change.start + change.removed, change.inserted);
+            }
+            assert_eq!(made, new);
+        }
+    }
 }

@@ -1,27 +1,57 @@
-//! Laying out texts.
+//! Laying out texts: whole, in part, and while somebody types.
 
+use crate::ide::formatting::{Change, format_file, format_selection};
+use crate::ide::source::Source;
+use crate::ide::typing::{TRIGGERS, typed};
 use crate::server::router::Router;
 use crate::server::view::View;
-use calyx_lang::format::format;
 use tower_lsp_server::jsonrpc::Result;
-use tower_lsp_server::ls_types::request::Formatting;
-use tower_lsp_server::ls_types::{DocumentFormattingParams, OneOf, ServerCapabilities, TextEdit};
+use tower_lsp_server::ls_types::request::{Formatting, OnTypeFormatting, RangeFormatting};
+use tower_lsp_server::ls_types::{
+    DocumentFormattingParams, DocumentOnTypeFormattingOptions, DocumentOnTypeFormattingParams,
+    DocumentRangeFormattingParams, OneOf, ServerCapabilities, TextEdit,
+};
 
 pub fn offer(capabilities: &mut ServerCapabilities) {
     capabilities.document_formatting_provider = Some(OneOf::Left(true));
+    capabilities.document_range_formatting_provider = Some(OneOf::Left(true));
+    let [first, more @ ..] = TRIGGERS.map(String::from);
+    capabilities.document_on_type_formatting_provider = Some(DocumentOnTypeFormattingOptions {
+        first_trigger_character: first,
+        more_trigger_character: Some(more.to_vec()),
+    });
 }
 
 pub fn route(router: &mut Router) {
     router.on::<Formatting>(document);
+    router.on::<RangeFormatting>(range);
+    router.on::<OnTypeFormatting>(on_type);
 }
 
 /// A text with errors of syntax is left as it is: its diagnostics say why.
 fn document(view: &View, _: DocumentFormattingParams) -> Result<Option<Vec<TextEdit>>> {
-    let Some(file) = view.file(&view.file) else { return Ok(None) };
-    let Ok(formatted) = format(file.text.content()) else { return Ok(None) };
-    if *formatted == **file.text.content() {
-        return Ok(Some(Vec::new()));
-    }
-    let range = view.range(&view.file, 0..file.text.len());
-    Ok(range.map(|range| vec![TextEdit { range, new_text: formatted }]))
+    let Some(source) = Source::of(&view.snapshot, &view.file) else { return Ok(None) };
+    Ok(Some(edits(view, &format_file(&source))))
+}
+
+fn range(view: &View, params: DocumentRangeFormattingParams) -> Result<Option<Vec<TextEdit>>> {
+    let Some(source) = Source::of(&view.snapshot, &view.file) else { return Ok(None) };
+    let Some(selection) = view.bytes(&view.file, params.range) else { return Ok(None) };
+    Ok(Some(edits(view, &format_selection(&source, selection))))
+}
+
+fn on_type(view: &View, params: DocumentOnTypeFormattingParams) -> Result<Option<Vec<TextEdit>>> {
+    let Some(source) = Source::of(&view.snapshot, &view.file) else { return Ok(None) };
+    let Some(position) = view.position(&params.text_document_position) else { return Ok(None) };
+    // Some clients name a carriage return with the line feed.
+    let Some(character) = params.ch.chars().next_back() else { return Ok(None) };
+    Ok(Some(edits(view, &typed(&source, position.offset, character))))
+}
+
+fn edits(view: &View, changes: &[Change]) -> Vec<TextEdit> {
+    let edit = |change: &Change| {
+        let range = view.range(&view.file, change.start..change.end)?;
+        Some(TextEdit { range, new_text: change.replacement.clone() })
+    };
+    changes.iter().filter_map(edit).collect()
 }

@@ -5,8 +5,13 @@
 //! with functions; both are called below.
 
 mod actions;
+mod call_hierarchy;
+pub mod code_lenses;
 mod formatting;
+mod inlay_hints;
 mod navigation;
+mod semantic_tokens;
+mod structure;
 
 use super::client::Client;
 use super::router::Router;
@@ -16,7 +21,12 @@ use tower_lsp_server::ls_types::ServerCapabilities;
 pub fn offer(client: &Client, capabilities: &mut ServerCapabilities) {
     actions::offer(capabilities);
     formatting::offer(capabilities);
+    call_hierarchy::offer(capabilities);
+    code_lenses::offer(capabilities);
+    inlay_hints::offer(capabilities);
     navigation::offer(client, capabilities);
+    semantic_tokens::offer(capabilities);
+    structure::offer(capabilities);
 }
 
 /// The requests that are answered.
@@ -24,6 +34,11 @@ pub fn router() -> Router {
     let mut router = Router::default();
     actions::route(&mut router);
     formatting::route(&mut router);
+    call_hierarchy::route(&mut router);
+    code_lenses::route(&mut router);
+    inlay_hints::route(&mut router);
     navigation::route(&mut router);
+    semantic_tokens::route(&mut router);
+    structure::route(&mut router);
     router
 }

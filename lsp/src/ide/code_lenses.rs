@@ -1,0 +1,79 @@
+//! What can be done with a declaration, shown above it: run the model, explain its plan, run a test, see who uses it.
+
+use super::Snapshot;
+use super::source::Source;
+use calyx_lang::analysis::{Name, Place};
+use calyx_lang::ast::{Expr, ExprKind, Ident, Stmt, StmtKind};
+use std::sync::Arc;
+
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Lens {
+    /// Runs the model.
+    Run,
+    /// Shows what the model's analysis will do.
+    ExplainPlan,
+    /// Runs the test of this name.
+    RunTest(String),
+    /// The uses of what is declared at a place; counted by [`uses`] when the lens is seen.
+    Uses(Place),
+}
+
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct CodeLens {
+    /// The name or the word that it belongs to.
+    pub start: u32,
+    pub end: u32,
+    pub lens: Lens,
+}
+
+/// The lenses of a file in order of place.
+pub fn lenses(source: &Source<'_>, file: &Arc<str>) -> Vec<CodeLens> {
+    let statements = &source.tree.module.statements;
+    let analysis = statements.iter().find_map(analysis);
+    let first_output = || {
+        statements.iter().find_map(|statement| match &statement.kind {
+            StmtKind::Output { name, .. } => Some(name),
+            _ => None,
+        })
+    };
+    let mut lenses = Vec::new();
+    if let Some(name) = analysis.or_else(first_output) {
+        let (start, end) = (name.span.start, name.span.end);
+        lenses.extend([Lens::Run, Lens::ExplainPlan].map(|lens| CodeLens { start, end, lens }));
+    }
+    for statement in statements {
+        let (name, test) = match &statement.kind {
+            StmtKind::Function(function) => (&function.name, function.is_test),
+            StmtKind::Record(record) => (&record.name, false),
+            StmtKind::Const { name, .. } => (name, false),
+            StmtKind::Param(param) => (&param.name, false),
+            _ => continue,
+        };
+        let (start, end) = (name.span.start, name.span.end);
+        let lens = match test {
+            true => Lens::RunTest(name.name.clone()),
+            false => Lens::Uses(Place { file: file.clone(), start, end }),
+        };
+        lenses.push(CodeLens { start, end, lens });
+    }
+    lenses.sort_by_key(|lens| lens.start);
+    lenses
+}
+
+/// The word `analyze` where a statement calls it.
+fn analysis(statement: &Stmt) -> Option<&Ident> {
+    let StmtKind::Expr(Expr { kind: ExprKind::Call { callee, .. }, .. }) = &statement.kind else {
+        return None;
+    };
+    match &callee.kind {
+        ExprKind::Name(name) if name.name == "analyze" => Some(name),
+        _ => None,
+    }
+}
+
+/// Where what is declared at a place is used, in all files.
+pub fn uses(snapshot: &Snapshot, place: &Place) -> Vec<(Arc<str>, Name)> {
+    let mut found = snapshot.database.references(place);
+    found.retain(|(_, name)| !name.declares);
+    found
+}

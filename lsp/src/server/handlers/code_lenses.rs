@@ -1,0 +1,61 @@
+//! What can be done with a declaration, shown above it.
+
+use crate::ide::code_lenses::{self, Lens, lenses, uses};
+use crate::server::router::Router;
+use crate::server::view::View;
+use calyx_lang::analysis::Place;
+use serde_json::{Value, json};
+use tower_lsp_server::jsonrpc::Result;
+use tower_lsp_server::ls_types::request::{CodeLensRequest, CodeLensResolve};
+use tower_lsp_server::ls_types::{CodeLens, CodeLensOptions, CodeLensParams, Command, ServerCapabilities};
+
+/// Runs a model; its argument is the document.
+pub const RUN: &str = "calyx.run";
+/// Gives the plan of a model's analysis as text; its argument is the document.
+pub const PLAN: &str = "calyx.plan";
+/// Runs a test; its arguments are the document and the test's name.
+pub const TEST: &str = "calyx.test";
+
+pub fn offer(capabilities: &mut ServerCapabilities) {
+    capabilities.code_lens_provider = Some(CodeLensOptions { resolve_provider: Some(true) });
+}
+
+pub fn route(router: &mut Router) {
+    router.on::<CodeLensRequest>(of_document);
+    router.on::<CodeLensResolve>(resolve);
+}
+
+fn of_document(view: &View, params: CodeLensParams) -> Result<Option<Vec<CodeLens>>> {
+    let Some(source) = crate::ide::source::Source::of(&view.snapshot, &view.file) else { return Ok(None) };
+    let uri = params.text_document.uri;
+    let convert = |lens: code_lenses::CodeLens| {
+        let range = view.range(&view.file, lens.start..lens.end)?;
+        let command = |title: &str, command: &str, arguments: Vec<Value>| {
+            Some(Command { title: title.into(), command: command.into(), arguments: Some(arguments) })
+        };
+        let (command, data) = match lens.lens {
+            Lens::Run => (command("▶ Run", RUN, vec![json!(uri)]), None),
+            Lens::ExplainPlan => (command("Explain plan", PLAN, vec![json!(uri)]), None),
+            Lens::RunTest(name) => (command("▶ Run test", TEST, vec![json!(uri), json!(name)]), None),
+            // Counted when it is seen.
+            Lens::Uses(place) => (None, Some(json!({ "uri": uri, "start": place.start, "end": place.end }))),
+        };
+        Some(CodeLens { range, command, data })
+    };
+    Ok(Some(lenses(&source, &view.file).into_iter().filter_map(convert).collect()))
+}
+
+/// Says how often a declaration is used.
+fn resolve(view: &View, lens: CodeLens) -> Result<CodeLens> {
+    let offset = |key| lens.data.as_ref()?.get(key)?.as_u64().map(|offset| offset as u32);
+    let (Some(start), Some(end)) = (offset("start"), offset("end")) else { return Ok(lens) };
+    let count = uses(&view.snapshot, &Place { file: view.file.clone(), start, end }).len();
+    let title = match count {
+        0 => "not used".to_string(),
+        1 => "1 use".to_string(),
+        several => format!("{several} uses"),
+    };
+    // Showing them is a command of the client's that not every client has.
+    let command = Some(Command { title, command: String::new(), arguments: None });
+    Ok(CodeLens { command, data: None, ..lens })
+}
