@@ -18,7 +18,7 @@ use crate::deep::deep;
 use crate::lexer::Tokens;
 use crate::relocate;
 use crate::scope;
-use crate::span::Span;
+use crate::span::{FileId, Span};
 use salsa::Id;
 use salsa::plumbing::FromId;
 use std::collections::HashMap;
@@ -149,7 +149,7 @@ fn extern_scheme(db: &dyn salsa::Database, item: Item<'_>) -> Option<Shown> {
 
 /// An item in the excerpt that its unit is checked in.
 #[derive(Clone, Copy)]
-struct Part {
+struct Excerpted {
     /// Of the excerpt.
     file: FileId,
     base: u32,
@@ -159,7 +159,7 @@ struct Part {
 }
 
 /// The expressions of a unit that lie in some of its items and that a range of their file touches.
-fn expressions_of(unit: &Unit, parts: &[Part], range: &Range<u32>) -> Vec<Typed> {
+fn expressions_of(unit: &Unit, parts: &[Excerpted], range: &Range<u32>) -> Vec<Typed> {
     let mut parts = parts.to_vec();
     parts.sort_by_key(|part| part.base);
     let (Some(first), Some(last)) = (parts.first(), parts.last()) else { return Vec::new() };
@@ -350,7 +350,7 @@ impl Database {
     pub fn expressions(&self, file: &str, range: Range<u32>) -> Vec<Typed> {
         let Some(text) = self.find(file) else { return Vec::new() };
         let mut found = deep(|| {
-            let units = self.parts(text, range.clone()).into_values();
+            let units = self.excerpts(text, range.clone()).into_values();
             units.flat_map(|(unit, parts)| expressions_of(unit, &parts, &range)).collect::<Vec<_>>()
         });
         found.sort_by_key(|typed| (typed.start, u32::MAX - typed.end));
@@ -359,13 +359,18 @@ impl Database {
     }
 
     /// The units that the items of a range are checked in, each once however many items it has.
-    fn parts(&self, text: Text, range: Range<u32>) -> HashMap<(*const Unit, FileId), (&Unit, Vec<Part>)> {
+    fn excerpts(
+        &self,
+        text: Text,
+        range: Range<u32>,
+    ) -> HashMap<(*const Unit, FileId), (&Unit, Vec<Excerpted>)> {
         let db = &self.salsa;
-        let mut units: HashMap<_, (&Unit, Vec<Part>)> = HashMap::new();
+        let mut units: HashMap<_, (&Unit, Vec<Excerpted>)> = HashMap::new();
         for item in self.items_in(text, range) {
             let Some(unit) = unit_of(db, item, self.library) else { continue };
             let Some((file, base)) = unit.layout.start(id(item)) else { continue };
-            let part = Part { file, base, start: item.start(db), length: item.content(db).text.len() as u32 };
+            let part =
+                Excerpted { file, base, start: item.start(db), length: item.content(db).text.len() as u32 };
             units.entry((std::ptr::from_ref(unit), file)).or_insert((unit, Vec::new())).1.push(part);
         }
         units

@@ -9,4 +9,5 @@ mod diagnostics;
 mod edits;
 mod library;
 mod life_cycle;
+mod structure;
 mod workspace;
