@@ -13,7 +13,7 @@ function twice(in x) {
 }
 var rack = gears.rack(size, tip_radius = twice(0.25 mm));
 test function a_test() { assert(twice(1 mm) > 1 mm); }
-output out := Time;
+output turn := Time;
 ";
 
 struct Session {
@@ -51,7 +51,7 @@ fn outline_folds_selections_and_links() {
     let mut session = Session::new(MODEL);
     let symbols = session.ask("documentSymbol", json!({}));
     let names: Vec<&Value> = symbols.as_array().into_iter().flatten().map(|symbol| &symbol["name"]).collect();
-    assert_eq!(names, ["size", "twice", "rack", "a_test", "out"]);
+    assert_eq!(names, ["size", "twice", "rack", "a_test", "turn"]);
     assert_eq!(symbols[0]["detail"], "Length");
     assert_eq!(symbols[0]["range"]["start"], position(2, 0));
     let folds = session.ask("foldingRange", json!({}));

@@ -1,6 +1,8 @@
 //! What can be done with a declaration, shown above it.
 
 use crate::ide::code_lenses::{self, Lens, lenses, uses};
+use crate::ide::source::Source;
+use crate::server::commands::{PLAN, RUN, TEST};
 use crate::server::router::Router;
 use crate::server::view::View;
 use calyx_lang::analysis::Place;
@@ -8,13 +10,6 @@ use serde_json::{Value, json};
 use tower_lsp_server::jsonrpc::Result;
 use tower_lsp_server::ls_types::request::{CodeLensRequest, CodeLensResolve};
 use tower_lsp_server::ls_types::{CodeLens, CodeLensOptions, CodeLensParams, Command, ServerCapabilities};
-
-/// Runs a model; its argument is the document.
-pub const RUN: &str = "calyx.run";
-/// Gives the plan of a model's analysis as text; its argument is the document.
-pub const PLAN: &str = "calyx.plan";
-/// Runs a test; its arguments are the document and the test's name.
-pub const TEST: &str = "calyx.test";
 
 pub fn offer(capabilities: &mut ServerCapabilities) {
     capabilities.code_lens_provider = Some(CodeLensOptions { resolve_provider: Some(true) });
@@ -26,7 +21,7 @@ pub fn route(router: &mut Router) {
 }
 
 fn of_document(view: &View, params: CodeLensParams) -> Result<Option<Vec<CodeLens>>> {
-    let Some(source) = crate::ide::source::Source::of(&view.snapshot, &view.file) else { return Ok(None) };
+    let Some(source) = Source::of(&view.snapshot, &view.file) else { return Ok(None) };
     let uri = params.text_document.uri;
     let convert = |lens: code_lenses::CodeLens| {
         let range = view.range(&view.file, lens.start..lens.end)?;

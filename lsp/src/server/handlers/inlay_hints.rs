@@ -1,6 +1,6 @@
 //! Hints beside what is written.
 
-use crate::ide::inlay_hints::{Hint, HintKind, Results, Wanted, hints};
+use crate::ide::inlay_hints::{Hint, HintKind, OutputResult, Results, Wanted, hints};
 use crate::ide::source::Source;
 use crate::server::router::Router;
 use crate::server::view::View;
@@ -22,9 +22,19 @@ pub fn route(router: &mut Router) {
 fn inlay_hints(view: &View, params: InlayHintParams) -> Result<Option<Vec<InlayHint>>> {
     let Some(source) = Source::of(&view.snapshot, &view.file) else { return Ok(None) };
     let Some(range) = view.bytes(&view.file, params.range) else { return Ok(None) };
-    let results = Results::default();
+    let results = results(view, source.text);
     let found = hints(&view.snapshot, &source, &view.file, range, Wanted::default(), &results);
     Ok(Some(found.into_iter().filter_map(|hint| convert(view, hint)).collect()))
+}
+
+/// What the last run of the model gave.
+fn results(view: &View, text: &str) -> Results {
+    let Some(run) = view.run(&view.file) else { return Results::default() };
+    let outputs = run.outputs.iter().map(|(name, output)| {
+        let details = output.place_of_maximum().map(|place| format!("largest {place}"));
+        (name.clone(), OutputResult { shown: output.line(), details })
+    });
+    Results { outputs: outputs.collect(), outdated: !run.is_of(text) }
 }
 
 fn convert(view: &View, hint: Hint) -> Option<InlayHint> {

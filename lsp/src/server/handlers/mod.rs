@@ -6,7 +6,7 @@
 
 mod actions;
 mod call_hierarchy;
-pub mod code_lenses;
+mod code_lenses;
 mod formatting;
 mod inlay_hints;
 mod navigation;
