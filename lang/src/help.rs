@@ -256,7 +256,7 @@ const KEYWORDS: &[Help] = &[
     help(
         "do",
         "A loop whose body runs at least once.",
-        "var n = 1;\ndo n = 2 * n; while (n < 100);\nprint(n);",
+        "var n = 1;\ndo {\n    n = 2 * n;\n} while (n < 100);\nprint(n);",
     ),
     help(
         "switch",

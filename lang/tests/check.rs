@@ -182,6 +182,24 @@ fn collect_codes(directory: &Path, codes: &mut BTreeSet<String>) {
     }
 }
 
+/// What cards in editors show can be pasted into a model.
+#[test]
+fn help_shows_programs_that_are_right() {
+    let mut failures = Vec::new();
+    for help in calyx_lang::help::all().filter(|help| !help.example.is_empty()) {
+        let found = check(help.example).diagnostics;
+        // What an example declares it need not use.
+        let wrong =
+            found.iter().filter(|d| d.code != "W0201").map(|d| format!("{}: {}", help.word, d.message));
+        failures.extend(wrong);
+        let laid_out = calyx_lang::format::format(help.example).unwrap_or_default();
+        if laid_out.trim_end() != help.example {
+            failures.push(format!("{} is laid out as\n{laid_out}", help.word));
+        }
+    }
+    assert!(failures.is_empty(), "{}", failures.join("\n"));
+}
+
 #[test]
 fn the_example_becomes_a_program() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples/spur_pair.cx");

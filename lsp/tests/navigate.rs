@@ -12,11 +12,20 @@ use calyx_lsp::ide::{Position, Snapshot};
 use std::collections::BTreeSet;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
-use support::{Case, changed, run, snapshot};
+use support::{Case, changed, elaborated, run, snapshot};
 
 #[test]
 fn hover_shows_what_is_known() {
-    run("hover", |case| match hover(&case.snapshot, case.cursor()) {
+    run("hover", |case| card(case, &case.snapshot));
+}
+
+#[test]
+fn hover_shows_what_elaboration_knows() {
+    run("hover_elaborated", |case| card(case, &elaborated(&case.snapshot)));
+}
+
+fn card(case: &Case, snapshot: &Snapshot) -> String {
+    match hover(snapshot, case.cursor()) {
         Some(found) => {
             let text = case.text(&case.cursor().file);
             let about = &text[found.range.start as usize..found.range.end as usize];
@@ -24,7 +33,26 @@ fn hover_shows_what_is_known() {
             format!("about `{about}`\n{}", found.markdown.replace("```", "~~~"))
         }
         None => "nothing".into(),
-    });
+    }
+}
+
+/// What elaboration said of an earlier text is found where it is now, unless an edit has touched it.
+#[test]
+fn geometry_follows_the_text() {
+    let text = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../examples/spur_pair.cx"))
+        .expect("the example");
+    let first = elaborated(&snapshot(&[("model.cx".to_string(), text.clone())]));
+    let card = |text: &str| {
+        let mut now = snapshot(&[("model.cx".to_string(), text.to_string())]);
+        now.elaborated = first.elaborated.clone();
+        let offset = text.find("gears.external").expect("a gear") as u32 + 8;
+        hover(&now, &Position { file: "model.cx".into(), offset }).expect("a card").markdown
+    };
+    assert!(card(&text).contains("base diameter"), "{}", card(&text));
+    assert!(card(&format!("// Above.\n{text}")).contains("base diameter"));
+    assert!(card(&format!("{text}\nvar below = 1;\n")).contains("base diameter"));
+    let touched = text.replacen("gears.external(", "gears.external( ", 1);
+    assert!(!card(&touched).contains("base diameter"), "{}", card(&touched));
 }
 
 #[test]

@@ -38,6 +38,7 @@ pub mod shown;
 pub mod values;
 
 pub use calyx_gears::derived::{Kind, Quantity};
+pub use calyx_lower::kernels::SymbolKind;
 pub use check::{Checked, check_file, check_run, check_text, render};
 pub use elaboration::{
     Cancel, Cancelled, Elaboration, FUEL, MEMORY, Params, Refused, elaborate, elaborate_printing,

@@ -8,18 +8,15 @@ use calyx_lang::analysis::Place;
 use calyx_lang::check::Checked;
 use calyx_lang::db::Database;
 use calyx_lang::diagnostic::{Diagnostic, Fix};
-use calyx_lang::ir::SourceFile;
+use calyx_lang::ir::{Program, SourceFile};
 use calyx_lang::span::{FileId, Span};
-use std::sync::{Arc, Weak};
+use std::sync::Arc;
 
 /// An elaboration and the texts it was made from.
 #[derive(Debug)]
 pub struct Elaborated {
     pub elaboration: Elaboration,
-    /// By [`FileId`].
-    files: Vec<SourceFile>,
-    /// Only to tell whether it is this one.
-    of: Weak<Checked>,
+    of: Arc<Checked>,
 }
 
 /// Bytes `start..end` have become `by` others.
@@ -57,22 +54,32 @@ impl Change {
 
 impl Elaborated {
     pub fn new(checked: &Arc<Checked>, elaboration: Elaboration) -> Elaborated {
-        Elaborated { elaboration, files: checked.files.clone(), of: Arc::downgrade(checked) }
+        Elaborated { elaboration, of: checked.clone() }
     }
 
     /// Whether it was made from just this program.
     pub fn is_of(&self, checked: &Arc<Checked>) -> bool {
-        self.of.as_ptr() == Arc::as_ptr(checked)
+        Arc::ptr_eq(&self.of, checked)
+    }
+
+    /// Whether the texts are still those it was made from.
+    pub fn is_current(&self, database: &Database) -> bool {
+        self.files().iter().all(|file| database.text(&file.name) == Some(&*file.text))
+    }
+
+    /// The program it was made from.
+    pub fn program(&self) -> Option<&Program> {
+        self.of.program.as_ref()
     }
 
     /// The files it was made from; places in [`Elaborated::found`] refer to them.
     pub fn files(&self) -> &[SourceFile] {
-        &self.files
+        &self.of.files
     }
 
     /// What was found, where it is now. What an edit has touched is left out, and labels and fixes that it has touched.
     pub fn found(&self, database: &Database) -> Vec<Diagnostic> {
-        let changes: Vec<Option<Change>> = self.files.iter().map(|file| change(file, database)).collect();
+        let changes: Vec<Option<Change>> = self.files().iter().map(|file| change(file, database)).collect();
         let moved = |span: Span| -> Option<Span> {
             let change = (*changes.get(span.file.0 as usize)?)?;
             let (start, end) = change.moved(span.start, span.end)?;
@@ -90,8 +97,8 @@ impl Elaborated {
 
     /// The place in the texts it was made from that is now at an offset of a file.
     pub fn before(&self, database: &Database, file: &str, offset: u32) -> Option<(FileId, u32)> {
-        let index = self.files.iter().position(|known| known.name == file)?;
-        let change = change(self.files.get(index)?, database)?.undone();
+        let index = self.files().iter().position(|known| known.name == file)?;
+        let change = change(self.files().get(index)?, database)?.undone();
         let (start, _) = change.moved(offset, offset)?;
         Some((FileId(index as u32), start))
     }
@@ -110,7 +117,7 @@ impl Elaborated {
 
     /// Where a place in the texts it was made from is now.
     pub fn now(&self, database: &Database, span: Span) -> Option<Place> {
-        let file = self.files.get(span.file.0 as usize)?;
+        let file = self.files().get(span.file.0 as usize)?;
         let (start, end) = change(file, database)?.moved(span.start, span.end)?;
         Some(Place { file: file.name.as_str().into(), start, end })
     }

@@ -2,10 +2,11 @@
 
 use super::Snapshot;
 use calyx_lang::diagnostic::Diagnostic;
+use calyx_lang::ir::SourceFile;
 use calyx_lang::span::FileId;
 
-/// The diagnostics that blame a place in a file, in order of place. Other places in them may lie in other files; what they
-/// offer to change is of this file.
+/// The diagnostics that blame a place in a file, in order of place, with what elaboration has found. Other places in them that
+/// lie in other files are left out; what they offer to change is of this file.
 pub fn of_file(snapshot: &Snapshot, file: &str) -> Vec<Diagnostic> {
     let database = &snapshot.database;
     let imports =
@@ -13,24 +14,34 @@ pub fn of_file(snapshot: &Snapshot, file: &str) -> Vec<Diagnostic> {
     let mut found: Vec<Diagnostic> = Vec::new();
     for model in database.models().filter(imports) {
         let Some(checked) = database.check(model) else { continue };
-        let Some(own) = checked.files.iter().position(|source| source.name == file) else { continue };
-        let own = FileId(own as u32);
-        for diagnostic in checked.diagnostics.iter().filter(|d| d.primary.span.file == own) {
-            let mut diagnostic = diagnostic.clone();
-            diagnostic.fix = diagnostic.fix.filter(|fix| fix.span.file == own);
-            diagnostic.suggestions.retain(|fix| fix.span.file == own);
-            // Labels elsewhere are of no use to who does not know the model's files.
-            diagnostic.labels.retain(|label| label.span.file == own);
-            let known = |d: &Diagnostic| {
-                (d.primary.span.start, d.primary.span.end)
-                    == (diagnostic.primary.span.start, diagnostic.primary.span.end)
-                    && (&d.code, &d.message) == (&diagnostic.code, &diagnostic.message)
-            };
-            if !found.iter().any(known) {
-                found.push(diagnostic);
-            }
+        found.extend(of_model(&checked.diagnostics, &checked.files, file));
+        if let Some(elaborated) = snapshot.elaborated.get(model) {
+            found.extend(of_model(&elaborated.found(database), elaborated.files(), file));
         }
     }
     found.sort_by_key(|d| (d.primary.span.start, d.primary.span.end));
-    found
+    let mut seen: Vec<Diagnostic> = Vec::new();
+    for diagnostic in found {
+        let key =
+            |d: &Diagnostic| (d.primary.span.start, d.primary.span.end, d.code.clone(), d.message.clone());
+        // A module is part of several models.
+        let near = seen.iter().rev().take_while(|d| d.primary.span.start == diagnostic.primary.span.start);
+        if !near.into_iter().any(|known| key(known) == key(&diagnostic)) {
+            seen.push(diagnostic);
+        }
+    }
+    seen
+}
+
+fn of_model(all: &[Diagnostic], files: &[SourceFile], file: &str) -> Vec<Diagnostic> {
+    let Some(own) = files.iter().position(|source| source.name == file) else { return Vec::new() };
+    let own = FileId(own as u32);
+    let each = all.iter().filter(|diagnostic| diagnostic.primary.span.file == own).map(|diagnostic| {
+        let mut diagnostic = diagnostic.clone();
+        diagnostic.fix = diagnostic.fix.filter(|fix| fix.span.file == own);
+        diagnostic.suggestions.retain(|fix| fix.span.file == own);
+        diagnostic.labels.retain(|label| label.span.file == own);
+        diagnostic
+    });
+    each.collect()
 }

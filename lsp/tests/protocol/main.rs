@@ -9,5 +9,6 @@ mod diagnostics;
 mod edits;
 mod library;
 mod life_cycle;
+mod navigation;
 mod structure;
 mod workspace;

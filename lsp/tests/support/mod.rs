@@ -6,12 +6,15 @@
 
 #![allow(dead_code, reason = "every test uses its part of this")]
 
+use calyx_elaborate::{Cancel, Params, elaborate};
 use calyx_lang::check::Loader;
 use calyx_lang::db::Database;
+use calyx_lsp::ide::elaborated::Elaborated;
 use calyx_lsp::ide::{Edit, Position, Snapshot};
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// One case of a fixture.
 pub struct Case {
@@ -105,6 +108,19 @@ fn case(heading: &str, section: &str) -> Case {
     assert!(!files.is_empty(), "`{heading}` has no ```cx block");
     let snapshot = snapshot(&files);
     Case { heading: heading.to_string(), files, cursors, snapshot }
+}
+
+/// A snapshot of which the model is elaborated, where it can be.
+pub fn elaborated(snapshot: &Snapshot) -> Snapshot {
+    let model = snapshot.database.models().next().expect("a model").to_string();
+    let checked = snapshot.database.check(&model).expect("it was set");
+    let mut snapshot = snapshot.clone();
+    if let Some(program) = &checked.program {
+        let elaboration = elaborate(program, Params::Defaults, &Cancel::default()).expect("nobody cancels");
+        let all = BTreeMap::from([(model.into(), Arc::new(Elaborated::new(&checked, elaboration)))]);
+        snapshot.elaborated = Arc::new(all);
+    }
+    snapshot
 }
 
 /// A snapshot of these files, by name and text; the first is the model.

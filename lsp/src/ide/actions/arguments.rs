@@ -48,8 +48,8 @@ pub(super) fn naming(asked: &Asked, found: &mut Vec<Action>) {
     let last = count - 1;
     if let Some(at) = arguments.iter().take(count).position(touched)
         && at > 0
+        && let Some(CallParameter { name, .. }) = callable.parameters.get(at)
     {
-        let name = &callable.parameters[at].name;
         let title = match at == last {
             true => format!("Name this argument: `{name}`"),
             false => format!("Name this argument and those after it: `{name}`, ..."),
@@ -57,12 +57,12 @@ pub(super) fn naming(asked: &Asked, found: &mut Vec<Action>) {
         found.push(rewrite(title, named(at)));
     }
     let title = if count == 1 { "Name the argument" } else { "Name the arguments" };
-    found.push(rewrite(format!("{title}: `{}`", listed(&callable.parameters[..count])), named(0)));
+    found.push(rewrite(format!("{title}: `{}`", listed(callable.parameters.iter().take(count))), named(0)));
 }
 
-fn listed(parameters: &[CallParameter]) -> String {
-    let shown = parameters.iter().take(3).map(|parameter| &*parameter.name).collect::<Vec<_>>().join(", ");
-    if parameters.len() > 3 { shown + ", ..." } else { shown }
+fn listed<'p>(parameters: impl ExactSizeIterator<Item = &'p CallParameter>) -> String {
+    let more = if parameters.len() > 3 { ", ..." } else { "" };
+    parameters.take(3).map(|parameter| &*parameter.name).collect::<Vec<_>>().join(", ") + more
 }
 
 /// Writes the arguments that a call needs and does not have, each with a value of its type that is plainly to be replaced.

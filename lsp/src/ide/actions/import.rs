@@ -16,7 +16,8 @@ pub(super) fn of(asked: &Asked, problem: &Diagnostic, found: &mut Vec<Action>) {
         return;
     }
     let database = &asked.snapshot.database;
-    let after_dot = asked.text[..problem.primary.span.start as usize].trim_end().ends_with('.');
+    let before = asked.text.get(..problem.primary.span.start as usize).unwrap_or_default();
+    let after_dot = before.trim_end().ends_with('.');
     if after_dot {
         return;
     }

@@ -17,7 +17,12 @@ pub(super) fn of(asked: &Asked, problem: &Diagnostic, found: &mut Vec<Action>) {
             if let Some(statement) = around.whole_statement().filter(|s| matches!(s.kind, StmtKind::Expr(_)))
             {
                 let start = statement.span.start;
-                found.push(fix("Assign it to a variable", vec![asked.edit(start, start, "var value = ")]));
+                let numbered = (2..100).map(|number| format!("value_{number}"));
+                let mut names = ["value".to_string()].into_iter().chain(numbered);
+                if let Some(name) = names.find(|name| !is_written(asked, name)) {
+                    let head = asked.edit(start, start, format!("var {name} = "));
+                    found.push(fix("Assign it to a variable", vec![head]));
+                }
                 found.push(fix("Remove this statement", vec![removal(asked, statement)]));
             }
         }

@@ -1,5 +1,7 @@
 //! What is known of what is at a cursor, as Markdown: of names, arguments, numbers, units and words of the language.
 
+mod expressions;
+mod gears;
 mod names;
 mod numbers;
 mod words;

@@ -1,7 +1,7 @@
 //! What a name means: its declaration, type, value and documentation.
 
 use super::words::card;
-use super::{code, numbers, paragraphs};
+use super::{code, expressions, gears, numbers, paragraphs};
 use crate::ide::numbers::system;
 use crate::ide::{Position, Snapshot, constant, symbols_of};
 use calyx_lang::analysis::{CallParameter, Declaration, Name, NameKind, Place};
@@ -12,7 +12,7 @@ use calyx_lang::help;
 use calyx_lang::units::UnitSystem;
 
 /// Lines of a declaration that are shown.
-const MOST_LINES: usize = 12;
+const MOST_LINES: usize = 16;
 
 /// A card about a name at a cursor.
 pub(super) fn of(snapshot: &Snapshot, at: &Position, name: &Name) -> Option<String> {
@@ -45,13 +45,33 @@ pub(super) fn of(snapshot: &Snapshot, at: &Position, name: &Name) -> Option<Stri
         }
     }
     let symbols = matches!(name.kind, NameKind::Symbolic | NameKind::Output | NameKind::SymbolicFunction);
-    let free = symbols.then(|| symbols_of::line(database, place)).flatten();
+    let simplified = if symbols { expressions::of(snapshot, place) } else { None };
+    let (expression, free) = match simplified {
+        Some((expression, free)) => (expression, Some(free)),
+        None => (None, symbols.then(|| symbols_of::line(database, place)).flatten()),
+    };
     let module =
         database.module_of(&place.file).filter(|_| place.file != at.file && name.kind != NameKind::Field);
     let from = module.filter(|module| module != "prelude").map(|module| format!("of the module `{module}`"));
     facts.extend(from);
+    if name.kind == NameKind::Variable
+        && let Some(value) = expressions::value(snapshot, place, &name.text, dimension, system)
+        && !declaration.header.ends_with(&format!("= {value}"))
+    {
+        let changes = database.references(place).iter().any(|(_, other)| other.writes && !other.declares);
+        let ty = facts.first().cloned().unwrap_or_default();
+        facts =
+            vec![if changes { format!("{ty}, `{value}` in the end") } else { format!("{ty} = `{value}`") }];
+    }
     let facts = (!facts.is_empty()).then(|| facts.join(" · "));
-    Some(paragraphs([Some(code(&shortened(&declaration.header))), facts, free, declaration.doc]))
+    let made = gears::of(snapshot, &at.file, name, system);
+    let called = matches!(name.kind, NameKind::Function | NameKind::SymbolicFunction | NameKind::Extern);
+    let head = match called {
+        // What parameters are for is said where they are pointed at.
+        true => code(&shortened(&without_comments(&declaration.header))),
+        false => code(&shortened(&declaration.header)),
+    };
+    Some(paragraphs([Some(head), expression, facts, free, made, declaration.doc]))
 }
 
 /// What every program has.
@@ -146,6 +166,10 @@ fn type_line(
         facts.extend(dimension.and_then(|dimension| numbers::shown_in(dimension, system)));
     }
     facts
+}
+
+fn without_comments(header: &str) -> String {
+    header.lines().filter(|line| !line.trim_start().starts_with("//")).collect::<Vec<_>>().join("\n")
 }
 
 /// A declaration that fits a card.

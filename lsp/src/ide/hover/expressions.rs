@@ -1,0 +1,89 @@
+//! What elaboration knows of a name: the simplified expression that a `:=` name stands for, and the value that a variable ends with.
+
+use super::code;
+use crate::ide::Snapshot;
+use crate::ide::symbols_of::value_at;
+use calyx_elaborate::SymbolKind;
+use calyx_elaborate::binding::{Binding, binding, definition_in};
+use calyx_lang::analysis::Place;
+use calyx_lang::dimension::Dimension;
+use calyx_lang::units::UnitSystem;
+
+/// Longer expressions are for `calyx dump`.
+const LONGEST: usize = 400;
+
+/// The expression that what is declared at a place stands for, simplified, and the symbols it is free in. Nothing if the model
+/// was not elaborated with it.
+pub(super) fn of(snapshot: &Snapshot, place: &Place) -> Option<(Option<String>, String)> {
+    let database = &snapshot.database;
+    let tree = database.tree(&place.file)?;
+    let span = value_at(&tree.module, place.start)?.span;
+    let written = database.text(&place.file)?.get(span.start as usize..span.end as usize)?;
+    snapshot.elaborated.values().find_map(|elaborated| {
+        let (file, start) = elaborated.before(database, &place.file, span.start)?;
+        let (_, end) = elaborated.before(database, &place.file, span.end)?;
+        let program = elaborated.program()?;
+        let found = binding(program, definition_in(program, file.0, start, end)?)?;
+        Some((expression(&found, written), symbols(&found)))
+    })
+}
+
+/// The expression, if it is another than what is written.
+fn expression(found: &Binding, written: &str) -> Option<String> {
+    let infix = found.expression.as_ref()?;
+    let squeezed = |text: &str| text.split_whitespace().collect::<String>();
+    if infix.parts.is_empty() && squeezed(&infix.value) == squeezed(written) {
+        return None;
+    }
+    let mut lines = vec![format!("= {}", infix.value)];
+    for (index, (name, part)) in infix.parts.iter().enumerate() {
+        let word = if index == 0 { "where" } else { "     " };
+        lines.push(format!("  {word} {name} = {part}"));
+    }
+    if infix.bare {
+        lines.push("// numbers without unit are in SI".into());
+    }
+    let text = lines.join("\n");
+    (text.len() <= LONGEST).then(|| code(&text))
+}
+
+fn symbols(found: &Binding) -> String {
+    let named = |kinds: &[SymbolKind]| -> String {
+        let names = found.symbols.iter().filter(|symbol| kinds.contains(&symbol.kind));
+        names.map(|symbol| format!("`{}`", symbol.name)).collect::<Vec<_>>().join(", ")
+    };
+    let free = named(&[SymbolKind::Time, SymbolKind::Param, SymbolKind::Argument]);
+    let mut facts = vec![match free.is_empty() {
+        true => "depends on no symbol".to_string(),
+        false => format!("depends on {free}"),
+    }];
+    let observed = named(&[SymbolKind::Observable]);
+    if !observed.is_empty() {
+        facts.push(format!("observes {observed}"));
+    }
+    let captured = named(&[SymbolKind::Captured]);
+    if !captured.is_empty() {
+        facts.push(format!("with the value that {captured} had"));
+    }
+    facts.join(" · ")
+}
+
+/// The value that a variable of a model's top level has in the end, at the params' defaults. Nothing if the text has changed
+/// since.
+pub(super) fn value(
+    snapshot: &Snapshot,
+    place: &Place,
+    name: &str,
+    dimension: Option<Dimension>,
+    system: UnitSystem,
+) -> Option<String> {
+    let elaborated = snapshot.elaborated.get(&place.file)?;
+    let value = elaborated.elaboration.values.get(name)?;
+    let tree = snapshot.database.tree(&place.file)?;
+    let top = tree.module.statements.iter().any(|statement| match &statement.kind {
+        calyx_lang::ast::StmtKind::Var(all) => all.iter().any(|decl| decl.name.span.start == place.start),
+        _ => false,
+    });
+    let shown = || value.shown(dimension.unwrap_or(Dimension::NONE), system.name());
+    (top && elaborated.is_current(&snapshot.database)).then(shown).flatten()
+}

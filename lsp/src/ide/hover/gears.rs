@@ -1,0 +1,109 @@
+//! What follows from the gear or mesh that a call makes, from the latest elaboration.
+
+use crate::ide::Snapshot;
+use crate::ide::elaborated::Elaborated;
+use crate::ide::near::Around;
+use crate::ide::symbols_of::value_at;
+use calyx_elaborate::shown::value;
+use calyx_elaborate::{GearGeometry, Made, MeshGeometry, Quantity};
+use calyx_lang::analysis::{Name, NameKind, Place};
+use calyx_lang::ast::ExprKind;
+use calyx_lang::units::UnitSystem;
+
+/// Meshes of one gear that are shown.
+const MOST_MESHES: usize = 3;
+
+/// The derived geometry of what the call of a name makes, or the call that a variable has its value of. Nothing if nothing is known, or
+/// an edit has touched the call since.
+pub(super) fn of(snapshot: &Snapshot, file: &str, name: &Name, system: UnitSystem) -> Option<String> {
+    let (file, offset) = call(snapshot, file, name)?;
+    let each = snapshot.elaborated.values();
+    each.into_iter().find_map(|elaborated| {
+        let gear = elaborated.gear_at(&snapshot.database, &file, offset);
+        let is_this = |span| {
+            let now = elaborated.now(&snapshot.database, span);
+            // The smallest call around may be one that this is an argument of.
+            now.is_some_and(|place| callee_end(snapshot, &place) == Some(offset))
+        };
+        if let Some(gear) = gear.filter(|gear| is_this(gear.span)) {
+            return Some(of_gear(elaborated, gear, system));
+        }
+        let mesh = elaborated.mesh_at(&snapshot.database, &file, offset)?;
+        is_this(mesh.span).then(|| of_mesh(mesh, system))
+    })
+}
+
+/// File and end of the name that is called.
+fn call(snapshot: &Snapshot, file: &str, name: &Name) -> Option<(String, u32)> {
+    match (name.kind, &name.declared) {
+        (NameKind::Extern | NameKind::Function, _) => Some((file.to_string(), name.end)),
+        (NameKind::Variable, Some(place)) => {
+            let tree = snapshot.database.tree(&place.file)?;
+            let value = value_at(&tree.module, place.start)?;
+            let ExprKind::Call { callee, .. } = &value.kind else { return None };
+            Some((place.file.to_string(), callee.span.end))
+        }
+        _ => None,
+    }
+}
+
+/// Where the name that is called ends in the call at a place.
+fn callee_end(snapshot: &Snapshot, place: &Place) -> Option<u32> {
+    let tree = snapshot.database.tree(&place.file)?;
+    let around = Around::new(&tree.module, place.start..place.end);
+    let e = around.expressions().find(|e| (e.span.start, e.span.end) == (place.start, place.end))?;
+    let ExprKind::Call { callee, .. } = &e.kind else { return None };
+    Some(callee.span.end)
+}
+
+fn of_gear(elaborated: &Elaborated, made: &Made<GearGeometry>, system: UnitSystem) -> String {
+    let Some(gear) = made.first.first() else { return String::new() };
+    let mut rows = rows(gear.quantities.iter().filter(|quantity| quantity.essential), system);
+    for membership in gear.meshes.iter().take(MOST_MESHES) {
+        let Some(mesh) = elaborated.elaboration.geometry.mesh(*membership) else { continue };
+        let [first, second] = &mesh.bodies;
+        let mate = if membership.member == 0 { second } else { first };
+        let own = |quantity: &&Quantity| match quantity.member {
+            Some(member) => quantity.essential && member == membership.member,
+            None => quantity.symbol == "epsilon_alpha",
+        };
+        let title = format!("with \"{mate}\"");
+        rows += &format!("| *{title}* | |\n");
+        rows += &self::rows(mesh.quantities.iter().filter(own), system);
+    }
+    let bodies = gear.bodies.iter().map(|body| format!("\"{body}\"")).collect::<Vec<_>>().join(" and ");
+    let of = if bodies.is_empty() { String::new() } else { format!(" of {bodies}") };
+    table(&format!("Geometry{of}{}", first_of(made.count)), &rows)
+}
+
+fn of_mesh(made: &Made<MeshGeometry>, system: UnitSystem) -> String {
+    let Some(mesh) = made.first.first() else { return String::new() };
+    let [first, second] = &mesh.bodies;
+    let of_both = |quantity: &&Quantity| quantity.essential && quantity.member.is_none();
+    let mut rows = rows(mesh.quantities.iter().filter(of_both), system);
+    for (member, body) in [first, second].into_iter().enumerate() {
+        let own = |quantity: &&Quantity| quantity.essential && quantity.member == Some(member);
+        let of_member = self::rows(mesh.quantities.iter().filter(own), system);
+        if !of_member.is_empty() {
+            rows += &format!("| *\"{body}\"* | |\n{of_member}");
+        }
+    }
+    table(&format!("\"{first}\" with \"{second}\"{}", first_of(made.count)), &rows)
+}
+
+fn first_of(count: usize) -> String {
+    if count > 1 { format!(", the first of {count} that this makes") } else { String::new() }
+}
+
+fn rows<'q>(quantities: impl Iterator<Item = &'q Quantity>, system: UnitSystem) -> String {
+    let each = quantities.map(|quantity| {
+        let note = if quantity.note.is_empty() { String::new() } else { format!(" ({})", quantity.note) };
+        format!("| {} | {}{note} |\n", quantity.name, value(quantity, system.name()))
+    });
+    each.collect()
+}
+
+/// The head of a table stands above its rule.
+fn table(title: &str, rows: &str) -> String {
+    format!("| {title} | |\n|---|---|\n{}", rows.trim_end())
+}
