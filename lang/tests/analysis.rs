@@ -119,6 +119,10 @@ fn every_name_is_seen_where_it_is_used() {
                 continue;
             }
             let seen = database.visible(&file, name.start);
+            // What was noted of a text says the same of it as long as it is the same.
+            let noted = database.seen(&file, name.start);
+            let other = seen.iter().zip(&noted).find(|(seen, noted)| seen != noted);
+            assert_eq!(other, None, "{file}: at {name:?}");
             let found = seen.iter().find(|visible| visible.name == name.text);
             let found = found.unwrap_or_else(|| panic!("{file}: {name:?} is not seen"));
             assert_eq!(

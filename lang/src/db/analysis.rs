@@ -7,7 +7,7 @@ use super::items::{Item, Part, items, module, parse, parts, tokens};
 use super::units::{check_group, check_top, dependents, id};
 use super::{Database, Library, Parsed, Text};
 use crate::analysis::*;
-use crate::ast::{Bind, FunctionBody, Mode, StmtKind};
+use crate::ast::{Bind, FunctionBody, StmtKind};
 use crate::check::excerpt::ItemId;
 use crate::check::item::ItemKind;
 use crate::check::meanings::Declared as Target;
@@ -17,13 +17,21 @@ use crate::declared::{self, Declared};
 use crate::deep::deep;
 use crate::lexer::Tokens;
 use crate::relocate;
-use crate::scope;
+use crate::scope::{self, Local};
 use crate::span::{FileId, Span};
 use salsa::Id;
 use salsa::plumbing::FromId;
 use std::collections::HashMap;
 use std::ops::Range;
 use std::sync::Arc;
+
+/// What is known of a name that is declared in a file.
+pub(super) struct Known {
+    pub kind: NameKind,
+    pub ty: Option<Arc<str>>,
+    /// What a module's name stands for.
+    pub module: Option<Place>,
+}
 
 /// A name in an item, with places relative to the items they are in.
 #[derive(Debug)]
@@ -45,7 +53,11 @@ enum RelativeTarget {
 }
 
 /// The unit that an item is checked in.
-fn unit_of<'db>(db: &'db dyn salsa::Database, item: Item<'db>, library: Library) -> Option<&'db Unit> {
+pub(super) fn unit_of<'db>(
+    db: &'db dyn salsa::Database,
+    item: Item<'db>,
+    library: Library,
+) -> Option<&'db Unit> {
     let file = item.file(db);
     let alone = match item.kind(db) {
         ItemKind::Extern => true,
@@ -130,7 +142,7 @@ fn item_of<'db>(id: ItemId) -> Item<'db> {
 }
 
 /// The types of a function of the engine, as declared.
-fn extern_scheme(db: &dyn salsa::Database, item: Item<'_>) -> Option<Shown> {
+pub(super) fn extern_scheme(db: &dyn salsa::Database, item: Item<'_>) -> Option<Shown> {
     let content = item.content(db);
     let StmtKind::Function(decl) = &content.statement.kind else { return None };
     let text =
@@ -179,7 +191,7 @@ fn expressions_of(unit: &Unit, parts: &[Excerpted], range: &Range<u32>) -> Vec<T
 }
 
 impl Database {
-    fn find(&self, file: &str) -> Option<Text> {
+    pub(super) fn find(&self, file: &str) -> Option<Text> {
         let db = &self.salsa;
         let modules = || self.library.modules(db).values().copied().chain([self.library.prelude(db)]);
         self.models.get(file).copied().or_else(|| modules().find(|text| **text.name(db) == *file))
@@ -280,7 +292,7 @@ impl Database {
     }
 
     /// The items of a file that a range touches.
-    fn items_in(&self, text: Text, range: Range<u32>) -> Vec<Item<'_>> {
+    pub(super) fn items_in(&self, text: Text, range: Range<u32>) -> Vec<Item<'_>> {
         let db = &self.salsa;
         let all = items(db, text);
         // They do not overlap, so their ends are in order as their starts are.
@@ -289,7 +301,7 @@ impl Database {
         all.iter().skip(first).copied().take_while(|item| item.start(db) <= range.end).collect()
     }
 
-    fn names_of(&self, item: Item<'_>) -> Vec<Name> {
+    pub(super) fn names_of(&self, item: Item<'_>) -> Vec<Name> {
         let names = relative_names(&self.salsa, item, self.library);
         names.iter().map(|name| self.placed(item, name)).collect()
     }
@@ -386,10 +398,24 @@ impl Database {
     /// Names that can be used at an offset: of the file from the inside out, of the prelude, and of the language. A name that is
     /// hidden by a nearer one is left out.
     pub fn visible(&self, file: &str, offset: u32) -> Vec<Visible> {
-        deep(|| self.seen_from(file, offset))
+        let known = |local: &Local, _: &str| {
+            // In a broken text perhaps nothing.
+            let name = self.name_at(file, local.span.start)?;
+            match local.kind {
+                NameKind::Module => Some(Known { kind: local.kind, ty: None, module: name.declared }),
+                _ => name.declares.then_some(Known { kind: name.kind, ty: name.ty, module: None }),
+            }
+        };
+        deep(|| self.seen_by(file, offset, &known))
     }
 
-    fn seen_from(&self, file: &str, offset: u32) -> Vec<Visible> {
+    /// [`Database::visible`], where `known` says what is known of a name of the file itself.
+    pub(super) fn seen_by(
+        &self,
+        file: &str,
+        offset: u32,
+        known: &dyn Fn(&Local, &str) -> Option<Known>,
+    ) -> Vec<Visible> {
         let (Some(text), Some(tokens)) = (self.find(file), self.tokens(file)) else { return Vec::new() };
         let db = &self.salsa;
         let content = text.content(db);
@@ -401,10 +427,9 @@ impl Database {
             if !seen.insert(name.to_string()) {
                 continue;
             }
-            // What the checker knows of it; in a broken text perhaps nothing.
-            let known = self.name_at(file, local.span.start).filter(|known| known.declares);
+            let known = known(&local, name);
             let declared = match local.kind {
-                NameKind::Module => self.name_at(file, local.span.start).and_then(|known| known.declared),
+                NameKind::Module => known.as_ref().and_then(|known| known.module.clone()),
                 _ => Some(Place { file: own.clone(), start: local.span.start, end: local.span.end }),
             };
             found.push(Visible {
@@ -483,7 +508,7 @@ impl Database {
     }
 
     /// The part of a file that an offset lies in.
-    fn part_at(&self, file: &str, offset: u32) -> Option<&Part> {
+    pub(super) fn part_at(&self, file: &str, offset: u32) -> Option<&Part> {
         let text = self.find(file)?;
         let all = deep(|| parts(&self.salsa, text));
         all.get(all.partition_point(|part| part.start <= offset).checked_sub(1)?)
@@ -527,100 +552,6 @@ impl Database {
     /// How a function of the language is called.
     pub fn builtin(&self, name: &str) -> Option<Callable> {
         builtins::callable(name)
-    }
-
-    /// How the function or record that is declared at a place is called.
-    pub fn callable(&self, place: &Place) -> Option<Callable> {
-        let db = &self.salsa;
-        let text = self.find(&place.file)?;
-        let part = self.part_at(&place.file, place.start)?;
-        let content = text.content(db).get(part.start as usize..)?;
-        let found = declared::find_in(&part.piece.statements, place.start - part.start)?;
-        let (_, Declared::Statement(statement)) = found else { return None };
-        let item = deep(|| self.items_in(text, place.start..place.start)).into_iter().next()?;
-        let unit = deep(|| unit_of(db, item, self.library));
-        // To places in the unit's excerpt.
-        let base = unit.and_then(|unit| unit.layout.start(id(item)));
-        let moved = |span: Span| {
-            let (file, base) = base.unwrap_or_default();
-            let by = |at: u32| (at + part.start + base).saturating_sub(item.start(db));
-            Span { file, start: by(span.start), end: by(span.end) }
-        };
-        let dimension = |span: Span| unit?.meanings.dimension_at(&unit?.typed, moved(span));
-        let slice = |span: Span| content.get(span.start as usize..span.end as usize).map(str::to_string);
-        let at = |span: Span| {
-            let (start, end) = (span.start + part.start, span.end + part.start);
-            Some(Place { file: place.file.clone(), start, end })
-        };
-        let mut callable = Callable {
-            name: text.content(db).get(place.start as usize..place.end as usize)?.into(),
-            kind: NameKind::Function,
-            doc: statement.doc.clone(),
-            parameters: Vec::new(),
-            open: false,
-            result: None,
-            demands: Vec::new(),
-            declared: Some(place.clone()),
-        };
-        match &statement.kind {
-            StmtKind::Function(decl) => {
-                let shown = match &decl.body {
-                    FunctionBody::Extern { .. } => {
-                        callable.kind = NameKind::Extern;
-                        extern_scheme(db, item)
-                    }
-                    body => {
-                        if matches!(body, FunctionBody::Symbolic(_)) {
-                            callable.kind = NameKind::SymbolicFunction;
-                        }
-                        let function = unit.and_then(|unit| unit.meanings.function_at(moved(decl.name.span)));
-                        function.and_then(|function| unit?.meanings.scheme(function)).cloned()
-                    }
-                };
-                let shown = shown.unwrap_or_default();
-                callable.result = shown.result;
-                callable.demands = shown.demands;
-                for (index, parameter) in decl.parameters.iter().enumerate() {
-                    let (bind, value) = match &parameter.default {
-                        Some((bind, value)) => (*bind, value.as_ref()),
-                        None => (Bind::Evaluate, None),
-                    };
-                    callable.parameters.push(CallParameter {
-                        name: parameter.name.name.as_str().into(),
-                        mode: parameter.mode,
-                        symbolic: bind == Bind::Symbolic,
-                        ty: shown.parameters.get(index).map(|(_, _, ty)| ty.clone()).unwrap_or_default(),
-                        dimension: dimension(parameter.name.span),
-                        default: value.and_then(|value| slice(value.span)),
-                        range: declared::range(parameter.domain.as_ref(), content),
-                        choices: declared::choices(parameter.domain.as_ref()),
-                        doc: parameter.doc.clone(),
-                        declared: at(parameter.name.span),
-                    });
-                }
-            }
-            StmtKind::Record(decl) => {
-                callable.kind = NameKind::Record;
-                callable.result = Some(decl.name.name.clone());
-                for field in &decl.fields {
-                    let meaning = unit.and_then(|unit| unit.meanings.at(&unit.typed, moved(field.name.span)));
-                    callable.parameters.push(CallParameter {
-                        name: field.name.name.as_str().into(),
-                        mode: Mode::In,
-                        symbolic: false,
-                        ty: meaning.and_then(|meaning| meaning.ty).unwrap_or_default(),
-                        dimension: dimension(field.name.span),
-                        default: field.default.as_ref().and_then(|value| slice(value.span)),
-                        range: None,
-                        choices: Vec::new(),
-                        doc: field.doc.clone(),
-                        declared: at(field.name.span),
-                    });
-                }
-            }
-            _ => return None,
-        }
-        Some(callable)
     }
 }
 

@@ -6,9 +6,11 @@
 //! These are the only files that know salsa.
 
 mod analysis;
+mod callables;
 mod groups;
 mod items;
 mod program;
+mod recent;
 #[cfg(test)]
 mod tests;
 mod units;
@@ -40,6 +42,8 @@ pub struct Database {
     salsa: Storage,
     models: BTreeMap<String, Text>,
     library: Library,
+    /// Shared by all clones, and older than the texts: only for what must not wait.
+    recent: Arc<recent::Recent>,
 }
 
 /// Why a question has no answer: a text is about to change, or nobody waits for it any more.
@@ -99,7 +103,7 @@ impl Database {
         let (name, content) = loader.prelude();
         let prelude = Text::new(&salsa, name.into(), "prelude".into(), content, Kept::default());
         let library = Library::new(&salsa, BTreeMap::new(), prelude, loader.names());
-        Database { salsa, models: BTreeMap::new(), library }
+        Database { salsa, models: BTreeMap::new(), library, recent: Arc::default() }
     }
 
     /// Adds a model or changes its text. `name` is the file as shown to people.

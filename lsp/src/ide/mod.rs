@@ -1,9 +1,15 @@
 //! Questions about a snapshot of the texts, one file a feature.
 
 pub mod actions;
+<<<<<<< HEAD
 pub mod call_hierarchy;
 pub mod code_lenses;
+=======
+mod callee;
+pub mod completion;
+>>>>>>> d0c1271 (Completion and signature help: what fits a cursor, also in half-typed code; types as they were last checked, so that nothing waits)
 mod constant;
+pub mod cursor;
 pub mod definition;
 pub mod document_links;
 pub mod elaborated;
@@ -20,7 +26,12 @@ mod problems;
 pub mod references;
 pub mod rename;
 pub mod selection;
+<<<<<<< HEAD
 pub mod semantic_tokens;
+=======
+mod shape;
+pub mod signature;
+>>>>>>> d0c1271 (Completion and signature help: what fits a cursor, also in half-typed code; types as they were last checked, so that nothing waits)
 pub mod source;
 pub mod symbols;
 mod symbols_of;

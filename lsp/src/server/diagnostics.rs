@@ -126,13 +126,14 @@ impl Publisher<'_> {
                     (!found.is_empty()).then(|| uri.clone())
                 };
                 let now = found.iter().filter_map(speaks).collect();
-                let before = self.shown.insert(home, now).unwrap_or_default();
+                let before = self.shown.insert(home.clone(), now).unwrap_or_default();
                 for uri in before.into_iter().filter(|uri| !found.contains_key(uri)) {
                     self.send(uri, None, Vec::new());
                 }
                 for (uri, (version, found)) in found {
                     self.send(uri, version, found);
                 }
+                self.remember(&home);
             }
             // At once again, with the newer text.
             Ok(Err(Superseded)) => self.shared.workspace().mark_dirty(&home),
@@ -143,6 +144,23 @@ impl Publisher<'_> {
 
     fn send(&self, uri: Uri, version: Option<i32>, found: Vec<Diagnostic>) {
         self.runtime.block_on(self.client.publish_diagnostics(uri, found, version));
+    }
+
+    /// Has the types noted of what open files declare, for completion in texts that are newer than what was checked.
+    fn remember(&self, home: &Key) {
+        let views = self.shared.workspace().views();
+        let Some(view) = views.into_iter().find(|view| view.project == *home) else { return };
+        // Who supersedes this has the project checked again, and its types noted then.
+        let noted = catch_unwind(AssertUnwindSafe(|| {
+            view.snapshot.database.attempt(|database| {
+                let own = view.documents.values().filter(|document| document.home == view.project);
+                own.for_each(|document| database.remember(&document.name));
+            })
+        }));
+        drop(view);
+        if let Err(panic) = noted {
+            self.shared.log.error(&format!("noting types failed: {}", reason(&*panic)));
+        }
     }
 }
 

@@ -79,7 +79,7 @@ impl Project {
         let prelude = library.prelude();
         let text = Arc::new(Text::new(prelude.text.as_str()));
         let file = File { text, role: Role::Prelude, of_library: true };
-        Project {
+        let mut project = Project {
             folder,
             database: Database::new(&LibraryLoader(library)),
             files: Arc::new(Files::from([(prelude.name.as_str().into(), file)])),
@@ -87,14 +87,18 @@ impl Project {
             importers: BTreeSet::new(),
             elaborated: Arc::default(),
             library: library.clone(),
+        };
+        // What could be imported can be offered.
+        for module in library.modules() {
+            project.put_library(&module.path);
         }
+        project
     }
 
-    /// The project of the library's own files, all of which it has from the start.
+    /// The project of the library's own files, which are checked too.
     pub fn of_library(library: &Arc<Library>) -> Project {
         let mut project = Project::new(None, library);
         for module in library.modules() {
-            project.put_library(&module.path);
             project.import(&module.path);
         }
         project

@@ -82,6 +82,11 @@ pub fn run(name: &str, answer: impl Fn(&Case) -> String) {
     assert!(bless || wrong.is_empty(), "{}\n{}", path.display(), wrong.join("\n"));
 }
 
+/// A case whose model is a text without cursors.
+pub fn of(text: &str) -> Case {
+    case("a model", &format!("```cx\n{text}```"))
+}
+
 /// Where the content of the ```text block lies.
 fn text_block(section: &str) -> Option<(usize, usize)> {
     let start = section.find("```text\n")? + "```text\n".len();
@@ -130,6 +135,13 @@ pub fn snapshot(files: &[(String, String)]) -> Snapshot {
     let (model, text) = &files[0];
     database.set_model(model, text);
     database.load_imports(model, &loader);
+    // An editor knows every module there is, imported or not.
+    for path in loader.names() {
+        let names: Vec<String> = path.split('.').map(str::to_string).collect();
+        if let Some((name, text)) = loader.module(&names) {
+            database.set_module(&path, &name, &text);
+        }
+    }
     Snapshot::new(database)
 }
 

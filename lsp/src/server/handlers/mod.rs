@@ -5,8 +5,12 @@
 //! with functions; both are called below.
 
 mod actions;
+<<<<<<< HEAD
 mod call_hierarchy;
 mod code_lenses;
+=======
+mod completion;
+>>>>>>> d0c1271 (Completion and signature help: what fits a cursor, also in half-typed code; types as they were last checked, so that nothing waits)
 mod formatting;
 mod inlay_hints;
 mod navigation;
@@ -20,6 +24,7 @@ use tower_lsp_server::ls_types::ServerCapabilities;
 /// Says what is offered.
 pub fn offer(client: &Client, capabilities: &mut ServerCapabilities) {
     actions::offer(capabilities);
+    completion::offer(client, capabilities);
     formatting::offer(capabilities);
     call_hierarchy::offer(capabilities);
     code_lenses::offer(capabilities);
@@ -33,6 +38,7 @@ pub fn offer(client: &Client, capabilities: &mut ServerCapabilities) {
 pub fn router() -> Router {
     let mut router = Router::default();
     actions::route(&mut router);
+    completion::route(&mut router);
     formatting::route(&mut router);
     call_hierarchy::route(&mut router);
     code_lenses::route(&mut router);

@@ -1,0 +1,136 @@
+//! How functions and records are called: what their declarations write, and types from wherever they are known.
+
+use super::Database;
+use super::analysis::{extern_scheme, unit_of};
+use super::units::id;
+use crate::analysis::{CallParameter, Callable, NameKind, Place};
+use crate::ast::{Bind, FunctionBody, FunctionDecl, Mode, RecordDecl, RecordField, Stmt, StmtKind};
+use crate::check::Shown;
+use crate::declared::{self, Declared};
+use crate::deep::deep;
+use crate::dimension::Dimension;
+use crate::span::Span;
+
+/// What is known of the types of a declaration.
+pub(super) struct Types<'t> {
+    pub scheme: &'t dyn Fn(&FunctionDecl) -> Shown,
+    pub field: &'t dyn Fn(&RecordDecl, &RecordField) -> String,
+    pub dimension: &'t dyn Fn(Span) -> Option<Dimension>,
+}
+
+impl Database {
+    /// How the function or record that is declared at a place is called.
+    pub fn callable(&self, place: &Place) -> Option<Callable> {
+        let db = &self.salsa;
+        let text = self.find(&place.file)?;
+        let part = self.part_at(&place.file, place.start)?;
+        let item = deep(|| self.items_in(text, place.start..place.start)).into_iter().next()?;
+        let unit = deep(|| unit_of(db, item, self.library));
+        // To places in the unit's excerpt.
+        let base = unit.and_then(|unit| unit.layout.start(id(item)));
+        let moved = |span: Span| {
+            let (file, base) = base.unwrap_or_default();
+            let by = |at: u32| (at + part.start + base).saturating_sub(item.start(db));
+            Span { file, start: by(span.start), end: by(span.end) }
+        };
+        let scheme = |decl: &FunctionDecl| {
+            let shown = match decl.body {
+                FunctionBody::Extern { .. } => extern_scheme(db, item),
+                _ => {
+                    let function = unit.and_then(|unit| unit.meanings.function_at(moved(decl.name.span)));
+                    function.and_then(|function| unit?.meanings.scheme(function)).cloned()
+                }
+            };
+            shown.unwrap_or_default()
+        };
+        let field = |_: &RecordDecl, field: &RecordField| {
+            let meaning = unit.and_then(|unit| unit.meanings.at(&unit.typed, moved(field.name.span)));
+            meaning.and_then(|meaning| meaning.ty).unwrap_or_default()
+        };
+        let dimension = |span: Span| unit?.meanings.dimension_at(&unit?.typed, moved(span));
+        self.called(place, &Types { scheme: &scheme, field: &field, dimension: &dimension })
+    }
+
+    /// The same with types from elsewhere.
+    pub(super) fn called(&self, place: &Place, types: &Types<'_>) -> Option<Callable> {
+        let part = self.part_at(&place.file, place.start)?;
+        let content = self.text(&place.file)?.get(part.start as usize..)?;
+        let found = declared::find_in(&part.piece.statements, place.start - part.start)?;
+        let (_, Declared::Statement(statement)) = found else { return None };
+        described(place, part.start, content, statement, types)
+    }
+}
+
+/// `content` is the text from `start` on, where the places of the statement are counted from.
+fn described(
+    place: &Place,
+    start: u32,
+    content: &str,
+    statement: &Stmt,
+    types: &Types<'_>,
+) -> Option<Callable> {
+    let slice = |span: Span| content.get(span.start as usize..span.end as usize).map(str::to_string);
+    let at = |span: Span| {
+        Some(Place { file: place.file.clone(), start: span.start + start, end: span.end + start })
+    };
+    let mut callable = Callable {
+        name: content.get((place.start - start) as usize..(place.end - start) as usize)?.into(),
+        kind: NameKind::Function,
+        doc: statement.doc.clone(),
+        parameters: Vec::new(),
+        open: false,
+        result: None,
+        demands: Vec::new(),
+        declared: Some(place.clone()),
+    };
+    match &statement.kind {
+        StmtKind::Function(decl) => {
+            match decl.body {
+                FunctionBody::Extern { .. } => callable.kind = NameKind::Extern,
+                FunctionBody::Symbolic(_) => callable.kind = NameKind::SymbolicFunction,
+                FunctionBody::Statement(_) => {}
+            }
+            let shown = (types.scheme)(decl);
+            callable.result = shown.result;
+            callable.demands = shown.demands;
+            for (index, parameter) in decl.parameters.iter().enumerate() {
+                let (bind, value) = match &parameter.default {
+                    Some((bind, value)) => (*bind, value.as_ref()),
+                    None => (Bind::Evaluate, None),
+                };
+                callable.parameters.push(CallParameter {
+                    name: parameter.name.name.as_str().into(),
+                    mode: parameter.mode,
+                    symbolic: bind == Bind::Symbolic,
+                    ty: shown.parameters.get(index).map(|(_, _, ty)| ty.clone()).unwrap_or_default(),
+                    dimension: (types.dimension)(parameter.name.span),
+                    default: value.and_then(|value| slice(value.span)),
+                    range: declared::range(parameter.domain.as_ref(), content),
+                    choices: declared::choices(parameter.domain.as_ref()),
+                    doc: parameter.doc.clone(),
+                    declared: at(parameter.name.span),
+                });
+            }
+        }
+        StmtKind::Record(decl) => {
+            callable.kind = NameKind::Record;
+            callable.result = Some(decl.name.name.clone());
+            for field in &decl.fields {
+                callable.parameters.push(CallParameter {
+                    name: field.name.name.as_str().into(),
+                    mode: Mode::In,
+                    symbolic: false,
+                    ty: (types.field)(decl, field),
+                    dimension: (types.dimension)(field.name.span),
+                    default: field.default.as_ref().and_then(|value| slice(value.span)),
+                    range: None,
+                    choices: Vec::new(),
+                    doc: field.doc.clone(),
+                    declared: at(field.name.span),
+                });
+            }
+        }
+        _ => return None,
+    }
+    Some(callable)
+}

@@ -1,0 +1,191 @@
+//! What was known of the names of a file when it was last checked.
+//!
+//! Types change less than texts. While a statement is being typed, what is offered there shows these, and waits for no check of
+//! the text as it is.
+
+use super::Database;
+use super::analysis::Known;
+use super::callables::Types;
+use super::items::items;
+use crate::analysis::{Callable, NameKind, Place, Visible};
+use crate::ast::{FunctionDecl, RecordDecl, RecordField};
+use crate::check::Shown;
+use crate::check::item::ItemKind;
+use crate::deep::deep;
+use crate::lexer::{Kind, Token};
+use crate::scope::Local;
+use std::collections::HashMap;
+use std::sync::{Arc, Mutex, PoisonError};
+
+/// By file.
+#[derive(Default)]
+pub(super) struct Recent(Mutex<HashMap<String, Arc<Names>>>);
+
+/// Kinds and types by the function or record that a name is declared in (empty at the top level), and the name.
+type Names = HashMap<String, HashMap<Arc<str>, (NameKind, Option<Arc<str>>)>>;
+
+impl Database {
+    /// Notes what is known of the names that a file declares, which checks it. Of a name of which nothing is known now, because its
+    /// statement is being written, what was known before stays.
+    pub fn remember(&self, file: &str) {
+        let Some(text) = self.find(file) else { return };
+        let db = &self.salsa;
+        let before = self.recent(file);
+        let mut names = Names::new();
+        deep(|| {
+            for &item in items(db, text) {
+                let own = item.name(db);
+                let holds =
+                    matches!(item.kind(db), ItemKind::Function | ItemKind::Extern | ItemKind::Declaration);
+                for name in self.names_of(item).into_iter().filter(|name| name.declares) {
+                    let around = if holds && *name.text != **own { own.as_str() } else { "" };
+                    let known = || before.as_ref()?.get(around)?.get(&name.text)?.1.clone();
+                    let ty = name.ty.or_else(known);
+                    names.entry(around.to_string()).or_default().insert(name.text, (name.kind, ty));
+                }
+            }
+        });
+        let mut recent = self.recent.0.lock().unwrap_or_else(PoisonError::into_inner);
+        recent.insert(file.to_string(), Arc::new(names));
+    }
+
+    fn recent(&self, file: &str) -> Option<Arc<Names>> {
+        self.recent.0.lock().unwrap_or_else(PoisonError::into_inner).get(file).cloned()
+    }
+
+    /// [`Database::visible`] with types of the file's own names as they were last noted; the first time they are noted now. What has
+    /// been declared since has none.
+    pub fn seen(&self, file: &str, offset: u32) -> Vec<Visible> {
+        let (Some(text), Some(tokens)) = (self.text(file), self.tokens(file)) else { return Vec::new() };
+        if self.recent(file).is_none() {
+            self.remember(file);
+        }
+        let names = self.recent(file).unwrap_or_default();
+        let function = function_around(&tokens.tokens, offset);
+        let inner = function
+            .and_then(|name| text.get(name.span.start as usize..name.span.end as usize))
+            .and_then(|function| names.get(function));
+        let lookup = |local: &Local, name: &str| {
+            if local.kind == NameKind::Module {
+                let module = self.module_named(text, &tokens.tokens, local);
+                return Some(Known { kind: local.kind, ty: None, module });
+            }
+            let top = || names.get("")?.get(name);
+            let (kind, ty) = match function {
+                Some(function) if local.span.start > function.span.start => {
+                    // What is declared below the function may be seen in it too, unless it is a variable.
+                    let hoisted = !matches!(local.kind, NameKind::Variable | NameKind::Parameter);
+                    inner.and_then(|inner| inner.get(name)).or_else(|| top().filter(|_| hoisted))
+                }
+                _ => top(),
+            }?;
+            // It may be declared in another way by now. Tokens tell a variable, and a function, but not of which kind.
+            let alike = match local.kind {
+                NameKind::Variable => matches!(kind, NameKind::Variable | NameKind::Symbolic),
+                NameKind::Function => {
+                    matches!(kind, NameKind::Function | NameKind::SymbolicFunction | NameKind::Extern)
+                }
+                other => *kind == other,
+            };
+            alike.then(|| Known { kind: *kind, ty: ty.clone(), module: None })
+        };
+        deep(|| self.seen_by(file, offset, &lookup))
+    }
+
+    /// [`Database::callable`] with types as they were last noted, if any were noted of the file.
+    pub fn callable_as_seen(&self, place: &Place) -> Option<Callable> {
+        let Some(names) = self.recent(&place.file) else { return self.callable(place) };
+        let ty = |around: &str, name: &str| {
+            let (_, ty) = names.get(around)?.get(name)?;
+            ty.as_deref().map(str::to_string)
+        };
+        let scheme = |decl: &FunctionDecl| {
+            let scheme = ty("", &decl.name.name).unwrap_or_default();
+            let (given, result) = match scheme.split_once(") -> ") {
+                Some((given, result)) => (given, Some(result)),
+                None => (scheme.trim_end_matches(')'), None),
+            };
+            let mut types = parameter_types(given).into_iter();
+            let parameters = decl.parameters.iter().map(|parameter| {
+                (parameter.mode, parameter.name.name.clone(), types.next().unwrap_or_default().to_string())
+            });
+            let result = result.map(|result| result.split(" where ").next().unwrap_or(result).to_string());
+            let parameters = parameters.collect();
+            Shown { name: decl.name.name.clone(), parameters, result, demands: Vec::new() }
+        };
+        let field = |decl: &RecordDecl, field: &RecordField| {
+            ty(&decl.name.name, &field.name.name).unwrap_or_default()
+        };
+        self.called(place, &Types { scheme: &scheme, field: &field, dimension: &|_| None })
+    }
+
+    /// The file of the module that an `import` names.
+    fn module_named(&self, text: &str, tokens: &[Token], local: &Local) -> Option<Place> {
+        let mut first = tokens.iter().position(|token| token.span == local.span)?;
+        while first >= 2 && tokens.get(first - 1).is_some_and(|token| token.kind == Kind::Dot) {
+            first -= 2;
+        }
+        let start = tokens.get(first)?.span.start;
+        let path: String = text.get(start as usize..local.span.end as usize)?.split_whitespace().collect();
+        Some(Place { file: self.file_of(&path)?, start: 0, end: 0 })
+    }
+}
+
+/// The types in `(in x: Length, out y: [Number, String]`.
+fn parameter_types(given: &str) -> Vec<&str> {
+    let mut types = Vec::new();
+    let (mut depth, mut start) = (0_i32, 1);
+    let inner = given.char_indices().skip(1).chain([(given.len(), ',')]);
+    for (at, character) in inner {
+        match character {
+            '(' | '[' => depth += 1,
+            ')' | ']' => depth -= 1,
+            ',' if depth == 0 => {
+                let parameter = given.get(start..at).unwrap_or_default();
+                types.extend(parameter.split_once(": ").map(|(_, ty)| ty));
+                start = at + 1;
+            }
+            _ => {}
+        }
+    }
+    types
+}
+
+/// The name of the function of the file's top level that a place lies in.
+fn function_around(tokens: &[Token], offset: u32) -> Option<Token> {
+    let mut depth = 0_usize;
+    let mut found = None;
+    for (index, token) in tokens.iter().enumerate() {
+        if token.span.start >= offset {
+            break;
+        }
+        match token.kind {
+            Kind::OpenBrace => depth += 1,
+            Kind::CloseBrace => {
+                depth = depth.saturating_sub(1);
+                found = found.filter(|_| depth > 0);
+            }
+            Kind::Semicolon if depth == 0 => found = None,
+            Kind::Function if depth == 0 => {
+                found = tokens.get(index + 1).filter(|name| name.kind == Kind::Identifier).copied();
+            }
+            _ => {}
+        }
+    }
+    found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::parameter_types;
+
+    #[test]
+    fn types_are_read_back_from_a_scheme() {
+        assert_eq!(
+            parameter_types("(in x: Length, out y: [a, Array(T)], in z: 1/a"),
+            ["Length", "[a, Array(T)]", "1/a"]
+        );
+        assert!(parameter_types("(").is_empty());
+        assert!(parameter_types("").is_empty());
+    }
+}

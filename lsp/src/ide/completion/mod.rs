@@ -1,0 +1,148 @@
+//! What can be written at a cursor.
+//!
+//! [`context`] tells from the tokens what can stand there, [`request`] what is expected, and a file for each source of items
+//! offers what it has: few right items rather than many. [`ranking`] orders them.
+
+mod arguments;
+pub mod context;
+mod documentation;
+mod imports;
+mod item;
+mod keywords;
+mod names;
+mod operands;
+mod ranking;
+mod request;
+mod units;
+mod words;
+
+pub use documentation::{documentation, parameter_text};
+pub use item::{Completions, Insert, Item, ItemKind, Rank, Subject, Then};
+
+use super::{Position, Snapshot};
+use calyx_lang::analysis::NameKind;
+use calyx_lang::lexer::Kind;
+use context::{Context, Operator, Slot, Spot};
+use request::Request;
+
+/// Characters after which an editor asks without being told to.
+pub const TRIGGERS: &[&str] = &[".", "\"", " ", "("];
+
+/// How an editor asks.
+pub struct Asked<'a> {
+    /// The character that asked, where it was not the user.
+    pub typed: Option<char>,
+    /// Dotted paths of files that can be imported, beyond those the database knows.
+    pub beside: &'a dyn Fn() -> Vec<String>,
+}
+
+/// What can be written at a cursor.
+pub fn complete(snapshot: &Snapshot, position: &Position, asked: &Asked<'_>) -> Completions {
+    let database = &snapshot.database;
+    let file = &*position.file;
+    let (Some(text), Some(tokens)) = (database.text(file), database.tokens(file)) else {
+        return Completions::default();
+    };
+    let offset = position.offset as usize;
+    if !text.is_char_boundary(offset.min(text.len())) || offset > text.len() {
+        return Completions::default();
+    }
+    let context = Context::new(text, &tokens, offset);
+    if !answers(&context, asked.typed) {
+        return Completions::default();
+    }
+    let request = Request::new(database, file, context, position.offset);
+    let mut items = Vec::new();
+    offer(&request, asked, &mut items);
+    let around = &request.context.around;
+    let (mut start, mut end, mut prefix) = (around.word.start, around.word.end, around.prefix());
+    if let Spot::Text(_, range) = &request.context.spot {
+        (start, end) = (range.start, range.end);
+        prefix = text.get(range.start..offset).unwrap_or_default();
+    }
+    let incomplete = ranking::rank(&mut items, prefix);
+    Completions { start: start as u32, end: end as u32, items, incomplete }
+}
+
+/// Whether what was typed is a reason to offer something: a blank is one in few places.
+fn answers(context: &Context<'_>, typed: Option<char>) -> bool {
+    let around = &context.around;
+    let last = around.previous(around.before);
+    match typed {
+        Some(' ') => match &context.spot {
+            Spot::Unit(..)
+            | Spot::Import(_)
+            | Spot::System
+            | Spot::Label
+            | Spot::Symbol
+            | Spot::FormatUnit(_) => true,
+            Spot::Value(value) => match &value.slot {
+                Slot::Argument { name: None, .. } => last == Some(Kind::Comma),
+                Slot::Argument { name: Some(_), .. } => matches!(last, Some(Kind::Assign | Kind::Bind)),
+                _ => false,
+            },
+            _ => false,
+        },
+        Some('"') => matches!(context.spot, Spot::Text(..)),
+        Some('.') => matches!(context.spot, Spot::Member(..) | Spot::Import(_) | Spot::TypeMember(_)),
+        Some('(') => {
+            matches!(&context.spot, Spot::Value(value) if matches!(value.slot, Slot::Argument { .. }))
+        }
+        _ => context.spot != Spot::Nothing,
+    }
+}
+
+fn offer(request: &Request<'_>, asked: &Asked<'_>, items: &mut Vec<Item>) {
+    match &request.context.spot {
+        Spot::Nothing => {}
+        Spot::Statement => {
+            keywords::statements(request, items);
+            names::statements(request, items);
+            imports::not_imported(request, items);
+        }
+        Spot::Words(words) | Spot::After(words) => keywords::words(request, words, items),
+        Spot::Import(path) => words::modules(request, path, &(asked.beside)(), items),
+        Spot::System => words::systems(request, items),
+        Spot::Label => words::labels(request, items),
+        Spot::Symbol => names::symbols(request, items, true),
+        Spot::Type => words::types(request, items),
+        Spot::TypeMember(module) => words::types_of(request, module, items),
+        Spot::Member(base, value) => {
+            let name = request.source(base);
+            match request.find(name) {
+                Some(known) if known.kind == NameKind::Module => names::members(request, name, value, items),
+                _ => words::parts(request, &request.shape_of(base), items),
+            }
+        }
+        Spot::Unit(_, words) => {
+            units::units(request, items);
+            keywords::words(request, words, items);
+        }
+        Spot::FormatUnit(shown) => units::format_units(request, &request.shape_of(shown), items),
+        Spot::Text(..) => words::choices(request, false, items),
+        Spot::Value(value) => {
+            arguments::arguments(request, items);
+            if !names::wanted(request) {
+                return;
+            }
+            if is_differentiated_by(value) {
+                names::symbols(request, items, false);
+                return;
+            }
+            units::units(request, items);
+            if matches!(value.operator, Operator::None | Operator::Alike(_)) {
+                words::choices(request, true, items);
+            }
+            names::values(request, items);
+            words::truths(items, request, value);
+            keywords::values(request, items);
+            imports::not_imported(request, items);
+        }
+    }
+}
+
+/// The second argument of `derivative`.
+fn is_differentiated_by(value: &context::Value) -> bool {
+    matches!(&value.slot, Slot::Argument { call, name: None }
+        if call.active == 1 && call.path.last().is_some_and(|name| name == "derivative"))
+}

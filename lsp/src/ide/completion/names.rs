@@ -1,0 +1,259 @@
+//! Names in scope, and what imported modules have under their own names.
+
+use super::context::{Operator, Slot, Spot, Value};
+use super::item::{Insert, Item, ItemKind, Rank, Subject, Then};
+use super::request::Request;
+use crate::ide::callee;
+use crate::ide::shape::{Fit, Shape};
+use calyx_lang::analysis::{NameKind, Visible};
+use calyx_lang::lexer::Kind;
+
+/// Builtin functions that make frames, and take expressions.
+const FRAMES: &[&str] = &["Rotate", "Translate"];
+
+/// Functions whose argument is an expression, though no `:=` stands before them.
+pub const TAKE_EXPRESSIONS: &[&str] =
+    &["derivative", "gradient", "velocity", "acceleration", "angular_velocity", "angular_acceleration"];
+
+/// What cannot be right by its type: shown to those who type its name.
+pub const UNFIT: u8 = 4;
+
+/// Names for a value.
+pub fn values(request: &Request<'_>, items: &mut Vec<Item>) {
+    let top = top_level(request);
+    for (index, known) in request.visible.iter().enumerate() {
+        if let Some(fit) = fit(request, known) {
+            items.push(item(request, known, None, rank(request, known, fit, top, index)));
+        }
+    }
+    qualified(request, items, &|known| fit(request, known));
+}
+
+/// Names that a statement may begin with: what is called or assigned.
+pub fn statements(request: &Request<'_>, items: &mut Vec<Item>) {
+    let top = top_level(request);
+    let fit = |known: &Visible| match known.kind {
+        NameKind::Function | NameKind::Extern | NameKind::Builtin => {
+            let nothing = known.ty.as_deref().is_some_and(|ty| Shape::result(ty).is("nothing"));
+            // A function that gives a value is not called for its own sake.
+            Some(if nothing { 2 } else { UNFIT })
+        }
+        NameKind::Variable | NameKind::Parameter | NameKind::Symbolic => Some(3),
+        NameKind::Module => Some(3),
+        _ => None,
+    };
+    for (index, known) in request.visible.iter().enumerate() {
+        if let Some(fit) = fit(known) {
+            items.push(item(request, known, None, rank(request, known, fit, top, index)));
+        }
+    }
+    qualified(request, items, &fit);
+}
+
+/// What imported modules have, as `module.name`: found by its own name, or because it gives just what is wanted.
+fn qualified(request: &Request<'_>, items: &mut Vec<Item>, fit: &dyn Fn(&Visible) -> Option<u8>) {
+    let typed = !request.context.around.prefix().is_empty();
+    for module in request.visible.iter().filter(|known| known.kind == NameKind::Module) {
+        let Some(path) = callee::module_path(request.database, &request.visible, &module.name) else {
+            continue;
+        };
+        for (order, known) in request.database.members(&path).iter().enumerate() {
+            let Some(fit) = fit(known).filter(|fit| typed || *fit == 0) else { continue };
+            let rank = Rank { fit, origin: 3, order: order as u32 };
+            items.push(item(request, known, Some(&module.name), rank));
+        }
+    }
+}
+
+/// Parameters of symbolic functions and params, and `Time`: what can stand behind `at`, and what is differentiated by.
+pub fn symbols(request: &Request<'_>, items: &mut Vec<Item>, assigned: bool) {
+    for (order, known) in request.visible.iter().enumerate() {
+        let shape = shape(known);
+        let fit = match known.kind {
+            NameKind::Constant if &*known.name == "Time" => 0,
+            NameKind::Param if matches!(shape, Shape::Number(_)) => 1,
+            NameKind::Parameter if !assigned && matches!(shape, Shape::Number(_) | Shape::Unknown) => 0,
+            _ => continue,
+        };
+        let mut item = item(request, known, None, Rank { fit, origin: 0, order: order as u32 });
+        if assigned {
+            item.insert = Insert::plain(format!("{} = ", known.name));
+        }
+        items.push(item);
+    }
+}
+
+/// What a member of a module is for: called like a name.
+pub fn members(request: &Request<'_>, module: &str, value: &Value, items: &mut Vec<Item>) {
+    let Some(path) = callee::module_path(request.database, &request.visible, module) else { return };
+    let statement = value.slot == Slot::Free && value.operator == Operator::None;
+    for (order, known) in request.database.members(&path).iter().enumerate() {
+        let fit = match statement {
+            true if matches!(known.kind, NameKind::Dimension | NameKind::Unit) => None,
+            true => Some(1),
+            false => fit(request, known),
+        };
+        if let Some(fit) = fit {
+            items.push(item(request, known, None, Rank { fit, origin: 3, order: order as u32 }));
+        }
+    }
+}
+
+/// How well a name fits the value at the cursor, the best 0; `None` for what cannot stand there.
+pub fn fit(request: &Request<'_>, known: &Visible) -> Option<u8> {
+    let expected = &request.expected;
+    let shape = shape(known);
+    let symbolic = expected.symbolic || request.context.takes_expression(TAKE_EXPRESSIONS);
+    match known.kind {
+        NameKind::Dimension | NameKind::Unit | NameKind::Field => return None,
+        // It has the value of the engine's steps, which only expressions have.
+        NameKind::Output if !symbolic => return None,
+        NameKind::Module => return Some(3),
+        _ if shape.is("nothing") => return None,
+        _ => {}
+    }
+    let known_shape = expected.shape != Shape::Unknown;
+    let local =
+        known.kind == NameKind::Parameter || known.level.is_some_and(|level| level < top_level(request));
+    let mut fit = match expected.shape.fit(&shape) {
+        // Names before what must be called with something first, but for frames, which are always made.
+        Fit::Exactly if known.kind == NameKind::Builtin && !shape.is("Transform") => 1,
+        Fit::Exactly => 0,
+        Fit::Perhaps if known_shape && local => 0,
+        // `abs` gives what it takes, which may be anything.
+        Fit::Perhaps if known_shape && known.declared.is_none() => 2,
+        Fit::Perhaps => 1,
+        Fit::InPart => 2,
+        // Compared or put in an index, it may give what is wanted.
+        Fit::Not
+            if expected.weak && matches!(shape, Shape::Number(_) | Shape::Vector(_) | Shape::Array(_)) =>
+        {
+            2
+        }
+        Fit::Not if expected.weak && shape.is("String") => 3,
+        Fit::Not => UNFIT,
+    };
+    let is_symbol = matches!(known.kind, NameKind::Symbolic | NameKind::SymbolicFunction)
+        || (known.kind == NameKind::Param && matches!(shape, Shape::Number(_)))
+        || (known.declared.is_none() && (&*known.name == "Time" || FRAMES.contains(&&*known.name)));
+    if symbolic && expected.shape == Shape::Unknown && is_symbol {
+        fit = 0;
+    }
+    if !symbolic {
+        match known.kind {
+            NameKind::Constant if &*known.name == "Time" => return Some(5),
+            // Frames are seldom anything but expressions.
+            NameKind::Symbolic if !shape.is("Transform") => fit += 1,
+            _ => {}
+        }
+    }
+    // A function may call itself, and seldom does.
+    if request.is_around(known) {
+        fit += 1;
+    }
+    Some(fit)
+}
+
+/// The type of the value a name gives, called if it is a function.
+pub fn shape(known: &Visible) -> Shape {
+    let ty = known.ty.as_deref().unwrap_or_default();
+    match known.kind {
+        NameKind::Record => Shape::Named(known.name.to_string()),
+        kind if callee::is_called(kind) && ty.contains(')') => Shape::result(ty),
+        // Fits every dimension.
+        NameKind::Constant if matches!(&*known.name, "inf" | "nan") => Shape::Number(None),
+        _ => Shape::read(ty),
+    }
+}
+
+/// The level of the file's own top-level names.
+fn top_level(request: &Request<'_>) -> u32 {
+    request.visible.iter().filter_map(|known| known.level).max().unwrap_or_default()
+}
+
+fn rank(request: &Request<'_>, known: &Visible, fit: u8, top: u32, index: usize) -> Rank {
+    let symbolic = request.expected.symbolic;
+    let is_number =
+        matches!(shape(known), Shape::Number(_) | Shape::Vector(_)) || shape(known).is("Transform");
+    let origin = match (known.level, known.kind) {
+        (None, NameKind::Constant) if symbolic && &*known.name == "Time" => 1,
+        (Some(_), NameKind::Module) => 4,
+        (Some(level), _) if level < top || known.kind == NameKind::Parameter => 1,
+        // A value that is kept as it is now, beside expressions that go on.
+        (Some(_), NameKind::Variable) if symbolic && is_number => 4,
+        (Some(_), _) => 2,
+        (None, _) if known.declared.is_some() => 4,
+        (None, _) if symbolic && FRAMES.contains(&&*known.name) => 3,
+        (None, _) => 5,
+    };
+    // What is declared nearest comes first; the language's names stand in their own order.
+    let near = known.declared.as_ref().filter(|place| *place.file == *request.file);
+    let order =
+        near.map_or(index as u32, |place| (request.context.around.offset as u32).abs_diff(place.start));
+    Rank { fit, origin, order }
+}
+
+/// The item of a name; `module` is written before it.
+pub fn item(request: &Request<'_>, known: &Visible, module: Option<&str>, rank: Rank) -> Item {
+    let label = match module {
+        Some(module) => format!("{module}.{}", known.name),
+        None => known.name.to_string(),
+    };
+    let ty = known.ty.as_deref().unwrap_or_default();
+    let mut item = Item::new(label.clone(), ItemKind::Name(known.kind), rank);
+    item.filter = module.map(|_| known.name.to_string());
+    item.detail = match known.kind {
+        NameKind::Symbolic => format!(":= {ty}").trim_end().to_string(),
+        NameKind::Module | NameKind::Record => known.kind.describe().to_string(),
+        _ => signature(ty),
+    };
+    item.subject = Some(match &known.declared {
+        Some(place) => Subject::Declaration(place.clone()),
+        None => Subject::Builtin(known.name.to_string()),
+    });
+    if callee::is_called(known.kind) {
+        let around = &request.context.around;
+        let followed =
+            around.kind(around.next()) == Some(Kind::OpenParen) && !around.begins_line(around.next());
+        if !followed {
+            let empty = ty.starts_with("()");
+            let snippet = if empty { format!("{label}()") } else { format!("{label}($0)") };
+            item.insert = Insert::snippet(label, snippet);
+            item.then = if empty { Then::Nothing } else { Then::Signature };
+        }
+    }
+    item
+}
+
+/// `(x: Length) -> Area`, without what goes without saying and what does not fit in a line.
+pub fn signature(ty: &str) -> String {
+    const WIDEST: usize = 48;
+    let ty = ty.split(" where ").next().unwrap_or(ty);
+    let ty = ty.replace("(in ", "(").replace(", in ", ", ");
+    let (parameters, result) = ty.split_once(") -> ").unwrap_or((&ty, ""));
+    if parameters.len() <= WIDEST {
+        return ty;
+    }
+    let mut shown = String::new();
+    for parameter in parameters.split(", ") {
+        if shown.len() + parameter.len() > WIDEST {
+            break;
+        }
+        shown.push_str(parameter);
+        shown.push_str(", ");
+    }
+    match result {
+        "" => format!("{shown}...)"),
+        result => format!("{shown}...) -> {result}"),
+    }
+}
+
+/// Whether names of values are offered at all: not behind arguments that have names.
+pub fn wanted(request: &Request<'_>) -> bool {
+    match &request.context.spot {
+        Spot::Value(Value { slot: Slot::Argument { name: None, .. }, operator: Operator::None }) => {
+            request.call.as_ref().is_none_or(|call| call.in_order)
+        }
+        _ => true,
+    }
+}

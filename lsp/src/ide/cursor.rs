@@ -1,0 +1,612 @@
+//! The tokens around a cursor: the word it stands in, the statement and brackets around it, the calls it is in.
+//!
+//! Completion and signature help are asked for in statements that are not written to their end, where a tree says little. So these
+//! look at tokens, backwards from the cursor, and stop at what surely begins a statement.
+
+use calyx_lang::lexer::{CommentKind, Kind, Token, Tokens};
+use std::ops::Range;
+
+/// A cursor among the tokens of a text.
+pub struct Around<'a> {
+    pub text: &'a str,
+    tokens: &'a [Token],
+    /// How many tokens end before the word under the cursor, or before the cursor where there is none.
+    pub before: usize,
+    /// The word under the cursor, whole; empty where there is none.
+    pub word: Range<usize>,
+    pub offset: usize,
+}
+
+/// What a cursor must not stand in to be offered names.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Standing {
+    Code,
+    Comment,
+    /// In a number or right behind its digits.
+    Number,
+    /// Between the quotes of a string: where its text lies, `None` if values are put into it.
+    Text(Option<Range<usize>>),
+}
+
+/// A bracket that is open at the cursor.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Open {
+    /// Its token.
+    pub at: usize,
+    pub kind: Bracket,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Bracket {
+    /// `f(`
+    Call,
+    /// `if (`, `while (`
+    Condition,
+    /// `switch (`
+    Switch,
+    /// `for (`
+    For,
+    /// `catch (`
+    Catch,
+    /// `function f(`
+    Parameters,
+    /// `(` of an expression
+    Group,
+    /// `a[`
+    Index,
+    /// `[` of a list
+    List,
+    /// `in [`
+    Choices,
+    /// `"{`
+    Interpolation,
+}
+
+/// The statement a cursor stands in, as far as the cursor.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Statement {
+    /// Its first token.
+    pub start: usize,
+    /// Brackets open in it, innermost first.
+    pub open: Vec<Open>,
+}
+
+/// A `{` of statements or fields that is open at the cursor.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Block {
+    pub kind: BlockKind,
+    /// The token that begins what it belongs to: `function`, `for`, `catch`, `record`, ...
+    pub head: usize,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BlockKind {
+    Function,
+    Loop,
+    Switch,
+    Try,
+    Catch,
+    Record,
+    Plain,
+}
+
+/// A call a cursor is in.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Call {
+    /// `gears`, `external`; the last is the function.
+    pub path: Vec<String>,
+    /// Where the path stands.
+    pub callee: Range<usize>,
+    pub arguments: Vec<Given>,
+    /// The argument the cursor is in.
+    pub active: usize,
+}
+
+/// An argument as written.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Given {
+    pub name: Option<String>,
+    /// `..record`; the name of the record if it is one.
+    pub spread: Option<String>,
+    /// Nothing is written but perhaps the word under the cursor.
+    pub empty: bool,
+}
+
+impl<'a> Around<'a> {
+    pub fn new(text: &'a str, tokens: &'a Tokens, offset: usize) -> Self {
+        let tokens = tokens.tokens.as_slice();
+        let before = tokens.partition_point(|token| (token.span.start as usize) < offset);
+        let mut around = Around { text, tokens, before, word: offset..offset, offset };
+        if let Some(last) = before.checked_sub(1)
+            && around.range(last).end >= offset
+            && around.is_word(last)
+        {
+            around.word = around.range(last);
+            around.before = last;
+        }
+        around
+    }
+
+    pub fn kind(&self, at: usize) -> Option<Kind> {
+        self.tokens.get(at).map(|token| token.kind)
+    }
+
+    /// The kind of the token before this one.
+    pub fn previous(&self, at: usize) -> Option<Kind> {
+        at.checked_sub(1).and_then(|at| self.kind(at))
+    }
+
+    /// Where a token stands; the end of the text for one that is not there.
+    pub fn range(&self, at: usize) -> Range<usize> {
+        let end = self.text.len();
+        self.tokens.get(at).map_or(end..end, |token| token.span.start as usize..token.span.end as usize)
+    }
+
+    /// The token that begins at an offset, or the next one.
+    pub fn token_at(&self, offset: usize) -> usize {
+        self.tokens.partition_point(|token| (token.span.start as usize) < offset)
+    }
+
+    pub fn source(&self, at: usize) -> &'a str {
+        self.text.get(self.range(at)).unwrap_or_default()
+    }
+
+    /// The token after the word under the cursor.
+    pub fn next(&self) -> usize {
+        if self.word.is_empty() { self.before } else { self.before + 1 }
+    }
+
+    fn is_under_cursor(&self, at: usize) -> bool {
+        !self.word.is_empty() && at == self.before
+    }
+
+    /// What is written of the word under the cursor.
+    pub fn prefix(&self) -> &'a str {
+        self.text.get(self.word.start..self.offset).unwrap_or_default()
+    }
+
+    /// Whether a line ends between a token and the one before it.
+    pub fn begins_line(&self, at: usize) -> bool {
+        let Some(previous) = at.checked_sub(1) else { return true };
+        self.text.get(self.range(previous).end..self.range(at).start).is_none_or(|gap| gap.contains('\n'))
+    }
+
+    /// The same for the word under the cursor, or the cursor.
+    pub fn cursor_begins_line(&self) -> bool {
+        let Some(previous) = self.before.checked_sub(1) else { return true };
+        self.text.get(self.range(previous).end..self.word.start).is_none_or(|gap| gap.contains('\n'))
+    }
+
+    /// Blanks before the first character of the line of an offset.
+    pub fn indentation(&self, offset: usize) -> usize {
+        let before = self.text.get(..offset).unwrap_or_default();
+        let line = before.rfind('\n').map_or(0, |end| end + 1);
+        let rest = self.text.get(line..).unwrap_or_default();
+        rest.len() - rest.trim_start_matches([' ', '\t']).len()
+    }
+
+    fn is_word(&self, at: usize) -> bool {
+        self.source(at).starts_with(|c: char| c.is_alphabetic() || c == '_')
+            && !matches!(self.kind(at), Some(Kind::StringText | Kind::Format))
+    }
+
+    /// What the cursor stands in.
+    pub fn standing(&self, tokens: &Tokens) -> Standing {
+        let offset = self.offset;
+        let comments = &tokens.comments;
+        let last = comments.partition_point(|comment| (comment.span.start as usize) < offset);
+        if let Some(comment) = last.checked_sub(1).and_then(|last| comments.get(last)) {
+            let end = comment.span.end as usize;
+            let open = match comment.kind {
+                CommentKind::Block => {
+                    let closed = self.text.get(..end).is_some_and(|text| text.ends_with("*/"));
+                    offset < end || (!closed && offset == end)
+                }
+                // Blanks at its end belong to it.
+                _ => self.text.get(end..offset.max(end)).is_some_and(|rest| !rest.contains('\n')),
+            };
+            if open {
+                return Standing::Comment;
+            }
+        }
+        let begun = self.tokens.partition_point(|token| (token.span.start as usize) < offset);
+        let Some(last) = begun.checked_sub(1) else { return Standing::Code };
+        match self.kind(last) {
+            Some(Kind::Number) if self.range(last).end >= offset => Standing::Number,
+            Some(Kind::StringOpen | Kind::StringText | Kind::InterpolationClose) => {
+                Standing::Text(self.plain_text(last))
+            }
+            _ => Standing::Code,
+        }
+    }
+
+    /// Where the text of the string lies that a token is in, if nothing is put into it.
+    fn plain_text(&self, at: usize) -> Option<Range<usize>> {
+        let open = if self.kind(at) == Some(Kind::StringText) { at.checked_sub(1)? } else { at };
+        let mut close = open + 1;
+        if self.kind(open) != Some(Kind::StringOpen) {
+            return None;
+        }
+        if self.kind(close) == Some(Kind::StringText) {
+            close += 1;
+        }
+        (self.kind(close) == Some(Kind::StringClose)).then(|| self.range(open).end..self.range(close).start)
+    }
+
+    /// The token at which the string opens that holds the cursor's text.
+    pub fn string_open(&self) -> Option<usize> {
+        let begun = self.tokens.partition_point(|token| (token.span.start as usize) < self.offset);
+        (0..begun).rev().take(2).find(|&at| self.kind(at) == Some(Kind::StringOpen))
+    }
+
+    /// The bracket that a closing one at `at` belongs to.
+    pub fn opening(&self, at: usize) -> Option<usize> {
+        let mut depth = 0_usize;
+        for index in (0..=at).rev() {
+            match self.kind(index)? {
+                Kind::CloseParen | Kind::CloseBracket | Kind::CloseBrace | Kind::StringClose => depth += 1,
+                Kind::OpenParen | Kind::OpenBracket | Kind::OpenBrace | Kind::StringOpen => {
+                    depth = depth.checked_sub(1)?;
+                    if depth == 0 {
+                        return Some(index);
+                    }
+                }
+                _ => {}
+            }
+        }
+        None
+    }
+
+    /// The statement around the token before `end`.
+    pub fn statement(&self, end: usize) -> Statement {
+        let mut open: Vec<Open> = Vec::new();
+        // Where a statement would begin if the line above were one without its `;`.
+        let mut unended: Option<(usize, usize)> = None;
+        let mut at = end;
+        while let Some(index) = at.checked_sub(1) {
+            let Some(kind) = self.kind(index) else { break };
+            match kind {
+                Kind::CloseParen | Kind::CloseBracket | Kind::StringClose => {
+                    // A bracket that closes nothing is passed over.
+                    at = self.opening(index).filter(|&open| !self.ends_between(open, index)).unwrap_or(index);
+                    continue;
+                }
+                Kind::OpenParen | Kind::OpenBracket => {
+                    if let Some((line, known)) = unended
+                        && self.indentation(self.range(line).start)
+                            <= self.indentation(self.range(index).start)
+                    {
+                        open.truncate(known);
+                        return self.begun(line, open, end);
+                    }
+                    unended = None;
+                    open.push(Open { at: index, kind: self.bracket(index) });
+                }
+                Kind::InterpolationOpen => {
+                    open.push(Open { at: index, kind: Bracket::Interpolation });
+                    // The text before it belongs to the same string.
+                    at = self.string_of(index);
+                    continue;
+                }
+                Kind::Semicolon => match self.for_header(index) {
+                    Some(paren) => {
+                        open.push(Open { at: paren, kind: Bracket::For });
+                        return Statement { start: index + 1, open };
+                    }
+                    None => break,
+                },
+                Kind::OpenBrace | Kind::CloseBrace => break,
+                _ if kind.begins_statement() => {
+                    at = index;
+                    break;
+                }
+                _ => {}
+            }
+            let operands = matches!(kind, Kind::Identifier | Kind::If)
+                && index > 0
+                && self.begins_line(index)
+                && self.ends_expression(index - 1);
+            if operands && unended.is_none() {
+                unended = Some((index, open.len()));
+            }
+            at = index;
+        }
+        if let Some((line, known)) = unended {
+            open.truncate(known);
+            return self.begun(line, open, end);
+        }
+        self.begun(at, open, end)
+    }
+
+    /// Leaves out labels and the heads of `if`, `while`, ... that stand before a statement.
+    fn begun(&self, mut start: usize, open: Vec<Open>, end: usize) -> Statement {
+        let outermost = open.last().map_or(end, |open| open.at.min(end));
+        while start < outermost {
+            let next = match self.kind(start) {
+                Some(Kind::Else | Kind::Do | Kind::Try) => Some(start + 1),
+                Some(kind @ (Kind::If | Kind::While | Kind::For | Kind::Switch | Kind::Catch)) => {
+                    let body = self.closing(start + 1, outermost).map(|close| close + 1);
+                    // The other side, where the first lacks its `;`.
+                    let other = (kind == Kind::If
+                        && body.is_some_and(|body| self.kind(body) != Some(Kind::If)))
+                    .then(|| (start..outermost).find(|&at| self.kind(at) == Some(Kind::Else)))
+                    .flatten();
+                    other.or(body)
+                }
+                Some(Kind::Case) => self.colon(start, outermost).map(|colon| colon + 1),
+                Some(Kind::Default) if self.kind(start + 1) == Some(Kind::Colon) => Some(start + 2),
+                Some(Kind::Identifier)
+                    if self.kind(start + 1) == Some(Kind::Colon)
+                        && self.block(start).is_none_or(|block| block.kind != BlockKind::Record) =>
+                {
+                    Some(start + 2)
+                }
+                _ => None,
+            };
+            match next {
+                Some(next) if next <= outermost => start = next,
+                _ => break,
+            }
+        }
+        Statement { start, open }
+    }
+
+    /// The bracket that closes the one at `open`, before `end`.
+    fn closing(&self, open: usize, end: usize) -> Option<usize> {
+        let mut depth = 0_usize;
+        for index in open..end {
+            match self.kind(index)? {
+                Kind::OpenParen | Kind::OpenBracket | Kind::StringOpen => depth += 1,
+                Kind::CloseParen | Kind::CloseBracket | Kind::StringClose => {
+                    depth = depth.checked_sub(1)?;
+                    if depth == 0 {
+                        return Some(index);
+                    }
+                }
+                _ if depth == 0 => return None,
+                _ => {}
+            }
+        }
+        None
+    }
+
+    /// The `:` of a `case`, before `end`.
+    fn colon(&self, case: usize, end: usize) -> Option<usize> {
+        (case..end).find(|&index| self.kind(index) == Some(Kind::Colon))
+    }
+
+    /// Whether a statement ends between two tokens: then they are no pair of brackets. The parts of a `for` do not count.
+    fn ends_between(&self, open: usize, close: usize) -> bool {
+        let header = self.previous(open) == Some(Kind::For);
+        (open + 1..close).any(|index| match self.kind(index) {
+            Some(Kind::Semicolon) => !header,
+            Some(Kind::OpenBrace | Kind::CloseBrace) => true,
+            _ => false,
+        })
+    }
+
+    /// The `(` of the `for` whose parts a `;` separates.
+    fn for_header(&self, semicolon: usize) -> Option<usize> {
+        let mut index = semicolon;
+        while let Some(before) = index.checked_sub(1) {
+            match self.kind(before)? {
+                Kind::CloseParen | Kind::CloseBracket | Kind::StringClose => {
+                    index = self.opening(before)?;
+                    continue;
+                }
+                Kind::OpenParen => return (self.previous(before) == Some(Kind::For)).then_some(before),
+                Kind::OpenBracket | Kind::OpenBrace | Kind::CloseBrace | Kind::InterpolationOpen => {
+                    return None;
+                }
+                _ => index = before,
+            }
+        }
+        None
+    }
+
+    /// The token at which the string opens that a `{` of it at `at` belongs to.
+    fn string_of(&self, at: usize) -> usize {
+        let mut depth = 0_usize;
+        for index in (0..at).rev() {
+            match self.kind(index) {
+                Some(Kind::StringClose) => depth += 1,
+                Some(Kind::StringOpen) if depth == 0 => return index,
+                Some(Kind::StringOpen) => depth -= 1,
+                _ => {}
+            }
+        }
+        0
+    }
+
+    fn bracket(&self, at: usize) -> Bracket {
+        let previous = self.previous(at);
+        if self.kind(at) == Some(Kind::OpenBracket) {
+            return match previous {
+                Some(Kind::In) => Bracket::Choices,
+                Some(Kind::Identifier | Kind::CloseParen | Kind::CloseBracket) if !self.begins_line(at) => {
+                    Bracket::Index
+                }
+                _ => Bracket::List,
+            };
+        }
+        match previous {
+            Some(Kind::If | Kind::While) => Bracket::Condition,
+            Some(Kind::Switch) => Bracket::Switch,
+            Some(Kind::For) => Bracket::For,
+            Some(Kind::Catch) => Bracket::Catch,
+            Some(Kind::Identifier) if at >= 2 && self.kind(at - 2) == Some(Kind::Function) => {
+                Bracket::Parameters
+            }
+            Some(Kind::Function) => Bracket::Parameters,
+            Some(Kind::Identifier) => Bracket::Call,
+            _ => Bracket::Group,
+        }
+    }
+
+    /// Whether a token may be the last of an expression.
+    pub fn ends_expression(&self, at: usize) -> bool {
+        matches!(
+            self.kind(at),
+            Some(
+                Kind::Number
+                    | Kind::Identifier
+                    | Kind::StringClose
+                    | Kind::True
+                    | Kind::False
+                    | Kind::CloseParen
+                    | Kind::CloseBracket
+                    | Kind::Percent
+            )
+        )
+    }
+
+    /// The blocks around a token, innermost first.
+    pub fn blocks(&self, before: usize) -> impl Iterator<Item = Block> {
+        let mut depth = 0_usize;
+        let mut at = before;
+        std::iter::from_fn(move || {
+            while let Some(index) = at.checked_sub(1) {
+                at = index;
+                match self.kind(index)? {
+                    Kind::CloseBrace => depth += 1,
+                    Kind::OpenBrace if depth > 0 => depth -= 1,
+                    Kind::OpenBrace => return Some(self.block_at(index)),
+                    // These stand at the top level only: a brace above them was left open.
+                    Kind::Import | Kind::Units | Kind::Param | Kind::Output
+                        if depth == 0 && self.begins_line(index) =>
+                    {
+                        at = 0;
+                        return None;
+                    }
+                    _ => {}
+                }
+            }
+            None
+        })
+    }
+
+    /// The innermost block around a token.
+    pub fn block(&self, before: usize) -> Option<Block> {
+        self.blocks(before).next()
+    }
+
+    fn block_at(&self, brace: usize) -> Block {
+        let plain = Block { kind: BlockKind::Plain, head: brace };
+        let Some(last) = brace.checked_sub(1) else { return plain };
+        match self.kind(last) {
+            Some(Kind::Do) => return Block { kind: BlockKind::Loop, head: last },
+            Some(Kind::Try) => return Block { kind: BlockKind::Try, head: last },
+            Some(Kind::Identifier) if self.previous(last) == Some(Kind::Record) => {
+                return Block { kind: BlockKind::Record, head: last - 1 };
+            }
+            Some(Kind::CloseParen) => {
+                if let Some(head) = self.opening(last).and_then(|open| open.checked_sub(1)) {
+                    let kind = match self.kind(head) {
+                        Some(Kind::For | Kind::While) => Some(BlockKind::Loop),
+                        Some(Kind::Switch) => Some(BlockKind::Switch),
+                        Some(Kind::Catch) => Some(BlockKind::Catch),
+                        _ => None,
+                    };
+                    if let Some(kind) = kind {
+                        return Block { kind, head };
+                    }
+                    if self.previous(head) == Some(Kind::Function) {
+                        return Block { kind: BlockKind::Function, head: head - 1 };
+                    }
+                }
+            }
+            _ => {}
+        }
+        // `function f(...) -> Length {`
+        let within = |&index: &usize| {
+            !matches!(self.kind(index), Some(Kind::Semicolon | Kind::OpenBrace | Kind::CloseBrace))
+        };
+        let mut head = (0..brace).rev().take_while(within);
+        match head.find(|&index| self.kind(index) == Some(Kind::Function)) {
+            Some(head) => Block { kind: BlockKind::Function, head },
+            None => plain,
+        }
+    }
+
+    /// The calls around the cursor in a statement, innermost first.
+    pub fn calls(&self, statement: &Statement) -> Vec<Call> {
+        let calls = statement.open.iter().filter(|open| open.kind == Bracket::Call);
+        calls.filter_map(|open| self.call(open.at)).collect()
+    }
+
+    /// The call whose arguments an open `(` begins.
+    pub fn call(&self, open: usize) -> Option<Call> {
+        let last = open.checked_sub(1)?;
+        let mut path = vec![self.source(last).to_string()];
+        let mut first = last;
+        while let Some(before) = first.checked_sub(2)
+            && self.kind(first - 1) == Some(Kind::Dot)
+            && self.kind(before) == Some(Kind::Identifier)
+        {
+            path.insert(0, self.source(before).to_string());
+            first = before;
+        }
+        let callee = self.range(first).start..self.range(last).end;
+        let mut arguments = Vec::new();
+        let mut active = 0;
+        let mut start = open + 1;
+        let margin = self.indentation(callee.start);
+        loop {
+            let end = self.argument_end(start, margin);
+            if start <= self.before {
+                active = arguments.len();
+            }
+            let followed = self.kind(end) == Some(Kind::Comma);
+            // After a last comma there is an argument only if the cursor is there.
+            if end > start || followed || start == self.before {
+                arguments.push(self.given(start, end));
+            }
+            if !followed {
+                break;
+            }
+            start = end + 1;
+        }
+        Some(Call { path, callee, arguments, active })
+    }
+
+    /// The token that ends the argument beginning at `start`: a comma, a bracket that closes, or the statement's end. Where the
+    /// bracket is not closed yet, an assignment on a line that stands no further in than the call is a statement of its own.
+    fn argument_end(&self, start: usize, margin: usize) -> usize {
+        let mut depth = 0_usize;
+        let mut index = start;
+        while let Some(kind) = self.kind(index) {
+            match kind {
+                Kind::Comma if depth == 0 => break,
+                Kind::OpenParen | Kind::OpenBracket | Kind::StringOpen => depth += 1,
+                Kind::CloseParen | Kind::CloseBracket | Kind::StringClose if depth > 0 => depth -= 1,
+                Kind::CloseParen | Kind::CloseBracket | Kind::InterpolationClose if depth == 0 => break,
+                Kind::Semicolon | Kind::OpenBrace | Kind::CloseBrace => break,
+                _ if kind.begins_statement() && !self.is_under_cursor(index) => break,
+                Kind::Identifier
+                    if !self.is_under_cursor(index)
+                        && self.begins_line(index)
+                        && self.indentation(self.range(index).start) <= margin
+                        && matches!(self.kind(index + 1), Some(Kind::Assign | Kind::Bind)) =>
+                {
+                    break;
+                }
+                _ => {}
+            }
+            index += 1;
+        }
+        index
+    }
+
+    fn given(&self, start: usize, end: usize) -> Given {
+        if self.kind(start) == Some(Kind::DotDot) {
+            let name = self.kind(start + 1) == Some(Kind::Identifier) && end == start + 2;
+            let spread = if name { self.source(start + 1).to_string() } else { String::new() };
+            return Given { spread: Some(spread), ..Given::default() };
+        }
+        let bound = matches!(self.kind(start + 1), Some(Kind::Assign | Kind::Bind)) && start + 1 < end;
+        let name =
+            (bound && self.kind(start) == Some(Kind::Identifier)).then(|| self.source(start).to_string());
+        let empty = end == start || (start == self.before && end == self.next());
+        Given { name, spread: None, empty }
+    }
+}

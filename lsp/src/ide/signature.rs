@@ -1,0 +1,132 @@
+//! What is called around a cursor, and which of its parameters the cursor gives.
+
+use super::callee::{self, matched, position};
+use super::completion::parameter_text;
+use super::cursor::{Around, Call, Standing};
+use super::{Position, Snapshot};
+use calyx_lang::analysis::{CallParameter, Callable, Visible};
+use calyx_lang::ast::Mode;
+use calyx_lang::db::Database;
+use std::ops::Range;
+
+/// Characters after which an editor asks, and after which it asks again.
+pub const TRIGGERS: &[&str] = &["(", ","];
+pub const RETRIGGERS: &[&str] = &[")", "="];
+
+/// A function as it is called.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Signature {
+    /// `gears.lead_crown(depth: Length) -> Modification`
+    pub label: String,
+    pub doc: Option<String>,
+    pub parameters: Vec<Shown>,
+    /// Of the parameters; `None` where the cursor gives none of them.
+    pub active: Option<usize>,
+}
+
+/// A parameter in a signature.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Shown {
+    /// Its bytes in the label.
+    pub label: Range<usize>,
+    /// What it is, its default, and what it may be.
+    pub doc: String,
+}
+
+/// The innermost call around a cursor that calls something known.
+pub fn signature(snapshot: &Snapshot, at: &Position) -> Option<Signature> {
+    let database = &snapshot.database;
+    let (text, tokens) = (database.text(&at.file)?, database.tokens(&at.file)?);
+    let around = Around::new(text, &tokens, at.offset as usize);
+    let end = match around.standing(&tokens) {
+        Standing::Comment => return None,
+        Standing::Text(_) => around.string_open()?,
+        Standing::Code | Standing::Number => around.before,
+    };
+    let calls = around.calls(&around.statement(end));
+    if calls.is_empty() {
+        return None;
+    }
+    let visible = database.seen(&at.file, at.offset);
+    let known = calls.iter().find_map(|call| {
+        let callable = callee::callable(database, &visible, &call.path)?;
+        Some((call, callable))
+    });
+    let (call, callable) = known?;
+    let active = active(database, &visible, call, &callable, around.prefix());
+    Some(show(call, callable, active))
+}
+
+/// The parameter that the cursor gives.
+fn active(
+    database: &Database,
+    visible: &[Visible],
+    call: &Call,
+    callable: &Callable,
+    typed: &str,
+) -> Option<usize> {
+    let given = call.arguments.get(call.active);
+    if given.is_some_and(|given| given.spread.is_some()) {
+        return None;
+    }
+    if let Some(name) = given.and_then(|given| given.name.as_deref()) {
+        return callable.parameters.iter().position(|parameter| *parameter.name == *name);
+    }
+    let fields = |record: &str| callee::fields_of(database, visible, record).unwrap_or_default();
+    let matched = matched(callable, call, &fields);
+    let begun = |at: &&usize| {
+        let parameter = callable.parameters.get(**at);
+        !typed.is_empty() && parameter.is_some_and(|parameter| parameter.name.starts_with(typed))
+    };
+    match matched.in_order {
+        true => position(callable, call.active),
+        // Behind arguments by name comes another: the one that is begun, or the next.
+        false => matched.left.iter().find(begun).or(matched.left.first()).copied(),
+    }
+}
+
+fn show(call: &Call, callable: Callable, active: Option<usize>) -> Signature {
+    let mut label = format!("{}(", call.path.join("."));
+    let mut parameters = Vec::new();
+    for (at, parameter) in callable.parameters.iter().enumerate() {
+        if at > 0 {
+            label.push_str(", ");
+        }
+        let start = label.len();
+        label.push_str(&written(parameter));
+        parameters.push(Shown { label: start..label.len(), doc: parameter_text(parameter) });
+    }
+    if callable.open {
+        label.push_str(", ...");
+    }
+    label.push(')');
+    if let Some(result) = &callable.result {
+        label.push_str(" -> ");
+        label.push_str(result);
+    }
+    Signature { label, doc: callable.doc, parameters, active }
+}
+
+/// `out least: Length`, `depth: Length = 1 mm`, `frame := Transform`
+fn written(parameter: &CallParameter) -> String {
+    let mode = match parameter.mode {
+        Mode::In => "",
+        Mode::Out => "out ",
+        Mode::InOut => "inout ",
+    };
+    let ty =
+        parameter.ty.strip_prefix("Symbolic(").and_then(|ty| ty.strip_suffix(')')).unwrap_or(&parameter.ty);
+    let mut written = format!("{mode}{}", parameter.name);
+    if parameter.symbolic {
+        written.push_str(" := ");
+        written.push_str(ty);
+    } else if ty.len() > 1 {
+        written.push_str(": ");
+        written.push_str(ty);
+    }
+    if let Some(default) = &parameter.default {
+        written.push_str(" = ");
+        written.push_str(default);
+    }
+    written
+}
