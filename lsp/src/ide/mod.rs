@@ -1,13 +1,10 @@
 //! Questions about a snapshot of the texts, one file a feature.
 
 pub mod actions;
-<<<<<<< HEAD
 pub mod call_hierarchy;
-pub mod code_lenses;
-=======
 mod callee;
+pub mod code_lenses;
 pub mod completion;
->>>>>>> d0c1271 (Completion and signature help: what fits a cursor, also in half-typed code; types as they were last checked, so that nothing waits)
 mod constant;
 pub mod cursor;
 pub mod definition;
@@ -26,12 +23,9 @@ mod problems;
 pub mod references;
 pub mod rename;
 pub mod selection;
-<<<<<<< HEAD
 pub mod semantic_tokens;
-=======
 mod shape;
 pub mod signature;
->>>>>>> d0c1271 (Completion and signature help: what fits a cursor, also in half-typed code; types as they were last checked, so that nothing waits)
 pub mod source;
 pub mod symbols;
 mod symbols_of;

@@ -5,12 +5,9 @@
 //! with functions; both are called below.
 
 mod actions;
-<<<<<<< HEAD
 mod call_hierarchy;
 mod code_lenses;
-=======
 mod completion;
->>>>>>> d0c1271 (Completion and signature help: what fits a cursor, also in half-typed code; types as they were last checked, so that nothing waits)
 mod formatting;
 mod inlay_hints;
 mod navigation;
