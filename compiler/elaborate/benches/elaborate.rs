@@ -1,6 +1,7 @@
 //! How long an elaboration takes, and how soon it ends after it was cancelled, on the pair of the report and on a model
-//! of many gears: `cargo bench -p calyx-elaborate`.
+//! of many gears; how long a symbolic definition takes to be told: `cargo bench -p calyx-elaborate`.
 
+use calyx_elaborate::binding::{binding, definition_in};
 use calyx_elaborate::{Cancel, ModelLoader, Params, elaborate};
 use calyx_lang::ir::Program;
 use std::thread;
@@ -12,6 +13,14 @@ const CANCELLED: u32 = 200;
 fn main() {
     measure("spur pair", &program(include_str!("../../../examples/spur_pair.cx")));
     measure("train of 60 gears", &program(&train(60)));
+    tell("a frame of the pair", include_str!("../../../examples/spur_pair.cx"), "frame := Rotate(-speed");
+    let joints: Vec<String> =
+        (1..=8).map(|k| format!("Rotate({k} rpm * Time, e3) * Translate({k} mm * e1)")).collect();
+    let arm = format!(
+        "var X := {};\nvar a := derivative(derivative(origin(X), Time), Time);\nprint(a at Time = 1 s);",
+        joints.join(" * ")
+    );
+    tell("the acceleration of an arm of 8 joints", &arm, "var a");
 }
 
 fn program(text: &str) -> Program {
@@ -65,6 +74,21 @@ fn measure(name: &str, program: &Program) {
         at(0.95),
         at(1.0)
     );
+}
+
+/// How long the text of a definition takes, that a card shows: the one in the statement or argument that begins so.
+fn tell(name: &str, text: &str, head: &str) {
+    let program = program(text);
+    let start = text.find(head).expect("the definition is there");
+    let end = start + text[start..].find(';').expect("it ends");
+    let told = (0..20).map(|_| {
+        let began = Instant::now();
+        let id = definition_in(&program, 0, start as u32, end as u32).expect("it is used");
+        let binding = binding(&program, id).expect("it is a formula");
+        (began.elapsed(), binding.operations)
+    });
+    let (time, operations) = told.min().expect("it was told");
+    println!("{name}, {operations} operations, as text in {time:.1?}");
 }
 
 /// How long after it was cancelled an elaboration ended; `None` if it had ended before.
