@@ -1,14 +1,21 @@
 //! What holds for every text, also for broken ones.
 
 use super::changed;
+use calyx_lang::check::Loader;
+use calyx_lang::db::Database;
 use calyx_lang::lexer::CommentKind;
+use calyx_lsp::ide::call_hierarchy::{incoming, outgoing, prepare};
+use calyx_lsp::ide::code_lenses::lenses;
+use calyx_lsp::ide::document_links::links;
 use calyx_lsp::ide::folding::folds;
 use calyx_lsp::ide::formatting::{format_file, format_selection};
+use calyx_lsp::ide::inlay_hints::{Results, Wanted, hints};
 use calyx_lsp::ide::selection::selections;
 use calyx_lsp::ide::semantic_tokens::{SemanticToken, difference, tokens};
 use calyx_lsp::ide::source::Source;
 use calyx_lsp::ide::symbols::{Symbol, Types, symbols};
 use calyx_lsp::ide::typing::typed;
+use calyx_lsp::ide::{Position, Snapshot};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -350,6 +357,65 @@ fn the_difference_of_tokens_makes_the_new_of_the_old() {
                 made.splice(change.start..change.start + change.removed, change.inserted);
             }
             assert_eq!(made, new);
+        }
+    }
+}
+
+/// The library, and no other module.
+struct LibraryAlone;
+
+impl LibraryAlone {
+    fn file(name: &str) -> Option<(String, String)> {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../stdlib-gears/calyx");
+        Some((format!("<library>/{name}"), fs::read_to_string(folder.join(name)).ok()?))
+    }
+}
+
+impl Loader for LibraryAlone {
+    fn module(&self, path: &[String]) -> Option<(String, String)> {
+        LibraryAlone::file(&format!("{}.cx", path.join("/")))
+    }
+
+    fn prelude(&self) -> (String, String) {
+        LibraryAlone::file("prelude.cx").expect("the library has a prelude")
+    }
+}
+
+#[test]
+fn checked_texts_are_answered_however_broken() {
+    const MODEL: &str = "model.cx";
+    let mut random = Random(0x0BAD_5EED_0BAD_5EED);
+    let pair =
+        fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples/spur_pair.cx")).unwrap();
+    let mut database = Database::new(&LibraryAlone);
+    for round in 0..60 {
+        let text = edited(if round % 2 == 0 { &pair } else { EVERYTHING }, &mut random);
+        database.set_model(MODEL, &text);
+        database.load_imports(MODEL, &LibraryAlone);
+        let snapshot = Snapshot::new(database.clone());
+        let source = Source::of(&snapshot, MODEL).expect("a model");
+        let whole = 0..text.len() as u32;
+        let names = snapshot.database.names(MODEL);
+        let all = tokens(&source, &names, whole.clone());
+        assert!(all.windows(2).all(|pair| pair[0].end <= pair[1].start), "{text}");
+        let found = hints(&snapshot, &source, MODEL, whole.clone(), Wanted::default(), &Results::default());
+        assert!(found.windows(2).all(|pair| pair[0].offset <= pair[1].offset));
+        assert!(found.iter().all(|hint| text.is_char_boundary(hint.offset as usize)), "{found:?}");
+        let range = place(&source, &mut random)..place(&source, &mut random);
+        let range = range.start.min(range.end)..range.start.max(range.end);
+        let part = hints(&snapshot, &source, MODEL, range.clone(), Wanted::default(), &Results::default());
+        let expected = found.iter().filter(|hint| range.start <= hint.offset && hint.offset <= range.end);
+        assert_eq!(part.iter().collect::<Vec<_>>(), expected.collect::<Vec<_>>(), "{range:?}\n{text}");
+        let places = lenses(&source, &MODEL.into()).into_iter().map(|lens| lens.start);
+        let places = places.chain(links(&snapshot, &source).into_iter().map(|link| link.end));
+        for offset in places.chain(names.iter().map(|name| name.start)) {
+            let position = Position { file: MODEL.into(), offset };
+            let Some(item) = prepare(&snapshot, &position) else { continue };
+            for caller in incoming(&snapshot, &item.place) {
+                // Who is said to call a function calls it.
+                let callees = outgoing(&snapshot, &caller.item.place);
+                assert!(callees.iter().any(|callee| callee.item.place == item.place), "{caller:?}\n{text}");
+            }
         }
     }
 }
