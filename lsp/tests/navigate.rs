@@ -105,7 +105,7 @@ fn what_belongs_together_is_marked() {
                 Some(false) => "r",
                 None => "",
             };
-            marked.insert_str(mark.range.end as usize, "]");
+            marked.insert(mark.range.end as usize, ']');
             marked.insert_str(mark.range.start as usize, &format!("{word}["));
         }
         marked

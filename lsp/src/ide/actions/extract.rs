@@ -82,10 +82,8 @@ fn evaluates_first(statement: &Stmt, e: &Expr) -> bool {
 
 /// Whether computing an expression earlier changes nothing.
 fn is_movable(asked: &Asked, around: &Around, e: &Expr) -> bool {
-    let perhaps = around.expressions().filter(|outer| outer.span != e.span).any(|outer| match &outer.kind {
-        ExprKind::If { .. } => true,
-        ExprKind::Binary { op: BinaryOp::And | BinaryOp::Or, .. } => true,
-        _ => false,
+    let perhaps = around.expressions().filter(|outer| outer.span != e.span).any(|outer| {
+        matches!(&outer.kind, ExprKind::If { .. } | ExprKind::Binary { op: BinaryOp::And | BinaryOp::Or, .. })
     });
     let mut indexes = false;
     Node::Expression(e).walk(&mut |node| {
