@@ -5,6 +5,7 @@ use calyx_lang::check::builtin_names;
 use calyx_lang::dimension::Dimension;
 use calyx_lang::lexer::keywords;
 use calyx_lang::units::Unit;
+use calyx_lsp::ide::semantic_tokens::{KINDS, MODIFIERS};
 use serde_json::Value;
 use std::collections::BTreeSet;
 
@@ -208,4 +209,45 @@ fn the_emacs_mode_has_the_languages_words() {
     assert_eq!(words(&["calyx--builtins"]), functions());
     assert_eq!(words(&["calyx--units"]), units());
     assert!(set(Dimension::names()).is_subset(&words(&["calyx--types"])));
+}
+
+/// What the protocol has names for; themes know their colours.
+const OF_THE_PROTOCOL: [&str; 19] = [
+    "comment",
+    "keyword",
+    "number",
+    "string",
+    "operator",
+    "namespace",
+    "type",
+    "struct",
+    "parameter",
+    "variable",
+    "property",
+    "function",
+    "label",
+    "declaration",
+    "definition",
+    "readonly",
+    "modification",
+    "documentation",
+    "defaultLibrary",
+];
+
+#[test]
+fn the_extension_gives_colours_to_what_the_server_tells_apart() {
+    let manifest: Value = serde_json::from_str(&read("vscode/package.json")).expect("JSON");
+    let declared = |kind: &str| -> Words {
+        let all = manifest["contributes"][kind].as_array().expect("a list");
+        all.iter().map(|one| one["id"].as_str().expect("a name").to_owned()).collect()
+    };
+    let own = |names: &[&str]| set(names.iter().copied().filter(|name| !OF_THE_PROTOCOL.contains(name)));
+    assert_eq!(declared("semanticTokenTypes"), own(&KINDS));
+    assert_eq!(declared("semanticTokenModifiers"), own(&MODIFIERS));
+    let scopes = &manifest["contributes"]["semanticTokenScopes"][0]["scopes"];
+    let selectors = scopes.as_object().expect("scopes").keys();
+    let known: Words = KINDS.iter().chain(&MODIFIERS).map(|name| (*name).to_owned()).collect();
+    for part in selectors.flat_map(|selector| selector.split('.')).filter(|part| *part != "*") {
+        assert!(known.contains(part), "the server has no `{part}`");
+    }
 }

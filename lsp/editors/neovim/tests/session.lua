@@ -177,6 +177,21 @@ step('broken grammar is reported, and what follows stays right', function()
   eventually('the error goes', function() return #diagnostics() == 0 end, diagnostics)
 end)
 
+step('a named argument is completed in half-typed code', function()
+  go_to('tip_radius = tip_radius);')
+  type_keys('Cti<C-x><C-o>')
+  local items = eventually('the menu is shown', function()
+    local info = lua("return vim.fn.complete_info({ 'pum_visible', 'items' })")
+    return info.pum_visible == 1 and info.items
+  end, text)
+  -- What is offered first is what the call still lacks.
+  assert((items[1].abbr or items[1].word):match('^tip_radius'), vim.inspect(items[1]))
+  type_keys('<C-n><C-y>')
+  eventually('it is put in', function() return text():find('\n%s+tip_radius') end, text)
+  type_keys('<Esc>u')
+  eventually('undone', function() return text() == original end, text)
+end)
+
 step('hovering over a parameter shows its dimension', function()
   go_to('moment = torque * e3', #'moment = ')
   type_keys('K')
