@@ -194,7 +194,12 @@ fn memory(name: &str) -> f64 {
 fn main() {
     let mut editor = Editor::new();
     println!("{LINES} lines, {ROUNDS} rounds; ms {:>11} {:>8} {:>8} {:>8}", "median", "95 %", "most", "busy");
-    of_diagnostics(&mut editor);
+    // `-- hover` measures requests of that name only, `-- memory` memory.
+    let wanted = std::env::args().skip(1).find(|argument| !argument.starts_with('-'));
+    let wanted = |name: &str| wanted.as_ref().is_none_or(|wanted| name.contains(wanted.as_str()));
+    if wanted("diagnostics") {
+        of_diagnostics(&mut editor);
+    }
     let methods = [
         "textDocument/completion",
         "textDocument/hover",
@@ -210,9 +215,11 @@ fn main() {
         "textDocument/codeLens",
         "textDocument/formatting",
     ];
-    for method in methods {
+    for method in methods.into_iter().filter(|method| wanted(method)) {
         of_request(&mut editor, method);
     }
-    of_memory(&mut editor);
+    if wanted("memory") {
+        of_memory(&mut editor);
+    }
     editor.client.leave();
 }

@@ -7,13 +7,16 @@ use std::sync::Arc;
 use tower_lsp_server::jsonrpc::{Error, Result};
 use tower_lsp_server::ls_types::request::Request;
 
+/// Params in, result out, both as JSON.
+type Answer<On> = Arc<dyn Fn(&On, Value) -> Result<Value> + Send + Sync>;
+
 /// How the requests of one method are answered.
 #[derive(Clone)]
 pub(super) enum Route {
     /// On a view of the project of the document it is about.
-    OfDocument(Arc<dyn Fn(&View, Value) -> Result<Value> + Send + Sync>),
+    OfDocument(Answer<View>),
     /// On views of all projects.
-    OfWorkspace(Arc<dyn Fn(&[View], Value) -> Result<Value> + Send + Sync>),
+    OfWorkspace(Answer<[View]>),
 }
 
 /// Requests by their methods. Answers are computed on threads of their own, several at a time; when a text changes meanwhile they are

@@ -39,7 +39,7 @@ pub struct Document {
 
 /// What has become of a project.
 pub enum Changed {
-    Project(View),
+    Project(Box<View>),
     /// Its last document was closed.
     Gone(Key),
 }
@@ -185,7 +185,7 @@ impl Workspace {
         let key = latest.or_else(|| self.dirty.first())?.clone();
         self.dirty.remove(&key);
         Some(match self.view_of(&key, "".into()) {
-            Some(view) => Changed::Project(view),
+            Some(view) => Changed::Project(Box::new(view)),
             None => Changed::Gone(key),
         })
     }
