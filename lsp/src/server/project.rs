@@ -42,6 +42,9 @@ pub trait Sources {
     fn imported_in(&self, folder: &Path) -> BTreeSet<String>;
 }
 
+/// Changes after which a database is given up for a new one.
+const MOST_CHANGES: usize = 2000;
+
 /// Models that share a folder, and what they import.
 pub struct Project {
     /// `None` for a text that is not in a file, and for the library itself.
@@ -50,8 +53,10 @@ pub struct Project {
     files: Arc<Files>,
     /// Open files that are home here, in the order they were opened; what else is there is there because these import it.
     opened: Vec<Arc<str>>,
-    /// Names of the models that only import a module that is open, so that it is checked.
+    /// Modules that are open: each has a model that only imports it, so that it is checked.
     importers: BTreeSet<String>,
+    /// Changes since the database was new.
+    changes: usize,
     elaborated: Arc<BTreeMap<Arc<str>, Arc<Elaborated>>>,
     library: Arc<Library>,
 }
@@ -85,6 +90,7 @@ impl Project {
             files: Arc::new(Files::from([(prelude.name.as_str().into(), file)])),
             opened: Vec::new(),
             importers: BTreeSet::new(),
+            changes: 0,
             elaborated: Arc::default(),
             library: library.clone(),
         };
@@ -124,7 +130,7 @@ impl Project {
     pub fn models(&self) -> Vec<Arc<str>> {
         let is_model = |name: &&Arc<str>| self.files.get(*name).is_some_and(|file| file.role == Role::Model);
         let open = self.opened.iter().filter(is_model).cloned();
-        open.chain(self.importers.iter().map(|name| name.as_str().into())).collect()
+        open.chain(self.importers.iter().map(|path| importer(path).into())).collect()
     }
 
     pub fn has_opened(&self, name: &str) -> bool {
@@ -149,6 +155,10 @@ impl Project {
         let Some(file) = self.files.get(name) else { return false };
         let same = imports(file.text.content()) == imports(text.content());
         self.put(name, text, file.role.clone(), file.of_library);
+        self.changes += 1;
+        if self.changes >= MOST_CHANGES {
+            self.renew();
+        }
         !same
     }
 
@@ -248,9 +258,8 @@ impl Project {
     }
 
     fn set_importers(&mut self, paths: BTreeSet<String>) {
-        let names: BTreeSet<String> = paths.iter().map(|path| importer(path)).collect();
-        for gone in self.importers.difference(&names) {
-            self.database.remove_model(gone);
+        for gone in self.importers.difference(&paths) {
+            self.database.remove_model(&importer(gone));
         }
         self.importers.clear();
         for path in paths {
@@ -260,9 +269,27 @@ impl Project {
 
     /// Has a module checked although no open model imports it.
     fn import(&mut self, path: &str) {
-        let name = importer(path);
-        self.database.set_model(&name, &format!("import {path};\n"));
-        self.importers.insert(name);
+        self.database.set_model(&importer(path), &format!("import {path};\n"));
+        self.importers.insert(path.to_owned());
+    }
+
+    /// Begins with a new database. The old one keeps a little of every text it has seen, which adds up over a day.
+    fn renew(&mut self) {
+        self.changes = 0;
+        let mut database = Database::new(&LibraryLoader(&self.library));
+        for (name, file) in &*self.files {
+            match &file.role {
+                Role::Model => database.set_model(name, file.text.content()),
+                Role::Module(path) => database.set_module(path, name, file.text.content()),
+                Role::Prelude => {}
+            }
+        }
+        for path in &self.importers {
+            database.set_model(&importer(path), &format!("import {path};\n"));
+        }
+        let old = std::mem::replace(&mut self.database, database);
+        // It is large, and the client waits.
+        std::thread::spawn(move || drop(old));
     }
 }
 
