@@ -1,4 +1,4 @@
-//! Between places of [`ide`](crate::ide) and those of the protocol.
+//! Between places of [`ide`] and those of the protocol.
 
 use super::view::View;
 use crate::ide;
