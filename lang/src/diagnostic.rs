@@ -70,9 +70,7 @@ impl Diagnostic {
         let to = |span: &mut Span| *span = Span { file, start: span.start + by, end: span.end + by };
         to(&mut moved.primary.span);
         moved.labels.iter_mut().for_each(|label| to(&mut label.span));
-        if let Some(fix) = &mut moved.fix {
-            to(&mut fix.span);
-        }
+        moved.fix.iter_mut().chain(&mut moved.suggestions).for_each(|fix| to(&mut fix.span));
         moved
     }
 

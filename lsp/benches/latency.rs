@@ -62,7 +62,9 @@ impl Editor {
         let position = json!({ "line": line, "character": character });
         let params = json!({
             "textDocument": { "uri": MODEL }, "position": position, "range": { "start": position, "end": position },
-            "context": { "diagnostics": [], "includeDeclaration": true }, "options": { "tabSize": 4, "insertSpaces": true },
+            "context": {
+                "diagnostics": [], "includeDeclaration": true, "triggerKind": 1, "isRetrigger": false,
+            }, "options": { "tabSize": 4, "insertSpaces": true },
         });
         self.client.ask(method, params).unwrap_or_default()
     }

@@ -247,7 +247,10 @@ fn parameter<'a>(
 
 /// `Length`, `Array(Number)`, `Force/Length^2`, `1/Length`
 pub(super) fn type_expression<'a>(source: &'a Source<'a>) -> Rule<'a, TypeExpr> {
-    let mut any = Recursive::declare();
+    recursive(|any| type_grammar(source, any.boxed())).boxed()
+}
+
+fn type_grammar<'a>(source: &'a Source<'a>, any: Rule<'a, TypeExpr>) -> Rule<'a, TypeExpr> {
     let spanned = |kind: Rule<'a, TypeKind>| {
         kind.map_with(|kind, extra| TypeExpr { kind, span: source.range(extra.span()) }).boxed()
     };
@@ -303,8 +306,7 @@ pub(super) fn type_expression<'a>(source: &'a Source<'a>) -> Rule<'a, TypeExpr> 
         infix(left(1), just(Kind::Star), move |l, _, r, _: &mut _| join(l, r, TypeKind::Product)),
         infix(left(1), just(Kind::Slash), move |l, _, r, _: &mut _| join(l, r, TypeKind::Quotient)),
     ));
-    any.define(grammar.boxed());
-    any.boxed()
+    grammar.boxed()
 }
 
 /// The exponent of a dimension: `2`, `-1`, `(1/2)`.

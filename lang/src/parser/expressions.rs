@@ -39,26 +39,36 @@ const POWER: u16 = 7;
 const SUFFIX: u16 = 8;
 
 pub(super) fn expressions<'a>(source: &'a Source<'a>) -> Expressions<'a> {
-    let mut full = Recursive::declare();
-    let mut operators = Recursive::declare();
-    let any = full.clone().boxed();
-
-    let list = list(source, any.clone());
+    // Inside itself a rule is known weakly: rules that hold each other are never freed, and an editor builds them at every key.
+    let full = recursive(|any| {
+        let any = any.boxed();
+        at_clause(source, operators(source, any.clone()), any)
+    });
+    let any = full.boxed();
     let condition = condition(source, any.clone());
-    let atom = choice((
-        number(source),
-        string(source, any.clone()),
-        boolean(source),
-        variable(source),
-        parenthesised(source, any.clone()),
-        spanned(source, list.clone().map(ExprKind::List)),
-        conditional(source, condition.clone(), any.clone(), operators.clone().boxed()),
-        missing(source),
-    ))
-    .boxed();
-    operators.define(operator_grammar(source, atom, any.clone()));
-    full.define(at_clause(source, operators.clone().boxed(), any.clone()));
-    Expressions { full: any, operators: operators.boxed(), condition, list }
+    let list = list(source, any.clone());
+    Expressions { operators: operators(source, any.clone()), full: any, condition, list }
+}
+
+/// Operators and what they stand between; without `at`.
+fn operators<'a>(source: &'a Source<'a>, any: Rule<'a, Expr>) -> Rule<'a, Expr> {
+    let rule = recursive(|operators| {
+        let list = list(source, any.clone());
+        let condition = condition(source, any.clone());
+        let atom = choice((
+            number(source),
+            string(source, any.clone()),
+            boolean(source),
+            variable(source),
+            parenthesised(source, any.clone()),
+            spanned(source, list.map(ExprKind::List)),
+            conditional(source, condition, any.clone(), operators.boxed()),
+            missing(source),
+        ))
+        .boxed();
+        operator_grammar(source, atom, any.clone())
+    });
+    rule.boxed()
 }
 
 /// Wraps a node with the place of its tokens.

@@ -40,27 +40,29 @@ fn spanned<'a>(
 
 /// Any statement. Does not apply at a `}` and at the end of the file only.
 fn statement<'a>(source: &'a Source<'a>) -> Rule<'a, Stmt> {
-    let mut any = Recursive::declare();
     let e = expressions(source);
-    // Where a statement must follow.
-    let body = any.clone().or(spanned(source, missing(source))).boxed();
-    let kind = choice((
-        declarations::interface(source, &e),
-        declarations::function(source, &e, body.clone()),
-        definitions::definition(source, &e),
-        simple(source, &e).then_ignore(semicolon(source)).boxed(),
-        jump(source, &e).then_ignore(semicolon(source)).boxed(),
-        block(source, any.clone().boxed()),
-        conditional(source, &e, body.clone()),
-        loops(source, &e, body.clone()),
-        labelled(source, &e, body.clone()),
-        try_catch(source, body),
-        expression_or_assignment(source, &e).then_ignore(semicolon(source)).boxed(),
-        unusable(source),
-    ));
-    let hidden = declarations::private(source).ignore_then(kind.clone().or(missing(source)));
-    let hidden = spanned(source, hidden).map(|statement| Stmt { private: true, ..statement });
-    any.define(hidden.or(spanned(source, kind)));
+    let any = recursive(|any| {
+        let any = any.boxed();
+        // Where a statement must follow.
+        let body = any.clone().or(spanned(source, missing(source))).boxed();
+        let kind = choice((
+            declarations::interface(source, &e),
+            declarations::function(source, &e, body.clone()),
+            definitions::definition(source, &e),
+            simple(source, &e).then_ignore(semicolon(source)).boxed(),
+            jump(source, &e).then_ignore(semicolon(source)).boxed(),
+            block(source, any),
+            conditional(source, &e, body.clone()),
+            loops(source, &e, body.clone()),
+            labelled(source, &e, body.clone()),
+            try_catch(source, body),
+            expression_or_assignment(source, &e).then_ignore(semicolon(source)).boxed(),
+            unusable(source),
+        ));
+        let hidden = declarations::private(source).ignore_then(kind.clone().or(missing(source)));
+        let hidden = spanned(source, hidden).map(|statement| Stmt { private: true, ..statement });
+        hidden.or(spanned(source, kind))
+    });
     any.boxed()
 }
 

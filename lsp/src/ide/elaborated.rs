@@ -89,6 +89,7 @@ impl Elaborated {
             let mut found = found.clone();
             found.primary.span = moved(found.primary.span)?;
             found.labels.retain_mut(|label| moved(label.span).map(|span| label.span = span).is_some());
+            found.suggestions.retain_mut(|fix| moved(fix.span).map(|span| fix.span = span).is_some());
             found.fix = found.fix.and_then(|fix| Some(Fix { span: moved(fix.span)?, ..fix }));
             Some(found)
         });

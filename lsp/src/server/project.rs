@@ -42,9 +42,6 @@ pub trait Sources {
     fn imported_in(&self, folder: &Path) -> BTreeSet<String>;
 }
 
-/// Changes after which a database is given up for a new one.
-const MOST_CHANGES: usize = 2000;
-
 /// Models that share a folder, and what they import.
 pub struct Project {
     /// `None` for a text that is not in a file, and for the library itself.
@@ -55,8 +52,6 @@ pub struct Project {
     opened: Vec<Arc<str>>,
     /// Modules that are open: each has a model that only imports it, so that it is checked.
     importers: BTreeSet<String>,
-    /// Changes since the database was new.
-    changes: usize,
     elaborated: Arc<BTreeMap<Arc<str>, Arc<Elaborated>>>,
     library: Arc<Library>,
 }
@@ -90,7 +85,6 @@ impl Project {
             files: Arc::new(Files::from([(prelude.name.as_str().into(), file)])),
             opened: Vec::new(),
             importers: BTreeSet::new(),
-            changes: 0,
             elaborated: Arc::default(),
             library: library.clone(),
         };
@@ -155,10 +149,6 @@ impl Project {
         let Some(file) = self.files.get(name) else { return false };
         let same = imports(file.text.content()) == imports(text.content());
         self.put(name, text, file.role.clone(), file.of_library);
-        self.changes += 1;
-        if self.changes >= MOST_CHANGES {
-            self.renew();
-        }
         !same
     }
 
@@ -271,25 +261,6 @@ impl Project {
     fn import(&mut self, path: &str) {
         self.database.set_model(&importer(path), &format!("import {path};\n"));
         self.importers.insert(path.to_owned());
-    }
-
-    /// Begins with a new database. The old one keeps a little of every text it has seen, which adds up over a day.
-    fn renew(&mut self) {
-        self.changes = 0;
-        let mut database = Database::new(&LibraryLoader(&self.library));
-        for (name, file) in &*self.files {
-            match &file.role {
-                Role::Model => database.set_model(name, file.text.content()),
-                Role::Module(path) => database.set_module(path, name, file.text.content()),
-                Role::Prelude => {}
-            }
-        }
-        for path in &self.importers {
-            database.set_model(&importer(path), &format!("import {path};\n"));
-        }
-        let old = std::mem::replace(&mut self.database, database);
-        // It is large, and the client waits.
-        std::thread::spawn(move || drop(old));
     }
 }
 
