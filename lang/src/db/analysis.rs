@@ -3,7 +3,7 @@
 //! Meanings are found by item, relative to its start, and kept until the unit that the item is checked in is checked again.
 
 use super::groups::group_of;
-use super::items::{Item, Part, items, module, parse, parts, tokens};
+use super::items::{Item, Part, facts, items, module, parse, parts, tokens};
 use super::units::{check_group, check_top, dependents, id};
 use super::{Database, Library, Parsed, Text};
 use crate::analysis::*;
@@ -16,9 +16,11 @@ use crate::check::{Shown, builtins, expressions};
 use crate::declared::{self, Declared};
 use crate::deep::deep;
 use crate::lexer::Tokens;
+use crate::parser::{self, pieces::Placed};
 use crate::relocate;
 use crate::scope::{self, Local};
 use crate::span::{FileId, Span};
+use crate::units::UnitSystem;
 use salsa::Id;
 use salsa::plumbing::FromId;
 use std::collections::HashMap;
@@ -512,6 +514,21 @@ impl Database {
         let text = self.find(file)?;
         let all = deep(|| parts(&self.salsa, text));
         all.get(all.partition_point(|part| part.start <= offset).checked_sub(1)?)
+    }
+
+    /// The top-level statement around an offset, in a tree of its own with places of the file: much less to make than the
+    /// whole tree after an edit.
+    pub fn around(&self, file: &str, offset: u32) -> Option<Arc<Parsed>> {
+        let part = self.part_at(file, offset)?;
+        let start = part.start as usize;
+        let placed = Placed { range: start..start, piece: part.piece.clone() };
+        let (module, diagnostics) = parser::assemble(FileId(0), &Tokens::default(), &[placed]);
+        Some(Arc::new(Parsed { module, diagnostics }))
+    }
+
+    /// The system of units that a file names.
+    pub fn system(&self, file: &str) -> Option<UnitSystem> {
+        facts(&self.salsa, self.find(file)?).system
     }
 
     /// What the declaration of a name says. `place` is that of the name.

@@ -1,11 +1,10 @@
 //! Values that are known from the text alone: of constants, and of params at their defaults.
 
-use super::numbers::system;
 use calyx_abi::math;
 use calyx_abi::units::to_si;
 use calyx_lang::analysis::{NameKind, Place};
 use calyx_lang::ast::{BinaryOp, Expr, ExprKind, StmtKind, UnaryOp};
-use calyx_lang::db::{Database, Parsed};
+use calyx_lang::db::Database;
 use calyx_lang::declared::{Declared, find};
 use calyx_lang::dimension::Dimension;
 use calyx_lang::units::{Unit, powered};
@@ -24,8 +23,8 @@ pub struct Known {
 /// The value of the constant or param that is declared at a place; `None` if it is no number, or more than literals, units,
 /// constants and functions of the language.
 pub fn of_declaration(database: &Database, place: &Place) -> Option<Known> {
-    let file = Evaluation::new(database, &place.file, DEEPEST)?;
-    let tree = file.tree.clone();
+    let file = Evaluation::new(database, &place.file, DEEPEST);
+    let tree = database.around(&place.file, place.start)?;
     let (_, Declared::Statement(statement)) = find(&tree.module, place.start)? else { return None };
     let value = match &statement.kind {
         StmtKind::Const { value, .. } => value,
@@ -42,13 +41,12 @@ pub fn of_declaration(database: &Database, place: &Place) -> Option<Known> {
 struct Evaluation<'d> {
     database: &'d Database,
     file: Arc<str>,
-    tree: Arc<Parsed>,
     left: usize,
 }
 
 impl<'d> Evaluation<'d> {
-    fn new(database: &'d Database, file: &str, left: usize) -> Option<Evaluation<'d>> {
-        Some(Evaluation { database, file: file.into(), tree: database.tree(file)?, left })
+    fn new(database: &'d Database, file: &str, left: usize) -> Evaluation<'d> {
+        Evaluation { database, file: file.into(), left }
     }
 
     fn value(&self, e: &Expr) -> Option<f64> {
@@ -98,7 +96,7 @@ impl<'d> Evaluation<'d> {
             typed.iter().find(|typed| (typed.start, typed.end) == (e.span.start, e.span.end) && typed.bare);
         match here.and_then(|typed| typed.dimension) {
             Some(dimension) => {
-                let unit = system(&self.tree.module).unwrap_or_default().unit_of(dimension);
+                let unit = self.database.system(&self.file).unwrap_or_default().unit_of(dimension);
                 to_si(value, unit.factor)
             }
             None => value,
@@ -115,8 +113,8 @@ impl<'d> Evaluation<'d> {
                 _ => None,
             },
             (NameKind::Const | NameKind::Param, Some(place)) => {
-                let there = Evaluation::new(self.database, &place.file, self.left.checked_sub(1)?)?;
-                let tree = there.tree.clone();
+                let there = Evaluation::new(self.database, &place.file, self.left.checked_sub(1)?);
+                let tree = self.database.around(&place.file, place.start)?;
                 let (_, Declared::Statement(statement)) = find(&tree.module, place.start)? else {
                     return None;
                 };

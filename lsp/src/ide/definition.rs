@@ -76,7 +76,7 @@ fn declared(snapshot: &Snapshot, name: &Name, place: &Place) -> Option<Definitio
 
 /// The statement that declares what is declared at a place.
 fn item(snapshot: &Snapshot, place: &Place) -> Option<Range<u32>> {
-    let tree = snapshot.database.tree(&place.file)?;
+    let tree = snapshot.database.around(&place.file, place.start)?;
     let (top, found) = find(&tree.module, place.start)?;
     let span = match found {
         Declared::Statement(statement) | Declared::Variable(statement, _) | Declared::Caught(statement) => {

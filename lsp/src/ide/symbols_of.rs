@@ -58,7 +58,7 @@ impl Walk<'_> {
         if self.seen.len() >= MOST_NAMES || !self.seen.insert(place.clone()) {
             return Some(());
         }
-        let tree = self.database.tree(&place.file)?;
+        let tree = self.database.around(&place.file, place.start)?;
         let value = value_at(&tree.module, place.start)?;
         let range = value.span.start..value.span.end;
         let names = self.database.names_in(&place.file, range.clone());

@@ -16,7 +16,7 @@ const LONGEST: usize = 400;
 /// was not elaborated with it.
 pub(super) fn of(snapshot: &Snapshot, place: &Place) -> Option<(Option<String>, String)> {
     let database = &snapshot.database;
-    let tree = database.tree(&place.file)?;
+    let tree = database.around(&place.file, place.start)?;
     let span = value_at(&tree.module, place.start)?.span;
     let written = database.text(&place.file)?.get(span.start as usize..span.end as usize)?;
     snapshot.elaborated.values().find_map(|elaborated| {
@@ -79,7 +79,7 @@ pub(super) fn value(
 ) -> Option<String> {
     let elaborated = snapshot.elaborated.get(&place.file)?;
     let value = elaborated.elaboration.values.get(name)?;
-    let tree = snapshot.database.tree(&place.file)?;
+    let tree = snapshot.database.around(&place.file, place.start)?;
     let top = tree.module.statements.iter().any(|statement| match &statement.kind {
         calyx_lang::ast::StmtKind::Var(all) => all.iter().any(|decl| decl.name.span.start == place.start),
         _ => false,

@@ -38,7 +38,7 @@ fn call(snapshot: &Snapshot, file: &str, name: &Name) -> Option<(String, u32)> {
     match (name.kind, &name.declared) {
         (NameKind::Extern | NameKind::Function, _) => Some((file.to_string(), name.end)),
         (NameKind::Variable, Some(place)) => {
-            let tree = snapshot.database.tree(&place.file)?;
+            let tree = snapshot.database.around(&place.file, place.start)?;
             let value = value_at(&tree.module, place.start)?;
             let ExprKind::Call { callee, .. } = &value.kind else { return None };
             Some((place.file.to_string(), callee.span.end))
@@ -49,7 +49,7 @@ fn call(snapshot: &Snapshot, file: &str, name: &Name) -> Option<(String, u32)> {
 
 /// Where the name that is called ends in the call at a place.
 fn callee_end(snapshot: &Snapshot, place: &Place) -> Option<u32> {
-    let tree = snapshot.database.tree(&place.file)?;
+    let tree = snapshot.database.around(&place.file, place.start)?;
     let around = Around::new(&tree.module, place.start..place.end);
     let e = around.expressions().find(|e| (e.span.start, e.span.end) == (place.start, place.end))?;
     let ExprKind::Call { callee, .. } = &e.kind else { return None };

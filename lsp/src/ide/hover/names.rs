@@ -2,7 +2,6 @@
 
 use super::words::card;
 use super::{code, expressions, gears, numbers, paragraphs};
-use crate::ide::numbers::system;
 use crate::ide::{Position, Snapshot, constant, symbols_of};
 use calyx_lang::analysis::{CallParameter, Declaration, Name, NameKind, Place};
 use calyx_lang::db::Database;
@@ -23,7 +22,7 @@ pub(super) fn of(snapshot: &Snapshot, at: &Position, name: &Name) -> Option<Stri
         return Some(paragraphs([Some(code(&format!("import {path};"))), database.module_doc(&place.file)]));
     }
     let declaration = database.declaration(place)?;
-    let system = database.tree(&at.file).and_then(|tree| system(&tree.module)).unwrap_or_default();
+    let system = database.system(&at.file).unwrap_or_default();
     if let Some(parameter) = parameter(database, place) {
         return Some(of_parameter(&parameter, &declaration, system));
     }
@@ -87,7 +86,7 @@ fn of_language(name: &Name) -> Option<String> {
 
 /// The parameter or field that is declared at a place, as it is called.
 fn parameter(database: &Database, place: &Place) -> Option<CallParameter> {
-    let tree = database.tree(&place.file)?;
+    let tree = database.around(&place.file, place.start)?;
     let owner = match find(&tree.module, place.start)?.1 {
         Declared::Parameter(decl, _) => decl.name.span,
         Declared::Field(decl, _) => decl.name.span,
@@ -137,7 +136,7 @@ fn dimension(snapshot: &Snapshot, at: &Position, name: &Name, place: &Place) -> 
     let used = here.iter().find(|typed| (typed.start, typed.end) == (name.start, name.end));
     let known = used.and_then(|typed| typed.dimension);
     let first = || {
-        let tree = database.tree(&place.file)?;
+        let tree = database.around(&place.file, place.start)?;
         let value = symbols_of::value_at(&tree.module, place.start)?;
         let typed = database.expressions(&place.file, value.span.start..value.span.end);
         typed.iter().find(|typed| (typed.start, typed.end) == (value.span.start, value.span.end))?.dimension

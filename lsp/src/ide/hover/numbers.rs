@@ -2,7 +2,7 @@
 
 use super::{Hover, paragraphs};
 use crate::ide::near::Around;
-use crate::ide::numbers::{Measured, in_unit, system};
+use crate::ide::numbers::{Measured, in_unit};
 use crate::ide::{Position, Snapshot};
 use calyx_abi::text::number;
 use calyx_lang::analysis::{Name, NameKind};
@@ -85,13 +85,13 @@ fn meaning(name: &str, unit: &Unit, system: UnitSystem) -> String {
 }
 
 fn system_of(snapshot: &Snapshot, file: &str) -> Option<UnitSystem> {
-    Some(system(&snapshot.database.tree(file)?.module).unwrap_or_default())
+    Some(snapshot.database.system(file).unwrap_or_default())
 }
 
 /// The widest product of a literal and units around a place.
 fn measured(snapshot: &Snapshot, at: &Position, start: u32) -> Option<(Measured, UnitSystem)> {
     let database = &snapshot.database;
-    let tree = database.tree(&at.file)?;
+    let tree = database.around(&at.file, start)?;
     let is_unit = |start| database.name_at(&at.file, start).is_none_or(|name| name.kind == NameKind::Unit);
     let around = Around::new(&tree.module, start..start);
     let found = around
@@ -101,7 +101,7 @@ fn measured(snapshot: &Snapshot, at: &Position, start: u32) -> Option<(Measured,
     // A cursor between two literals belongs to the later one in the tree.
     Some((
         found.filter(|found| found.start <= start && start <= found.end)?,
-        system(&tree.module).unwrap_or_default(),
+        database.system(&at.file).unwrap_or_default(),
     ))
 }
 
