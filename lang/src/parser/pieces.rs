@@ -70,8 +70,10 @@ fn parse_together(text: &str, ends_file: bool, ranges: &[Range<usize>], found: &
             own.push(statement);
         }
         while problems.next_if(|at| *at < start).is_some() {}
-        // The place behind the last token belongs to it.
-        let faulty = problems.peek().is_some_and(|at| *at <= end);
+        // What is missing at its end is missed at the next token.
+        let after = tokens.tokens.partition_point(|token| (token.span.start as usize) < end);
+        let next = tokens.tokens.get(after).map_or(end, |token| token.span.start as usize);
+        let faulty = problems.peek().is_some_and(|at| *at <= next);
         while tokens.tokens.get(at).is_some_and(|token| (token.span.start as usize) < start) {
             at += 1;
         }
@@ -173,6 +175,61 @@ impl Open {
             Some(Kind::Else | Kind::Catch) => true,
             Some(Kind::While) => self.loops > 0,
             _ => false,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const MODEL: &str = "\
+units inch_lbf_s;
+/// How wide.
+param size = 2 inch in 1 inch .. 3 inch;
+function area(in w, in h) { return w*h; }
+try { size; } catch (e) { print(e); }
+do size = size + 1; while (size < 3 inch);
+for (var i = 0; i < 3; i = i + 1) print(i);
+if (size > 1 inch) print(1); else print(2);
+output doubled := 2*area(size, size);
+print(\"{size : .3 mm}\");
+";
+
+    #[rustfmt::skip]
+    const WRITTEN: [&str; 26] = [
+        "{", "}", "(", ")", "[", ";", "var x = 1;", "/// Says it.\n", "// note\n", "\n", "else ", "try ", "do ", "while ",
+        "for (", "catch ", "function f(in a) ", "\"", "{x}", "output ", "units SI;", "@", "/*", "return ", "µ", "x = ",
+    ];
+
+    /// Numbers without pattern; the same in every run.
+    fn below(state: &mut u64, end: usize) -> usize {
+        *state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        (*state >> 33) as usize % end.max(1)
+    }
+
+    #[test]
+    fn pieces_parsed_together_are_as_parsed_alone() {
+        let (mut state, mut text) = (1, MODEL.to_string());
+        for round in 0..2000 {
+            if round % 20 == 0 {
+                text = MODEL.to_string();
+            }
+            let mut boundary = || {
+                let at = below(&mut state, text.len() + 1);
+                (at..=text.len()).find(|at| text.is_char_boundary(*at)).unwrap_or(0)
+            };
+            let (start, end) = (boundary(), boundary());
+            let end = if end > start && end < start + 20 { end } else { start };
+            let written = WRITTEN[below(&mut state, WRITTEN.len())];
+            text.replace_range(start..end, written);
+            let found = pieces(&text, &lex(FileId(0), &text), |_| None);
+            for (index, Placed { range, piece }) in found.iter().enumerate() {
+                let alone = &text[range.clone()];
+                let ends_file = index + 1 == found.len();
+                let (statements, problems) = parse_run(alone, &lex(FileId(0), alone), ends_file);
+                assert_eq!(**piece, Piece { statements, problems }, "{alone}\nin\n{text}");
+            }
         }
     }
 }
