@@ -205,7 +205,6 @@ fn main() {
     let methods = [
         "textDocument/completion",
         "textDocument/hover",
-        "textDocument/signatureHelp",
         "textDocument/definition",
         "textDocument/documentHighlight",
         "textDocument/references",
