@@ -111,7 +111,7 @@ impl Kind {
     }
 
     /// Whether an expression can end with this token.
-    fn ends_expression(self) -> bool {
+    pub fn ends_expression(self) -> bool {
         matches!(
             self,
             Kind::Number

@@ -445,19 +445,7 @@ impl<'a> Around<'a> {
 
     /// Whether a token may be the last of an expression.
     pub fn ends_expression(&self, at: usize) -> bool {
-        matches!(
-            self.kind(at),
-            Some(
-                Kind::Number
-                    | Kind::Identifier
-                    | Kind::StringClose
-                    | Kind::True
-                    | Kind::False
-                    | Kind::CloseParen
-                    | Kind::CloseBracket
-                    | Kind::Percent
-            )
-        )
+        self.kind(at).is_some_and(Kind::ends_expression)
     }
 
     /// The blocks around a token, innermost first.

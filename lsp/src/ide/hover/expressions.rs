@@ -53,11 +53,14 @@ fn symbols(found: &Binding) -> String {
         names.map(|symbol| format!("`{}`", symbol.name)).collect::<Vec<_>>().join(", ")
     };
     let free = named(&[SymbolKind::Time, SymbolKind::Param, SymbolKind::Argument]);
-    let mut facts = vec![match free.is_empty() {
-        true => "depends on no symbol".to_string(),
-        false => format!("depends on {free}"),
-    }];
     let observed = named(&[SymbolKind::Observable]);
+    let mut facts = Vec::new();
+    match (free.is_empty(), observed.is_empty()) {
+        (true, true) => facts.push("depends on no symbol".to_string()),
+        // What is observed changes from position to position: that is said alone.
+        (true, false) => {}
+        (false, _) => facts.push(format!("depends on {free}")),
+    }
     if !observed.is_empty() {
         facts.push(format!("observes {observed}"));
     }
