@@ -2,12 +2,12 @@
 
 use calyx_abi::description::ModelDescription;
 use calyx_abi::{Context, Kernel, RuntimeError, Slot};
-use calyx_codegen::{CodegenError, JitModule, compile_jit, compile_object};
+use calyx_codegen::{CodegenError, JitModule, ObjectOptions, compile_jit, compile_object};
 use calyx_elaborate::diagnostics::{diagnostic, finding_diagnostic};
 use calyx_elaborate::nan::{Seen, explain};
 use calyx_elaborate::{Checked, param_function};
 use calyx_gears::host::Finding;
-use calyx_gears::library::externs;
+use calyx_gears::library::{FINGERPRINT, externs};
 use calyx_lang::diagnostic::{Diagnostic, Severity};
 use calyx_lang::ir::{Program, SourceFile};
 use calyx_lower::interpret::CallSites;
@@ -83,7 +83,8 @@ impl Module {
     pub fn object(&self) -> Result<Vec<u8>, CompileError> {
         let description =
             calyx_lang::description::to_json(&self.description).map_err(CompileError::Description)?;
-        compile_object(&self.program, &description).map_err(CompileError::Code)
+        let options = ObjectOptions { entry: true, ..ObjectOptions::new("calyx", &description, FINGERPRINT) };
+        compile_object(&self.program, &options).map_err(CompileError::Code)
     }
 
     /// Whether checking found errors of the gears, which other params may mend.

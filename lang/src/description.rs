@@ -2,16 +2,16 @@
 
 use crate::ir::{DisplayUnit, Program};
 use crate::units::Unit;
-use calyx_abi::ABI_VERSION;
+use calyx_abi::Fingerprint;
 use calyx_abi::description::{
     CaptureDescription, FileDescription, KernelDescription, ModelDescription, OutputDescription,
     ParamDescription, UnitDescription,
 };
 
-/// Describes a program. Defaults and ranges of params are left `None`: whoever elaborates the program fills them in.
-pub fn describe(program: &Program) -> ModelDescription {
+/// Describes a program that runs with an engine of this fingerprint. Defaults and ranges of params are left `None`: whoever elaborates the program fills them in.
+pub fn describe(program: &Program, abi: Fingerprint) -> ModelDescription {
     ModelDescription {
-        abi_version: ABI_VERSION,
+        abi,
         name: program.files.first().map(|file| file.name.clone()).unwrap_or_default(),
         doc: program.doc.clone(),
         units: program.units.clone(),

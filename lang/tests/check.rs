@@ -215,7 +215,7 @@ fn the_example_becomes_a_program() {
     assert_eq!((torque.unit.name.as_str(), torque.integral), ("lbf*inch", false));
     assert!(program.params[7].integral, "steps is a count");
     assert!(program.doc.starts_with("Spur pair of the report"));
-    let description = calyx_lang::description::describe(&program);
+    let description = calyx_lang::description::describe(&program, calyx_abi::Fingerprint::default());
     let json = calyx_lang::description::to_json(&description).expect("writes");
     assert_eq!(calyx_lang::description::from_json(&json).expect("reads"), description);
 }

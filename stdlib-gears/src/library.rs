@@ -1,6 +1,6 @@
 //! The library's Calyx source, and the table of the functions behind it.
 
-use calyx_abi::{Extern, standard};
+use calyx_abi::{Extern, Fingerprint, standard};
 use std::sync::LazyLock;
 
 /// A library module: its import path, the name it is shown by, its text.
@@ -18,9 +18,14 @@ pub const PRELUDE: LibraryModule =
 pub const MODULES: &[LibraryModule] =
     &[LibraryModule { path: "gears", file: "<library>/gears.cx", text: include_str!("../calyx/gears.cx") }];
 
-/// Every function that programs may call: the library's, and those of the language itself.
+/// The tables of functions that programs may call: the library's, and those of the language itself.
+const TABLES: &[&[Extern]] = &[crate::externs::EXTERNS, crate::tables::EXTERNS, standard::EXTERNS];
+
+/// What code must have been compiled against to run with this engine.
+pub const FINGERPRINT: Fingerprint = Fingerprint::of(TABLES);
+
+/// Every function that programs may call.
 pub fn externs() -> &'static [Extern] {
-    static ALL: LazyLock<Vec<Extern>> =
-        LazyLock::new(|| [crate::externs::EXTERNS, crate::tables::EXTERNS, standard::EXTERNS].concat());
+    static ALL: LazyLock<Vec<Extern>> = LazyLock::new(|| TABLES.concat());
     &ALL
 }

@@ -61,14 +61,14 @@ fn every_declared_function_is_provided_as_declared() {
         let row = externs().iter().find(|row| row.symbol == symbol);
         let row = row.unwrap_or_else(|| panic!("the engine has no {symbol}"));
         let provided: Vec<(String, Repr)> =
-            row.params.iter().map(|(name, repr)| ((*name).into(), repr())).collect();
+            row.params.iter().map(|(name, shape)| ((*name).into(), shape.repr())).collect();
         let wanted = decl.parameters.iter().map(|parameter| {
             let ty =
                 parameter.annotation.as_ref().unwrap_or_else(|| panic!("{symbol}: {}", parameter.name.name));
             (parameter.name.name.clone(), repr(ty))
         });
         assert_eq!(provided, wanted.collect::<Vec<_>>(), "{symbol}");
-        assert_eq!((row.result)(), decl.result.as_ref().map_or(Repr::Unit, repr), "{symbol}");
+        assert_eq!(row.result.repr(), decl.result.as_ref().map_or(Repr::Unit, repr), "{symbol}");
         let FunctionBody::Extern { purity } = &decl.body else { unreachable!("only externs are listed") };
         let purity = match purity.as_ref().map(|purity| purity.name.as_str()) {
             Some("pure") => Purity::Pure,

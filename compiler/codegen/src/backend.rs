@@ -65,14 +65,27 @@ pub fn native_isa(effort: Effort) -> Result<OwnedTargetIsa, CodegenError> {
     builder.finish(flags(false, effort)?).map_err(|error| CodegenError::Cranelift(error.to_string()))
 }
 
-/// Settings of object files: every machine of this architecture (for x86-64 that is SSE2).
+/// The machines that an object file is for.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum TargetCpu {
+    /// Every machine of this architecture (for x86-64 that is SSE2).
+    #[default]
+    Baseline,
+    /// This very machine, and those that have all it has.
+    Native,
+}
+
+/// Settings of object files.
 ///
 /// What the baseline lacks is called, never emulated differently: `floor` and its like are calls everywhere, and
 /// nothing is fused, so that object files give the bits of code in memory.
-pub fn baseline_isa() -> Result<OwnedTargetIsa, CodegenError> {
-    let triple =
-        cranelift_native::builder().map_err(|error| CodegenError::Cranelift(error.into()))?.triple().clone();
-    let builder = isa::lookup(triple).map_err(|error| CodegenError::Cranelift(error.to_string()))?;
+pub fn object_isa(cpu: TargetCpu) -> Result<OwnedTargetIsa, CodegenError> {
+    let native = cranelift_native::builder().map_err(|error| CodegenError::Cranelift(error.into()))?;
+    let builder = match cpu {
+        TargetCpu::Native => native,
+        TargetCpu::Baseline => isa::lookup(native.triple().clone())
+            .map_err(|error| CodegenError::Cranelift(error.to_string()))?,
+    };
     builder.finish(flags(true, Effort::Speed)?).map_err(|error| CodegenError::Cranelift(error.to_string()))
 }
 

@@ -21,11 +21,12 @@ mod scalar;
 mod statement;
 mod together;
 
-pub use backend::Backend;
+pub use backend::{Backend, TargetCpu};
 pub use batch::{Batch, BatchError, BatchKernel, compile_batch};
 pub use error::CodegenError;
 pub use jit::JitModule;
 pub use listing::{Listing, list};
+pub use object::{ObjectOptions, model_symbol};
 
 use calyx_abi::{Extern, Kernel};
 use calyx_lang::ir::Program;
@@ -69,13 +70,13 @@ pub fn compile_kernel(tape: &Tape) -> Result<Arc<dyn Kernel>, CodegenError> {
 
 /// Compiles a program into an object file for this kind of machine, to be linked with `calyx-rt`.
 ///
-/// It exports `calyx_model`, a [`calyx_abi::description::ModuleTable`], and `main`, which calls
-/// `calyx_rt_main(argc, argv, &calyx_model)`.
+/// It exports `NAME_model`, a [`calyx_abi::description::ModuleTable`], and, if it is to be an executable, `main`, which
+/// calls `calyx_rt_main(argc, argv, &NAME_model)`.
 ///
 /// # Errors
 /// As [`compile_jit`], except that missing functions show when it is linked.
-pub fn compile_object(program: &Program, description_json: &str) -> Result<Vec<u8>, CodegenError> {
-    compile_object_with_tapes(program, &lower_sites(program).map_err(CodegenError::Kernel)?, description_json)
+pub fn compile_object(program: &Program, options: &ObjectOptions) -> Result<Vec<u8>, CodegenError> {
+    compile_object_with_tapes(program, &lower_sites(program).map_err(CodegenError::Kernel)?, options)
 }
 
 /// As [`compile_object`], with the kernels' tapes (one per site) made beforehand.
@@ -85,7 +86,7 @@ pub fn compile_object(program: &Program, description_json: &str) -> Result<Vec<u
 pub fn compile_object_with_tapes(
     program: &Program,
     tapes: &[Tape],
-    description_json: &str,
+    options: &ObjectOptions,
 ) -> Result<Vec<u8>, CodegenError> {
-    backend::compile(object::ObjectFile::new(program, description_json)?, program, tapes)
+    backend::compile(object::ObjectFile::new(program, options)?, program, tapes)
 }

@@ -1,9 +1,9 @@
 //! Code in an object file.
 
-use crate::backend::{Backend, Lowered, baseline_isa};
+use crate::backend::{Backend, Lowered, TargetCpu, object_isa};
 use crate::error::CodegenError;
 use crate::function::SLOT;
-use calyx_abi::ABI_VERSION;
+use calyx_abi::Fingerprint;
 use calyx_abi::description::ModuleTable;
 use calyx_lang::ir::{FunctionId, Program};
 use cranelift_codegen::Context;
@@ -13,23 +13,49 @@ use cranelift_module::{DataDescription, DataId, FuncId, Linkage, Module, default
 use cranelift_object::{ObjectBuilder, ObjectModule};
 use std::mem::{offset_of, size_of};
 
+/// What an object file holds beside the program's code.
+#[derive(Clone, Debug)]
+pub struct ObjectOptions<'p> {
+    /// The model's name, a word of C: the file exports `NAME_model`.
+    pub name: &'p str,
+    /// The description as JSON.
+    pub description: &'p str,
+    /// Of the engine that the code may call.
+    pub abi: Fingerprint,
+    pub cpu: TargetCpu,
+    /// Whether the file has a `main`, which makes it an executable with the runtime library and nothing else.
+    pub entry: bool,
+}
+
+impl<'p> ObjectOptions<'p> {
+    /// For every machine of this architecture, without `main`.
+    pub fn new(name: &'p str, description: &'p str, abi: Fingerprint) -> Self {
+        ObjectOptions { name, description, abi, cpu: TargetCpu::Baseline, entry: false }
+    }
+}
+
+/// Symbol of the table of the model called `name`.
+pub fn model_symbol(name: &str) -> String {
+    format!("{name}_model")
+}
+
 /// The back end that writes an object file.
 pub struct ObjectFile<'p> {
     module: ObjectModule,
-    description: &'p str,
+    options: &'p ObjectOptions<'p>,
     main: FunctionId,
     /// Three per param: default, low, high.
     param_functions: Vec<Option<FunctionId>>,
 }
 
 impl<'p> ObjectFile<'p> {
-    /// Begins the object file of a program with its description as JSON.
-    pub fn new(program: &Program, description: &'p str) -> Result<Self, CodegenError> {
-        let builder = ObjectBuilder::new(baseline_isa()?, "calyx_model", default_libcall_names())?;
+    /// Begins the object file of a program.
+    pub fn new(program: &Program, options: &'p ObjectOptions<'p>) -> Result<Self, CodegenError> {
+        let builder = ObjectBuilder::new(object_isa(options.cpu)?, options.name, default_libcall_names())?;
         let ends = |param: &calyx_lang::ir::Param| [Some(param.default), param.low, param.high];
         Ok(ObjectFile {
             module: ObjectModule::new(builder),
-            description,
+            options,
             main: program.main,
             param_functions: program.params.iter().flat_map(ends).collect(),
         })
@@ -68,18 +94,19 @@ impl<'p> ObjectFile<'p> {
         let parts = [
             (offset_of!(ModuleTable, kernels), self.data(vec![0; kernel_bytes], &kernels)?),
             (offset_of!(ModuleTable, param_functions), self.data(vec![0; param_bytes], &param_functions)?),
-            (offset_of!(ModuleTable, description), self.data(self.description.into(), &[])?),
+            (offset_of!(ModuleTable, description), self.data(self.options.description.into(), &[])?),
         ];
 
         let mut bytes = vec![0; size_of::<ModuleTable>()];
         for (offset, number) in [
-            (offset_of!(ModuleTable, abi_version), ABI_VERSION),
+            (offset_of!(ModuleTable, abi), self.options.abi.0),
             (offset_of!(ModuleTable, kernel_count), lowered.kernels.len() as u64),
-            (offset_of!(ModuleTable, description_len), self.description.len() as u64),
+            (offset_of!(ModuleTable, description_len), self.options.description.len() as u64),
         ] {
             bytes[offset..offset + SLOT].copy_from_slice(&number.to_ne_bytes());
         }
-        let table = self.module.declare_data("calyx_model", Linkage::Export, false, false)?;
+        let table =
+            self.module.declare_data(&model_symbol(self.options.name), Linkage::Export, false, false)?;
         let mut data = DataDescription::new();
         data.define(bytes.into());
         data.set_align(SLOT as u64);
@@ -93,7 +120,7 @@ impl<'p> ObjectFile<'p> {
         Ok(table)
     }
 
-    /// Exports `main(argc, argv)`, which returns `calyx_rt_main(argc, argv, &calyx_model)`.
+    /// Exports `main(argc, argv)`, which returns `calyx_rt_main(argc, argv, &NAME_model)`.
     fn entry(&mut self, table: DataId) -> Result<(), CodegenError> {
         let mut signature = self.module.make_signature();
         signature.params.extend([AbiParam::new(types::I32), AbiParam::new(types::I64)]);
@@ -133,7 +160,9 @@ impl Backend for ObjectFile<'_> {
 
     fn finish(mut self, lowered: Lowered) -> Result<Vec<u8>, CodegenError> {
         let table = self.table(&lowered)?;
-        self.entry(table)?;
+        if self.options.entry {
+            self.entry(table)?;
+        }
         self.module.finish().emit().map_err(|error| CodegenError::Cranelift(error.to_string()))
     }
 }

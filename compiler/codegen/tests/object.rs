@@ -4,7 +4,8 @@
 #[allow(dead_code, reason = "shared by several tests")]
 mod common;
 
-use calyx_abi::{entry, math};
+use calyx_abi::{Fingerprint, entry, math};
+use calyx_codegen::{ObjectOptions, TargetCpu};
 use calyx_lang::ir::*;
 use calyx_lang::span::Span;
 use calyx_symbolic::{Instruction, Tape};
@@ -22,13 +23,13 @@ const RUNNER: &str = r#"
 typedef int32_t (*slot_fn)(void *, const uint64_t *, uint64_t *);
 typedef void (*kernel_fn)(const double *, double *);
 struct table {
-    uint64_t abi_version; slot_fn main; kernel_fn *kernels; uint64_t kernel_count;
+    uint64_t abi; slot_fn main; kernel_fn *kernels; uint64_t kernel_count;
     const char *description; uint64_t description_len; slot_fn *param_functions;
 };
 struct context { uint64_t granted, depth; uint32_t place[3]; };
 double calyx_math_floor(double x) { return floor(x); }
 int calyx_rt_main(int argc, char **argv, const struct table *model) {
-    printf("%llu %.*s %d\n", (unsigned long long)model->abi_version, (int)model->description_len,
+    printf("%llu %.*s %d\n", (unsigned long long)model->abi, (int)model->description_len,
            model->description, argc);
     struct context context = {1000, 0, {0, 0, 0}};
     uint64_t result = 0;
@@ -113,11 +114,14 @@ fn a_linked_object_file_runs() {
     module.kernels()[0].eval(&[0.1, -7.3], &mut outputs);
     assert!(outputs.iter().any(|x| x.is_finite() && x.fract() != 0.0), "{outputs:?}");
     let bits = outputs.map(|x| format!("{:x}\n", x.to_bits())).concat();
-    let expected = format!("{} {{\"é\":1}} 2\n{default:x}\n{bits}", calyx_abi::ABI_VERSION);
+    let abi = Fingerprint(77);
+    let expected = format!("{} {{\"é\":1}} 2\n{default:x}\n{bits}", abi.0);
 
     let directory = tempfile::tempdir().unwrap();
     let file = |name: &str| directory.path().join(name);
-    let object = calyx_codegen::compile_object_with_tapes(&program, &tapes, "{\"é\":1}").unwrap();
+    let options =
+        ObjectOptions { entry: true, cpu: TargetCpu::Native, ..ObjectOptions::new("m", "{\"é\":1}", abi) };
+    let object = calyx_codegen::compile_object_with_tapes(&program, &tapes, &options).unwrap();
     std::fs::write(file("model.o"), object).unwrap();
     std::fs::write(file("runner.c"), [RUNNER, &stubs()].concat()).unwrap();
     let linked = Command::new("cc")

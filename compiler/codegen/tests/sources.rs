@@ -3,6 +3,8 @@
 #[allow(dead_code, reason = "shared by several tests")]
 mod common;
 
+use calyx_abi::Fingerprint;
+use calyx_codegen::ObjectOptions;
 use common::text::{check, read};
 use common::*;
 
@@ -88,7 +90,10 @@ fn models_print_the_same_by_both_evaluators() {
 #[test]
 fn the_example_compiles() {
     let program = check(&read("examples/spur_pair.cx"));
-    let description = calyx_lang::description::to_json(&calyx_lang::description::describe(&program)).unwrap();
-    let object = calyx_codegen::compile_object(&program, &description).unwrap();
+    let abi = Fingerprint::of(&[&externs()]);
+    let description =
+        calyx_lang::description::to_json(&calyx_lang::description::describe(&program, abi)).unwrap();
+    let options = ObjectOptions::new("spur_pair", &description, abi);
+    let object = calyx_codegen::compile_object(&program, &options).unwrap();
     assert!(object.len() > description.len());
 }

@@ -2,7 +2,7 @@
 
 use calyx_abi::description::{ModelDescription, ParamValue};
 use calyx_abi::{Context, Kernel, Purity, Repr, RuntimeError, Slot};
-use calyx_gears::library::externs;
+use calyx_gears::library::{FINGERPRINT, externs};
 use calyx_lang::diagnostic::Diagnostic;
 use calyx_lang::ir::{FunctionId, Program};
 use calyx_lower::interpret::{Interpreter, NanTrace};
@@ -42,7 +42,7 @@ impl<'p> Interpreted<'p> {
                 .help("`extern` declares functions of the engine; write your own without it, with a body")
         })?;
         let kernels = tapes.into_iter().map(|tape| Arc::new(TapeKernel(tape)) as Arc<dyn Kernel>).collect();
-        let description = calyx_lang::description::describe(program);
+        let description = calyx_lang::description::describe(program, FINGERPRINT);
         Ok(Interpreted { program, interpreter, kernels, description })
     }
 

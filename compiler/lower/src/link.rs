@@ -44,9 +44,9 @@ pub fn resolve_externs<'e>(program: &Program, externs: &'e [Extern]) -> Result<V
             span: declaration.span,
         };
         let row = externs.iter().find(|row| row.symbol == declaration.symbol).ok_or_else(|| error(false))?;
-        let provided = row.params.iter().map(|(_, repr)| repr().slots());
+        let provided = row.params.iter().map(|(_, shape)| shape.slots());
         let declared = declaration.parameters.iter().map(|(_, repr)| repr.slots());
-        let same = provided.eq(declared) && (row.result)().slots() == declaration.result.slots();
+        let same = provided.eq(declared) && row.result.slots() == declaration.result.slots();
         if same { Ok(row) } else { Err(error(true)) }
     };
     program.externs.iter().map(resolve).collect()

@@ -1,9 +1,7 @@
 //! The calling convention: every function, compiled or provided by the engine, takes and returns 64-bit slots.
 
 use crate::context::Context;
-
-/// Version of everything in this crate that generated code depends on. Checked when a module is loaded.
-pub const ABI_VERSION: u64 = 2;
+use crate::shape::Shape;
 
 /// One 64-bit machine word: the bits of an `f64`, a truth value (0 or 1), or a [`crate::HeapId`].
 pub type Slot = u64;
@@ -88,7 +86,7 @@ pub enum Purity {
 }
 
 /// Name and representation of a provided function's parameter.
-pub type ExternParameter = (&'static str, fn() -> Repr);
+pub type ExternParameter = (&'static str, Shape);
 
 /// One function that the engine provides to programs: the row from which the interpreter's table, the machine
 /// code's symbol table and the link symbols all come.
@@ -99,6 +97,6 @@ pub struct Extern {
     pub purity: Purity,
     /// In order.
     pub params: &'static [ExternParameter],
-    pub result: fn() -> Repr,
+    pub result: Shape,
     pub call: SlotFn,
 }

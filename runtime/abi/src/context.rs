@@ -20,7 +20,7 @@ pub const MAX_DEPTH: u64 = 1000;
 /// One running model.
 ///
 /// The first three fields are the only ones that generated code reads and writes itself, at the offsets of
-/// [`Layout`]; object files rely on them, so a change is a change of [`crate::ABI_VERSION`].
+/// [`Layout`]; object files rely on them, so they are part of its [`Fingerprint`](crate::Fingerprint).
 #[repr(C)]
 pub struct Context {
     /// Basic blocks that may be entered before [`crate::limits::refuel`] must be asked for more.

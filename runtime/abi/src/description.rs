@@ -3,13 +3,14 @@
 //! In an object file it is stored as JSON. Here are its structure, and the C layout by which a linked model is found.
 
 use crate::call::{KernelFn, Repr, SlotFn};
+use crate::fingerprint::Fingerprint;
 use serde::{Deserialize, Serialize};
 
-/// A linked model, as the object file exports it under the symbol `calyx_model`.
+/// A linked model, as the object file exports it under the symbol `NAME_model`.
 #[repr(C)]
 pub struct ModuleTable {
-    /// [`crate::ABI_VERSION`] of the compiler.
-    pub abi_version: u64,
+    /// The [`Fingerprint`] that the code was compiled against.
+    pub abi: u64,
     /// Runs the program's top level once.
     pub main: SlotFn,
     /// Kernels in order of site.
@@ -36,8 +37,8 @@ pub type Exponents = [(i32, i32); 5 + OWN_BASES];
 /// The description itself. Kept as JSON in object files and run directories.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct ModelDescription {
-    /// [`crate::ABI_VERSION`] of the compiler.
-    pub abi_version: u64,
+    /// What the code was compiled against.
+    pub abi: Fingerprint,
     /// The model's file as shown to people.
     pub name: String,
     /// Text of the doc comment that opens the model's file; empty if there is none.

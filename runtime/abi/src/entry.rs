@@ -112,6 +112,10 @@ macro_rules! entry_points {
             }
         )+
 
+        /// Link symbol of every helper, and how many arguments it takes after the context.
+        pub const ENTRY_SIGNATURES: &[(&str, usize)] =
+            &[$((stringify!($symbol), <[&str]>::len(&[$(stringify!($argument)),*])),)+];
+
         /// Every helper that machine code may call.
         pub fn entry_points() -> Vec<EntryPoint> {
             vec![$(

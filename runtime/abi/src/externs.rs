@@ -1,16 +1,17 @@
 //! Functions the engine provides to programs: one macro turns a list of ordinary Rust bodies into the interpreter's
 //! table, the machine code's symbol table and the link symbols.
 
-use crate::call::{Repr, Slot};
+use crate::call::Slot;
 use crate::context::{Context, RuntimeError, codes};
 use crate::entry::guarded;
 use crate::heap::{Object, SymbolicValue};
 use crate::limits;
+use crate::shape::Shape;
 use std::sync::Arc;
 
 /// A value that crosses between programs and the engine.
 pub trait Value: Sized {
-    fn repr() -> Repr;
+    const SHAPE: Shape;
     /// Reads the value; `None` if the slots hold no such value (a defect of the caller, not of the program).
     fn read(context: &Context, slots: &[Slot]) -> Option<Self>;
     fn write(self, context: &mut Context, slots: &mut [Slot]);
@@ -25,9 +26,7 @@ pub trait Value: Sized {
 pub struct Handle(pub u64);
 
 impl Value for () {
-    fn repr() -> Repr {
-        Repr::Unit
-    }
+    const SHAPE: Shape = Shape::Unit;
     fn read(_: &Context, _: &[Slot]) -> Option<Self> {
         Some(())
     }
@@ -35,9 +34,7 @@ impl Value for () {
 }
 
 impl Value for f64 {
-    fn repr() -> Repr {
-        Repr::Number
-    }
+    const SHAPE: Shape = Shape::Number;
     fn read(_: &Context, slots: &[Slot]) -> Option<Self> {
         slots.first().map(|&slot| f64::from_bits(slot))
     }
@@ -50,9 +47,7 @@ impl Value for f64 {
 }
 
 impl Value for bool {
-    fn repr() -> Repr {
-        Repr::Bool
-    }
+    const SHAPE: Shape = Shape::Bool;
     fn read(_: &Context, slots: &[Slot]) -> Option<Self> {
         slots.first().map(|&slot| slot != 0)
     }
@@ -62,9 +57,7 @@ impl Value for bool {
 }
 
 impl Value for String {
-    fn repr() -> Repr {
-        Repr::String
-    }
+    const SHAPE: Shape = Shape::String;
     fn read(context: &Context, slots: &[Slot]) -> Option<Self> {
         context.heap.str(*slots.first()?).map(str::to_owned)
     }
@@ -74,9 +67,7 @@ impl Value for String {
 }
 
 impl Value for [f64; 3] {
-    fn repr() -> Repr {
-        Repr::Vector
-    }
+    const SHAPE: Shape = Shape::Vector;
     fn read(_: &Context, slots: &[Slot]) -> Option<Self> {
         Some([0, 1, 2].map(|i| slots.get(i).map_or(f64::NAN, |&slot| f64::from_bits(slot))))
     }
@@ -91,9 +82,7 @@ impl Value for [f64; 3] {
 }
 
 impl Value for Handle {
-    fn repr() -> Repr {
-        Repr::Handle
-    }
+    const SHAPE: Shape = Shape::Handle;
     fn read(_: &Context, slots: &[Slot]) -> Option<Self> {
         slots.first().map(|&slot| Handle(slot))
     }
@@ -110,14 +99,11 @@ pub type SymbolicNumber = Symbolic<0>;
 pub type SymbolicTransform = Symbolic<2>;
 
 impl<const KIND: u8> Value for Symbolic<KIND> {
-    fn repr() -> Repr {
-        let content = match KIND {
-            0 => Repr::Number,
-            1 => Repr::Vector,
-            _ => Repr::Transform,
-        };
-        Repr::Symbolic(Box::new(content))
-    }
+    const SHAPE: Shape = match KIND {
+        0 => Shape::Symbolic(&Shape::Number),
+        1 => Shape::Symbolic(&Shape::Vector),
+        _ => Shape::Symbolic(&Shape::Transform),
+    };
     fn read(context: &Context, slots: &[Slot]) -> Option<Self> {
         context.heap.symbolic(*slots.first()?).map(Symbolic)
     }
@@ -127,9 +113,7 @@ impl<const KIND: u8> Value for Symbolic<KIND> {
 }
 
 impl<T: Value> Value for Vec<T> {
-    fn repr() -> Repr {
-        Repr::Array(Box::new(T::repr()))
-    }
+    const SHAPE: Shape = Shape::Array(&T::SHAPE);
     fn read(context: &Context, slots: &[Slot]) -> Option<Self> {
         let (flat, stride) = context.heap.array(*slots.first()?)?;
         if stride == 0 {
@@ -138,7 +122,7 @@ impl<T: Value> Value for Vec<T> {
         flat.chunks(stride).map(|element| T::read(context, element)).collect()
     }
     fn write(self, context: &mut Context, slots: &mut [Slot]) {
-        let stride = T::repr().slots();
+        let stride = T::SHAPE.slots();
         let mut flat = vec![0; stride * self.len()];
         for (element, place) in self.into_iter().zip(flat.chunks_mut(stride.max(1))) {
             element.write(context, place);
@@ -179,7 +163,7 @@ impl Arguments<'_> {
     /// # Errors
     /// Internal if the slots hold no such value.
     pub fn take<T: Value>(&mut self, context: &Context) -> Result<T, RuntimeError> {
-        let count = T::repr().slots().min(self.slots.len());
+        let count = T::SHAPE.slots().min(self.slots.len());
         let (now, rest) = self.slots.split_at(count);
         self.slots = rest;
         T::read(context, now).ok_or_else(|| {
@@ -195,7 +179,7 @@ impl Arguments<'_> {
 /// Runs the body of a provided function: results and errors to their places, panics stopped here.
 ///
 /// # Safety
-/// As for [`crate::SlotFn`]; `args` holds `count` slots and `ret` as many as `T::repr()` takes.
+/// As for [`crate::SlotFn`]; `args` holds `count` slots and `ret` as many as `T::SHAPE` takes.
 pub unsafe fn call<T: Value>(
     ctx: *mut Context,
     args: *const Slot,
@@ -208,7 +192,7 @@ pub unsafe fn call<T: Value>(
         let slots = if count == 0 { &[][..] } else { unsafe { std::slice::from_raw_parts(args, count) } };
         limits::check(context)?;
         let value = body(context, Arguments { slots })?;
-        let width = T::repr().slots();
+        let width = T::SHAPE.slots();
         // SAFETY: as above.
         let ret =
             if width == 0 { &mut [][..] } else { unsafe { std::slice::from_raw_parts_mut(ret, width) } };
@@ -248,7 +232,7 @@ macro_rules! externs {
                 args: *const $crate::Slot,
                 ret: *mut $crate::Slot,
             ) -> i32 {
-                let count = 0 $(+ <$type as $crate::externs::Value>::repr().slots())*;
+                let count = 0 $(+ <$type as $crate::externs::Value>::SHAPE.slots())*;
                 // SAFETY: passed on from the caller.
                 unsafe {
                     $crate::externs::call::<$result>(ctx, args, count, ret, |$context, #[allow(unused)] mut arguments| {
@@ -270,8 +254,8 @@ macro_rules! externs {
             $crate::Extern {
                 symbol: stringify!($symbol),
                 purity: $crate::Purity::$purity,
-                params: &[$((stringify!($argument), <$type as $crate::externs::Value>::repr)),*],
-                result: <$result as $crate::externs::Value>::repr,
+                params: &[$((stringify!($argument), <$type as $crate::externs::Value>::SHAPE)),*],
+                result: <$result as $crate::externs::Value>::SHAPE,
                 call: $symbol,
             }
         ),*];

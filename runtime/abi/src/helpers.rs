@@ -26,8 +26,8 @@ pub fn call_extern(
     arguments: &[Slot],
     result: &mut [Slot],
 ) -> Result<(), RuntimeError> {
-    let expected: usize = function.params.iter().map(|(_, repr)| repr().slots()).sum();
-    if arguments.len() != expected || result.len() != (function.result)().slots() {
+    let expected: usize = function.params.iter().map(|(_, shape)| shape.slots()).sum();
+    if arguments.len() != expected || result.len() != function.result.slots() {
         return Err(malformed(&format!("`{}` is called with the wrong number of slots", function.symbol)));
     }
     // SAFETY: the row promises a function of the calling convention with these many slots, which was just checked.

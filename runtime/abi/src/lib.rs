@@ -5,7 +5,8 @@
 //! ([`call`]), the run-time values behind opaque slots ([`heap`]), the state a running model carries
 //! ([`context`]), its errors ([`error`], [`failure`]) and limits ([`limits`]), the helpers that programs need beside
 //! arithmetic ([`helpers`], as machine code calls them in [`entry`]), how values are shown ([`display`], [`text`],
-//! [`units`]) and read ([`quantity`]), and the description that every compiled model brings along ([`description`]).
+//! [`units`]) and read ([`quantity`]), the description that every compiled model brings along ([`description`]), and the
+//! number by which code knows an engine that keeps the same agreement ([`fingerprint`]).
 
 pub mod blame;
 pub mod call;
@@ -16,19 +17,23 @@ pub mod entry;
 pub mod error;
 pub mod externs;
 pub mod failure;
+pub mod fingerprint;
 pub mod heap;
 pub mod helpers;
 pub mod limits;
 pub mod math;
 pub mod quantity;
 pub mod repr_code;
+pub mod shape;
 pub mod stack;
 pub mod standard;
 pub mod text;
 pub mod trigonometry;
 pub mod units;
 
-pub use call::{ABI_VERSION, Extern, Purity, Repr, Slot, SlotFn, Status};
+pub use call::{Extern, Purity, Repr, Slot, SlotFn, Status};
 pub use context::{Context, Host};
 pub use error::RuntimeError;
+pub use fingerprint::Fingerprint;
 pub use heap::{Heap, HeapId, Kernel, SymbolicValue};
+pub use shape::Shape;

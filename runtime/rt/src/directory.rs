@@ -69,7 +69,7 @@ pub fn write_unfinished(
 fn head_json(description: &ModelDescription, context: &Context) -> Value {
     json!({
         "calyx": env!("CARGO_PKG_VERSION"),
-        "abi": calyx_abi::ABI_VERSION,
+        "abi": description.abi,
         "model": description.name,
         "source": source_json(description),
         "params": params_json(description, context),

@@ -8,13 +8,18 @@ use crate::report::problem;
 use crate::run::{RunError, RunOptions, run};
 use calyx_abi::call::KernelFn;
 use calyx_abi::description::{ModelDescription, ModuleTable, ParamValue};
-use calyx_abi::{ABI_VERSION, Context, Kernel, RuntimeError, Slot, Status, stack};
+use calyx_abi::{Context, Fingerprint, Kernel, RuntimeError, Slot, Status, stack};
+use calyx_gears::library::FINGERPRINT;
 use clap::{Arg, ArgAction, Command};
 use std::ffi::{CStr, OsString, c_char, c_int};
 use std::os::unix::ffi::OsStringExt;
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Duration;
+
+/// The fingerprint of the engine in this library, by which `calyx build` knows whether a library fits.
+#[unsafe(no_mangle)]
+pub static CALYX_RT_ABI: u64 = FINGERPRINT.0;
 
 /// The model, or its analysis, is wrong.
 const MODEL_ERROR: c_int = 1;
@@ -56,11 +61,12 @@ struct LinkedProgram {
 
 impl LinkedProgram {
     fn new(module: &'static ModuleTable) -> Result<Self, String> {
-        if module.abi_version != ABI_VERSION {
+        let compiled_for = Fingerprint(module.abi);
+        if compiled_for != FINGERPRINT {
             return Err(format!(
-                "the model was compiled for version {} of the engine's interface and this engine has version \
-                 {ABI_VERSION}; compile the model again",
-                module.abi_version
+                "the model was compiled for another version of Calyx than it is linked with\n  \
+                 help: compile the model again with the `calyx` of this engine (the model's code expects the interface \
+                 {compiled_for}, the engine has {FINGERPRINT})"
             ));
         }
         // SAFETY: the table states the length of its constant description.

@@ -199,8 +199,8 @@ pub fn with_externs(mut program: Program) -> Program {
         symbol: row.symbol.into(),
         name: row.symbol.into(),
         purity: row.purity,
-        parameters: row.params.iter().map(|(name, repr)| (name.to_string(), repr())).collect(),
-        result: (row.result)(),
+        parameters: row.params.iter().map(|(name, shape)| (name.to_string(), shape.repr())).collect(),
+        result: row.result.repr(),
         span: Span::default(),
     };
     program.externs = externs().into_iter().map(declare).collect();
