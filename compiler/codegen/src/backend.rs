@@ -4,7 +4,7 @@ use crate::error::CodegenError;
 use crate::module::ModuleLowering;
 use calyx_lang::ir::Program;
 use calyx_symbolic::Tape;
-use cranelift_codegen::isa::{self, OwnedTargetIsa};
+use cranelift_codegen::isa::OwnedTargetIsa;
 use cranelift_codegen::settings::{self, Configurable};
 use cranelift_module::{FuncId, Module};
 
@@ -61,11 +61,15 @@ pub enum Effort {
 
 /// Settings of code in memory: this very machine.
 pub fn native_isa(effort: Effort) -> Result<OwnedTargetIsa, CodegenError> {
-    let builder = cranelift_native::builder().map_err(|error| CodegenError::Cranelift(error.into()))?;
-    builder.finish(flags(false, effort)?).map_err(|error| CodegenError::Cranelift(error.to_string()))
+    isa(TargetCpu::Native, false, effort)
 }
 
-/// The machines that an object file is for.
+/// Settings of code that is kept as data and placed in memory later.
+pub fn position_dependent_isa(cpu: TargetCpu) -> Result<OwnedTargetIsa, CodegenError> {
+    isa(cpu, false, Effort::Speed)
+}
+
+/// The machines that an object file, or code that is kept, is for.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum TargetCpu {
     /// Every machine of this architecture (for x86-64 that is SSE2).
@@ -80,13 +84,14 @@ pub enum TargetCpu {
 /// What the baseline lacks is called, never emulated differently: `floor` and its like are calls everywhere, and
 /// nothing is fused, so that object files give the bits of code in memory.
 pub fn object_isa(cpu: TargetCpu) -> Result<OwnedTargetIsa, CodegenError> {
-    let native = cranelift_native::builder().map_err(|error| CodegenError::Cranelift(error.into()))?;
-    let builder = match cpu {
-        TargetCpu::Native => native,
-        TargetCpu::Baseline => isa::lookup(native.triple().clone())
-            .map_err(|error| CodegenError::Cranelift(error.to_string()))?,
-    };
-    builder.finish(flags(true, Effort::Speed)?).map_err(|error| CodegenError::Cranelift(error.to_string()))
+    isa(cpu, true, Effort::Speed)
+}
+
+fn isa(cpu: TargetCpu, position_independent: bool, effort: Effort) -> Result<OwnedTargetIsa, CodegenError> {
+    let builder = cranelift_native::builder_with_options(cpu == TargetCpu::Native);
+    let builder = builder.map_err(|error| CodegenError::Cranelift(error.into()))?;
+    let flags = flags(position_independent, effort)?;
+    builder.finish(flags).map_err(|error| CodegenError::Cranelift(error.to_string()))
 }
 
 fn flags(position_independent: bool, effort: Effort) -> Result<settings::Flags, CodegenError> {

@@ -9,8 +9,11 @@ use calyx_abi::helpers::malformed;
 use calyx_abi::{Extern, Kernel, Slot, SlotFn, math, stack};
 use calyx_lang::ir::{Function, FunctionId, Mode, Program};
 use calyx_lower::link::resolve_externs;
+use cranelift_codegen::isa::OwnedTargetIsa;
 use cranelift_jit::{ArenaMemoryProvider, JITBuilder, JITModule};
 use cranelift_module::{FuncId, default_libcall_names};
+use serde::{Deserialize, Serialize};
+use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
 /// Address space reserved for one module. Pages cost something only when they are used; code and its constants lie
@@ -25,14 +28,15 @@ pub struct Jit {
 }
 
 /// What a caller must know of a function.
-struct Signature {
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Signature {
     arguments: usize,
     results: usize,
     place: (u32, u32, u32),
 }
 
 impl Signature {
-    fn new(function: &Function) -> Self {
+    pub fn new(function: &Function) -> Self {
         let (mut arguments, mut results) = (0, function.result.slots());
         for (local, mode) in &function.parameters {
             let slots = function.locals.get(local.0 as usize).map_or(0, |local| local.repr.slots());
@@ -44,30 +48,49 @@ impl Signature {
     }
 }
 
-impl Jit {
-    /// Prepares memory and the table of symbols: the helpers, the numeric functions and the externs that the program
-    /// declares. Nothing else can be reached, in particular no other symbol of the process.
-    pub fn new(program: &Program, externs: &[Extern], effort: Effort) -> Result<Self, CodegenError> {
-        let mut builder = JITBuilder::with_isa(native_isa(effort)?, default_libcall_names());
-        builder.symbols(entry_points().into_iter().map(|row| (row.symbol, row.address)));
-        builder.symbols(math::FUNCTIONS.iter().map(|&(symbol, function)| (symbol, function.address())));
-        builder.symbols(
-            resolve_externs(program, externs)?.into_iter().map(|row| (row.symbol, row.call as *const u8)),
-        );
-        // Asked before the system's own lookup, which therefore never answers.
-        builder.symbol_lookup_fn(Box::new(|_| Some(unresolved as *const u8)));
-        let memory = ArenaMemoryProvider::new_with_size(ADDRESS_SPACE)
-            .map_err(|error| CodegenError::Cranelift(format!("cannot reserve memory for code: {error}")))?;
-        builder.memory_provider(Box::new(memory));
-        Ok(Jit {
-            module: JITModule::new(builder),
-            functions: program.functions.iter().map(Signature::new).collect(),
-            main: program.main,
-        })
+/// What code can reach: the helpers, the numeric functions and the engine's functions it was given. Nothing else, in
+/// particular no other symbol of the process.
+pub struct Symbols(HashMap<&'static str, *const u8>);
+
+impl Symbols {
+    pub fn new<'e>(externs: impl IntoIterator<Item = &'e Extern>) -> Self {
+        let helpers = entry_points().into_iter().map(|row| (row.symbol, row.address));
+        let numeric = math::FUNCTIONS.iter().map(|&(symbol, function)| (symbol, function.address()));
+        let externs = externs.into_iter().map(|row| (row.symbol, row.call as *const u8));
+        Symbols(helpers.chain(numeric).chain(externs).collect())
+    }
+
+    pub fn contains(&self, symbol: &str) -> bool {
+        self.0.contains_key(symbol)
     }
 }
 
 impl Jit {
+    /// Prepares memory and the table of symbols, with the externs that the program declares.
+    pub fn new(program: &Program, externs: &[Extern], effort: Effort) -> Result<Self, CodegenError> {
+        let symbols = Symbols::new(resolve_externs(program, externs)?);
+        let functions = program.functions.iter().map(Signature::new).collect();
+        Jit::in_space(native_isa(effort)?, symbols, ADDRESS_SPACE, functions, program.main)
+    }
+
+    /// As [`Jit::new`], with so many bytes of address space.
+    pub fn in_space(
+        isa: OwnedTargetIsa,
+        symbols: Symbols,
+        space: usize,
+        functions: Vec<Signature>,
+        main: FunctionId,
+    ) -> Result<Self, CodegenError> {
+        let mut builder = JITBuilder::with_isa(isa, default_libcall_names());
+        builder.symbols(symbols.0);
+        // Asked before the system's own lookup, which therefore never answers.
+        builder.symbol_lookup_fn(Box::new(|_| Some(unresolved as *const u8)));
+        let memory = ArenaMemoryProvider::new_with_size(space)
+            .map_err(|error| CodegenError::Cranelift(format!("cannot reserve memory for code: {error}")))?;
+        builder.memory_provider(Box::new(memory));
+        Ok(Jit { module: JITModule::new(builder), functions, main })
+    }
+
     /// Memory for kernels alone. Their functions are called by address ([`Code::address`]).
     pub fn of_kernels() -> Result<Self, CodegenError> {
         Jit::new(&Program::default(), &[], Effort::AsWritten)

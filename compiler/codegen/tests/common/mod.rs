@@ -3,7 +3,7 @@
 pub mod text;
 
 use calyx_abi::{Context, Extern, Kernel, Purity, Repr, RuntimeError, Slot};
-use calyx_codegen::compile_jit;
+use calyx_codegen::{JitModule, TargetCpu, compile_code, compile_jit, load_code};
 use calyx_lang::ir::*;
 use calyx_lang::span::{FileId, Span};
 use calyx_lower::interpret::Interpreter;
@@ -277,12 +277,28 @@ pub fn interpreted(program: &Program, start: &Start, allow: Purity) -> Outcome {
     run(program, start, kernels, |ctx| interpreter.run_function(program.main, &start.arguments, ctx))
 }
 
-/// Runs the first function by both evaluators, which must agree.
+/// The program's code, kept for this or any machine of this kind as bytes and loaded again.
+pub fn kept(program: &Program, cpu: TargetCpu) -> JitModule {
+    let bytes = postcard::to_stdvec(&compile_code(program, cpu).unwrap()).unwrap();
+    let code = postcard::from_bytes(&bytes).unwrap();
+    // SAFETY: the code was just made by the same compiler.
+    unsafe { load_code(&code, &externs()) }.unwrap()
+}
+
+/// Runs the first function by the interpreter, as code in memory, and as code that was kept and loaded again; they must
+/// agree.
 pub fn both(program: &Program, start: &Start) -> Outcome {
     let expected = interpreted(program, start, Purity::Effect);
-    let module = compile_jit(program, &externs()).unwrap();
-    let compiled =
-        run(program, start, module.kernels(), |ctx| module.run_function(program.main, &start.arguments, ctx));
-    assert_eq!(compiled, expected, "machine code (left) and interpreter (right) differ");
-    compiled
+    let modules = [
+        ("machine code", compile_jit(program, &externs()).unwrap()),
+        ("code that was kept", kept(program, TargetCpu::Native)),
+        ("code for any processor", kept(program, TargetCpu::Baseline)),
+    ];
+    for (name, module) in modules {
+        let compiled = run(program, start, module.kernels(), |ctx| {
+            module.run_function(program.main, &start.arguments, ctx)
+        });
+        assert_eq!(compiled, expected, "{name} (left) and interpreter (right) differ");
+    }
+    expected
 }

@@ -1,0 +1,226 @@
+//! The back end that keeps code as data.
+
+use crate::backend::{Backend, Lowered, TargetCpu, position_dependent_isa};
+use crate::code::{
+    DataCode, FunctionCode, KernelFunction, ModuleCode, ProgramFunction, Relocation, RelocationKind, Target,
+};
+use crate::error::CodegenError;
+use crate::jit::Signature;
+use calyx_lang::ir::Program;
+use cranelift_codegen::control::ControlPlane;
+use cranelift_codegen::isa::{OwnedTargetIsa, TargetIsa};
+use cranelift_codegen::{Context, ir};
+use cranelift_module::{
+    DataDescription, DataId, FuncId, Init, Linkage, Module, ModuleDeclarations, ModuleError, ModuleReloc,
+    ModuleRelocTarget, ModuleResult,
+};
+use std::collections::HashMap;
+use std::io;
+
+/// A module whose definitions are kept as they come from the compiler.
+pub struct Recorder {
+    isa: OwnedTargetIsa,
+    declarations: ModuleDeclarations,
+    functions: Vec<(FuncId, Recorded)>,
+    data: Vec<(DataId, DataCode)>,
+    /// What a caller must know of the program's functions.
+    signatures: Vec<Signature>,
+    main: u32,
+}
+
+/// A function's code before its targets have numbers.
+struct Recorded {
+    bytes: Vec<u8>,
+    alignment: u64,
+    relocations: Vec<ModuleReloc>,
+}
+
+impl Recorder {
+    /// Begins the code of a program.
+    pub fn new(program: &Program, cpu: TargetCpu) -> Result<Self, CodegenError> {
+        Ok(Recorder {
+            isa: position_dependent_isa(cpu)?,
+            declarations: ModuleDeclarations::default(),
+            functions: Vec::new(),
+            data: Vec::new(),
+            signatures: program.functions.iter().map(Signature::new).collect(),
+            main: program.main.0,
+        })
+    }
+}
+
+impl Backend for Recorder {
+    type Module = Recorder;
+    type Artifact = ModuleCode;
+
+    fn module(&mut self) -> &mut Recorder {
+        self
+    }
+
+    fn finish(self, lowered: Lowered) -> Result<ModuleCode, CodegenError> {
+        let mut numbers = Numbers {
+            functions: self.functions.iter().map(|(id, _)| *id).zip(0..).collect(),
+            data: self.data.iter().map(|(id, _)| *id).zip(0..).collect(),
+            declarations: &self.declarations,
+            imports: Vec::new(),
+            import_numbers: HashMap::new(),
+        };
+        let mut functions = Vec::new();
+        for (_, recorded) in self.functions {
+            let relocations = recorded.relocations.iter().map(|relocation| numbers.relocation(relocation));
+            let relocations = relocations.collect::<Result<_, _>>()?;
+            let Recorded { bytes, alignment, .. } = recorded;
+            functions.push(FunctionCode { bytes, alignment, relocations });
+        }
+        let program = lowered
+            .functions
+            .iter()
+            .zip(self.signatures)
+            .map(|(id, signature)| Ok(ProgramFunction { function: numbers.function(*id)?, signature }));
+        let program = program.collect::<Result<_, CodegenError>>()?;
+        let kernels = lowered.kernels.iter().map(|kernel| {
+            Ok(KernelFunction {
+                function: numbers.function(kernel.function)?,
+                inputs: count(kernel.inputs)?,
+                outputs: count(kernel.outputs)?,
+            })
+        });
+        let kernels = kernels.collect::<Result<_, CodegenError>>()?;
+        let data = self.data.into_iter().map(|(_, data)| data).collect();
+        Ok(ModuleCode { imports: numbers.imports, functions, data, program, kernels, main: self.main })
+    }
+}
+
+fn count(number: usize) -> Result<u32, CodegenError> {
+    number.try_into().map_err(|_| CodegenError::Malformed("a kernel of billions of values"))
+}
+
+/// Numbers for what Cranelift tells apart by ids.
+struct Numbers<'d> {
+    functions: HashMap<FuncId, u32>,
+    data: HashMap<DataId, u32>,
+    declarations: &'d ModuleDeclarations,
+    imports: Vec<String>,
+    import_numbers: HashMap<FuncId, u32>,
+}
+
+impl Numbers<'_> {
+    fn function(&self, id: FuncId) -> Result<u32, CodegenError> {
+        let number = self.functions.get(&id).copied();
+        number.ok_or(CodegenError::Malformed("a function that was not defined"))
+    }
+
+    fn target(&mut self, name: &ModuleRelocTarget) -> Result<Target, CodegenError> {
+        let foreign = CodegenError::Malformed("a call of what only the system knows");
+        let ModuleRelocTarget::User { index, .. } = name else { return Err(foreign) };
+        if !ModuleDeclarations::is_function(name) {
+            let number = self.data.get(&DataId::from_u32(*index)).copied();
+            return number.map(Target::Data).ok_or(CodegenError::Malformed("data that was not defined"));
+        }
+        let id = FuncId::from_u32(*index);
+        let declared = self.declarations.get_function_decl(id);
+        if declared.linkage != Linkage::Import {
+            return Ok(Target::Function(self.function(id)?));
+        }
+        if let Some(&number) = self.import_numbers.get(&id) {
+            return Ok(Target::Import(number));
+        }
+        let number = self.imports.len() as u32;
+        self.imports.push(declared.linkage_name(id).into_owned());
+        self.import_numbers.insert(id, number);
+        Ok(Target::Import(number))
+    }
+
+    fn relocation(&mut self, relocation: &ModuleReloc) -> Result<Relocation, CodegenError> {
+        let ModuleReloc { offset, kind, addend, .. } = *relocation;
+        let known = RelocationKind::new(kind);
+        let kind = known.ok_or_else(|| {
+            CodegenError::Cranelift(format!("code for this machine has {kind:?}, which cannot be kept"))
+        })?;
+        Ok(Relocation { offset, kind, target: self.target(&relocation.name)?, addend })
+    }
+}
+
+impl Module for Recorder {
+    fn isa(&self) -> &dyn TargetIsa {
+        &*self.isa
+    }
+
+    fn declarations(&self) -> &ModuleDeclarations {
+        &self.declarations
+    }
+
+    fn declare_function(
+        &mut self,
+        name: &str,
+        linkage: Linkage,
+        signature: &ir::Signature,
+    ) -> ModuleResult<FuncId> {
+        self.declarations.declare_function(name, linkage, signature).map(|(id, _)| id)
+    }
+
+    fn declare_anonymous_function(&mut self, signature: &ir::Signature) -> ModuleResult<FuncId> {
+        self.declarations.declare_anonymous_function(signature)
+    }
+
+    fn declare_data(
+        &mut self,
+        name: &str,
+        linkage: Linkage,
+        writable: bool,
+        tls: bool,
+    ) -> ModuleResult<DataId> {
+        self.declarations.declare_data(name, linkage, writable, tls).map(|(id, _)| id)
+    }
+
+    fn declare_anonymous_data(&mut self, writable: bool, tls: bool) -> ModuleResult<DataId> {
+        self.declarations.declare_anonymous_data(writable, tls)
+    }
+
+    fn define_function_with_control_plane(
+        &mut self,
+        id: FuncId,
+        context: &mut Context,
+        control_plane: &mut ControlPlane,
+    ) -> ModuleResult<()> {
+        let alignment = context.compile(self.isa(), control_plane)?.buffer.alignment;
+        let code = context.compiled_code().ok_or_else(|| unusual("a function without code"))?;
+        let relocations = code.buffer.relocs().iter();
+        let relocations =
+            relocations.map(|relocation| ModuleReloc::from_mach_reloc(relocation, &context.func, id));
+        let relocations: Vec<_> = relocations.collect();
+        self.define_function_bytes(id, alignment.into(), code.code_buffer(), &relocations)
+    }
+
+    fn define_function_bytes(
+        &mut self,
+        id: FuncId,
+        alignment: u64,
+        bytes: &[u8],
+        relocations: &[ModuleReloc],
+    ) -> ModuleResult<()> {
+        let least = u64::from(self.isa.function_alignment().minimum).max(self.isa.symbol_alignment());
+        let recorded = Recorded {
+            bytes: bytes.to_vec(),
+            alignment: alignment.max(least),
+            relocations: relocations.to_vec(),
+        };
+        self.functions.push((id, recorded));
+        Ok(())
+    }
+
+    fn define_data(&mut self, id: DataId, data: &DataDescription) -> ModuleResult<()> {
+        let Init::Bytes { contents } = &data.init else { return Err(unusual("data without content")) };
+        if !data.function_relocs.is_empty() || !data.data_relocs.is_empty() {
+            return Err(unusual("data with addresses"));
+        }
+        let alignment = data.align.unwrap_or(1);
+        self.data.push((id, DataCode { bytes: contents.to_vec(), alignment }));
+        Ok(())
+    }
+}
+
+/// What the lowering never asks for.
+fn unusual(what: &str) -> ModuleError {
+    ModuleError::Allocation { err: io::Error::other(format!("{what} cannot be kept")) }
+}
