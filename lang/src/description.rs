@@ -92,3 +92,34 @@ pub fn to_json(description: &ModelDescription) -> serde_json::Result<String> {
 pub fn from_json(text: &str) -> serde_json::Result<ModelDescription> {
     serde_json::from_str(text)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// An executable reads quantities by the units in its description: a bit more or less in a factor would show in
+    /// every result.
+    #[test]
+    fn the_description_comes_back_to_the_last_bit() {
+        let described = describe(&Program::default(), Fingerprint::default());
+        assert!(described.known_units.len() > 50);
+        let json = to_json(&described).unwrap();
+        assert_eq!(from_json(&json).unwrap(), described);
+        // Where a fast but careless reading of decimals errs, and plain ones.
+        for number in [6894.757293168361, 1e23, 8.533e68, 0.1 + 0.2, 4.35e-31, f64::MIN_POSITIVE] {
+            assert_eq!(
+                serde_json::from_str::<f64>(&serde_json::to_string(&number).unwrap()).unwrap(),
+                number
+            );
+        }
+        let mut state = 1_u64;
+        for _ in 0..10_000 {
+            state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+            let number = (state >> 11) as f64 / 7.0e12;
+            assert_eq!(
+                serde_json::from_str::<f64>(&serde_json::to_string(&number).unwrap()).unwrap(),
+                number
+            );
+        }
+    }
+}
