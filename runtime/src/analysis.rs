@@ -97,7 +97,7 @@ pub fn quasi_static(
     let mut timing = Timing::default();
     let plan = timing.stage("plan", || Plan::new(scene, options.fidelity, options.structure))?;
     // Structures take long, and this is known without them.
-    holding::check(scene, &plan)?;
+    holding::check(scene, &plan, positions.first().map_or(0.0, |position| position.time))?;
     observer.observe(Event::Planned(&plan))?;
     observer.observe(Event::Stage("structures"))?;
     let mut system = timing.stage("structures", || System::new(scene, &plan))?;

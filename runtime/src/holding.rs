@@ -9,22 +9,29 @@ use crate::contact::rigid_limit::rigid_limit_until;
 use crate::error::{EngineError, Subject};
 use crate::plan::Plan;
 use crate::scene::{FREEDOMS, Scene, SurfacePair};
-use crate::system::{Freedom, load_on, number_freedoms, pose};
+use crate::system::{Freedom, loads_on, number_freedoms, pose};
 use calyx_abi::context::codes;
 
-/// Checks that nominal contact holds every free motion of the planned bodies.
+/// Checks that nominal contact holds every free motion of the planned bodies under the loads of a time (s), that of the first
+/// position to solve.
 ///
 /// # Errors
-/// What solving the first position would end in: E0714 if a load drives a body away, E0715 if nothing holds a motion.
-pub fn check(scene: &Scene, plan: &Plan) -> Result<(), EngineError> {
-    check_until(scene, plan, &|| false)
+/// What solving that position would end in: E0714 if a load drives a body away, E0715 if nothing holds a motion, E0723 if a load
+/// is not a number.
+pub fn check(scene: &Scene, plan: &Plan, time: f64) -> Result<(), EngineError> {
+    check_until(scene, plan, time, &|| false)
 }
 
 /// The same, until `stopped` says that nobody wants to know any more.
 ///
 /// # Errors
 /// As [`check`].
-pub fn check_until(scene: &Scene, plan: &Plan, stopped: &dyn Fn() -> bool) -> Result<(), EngineError> {
+pub fn check_until(
+    scene: &Scene,
+    plan: &Plan,
+    time: f64,
+    stopped: &dyn Fn() -> bool,
+) -> Result<(), EngineError> {
     let freedoms = number_freedoms(scene, plan);
     if freedoms.is_empty() {
         return Ok(());
@@ -37,7 +44,7 @@ pub fn check_until(scene: &Scene, plan: &Plan, stopped: &dyn Fn() -> bool) -> Re
         arms.extend(row);
         contacts += 1;
     }
-    let mut load: Vec<f64> = freedoms.iter().map(|freedom| load_on(scene, *freedom)).collect();
+    let mut load = loads_on(scene, &freedoms, time)?;
     if load.iter().all(|&load| load == 0.0) {
         load = drive_direction(scene, &freedoms);
     }

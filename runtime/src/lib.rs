@@ -6,9 +6,11 @@
 
 pub mod analysis;
 pub mod contact;
+pub mod disc;
 pub mod error;
 pub mod fe;
 pub mod holding;
+pub mod load;
 pub mod material;
 pub mod motion;
 pub mod observe;

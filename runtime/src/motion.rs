@@ -22,6 +22,13 @@ pub struct SteadyRotation {
     pub speed: f64,
 }
 
+impl SteadyRotation {
+    /// Standing still, unturned, with the frame's origin at a point (m).
+    pub const fn at_rest(origin: [f64; 2]) -> SteadyRotation {
+        SteadyRotation { origin, start: 0.0, speed: 0.0 }
+    }
+}
+
 impl Motion for SteadyRotation {
     fn frame(&self, time: f64) -> [f64; 12] {
         let (sin, cos) = (self.start + self.speed * time).sin_cos();

@@ -1,7 +1,6 @@
 //! What can be read off a solved position.
 
-use crate::contact::grid::pressures;
-use crate::contact::pressure::{Peak, peak};
+use crate::contact::pressure::Peak;
 use crate::motion::PlanePose;
 use crate::results::{Observed, Place};
 use crate::scene::{BodyId, GearMesh, Observable, PairId};
@@ -111,8 +110,7 @@ impl System<'_> {
     fn max_pressure(&self, step: &StepResult, pair: PairId, at_edge: bool) -> Observed {
         let mut largest = number(0.0);
         for patch in step.patches.iter().filter(|patch| patch.pair == pair.0 && patch.at_edge == at_edge) {
-            let pressures = pressures(&patch.cells, &patch.forces);
-            if let Some(Peak { pressure, cell, .. }) = peak(&patch.cells, &pressures)
+            if let Some(Peak { pressure, cell, .. }) = patch.peak()
                 && pressure > largest.value
             {
                 let body = self.scene.pairs[pair.0].bodies[0];

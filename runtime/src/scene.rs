@@ -1,25 +1,48 @@
 //! What the model says, before anything is built: bodies, the surfaces that may touch, and what is to be observed.
 
 use crate::error::EngineError;
+use crate::load::{Load, Wrench};
 use crate::motion::Motion;
 use crate::structure::Structure;
+use std::any::Any;
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-/// The six freedoms of a frame, in the order of their indices.
+/// The six freedoms of a frame, in the order of their indices: names of [`Component`].
 pub const FREEDOMS: [&str; 6] = ["u_x", "u_y", "u_z", "theta_x", "theta_y", "theta_z"];
 
+/// A component of a frame's motion along and about the ground axes, in the order of [`FREEDOMS`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Component {
+    /// Displacement along x.
+    Ux,
+    /// Displacement along y.
+    Uy,
+    /// Displacement along z, across a plane model.
+    Uz,
+    /// Turn about x.
+    ThetaX,
+    /// Turn about y.
+    ThetaY,
+    /// Turn about z, in the plane of a plane model.
+    ThetaZ,
+}
+
 /// How a body is to be modelled; makes its [`Structure`] when the plan says so.
-pub trait Prototype: Send + Sync {
+///
+/// A type, not a view: whoever knows what a body is made of finds it again by [`std::any::Any`].
+pub trait Prototype: Any + Send + Sync {
     /// Builds the elastic structure (the costly part). Equal prototypes with equal options give equal structures.
     fn build(&self, options: &StructureOptions) -> Result<Arc<dyn Structure>, EngineError>;
 
     /// Radius of the circle about the body's origin that encloses it, m.
     fn enclosing_radius(&self) -> f64;
 
-    /// Angle of contact along an involute from its root, rad, for a point at this radius; `None` if there is no
+    /// Angle of contact along an involute from its root, rad, for a point at this radius (m); `None` if there is no
     /// involute there.
-    fn roll_angle(&self, radius: f64) -> Option<f64>;
+    fn roll_angle(&self, _radius: f64) -> Option<f64> {
+        None
+    }
 
     /// m.
     fn face_width(&self) -> f64;
@@ -30,7 +53,9 @@ pub trait Prototype: Send + Sync {
     }
 
     /// Inputs that a model of this fidelity cannot see, and why.
-    fn ignored(&self, fidelity: Fidelity) -> Vec<Ignored>;
+    fn ignored(&self, _fidelity: Fidelity) -> Vec<Ignored> {
+        Vec::new()
+    }
 }
 
 /// An input that the chosen fidelity cannot see.
@@ -89,6 +114,23 @@ impl Default for StructureOptions {
     }
 }
 
+impl StructureOptions {
+    /// Whether a mesh can be made by them.
+    ///
+    /// # Errors
+    /// E0675: the order is not 1 to 3, or the refinement is not positive.
+    pub fn check(&self) -> Result<(), EngineError> {
+        if (1..=3).contains(&self.order) && self.refinement.is_finite() && self.refinement > 0.0 {
+            return Ok(());
+        }
+        Err(EngineError::new(
+            "E0675",
+            "a mesh needs elements of order 1 to 3 and a positive refinement",
+            "order 3 and refinement 1 are the defaults",
+        ))
+    }
+}
+
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct BodyId(pub usize);
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -99,27 +141,70 @@ pub struct ObservableId(pub usize);
 /// A deformable body on a moving frame.
 #[derive(Clone)]
 pub struct Body {
+    /// What results and messages call it.
     pub name: String,
+    /// How it is modelled. Bodies that share one share its structure.
     pub prototype: Arc<dyn Prototype>,
+    /// Where its frame is meant to be; deviations of free components are measured from there.
     pub motion: Arc<dyn Motion>,
     /// Turns the structure in its frame, rad: the phase at which a gear was mounted.
     pub phase: f64,
     /// Freedoms of the frame that are not held, in the order of [`FREEDOMS`].
     pub free: [bool; 6],
-    /// External force on the frame's origin, ground axes, N.
-    pub force: [f64; 3],
-    /// External moment, ground axes, N m.
-    pub moment: [f64; 3],
+    /// What acts on the frame from outside.
+    pub load: Arc<dyn Load>,
+}
+
+impl Body {
+    /// A body that is held on its frame and not loaded.
+    pub fn new(
+        name: impl Into<String>,
+        prototype: Arc<dyn Prototype>,
+        motion: impl Motion + 'static,
+    ) -> Body {
+        Body {
+            name: name.into(),
+            prototype,
+            motion: Arc::new(motion),
+            phase: 0.0,
+            free: [false; 6],
+            load: Arc::new(Wrench::NONE),
+        }
+    }
+
+    /// The body with these components of its frame free: there contact and load are in equilibrium.
+    pub fn free_in(mut self, components: &[Component]) -> Body {
+        for component in components {
+            self.free[*component as usize] = true;
+        }
+        self
+    }
+
+    /// The body under a load: a [`Wrench`] or a closure of time, see [`Load`].
+    pub fn loaded(mut self, load: impl Load + 'static) -> Body {
+        self.load = Arc::new(load);
+        self
+    }
 }
 
 /// Two surfaces that may touch: surface `surfaces[0]` of every tooth of the first body and `surfaces[1]` of the second.
 #[derive(Clone)]
 pub struct SurfacePair {
+    /// The two bodies.
     pub bodies: [BodyId; 2],
+    /// Index of the surface of each, as its [`Structure`] counts them.
     pub surfaces: [u32; 2],
+    /// How contact between them is discretised.
     pub grid: GridOptions,
     /// Present when the two bodies are gears in mesh.
     pub mesh: Option<GearMesh>,
+}
+
+impl SurfacePair {
+    /// Two surfaces that are no gears', with the default grid.
+    pub fn new(bodies: [BodyId; 2], surfaces: [u32; 2]) -> SurfacePair {
+        SurfacePair { bodies, surfaces, grid: GridOptions::default(), mesh: None }
+    }
 }
 
 /// The contact grid of a surface pair.

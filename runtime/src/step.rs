@@ -3,6 +3,7 @@
 use crate::contact::approach::{Approach, PlacedProfile, closest_approach};
 use crate::contact::assembly::{self, compliance};
 use crate::contact::grid::{self, Cell, Grid, GridOptions, Width, assess, lay, pressures};
+use crate::contact::pressure::{Peak, half_width, peak};
 use crate::contact::problem::{Certificate, ContactError, ContactProblem};
 use crate::contact::rigid_limit::rigid_limit;
 use crate::contact::{ContactFrame, Placement, active_set};
@@ -33,6 +34,22 @@ impl Patch {
     /// N per metre of face width.
     pub fn force(&self) -> f64 {
         self.forces.iter().sum()
+    }
+
+    /// Mean pressure on each cell, Pa.
+    pub fn pressures(&self) -> Vec<f64> {
+        pressures(&self.cells, &self.forces)
+    }
+
+    /// The largest pressure, by a parabola through the squares of its neighbours as Hertz's pressure is one; `None` where no
+    /// cell is loaded.
+    pub fn peak(&self) -> Option<Peak> {
+        peak(&self.cells, &self.pressures())
+    }
+
+    /// Half of the width that carries load, m, by the zeros of such a parabola; `None` with fewer than five loaded cells.
+    pub fn half_width(&self) -> Option<f64> {
+        half_width(&self.cells, &self.pressures())
     }
 }
 
@@ -70,6 +87,7 @@ const REGRIDS: usize = 3;
 impl System<'_> {
     /// Brings the scene into equilibrium at a time (s).
     pub fn solve(&mut self, time: f64) -> Result<StepResult, EngineError> {
+        self.load_at(time)?;
         let candidates = self.candidates(time)?;
         let mut chosen: Vec<bool> = candidates
             .iter()

@@ -2,6 +2,7 @@
 
 use crate::contact::Placement;
 use crate::error::{EngineError, Subject};
+use crate::load::Wrench;
 use crate::motion::PlanePose;
 use crate::plan::Plan;
 use crate::scene::{Scene, StructureOptions};
@@ -27,7 +28,7 @@ pub struct System<'s> {
     /// One per body; `None` for a body the plan left out.
     pub(crate) structures: Vec<Option<Arc<dyn Structure>>>,
     pub(crate) freedoms: Vec<Freedom>,
-    /// External generalised forces on the freedoms, per unit of face width (N/m, N).
+    /// External generalised forces on the freedoms at the position being solved, per unit of face width (N/m, N).
     pub(crate) load: Vec<f64>,
     /// Width over which all plane quantities are spread, m.
     pub(crate) face_width: f64,
@@ -50,7 +51,7 @@ impl<'s> System<'s> {
                 "mesh two bodies, like `gears.mesh(pinion, gear)`",
             ));
         }
-        let load = freedoms.iter().map(|freedom| load_on(scene, *freedom) / face_width).collect();
+        let load = vec![0.0; freedoms.len()];
         let initial = scene
             .bodies
             .iter()
@@ -59,6 +60,13 @@ impl<'s> System<'s> {
             .collect::<Result<_, _>>()?;
         let structures = build_structures(scene, plan)?;
         Ok(System { scene, structures, freedoms, load, face_width, initial, warm: BTreeMap::new() })
+    }
+
+    /// Takes the external loads of a time.
+    pub(crate) fn load_at(&mut self, time: f64) -> Result<(), EngineError> {
+        let loads = loads_on(self.scene, &self.freedoms, time)?;
+        self.load = loads.into_iter().map(|load| load / self.face_width).collect();
+        Ok(())
     }
 
     /// Where a body's teeth coordinates lie at a time, with the body's phase.
@@ -91,13 +99,33 @@ pub(crate) fn number_freedoms(scene: &Scene, plan: &Plan) -> Vec<Freedom> {
         .collect()
 }
 
-/// The external force or moment on a freedom.
-pub(crate) fn load_on(scene: &Scene, freedom: Freedom) -> f64 {
-    let body = &scene.bodies[freedom.body];
-    match freedom.component {
-        component @ 0..3 => body.force[component],
-        component => body.moment[component - 3],
+/// The external forces and moments on freedoms at a time (s), in their order.
+///
+/// # Errors
+/// E0723 if a load is not a number there.
+pub(crate) fn loads_on(scene: &Scene, freedoms: &[Freedom], time: f64) -> Result<Vec<f64>, EngineError> {
+    let mut loads = Vec::with_capacity(freedoms.len());
+    let mut latest: Option<(usize, Wrench)> = None;
+    for freedom in freedoms {
+        // A load is asked once a position, however many components of its body are free.
+        let wrench = match latest {
+            Some((body, wrench)) if body == freedom.body => wrench,
+            _ => scene.bodies[freedom.body].load.at(time),
+        };
+        latest = Some((freedom.body, wrench));
+        let load = wrench.component(freedom.component);
+        if !load.is_finite() {
+            let body = &scene.bodies[freedom.body].name;
+            return Err(EngineError::new(
+                "E0723",
+                format!("the load on body \"{body}\" is not a finite number at Time = {time} s"),
+                "look at what gives the load; it must have a value at every position that is analysed",
+            )
+            .about(Subject::Body(freedom.body)));
+        }
+        loads.push(load);
     }
+    Ok(loads)
 }
 
 fn build_structures(scene: &Scene, plan: &Plan) -> Result<Vec<Option<Arc<dyn Structure>>>, EngineError> {

@@ -1,5 +1,6 @@
 //! What can be wrong with a gear or a pair of gears, as data: the front end places it on the argument to blame.
 
+use calyx_runtime::error::EngineError;
 use std::fmt;
 
 /// How bad a finding is.
@@ -117,6 +118,49 @@ impl GeometryError {
         help: Sentence,
     ) -> Self {
         Self { code, severity: Severity::Warning, argument, message, help }
+    }
+}
+
+/// Why a gear, a body or a mesh is refused.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Refusal {
+    /// Everything that is wrong with the geometry, as far as it can be told at once; not empty.
+    Geometry(Vec<GeometryError>),
+    /// What the scene or the engine has against it.
+    Engine(EngineError),
+}
+
+impl fmt::Display for Refusal {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Refusal::Geometry(findings) => {
+                for (index, finding) in findings.iter().enumerate() {
+                    write!(f, "{}{finding}", if index == 0 { "" } else { "\n" })?;
+                }
+                Ok(())
+            }
+            Refusal::Engine(error) => write!(f, "{}: {error}; {}", error.code, error.help),
+        }
+    }
+}
+
+impl std::error::Error for Refusal {}
+
+impl From<GeometryError> for Refusal {
+    fn from(error: GeometryError) -> Self {
+        Refusal::Geometry(vec![error])
+    }
+}
+
+impl From<Vec<GeometryError>> for Refusal {
+    fn from(errors: Vec<GeometryError>) -> Self {
+        Refusal::Geometry(errors)
+    }
+}
+
+impl From<EngineError> for Refusal {
+    fn from(error: EngineError) -> Self {
+        Refusal::Engine(error)
     }
 }
 

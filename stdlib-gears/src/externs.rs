@@ -1,41 +1,28 @@
 //! The library's functions as programs call them: the Rust side of `gears.cx` and `prelude.cx`.
 
-use crate::error::{GeometryError, Severity};
-use crate::external::{ExternalGear, ExternalGearData, check_rim};
-use crate::host::{Finding, Meeting, ModelHost, Rim, keep};
-use crate::mesh_geometry::MeshGeometry;
+use crate::assembly::{MeshOptions, Pairing, add_body};
+use crate::blank::{GearBlank, Rim, Thickness};
+use crate::error::Severity;
+use crate::host::{Finding, Meeting, ModelHost, keep};
 use crate::modification::{Modification, ReliefShape, TipRelief};
-use crate::mounting::{Mounting, mount_external};
-use crate::prototype::GearPrototype;
 use crate::rack::Rack;
 use calyx_abi::externs::{Handle, SymbolicNumber, SymbolicTransform};
 use calyx_abi::{Context, RuntimeError, SymbolicValue};
 use calyx_runtime::analysis::{AnalysisOptions, mesh_cycle, quasi_static};
 use calyx_runtime::error::{EngineError, Subject};
 use calyx_runtime::holding;
+use calyx_runtime::load::Wrench;
 use calyx_runtime::material::Material;
-use calyx_runtime::motion::{Motion, PlanePose};
+use calyx_runtime::motion::Motion;
 use calyx_runtime::plan::Plan;
 use calyx_runtime::results::OutputRequest;
-use calyx_runtime::scene::{
-    Body, BodyId, FREEDOMS, Fidelity, GridOptions, Observable, PairId, Scene, StructureOptions, SurfacePair,
-};
+use calyx_runtime::scene::{Body, BodyId, FREEDOMS, Fidelity, Observable, PairId, StructureOptions};
 use std::sync::Arc;
 
 calyx_abi::externs! {
     Pure fn calyx_gears_material(context, youngs_modulus: f64, poissons_ratio: f64, density: f64) -> Handle {
-        if !(youngs_modulus > 0.0 && youngs_modulus.is_finite()) {
-            return Err(refusal("E0660", "youngs_modulus", "Young's modulus must be positive",
-                "steel has about 206 GPa, or 3e7 psi"));
-        }
-        if !(0.0..0.5).contains(&poissons_ratio) {
-            return Err(refusal("E0661", "poissons_ratio", "Poisson's ratio must be at least 0 and less than 0.5",
-                "steel has 0.3"));
-        }
-        if !(density >= 0.0 && density.is_finite()) {
-            return Err(refusal("E0662", "density", "the density cannot be negative", "steel has 7850 kg/m^3"));
-        }
-        Ok(keep(&mut host(context)?.materials, Material { youngs_modulus, poissons_ratio, density }))
+        let material = Material::new(youngs_modulus, poissons_ratio, density).map_err(engine)?;
+        Ok(keep(&mut host(context)?.materials, material))
     }
 
     Pure fn calyx_gears_rack(
@@ -56,12 +43,9 @@ calyx_abi::externs! {
     }
 
     Pure fn calyx_gears_simple_rim(context, diameter: f64, inner_diameter: f64) -> Handle {
-        if !(inner_diameter > 0.0 && inner_diameter < diameter) {
-            return Err(refusal("E0665", "inner_diameter",
-                "the rim's inner diameter must be positive and smaller than its diameter",
-                "the body is held at the inner diameter"));
-        }
-        Ok(keep(&mut host(context)?.rims, Rim { radius: 0.5 * diameter, inner_radius: 0.5 * inner_diameter }))
+        let (place, host) = (context.place, host(context)?);
+        let rim = Rim::new(diameter, inner_diameter).map_err(|error| host.refused(error.into(), place))?;
+        Ok(keep(&mut host.rims, rim))
     }
 
     Pure fn calyx_gears_tip_relief(context, depth: f64, start_roll: f64, shape: String) -> Handle {
@@ -70,11 +54,9 @@ calyx_abi::externs! {
     }
 
     Pure fn calyx_gears_lead_crown(context, depth: f64) -> Handle {
-        if depth.is_nan() || depth < 0.0 {
-            return Err(refusal("E0666", "depth", "a crown cannot be negative",
-                "it is the depth taken off at the ends of the face"));
-        }
-        Ok(keep(&mut host(context)?.modifications, Modification::LeadCrown { depth }))
+        let (place, host) = (context.place, host(context)?);
+        let crown = Modification::lead_crown(depth).map_err(|error| host.refused(error.into(), place))?;
+        Ok(keep(&mut host.modifications, crown))
     }
 
     Pure fn calyx_gears_external(
@@ -86,35 +68,31 @@ calyx_abi::externs! {
             return Err(refusal("E0667", "teeth", &format!("a gear cannot have {teeth} teeth"),
                 "give a whole number of at least 3"));
         }
-        if !(face_width > 0.0 && face_width.is_finite()) {
-            return Err(refusal("E0668", "face_width", "the face width must be positive",
-                "give the width of the toothed part along the axis"));
-        }
         let (place, host) = (context.place, host(context)?);
-        let (rack, rim) = (*entry(&host.racks, rack)?, *entry(&host.rims, rim)?);
-        let material = *entry(&host.materials, material)?;
-        let tooth_thickness =
-            if tooth_thickness > 0.0 { tooth_thickness } else { rack.thickness_of_shift(profile_shift) };
-        let gear = ExternalGear::new(ExternalGearData {
+        let blank = GearBlank {
             teeth: teeth as u32,
-            rack,
-            tooth_thickness,
-            outer_radius: 0.5 * outer_diameter,
-            root_radius: 0.5 * root_diameter,
+            rack: *entry(&host.racks, rack)?,
+            outer_diameter,
+            root_diameter,
+            face_width,
+            material: *entry(&host.materials, material)?,
+            rim: *entry(&host.rims, rim)?,
+            thickness: if tooth_thickness > 0.0 {
+                Thickness::Circular(tooth_thickness)
+            } else {
+                Thickness::ProfileShift(profile_shift)
+            },
             tip_edge_radius: (tip_edge_radius > 0.0).then_some(tip_edge_radius),
-        })
-        .map_err(|errors| refused(host, &errors, place))?;
-        check_rim(gear.root_radius, rim.radius, rim.inner_radius).map_err(|error| host.told(&error, place))?;
-        let modifications: Vec<Modification> = modifications
-            .into_iter()
-            .map(|handle| entry(&host.modifications, handle).copied())
-            .collect::<Result<_, _>>()?;
-        let pitch_errors = pitch_errors.iter().map(|error| error / gear.pitch_radius).collect();
-        host.note(&gear.warnings, place);
-        let prototype = GearPrototype::new(gear, modifications, material, rim, face_width, pitch_errors)
-            .map_err(|errors| refused(host, &of_modifications(errors), place))?;
+            modifications: modifications
+                .into_iter()
+                .map(|handle| entry(&host.modifications, handle).cloned())
+                .collect::<Result<_, _>>()?,
+            pitch_errors,
+        };
+        let gear = blank.cut().map_err(|refusal| host.refused(refusal, place))?;
+        host.note(&gear.gear.warnings, place);
         host.gear_places.push(place);
-        Ok(keep(&mut host.gears, Arc::new(prototype)))
+        Ok(keep(&mut host.gears, gear))
     }
 
     Scene fn calyx_gears_body(
@@ -130,17 +108,13 @@ calyx_abi::externs! {
             freedoms[at] = true;
         }
         let motion = Arc::new(FrameMotion { value: frame.0, params: context.params.clone() });
-        PlanePose::of(motion.as_ref(), 0.0).map_err(engine)?;
-        turns_in_the_plane(motion.as_ref())?;
         let (place, host) = (context.place, host(context)?);
-        if host.scene.bodies.iter().any(|body| body.name == name) {
-            return Err(refusal("E0671", "name", &format!("there are two bodies called \"{name}\""),
-                "results speak of bodies by name; give each its own"));
-        }
         let prototype = entry(&host.gears, blank)?.clone();
+        let load = Arc::new(Wrench { force, moment });
+        let body = Body { name, prototype, motion, phase: 0.0, free: freedoms, load };
+        let id = add_body(&mut host.scene, body).map_err(|refusal| host.refused(refusal, place))?;
         host.body_gears.push(blank.0 as usize);
         host.body_places.push(place);
-        let id = host.scene.add_body(Body { name, prototype, motion, phase: 0.0, free: freedoms, force, moment });
         Ok(Handle(id.0 as u64))
     }
 
@@ -153,41 +127,19 @@ calyx_abi::externs! {
         }
         let (place, host) = (context.place, host(context)?);
         let ids = [BodyId(first.0 as usize), BodyId(second.0 as usize)];
-        let gears = [body_gear(host, ids[0])?, body_gear(host, ids[1])?];
-        meet_once(&host.scene, ids)?;
-        let poses = [pose(host, ids[0])?, pose(host, ids[1])?];
-        let across = [0, 1].map(|i| poses[1].0.origin[i] - poses[0].0.origin[i]);
-        let center_distance = across[0].hypot(across[1]);
+        let options = MeshOptions {
+            tip_corner_contact,
+            half_cells: cells as usize,
+            grid_width: (grid_width > 0.0).then_some(grid_width),
+        };
+        let pairing = Pairing::of(&host.scene, ids).map_err(|refusal| host.refused(refusal, place))?;
         // What can touch has a geometry, also where it cannot run.
-        if let Ok(geometry) = MeshGeometry::external(&gears[0].gear, &gears[1].gear, center_distance) {
+        if let Some(geometry) = pairing.geometry(&host.scene) {
             host.meetings.push(Meeting { bodies: ids.map(|id| id.0), geometry, place });
         }
-        let (found, warnings) =
-            MeshGeometry::check_external(&gears[0].gear, &gears[1].gear, center_distance)
-                .map_err(|errors| refused(host, &errors, place))?;
-        host.note(&warnings, place);
-        let sense = drive_sense(&host.scene.bodies[ids[0].0], &host.scene.bodies[ids[1].0], poses[0].1);
-        let mounting = Mounting {
-            first: PlanePose { angle: poses[0].0.angle + host.scene.bodies[ids[0].0].phase, ..poses[0].0 },
-            second: poses[1].0,
-            angular_velocity: [poses[0].1, poses[1].1],
-            sense,
-        };
-        let (phase, mesh) = mount_external([&gears[0].gear, &gears[1].gear], &found, &mounting)
-            .map_err(|error| host.told(&error, place))?;
-        host.scene.bodies[ids[1].0].phase = phase;
-        let surface = if sense > 0.0 { 0 } else { 1 };
-        let pair = SurfacePair {
-            bodies: ids,
-            surfaces: [surface; 2],
-            grid: GridOptions {
-                half_cells: cells as usize,
-                width: (grid_width > 0.0).then_some(grid_width),
-                edges: tip_corner_contact,
-            },
-            mesh: Some(mesh),
-        };
-        Ok(Handle(host.scene.add_pair(pair).0 as u64))
+        let meshed = pairing.mesh(&mut host.scene, &options).map_err(|refusal| host.refused(refusal, place))?;
+        host.note(&meshed.warnings, place);
+        Ok(Handle(meshed.pair.0 as u64))
     }
 
     Pure fn calyx_gears_mesh_cycle(context, mesh: Handle, steps: f64) -> Handle {
@@ -280,7 +232,12 @@ fn analyze(host: &mut ModelHost, over: Handle, fidelity: &str) -> Result<(), Run
 /// more, the answer means nothing.
 pub fn check_plan(host: &ModelHost, stopped: &dyn Fn() -> bool) -> Result<Plan, RuntimeError> {
     let plan = Plan::new(&host.scene, Fidelity::Plane, StructureOptions::default());
-    let checked = plan.and_then(|plan| holding::check_until(&host.scene, &plan, stopped).map(|()| plan));
+    // A mesh cycle begins where its first pair of teeth enters.
+    let starts = host.scene.pairs.iter().filter_map(|pair| Some(pair.mesh.as_ref()?.start));
+    let start = starts.fold(f64::INFINITY, f64::min);
+    let first = if start.is_finite() { start } else { 0.0 };
+    let checked =
+        plan.and_then(|plan| holding::check_until(&host.scene, &plan, first, stopped).map(|()| plan));
     checked.map_err(|error| host.engine_error(error))
 }
 
@@ -336,61 +293,6 @@ impl Motion for FrameMotion {
     }
 }
 
-/// A frame that is upright at Time = 0 may tilt later.
-fn turns_in_the_plane(motion: &dyn Motion) -> Result<(), RuntimeError> {
-    let rate = motion.rate(0.0);
-    // Row and column of e3 in the rotation: its rate is perpendicular to it, so these four hold all tilting.
-    let fastest = rate[..9].iter().fold(0.0, |most: f64, entry| most.max(entry.abs()));
-    if [2, 5, 6, 7].iter().any(|&entry| rate[entry].abs() > 1e-9 * fastest) {
-        return Err(refusal(
-            "E0610",
-            "frame",
-            "a plane model needs every body to turn about an axis parallel to e3",
-            "let the frame use rotations about e3 and translations in the plane only",
-        ));
-    }
-    Ok(())
-}
-
-/// Two meshes of the same bodies would share one load in no determined way.
-fn meet_once(scene: &Scene, ids: [BodyId; 2]) -> Result<(), RuntimeError> {
-    if ids[0] == ids[1] {
-        return Err(refusal(
-            "E0652",
-            "second",
-            "a body cannot mesh with itself",
-            "give the other body; several bodies may share one gear",
-        ));
-    }
-    if scene.pairs.iter().any(|pair| ids.iter().all(|id| pair.bodies.contains(id))) {
-        let [first, second] = ids.map(|id| scene.bodies.get(id.0).map_or("", |body| &body.name));
-        return Err(refusal(
-            "E0652",
-            "second",
-            &format!("\"{first}\" and \"{second}\" are in mesh already"),
-            "keep the mesh that was made before in a variable, and use it again",
-        ));
-    }
-    Ok(())
-}
-
-/// Which way the first body pushes: as its moment turns it, else against the second one's moment, else as it moves.
-fn drive_sense(first: &Body, second: &Body, speed: f64) -> f64 {
-    let moments = [first.moment[2], second.moment[2], speed];
-    // External gears turn against each other, so a moment on the second one asks for the same surfaces.
-    moments.into_iter().find(|&moment| moment != 0.0).map_or(1.0, f64::signum)
-}
-
-fn pose(host: &ModelHost, body: BodyId) -> Result<(PlanePose, f64), RuntimeError> {
-    let motion = entry(&host.scene.bodies, Handle(body.0 as u64))?.motion.as_ref();
-    Ok((PlanePose::of(motion, 0.0).map_err(engine)?, PlanePose::angular_velocity(motion, 0.0)))
-}
-
-fn body_gear(host: &ModelHost, body: BodyId) -> Result<Arc<GearPrototype>, RuntimeError> {
-    let gear = entry(&host.body_gears, Handle(body.0 as u64))?;
-    Ok(entry(&host.gears, Handle(*gear as u64))?.clone())
-}
-
 fn observe(context: &mut Context, observable: Observable) -> Result<Handle, RuntimeError> {
     Ok(Handle(host(context)?.scene.observe(observable).0 as u64))
 }
@@ -409,16 +311,6 @@ fn defect(message: &str) -> RuntimeError {
 
 fn refusal(code: &str, argument: &str, message: &str, help: &str) -> RuntimeError {
     RuntimeError::new(code, message, help).of_argument(argument)
-}
-
-/// Findings that stop the model: the first goes to the program, the others to the host.
-fn refused(host: &mut ModelHost, errors: &[GeometryError], place: (u32, u32, u32)) -> RuntimeError {
-    host.refuse(errors, place).unwrap_or_else(|| defect("a gear was refused without a reason"))
-}
-
-/// Findings about a relief are known only where it meets its gear, whose argument for it is `modifications`.
-fn of_modifications(errors: Vec<GeometryError>) -> Vec<GeometryError> {
-    errors.into_iter().map(|error| GeometryError { argument: "modifications", ..error }).collect()
 }
 
 fn engine(error: EngineError) -> RuntimeError {

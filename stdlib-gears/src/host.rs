@@ -1,6 +1,7 @@
 //! What the library keeps for a running model: every gear, rack and material the program made, and the scene.
 
-use crate::error::{GeometryError, Severity};
+use crate::blank::Rim;
+use crate::error::{GeometryError, Refusal, Severity};
 use crate::mesh_geometry::MeshGeometry;
 use crate::modification::Modification;
 use crate::prototype::GearPrototype;
@@ -15,13 +16,6 @@ use calyx_runtime::results::{AnalysisResult, OutputRequest};
 use calyx_runtime::scene::Scene;
 use std::path::PathBuf;
 use std::sync::Arc;
-
-/// A plain ring under the teeth. Radii in m.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Rim {
-    pub radius: f64,
-    pub inner_radius: f64,
-}
 
 /// The unit in which messages to the model's author give lengths.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -99,6 +93,17 @@ impl ModelHost {
         }
     }
 
+    /// A refusal in words for the model's author; of several findings the first stops the model, the others are kept.
+    pub(crate) fn refused(&mut self, refusal: Refusal, place: (u32, u32, u32)) -> RuntimeError {
+        match refusal {
+            Refusal::Engine(error) => {
+                let argument = error.argument.map(str::to_owned);
+                RuntimeError { argument, ..RuntimeError::new(error.code, error.message, error.help) }
+            }
+            Refusal::Geometry(errors) => self.refuse(&errors, place),
+        }
+    }
+
     /// A finding about a gear or a pair in words for the model's author, who finds it at the call in `place`.
     pub(crate) fn told(&self, error: &GeometryError, place: (u32, u32, u32)) -> RuntimeError {
         let LengthUnit { name, metres } = self.length_unit;
@@ -119,18 +124,19 @@ impl ModelHost {
         }
     }
 
-    /// The first of several findings that together stop the model; the others are kept.
-    pub(crate) fn refuse(
-        &mut self,
-        errors: &[GeometryError],
-        place: (u32, u32, u32),
-    ) -> Option<RuntimeError> {
-        let (first, others) = errors.split_first()?;
+    fn refuse(&mut self, errors: &[GeometryError], place: (u32, u32, u32)) -> RuntimeError {
+        let Some((first, others)) = errors.split_first() else {
+            return RuntimeError::new(
+                "E0799",
+                "a gear was refused without a reason",
+                "this is a defect of Calyx; please report it with the model",
+            );
+        };
         others
             .iter()
             .filter(|other| *other != first)
             .for_each(|other| self.note(std::slice::from_ref(other), place));
-        Some(self.told(first, place))
+        self.told(first, place)
     }
 }
 

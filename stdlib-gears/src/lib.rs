@@ -1,5 +1,7 @@
 //! Gears: geometry and tooth meshes in Rust, under a library written in Calyx.
 
+pub mod assembly;
+pub mod blank;
 pub mod derived;
 pub mod error;
 pub mod external;

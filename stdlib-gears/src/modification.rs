@@ -35,6 +35,30 @@ pub enum Modification {
     },
 }
 
+impl Modification {
+    /// A crown by its depth at both ends of the face, m.
+    ///
+    /// # Errors
+    /// E0666: the depth is negative.
+    pub fn lead_crown(depth: f64) -> Result<Modification, GeometryError> {
+        if depth.is_nan() || depth < 0.0 {
+            return Err(GeometryError::error(
+                "E0666",
+                "depth",
+                sentence!["a crown cannot be negative"],
+                sentence!["it is the depth taken off at the ends of the face"],
+            ));
+        }
+        Ok(Modification::LeadCrown { depth })
+    }
+
+    /// A tip relief by its depth at the tip circle (m), the roll angle at which it begins (rad) and its shape. Whether it lies on the
+    /// flank is checked with the gear.
+    pub fn tip_relief(depth: f64, start_roll: f64, shape: ReliefShape) -> Modification {
+        Modification::TipRelief(TipRelief { depth, start_roll, shape })
+    }
+}
+
 impl TipRelief {
     /// Checks the relief against the flank it is for; rolls in rad.
     pub fn check(&self, form_roll: f64, tip_roll: f64, tip_thickness: f64) -> Result<(), GeometryError> {

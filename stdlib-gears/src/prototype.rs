@@ -1,10 +1,10 @@
 //! A gear as the engine's prototype of a body: its data, and the elastic structure made of them when the plan says so.
 
+use crate::blank::Rim;
 use crate::error::GeometryError;
 use crate::external::ExternalGear;
 use crate::fillet::Side;
 use crate::flank::Flank;
-use crate::host::Rim;
 use crate::modification::Modification;
 use crate::sector_mesh::{Refinement, sector_mesh};
 use calyx_runtime::error::EngineError;
@@ -93,13 +93,7 @@ fn refinement(factor: f64, order: usize) -> Refinement {
 
 impl Prototype for GearPrototype {
     fn build(&self, options: &StructureOptions) -> Result<Arc<dyn Structure>, EngineError> {
-        if !(1..=3).contains(&options.order) || options.refinement.is_nan() || options.refinement <= 0.0 {
-            return Err(EngineError::new(
-                "E0675",
-                "a mesh needs elements of order 1 to 3 and a positive refinement",
-                "order 3 and refinement 1 are the defaults",
-            ));
-        }
+        options.check()?;
         let refinement = refinement(options.refinement, options.order);
         // Surfaces of contact, and those of the mesh.
         let (module, own) = (self.gear.rack.module, self.gear.tip_edge_radius);

@@ -1,8 +1,8 @@
 //! What is told of gears and meshes, against the published geometry, closed forms, and the gears themselves.
 
+use calyx_gears::blank::Rim;
 use calyx_gears::derived::{Quantity, of_gear, of_mesh};
 use calyx_gears::external::{ExternalGear, ExternalGearData};
-use calyx_gears::host::Rim;
 use calyx_gears::mesh_geometry::MeshGeometry;
 use calyx_gears::modification::{Modification, ReliefShape, TipRelief};
 use calyx_gears::prototype::GearPrototype;

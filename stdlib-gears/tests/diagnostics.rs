@@ -2,11 +2,11 @@
 
 mod common;
 
+use calyx_gears::blank::Rim;
 use calyx_gears::error::{GeometryError, Severity};
 use calyx_gears::external::{ExternalGear, ExternalGearData, check_rim};
 use calyx_gears::fillet::Side;
 use calyx_gears::flank::Flank;
-use calyx_gears::host::Rim;
 use calyx_gears::mesh_geometry::MeshGeometry;
 use calyx_gears::modification::{Modification, ReliefShape, TipRelief};
 use calyx_gears::prototype::GearPrototype;

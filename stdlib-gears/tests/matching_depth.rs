@@ -3,8 +3,8 @@
 
 mod common;
 
+use calyx_gears::blank::Rim;
 use calyx_gears::external::ExternalGear;
-use calyx_gears::host::Rim;
 use calyx_gears::prototype::GearPrototype;
 use calyx_runtime::analysis::mesh_cycle;
 use calyx_runtime::contact::grid::pressures;

@@ -41,7 +41,14 @@ fn scene(program: &dyn Program) -> String {
     writeln!(text, "{:?}\n{:?}", host.body_gears, host.positions).unwrap();
     for body in &host.scene.bodies {
         let (name, phase) = (&body.name, body.phase);
-        writeln!(text, "{name} {phase:?} {:?} {:?} {:?}", body.free, body.force, body.moment).unwrap();
+        writeln!(
+            text,
+            "{name} {phase:?} {:?} {:?} {:?}",
+            body.free,
+            body.load.at(0.0).force,
+            body.load.at(0.0).moment
+        )
+        .unwrap();
         for time in TIMES {
             writeln!(text, "{:?} {:?}", body.motion.frame(time), body.motion.rate(time)).unwrap();
         }

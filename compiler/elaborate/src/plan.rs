@@ -5,6 +5,7 @@ use calyx_abi::description::ModelDescription;
 use calyx_gears::host::{LengthUnit, ModelHost};
 use calyx_lang::dimension::Dimension;
 use calyx_lang::units::UnitSystem;
+use calyx_runtime::load::Wrench;
 use calyx_runtime::plan::Plan;
 use calyx_runtime::scene::{Body, FREEDOMS};
 use std::fmt::Write;
@@ -186,16 +187,18 @@ fn lines_of(names: &[String]) -> Vec<String> {
     lines
 }
 
-/// The free components of a body's frame, with the load on each.
+/// The free components of a body's frame, with the load on each; of a load that changes with time, the one at its start.
 fn free(body: &Body, system: &str) -> Vec<(&'static str, String)> {
     let system = UnitSystem::from_name(system).unwrap_or(UnitSystem::Si);
     let of = |name: &str| system.unit_of(Dimension::from_name(name).unwrap_or(Dimension::NONE));
-    let loads = body.force.iter().chain(&body.moment);
+    let Wrench { force, moment } = body.load.at(0.0);
+    let loads = force.iter().chain(&moment);
+    let at_start = if body.load.is_constant() { "" } else { " at Time = 0" };
     let each = FREEDOMS.iter().zip(body.free).zip(loads).enumerate().filter(|(_, ((_, free), _))| *free);
     each.map(|(index, ((name, _), load))| {
         let (kind, unit) = if index < 3 { ("force", of("Force")) } else { ("moment", of("Moment")) };
         let load = if *load == 0.0 { "no load".into() } else { format!("{kind} {}", in_unit(*load, &unit)) };
-        (*name, load)
+        (*name, load + at_start)
     })
     .collect()
 }

@@ -1,18 +1,19 @@
 //! A pair of gears as a scene of the engine, without the language: the second gear phased, the mesh found.
 
 use super::{INCH, chapter_5_data};
+use calyx_gears::blank::Rim;
 use calyx_gears::external::{ExternalGear, ExternalGearData};
-use calyx_gears::host::Rim;
 use calyx_gears::mesh_geometry::MeshGeometry;
 use calyx_gears::modification::{Modification, ReliefShape, TipRelief};
 use calyx_gears::mounting::{Mounting, mount_external};
 use calyx_gears::prototype::GearPrototype;
 use calyx_runtime::error::EngineError;
+use calyx_runtime::load::Wrench;
 use calyx_runtime::material::Material;
-use calyx_runtime::motion::{Motion, PlanePose, SteadyRotation};
+use calyx_runtime::motion::{PlanePose, SteadyRotation};
 use calyx_runtime::plan::Plan;
 use calyx_runtime::scene::{
-    Body, BodyId, Fidelity, GearMesh, GridOptions, Ignored, Observable, PairId, Prototype, Scene,
+    Body, BodyId, Component, Fidelity, GearMesh, GridOptions, Ignored, Observable, PairId, Prototype, Scene,
     StructureOptions, SurfacePair,
 };
 use calyx_runtime::step::StepResult;
@@ -220,19 +221,14 @@ pub fn pair(options: &PairOptions) -> (Scene, GearMesh) {
     let mut scene = Scene::default();
     for side in 0..2 {
         let loaded = side == options.loaded;
-        scene.add_body(Body {
-            name: ["first", "second"][side].into(),
-            prototype: Arc::new(options.gears[side].clone()),
-            motion: Arc::new(SteadyRotation {
-                origin: origins[side],
-                start: [options.start, 0.0][side],
-                speed: speeds[side],
-            }) as Arc<dyn Motion>,
-            phase: [0.0, phase][side],
-            free: [false, false, false, false, false, loaded],
-            force: [0.0; 3],
-            moment: [0.0, 0.0, if loaded { options.moment } else { 0.0 }],
-        });
+        let motion =
+            SteadyRotation { origin: origins[side], start: [options.start, 0.0][side], speed: speeds[side] };
+        let mut body = Body::new(["first", "second"][side], Arc::new(options.gears[side].clone()), motion);
+        body.phase = [0.0, phase][side];
+        if loaded {
+            body = body.free_in(&[Component::ThetaZ]).loaded(Wrench::of_moment([0.0, 0.0, options.moment]));
+        }
+        scene.add_body(body);
     }
     let surface = if sense > 0.0 { 0 } else { 1 };
     scene.add_pair(SurfacePair {

@@ -3,9 +3,11 @@
 use crate::common::pair::{COARSE, FIRST, PLAIN, PairOptions, TORQUE, member, pair, system};
 use crate::common::{INCH, chapter_5_data};
 use calyx_runtime::error::EngineError;
+use calyx_runtime::load::Wrench;
 use calyx_runtime::plan::Plan;
 use calyx_runtime::scene::{Body, Fidelity};
 use calyx_runtime::system::System;
+use std::sync::Arc;
 
 /// What solving the chapter 5 pair ends in after its bodies have been changed.
 fn failure(options: &PairOptions, change: impl Fn(&mut Vec<Body>)) -> EngineError {
@@ -67,7 +69,7 @@ fn gears_held_where_they_overlap_press_as_the_load_that_moved_them_there() {
 
     let mut held = scene.clone();
     held.bodies[0].free = [false; 6];
-    held.bodies[0].moment = [0.0; 3];
+    held.bodies[0].load = Arc::new(Wrench::NONE);
     held.bodies[0].phase += deflection;
     let plan = Plan::new(&held, Fidelity::Plane, COARSE).expect("a plan");
     let mut system = System::new(&held, &plan).expect("it can be built");

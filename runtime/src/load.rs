@@ -1,0 +1,82 @@
+//! External loads on bodies: constant, or any function of time.
+
+use std::ops::Add;
+
+/// A force on the origin of a body's frame and a moment about it, along ground axes.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Wrench {
+    /// N
+    pub force: [f64; 3],
+    /// N m
+    pub moment: [f64; 3],
+}
+
+impl Wrench {
+    /// No load at all.
+    pub const NONE: Wrench = Wrench { force: [0.0; 3], moment: [0.0; 3] };
+
+    /// A force on the frame's origin, N.
+    pub const fn of_force(force: [f64; 3]) -> Wrench {
+        Wrench { force, ..Wrench::NONE }
+    }
+
+    /// A moment, N m.
+    pub const fn of_moment(moment: [f64; 3]) -> Wrench {
+        Wrench { moment, ..Wrench::NONE }
+    }
+
+    /// The component that does work on a freedom, by its index in [`crate::scene::FREEDOMS`]; N or N m.
+    pub(crate) fn component(&self, freedom: usize) -> f64 {
+        match freedom {
+            component @ 0..3 => self.force[component],
+            component => self.moment[component - 3],
+        }
+    }
+}
+
+impl Add for Wrench {
+    type Output = Wrench;
+
+    fn add(self, other: Wrench) -> Wrench {
+        let sum = |a: [f64; 3], b: [f64; 3]| [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
+        Wrench { force: sum(self.force, other.force), moment: sum(self.moment, other.moment) }
+    }
+}
+
+/// What acts on a body from outside, at any time.
+///
+/// A [`Wrench`] is a constant load; a closure from time (s) to a wrench is one that changes. It is asked once for each
+/// position that is analysed, on the thread that solves it, and should give the same for the same time: results are kept and
+/// resumed on that understanding. A load may be zero and may change its sign. One that is not a number ends the analysis with
+/// `E0723`.
+///
+/// ```
+/// use calyx_runtime::load::{Load, Wrench};
+/// let shaking = |time: f64| Wrench::of_moment([0.0, 0.0, 100.0 + 20.0 * (50.0 * time).sin()]);
+/// assert_eq!(shaking.at(0.0), Wrench::of_moment([0.0, 0.0, 100.0]));
+/// ```
+pub trait Load: Send + Sync {
+    /// The load at `time`, s.
+    fn at(&self, time: f64) -> Wrench;
+
+    /// Whether it is the same at all times, for those who describe a scene.
+    fn is_constant(&self) -> bool {
+        false
+    }
+}
+
+impl Load for Wrench {
+    fn at(&self, _: f64) -> Wrench {
+        *self
+    }
+
+    fn is_constant(&self) -> bool {
+        true
+    }
+}
+
+impl<F: Fn(f64) -> Wrench + Send + Sync> Load for F {
+    fn at(&self, time: f64) -> Wrench {
+        self(time)
+    }
+}

@@ -1,0 +1,183 @@
+//! Everything said of one gear before it stands anywhere: its teeth, what carries them, what is taken off its flanks.
+//!
+//! The library's `external` of the language is [`GearBlank::cut`] with arguments for fields.
+
+use crate::error::{GeometryError, Refusal, sentence};
+use crate::external::{ExternalGear, ExternalGearData, check_rim};
+use crate::modification::Modification;
+use crate::prototype::GearPrototype;
+use crate::rack::Rack;
+use calyx_runtime::material::Material;
+use std::sync::Arc;
+
+/// A plain ring under the teeth, held at its inner radius. Radii in m.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rim {
+    /// Where the toothed part ends and the ring begins.
+    pub radius: f64,
+    /// Of the bore, where the body's frame holds it.
+    pub inner_radius: f64,
+}
+
+impl Rim {
+    /// A ring by its two diameters, m. Whether it lies below the teeth is checked with the gear.
+    ///
+    /// # Errors
+    /// E0665: the inner diameter is not positive or not the smaller.
+    pub fn new(diameter: f64, inner_diameter: f64) -> Result<Rim, GeometryError> {
+        if !(inner_diameter > 0.0 && inner_diameter < diameter) {
+            return Err(GeometryError::error(
+                "E0665",
+                "inner_diameter",
+                sentence!["the rim's inner diameter must be positive and smaller than its diameter"],
+                sentence!["the body is held at the inner diameter"],
+            ));
+        }
+        Ok(Rim { radius: 0.5 * diameter, inner_radius: 0.5 * inner_diameter })
+    }
+}
+
+/// How thick teeth are.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Thickness {
+    /// Transverse, along the pitch circle, m.
+    Circular(f64),
+    /// By the profile shift coefficient, see [`Rack::thickness_of_shift`].
+    ProfileShift(f64),
+}
+
+/// What is given of an external gear. Lengths in m.
+///
+/// Every field may be set on its own; the methods that take `self` set the optional ones.
+#[derive(Clone, Debug)]
+pub struct GearBlank {
+    /// Number of teeth, 4 at least.
+    pub teeth: u32,
+    /// What generates the teeth.
+    pub rack: Rack,
+    /// Of the circle through the tips; usually two modules more than the pitch diameter.
+    pub outer_diameter: f64,
+    /// Of the circle on which the spaces end; usually 2.5 modules less than the pitch diameter.
+    pub root_diameter: f64,
+    /// Length of the teeth along the axis.
+    pub face_width: f64,
+    /// What it is made of.
+    pub material: Material,
+    /// What carries the teeth.
+    pub rim: Rim,
+    /// How thick the teeth are.
+    pub thickness: Thickness,
+    /// Rounding of the tip edge; `None` for [`crate::external::DEFAULT_TIP_EDGE`] modules.
+    pub tip_edge_radius: Option<f64>,
+    /// What is taken off both flanks of every tooth.
+    pub modifications: Vec<Modification>,
+    /// Error of position of each tooth along the pitch circle, from tooth 0 on, counter-clockwise; teeth beyond the list have
+    /// none.
+    pub pitch_errors: Vec<f64>,
+}
+
+impl GearBlank {
+    /// A gear of a standard tooth form: addendum one module, dedendum 1.25, no profile shift, of steel, ten modules wide, on a rim
+    /// of one and a half modules under the spaces. Everything is a field to be changed.
+    pub fn standard(teeth: u32, rack: Rack) -> GearBlank {
+        let module = rack.module;
+        let pitch_diameter = f64::from(teeth) * module;
+        let root_diameter = pitch_diameter - 2.5 * module;
+        GearBlank {
+            teeth,
+            rack,
+            outer_diameter: pitch_diameter + 2.0 * module,
+            root_diameter,
+            face_width: 10.0 * module,
+            material: Material::STEEL,
+            rim: Rim {
+                radius: 0.5 * root_diameter - 0.5 * module,
+                inner_radius: 0.5 * root_diameter - 1.5 * module,
+            },
+            thickness: Thickness::ProfileShift(0.0),
+            tip_edge_radius: None,
+            modifications: Vec::new(),
+            pitch_errors: Vec::new(),
+        }
+    }
+
+    /// With another outer and root diameter, m.
+    #[must_use]
+    pub fn diameters(mut self, outer: f64, root: f64) -> GearBlank {
+        (self.outer_diameter, self.root_diameter) = (outer, root);
+        self
+    }
+
+    /// With another face width, m.
+    #[must_use]
+    pub fn face_width(mut self, face_width: f64) -> GearBlank {
+        self.face_width = face_width;
+        self
+    }
+
+    /// Of another material.
+    #[must_use]
+    pub fn material(mut self, material: Material) -> GearBlank {
+        self.material = material;
+        self
+    }
+
+    /// On another rim.
+    #[must_use]
+    pub fn rim(mut self, rim: Rim) -> GearBlank {
+        self.rim = rim;
+        self
+    }
+
+    /// With another thickness of the teeth.
+    #[must_use]
+    pub fn thickness(mut self, thickness: Thickness) -> GearBlank {
+        self.thickness = thickness;
+        self
+    }
+
+    /// With one modification of the flanks more.
+    #[must_use]
+    pub fn modified(mut self, modification: Modification) -> GearBlank {
+        self.modifications.push(modification);
+        self
+    }
+
+    /// The gear, checked. Warnings about it stand in its [`ExternalGear::warnings`].
+    ///
+    /// # Errors
+    /// Everything that is wrong with the gear, as far as it can be told at once: E0604 to E0621, E0640 to E0642 (blaming
+    /// `modifications`), E0668.
+    pub fn cut(self) -> Result<Arc<GearPrototype>, Refusal> {
+        if !(self.face_width > 0.0 && self.face_width.is_finite()) {
+            return Err(Refusal::from(GeometryError::error(
+                "E0668",
+                "face_width",
+                sentence!["the face width must be positive"],
+                sentence!["give the width of the toothed part along the axis"],
+            )));
+        }
+        let tooth_thickness = match self.thickness {
+            Thickness::Circular(thickness) => thickness,
+            Thickness::ProfileShift(shift) => self.rack.thickness_of_shift(shift),
+        };
+        let gear = ExternalGear::new(ExternalGearData {
+            teeth: self.teeth,
+            rack: self.rack,
+            tooth_thickness,
+            outer_radius: 0.5 * self.outer_diameter,
+            root_radius: 0.5 * self.root_diameter,
+            tip_edge_radius: self.tip_edge_radius,
+        })?;
+        check_rim(gear.root_radius, self.rim.radius, self.rim.inner_radius)?;
+        let pitch_errors = self.pitch_errors.iter().map(|error| error / gear.pitch_radius).collect();
+        let (material, rim, face_width) = (self.material, self.rim, self.face_width);
+        let cut = GearPrototype::new(gear, self.modifications, material, rim, face_width, pitch_errors);
+        Ok(Arc::new(cut.map_err(of_modifications)?))
+    }
+}
+
+/// Findings about a relief are known only where it meets its gear, whose argument for it is `modifications`.
+fn of_modifications(errors: Vec<GeometryError>) -> Vec<GeometryError> {
+    errors.into_iter().map(|error| GeometryError { argument: "modifications", ..error }).collect()
+}
