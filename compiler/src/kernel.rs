@@ -32,6 +32,7 @@ use calyx_codegen::{BatchError, BatchKernel, CodegenError, compile_batch, compil
 use calyx_gears::host::ModelHost;
 use calyx_lang::ir::{DisplayUnit, SymbolicFunction, SymbolicFunctionId};
 use calyx_lower::kernels::{KernelError as LoweringError, lower_kernel};
+use calyx_rt::Given;
 use calyx_rt::ParamError;
 use calyx_symbolic::{Instruction, Tape};
 use std::fmt;
@@ -75,7 +76,7 @@ impl fmt::Display for KernelError {
             }
             KernelError::Expression(error) => error.fmt(f),
             KernelError::Code(error) => error.fmt(f),
-            KernelError::Param(ParamError::Given { message, .. }) => f.write_str(message),
+            KernelError::Param(ParamError::Given(refused)) => f.write_str(&refused.message),
             KernelError::Param(ParamError::Model(error)) => f.write_str(&error.message),
             KernelError::Count { what, given, expected } => {
                 write!(f, "{given} {what} given, the kernel has {expected}")
@@ -147,7 +148,7 @@ impl Module {
     /// # Errors
     /// A name is unknown, a value cannot be read or is out of range, or a default fails.
     pub fn param_values(&self, given: &[(&str, &str)]) -> Result<Vec<f64>, KernelError> {
-        let given: Vec<_> = given.iter().map(|(name, text)| (name.to_string(), text.to_string())).collect();
+        let given: Vec<_> = given.iter().map(|(name, text)| Given::text(*name, *text)).collect();
         let units = &calyx_rt::Program::description(self).units;
         let mut context = Context::new(Box::new(ModelHost::new(units)));
         calyx_rt::apply(self, &given, &mut context).map_err(KernelError::Param)?;

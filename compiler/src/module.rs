@@ -11,6 +11,7 @@ use calyx_gears::library::{FINGERPRINT, externs};
 use calyx_lang::diagnostic::{Diagnostic, Severity};
 use calyx_lang::ir::{Program, SourceFile};
 use calyx_lower::interpret::CallSites;
+use calyx_rt::Given;
 use calyx_rt::program::ParamFunction;
 use std::fmt;
 use std::sync::Arc;
@@ -99,7 +100,7 @@ impl Module {
 
     /// A run-time error at its place in the source; if NaN is behind it, with the expression that arose in. `given` are the
     /// params of the run.
-    pub fn error(&self, error: &RuntimeError, given: &[(String, String)]) -> Diagnostic {
+    pub fn error(&self, error: &RuntimeError, given: &[Given]) -> Diagnostic {
         // What the analysis says of a body is placed at the call that made it, and blames an argument of that.
         let mut error = error.clone();
         self.call_sites.blame(&mut error);

@@ -1,11 +1,12 @@
 //! A program's description of itself, from the typed program: what `--help`, results, executables and embedders read.
 
+use crate::dimension::Dimension;
 use crate::ir::{DisplayUnit, Program};
 use crate::units::Unit;
 use calyx_abi::Fingerprint;
 use calyx_abi::description::{
-    CaptureDescription, FileDescription, KernelDescription, ModelDescription, OutputDescription,
-    ParamDescription, UnitDescription,
+    CaptureDescription, DimensionDescription, FileDescription, KernelDescription, ModelDescription,
+    OutputDescription, ParamDescription, UnitDescription,
 };
 
 /// Describes a program that runs with an engine of this fingerprint. Defaults and ranges of params are left `None`: whoever elaborates the program fills them in.
@@ -76,7 +77,14 @@ pub fn describe(program: &Program, abi: Fingerprint) -> ModelDescription {
             })
             .chain(program.own_units.iter().map(unit))
             .collect(),
+        known_dimensions: dimensions(program),
     }
+}
+
+fn dimensions(program: &Program) -> Vec<DimensionDescription> {
+    let known = Dimension::named().map(|(name, dimension)| (name.to_owned(), dimension.exponents()));
+    let all = known.chain(program.own_dimensions.iter().cloned());
+    all.map(|(name, exponents)| DimensionDescription { name, exponents }).collect()
 }
 
 fn unit(unit: &DisplayUnit) -> UnitDescription {

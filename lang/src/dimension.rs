@@ -260,6 +260,11 @@ impl Dimension {
         NAMES.iter().chain(ALIASES).map(|d| d.0)
     }
 
+    /// Every dimension that has a name, once: of those that differ in angle only, the one that is meant comes first.
+    pub fn named() -> impl Iterator<Item = (&'static str, Dimension)> {
+        NAMES.iter().copied()
+    }
+
     /// As a product of powers of base dimensions, e.g. `Length*Mass/Time^2`; `1` for a pure number.
     pub fn in_bases(self) -> String {
         product(Base::ALL.map(|base| (base.name(), self.exponent(base))))

@@ -31,6 +31,8 @@ pub struct Program {
     pub units: String,
     /// Units that the program declares.
     pub own_units: Vec<DisplayUnit>,
+    /// Dimensions that the program declares, by name.
+    pub own_dimensions: Vec<(String, Exponents)>,
     /// Text of the doc comment that opens the model's file; empty if there is none.
     pub doc: String,
 }

@@ -3,6 +3,7 @@
 use crate::dimension::{Base, Dimension, Rational, product_of};
 use crate::ir::DisplayUnit;
 use crate::units::UnitSystem;
+use calyx_abi::description::Exponents;
 
 /// What a program declares with `dimension` and `unit`.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -23,6 +24,13 @@ pub struct OwnBase {
 }
 
 impl Vocabulary {
+    /// Every dimension that the program declares, by name: those that are new, then names for products.
+    pub fn own_dimensions(&self) -> Vec<(String, Exponents)> {
+        let bases = self.bases.iter().enumerate();
+        let bases = bases.filter_map(|(at, base)| Some((base.name.clone(), Dimension::own(at)?.exponents())));
+        bases.chain(self.named.iter().map(|(name, named)| (name.clone(), named.exponents()))).collect()
+    }
+
     /// The name of a dimension, if it has one.
     pub fn name_of(&self, dimension: Dimension) -> Option<&str> {
         let base = || {

@@ -1,6 +1,6 @@
 //! Every example is right as it stands, and runs.
 
-use calyx::rt::{RunOptions, run};
+use calyx::rt::{Given, RunOptions, run};
 use calyx::{Module, check_file};
 use calyx_tests::root;
 
@@ -23,10 +23,10 @@ fn every_example_checks_without_a_word_and_runs() {
         }
         // Few positions, where the example lets them be chosen.
         let steps = description.params.iter().any(|param| param.name == "steps");
-        let set = if steps { vec![("steps".to_owned(), "2".to_owned())] } else { Vec::new() };
+        let given = if steps { vec![Given::text("steps", "2")] } else { Vec::new() };
         let directory = tempfile::tempdir().expect("a directory");
         let options =
-            RunOptions { directory: directory.path().into(), set, quiet: true, ..RunOptions::default() };
+            RunOptions { directory: directory.path().into(), given, quiet: true, ..RunOptions::default() };
         let module = Module::compile(checked).expect("examples compile");
         let report = run(&module, &options).unwrap_or_else(|error| panic!("{}: {error:?}", path.display()));
         assert!(report.findings.is_empty(), "{}: {:?}", path.display(), report.findings);

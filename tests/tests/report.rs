@@ -1,6 +1,6 @@
 //! The two programs that the report prints compile, and do the same interpreted and as machine code.
 
-use calyx::rt::{Program, apply};
+use calyx::rt::{Given, Program, apply};
 use calyx::{Interpreted, Module, check_file};
 use calyx_abi::{Context, Purity};
 use calyx_gears::host::ModelHost;
@@ -14,8 +14,8 @@ fn printed(program: &dyn Program, set: &[(&str, &str)]) -> Vec<String> {
     context.kernels = program.kernels();
     let kept = lines.clone();
     context.print = Box::new(move |line| kept.lock().expect("one thread").push(line.to_string()));
-    let set: Vec<_> = set.iter().map(|(name, value)| (name.to_string(), value.to_string())).collect();
-    apply(program, &set, &mut context).expect("params");
+    let given: Vec<Given> = set.iter().map(|(name, value)| Given::text(*name, *value)).collect();
+    apply(program, &given, &mut context).expect("params");
     program.main(&mut context).expect("the model runs");
     let lines = lines.lock().expect("one thread");
     lines.clone()

@@ -2,7 +2,7 @@
 //! executable. All build the same scene and write the same results, bit for bit.
 #![cfg(unix)]
 
-use calyx::rt::{Program, RunOptions, apply, run};
+use calyx::rt::{Given, Program, RunOptions, apply, run};
 use calyx::{Interpreted, Module, check_file, check_text};
 use calyx_abi::{Context, Purity, SymbolicValue};
 use calyx_gears::host::ModelHost;
@@ -14,8 +14,8 @@ use std::sync::{Arc, OnceLock};
 
 const SET: [(&str, &str); 3] = [("steps", "2"), ("torque", "700"), ("tip_radius", "0.5 mm")];
 
-fn set() -> Vec<(String, String)> {
-    SET.map(|(name, value)| (name.into(), value.into())).to_vec()
+fn given() -> Vec<Given> {
+    SET.map(|(name, value)| Given::text(name, value)).to_vec()
 }
 
 fn example() -> PathBuf {
@@ -29,7 +29,7 @@ const TIMES: [f64; 4] = [0.0, 0.1, 1.4698981493578729, -3.7];
 fn scene(program: &dyn Program) -> String {
     let mut context = Context::new(Box::new(ModelHost::default()));
     context.kernels = program.kernels();
-    apply(program, &set(), &mut context).unwrap();
+    apply(program, &given(), &mut context).unwrap();
     program.main(&mut context).unwrap();
     let (params, slots) = (format!("{:?}", context.params), context.param_slots.len());
     let host = context.host::<ModelHost>().unwrap();
@@ -85,8 +85,12 @@ fn interpreter_and_machine_code_build_the_same_scene() {
 /// `steps.csv` of a run in this process.
 fn steps(program: &dyn Program) -> String {
     let directory = tempfile::tempdir().unwrap();
-    let options =
-        RunOptions { directory: directory.path().into(), set: set(), quiet: true, ..RunOptions::default() };
+    let options = RunOptions {
+        directory: directory.path().into(),
+        given: given(),
+        quiet: true,
+        ..RunOptions::default()
+    };
     run(program, &options).unwrap();
     std::fs::read_to_string(directory.path().join("steps.csv")).unwrap()
 }

@@ -1,7 +1,7 @@
 //! A model checked in one go, from a file or a text: what is wrong with its language, and with the gears it describes.
 
 use crate::diagnostics::has_errors;
-use crate::elaboration::{Cancel, Params, Refused, elaborate};
+use crate::elaboration::{Cancel, Params, elaborate};
 use crate::loader::ModelLoader;
 use crate::plan::Planned;
 use calyx_abi::description::ModelDescription;
@@ -9,6 +9,7 @@ use calyx_lang::diagnostic::Diagnostic;
 use calyx_lang::ir::{Program, SourceFile};
 use calyx_lang::render::{Colour, Renderer};
 use calyx_lang::span::{FileId, Span};
+use calyx_rt::{Given, Refused};
 use std::collections::BTreeMap;
 use std::io::{self, IsTerminal};
 use std::path::Path;
@@ -49,11 +50,11 @@ pub fn check_file(path: &Path) -> io::Result<Checked> {
     check_at(path, Params::Defaults)
 }
 
-/// Checks the model in a file for a run with params given by name, as text.
+/// Checks the model in a file for a run with these params.
 ///
 /// # Errors
 /// As for [`check_file`].
-pub fn check_run(path: &Path, given: &[(String, String)]) -> io::Result<Checked> {
+pub fn check_run(path: &Path, given: &[Given]) -> io::Result<Checked> {
     check_at(path, Params::Given(given))
 }
 

@@ -16,7 +16,7 @@ use calyx_lang::ir::{Program, SiteId};
 use calyx_lang::span::Span;
 use calyx_lower::interpret::CallSites;
 use calyx_lower::kernels::lower_site;
-use calyx_rt::{ParamError, Program as _, apply};
+use calyx_rt::{Given, ParamError, Program as _, Refused, apply};
 use std::collections::BTreeMap;
 use std::error::Error;
 use std::fmt;
@@ -69,16 +69,8 @@ impl Error for Cancelled {}
 #[derive(Clone, Copy, Debug)]
 pub enum Params<'a> {
     Defaults,
-    /// By name, as text; for a run, which may take as long as it likes.
-    Given(&'a [(String, String)]),
-}
-
-/// Why a value given for a param from outside cannot be used.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Refused {
-    pub message: String,
-    /// What to do about it; empty if nothing can be said.
-    pub help: String,
+    /// For a run, which may take as long as it likes.
+    Given(&'a [Given]),
 }
 
 /// What a program describes, at some params.
@@ -190,9 +182,9 @@ fn elaborate_with(
         // What comes after a call that failed may follow from it.
         Err(ParamError::Model(error)) if survived.is_empty() => found.push(at_place(&error)),
         Err(ParamError::Model(_)) => {}
-        Err(ParamError::Given { message, help }) => match params {
-            Params::Given(_) => refused = Some(Refused { message, help }),
-            Params::Defaults => found.push(wrong_default(program, message, help)),
+        Err(ParamError::Given(why)) => match params {
+            Params::Given(_) => refused = Some(why),
+            Params::Defaults => found.push(wrong_default(program, why)),
         },
         Ok(_) => {}
     }
@@ -217,7 +209,7 @@ fn unrunnable(found: Box<Diagnostic>) -> Elaboration {
 }
 
 /// A default that its param does not allow.
-fn wrong_default(program: &Program, message: String, help: String) -> Diagnostic {
+fn wrong_default(program: &Program, Refused { message, help, .. }: Refused) -> Diagnostic {
     // Messages about params begin with the name.
     let name = message.split('`').nth(1).unwrap_or_default();
     let param = program.params.iter().find(|param| param.name == name);

@@ -13,7 +13,7 @@ use calyx_lang::span::{FileId, Span};
 use calyx_lower::kernels::trace_nan;
 use calyx_lower::nan::NanSource;
 use calyx_rt::program::ParamFunction;
-use calyx_rt::{Program as _, apply};
+use calyx_rt::{Given, Program as _, apply};
 use std::collections::HashMap;
 use std::sync::atomic::AtomicBool;
 use std::sync::{Arc, Mutex};
@@ -99,7 +99,7 @@ impl Kernel for Watched {
 /// the run that failed.
 pub fn explain(
     program: &Program,
-    given: &[(String, String)],
+    given: &[Given],
     seen: &Seen,
     error: &RuntimeError,
     diagnostic: Diagnostic,
@@ -175,7 +175,7 @@ fn from_outside(
 /// Interprets the program with the same params, following NaN, and asks what was found.
 fn retrace<R>(
     program: &Program,
-    given: &[(String, String)],
+    given: &[Given],
     seen: &Seen,
     ask: impl FnOnce(&Interpreted) -> Option<R>,
 ) -> Option<R> {

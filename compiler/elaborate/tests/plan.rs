@@ -1,13 +1,13 @@
 //! The plan of a model in words.
 
-use calyx_elaborate::{Cancel, ModelLoader, Params, Planned, elaborate};
+use calyx_elaborate::{Cancel, Given, ModelLoader, Params, Planned, elaborate};
 
 const PAIR: &str = include_str!("../../../examples/spur_pair.cx");
 
 fn planned(text: &str, set: &[(&str, &str)]) -> Option<Planned> {
     let checked = calyx_lang::check::check_program("model.cx", text, &ModelLoader { folder: None });
     let program = checked.program.unwrap_or_else(|| panic!("{:?}", checked.diagnostics));
-    let given: Vec<(String, String)> = set.iter().map(|(n, v)| ((*n).to_owned(), (*v).to_owned())).collect();
+    let given: Vec<Given> = set.iter().map(|(name, text)| Given::text(*name, *text)).collect();
     elaborate(&program, Params::Given(&given), &Cancel::default()).expect("nobody cancels").plan
 }
 

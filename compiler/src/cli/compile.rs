@@ -26,7 +26,7 @@ pub fn compile(
     }
     format.diagnostics(&shown, &checked.files);
     if let Some(refused) = &checked.refused {
-        format.failure(&refused.message, &refused.help);
+        format.refused(refused);
         return Err(ExitCode::from(USAGE));
     }
     if checked.program.is_none() {

@@ -3,7 +3,7 @@
 use crate::messages::{MODEL_ERROR, MessageFormat, USAGE};
 use calyx::check_run;
 use calyx::explain::{all, page, similar_codes};
-use calyx::rt::params::name_and_value;
+use calyx::rt::Given;
 use clap::Args;
 use std::path::Path;
 use std::process::ExitCode;
@@ -19,8 +19,8 @@ pub struct Explain {
     #[arg(value_name = "CODE or FILE")]
     subject: Option<String>,
     /// Set a param of the model, as for `calyx run`
-    #[arg(long, value_name = "NAME=VALUE", value_parser = name_and_value)]
-    set: Vec<(String, String)>,
+    #[arg(long, value_name = "NAME=VALUE", value_parser = Given::name_and_value)]
+    set: Vec<Given>,
 }
 
 impl Explain {
@@ -48,7 +48,7 @@ impl Explain {
 }
 
 /// Prints how a model would be analysed.
-fn plan(file: &Path, set: &[(String, String)]) -> ExitCode {
+fn plan(file: &Path, set: &[Given]) -> ExitCode {
     let format = MessageFormat::Human;
     let checked = match check_run(file, set) {
         Ok(checked) => checked,
@@ -56,7 +56,7 @@ fn plan(file: &Path, set: &[(String, String)]) -> ExitCode {
     };
     format.diagnostics(&checked.diagnostics, &checked.files);
     if let Some(refused) = &checked.refused {
-        format.failure(&refused.message, &refused.help);
+        format.refused(refused);
         return ExitCode::from(USAGE);
     }
     match &checked.plan {

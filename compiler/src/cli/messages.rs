@@ -2,6 +2,7 @@
 //! output holds what the model prints and nothing else.
 
 use calyx::render;
+use calyx::rt::{Refused, report};
 use calyx_lang::diagnostic::Diagnostic;
 use calyx_lang::ir::SourceFile;
 use calyx_lang::render::to_json;
@@ -46,6 +47,18 @@ impl MessageFormat {
                 }
             }
             MessageFormat::Json => eprintln!("{}", without_place("error", message, help)),
+        }
+    }
+
+    /// Says why a value given for a param cannot be used.
+    pub fn refused(self, refused: &Refused) {
+        match self {
+            MessageFormat::Human => eprint!("{}", report::refused(refused)),
+            MessageFormat::Json => {
+                let mut said = without_place("error", &refused.message, &refused.help);
+                said["primary"] = refused.origin.as_ref().map_or(json!(null), report::place_json);
+                eprintln!("{said}");
+            }
         }
     }
 

@@ -2,8 +2,9 @@
 
 use crate::compile::compile;
 use crate::messages::{MODEL_ERROR, MessageFormat, USAGE};
+use calyx::rt::Given;
 use calyx::rt::directory::prepare;
-use calyx::rt::params::{ParamError, name_and_value};
+use calyx::rt::params::ParamError;
 use calyx::rt::progress::ProgressFormat;
 use calyx::rt::run::{RunError, RunOptions, default_directory};
 use calyx::rt::{budget, interrupt};
@@ -40,8 +41,8 @@ pub struct Run {
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
     /// Set a param; a bare VALUE is in the unit of the param's default. May be given several times
-    #[arg(long, value_name = "NAME=VALUE", value_parser = name_and_value)]
-    set: Vec<(String, String)>,
+    #[arg(long, value_name = "NAME=VALUE", value_parser = Given::name_and_value)]
+    set: Vec<Given>,
     /// End the run with an error after this time, like 10s or 5min
     #[arg(long, value_name = "TIME", value_parser = budget::time)]
     time_limit: Option<Duration>,
@@ -78,7 +79,7 @@ impl Run {
         let silent = quiet || format == MessageFormat::Json;
         let options = RunOptions {
             directory: directory.clone(),
-            set: set.clone(),
+            given: set.clone(),
             quiet: silent,
             progress: match progress {
                 Progress::Human => ProgressFormat::Human,
@@ -99,8 +100,8 @@ impl Run {
                 }
                 ExitCode::SUCCESS
             }
-            Err(RunError::Param(ParamError::Given { message, help })) => {
-                format.failure(&message, &help);
+            Err(RunError::Param(ParamError::Given(refused))) => {
+                format.refused(&refused);
                 ExitCode::from(USAGE)
             }
             Err(RunError::Param(ParamError::Model(error)) | RunError::Model(error)) => {

@@ -53,6 +53,9 @@ pub struct ModelDescription {
     pub files: Vec<FileDescription>,
     /// Every unit of the language, so that values given as text can be read without the compiler.
     pub known_units: Vec<UnitDescription>,
+    /// Every dimension that has a name, the program's own base dimensions included. Of several that differ in the
+    /// exponent of angle only, the one that people mean comes first.
+    pub known_dimensions: Vec<DimensionDescription>,
 }
 
 /// An input of the model.
@@ -104,6 +107,14 @@ pub struct UnitDescription {
     pub name: String,
     pub factor: f64,
     pub dimension: Exponents,
+}
+
+/// A dimension with a name.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct DimensionDescription {
+    /// As annotations of the language have it: `Length`, `SecondMomentOfArea`.
+    pub name: String,
+    pub exponents: Exponents,
 }
 
 /// A symbolic site's kernel.

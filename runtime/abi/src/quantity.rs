@@ -1,6 +1,6 @@
 //! Values given as text: `0.5 mm`, `1000 lbf*inch`, `10 / inch`, `2e-3`, with the units of the language.
 
-use crate::description::{Exponents, OWN_BASES, UnitDescription};
+use crate::description::{DimensionDescription, Exponents, OWN_BASES, UnitDescription};
 use crate::units::to_si;
 
 /// Of a pure number.
@@ -87,6 +87,26 @@ pub fn fits(a: Exponents, b: Exponents) -> bool {
     (0..a.len()).filter(|&base| base != ANGLE).all(|base| a[base].0 * b[base].1 == b[base].0 * a[base].1)
 }
 
+/// What kind of quantity has a dimension, in words with an article: `a length`, `a second moment of area`. `None` if it
+/// has no name.
+pub fn kind(dimension: Exponents, known: &[DimensionDescription]) -> Option<String> {
+    if dimension == PURE {
+        return Some("a pure number".into());
+    }
+    let exact = known.iter().find(|named| named.exponents == dimension);
+    // An angle that got in by multiplication says nothing of the kind.
+    let found = exact.or_else(|| known.iter().find(|named| fits(named.exponents, dimension)))?;
+    let mut words = String::new();
+    for letter in found.name.chars() {
+        if letter.is_uppercase() && !words.is_empty() {
+            words.push(' ');
+        }
+        words.extend(letter.to_lowercase());
+    }
+    let article = if words.starts_with(['a', 'e', 'i', 'o', 'u']) { "an" } else { "a" };
+    Some(format!("{article} {words}"))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -136,6 +156,30 @@ mod tests {
         ] {
             let error = parse(text, &units()).unwrap_err();
             assert!(error.contains(reason), "{text}: {error}");
+        }
+    }
+
+    #[test]
+    fn kinds_are_told_in_words() {
+        let of = |exponents: [i32; 5]| {
+            std::array::from_fn(|base| (exponents.get(base).copied().unwrap_or(0), 1)) as Exponents
+        };
+        let known = [
+            ("Length", of([1, 0, 0, 0, 0])),
+            ("Angle", of([0, 0, 0, 1, 0])),
+            ("SecondMomentOfArea", of([4, 0, 0, 0, 0])),
+        ];
+        let known =
+            known.map(|(name, exponents)| DimensionDescription { name: name.into(), exponents }).to_vec();
+        for (exponents, words) in [
+            ([0, 0, 0, 0, 0], Some("a pure number")),
+            ([0, 0, 0, 1, 0], Some("an angle")),
+            ([1, 0, 0, 0, 0], Some("a length")),
+            ([1, 0, 0, 1, 0], Some("a length")),
+            ([4, 0, 0, 0, 0], Some("a second moment of area")),
+            ([5, 0, 0, 0, 0], None),
+        ] {
+            assert_eq!(kind(of(exponents), &known).as_deref(), words, "{exponents:?}");
         }
     }
 

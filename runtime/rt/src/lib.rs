@@ -4,6 +4,7 @@
 
 pub mod budget;
 pub mod directory;
+pub mod given;
 pub mod interrupt;
 pub mod linked;
 pub mod params;
@@ -13,6 +14,7 @@ pub mod report;
 pub mod run;
 pub mod table;
 
-pub use params::{ParamError, apply};
+pub use given::{Given, GivenValue};
+pub use params::{ParamError, Refused, apply};
 pub use program::Program;
 pub use run::{RunError, RunOptions, RunReport, run};

@@ -1,10 +1,11 @@
 //! The entry point of executables linked from object files.
 
 use crate::budget;
+use crate::given::Given;
 use crate::interrupt;
 use crate::params::{self, ParamError};
 use crate::program::{ParamFunction, Program};
-use crate::report::problem;
+use crate::report::{problem, refused};
 use crate::run::{RunError, RunOptions, run};
 use calyx_abi::call::KernelFn;
 use calyx_abi::description::{ModelDescription, ModuleTable, ParamValue};
@@ -201,8 +202,8 @@ fn run_as_command(program: &LinkedProgram, arguments: Vec<OsString>) -> c_int {
         ..RunOptions::default()
     };
     for given in matches.get_many::<String>("set").into_iter().flatten() {
-        match params::name_and_value(given) {
-            Ok(pair) => options.set.push(pair),
+        match Given::name_and_value(given) {
+            Ok(given) => options.given.push(given),
             Err(message) => {
                 eprintln!("error: `--set {given}`: {message}");
                 return USAGE;
@@ -259,11 +260,8 @@ fn params_help(description: &ModelDescription) -> String {
 /// Says what went wrong and returns the exit status.
 fn report_failure(error: &RunError, description: &ModelDescription) -> c_int {
     match error {
-        RunError::Param(ParamError::Given { message, help }) => {
-            eprintln!("error: {message}");
-            if !help.is_empty() {
-                eprintln!("  help: {help}");
-            }
+        RunError::Param(ParamError::Given(why)) => {
+            eprint!("{}", refused(why));
             USAGE
         }
         RunError::Param(ParamError::Model(error)) | RunError::Model(error) => {

@@ -1,8 +1,11 @@
 //! Setting a model's params: defaults, given values, ranges.
 
+use crate::given::{Given, GivenValue, Origin};
 use crate::program::{ParamFunction, Program};
-use calyx_abi::description::{ModelDescription, ParamDescription, ParamValue, UnitDescription};
-use calyx_abi::quantity;
+use calyx_abi::description::{
+    DimensionDescription, Exponents, ModelDescription, ParamDescription, ParamValue,
+};
+use calyx_abi::quantity::{self, Quantity};
 use calyx_abi::units::{from_si, to_si};
 use calyx_abi::{Context, Repr, RuntimeError, Slot};
 use std::path::{Path, PathBuf};
@@ -10,23 +13,38 @@ use std::path::{Path, PathBuf};
 /// Why a param could not be set.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ParamError {
-    /// What the user gave is not usable: message and remedy.
-    Given { message: String, help: String },
+    /// What the user gave is not usable.
+    Given(Refused),
     /// The model's own expression for a default or a range failed.
     Model(RuntimeError),
 }
 
-/// Fills `context.params` and `context.param_slots` from the defaults and from `given` (name and text, the last of a
-/// name counts). Defaults are computed in order, so one that uses an earlier param follows its given value.
-pub fn apply(
-    program: &dyn Program,
-    given: &[(String, String)],
-    context: &mut Context,
-) -> Result<(), ParamError> {
+/// Why a value given for a param from outside cannot be used.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Refused {
+    pub message: String,
+    /// What to do about it; empty if nothing can be said.
+    pub help: String,
+    /// Where it was given, if in a file.
+    pub origin: Option<Origin>,
+}
+
+impl Refused {
+    pub fn new(message: impl Into<String>, help: impl Into<String>) -> Refused {
+        Refused { message: message.into(), help: help.into(), origin: None }
+    }
+}
+
+/// Fills `context.params` and `context.param_slots` from the defaults and from `given` (the last of a name counts).
+/// Defaults are computed in order, so one that uses an earlier param follows its given value.
+///
+/// # Errors
+/// A name is not known, a value does not fit its param, or an expression of the model failed.
+pub fn apply(program: &dyn Program, given: &[Given], context: &mut Context) -> Result<(), ParamError> {
     let description = program.description();
-    for (name, _) in given {
-        if !description.params.iter().any(|param| param.name == *name) {
-            return Err(unknown_param(name, description));
+    for given in given {
+        if !description.params.iter().any(|param| param.name == given.name) {
+            return Err(ParamError::Given(unknown_param(given, description)));
         }
     }
     context.files = description.files.clone().into();
@@ -40,10 +58,13 @@ pub fn apply(
     context.params = vec![f64::NAN; description.params.len()];
     context.param_slots = vec![0; description.params.len()];
     for (index, param) in description.params.iter().enumerate() {
-        let text = given.iter().rev().find(|(name, _)| *name == param.name).map(|(_, text)| text);
+        let given = given.iter().rev().find(|given| given.name == param.name);
         let ends = range(program, index, param, context)?;
-        let slot = match text {
-            Some(text) => read(param, text, ends, &description.known_units, context)?,
+        let placed = |refused: Refused| {
+            ParamError::Given(Refused { origin: given.and_then(|given| given.origin.clone()), ..refused })
+        };
+        let slot = match given {
+            Some(given) => read(param, &given.value, ends, description, context).map_err(placed)?,
             None => program
                 .param_function(index, ParamFunction::Default, context)
                 .map_err(ParamError::Model)?
@@ -55,23 +76,14 @@ pub fn apply(
         }
         if param.repr == Repr::Number {
             context.params[index] = f64::from_bits(slot);
-            check_range(param, f64::from_bits(slot), ends)?;
+            check_range(param, f64::from_bits(slot), ends).map_err(placed)?;
         }
     }
     Ok(())
 }
 
-fn given_error(message: String, help: String) -> ParamError {
-    ParamError::Given { message, help }
-}
-
-/// Splits `NAME=VALUE`; the error says what is wrong with it.
-pub fn name_and_value(text: &str) -> Result<(String, String), String> {
-    let (name, value) = text.split_once('=').ok_or("there is no `=`; give it like `--set torque=500`")?;
-    Ok((name.trim().to_owned(), value.trim().to_owned()))
-}
-
-fn unknown_param(name: &str, description: &ModelDescription) -> ParamError {
+fn unknown_param(given: &Given, description: &ModelDescription) -> Refused {
+    let name = given.name.as_str();
     let names = || description.params.iter().map(|param| param.name.as_str());
     let near = names()
         .map(|candidate| (strsim::damerau_levenshtein(name, candidate), candidate))
@@ -85,7 +97,8 @@ fn unknown_param(name: &str, description: &ModelDescription) -> ParamError {
         all if all.is_empty() => "the model has no params".to_owned(),
         all => format!("its params are {all}"),
     };
-    given_error(format!("the model has no param called `{name}`"), help)
+    let message = format!("the model has no param called `{name}`");
+    Refused { origin: given.origin.clone(), ..Refused::new(message, help) }
 }
 
 /// The ends of a number's range, in SI.
@@ -102,51 +115,64 @@ fn range(
     }
     let mut end = |which| {
         let slot = program.param_function(index, which, context).map_err(ParamError::Model)?;
-        Ok(slot.map(f64::from_bits))
+        Ok::<_, ParamError>(slot.map(f64::from_bits))
     };
     Ok((end(ParamFunction::Low)?, end(ParamFunction::High)?))
 }
 
 fn read(
     param: &ParamDescription,
-    text: &str,
+    value: &GivenValue,
     ends: Ends,
-    units: &[UnitDescription],
+    description: &ModelDescription,
     context: &mut Context,
-) -> Result<Slot, ParamError> {
+) -> Result<Slot, Refused> {
     let name = &param.name;
     match &param.repr {
-        Repr::Bool => match text.trim() {
-            "TRUE" | "true" => Ok(1),
-            "FALSE" | "false" => Ok(0),
-            _ => Err(given_error(format!("`{name}` cannot be `{text}`"), takes(param, ends))),
-        },
-        Repr::String => {
-            if !param.choices.is_empty() && !param.choices.iter().any(|choice| choice == text) {
-                return Err(given_error(format!("`{name}` cannot be \"{text}\""), takes(param, ends)));
+        Repr::Bool => match value {
+            GivenValue::Bool(truth) => Ok(u64::from(*truth)),
+            GivenValue::Text(text) if matches!(text.trim(), "TRUE" | "true") => Ok(1),
+            GivenValue::Text(text) if matches!(text.trim(), "FALSE" | "false") => Ok(0),
+            GivenValue::String(text) => {
+                Err(Refused::new(format!("`{name}` cannot be \"{text}\""), takes(param, ends)))
             }
-            Ok(context.heap.string(text))
-        }
-        _ => read_number(param, text, ends, units).map(f64::to_bits),
+            other => Err(Refused::new(format!("`{name}` cannot be `{other}`"), takes(param, ends))),
+        },
+        Repr::String => match value {
+            GivenValue::Text(text) | GivenValue::String(text) => {
+                if param.choices.is_empty() || param.choices.iter().any(|choice| choice == text) {
+                    return Ok(context.heap.string(text));
+                }
+                Err(Refused::new(format!("`{name}` cannot be \"{text}\""), takes(param, ends)))
+            }
+            other => {
+                let message = format!("`{name}` cannot be `{other}`: it is a text");
+                Err(Refused::new(message, takes(param, ends)))
+            }
+        },
+        _ => read_number(param, value, ends, description).map(f64::to_bits),
     }
 }
 
 fn read_number(
     param: &ParamDescription,
-    text: &str,
+    value: &GivenValue,
     ends: Ends,
-    units: &[UnitDescription],
-) -> Result<f64, ParamError> {
+    description: &ModelDescription,
+) -> Result<f64, Refused> {
     let refused =
-        |why: &str| given_error(format!("`{}` cannot be `{text}`: {why}", param.name), takes(param, ends));
-    let quantity = quantity::parse(text, units).map_err(|why| refused(&why))?;
+        |why: &str| Refused::new(format!("`{}` cannot be `{value}`: {why}", param.name), takes(param, ends));
+    let quantity = match value {
+        GivenValue::Text(text) | GivenValue::String(text) => {
+            quantity::parse(text, &description.known_units).map_err(|why| refused(&why))?
+        }
+        GivenValue::Number(value) => Quantity { value: *value, dimension: quantity::PURE, unit: false },
+        GivenValue::Bool(_) => return Err(refused("it is a number")),
+    };
     // A bare value is in the unit the default is written in.
     let value = if quantity.unit { quantity.value } else { to_si(quantity.value, param.unit.factor) };
     if quantity.unit && !quantity::fits(quantity.dimension, param.unit.dimension) {
-        return Err(refused(&match param.unit.name.as_str() {
-            "" => "it is a pure number, without a unit".to_owned(),
-            unit => format!("its default is in {unit}, and that is another kind of quantity"),
-        }));
+        return Err(refused(&other_kind(param, quantity.dimension, &description.known_dimensions)));
     }
     if param.integral && value.fract() != 0.0 {
         return Err(refused("it must be a whole number"));
@@ -154,7 +180,22 @@ fn read_number(
     Ok(value)
 }
 
-fn check_range(param: &ParamDescription, value: f64, ends: Ends) -> Result<(), ParamError> {
+/// Why a quantity of another dimension is not one of the param's.
+fn other_kind(param: &ParamDescription, given: Exponents, known: &[DimensionDescription]) -> String {
+    let unit = param.unit.name.as_str();
+    match (quantity::kind(given, known), quantity::kind(param.unit.dimension, known)) {
+        (Some(given), _) if unit.is_empty() => {
+            format!("that is {given}, and it is a pure number, without a unit")
+        }
+        (None, _) if unit.is_empty() => "it is a pure number, without a unit".into(),
+        (Some(given), Some(own)) => format!("that is {given}, and its default is in {unit}, {own}"),
+        (Some(given), None) => format!("that is {given}, and its default is in {unit}"),
+        (None, Some(own)) => format!("its default is in {unit}, {own}, and that is another kind of quantity"),
+        (None, None) => format!("its default is in {unit}, and that is another kind of quantity"),
+    }
+}
+
+fn check_range(param: &ParamDescription, value: f64, ends: Ends) -> Result<(), Refused> {
     if value.is_finite() && ends.0.is_none_or(|low| value >= low) && ends.1.is_none_or(|high| value <= high) {
         return Ok(());
     }
@@ -162,7 +203,7 @@ fn check_range(param: &ParamDescription, value: f64, ends: Ends) -> Result<(), P
         range if range.is_empty() => format!("`{}` = {value} is not a finite number", param.name),
         range => format!("`{}` = {} is outside its range, {range}", param.name, shown(param, value)),
     };
-    Err(given_error(message, "give a value within the range, or widen the range in the model".into()))
+    Err(Refused::new(message, "give a value within the range, or widen the range in the model"))
 }
 
 /// What a param takes, and how to give it.

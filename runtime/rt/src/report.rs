@@ -1,8 +1,11 @@
 //! Errors and warnings of a running model as text with the source line, for executables that carry no compiler.
 
+use crate::given::Origin;
+use crate::params::Refused;
 use calyx_abi::RuntimeError;
 use calyx_abi::description::{FileDescription, ModelDescription};
 use calyx_abi::error::{Place, call_lines};
+use serde_json::json;
 
 /// `error[E0670]: ...` with the place, its line underlined, and the remedy. `kind` is `error` or `warning`.
 pub fn problem(kind: &str, error: &RuntimeError, description: &ModelDescription) -> String {
@@ -23,6 +26,25 @@ pub fn problem(kind: &str, error: &RuntimeError, description: &ModelDescription)
         text += &format!("  {line}\n");
     }
     text
+}
+
+/// `error: ...` with the place in the file of params, if it came from one, and the remedy.
+pub fn refused(refused: &Refused) -> String {
+    let mut text = format!("error: {}\n", refused.message);
+    let place = refused.origin.as_ref();
+    let place = place.and_then(|origin| excerpt(&origin.file, origin.start, origin.end));
+    text += place.as_deref().unwrap_or_default();
+    if !refused.help.is_empty() {
+        text += &format!("  help: {}\n", refused.help);
+    }
+    text
+}
+
+/// The place for programs, as those of diagnostics.
+pub fn place_json(origin: &Origin) -> serde_json::Value {
+    let Origin { file, start, end } = origin;
+    let (line, column) = line_column(file, *start);
+    json!({ "file": file.name, "line": line, "column": column, "byte_start": start, "byte_end": end })
 }
 
 fn line_column(file: &FileDescription, start: usize) -> (usize, usize) {

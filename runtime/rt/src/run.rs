@@ -2,6 +2,7 @@
 
 use crate::budget;
 use crate::directory::{Stages, StepTable, prepare, warnings, write_run, write_unfinished};
+use crate::given::Given;
 use crate::params::{self, ParamError};
 use crate::program::Program;
 use crate::progress::{Progress, ProgressFormat};
@@ -27,8 +28,8 @@ pub type StageTimes = Vec<(&'static str, Duration)>;
 pub struct RunOptions {
     /// Where results go.
     pub directory: PathBuf,
-    /// Params given by name, as text.
-    pub set: Vec<(String, String)>,
+    /// Values given for params; the last of a name counts.
+    pub given: Vec<Given>,
     /// Nothing but what the program prints, and errors.
     pub quiet: bool,
     /// How progress is shown; for people it is silent if `quiet`.
@@ -90,7 +91,7 @@ pub fn run(program: &dyn Program, options: &RunOptions) -> Result<RunReport, Run
     context.kernels = program.kernels();
     let shown = progress.clone();
     context.print = Box::new(move |line| shown.print(line));
-    let outcome = params::apply(program, &options.set, &mut context).map_err(RunError::Param);
+    let outcome = params::apply(program, &options.given, &mut context).map_err(RunError::Param);
     let outcome = outcome.and_then(|()| prepare(&options.directory).map_err(unwritable)).and_then(|()| {
         let started = Instant::now();
         program.main(&mut context).map_err(RunError::Model)?;

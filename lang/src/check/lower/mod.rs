@@ -80,6 +80,7 @@ pub fn lower(linked: &Linked<'_>, model: Model, files: Vec<SourceFile>) -> (Prog
         files,
         units: model.system.name().into(),
         own_units: lowering.checker.store.vocabulary.units.clone(),
+        own_dimensions: lowering.checker.store.vocabulary.own_dimensions(),
         doc: model.doc,
         ..Program::default()
     };

@@ -1,0 +1,62 @@
+//! Values given for params: on a command line, in a file, or by the program that runs the model.
+
+use calyx_abi::description::FileDescription;
+use std::fmt;
+use std::sync::Arc;
+
+/// A value for a param.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Given {
+    /// Of the param.
+    pub name: String,
+    pub value: GivenValue,
+    /// Where it stands, if it was given in a file.
+    pub origin: Option<Origin>,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+pub enum GivenValue {
+    /// As typed on a command line, whatever the param is: `500`, `0.5 mm`, `TRUE`, `plane`.
+    Text(String),
+    /// In the unit of the param's default.
+    Number(f64),
+    Bool(bool),
+    /// A quantity like `0.5 mm`, or the value of a param that is a string; never a truth value.
+    String(String),
+}
+
+impl Given {
+    /// A value as typed on a command line.
+    pub fn text(name: impl Into<String>, text: impl Into<String>) -> Given {
+        Given { name: name.into(), value: GivenValue::Text(text.into()), origin: None }
+    }
+
+    /// Reads `NAME=VALUE`.
+    ///
+    /// # Errors
+    /// What is wrong with it.
+    pub fn name_and_value(text: &str) -> Result<Given, String> {
+        let (name, value) = text.split_once('=').ok_or("there is no `=`; give it like `--set torque=500`")?;
+        Ok(Given::text(name.trim(), value.trim()))
+    }
+}
+
+/// As messages quote it.
+impl fmt::Display for GivenValue {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            GivenValue::Text(text) | GivenValue::String(text) => f.write_str(text),
+            GivenValue::Number(number) => write!(f, "{number}"),
+            GivenValue::Bool(truth) => write!(f, "{truth}"),
+        }
+    }
+}
+
+/// A place in a file of params.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Origin {
+    pub file: Arc<FileDescription>,
+    /// Bytes of the file's text.
+    pub start: usize,
+    pub end: usize,
+}
