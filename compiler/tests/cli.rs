@@ -192,6 +192,11 @@ fn runs_print_and_fail_as_they_should() {
 }
 
 #[test]
+fn tables_and_own_units_are_read() {
+    hold(include_str!("cli/tables.md"));
+}
+
+#[test]
 fn certain_fixes_are_applied() {
     hold(include_str!("cli/fix.md"));
 }
