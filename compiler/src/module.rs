@@ -2,12 +2,12 @@
 
 use calyx_abi::description::ModelDescription;
 use calyx_abi::{Context, Kernel, RuntimeError, Slot};
-use calyx_codegen::{CodegenError, JitModule, ObjectOptions, compile_jit, compile_object};
+use calyx_codegen::{CodegenError, JitModule, compile_jit};
 use calyx_elaborate::diagnostics::{diagnostic, finding_diagnostic};
 use calyx_elaborate::nan::{Seen, explain};
 use calyx_elaborate::{Checked, param_function};
 use calyx_gears::host::Finding;
-use calyx_gears::library::{FINGERPRINT, externs};
+use calyx_gears::library::externs;
 use calyx_lang::diagnostic::{Diagnostic, Severity};
 use calyx_lang::ir::{Program, SourceFile};
 use calyx_lower::interpret::CallSites;
@@ -22,7 +22,6 @@ pub enum CompileError {
     /// The model has errors; see its diagnostics.
     NotChecked,
     Code(CodegenError),
-    Description(serde_json::Error),
 }
 
 impl fmt::Display for CompileError {
@@ -30,9 +29,6 @@ impl fmt::Display for CompileError {
         match self {
             CompileError::NotChecked => write!(f, "the model has errors and cannot be compiled"),
             CompileError::Code(error) => write!(f, "{error}"),
-            CompileError::Description(error) => {
-                write!(f, "the model's description cannot be written: {error}")
-            }
         }
     }
 }
@@ -75,17 +71,6 @@ impl Module {
 
     pub(crate) fn program(&self) -> &Program {
         &self.program
-    }
-
-    /// The model as an object file, to be linked with `calyx_rt`.
-    ///
-    /// # Errors
-    /// As for [`Module::compile`].
-    pub fn object(&self) -> Result<Vec<u8>, CompileError> {
-        let description =
-            calyx_lang::description::to_json(&self.description).map_err(CompileError::Description)?;
-        let options = ObjectOptions { entry: true, ..ObjectOptions::new("calyx", &description, FINGERPRINT) };
-        compile_object(&self.program, &options).map_err(CompileError::Code)
     }
 
     /// Whether checking found errors of the gears, which other params may mend.

@@ -18,6 +18,8 @@ struct Case {
 #[derive(Default)]
 struct Expected {
     arguments: Vec<String>,
+    /// Variables of the environment.
+    variables: Vec<(String, String)>,
     status: Option<i32>,
     /// All of standard output.
     out: Vec<String>,
@@ -71,15 +73,32 @@ fn cases(page: &str) -> Vec<Case> {
     cases
 }
 
+/// The words of a command line; blanks between quotes are part of a word.
+fn words(line: &str) -> Vec<String> {
+    let (mut words, mut word, mut quoted) = (Vec::new(), None::<String>, false);
+    for c in line.chars() {
+        match c {
+            '"' => {
+                quoted = !quoted;
+                word.get_or_insert_default();
+            }
+            ' ' if !quoted => words.extend(word.take()),
+            _ => word.get_or_insert_default().push(c),
+        }
+    }
+    words.extend(word);
+    words
+}
+
 fn expectation(commands: &mut Vec<Expected>, line: &str) {
-    if let Some(arguments) = line.strip_prefix("$ calyx") {
-        // Every second piece between quotes is one word.
-        let pieces = arguments.split('"').enumerate();
-        let words = pieces.flat_map(|(i, piece)| match i % 2 {
-            0 => piece.split_whitespace().map(str::to_owned).collect(),
-            _ => vec![piece.to_owned()],
-        });
-        commands.push(Expected { arguments: words.collect(), ..Expected::default() });
+    // Words before the command set variables.
+    let call = line.strip_prefix("$").and_then(|line| line.split_once(" calyx"));
+    if let Some((variables, arguments)) = call {
+        let variables = words(variables).into_iter();
+        let variables = variables.filter_map(|word| word.split_once('=').map(|(a, b)| (a.into(), b.into())));
+        let variables = variables.collect();
+        let arguments = words(arguments);
+        commands.push(Expected { arguments, variables, ..Expected::default() });
         return;
     }
     let command = commands.last_mut().expect("a command comes first");
@@ -99,14 +118,20 @@ fn expectation(commands: &mut Vec<Expected>, line: &str) {
 }
 
 fn calyx(directory: &Path, arguments: &[String]) -> Output {
-    calyx_reads(directory, arguments, "")
+    calyx_reads(directory, arguments, &[], "")
 }
 
-/// Runs the command with a text on standard input.
-fn calyx_reads(directory: &Path, arguments: &[String], input: &str) -> Output {
+/// Runs the command with variables of the environment and a text on standard input.
+fn calyx_reads(
+    directory: &Path,
+    arguments: &[String],
+    variables: &[(String, String)],
+    input: &str,
+) -> Output {
     let mut child = Command::new(env!("CARGO_BIN_EXE_calyx"))
         .current_dir(directory)
         .args(arguments)
+        .envs(variables.iter().map(|(name, value)| (name, value)))
         .stdin(Stdio::piped())
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())
@@ -161,7 +186,7 @@ fn hold(page: &str) {
         assert!(!case.commands.is_empty(), "{} runs nothing", case.name);
         for expected in &case.commands {
             let input: String = expected.input.iter().map(|line| format!("{line}\n")).collect();
-            let output = calyx_reads(directory.path(), &expected.arguments, &input);
+            let output = calyx_reads(directory.path(), &expected.arguments, &expected.variables, &input);
             if let Some(difference) = difference(expected, &output, directory.path()) {
                 let (out, err) =
                     (String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
@@ -194,6 +219,11 @@ fn runs_print_and_fail_as_they_should() {
 #[test]
 fn tables_and_own_units_are_read() {
     hold(include_str!("cli/tables.md"));
+}
+
+#[test]
+fn builds_say_what_they_lack() {
+    hold(include_str!("cli/build.md"));
 }
 
 #[test]

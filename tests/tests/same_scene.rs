@@ -2,6 +2,7 @@
 //! executable. All build the same scene and write the same results, bit for bit.
 #![cfg(unix)]
 
+use calyx::build::{BuildOptions, build};
 use calyx::rt::{Given, Program, RunOptions, apply, run};
 use calyx::{Interpreted, Module, check_file, check_text};
 use calyx_abi::{Context, Purity, SymbolicValue};
@@ -121,41 +122,10 @@ fn linked(directory: &Path, arguments: &[String]) -> Output {
 }
 
 fn link(model: &Path) -> (tempfile::TempDir, PathBuf) {
-    let module = Module::compile(check_file(model).unwrap()).unwrap();
     let directory = tempfile::tempdir().unwrap();
-    let (object, executable) = (directory.path().join("model.o"), directory.path().join("model"));
-    std::fs::write(&object, module.object().unwrap()).unwrap();
-    let linker = Command::new("cc")
-        .args([object, static_library()])
-        .args(["-lm", "-lpthread", "-ldl", "-o"])
-        .arg(&executable)
-        .output()
-        .unwrap();
-    assert!(linker.status.success(), "{}", String::from_utf8_lossy(&linker.stderr));
-    (directory, executable)
-}
-
-/// The static library of the runner that was built last beside this test, built now if there is none.
-fn static_library() -> PathBuf {
-    let this = std::env::current_exe().unwrap();
-    let beside = this.parent().unwrap();
-    let newest = |folder: &Path| {
-        let entries = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap());
-        let libraries = entries.filter(|entry| {
-            let name = entry.file_name().to_string_lossy().into_owned();
-            name.starts_with("libcalyx_rt") && name.ends_with(".a")
-        });
-        libraries.max_by_key(|entry| entry.metadata().unwrap().modified().unwrap()).map(|entry| entry.path())
-    };
-    newest(beside).unwrap_or_else(|| {
-        let profile = beside.parent().unwrap();
-        let name = profile.file_name().unwrap().to_string_lossy().into_owned();
-        let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
-        cargo.args(["build", "--package", "calyx-rt", "--target-dir"]).arg(profile.parent().unwrap());
-        cargo.args(["--profile", if name == "debug" { "dev" } else { &name }]).current_dir(root());
-        assert!(cargo.status().unwrap().success());
-        newest(beside).or_else(|| newest(profile)).expect("the static library was built")
-    })
+    let options = BuildOptions::executable(directory.path().join("model"));
+    let built = build(&check_file(model).unwrap(), &options).unwrap_or_else(|error| panic!("{error}"));
+    (directory, built[0].path.clone())
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! What `run` and `object` have in common: a model becomes machine code, or its errors are shown.
+//! What `run` and `build` have in common: a model is checked and becomes machine code, or its errors are shown.
 
 use crate::messages::{MODEL_ERROR, MessageFormat, USAGE};
 use calyx::rt::run::StageTimes;
@@ -18,8 +18,25 @@ pub fn compile(
     check: impl FnOnce() -> io::Result<Checked>,
 ) -> Result<(Module, StageTimes), ExitCode> {
     let started = Instant::now();
-    let checked = check().map_err(|error| format.unreadable(file, &error))?;
+    let checked = checked(file, quiet, format, check)?;
     let checking = started.elapsed();
+    let started = Instant::now();
+    let module = Module::compile(checked).map_err(|error| {
+        format.failure(&error.to_string(), "");
+        ExitCode::from(MODEL_ERROR)
+    })?;
+    Ok((module, vec![("check", checking), ("compile", started.elapsed())]))
+}
+
+/// What `check` gave, after showing its diagnostics (only errors if `quiet`). `Err` is the exit status of a model that has
+/// errors of the language.
+pub fn checked(
+    file: &Path,
+    quiet: bool,
+    format: MessageFormat,
+    check: impl FnOnce() -> io::Result<Checked>,
+) -> Result<Checked, ExitCode> {
+    let checked = check().map_err(|error| format.unreadable(file, &error))?;
     let mut shown = checked.diagnostics.clone();
     if quiet {
         shown.retain(|diagnostic| diagnostic.severity == Severity::Error);
@@ -32,10 +49,5 @@ pub fn compile(
     if checked.program.is_none() {
         return Err(ExitCode::from(MODEL_ERROR));
     }
-    let started = Instant::now();
-    let module = Module::compile(checked).map_err(|error| {
-        format.failure(&error.to_string(), "");
-        ExitCode::from(MODEL_ERROR)
-    })?;
-    Ok((module, vec![("check", checking), ("compile", started.elapsed())]))
+    Ok(checked)
 }

@@ -1,5 +1,6 @@
 //! The `calyx` command: one file a subcommand.
 
+mod build;
 mod check;
 mod compile;
 mod doc;
@@ -10,7 +11,6 @@ mod fmt;
 mod lsp;
 mod messages;
 mod new;
-mod object;
 mod repl;
 mod run;
 mod test;
@@ -54,6 +54,14 @@ enum Command {
     /// position) and timing.json.
     #[command(after_help = run::EXAMPLES)]
     Run(run::Run),
+    /// Make a model an executable that runs where there is no Calyx, or a library for programs in C
+    ///
+    /// The executable has its own `--help`, made from the model's doc comments, params and outputs, and writes the same bits
+    /// as `calyx run`. It is linked by the system's C compiler ($CC, else cc) with the library libcalyx_rt.a, which is found
+    /// beside `calyx`, in deps/ beside it (cargo puts it there), in ../lib/calyx, or in the user's data directory;
+    /// CALYX_RT_LIBRARY names another.
+    #[command(after_help = build::EXAMPLES)]
+    Build(build::Build),
     /// Lay out models as all of them are laid out
     ///
     /// Changes blanks and line ends only; comments stay. A file with errors of syntax is left as it is.
@@ -87,9 +95,6 @@ enum Command {
     /// Show a model at a stage of compilation: tokens, tree, types, ir, graph, clif or asm
     #[command(after_help = dump::EXAMPLES)]
     Dump(dump::Dump),
-    /// Compile a model to an object file, to be linked with the calyx_rt library into an executable
-    #[command(after_help = object::EXAMPLES)]
-    Object(object::Object),
 }
 
 fn main() -> ExitCode {
@@ -97,6 +102,7 @@ fn main() -> ExitCode {
         Command::New(command) => command.run(),
         Command::Check(command) => command.run(),
         Command::Run(command) => command.run(),
+        Command::Build(command) => command.run(),
         Command::Fmt(command) => command.run(),
         Command::Test(command) => command.run(),
         Command::Explain(command) => command.run(),
@@ -105,6 +111,5 @@ fn main() -> ExitCode {
         Command::Doc(command) => command.run(),
         Command::Lsp(command) => command.run(),
         Command::Dump(command) => command.run(),
-        Command::Object(command) => command.run(),
     }
 }

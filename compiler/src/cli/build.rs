@@ -1,0 +1,124 @@
+//! `calyx build`: a model as an executable, an object file, a library or a header.
+
+use crate::compile::checked;
+use crate::messages::{MODEL_ERROR, MessageFormat};
+use calyx::build::{BuildOptions, Built, Emit, TargetCpu, build};
+use calyx::check_file;
+use clap::{Args, ValueEnum};
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+pub const EXAMPLES: &str = "Examples:
+  calyx build pair.cx                          ./pair, an executable
+  calyx build pair.cx -o bin/pair --target-cpu native
+  calyx build pair.cx --emit lib,header        libpair.a and pair.h, for a program in C
+  CC=clang calyx build pair.cx
+
+Exit status: 0 when everything is built, 1 if the model is wrong or cannot be built, 2 if the command was not used as it can be.";
+
+/// What a model is made into.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Kind {
+    /// NAME, an executable
+    Exe,
+    /// NAME.o, the model's code, to be linked with libcalyx_rt.a
+    Obj,
+    /// libNAME.a, model and engine in one library
+    Lib,
+}
+
+/// The machines that code is for.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+enum Cpu {
+    /// Every machine of this architecture
+    #[default]
+    Baseline,
+    /// This machine, and those that have all its instructions
+    Native,
+}
+
+#[derive(Args)]
+pub struct Build {
+    /// The model, a .cx file
+    file: PathBuf,
+    /// The executable to write; the endings of other kinds are added [default: beside the model, named after it]
+    #[arg(short, long, value_name = "NAME")]
+    output: Option<PathBuf>,
+    /// What to make; several with commas between them
+    #[arg(long, value_enum, value_delimiter = ',', default_value = "exe", value_name = "KIND")]
+    emit: Vec<Kind>,
+    /// The machines that the model's code is for; results have the same bits on all
+    #[arg(long, value_enum, default_value_t, value_name = "CPU")]
+    target_cpu: Cpu,
+    /// Leave the names of functions in the executable, for debuggers and profilers
+    #[arg(long)]
+    keep_symbols: bool,
+    /// How messages are written to standard error
+    #[arg(long, value_enum, default_value_t, value_name = "FORMAT")]
+    message_format: MessageFormat,
+}
+
+impl Build {
+    pub fn run(self) -> ExitCode {
+        let format = self.message_format;
+        let checked = match checked(&self.file, false, format, || check_file(&self.file)) {
+            Ok(checked) => checked,
+            Err(status) => return status,
+        };
+        let emit = self.emit.iter().map(|kind| match kind {
+            Kind::Exe => Emit::Executable,
+            Kind::Obj => Emit::Object,
+            Kind::Lib => Emit::Library,
+        });
+        let cpu = match self.target_cpu {
+            Cpu::Baseline => TargetCpu::Baseline,
+            Cpu::Native => TargetCpu::Native,
+        };
+        let output = self.output.unwrap_or_else(|| self.file.with_extension(""));
+        let options = BuildOptions {
+            emit: emit.collect(),
+            cpu,
+            keep_symbols: self.keep_symbols,
+            ..BuildOptions::executable(output)
+        };
+        match build(&checked, &options) {
+            Ok(built) => {
+                if checked.has_errors() {
+                    format.note("what is built will say the same, unless it is given params that mend it\n");
+                }
+                built.iter().for_each(|built| format.note(&told(built)));
+                ExitCode::SUCCESS
+            }
+            Err(error) => {
+                format.failure(&error.to_string(), &error.help());
+                ExitCode::from(MODEL_ERROR)
+            }
+        }
+    }
+}
+
+/// One line about a file: how large it is, what it needs, how it is used.
+fn told(built: &Built) -> String {
+    let Built { path, size, .. } = built;
+    let shown = path.display();
+    let size = *size as f64 / 1e6;
+    match built.emit {
+        Emit::Executable => {
+            let needs =
+                built.glibc.map(|floor| format!(", needs glibc {floor} or newer")).unwrap_or_default();
+            format!("{shown}: {size:.1} MB{needs}; run it with {} --help\n", command(path))
+        }
+        Emit::Object => format!("{shown}: {size:.1} MB; link it with libcalyx_rt.a\n"),
+        Emit::Library => {
+            format!("{shown}: {size:.1} MB; link it with: cc PROGRAM.c {shown} -lm -lpthread -ldl\n")
+        }
+    }
+}
+
+/// How a shell is told to run the file: a name without a slash would be looked up elsewhere.
+fn command(path: &Path) -> String {
+    match path.parent() {
+        Some(parent) if !parent.as_os_str().is_empty() => path.display().to_string(),
+        _ => format!("./{}", path.display()),
+    }
+}

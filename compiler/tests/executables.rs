@@ -1,0 +1,157 @@
+//! What `calyx build` makes of models, run where there is nothing of Calyx: an empty environment, another directory.
+#![cfg(unix)]
+
+use calyx::build::{Linker, library};
+use calyx_abi::Fingerprint;
+use calyx_codegen::{ObjectOptions, compile_object};
+use serde_json::Value;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+fn examples() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples")
+}
+
+/// Every model below a directory.
+fn models(directory: &Path) -> Vec<PathBuf> {
+    let mut found = Vec::new();
+    for entry in fs::read_dir(directory).unwrap() {
+        let path = entry.unwrap().path();
+        match path.is_dir() {
+            true => found.extend(models(&path)),
+            false => {
+                found.extend(path.extension().is_some_and(|extension| extension == "cx").then_some(path))
+            }
+        }
+    }
+    found
+}
+
+fn calyx(arguments: &[&str]) -> Output {
+    let output = Command::new(env!("CARGO_BIN_EXE_calyx")).args(arguments).output().unwrap();
+    assert!(output.status.success(), "calyx {arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
+    output
+}
+
+/// Runs an executable in an empty environment.
+fn alone(executable: &Path, directory: &Path, arguments: &[&str]) -> Output {
+    Command::new(executable).args(arguments).env_clear().current_dir(directory).output().unwrap()
+}
+
+fn shown(path: &Path) -> &str {
+    path.to_str().unwrap()
+}
+
+#[test]
+fn every_example_runs_alone_and_writes_the_same_bits() {
+    let models = models(&examples());
+    assert!(models.len() > 1, "{models:?}");
+    for model in models {
+        let directory = tempfile::tempdir().unwrap();
+        let elsewhere = directory.path().join("elsewhere");
+        fs::create_dir(&elsewhere).unwrap();
+        // Few positions, where the example lets them be chosen.
+        let steps = fs::read_to_string(&model).unwrap().contains("param steps");
+        let set = if steps { &["--set", "steps=3"][..] } else { &[] };
+        let results = directory.path().join("results");
+        let told = calyx(&[&["run", shown(&model), "--quiet", "--out", shown(&results)], set].concat());
+
+        let executable = directory.path().join("model");
+        calyx(&["build", shown(&model), "-o", shown(&executable)]);
+        let output = alone(&executable, &elsewhere, &[&["--quiet", "--out", "here"], set].concat());
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        assert_eq!(output.stdout, told.stdout, "{}", model.display());
+        assert!(output.stderr.is_empty(), "{}", String::from_utf8_lossy(&output.stderr));
+
+        let steps = |run: &Path| fs::read(run.join("steps.csv")).ok();
+        assert_eq!(steps(&elsewhere.join("here")), steps(&results), "{}", model.display());
+        let outputs = |run: &Path| {
+            let json: Value = serde_json::from_slice(&fs::read(run.join("run.json")).unwrap()).unwrap();
+            (json["outputs"].clone(), json["params"].clone(), json["source"]["sha256"].clone())
+        };
+        assert_eq!(outputs(&elsewhere.join("here")), outputs(&results), "{}", model.display());
+    }
+}
+
+/// An executable for this machine's own instructions writes the bits of one for all machines.
+#[test]
+fn instructions_of_this_machine_change_no_bit() {
+    let directory = tempfile::tempdir().unwrap();
+    let model = directory.path().join("model.cx");
+    fs::write(
+        &model,
+        "var x = 0.1; var i = 0; while (i < 200) { x = floor(1000*sin(x)*3.7)/999 + x*x/7; i = i + 1; } print(x);\n\
+         var y := x*Time^2 + sqrt(Time)*Time^(3/2); print(y at Time = 0.3 s);\n",
+    )
+    .unwrap();
+    let printed = ["baseline", "native"].map(|cpu| {
+        let executable = directory.path().join(cpu);
+        calyx(&["build", shown(&model), "--target-cpu", cpu, "-o", shown(&executable)]);
+        let output = alone(&executable, directory.path(), &["--quiet"]);
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        String::from_utf8(output.stdout).unwrap()
+    });
+    assert!(printed[0].lines().count() == 2 && printed[0] == printed[1], "{printed:?}");
+}
+
+/// Nothing of what it is made from is left beside the executable, whether it was built or not.
+#[test]
+fn what_is_not_finished_is_not_seen() {
+    let directory = tempfile::tempdir().unwrap();
+    let model = directory.path().join("model.cx");
+    fs::write(&model, "print(1);\n").unwrap();
+    let names = || {
+        let entries = fs::read_dir(directory.path()).unwrap();
+        let mut names: Vec<_> =
+            entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+        names.sort();
+        names
+    };
+    let failed = Command::new(env!("CARGO_BIN_EXE_calyx"))
+        .args(["build", shown(&model)])
+        .env("CC", "false")
+        .output()
+        .unwrap();
+    assert_eq!(failed.status.code(), Some(1));
+    assert_eq!(names(), ["model.cx"]);
+    calyx(&["build", shown(&model), "--emit", "exe,obj,lib"]);
+    assert_eq!(names(), ["libmodel.a", "model", "model.cx", "model.o"]);
+}
+
+/// Code that was compiled against another engine is refused before it runs.
+#[test]
+fn code_of_another_version_is_refused() {
+    let directory = tempfile::tempdir().unwrap();
+    let checked = calyx::check_text("model.cx", "print(\"ran\");\n");
+    let description = calyx_lang::description::to_json(&checked.description).unwrap();
+    let [object, executable] = ["model.o", "model"].map(|name| directory.path().join(name));
+    let link = |abi: Fingerprint, description: &str| {
+        let options = ObjectOptions { entry: true, ..ObjectOptions::new("model", description, abi) };
+        fs::write(&object, compile_object(checked.program.as_ref().unwrap(), &options).unwrap()).unwrap();
+        let Linker { program, arguments } = Linker::from_environment();
+        let linked = Command::new(program)
+            .args(arguments)
+            .args([&object, &library::find(None).unwrap()])
+            .args(["-lm", "-lpthread", "-ldl", "-o"])
+            .arg(&executable)
+            .output()
+            .unwrap();
+        assert!(linked.status.success(), "{}", String::from_utf8_lossy(&linked.stderr));
+        let output = alone(&executable, directory.path(), &["--quiet"]);
+        let said = String::from_utf8(output.stderr).unwrap();
+        (output.status.code(), String::from_utf8(output.stdout).unwrap(), said)
+    };
+    let ours = calyx_gears::library::FINGERPRINT;
+    assert_eq!(link(ours, &description), (Some(0), "ran\n".into(), String::new()));
+    let (status, out, said) = link(Fingerprint(1), &description);
+    assert_eq!((status, &*out), (Some(1), ""));
+    for part in
+        ["another version of Calyx", "help: compile the model again", "0000000000000001", &ours.to_string()]
+    {
+        assert!(said.contains(part), "{part} is not in {said}");
+    }
+    let (status, out, said) = link(ours, "{");
+    assert_eq!((status, &*out), (Some(1), ""));
+    assert!(said.contains("description is damaged"), "{said}");
+}
