@@ -1,16 +1,24 @@
 //! Runs a frozen scene over a list of positions: plan, system, steps, results.
+//!
+//! [`Steps`] is the analysis as an iterator; [`quasi_static`] runs it to its end and tells an observer.
 
 use crate::contact::problem::Certificate;
 use crate::error::{EngineError, Subject};
 use crate::holding;
+use crate::interrupt::Interrupt;
 use crate::plan::Plan;
-use crate::results::{AnalysisResult, OutputRequest, StepRow, Timing, summarize};
+use crate::resources::Resources;
+use crate::results::{AnalysisResult, OutputRequest, Solved, StepRow, Timing, summarize};
 use crate::scene::{Fidelity, GearMesh, Scene, StructureOptions};
+use crate::step::StepResult;
 use crate::system::System;
-use std::time::Instant;
+use serde::{Deserialize, Serialize};
+use std::borrow::Cow;
+use std::iter::FusedIterator;
+use std::time::{Duration, Instant};
 
 /// Where the motion is analysed.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Position {
     /// s
     pub time: f64,
@@ -19,7 +27,7 @@ pub struct Position {
     /// Roll angle of the entering pair's first tooth, rad.
     pub roll: f64,
     /// Name of a characteristic point, or empty.
-    pub name: &'static str,
+    pub name: Cow<'static, str>,
 }
 
 /// One mesh cycle: `steps` uniform positions from the moment a pair enters contact, and the characteristic points of
@@ -43,7 +51,7 @@ pub fn mesh_cycle(mesh: &GearMesh, steps: usize) -> Vec<Position> {
             time: mesh.start + cycle * mesh.period,
             cycle,
             roll: mesh.roll[0] + cycle * (mesh.roll[1] - mesh.roll[0]),
-            name,
+            name: Cow::Borrowed(name),
         })
         .collect()
 }
@@ -53,24 +61,206 @@ pub fn mesh_cycle(mesh: &GearMesh, steps: usize) -> Vec<Position> {
 pub struct AnalysisOptions {
     pub fidelity: Fidelity,
     pub structure: StructureOptions,
+    pub resources: Resources,
+    /// What an earlier run of the same analysis solved of its first positions; it goes on behind them, and its result is that
+    /// of a run that solved them all.
+    pub solved: Vec<Solved>,
 }
 
 impl Default for AnalysisOptions {
     fn default() -> Self {
-        AnalysisOptions { fidelity: Fidelity::Plane, structure: StructureOptions::default() }
+        AnalysisOptions {
+            fidelity: Fidelity::Plane,
+            structure: StructureOptions::default(),
+            resources: Resources::default(),
+            solved: Vec::new(),
+        }
     }
 }
+
+/// An analysis that is planned and known to be held, before anything that takes long.
+pub struct Planned<'s> {
+    scene: &'s Scene,
+    positions: &'s [Position],
+    outputs: &'s [OutputRequest],
+    resources: Resources,
+    solved: Vec<Solved>,
+    plan: Plan,
+    timing: Timing,
+}
+
+impl<'s> Planned<'s> {
+    /// Plans the quasi-static analysis (inertia left out, every position in equilibrium) of a scene at some positions.
+    ///
+    /// # Errors
+    /// The scene cannot be modelled so, contacts cannot hold what is free, or the earlier rows are of another analysis.
+    pub fn new(
+        scene: &'s Scene,
+        positions: &'s [Position],
+        outputs: &'s [OutputRequest],
+        options: &AnalysisOptions,
+    ) -> Result<Self, EngineError> {
+        let mut timing = Timing::default();
+        check_solved(&options.solved, positions, outputs)?;
+        let plan = timing.stage("plan", || Plan::new(scene, options.fidelity, options.structure))?;
+        // Structures take long, and this is known without them.
+        let first = positions.first().map_or(0.0, |position| position.time);
+        holding::check(scene, &plan, first, &options.resources.interrupt)?;
+        let (resources, solved) = (options.resources.clone(), options.solved.clone());
+        Ok(Planned { scene, positions, outputs, resources, solved, plan, timing })
+    }
+
+    pub fn plan(&self) -> &Plan {
+        &self.plan
+    }
+
+    /// Builds the structures, or takes them from the cache.
+    ///
+    /// # Errors
+    /// A structure cannot be built, or the interrupt's.
+    pub fn build(self) -> Result<Steps<'s>, EngineError> {
+        let Planned { scene, positions, outputs, resources, solved, plan, mut timing } = self;
+        let system = timing.stage("structures", || System::with(scene, &plan, &resources))?;
+        timing.structures = system.structure_counts();
+        Ok(Steps {
+            positions,
+            outputs,
+            interrupt: resources.interrupt,
+            solved,
+            plan,
+            timing,
+            system,
+            solving: Duration::ZERO,
+            current: None,
+            failed: None,
+        })
+    }
+}
+
+/// A quasi-static analysis under way: an iterator that solves a position each time it is asked for the next.
+///
+/// After an error it is at its end.
+pub struct Steps<'s> {
+    positions: &'s [Position],
+    outputs: &'s [OutputRequest],
+    interrupt: Interrupt,
+    solved: Vec<Solved>,
+    plan: Plan,
+    timing: Timing,
+    system: System<'s>,
+    /// Time spent on positions.
+    solving: Duration,
+    current: Option<StepResult>,
+    failed: Option<EngineError>,
+}
+
+impl<'s> Steps<'s> {
+    /// Plans an analysis and builds its structures.
+    ///
+    /// # Errors
+    /// Those of [`Planned::new`] and [`Planned::build`].
+    pub fn new(
+        scene: &'s Scene,
+        positions: &'s [Position],
+        outputs: &'s [OutputRequest],
+        options: &AnalysisOptions,
+    ) -> Result<Self, EngineError> {
+        Planned::new(scene, positions, outputs, options)?.build()
+    }
+
+    pub fn plan(&self) -> &Plan {
+        &self.plan
+    }
+
+    /// What reads values off a solved position.
+    pub fn system(&self) -> &System<'s> {
+        &self.system
+    }
+
+    /// The position solved last, with its patches, cells and forces; `None` before the first.
+    pub fn current(&self) -> Option<&StepResult> {
+        self.current.as_ref()
+    }
+
+    /// All positions solved so far, those of an earlier run among them.
+    pub fn solved(&self) -> &[Solved] {
+        &self.solved
+    }
+
+    /// Positions there are, solved or not.
+    pub fn count(&self) -> usize {
+        self.positions.len()
+    }
+
+    /// Solves what is left and sums up.
+    ///
+    /// # Errors
+    /// The first that a position ended with.
+    pub fn finish(mut self) -> Result<AnalysisResult, EngineError> {
+        while let Some(step) = self.next() {
+            step?;
+        }
+        if let Some(error) = self.failed {
+            return Err(error);
+        }
+        let first = Certificate::default();
+        let certificate = self.solved.iter().fold(first, |worst, solved| worst.worst(&solved.certificate));
+        let rows: Vec<StepRow> = self.solved.into_iter().map(|solved| solved.row).collect();
+        let summaries = summarize(&rows, self.outputs);
+        self.timing.add("positions", self.solving);
+        Ok(AnalysisResult { plan: self.plan, rows, summaries, certificate, timing: self.timing })
+    }
+
+    fn solve(&mut self, position: &Position) -> Result<Solved, EngineError> {
+        self.interrupt.check()?;
+        let step = self.system.solve(position.time)?;
+        let observables = &self.system.scene.observables;
+        let observed: Vec<_> = observables.iter().map(|&o| self.system.value(&step, o)).collect();
+        let row = StepRow::new(position.clone(), self.outputs, &observed, step.warnings.clone());
+        refuse_nan(&row, self.outputs)?;
+        let certificate = step.certificate;
+        self.current = Some(step);
+        Ok(Solved { row, certificate })
+    }
+}
+
+impl Iterator for Steps<'_> {
+    type Item = Result<Solved, EngineError>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        if self.failed.is_some() {
+            return None;
+        }
+        let positions = self.positions;
+        let position = positions.get(self.solved.len())?;
+        let started = Instant::now();
+        let solved = self.solve(position);
+        self.solving += started.elapsed();
+        match &solved {
+            Ok(solved) => self.solved.push(solved.clone()),
+            Err(error) => self.failed = Some(error.clone()),
+        }
+        Some(solved)
+    }
+
+    fn size_hint(&self) -> (usize, Option<usize>) {
+        let left = if self.failed.is_some() { 0 } else { self.positions.len() - self.solved.len() };
+        (usize::from(left > 0), Some(left))
+    }
+}
+
+impl FusedIterator for Steps<'_> {}
 
 /// What happens while an analysis runs, in order.
 pub enum Event<'a> {
     Planned(&'a Plan),
     /// A stage begins: `structures` or `positions`.
     Stage(&'static str),
-    /// A position is solved. `index` counts from 0 to `count` - 1.
+    /// A position is solved. `index` counts from 0 to `count` - 1, beginning behind those that an earlier run had solved.
     Step {
         index: usize,
         count: usize,
-        row: &'a StepRow,
+        solved: &'a Solved,
     },
 }
 
@@ -86,7 +276,10 @@ impl Observer for () {
     }
 }
 
-/// Quasi-static analysis: inertia left out, every position in equilibrium.
+/// A quasi-static analysis from beginning to end, watched: [`Planned`] and [`Steps`] with somebody who is told.
+///
+/// # Errors
+/// Those of planning, building and solving, and of the observer.
 pub fn quasi_static(
     scene: &Scene,
     positions: &[Position],
@@ -94,29 +287,35 @@ pub fn quasi_static(
     options: &AnalysisOptions,
     observer: &mut dyn Observer,
 ) -> Result<AnalysisResult, EngineError> {
-    let mut timing = Timing::default();
-    let plan = timing.stage("plan", || Plan::new(scene, options.fidelity, options.structure))?;
-    // Structures take long, and this is known without them.
-    holding::check(scene, &plan, positions.first().map_or(0.0, |position| position.time))?;
-    observer.observe(Event::Planned(&plan))?;
+    let planned = Planned::new(scene, positions, outputs, options)?;
+    observer.observe(Event::Planned(planned.plan()))?;
     observer.observe(Event::Stage("structures"))?;
-    let mut system = timing.stage("structures", || System::new(scene, &plan))?;
+    let mut steps = planned.build()?;
     observer.observe(Event::Stage("positions"))?;
-    let started = Instant::now();
-    let mut rows = Vec::with_capacity(positions.len());
-    let mut certificate = Certificate::default();
-    for (index, position) in positions.iter().enumerate() {
-        let step = system.solve(position.time)?;
-        certificate = certificate.worst(&step.certificate);
-        let observed: Vec<_> = scene.observables.iter().map(|&o| system.value(&step, o)).collect();
-        let row = StepRow::new(position.clone(), outputs, &observed, step.warnings.clone());
-        refuse_nan(&row, outputs)?;
-        observer.observe(Event::Step { index, count: positions.len(), row: &row })?;
-        rows.push(row);
+    while let Some(solved) = steps.next() {
+        let index = steps.solved().len() - 1;
+        observer.observe(Event::Step { index, count: positions.len(), solved: &solved? })?;
     }
-    timing.add("positions", started.elapsed());
-    let summaries = summarize(&rows, outputs);
-    Ok(AnalysisResult { plan, rows, summaries, certificate, timing })
+    steps.finish()
+}
+
+/// Rows of an earlier run must be those of the first positions, bit for bit.
+fn check_solved(
+    solved: &[Solved],
+    positions: &[Position],
+    outputs: &[OutputRequest],
+) -> Result<(), EngineError> {
+    let fits = |(solved, position): (&Solved, &Position)| {
+        solved.row.position == *position && solved.row.outputs.len() == outputs.len()
+    };
+    if solved.len() <= positions.len() && solved.iter().zip(positions).all(fits) {
+        return Ok(());
+    }
+    Err(EngineError::new(
+        "E0724",
+        "the positions solved before are not those that this analysis begins with",
+        "go on with the model and the params of the earlier run, or begin anew",
+    ))
 }
 
 /// A result that is no number says nothing; the sooner the model's author knows where it came from the better.

@@ -27,9 +27,11 @@
 //! scene.add_pair(SurfacePair::new([roller, table], [Disc::BOTTOM, Platen::SURFACE]));
 //! ```
 
+use crate::cache::Key;
 use crate::error::EngineError;
 use crate::fe::block::uniform;
 use crate::fe::{Block, Curve, ElementOrder, MeshBuilder, MeshError, PlaneMesh, PlaneModel, Side};
+use crate::interrupt::Interrupt;
 use crate::material::{Material, Plane};
 use crate::profile::{Profile, ProfilePoint};
 use crate::scene::{Prototype, StructureOptions};
@@ -125,7 +127,11 @@ impl Disc {
 }
 
 impl Prototype for Disc {
-    fn build(&self, options: &StructureOptions) -> Result<Arc<dyn Structure>, EngineError> {
+    fn build(
+        &self,
+        options: &StructureOptions,
+        interrupt: &Interrupt,
+    ) -> Result<Arc<dyn Structure>, EngineError> {
         options.check()?;
         let sizes = [self.radius, self.face_width];
         if !sizes.iter().all(|size| size.is_finite() && *size > 0.0) {
@@ -147,10 +153,16 @@ impl Prototype for Disc {
             stress_places_per_edge: 1,
         });
         let split = SplitOptions { matching_depth: options.matching_depth, ..SplitOptions::default() };
-        let structure = ElasticStructure::single(&model, Hold::Free, &surfaces, &split).map_err(|error| {
-            EngineError::new("E0678", format!("the disc's structure cannot be condensed: {error}"), "")
-        })?;
-        Ok(Arc::new(structure))
+        Ok(Arc::new(ElasticStructure::single(&model, Hold::Free, &surfaces, &split, interrupt)?))
+    }
+
+    fn key(&self, options: &StructureOptions) -> Option<Key> {
+        let StructureOptions { refinement, order, matching_depth, .. } = *options;
+        let Material { youngs_modulus, poissons_ratio, .. } = self.material;
+        let key = Key::of("disc")
+            .numbers(&[self.radius, youngs_modulus, poissons_ratio, refinement, matching_depth])
+            .count(order as u64);
+        Some(key.finish())
     }
 
     fn enclosing_radius(&self) -> f64 {
@@ -177,7 +189,7 @@ impl Platen {
 }
 
 impl Prototype for Platen {
-    fn build(&self, _: &StructureOptions) -> Result<Arc<dyn Structure>, EngineError> {
+    fn build(&self, _: &StructureOptions, _: &Interrupt) -> Result<Arc<dyn Structure>, EngineError> {
         let up = match self.facing {
             Facing::Up => 1.0,
             Facing::Down => -1.0,

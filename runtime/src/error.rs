@@ -3,7 +3,7 @@
 use thiserror::Error;
 
 /// A refusal. `code` is stable (`E06..` the model cannot be built, `E07..` it could not be solved).
-#[derive(Clone, Debug, PartialEq, Error)]
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[error("{message}")]
 pub struct EngineError {
     pub code: &'static str,

@@ -7,31 +7,18 @@
 use crate::contact::problem::{ContactError, FreeMotion};
 use crate::contact::rigid_limit::rigid_limit_until;
 use crate::error::{EngineError, Subject};
+use crate::interrupt::Interrupt;
 use crate::plan::Plan;
 use crate::scene::{FREEDOMS, Scene, SurfacePair};
 use crate::system::{Freedom, loads_on, number_freedoms, pose};
-use calyx_abi::context::codes;
 
 /// Checks that nominal contact holds every free motion of the planned bodies under the loads of a time (s), that of the first
 /// position to solve.
 ///
 /// # Errors
 /// What solving that position would end in: E0714 if a load drives a body away, E0715 if nothing holds a motion, E0723 if a load
-/// is not a number.
-pub fn check(scene: &Scene, plan: &Plan, time: f64) -> Result<(), EngineError> {
-    check_until(scene, plan, time, &|| false)
-}
-
-/// The same, until `stopped` says that nobody wants to know any more.
-///
-/// # Errors
-/// As [`check`].
-pub fn check_until(
-    scene: &Scene,
-    plan: &Plan,
-    time: f64,
-    stopped: &dyn Fn() -> bool,
-) -> Result<(), EngineError> {
+/// is not a number. Also the interrupt's: of many bodies this takes long.
+pub fn check(scene: &Scene, plan: &Plan, time: f64, interrupt: &Interrupt) -> Result<(), EngineError> {
     let freedoms = number_freedoms(scene, plan);
     if freedoms.is_empty() {
         return Ok(());
@@ -48,10 +35,12 @@ pub fn check_until(
     if load.iter().all(|&load| load == 0.0) {
         load = drive_direction(scene, &freedoms);
     }
-    match rigid_limit_until(&vec![0.0; contacts], &arms, &load, stopped) {
-        Err(error @ (ContactError::Infeasible(_) | ContactError::Unconstrained(_))) => {
-            Err(explain(scene, &freedoms, &error))
-        }
+    match rigid_limit_until(&vec![0.0; contacts], &arms, &load, interrupt) {
+        Err(
+            error @ (ContactError::Infeasible(_)
+            | ContactError::Unconstrained(_)
+            | ContactError::Interrupted(_)),
+        ) => Err(explain(scene, &freedoms, &error)),
         // Anything else depends on where the teeth are.
         _ => Ok(()),
     }
@@ -148,7 +137,7 @@ pub(crate) fn explain(scene: &Scene, freedoms: &[Freedom], error: &ContactError)
         ContactError::Invalid(what) => {
             EngineError::new("E0718", format!("the contact problem is unusable: {what}"), "")
         }
-        ContactError::Stopped => EngineError::new(codes::CANCELLED, "the run was cancelled", ""),
+        ContactError::Interrupted(error) => error.clone(),
         ContactError::NotConverged => EngineError::new(
             "E0719",
             "the contact solver found no solution",

@@ -1,7 +1,8 @@
 //! What will be modelled, and why: the scene, less what no observable depends on.
 
+use crate::cache::Key;
 use crate::error::{EngineError, Subject};
-use crate::scene::{BodyId, FREEDOMS, Fidelity, Ignored, Observable, Scene, StructureOptions};
+use crate::scene::{BodyId, FREEDOMS, Fidelity, Ignored, Observable, Prototype, Scene, StructureOptions};
 use std::sync::Arc;
 
 /// The decision of how a scene is analysed. Nothing has been solved yet.
@@ -57,13 +58,13 @@ impl Plan {
         Ok(Plan { fidelity, bodies, ignored })
     }
 
-    /// Which structure each body has, counted from 0; `None` for a body that is left out. Bodies that differ in nothing but
-    /// their motion share one.
+    /// Which structure each body has, counted from 0; `None` for a body that is left out. Bodies whose structures would be
+    /// equal share one.
     pub fn structures(&self, scene: &Scene) -> Vec<Option<usize>> {
-        let mut known: Vec<(*const (), bool)> = Vec::new();
+        let mut known: Vec<Identity> = Vec::new();
         let planned = scene.bodies.iter().zip(&self.bodies);
         let number = planned.map(|(body, plan)| {
-            let key = (Arc::as_ptr(&body.prototype).cast::<()>(), plan.options.sharp_edges);
+            let key = Identity::of(&body.prototype, &plan.options);
             (!plan.left_out).then(|| {
                 known.iter().position(|other| *other == key).unwrap_or_else(|| {
                     known.push(key);
@@ -72,6 +73,22 @@ impl Plan {
             })
         });
         number.collect()
+    }
+}
+
+/// What tells structures apart, stresses aside: one that has them serves those that need none.
+#[derive(PartialEq)]
+enum Identity {
+    Content(Key),
+    Prototype(*const (), bool),
+}
+
+impl Identity {
+    fn of(prototype: &Arc<dyn Prototype>, options: &StructureOptions) -> Identity {
+        match prototype.key(&StructureOptions { stresses: false, ..*options }) {
+            Some(key) => Identity::Content(key),
+            None => Identity::Prototype(Arc::as_ptr(prototype).cast::<()>(), options.sharp_edges),
+        }
     }
 }
 

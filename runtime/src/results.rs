@@ -4,12 +4,12 @@ use crate::analysis::Position;
 use crate::contact::problem::Certificate;
 use crate::plan::Plan;
 use calyx_abi::SymbolicValue;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 /// Where on a body something was found.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Place {
     pub body: String,
     pub tooth: u32,
@@ -20,7 +20,7 @@ pub struct Place {
 }
 
 /// The value of an observable at a position, and where it arose if it is a maximum over places.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Observed {
     /// SI
     pub value: f64,
@@ -51,7 +51,7 @@ impl OutputRequest {
 }
 
 /// A solved position, as reported.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct StepRow {
     pub position: Position,
     /// One per output.
@@ -69,6 +69,13 @@ impl StepRow {
         let outputs = requests.iter().map(|request| request.evaluate(position.time, observed)).collect();
         StepRow { position, outputs, warnings }
     }
+}
+
+/// A solved position and how well it was solved: what a later run needs of it to go on behind it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Solved {
+    pub row: StepRow,
+    pub certificate: Certificate,
 }
 
 /// An output over all positions, SI.
@@ -138,10 +145,19 @@ fn mean_over_time(rows: &[StepRow], value: impl Fn(&StepRow) -> f64) -> f64 {
     area / span
 }
 
+/// Where the structures of an analysis came from.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct StructureCounts {
+    pub built: usize,
+    /// Taken from a cache, or from another thread that was building it.
+    pub reused: usize,
+}
+
 /// Wall time of each stage, in order.
 #[derive(Clone, Debug, Default)]
 pub struct Timing {
     pub stages: Vec<(&'static str, Duration)>,
+    pub structures: StructureCounts,
 }
 
 impl Timing {

@@ -1,6 +1,8 @@
 //! What the model says, before anything is built: bodies, the surfaces that may touch, and what is to be observed.
 
+use crate::cache::Key;
 use crate::error::EngineError;
+use crate::interrupt::Interrupt;
 use crate::load::{Load, Wrench};
 use crate::motion::Motion;
 use crate::structure::Structure;
@@ -33,7 +35,20 @@ pub enum Component {
 /// A type, not a view: whoever knows what a body is made of finds it again by [`std::any::Any`].
 pub trait Prototype: Any + Send + Sync {
     /// Builds the elastic structure (the costly part). Equal prototypes with equal options give equal structures.
-    fn build(&self, options: &StructureOptions) -> Result<Arc<dyn Structure>, EngineError>;
+    ///
+    /// # Errors
+    /// The structure cannot be built, or the interrupt's: it is asked wherever the work comes in batches.
+    fn build(
+        &self,
+        options: &StructureOptions,
+        interrupt: &Interrupt,
+    ) -> Result<Arc<dyn Structure>, EngineError>;
+
+    /// Everything that the structure depends on: prototypes of one key share a structure, within a scene and, with a cache,
+    /// from analysis to analysis. Without a key every prototype has its own.
+    fn key(&self, _options: &StructureOptions) -> Option<Key> {
+        None
+    }
 
     /// Radius of the circle about the body's origin that encloses it, m.
     fn enclosing_radius(&self) -> f64;

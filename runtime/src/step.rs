@@ -5,7 +5,7 @@ use crate::contact::assembly::{self, compliance};
 use crate::contact::grid::{self, Cell, Grid, GridOptions, Width, assess, lay, pressures};
 use crate::contact::pressure::{Peak, half_width, peak};
 use crate::contact::problem::{Certificate, ContactError, ContactProblem};
-use crate::contact::rigid_limit::rigid_limit;
+use crate::contact::rigid_limit::rigid_limit_until;
 use crate::contact::{ContactFrame, Placement, active_set};
 use crate::error::EngineError;
 use crate::holding;
@@ -86,8 +86,13 @@ const REGRIDS: usize = 3;
 
 impl System<'_> {
     /// Brings the scene into equilibrium at a time (s).
-    pub fn solve(&mut self, time: f64) -> Result<StepResult, EngineError> {
-        self.load_at(time)?;
+    ///
+    /// What was solved before makes no difference, not in a bit.
+    ///
+    /// # Errors
+    /// A load is not a number, nothing holds it, the problem is degenerate, or the interrupt's.
+    pub fn solve(&self, time: f64) -> Result<StepResult, EngineError> {
+        let load = self.load_at(time)?;
         let candidates = self.candidates(time)?;
         let mut chosen: Vec<bool> = candidates
             .iter()
@@ -96,7 +101,7 @@ impl System<'_> {
         loop {
             let used: Vec<&Candidate> =
                 candidates.iter().zip(&chosen).filter(|(_, used)| **used).map(|(c, _)| c).collect();
-            let step = self.solve_candidates(time, &used)?;
+            let step = self.solve_candidates(time, &load, &used)?;
             // Teeth that were left out and that the solution would push into each other.
             let mut closed = false;
             for (candidate, used) in candidates.iter().zip(&mut chosen).filter(|(_, used)| !**used) {
@@ -113,15 +118,20 @@ impl System<'_> {
         }
     }
 
-    fn solve_candidates(&mut self, time: f64, candidates: &[&Candidate]) -> Result<StepResult, EngineError> {
+    fn solve_candidates(
+        &self,
+        time: f64,
+        load: &[f64],
+        candidates: &[&Candidate],
+    ) -> Result<StepResult, EngineError> {
         // Bodies that are all held where they overlap press on each other without any load.
         let pressed =
             self.freedoms.is_empty() && candidates.iter().any(|candidate| candidate.approach.gap < 0.0);
-        if !pressed && self.load.iter().all(|&load| load == 0.0) {
-            return self.touch_without_load(time, candidates);
+        if !pressed && load.iter().all(|&load| load == 0.0) {
+            return self.touch_without_load(time, load, candidates);
         }
         let mut widths = vec![None; candidates.len()];
-        let largest_forces = self.largest_forces(candidates);
+        let largest_forces = self.largest_forces(load, candidates);
         let mut rounds = REGRIDS;
         let (grids, problem, solution) = loop {
             let grids: Vec<Grid> = candidates
@@ -130,10 +140,9 @@ impl System<'_> {
                 .zip(&widths)
                 .map(|((candidate, &force), &width)| self.grid(candidate, force, width))
                 .collect();
-            let problem = self.problem(candidates, &grids)?;
-            let warm_start = self.warm_start(candidates, &grids);
-            let solution =
-                active_set::solve(&problem, warm_start.as_deref()).map_err(|error| self.explain(&error))?;
+            let problem = self.problem(load, candidates, &grids)?;
+            let solution = active_set::solve_until(&problem, None, &self.interrupt)
+                .map_err(|error| self.explain(&error))?;
             // Widths nobody asked for follow what the patches turn out to carry.
             let better = self.better_widths(candidates, &grids, &solution.forces);
             if rounds == 0 || better.iter().all(Option::is_none) {
@@ -147,13 +156,10 @@ impl System<'_> {
 
         let mut warnings = Vec::new();
         let mut patches = Vec::with_capacity(grids.len());
-        self.warm.clear();
         let mut first = 0;
         for (candidate, grid) in candidates.iter().zip(grids) {
             let last = first + grid.cells.len();
             let forces = solution.forces[first..last].to_vec();
-            let active = solution.active.iter().filter(|&&cell| (first..last).contains(&cell));
-            self.warm.insert(candidate.teeth, active.map(|cell| cell - first).collect());
             warnings.extend(self.judge(candidate, &grid, &forces));
             let at_edge = grid.at_edge(&forces);
             patches.push(Patch { cells: grid.cells, forces, at_edge, ..self.empty_patch(candidate) });
@@ -171,13 +177,19 @@ impl System<'_> {
     }
 
     /// Where bodies come to rest as the load vanishes: rigid contact at the closest approaches.
-    fn touch_without_load(&self, time: f64, candidates: &[&Candidate]) -> Result<StepResult, EngineError> {
+    fn touch_without_load(
+        &self,
+        time: f64,
+        load: &[f64],
+        candidates: &[&Candidate],
+    ) -> Result<StepResult, EngineError> {
         let gaps: Vec<f64> = candidates.iter().map(|candidate| candidate.approach.gap).collect();
         let arms: Vec<f64> = candidates.iter().flat_map(|candidate| candidate.arms.iter().copied()).collect();
         let motion = if self.freedoms.is_empty() {
             Vec::new()
         } else {
-            let limit = rigid_limit(&gaps, &arms, &holding::drive_direction(self.scene, &self.freedoms));
+            let drive = holding::drive_direction(self.scene, &self.freedoms);
+            let limit = rigid_limit_until(&gaps, &arms, &drive, &self.interrupt);
             limit.map_err(|error| self.explain(&error))?.motion
         };
         let patches = candidates.iter().map(|candidate| self.empty_patch(candidate)).collect();
@@ -186,7 +198,7 @@ impl System<'_> {
             arms: Vec::new(),
             gaps: Vec::new(),
             stiffness: vec![0.0; self.freedoms.len() * self.freedoms.len()],
-            load: self.load.clone(),
+            load: load.to_vec(),
         };
         let (active, certificate, warnings) = (Vec::new(), Certificate::default(), Vec::new());
         Ok(StepResult { time, patches, motion, problem, active, certificate, warnings })
@@ -320,9 +332,9 @@ impl System<'_> {
 
     /// For each patch the force (N/m) that would balance the whole load alone. A patch that no load acts on directly passes
     /// on what others carry.
-    fn largest_forces(&self, candidates: &[&Candidate]) -> Vec<f64> {
+    fn largest_forces(&self, load: &[f64], candidates: &[&Candidate]) -> Vec<f64> {
         let alone = |candidate: &&Candidate| {
-            let balancing = candidate.arms.iter().zip(&self.load).filter(|(arm, _)| **arm != 0.0);
+            let balancing = candidate.arms.iter().zip(load).filter(|(arm, _)| **arm != 0.0);
             balancing.map(|(arm, load)| (load / arm).abs()).fold(0.0, f64::max)
         };
         let mut forces: Vec<f64> = candidates.iter().map(alone).collect();
@@ -348,7 +360,12 @@ impl System<'_> {
         }
     }
 
-    fn problem(&self, candidates: &[&Candidate], grids: &[Grid]) -> Result<ContactProblem, EngineError> {
+    fn problem(
+        &self,
+        load: &[f64],
+        candidates: &[&Candidate],
+        grids: &[Grid],
+    ) -> Result<ContactProblem, EngineError> {
         let mut patches = Vec::with_capacity(candidates.len());
         for (candidate, grid) in candidates.iter().zip(grids) {
             let pair = &self.scene.pairs[candidate.teeth.0];
@@ -370,21 +387,8 @@ impl System<'_> {
             arms: cells().flat_map(|(candidate, _)| candidate.arms.iter().copied()).collect(),
             gaps: cells().map(|(_, cell)| cell.gap).collect(),
             stiffness: vec![0.0; self.freedoms.len() * self.freedoms.len()],
-            load: self.load.clone(),
+            load: load.to_vec(),
         })
-    }
-
-    /// The cells that carried load one position before, where grids are as long as they were.
-    fn warm_start(&self, candidates: &[&Candidate], grids: &[Grid]) -> Option<Vec<usize>> {
-        let mut start = Vec::new();
-        let mut first = 0;
-        for (candidate, grid) in candidates.iter().zip(grids) {
-            if let Some(active) = self.warm.get(&candidate.teeth) {
-                start.extend(active.iter().filter(|&&cell| cell < grid.cells.len()).map(|cell| cell + first));
-            }
-            first += grid.cells.len();
-        }
-        (!start.is_empty()).then_some(start)
     }
 
     fn empty_patch(&self, candidate: &Candidate) -> Patch {

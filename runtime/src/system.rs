@@ -1,14 +1,16 @@
 //! The planned scene, built: structures condensed, freedoms numbered, loads gathered. What every position starts from.
 
+use crate::building::build_structures;
 use crate::contact::Placement;
 use crate::error::{EngineError, Subject};
+use crate::interrupt::Interrupt;
 use crate::load::Wrench;
 use crate::motion::PlanePose;
 use crate::plan::Plan;
-use crate::scene::{Scene, StructureOptions};
+use crate::resources::Resources;
+use crate::results::StructureCounts;
+use crate::scene::Scene;
 use crate::structure::Structure;
-use rayon::prelude::*;
-use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// A free component of a body's frame.
@@ -28,19 +30,28 @@ pub struct System<'s> {
     /// One per body; `None` for a body the plan left out.
     pub(crate) structures: Vec<Option<Arc<dyn Structure>>>,
     pub(crate) freedoms: Vec<Freedom>,
-    /// External generalised forces on the freedoms at the position being solved, per unit of face width (N/m, N).
-    pub(crate) load: Vec<f64>,
     /// Width over which all plane quantities are spread, m.
     pub(crate) face_width: f64,
     /// Poses at time 0, from which kinematic angles are counted.
     pub(crate) initial: Vec<PlanePose>,
-    /// Cells that carried load at the position before, by pair of teeth: the warm start.
-    pub(crate) warm: BTreeMap<Teeth, Vec<usize>>,
+    pub(crate) interrupt: Interrupt,
+    structure_counts: StructureCounts,
 }
 
 impl<'s> System<'s> {
-    /// Builds what the plan asks for. Bodies with the same prototype and options share one structure.
+    /// Builds what the plan asks for, without a cache and to the end.
+    ///
+    /// # Errors
+    /// As [`System::with`].
     pub fn new(scene: &'s Scene, plan: &Plan) -> Result<Self, EngineError> {
+        Self::with(scene, plan, &Resources::default())
+    }
+
+    /// Builds what the plan asks for. Bodies whose structures would be equal share one.
+    ///
+    /// # Errors
+    /// Nothing touches anything, a frame is unusable, a structure cannot be built, or the interrupt's.
+    pub fn with(scene: &'s Scene, plan: &Plan, resources: &Resources) -> Result<Self, EngineError> {
         let freedoms = number_freedoms(scene, plan);
         let widths = scene.bodies.iter().zip(&plan.bodies).filter(|(_, body)| !body.left_out);
         let face_width = widths.map(|(body, _)| body.prototype.face_width()).fold(f64::INFINITY, f64::min);
@@ -51,22 +62,26 @@ impl<'s> System<'s> {
                 "mesh two bodies, like `gears.mesh(pinion, gear)`",
             ));
         }
-        let load = vec![0.0; freedoms.len()];
         let initial = scene
             .bodies
             .iter()
             .enumerate()
             .map(|(body, _)| pose(scene, body, 0.0))
             .collect::<Result<_, _>>()?;
-        let structures = build_structures(scene, plan)?;
-        Ok(System { scene, structures, freedoms, load, face_width, initial, warm: BTreeMap::new() })
+        let (structures, structure_counts) = build_structures(scene, plan, resources)?;
+        let interrupt = resources.interrupt.clone();
+        Ok(System { scene, structures, freedoms, face_width, initial, interrupt, structure_counts })
     }
 
-    /// Takes the external loads of a time.
-    pub(crate) fn load_at(&mut self, time: f64) -> Result<(), EngineError> {
+    /// How many structures were built for this system, and how many there were already.
+    pub fn structure_counts(&self) -> StructureCounts {
+        self.structure_counts
+    }
+
+    /// External generalised forces on the freedoms at a time, per unit of face width (N/m, N).
+    pub(crate) fn load_at(&self, time: f64) -> Result<Vec<f64>, EngineError> {
         let loads = loads_on(self.scene, &self.freedoms, time)?;
-        self.load = loads.into_iter().map(|load| load / self.face_width).collect();
-        Ok(())
+        Ok(loads.into_iter().map(|load| load / self.face_width).collect())
     }
 
     /// Where a body's teeth coordinates lie at a time, with the body's phase.
@@ -126,22 +141,4 @@ pub(crate) fn loads_on(scene: &Scene, freedoms: &[Freedom], time: f64) -> Result
         loads.push(load);
     }
     Ok(loads)
-}
-
-fn build_structures(scene: &Scene, plan: &Plan) -> Result<Vec<Option<Arc<dyn Structure>>>, EngineError> {
-    let numbers = plan.structures(scene);
-    let mut wanted: Vec<(usize, StructureOptions)> = Vec::new();
-    for (index, (number, body)) in numbers.iter().zip(&plan.bodies).enumerate() {
-        let Some(number) = *number else { continue };
-        match wanted.get_mut(number) {
-            // One that needs stresses serves all that share it.
-            Some((_, options)) => options.stresses |= body.options.stresses,
-            None => wanted.push((index, body.options)),
-        }
-    }
-    let built: Vec<Arc<dyn Structure>> = wanted
-        .par_iter()
-        .map(|(index, options)| scene.bodies[*index].prototype.build(options))
-        .collect::<Result<_, _>>()?;
-    Ok(numbers.into_iter().map(|number| number.and_then(|number| built.get(number).cloned())).collect())
 }

@@ -4,6 +4,7 @@
 
 use calyx_runtime::disc::{Disc, Facing, Platen};
 use calyx_runtime::error::EngineError;
+use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::load::Wrench;
 use calyx_runtime::material::{Material, Plane};
 use calyx_runtime::motion::SteadyRotation;
@@ -37,8 +38,12 @@ impl Shared {
 }
 
 impl Prototype for Shared {
-    fn build(&self, options: &StructureOptions) -> Result<Arc<dyn Structure>, EngineError> {
-        Ok(self.structure.get_or_init(|| self.disc.build(options).expect("a sound disc")).clone())
+    fn build(
+        &self,
+        options: &StructureOptions,
+        interrupt: &Interrupt,
+    ) -> Result<Arc<dyn Structure>, EngineError> {
+        Ok(self.structure.get_or_init(|| self.disc.build(options, interrupt).expect("a sound disc")).clone())
     }
 
     fn enclosing_radius(&self) -> f64 {
@@ -61,7 +66,7 @@ fn downwards(force: f64) -> Wrench {
 
 fn solve(scene: &Scene) -> StepResult {
     let plan = Plan::new(scene, Fidelity::Plane, StructureOptions::default()).expect("a plan");
-    let mut system = System::new(scene, &plan).expect("a system");
+    let system = System::new(scene, &plan).expect("a system");
     let step = system.solve(0.0).expect("equilibrium");
     assert!(step.certificate.largest() <= 1e-12, "{:?}", step.certificate);
     assert_eq!(step.warnings, Vec::<String>::new());

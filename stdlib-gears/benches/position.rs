@@ -6,6 +6,7 @@
 mod common;
 
 use calyx_runtime::analysis::mesh_cycle;
+use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::scene::{Prototype, StructureOptions};
 use common::pair::{PLAIN, PairOptions, member, pair, system_of};
 use common::standard_data;
@@ -31,7 +32,7 @@ fn main() {
 /// Seconds a position of the chapter 5 pair takes, stresses and all: the fastest of some cycles.
 fn position(refinement: f64) -> f64 {
     let (scene, mesh) = pair(&PairOptions { edges: true, ..PairOptions::chapter_5(&PLAIN) });
-    let mut system = system_of(&scene, StructureOptions { refinement, ..StructureOptions::default() });
+    let system = system_of(&scene, StructureOptions { refinement, ..StructureOptions::default() });
     let positions = mesh_cycle(&mesh, 16);
     let cycle = fastest(10, || {
         for position in &positions {
@@ -49,7 +50,9 @@ fn structure(teeth: u32) -> f64 {
     let gear = member(standard_data(teeth, 0.0, 0.25), 0.01);
     // Not the member's own build, which keeps what it has built.
     fastest(3, || {
-        black_box(gear.prototype.build(&StructureOptions::default()).expect("a structure"));
+        black_box(
+            gear.prototype.build(&StructureOptions::default(), &Interrupt::never()).expect("a structure"),
+        );
     })
 }
 

@@ -11,12 +11,13 @@ use calyx_abi::{Context, RuntimeError, SymbolicValue};
 use calyx_runtime::analysis::{AnalysisOptions, mesh_cycle, quasi_static};
 use calyx_runtime::error::{EngineError, Subject};
 use calyx_runtime::holding;
+use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::load::Wrench;
 use calyx_runtime::material::Material;
 use calyx_runtime::motion::Motion;
 use calyx_runtime::plan::Plan;
 use calyx_runtime::results::OutputRequest;
-use calyx_runtime::scene::{Body, BodyId, FREEDOMS, Fidelity, Observable, PairId, StructureOptions};
+use calyx_runtime::scene::{Body, BodyId, FREEDOMS, Fidelity, Observable, PairId};
 use std::sync::Arc;
 
 calyx_abi::externs! {
@@ -206,8 +207,7 @@ calyx_abi::externs! {
 
 /// Plans and runs an analysis of the scene, and keeps its result.
 fn analyze(host: &mut ModelHost, over: Handle, fidelity: &str) -> Result<(), RuntimeError> {
-    let options =
-        AnalysisOptions { fidelity: fidelity_named(fidelity)?, structure: StructureOptions::default() };
+    let options = AnalysisOptions { fidelity: fidelity_named(fidelity)?, ..host.analysis.clone() };
     let positions = entry(&host.positions, over)?.clone();
     check_unheld(host);
     let mut observer = host.observer.take();
@@ -228,16 +228,14 @@ fn analyze(host: &mut ModelHost, over: Handle, fidelity: &str) -> Result<(), Run
 /// What `check` does in place of an analysis: everything short of solving.
 ///
 /// # Errors
-/// What the analysis would fail with before its first position is solved. If `stopped` says that nobody wants to know any
-/// more, the answer means nothing.
-pub fn check_plan(host: &ModelHost, stopped: &dyn Fn() -> bool) -> Result<Plan, RuntimeError> {
-    let plan = Plan::new(&host.scene, Fidelity::Plane, StructureOptions::default());
+/// What the analysis would fail with before its first position is solved, or the interrupt's.
+pub fn check_plan(host: &ModelHost, interrupt: &Interrupt) -> Result<Plan, RuntimeError> {
+    let plan = Plan::new(&host.scene, Fidelity::Plane, host.analysis.structure);
     // A mesh cycle begins where its first pair of teeth enters.
     let starts = host.scene.pairs.iter().filter_map(|pair| Some(pair.mesh.as_ref()?.start));
     let start = starts.fold(f64::INFINITY, f64::min);
     let first = if start.is_finite() { start } else { 0.0 };
-    let checked =
-        plan.and_then(|plan| holding::check_until(&host.scene, &plan, first, stopped).map(|()| plan));
+    let checked = plan.and_then(|plan| holding::check(&host.scene, &plan, first, interrupt).map(|()| plan));
     checked.map_err(|error| host.engine_error(error))
 }
 

@@ -9,7 +9,7 @@ use crate::rack::Rack;
 use crate::tables::Table;
 use calyx_abi::RuntimeError;
 use calyx_abi::externs::Handle;
-use calyx_runtime::analysis::{Observer, Position};
+use calyx_runtime::analysis::{AnalysisOptions, Observer, Position};
 use calyx_runtime::error::{EngineError, Subject};
 use calyx_runtime::material::Material;
 use calyx_runtime::results::{AnalysisResult, OutputRequest};
@@ -67,6 +67,8 @@ pub struct ModelHost {
     pub findings: Vec<Finding>,
     /// Watches the analysis; without one it runs unobserved.
     pub observer: Option<Box<dyn Observer + Send>>,
+    /// How an analysis is done, but for what the program says of it.
+    pub analysis: AnalysisOptions,
     /// What the last analysis yielded.
     pub result: Option<AnalysisResult>,
     /// Analyses that ended with an error, which the program may have caught.

@@ -5,10 +5,12 @@ use crate::error::GeometryError;
 use crate::external::ExternalGear;
 use crate::fillet::Side;
 use crate::flank::Flank;
-use crate::modification::Modification;
+use crate::modification::{Modification, ReliefShape, TipRelief};
 use crate::sector_mesh::{Refinement, sector_mesh};
+use calyx_runtime::cache::{Key, KeyWriter};
 use calyx_runtime::error::EngineError;
 use calyx_runtime::fe::{ElementOrder, PlaneModel};
+use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::material::{Material, Plane};
 use calyx_runtime::profile::Profile;
 use calyx_runtime::scene::{Fidelity, Ignored, Prototype, StructureOptions};
@@ -92,7 +94,11 @@ fn refinement(factor: f64, order: usize) -> Refinement {
 }
 
 impl Prototype for GearPrototype {
-    fn build(&self, options: &StructureOptions) -> Result<Arc<dyn Structure>, EngineError> {
+    fn build(
+        &self,
+        options: &StructureOptions,
+        interrupt: &Interrupt,
+    ) -> Result<Arc<dyn Structure>, EngineError> {
         options.check()?;
         let refinement = refinement(options.refinement, options.order);
         // Surfaces of contact, and those of the mesh.
@@ -130,10 +136,33 @@ impl Prototype for GearPrototype {
             coupled: COUPLED_TEETH.min(self.gear.teeth / 2),
         };
         let split = SplitOptions { matching_depth: options.matching_depth, ..SplitOptions::default() };
-        let structure = ElasticStructure::ring(&model, &ring, &surfaces, &split).map_err(|error| {
-            EngineError::new("E0678", format!("the gear's structure cannot be condensed: {error}"), "")
-        })?;
-        Ok(Arc::new(structure))
+        Ok(Arc::new(ElasticStructure::ring(&model, &ring, &surfaces, &split, interrupt)?))
+    }
+
+    /// All that [`Self::build`] reads. Neither the width of the face, which forces are per unit of, nor pitch errors, which
+    /// move teeth without deforming them.
+    fn key(&self, options: &StructureOptions) -> Option<Key> {
+        let ExternalGear { teeth, rack, tooth_thickness, outer_radius, root_radius, tip_edge_radius, .. } =
+            &self.gear;
+        let key = Key::of("gear on a rim")
+            .count(u64::from(*teeth))
+            .numbers(&[rack.module, rack.pressure_angle, rack.tip_radius])
+            .numbers(&[*tooth_thickness, *outer_radius, *root_radius, *tip_edge_radius])
+            .numbers(&[self.material.youngs_modulus, self.material.poissons_ratio, self.rim.inner_radius])
+            .numbers(&[options.refinement, options.matching_depth])
+            .count(options.order as u64)
+            .flag(options.stresses)
+            .flag(options.sharp_edges);
+        let reliefs = self.modifications.iter().filter_map(|modification| match modification {
+            Modification::TipRelief(relief) => Some(relief),
+            // Along the face, which a plane structure does not have.
+            Modification::LeadCrown { .. } => None,
+        });
+        let with_relief = |key: KeyWriter, relief: &TipRelief| {
+            let TipRelief { depth, start_roll, shape } = *relief;
+            key.numbers(&[depth, start_roll]).flag(shape == ReliefShape::Linear)
+        };
+        Some(reliefs.fold(key, with_relief).finish())
     }
 
     fn enclosing_radius(&self) -> f64 {

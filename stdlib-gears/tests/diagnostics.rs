@@ -11,6 +11,7 @@ use calyx_gears::mesh_geometry::MeshGeometry;
 use calyx_gears::modification::{Modification, ReliefShape, TipRelief};
 use calyx_gears::prototype::GearPrototype;
 use calyx_gears::rack::Rack;
+use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::material::Material;
 use calyx_runtime::scene::{Prototype, StructureOptions};
 use common::{INCH, chapter_5, chapter_5_data, standard_data};
@@ -228,7 +229,7 @@ fn a_mesh_of_unknown_order_is_refused() {
     let gear = GearPrototype::new(gear, Vec::new(), steel, rim, INCH, Vec::new()).expect("a gear");
     for (order, refinement) in [(0, 1.0), (4, 1.0), (3, 0.0), (3, f64::NAN)] {
         let options = StructureOptions { order, refinement, ..StructureOptions::default() };
-        let error = gear.build(&options).err().expect("refused");
+        let error = gear.build(&options, &Interrupt::never()).err().expect("refused");
         assert_eq!(error.code, "E0675", "order {order}, refinement {refinement}");
         assert!(!error.help.is_empty(), "a remedy");
     }

@@ -9,6 +9,7 @@ use calyx_gears::prototype::GearPrototype;
 use calyx_runtime::analysis::mesh_cycle;
 use calyx_runtime::contact::grid::pressures;
 use calyx_runtime::contact::pressure::{hertz_half_width, peak};
+use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::plan::Plan;
 use calyx_runtime::scene::{Fidelity, Prototype, StructureOptions};
 use calyx_runtime::system::System;
@@ -33,7 +34,7 @@ impl Summary {
     fn of(gears: &[Member; 2], structure: StructureOptions) -> Self {
         let (scene, mesh) = pair(&PairOptions::chapter_5(gears));
         let plan = Plan::new(&scene, Fidelity::Plane, structure).expect("it can be planned");
-        let mut system = System::new(&scene, &plan).expect("it can be built");
+        let system = System::new(&scene, &plan).expect("it can be built");
         let values: Vec<Values> = mesh_cycle(&mesh, 16)
             .iter()
             .map(|position| {
@@ -75,9 +76,10 @@ fn matching_depth_hardly_matters() {
 fn pressures_over_hertz(edges: bool, structure: StructureOptions, cycles: &[f64]) -> Vec<[f64; 2]> {
     let (scene, mesh) = pair(&PairOptions { edges, ..PairOptions::chapter_5(&PLAIN) });
     let plan = Plan::new(&scene, Fidelity::Plane, structure).expect("it can be planned");
-    let mut system = System::new(&scene, &plan).expect("it can be built");
+    let system = System::new(&scene, &plan).expect("it can be built");
     let profiles = [0, 1].map(|body: usize| {
-        let built = PLAIN[body].build(&plan.bodies[body].options).expect("it was built before");
+        let built =
+            PLAIN[body].build(&plan.bodies[body].options, &Interrupt::never()).expect("it was built before");
         built.profile(scene.pairs[0].surfaces[body])
     });
     let material = steel();
@@ -179,7 +181,7 @@ fn root_stress_is_that_of_a_fine_mesh() {
         let (scene, mesh) = pair(&PairOptions::chapter_5(&gears));
         let plan =
             Plan::new(&scene, Fidelity::Plane, StructureOptions::default()).expect("it can be planned");
-        let mut system = System::new(&scene, &plan).expect("it can be built");
+        let system = System::new(&scene, &plan).expect("it can be built");
         let mut largest = [0.0_f64; 2];
         for cycle in [0.95, 0.9999] {
             let step = system.solve(mesh.start + cycle * mesh.period).expect("it is in equilibrium");

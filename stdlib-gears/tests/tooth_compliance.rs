@@ -7,6 +7,7 @@ use calyx_gears::flank::Flank;
 use calyx_gears::mesh_geometry::MeshGeometry;
 use calyx_gears::sector_mesh::{Refinement, sector_mesh};
 use calyx_runtime::fe::PlaneModel;
+use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::material::{Material, Plane};
 use calyx_runtime::profile::Profile;
 use calyx_runtime::structure::{
@@ -39,7 +40,8 @@ impl Member {
             stress_places_per_edge: 4,
         });
         let ring = RingSource { sectors: teeth, cuts: ["cut_right", "cut_left"], bore: "bore", coupled: 2 };
-        let structure = ElasticStructure::ring(&model, &ring, &surfaces, &SplitOptions::default());
+        let structure =
+            ElasticStructure::ring(&model, &ring, &surfaces, &SplitOptions::default(), &Interrupt::never());
         let [flank, _] = flanks;
         Self { flank, structure: structure.expect("a structure") }
     }

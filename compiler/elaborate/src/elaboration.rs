@@ -17,6 +17,8 @@ use calyx_lang::span::Span;
 use calyx_lower::interpret::CallSites;
 use calyx_lower::kernels::lower_site;
 use calyx_rt::{Given, ParamError, Program as _, Refused, apply};
+use calyx_runtime::error::EngineError;
+use calyx_runtime::interrupt::Interrupt;
 use std::collections::BTreeMap;
 use std::error::Error;
 use std::fmt;
@@ -45,6 +47,15 @@ impl Cancel {
     /// The flag that a running program looks at.
     pub(crate) fn flag(&self) -> Arc<AtomicBool> {
         self.0.clone()
+    }
+
+    /// What the engine asks whether to go on.
+    fn interrupt(&self) -> Interrupt {
+        let cancel = self.clone();
+        // Nobody reads the error: who finds the elaboration cancelled has no answer.
+        Interrupt::new(move || {
+            cancel.check().map_err(|Cancelled| EngineError::new(codes::CANCELLED, Cancelled.to_string(), ""))
+        })
     }
 
     /// Goes on, unless somebody has cancelled.
@@ -165,7 +176,7 @@ fn elaborate_with(
         if ran.is_ok() && survived.is_empty() {
             check_unheld(host);
             if !host.scene.pairs.is_empty() {
-                match check_plan(host, &|| cancel.is_cancelled()) {
+                match check_plan(host, &cancel.interrupt()) {
                     Ok(plan) => planned = Some(Planned::of(host, &plan, interpreted.description())),
                     Err(error) => found.push(at_place(&error)),
                 }

@@ -43,7 +43,7 @@ impl StepTable {
         let position = &row.position;
         let mut record = vec![index.to_string()];
         record.extend([position.time, position.cycle, position.roll].map(|number| number.to_string()));
-        record.push(position.name.to_owned());
+        record.push(position.name.clone().into_owned());
         // The shortest decimal that reads back to the same bits.
         record.extend(row.outputs.iter().map(|output| output.value.to_string()));
         self.writer.write_record(record)?;

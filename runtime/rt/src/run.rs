@@ -14,6 +14,7 @@ use calyx_abi::{Context, RuntimeError, Status};
 use calyx_gears::host::{Finding, ModelHost};
 use calyx_runtime::analysis::{Event, Observer};
 use calyx_runtime::error::EngineError;
+use calyx_runtime::interrupt::Interrupt;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
@@ -75,6 +76,8 @@ pub fn run(program: &dyn Program, options: &RunOptions) -> Result<RunReport, Run
     let solved = Arc::new(AtomicUsize::new(0));
     let failure = Arc::new(Mutex::new(None));
     let limits = Limits::from_now(options.time_limit, options.memory_limit);
+    let cancel = options.cancel.clone();
+    host.analysis.resources.interrupt = Interrupt::new(move || check_limits(&limits, &cancel));
     host.observer = Some(Box::new(Watcher {
         directory: options.directory.clone(),
         description: description.clone(),
@@ -82,8 +85,6 @@ pub fn run(program: &dyn Program, options: &RunOptions) -> Result<RunReport, Run
         progress: progress.clone(),
         solved: solved.clone(),
         failure: failure.clone(),
-        limits,
-        cancel: options.cancel.clone(),
     }));
     let mut context = Context::new(Box::new(host));
     context.limits = limits;
@@ -160,8 +161,6 @@ struct Watcher {
     solved: Arc<AtomicUsize>,
     /// An error of the file system, which ends the run but is not the model's.
     failure: Arc<Mutex<Option<io::Error>>>,
-    limits: Limits,
-    cancel: Arc<AtomicBool>,
 }
 
 impl Watcher {
@@ -173,31 +172,30 @@ impl Watcher {
         }
         EngineError::new("E0712", message, "choose another directory with --out")
     }
+}
 
-    /// Ends an analysis that was cancelled or has used up its time or memory.
-    fn check_limits(&self) -> Result<(), EngineError> {
-        if self.cancel.load(Ordering::Relaxed) {
-            return Err(EngineError::new(codes::CANCELLED, "the run was cancelled", ""));
-        }
-        let taken = self.limits.memory.and_then(|_| budget::taken()).unwrap_or(0);
-        self.limits
-            .check_time()
-            .and_then(|()| self.limits.check_memory(taken))
-            .map_err(|error| EngineError::new(codes::EXHAUSTED, error.message, error.help))
+/// Ends an analysis that was cancelled or has used up its time or memory.
+fn check_limits(limits: &Limits, cancel: &AtomicBool) -> Result<(), EngineError> {
+    if cancel.load(Ordering::Relaxed) {
+        return Err(EngineError::new(codes::CANCELLED, "the run was cancelled", ""));
     }
+    let taken = limits.memory.and_then(|_| budget::taken()).unwrap_or(0);
+    limits
+        .check_time()
+        .and_then(|()| limits.check_memory(taken))
+        .map_err(|error| EngineError::new(codes::EXHAUSTED, error.message, error.help))
 }
 
 impl Observer for Watcher {
     fn observe(&mut self, event: Event<'_>) -> Result<(), EngineError> {
-        self.check_limits()?;
         match event {
             Event::Planned(_) => {
                 let table = StepTable::create(&self.directory, &self.description.outputs);
                 self.table = Some(table.map_err(|error| self.fail(error))?);
             }
             Event::Stage(name) => self.progress.stage(name),
-            Event::Step { index, count, row } => {
-                let written = self.table.as_mut().map_or(Ok(()), |table| table.write(index, row));
+            Event::Step { index, count, solved } => {
+                let written = self.table.as_mut().map_or(Ok(()), |table| table.write(index, &solved.row));
                 written.map_err(|error| self.fail(error))?;
                 self.solved.store(index + 1, Ordering::Relaxed);
                 self.progress.step(index, count);

@@ -13,6 +13,7 @@ use super::clarabel_check;
 use super::dense::{ActiveEquations, Matrix, Singular, dot, null_motion};
 use super::feasibility::{Balance, balance};
 use super::problem::{ContactError, ContactProblem, FreeMotion, Method, Solution};
+use crate::interrupt::Interrupt;
 
 /// Blocks of exchanges tried without fewer wrong signs before single exchanges take over.
 const PATIENCE: usize = 10;
@@ -31,6 +32,18 @@ const GAP_TOLERANCE: f64 = 1e-13;
 /// [`ContactError::Infeasible`] and [`ContactError::Unconstrained`] name the motion at fault,
 /// [`ContactError::DependentCells`] the cell.
 pub fn solve(problem: &ContactProblem, warm_start: Option<&[usize]>) -> Result<Solution, ContactError> {
+    solve_until(problem, warm_start, &Interrupt::never())
+}
+
+/// The same, with a checkpoint before each factorisation.
+///
+/// # Errors
+/// As [`solve`]; [`ContactError::Interrupted`].
+pub fn solve_until(
+    problem: &ContactProblem,
+    warm_start: Option<&[usize]>,
+    interrupt: &Interrupt,
+) -> Result<Solution, ContactError> {
     problem.validate()?;
     let scaled = Scaled::new(problem);
     scaled.check_freedoms()?;
@@ -44,11 +57,11 @@ pub fn solve(problem: &ContactProblem, warm_start: Option<&[usize]>) -> Result<S
         if start.is_empty() && problem.cells() > 0 {
             continue;
         }
-        if let Some(found) = block_pivoting(&scaled, start, &mut iterations)? {
+        if let Some(found) = block_pivoting(&scaled, start, &mut iterations, interrupt)? {
             return Ok(scaled.solution(problem, found, Method::BlockPivoting, iterations));
         }
     }
-    if let Some(found) = single_pivoting(&scaled, &mut iterations)? {
+    if let Some(found) = single_pivoting(&scaled, &mut iterations, interrupt)? {
         return Ok(scaled.solution(problem, found, Method::SinglePivoting, iterations));
     }
     let (forces, motion) = clarabel_check::solve(problem)?;
@@ -264,12 +277,14 @@ fn block_pivoting(
     scaled: &Scaled,
     start: Vec<usize>,
     iterations: &mut usize,
+    interrupt: &Interrupt,
 ) -> Result<Option<Found>, ContactError> {
     let mut active = start;
     let mut fewest = usize::MAX;
     let mut patience = PATIENCE;
     loop {
         *iterations += 1;
+        interrupt.check().map_err(ContactError::Interrupted)?;
         let (forces, motion) = match scaled.close(&active) {
             Ok(closed) => closed,
             Err(Singular::Compliance(position)) => {
@@ -329,12 +344,16 @@ fn without_idle_cells(scaled: &Scaled, mut found: Found) -> Result<Option<Found>
 }
 
 /// Primal active set from a feasible start. `None` at the limit of iterations.
-fn single_pivoting(scaled: &Scaled, iterations: &mut usize) -> Result<Option<Found>, ContactError> {
+fn single_pivoting(
+    scaled: &Scaled,
+    iterations: &mut usize,
+    interrupt: &Interrupt,
+) -> Result<Option<Found>, ContactError> {
     let n = scaled.cells();
-    let (mut forces, mut active) = match balance(&scaled.arms, &scaled.stiffness, &scaled.load, &|| false) {
+    let (mut forces, mut active) = match balance(&scaled.arms, &scaled.stiffness, &scaled.load, interrupt) {
         Balance::Found { forces, cells } => (forces, cells),
         Balance::RunsAway(motion) => return Err(ContactError::Infeasible(scaled.free_motion(&motion))),
-        Balance::Stopped => return Err(ContactError::Stopped),
+        Balance::Interrupted(error) => return Err(ContactError::Interrupted(error)),
     };
     // The active cells must see every freedom; once they do, exchanges keep it so.
     while let Some(motion) = null_motion(&scaled.resistance(active.iter().copied()), 1e-12) {
@@ -350,6 +369,7 @@ fn single_pivoting(scaled: &Scaled, iterations: &mut usize) -> Result<Option<Fou
     }
     for _ in 0..10 * n + 100 {
         *iterations += 1;
+        interrupt.check().map_err(ContactError::Interrupted)?;
         let (target, motion) = match scaled.close(&active) {
             Ok(closed) => closed,
             Err(Singular::Compliance(position)) => {
@@ -401,7 +421,7 @@ mod tests {
             let problem = random_problem(4 + trial % 30, trial % 4, trial % 3 == 0, &mut random);
             let reference = solve(&problem, None).unwrap();
             let scaled = Scaled::new(&problem);
-            let found = single_pivoting(&scaled, &mut 0).unwrap().expect("it ends");
+            let found = single_pivoting(&scaled, &mut 0, &Interrupt::never()).unwrap().expect("it ends");
             let solution = scaled.solution(&problem, found, Method::SinglePivoting, 0);
             assert_eq!(solution.forces, reference.forces, "trial {trial}");
             assert_eq!(solution.motion, reference.motion, "trial {trial}");

@@ -3,6 +3,8 @@
 //! there is one, is by its optimality conditions the motion along which the load runs away (Farkas).
 
 use super::dense::{Matrix, dot};
+use crate::error::EngineError;
+use crate::interrupt::Interrupt;
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
 /// Residual of equilibrium, relative to the load, that counts as balanced.
@@ -13,17 +15,12 @@ pub(super) enum Balance {
     Found { forces: Vec<f64>, cells: Vec<usize> },
     /// A motion that closes no gap, strains no spring, and on which the load does positive work.
     RunsAway(Vec<f64>),
-    /// Nobody wants to know any more.
-    Stopped,
+    /// The search was ended from outside.
+    Interrupted(EngineError),
 }
 
 /// Finds `p >= 0` and any x with `C'p - K x = -f`. Data scaled so that columns of C are of the order of one.
-pub(super) fn balance(
-    arms: &Matrix,
-    stiffness: &Matrix,
-    load: &[f64],
-    stopped: &dyn Fn() -> bool,
-) -> Balance {
+pub(super) fn balance(arms: &Matrix, stiffness: &Matrix, load: &[f64], interrupt: &Interrupt) -> Balance {
     let (n, m) = (arms.rows, arms.columns);
     // Springs take any force in the range of K; what is left is equilibrium on its null space.
     let unsprung = null_space(stiffness);
@@ -49,8 +46,8 @@ pub(super) fn balance(
         else {
             break;
         };
-        if stopped() {
-            return Balance::Stopped;
+        if let Err(error) = interrupt.check() {
+            return Balance::Interrupted(error);
         }
         passive.push(entering);
         while !passive.is_empty() {

@@ -5,6 +5,9 @@
 //! do positive work where gaps grow. These are the optimality conditions of the convex program
 //! `min p'Ap/2 + e'p + x'Kx/2` under the equilibrium, with x as its multipliers.
 
+use crate::error::EngineError;
+use serde::{Deserialize, Serialize};
+
 /// Data of a contact problem of n cells and m freedoms; matrices row-major.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ContactProblem {
@@ -51,9 +54,9 @@ pub enum ContactError {
     Invalid(&'static str),
     #[error("the contact solver did not converge")]
     NotConverged,
-    /// Nobody wanted to know any more.
-    #[error("the contact problem was given up")]
-    Stopped,
+    /// Whoever asked for the solution ended the search.
+    #[error(transparent)]
+    Interrupted(EngineError),
 }
 
 fn sense(direction: f64) -> &'static str {
@@ -71,7 +74,7 @@ pub enum Method {
 }
 
 /// Largest relative violations of a solution, from the problem's own unscaled data. Of the order of rounding if exact.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Certificate {
     /// Largest `p_i |d_i|` over the largest force and the gap scale.
     pub complementarity: f64,

@@ -8,6 +8,7 @@ use super::active_set::free_motion;
 use super::dense::{Matrix, dot};
 use super::feasibility::{Balance, balance};
 use super::problem::ContactError;
+use crate::interrupt::Interrupt;
 use nalgebra::{DMatrix, DVector};
 
 /// Bodies at rest under a vanishing load.
@@ -26,18 +27,18 @@ pub struct RigidLimit {
 /// [`ContactError::Infeasible`] if no contact stops the motion, [`ContactError::Unconstrained`] if the load does not
 /// decide some freedom, [`ContactError::Jammed`] if there is no position without overlap.
 pub fn rigid_limit(gaps: &[f64], arms: &[f64], direction: &[f64]) -> Result<RigidLimit, ContactError> {
-    rigid_limit_until(gaps, arms, direction, &|| false)
+    rigid_limit_until(gaps, arms, direction, &Interrupt::never())
 }
 
-/// The same, until `stopped` says that nobody wants to know any more: with many freedoms it takes long.
+/// The same, with checkpoints: with many freedoms it takes long.
 ///
 /// # Errors
-/// As [`rigid_limit`]; [`ContactError::Stopped`].
+/// As [`rigid_limit`]; [`ContactError::Interrupted`].
 pub fn rigid_limit_until(
     gaps: &[f64],
     arms: &[f64],
     direction: &[f64],
-    stopped: &dyn Fn() -> bool,
+    interrupt: &Interrupt,
 ) -> Result<RigidLimit, ContactError> {
     let (n, m) = (gaps.len(), direction.len());
     if arms.len() != n * m {
@@ -57,16 +58,14 @@ pub fn rigid_limit_until(
         }
     }
     let load: Vec<f64> = direction.iter().zip(&scale).map(|(g, s)| g * s).collect();
-    let basis = match balance(&scaled_arms, &Matrix::zeros(m, m), &load, stopped) {
+    let basis = match balance(&scaled_arms, &Matrix::zeros(m, m), &load, interrupt) {
         Balance::Found { cells, .. } => cells,
         Balance::RunsAway(motion) => return Err(ContactError::Infeasible(free_motion(&motion, &scale))),
-        Balance::Stopped => return Err(ContactError::Stopped),
+        Balance::Interrupted(error) => return Err(ContactError::Interrupted(error)),
     };
     let basis = complete(&scaled_arms, basis)
         .map_err(|motion| ContactError::Unconstrained(free_motion(&motion, &scale)))?;
-    if stopped() {
-        return Err(ContactError::Stopped);
-    }
+    interrupt.check().map_err(ContactError::Interrupted)?;
     let (motion, mut touching) = simplex(gaps, &scaled_arms, &load, basis)?;
     touching.sort_unstable();
     Ok(RigidLimit { motion: motion.iter().zip(&scale).map(|(y, s)| y * s).collect(), touching })
@@ -141,7 +140,9 @@ fn simplex(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::cell::Cell;
+    use crate::error::EngineError;
+    use std::sync::Arc;
+    use std::sync::atomic::{AtomicUsize, Ordering};
 
     /// Wheels in a row, each driven by the one before.
     fn train(wheels: usize) -> (Vec<f64>, Vec<f64>) {
@@ -158,16 +159,19 @@ mod tests {
     }
 
     #[test]
-    fn it_stops_as_soon_as_nobody_wants_to_know() {
+    fn it_ends_at_the_checkpoint_that_says_so() {
         let (arms, load) = train(20);
         let gaps = [0.0; 20];
         assert!(rigid_limit(&gaps, &arms, &load).is_ok());
-        let asked = Cell::new(0);
-        let third = || {
-            asked.set(asked.get() + 1);
-            asked.get() == 3
-        };
-        assert_eq!(rigid_limit_until(&gaps, &arms, &load, &third), Err(ContactError::Stopped));
-        assert_eq!(asked.get(), 3);
+        let asked = Arc::new(AtomicUsize::new(0));
+        let counter = asked.clone();
+        let enough = EngineError::new("E0704", "enough", "");
+        let third = Interrupt::new({
+            let enough = enough.clone();
+            move || if counter.fetch_add(1, Ordering::Relaxed) == 2 { Err(enough.clone()) } else { Ok(()) }
+        });
+        let ended = rigid_limit_until(&gaps, &arms, &load, &third);
+        assert_eq!(ended, Err(ContactError::Interrupted(enough)));
+        assert_eq!(asked.load(Ordering::Relaxed), 3);
     }
 }

@@ -113,4 +113,8 @@ impl Structure for HalfPlaneBody {
     fn stresses(&self, _: u32, _: u32, _: &[SurfaceLoad]) -> Vec<(StressPlace, f64)> {
         Vec::new()
     }
+
+    fn bytes(&self) -> usize {
+        0
+    }
 }

@@ -7,6 +7,7 @@ use super::StructureError;
 use super::dense::{add_product, cholesky, mirror_lower, product, solve};
 use super::ring::CutStiffness;
 use crate::fe::{Constraints, PlaneModel, Solver, SparseVector};
+use crate::interrupt::Interrupt;
 use crate::material::Material;
 use faer::{Mat, MatRef};
 use rayon::prelude::*;
@@ -45,16 +46,19 @@ pub(super) struct Condensed {
     pub rows_cuts: Mat<f64>,
 }
 
-/// Condenses a model. `rows` are linear forms of its displacements that vanish for rigid-body motions.
+/// Condenses a model, with a checkpoint between its stages and before each portion of right-hand sides. `rows` are linear forms of its displacements that vanish for rigid-body motions.
 pub(super) fn condense(
     model: &PlaneModel,
     support: &Support<'_>,
     cuts: Option<&Cuts>,
     loads: &[SparseVector],
     rows: &[SparseVector],
+    interrupt: &Interrupt,
 ) -> Result<Condensed, StructureError> {
+    let checkpoint = || interrupt.check().map_err(StructureError::Interrupted);
     let dofs = model.dof_count();
     let stiffness = model.stiffness();
+    checkpoint()?;
     let masters: Vec<usize> = cuts
         .map(|cuts| cuts.first.iter().chain(&cuts.last).flat_map(|&node| [2 * node, 2 * node + 1]).collect())
         .unwrap_or_default();
@@ -78,7 +82,7 @@ pub(super) fn condense(
         }
     }
     let solver = Solver::new(&stiffness, constraints)?;
-    let response = solve_columns(&solver, load.as_ref())?;
+    let response = solve_columns(&solver, load.as_ref(), interrupt)?;
 
     // Displacements of the whole mesh by unit displacements of each cut unknown (`D` of report eq. 2.76), the last
     // cut's in the frame of the next sector.
@@ -89,7 +93,7 @@ pub(super) fn condense(
             coupling[(entry.row, column)] = -*entry.val;
         }
     }
-    let mut extension = solve_columns(&solver, coupling.as_ref())?;
+    let mut extension = solve_columns(&solver, coupling.as_ref(), interrupt)?;
     for (column, &dof) in masters.iter().enumerate() {
         extension[(dof, column)] = 1.0;
     }
@@ -113,11 +117,15 @@ pub(super) fn condense(
         turn_last_cut(&mut extension, cuts.angle);
     }
 
+    checkpoint()?;
     let mut own = product(load.transpose(), response.as_ref());
     mirror_lower(&mut own);
+    checkpoint()?;
+    let on_cuts = product(extension.transpose(), load.as_ref());
+    checkpoint()?;
     Ok(Condensed {
         stiffness: condensed_stiffness,
-        on_cuts: product(extension.transpose(), load.as_ref()),
+        on_cuts,
         own,
         rows_own: rows_of(rows, response.as_ref()),
         rows_cuts: rows_of(rows, extension.as_ref()),
@@ -180,12 +188,19 @@ fn rows_of(rows: &[SparseVector], displacements: MatRef<'_, f64>) -> Mat<f64> {
 }
 
 /// Solves all columns, in fixed portions side by side.
-fn solve_columns(solver: &Solver, right: MatRef<'_, f64>) -> Result<Mat<f64>, StructureError> {
+fn solve_columns(
+    solver: &Solver,
+    right: MatRef<'_, f64>,
+    interrupt: &Interrupt,
+) -> Result<Mat<f64>, StructureError> {
     let starts: Vec<usize> = (0..right.ncols()).step_by(COLUMNS_AT_ONCE).collect();
     let portions = starts
         .par_iter()
-        .map(|&start| solver.solve(right.subcols(start, COLUMNS_AT_ONCE.min(right.ncols() - start))))
-        .collect::<Result<Vec<_>, _>>()?;
+        .map(|&start| {
+            interrupt.check().map_err(StructureError::Interrupted)?;
+            Ok(solver.solve(right.subcols(start, COLUMNS_AT_ONCE.min(right.ncols() - start)))?)
+        })
+        .collect::<Result<Vec<_>, StructureError>>()?;
     let mut solution = Mat::zeros(right.nrows(), right.ncols());
     for (&start, portion) in starts.iter().zip(&portions) {
         solution.as_mut().subcols_mut(start, portion.ncols()).copy_from(portion);

@@ -23,6 +23,7 @@ use super::spline::{Spline, Weights};
 use super::{Chart, StressPlace, Structure, StructureError, SurfaceLoad};
 use crate::fe::stress::StressRecovery;
 use crate::fe::{EdgeChain, PlaneModel, SparseVector};
+use crate::interrupt::Interrupt;
 use crate::material::Plane;
 use crate::profile::Profile;
 use faer::{Mat, MatRef};
@@ -118,39 +119,43 @@ impl ElasticStructure {
     /// A ring of equal sectors. `model` is one sector about the origin, surfaces are those of one sector.
     ///
     /// # Errors
-    /// Chains are missing or too coarse, cuts do not conform, or the ring is not held.
+    /// Chains are missing or too coarse, cuts do not conform, the ring is not held, or the interrupt's.
     pub fn ring(
         model: &PlaneModel,
         ring: &RingSource<'_>,
         surfaces: &[SurfaceSource],
         options: &SplitOptions,
+        interrupt: &Interrupt,
     ) -> Result<Self, StructureError> {
         let nodes = |name: &str| Ok::<_, StructureError>(model.mesh.chain_nodes(chain(model, name)?));
         let (first, last, bore) = (nodes(ring.cuts[0])?, nodes(ring.cuts[1])?, nodes(ring.bore)?);
         let angle = TAU / f64::from(ring.sectors.max(1));
         let cuts = match_cuts(&model.mesh.nodes, &first, &last, &bore, angle)
             .ok_or_else(|| StructureError::CutsDiffer { cuts: ring.cuts.map(String::from) })?;
-        let prepared = prepare(model, surfaces, options)?;
+        let prepared = prepare(model, surfaces, options, interrupt)?;
         let (loads, rows) = gathered(&prepared);
-        let condensed = condense(model, &Support::Held(&bore), Some(&cuts), &loads, &rows)?;
+        let condensed = condense(model, &Support::Held(&bore), Some(&cuts), &loads, &rows, interrupt)?;
         let flexibility = match &condensed.stiffness {
-            Some(stiffness) => Some(RingFlexibility::new(stiffness, ring.sectors.max(1), ring.coupled)?),
+            Some(stiffness) => {
+                Some(RingFlexibility::new(stiffness, ring.sectors.max(1), ring.coupled, interrupt)?)
+            }
             None => None,
         };
-        Ok(Self::assemble(model, ring.sectors.max(1), prepared, &condensed, flexibility.as_ref()))
+        Self::assemble(model, ring.sectors.max(1), prepared, &condensed, flexibility.as_ref(), interrupt)
     }
 
     /// A body of a single mesh.
     ///
     /// # Errors
-    /// Chains are missing or too coarse, or the mesh can deform without resistance.
+    /// Chains are missing or too coarse, the mesh can deform without resistance, or the interrupt's.
     pub fn single(
         model: &PlaneModel,
         hold: Hold<'_>,
         surfaces: &[SurfaceSource],
         options: &SplitOptions,
+        interrupt: &Interrupt,
     ) -> Result<Self, StructureError> {
-        let prepared = prepare(model, surfaces, options)?;
+        let prepared = prepare(model, surfaces, options, interrupt)?;
         let (loads, rows) = gathered(&prepared);
         let held;
         let support = match hold {
@@ -160,8 +165,8 @@ impl ElasticStructure {
                 Support::Held(&held)
             }
         };
-        let condensed = condense(model, &support, None, &loads, &rows)?;
-        Ok(Self::assemble(model, 1, prepared, &condensed, None))
+        let condensed = condense(model, &support, None, &loads, &rows, interrupt)?;
+        Self::assemble(model, 1, prepared, &condensed, None, interrupt)
     }
 
     fn assemble(
@@ -170,7 +175,8 @@ impl ElasticStructure {
         prepared: Vec<Prepared>,
         condensed: &Condensed,
         ring: Option<&RingFlexibility>,
-    ) -> Self {
+        interrupt: &Interrupt,
+    ) -> Result<Self, StructureError> {
         let surface_modulus = model.material.surface_modulus(model.plane);
         let (young, ratio) = (model.material.youngs_modulus, model.material.poissons_ratio);
         let kink = match model.plane {
@@ -188,7 +194,8 @@ impl ElasticStructure {
             twists: Vec::new(),
         };
         for offset in 0..=ring.map_or(0, RingFlexibility::window) {
-            structure.offsets.push(structure.tables(offset, &prepared, condensed, ring));
+            let tables = structure.tables(offset, &prepared, condensed, ring, interrupt)?;
+            structure.offsets.push(tables);
         }
         let own = &structure.offsets[0].compliance;
         let twist = |(p, prepared): (usize, &Prepared)| {
@@ -199,7 +206,7 @@ impl ElasticStructure {
         };
         structure.twists = prepared.iter().enumerate().map(twist).collect();
         structure.surfaces = prepared.into_iter().map(|prepared| prepared.surface).collect();
-        structure
+        Ok(structure)
     }
 
     /// Tables of one offset: the response of the mesh, less what is not smooth, as spline coefficients.
@@ -209,11 +216,13 @@ impl ElasticStructure {
         prepared: &[Prepared],
         condensed: &Condensed,
         ring: Option<&RingFlexibility>,
-    ) -> OffsetTables {
-        let response = response(condensed, ring, offset);
+        interrupt: &Interrupt,
+    ) -> Result<OffsetTables, StructureError> {
+        let response = response(condensed, ring, offset, interrupt)?;
         let load_starts = starts(prepared.iter().map(|surface| surface.loads.len()));
         let row_starts = starts(prepared.iter().map(|surface| surface.stress_rows.len()));
-        let per_pair = |table: &dyn Fn(usize, usize) -> Mat<f64>| -> Vec<Vec<Mat<f64>>> {
+        type Tables = Result<Vec<Vec<Mat<f64>>>, StructureError>;
+        let per_pair = |table: &dyn Fn(usize, usize) -> Result<Mat<f64>, StructureError>| -> Tables {
             let surfaces = 0..prepared.len();
             surfaces.clone().map(|p| surfaces.clone().map(|q| table(p, q)).collect()).collect()
         };
@@ -221,32 +230,37 @@ impl ElasticStructure {
             per_pair(&|p, q| {
                 let (rows, loads) = (row_starts[p]..row_starts[p + 1], load_starts[q]..load_starts[q + 1]);
                 let table = all.as_ref().submatrix(rows.start, loads.start, rows.len(), loads.len());
-                prepared[q].surface.spline.coefficients(table.transpose()).transpose().to_owned()
+                Ok(prepared[q].surface.spline.coefficients(table.transpose()).transpose().to_owned())
             })
         };
-        OffsetTables {
+        Ok(OffsetTables {
             compliance: per_pair(&|p, q| {
                 let (rows, loads) = (load_starts[p]..load_starts[p + 1], load_starts[q]..load_starts[q + 1]);
                 let table =
                     response.compliance.as_ref().submatrix(rows.start, loads.start, rows.len(), loads.len());
                 let (observed, loaded) = (&prepared[p].surface, &prepared[q].surface);
                 if offset == 0 && p == q {
-                    let smooth = self.smooth_part(&prepared[p], table);
+                    let smooth = self.smooth_part(&prepared[p], table, interrupt)?;
                     let mut coefficients =
                         both_sides(&observed.stretched, &loaded.stretched, smooth.as_ref());
                     super::dense::mirror_lower(&mut coefficients);
-                    coefficients
+                    Ok(coefficients)
                 } else {
-                    both_sides(&observed.spline, &loaded.spline, table)
+                    Ok(both_sides(&observed.spline, &loaded.spline, table))
                 }
-            }),
-            stress_ahead: stress(&response.stress_ahead),
-            stress_behind: stress(&response.stress_behind),
-        }
+            })?,
+            stress_ahead: stress(&response.stress_ahead)?,
+            stress_behind: stress(&response.stress_behind)?,
+        })
     }
 
     /// The mesh's answers on one surface less the half-plane's and the kink's to the same mollifiers.
-    fn smooth_part(&self, prepared: &Prepared, answers: MatRef<'_, f64>) -> Mat<f64> {
+    fn smooth_part(
+        &self,
+        prepared: &Prepared,
+        answers: MatRef<'_, f64>,
+        interrupt: &Interrupt,
+    ) -> Result<Mat<f64>, StructureError> {
         let quadrature = PairQuadrature::default();
         let log_factor = -2.0 / (PI * self.surface_modulus);
         let log_length = self.reference_length.ln();
@@ -254,6 +268,7 @@ impl ElasticStructure {
         let curved = |s: f64, at: f64| self.curved_part(surface, surface.local(s), surface.local(at));
         let mut smooth = answers.to_owned();
         for (k, observer) in prepared.mollifiers.iter().enumerate() {
+            interrupt.check().map_err(StructureError::Interrupted)?;
             for (l, load) in prepared.mollifiers.iter().enumerate().take(k + 1) {
                 let logarithm = quadrature.logarithm(observer, load) - log_length;
                 let curved = quadrature.mean(observer, load, curved);
@@ -261,7 +276,7 @@ impl ElasticStructure {
             }
         }
         super::dense::mirror_lower(&mut smooth);
-        smooth
+        Ok(smooth)
     }
 
     /// What curvature adds to the half-plane's logarithm and is not smooth where `a` and `b` meet.
@@ -395,6 +410,20 @@ impl Structure for ElasticStructure {
         };
         observed.stress_positions.iter().map(place).zip(stress).collect()
     }
+
+    fn bytes(&self) -> usize {
+        let surface = |surface: &Surface| {
+            surface.spline.bytes()
+                + surface.stretched.bytes()
+                + size_of_val(surface.turned.as_slice())
+                + size_of_val(surface.stress_positions.as_slice())
+        };
+        let tables = self.offsets.iter().flat_map(|tables| {
+            [&tables.compliance, &tables.stress_ahead, &tables.stress_behind].into_iter().flatten().flatten()
+        });
+        let entries: usize = tables.map(|table| table.nrows() * table.ncols()).sum();
+        self.surfaces.iter().map(surface).sum::<usize>() + entries * size_of::<f64>()
+    }
 }
 
 /// A point of a surface as its tables see it.
@@ -428,13 +457,20 @@ struct Response {
     stress_behind: Mat<f64>,
 }
 
-fn response(condensed: &Condensed, ring: Option<&RingFlexibility>, offset: u32) -> Response {
+fn response(
+    condensed: &Condensed,
+    ring: Option<&RingFlexibility>,
+    offset: u32,
+    interrupt: &Interrupt,
+) -> Result<Response, StructureError> {
     let (own, rows_own) = (condensed.own.clone(), condensed.rows_own.clone());
     let Some(ring) = ring else {
-        return Response { compliance: own, stress_ahead: rows_own.clone(), stress_behind: rows_own };
+        return Ok(Response { compliance: own, stress_ahead: rows_own.clone(), stress_behind: rows_own });
     };
     let cuts_ahead = ring.at(offset) * &condensed.on_cuts;
+    interrupt.check().map_err(StructureError::Interrupted)?;
     let cuts_behind = ring.at(offset).transpose() * &condensed.on_cuts;
+    interrupt.check().map_err(StructureError::Interrupted)?;
     let mut response = Response {
         compliance: condensed.on_cuts.transpose() * &cuts_ahead,
         stress_ahead: &condensed.rows_cuts * &cuts_ahead,
@@ -445,7 +481,7 @@ fn response(condensed: &Condensed, ring: Option<&RingFlexibility>, offset: u32) 
         response.stress_ahead += &rows_own;
         response.stress_behind += rows_own;
     }
-    response
+    Ok(response)
 }
 
 /// Spline coefficients of a table in both variables.
@@ -476,9 +512,10 @@ fn prepare(
     model: &PlaneModel,
     sources: &[SurfaceSource],
     options: &SplitOptions,
+    interrupt: &Interrupt,
 ) -> Result<Vec<Prepared>, StructureError> {
     let recovery = StressRecovery::new(model);
-    sources.iter().map(|source| prepare_surface(model, &recovery, source, options)).collect()
+    sources.iter().map(|source| prepare_surface(model, &recovery, source, options, interrupt)).collect()
 }
 
 fn prepare_surface(
@@ -486,7 +523,10 @@ fn prepare_surface(
     recovery: &StressRecovery<'_>,
     source: &SurfaceSource,
     options: &SplitOptions,
+    interrupt: &Interrupt,
 ) -> Result<Prepared, StructureError> {
+    let checkpoint = || interrupt.check().map_err(StructureError::Interrupted);
+    checkpoint()?;
     let loaded = chain(model, &source.chain)?;
     let samples = sample(&model.mesh, loaded, source.edges, options)
         .ok_or_else(|| StructureError::Coarse { chain: source.chain.clone() })?;
@@ -494,11 +534,12 @@ fn prepare_surface(
         .mollifiers
         .iter()
         .map(|mollifier| {
-            model.edge_load_between(loaded, mollifier.support(), |s, point| {
+            checkpoint()?;
+            Ok(model.edge_load_between(loaded, mollifier.support(), |s, point| {
                 point.normal.map(|part| -part * mollifier.value(s))
-            })
+            }))
         })
-        .collect();
+        .collect::<Result<_, StructureError>>()?;
 
     let mut surface = Surface {
         profile: source.profile.clone(),
@@ -515,6 +556,7 @@ fn prepare_surface(
         let free = chain(model, name)?;
         let places = source.stress_places_per_edge.max(1);
         for edge in &free.edges {
+            checkpoint()?;
             for place in 0..places {
                 let share = (place as f64 + 0.5) / places as f64;
                 let s = edge.s[0] + share * (edge.s[1] - edge.s[0]);

@@ -16,6 +16,7 @@ pub use elastic::{ElasticStructure, Hold, RingSource, SurfaceSource};
 pub use rigid::RigidStructure;
 pub use sampling::SplitOptions;
 
+use crate::error::EngineError;
 use crate::fe::SolveError;
 use crate::profile::Profile;
 use ring::FreeRing;
@@ -36,6 +37,18 @@ pub enum StructureError {
     Ring(#[from] FreeRing),
     #[error(transparent)]
     Solve(#[from] SolveError),
+    #[error(transparent)]
+    Interrupted(EngineError),
+}
+
+impl From<StructureError> for EngineError {
+    /// For a prototype whose mesh was to be sound.
+    fn from(error: StructureError) -> Self {
+        match error {
+            StructureError::Interrupted(error) => error,
+            error => EngineError::new("E0678", format!("the structure cannot be condensed: {error}"), ""),
+        }
+    }
 }
 
 /// A loadable surface of a structure: a flank of one tooth, or the rim of a disc.
@@ -104,6 +117,9 @@ pub trait Structure: Send + Sync {
     /// Principal stress of largest tension (Pa) at each point where stress is recovered, for the given loads, on tooth
     /// `tooth`: on a free surface the stress along it, negative where compressed. Empty if the structure recovers none.
     fn stresses(&self, tooth: u32, surface: u32, loads: &[SurfaceLoad]) -> Vec<(StressPlace, f64)>;
+
+    /// Memory that the structure takes, in bytes, to the nearest few percent: what a cache counts.
+    fn bytes(&self) -> usize;
 }
 
 #[cfg(test)]

@@ -44,4 +44,8 @@ impl Structure for RigidStructure {
     fn stresses(&self, _: u32, _: u32, _: &[SurfaceLoad]) -> Vec<(StressPlace, f64)> {
         Vec::new()
     }
+
+    fn bytes(&self) -> usize {
+        size_of_val(self.surfaces.as_slice())
+    }
 }

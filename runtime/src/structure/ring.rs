@@ -9,7 +9,9 @@
 //! Joining eliminates the cut between two chains, and the stiffness of that cut with both ends held is positive
 //! definite even if the ring itself is free, so no step needs pivoting.
 
+use super::StructureError;
 use super::dense::{add_product, cholesky, half_solve, mirror_lower, solve};
+use crate::interrupt::Interrupt;
 use faer::{Mat, MatRef};
 
 /// A sector, or a chain of them, condensed onto its first and last cut.
@@ -47,7 +49,8 @@ impl CutStiffness {
     }
 
     /// The chain of `self` followed by `next`, the cut between them condensed (report eq. 2.80).
-    fn joined(&self, next: &Self) -> Result<Self, FreeRing> {
+    fn joined(&self, next: &Self, interrupt: &Interrupt) -> Result<Self, StructureError> {
+        interrupt.check().map_err(StructureError::Interrupted)?;
         let n = self.cut_size();
         let between = self.block(1, 1) + next.block(0, 0);
         let factor = cholesky(between).ok_or(FreeRing)?;
@@ -63,7 +66,7 @@ impl CutStiffness {
     }
 
     /// The chain of `count >= 1` equal sectors, by doubling.
-    fn repeated(&self, count: u32) -> Result<Self, FreeRing> {
+    fn repeated(&self, count: u32, interrupt: &Interrupt) -> Result<Self, StructureError> {
         let mut power = self.clone();
         let mut chain: Option<Self> = None;
         let mut rest = count;
@@ -71,13 +74,13 @@ impl CutStiffness {
             if rest & 1 == 1 {
                 chain = Some(match chain {
                     None => power.clone(),
-                    Some(chain) => chain.joined(&power)?,
+                    Some(chain) => chain.joined(&power, interrupt)?,
                 });
             }
             rest >>= 1;
             match chain {
                 Some(chain) if rest == 0 => return Ok(chain),
-                _ => power = power.joined(&power)?,
+                _ => power = power.joined(&power, interrupt)?,
             }
         }
     }
@@ -96,7 +99,16 @@ impl RingFlexibility {
     ///
     /// The `sectors - window - 1` sectors outside the window are condensed by doubling, the ring is closed, and the
     /// cuts of the window are solved for.
-    pub fn new(sector: &CutStiffness, sectors: u32, window: u32) -> Result<Self, FreeRing> {
+    /// There is a checkpoint before each joining.
+    ///
+    /// # Errors
+    /// The ring is free to move, or the interrupt's.
+    pub fn new(
+        sector: &CutStiffness,
+        sectors: u32,
+        window: u32,
+        interrupt: &Interrupt,
+    ) -> Result<Self, StructureError> {
         assert!(sectors >= 1, "a ring has sectors");
         let window = window.min(sectors / 2).min(sectors - 1);
         let n = sector.cut_size();
@@ -117,9 +129,11 @@ impl RingFlexibility {
             assemble(sector, i, (i + 1) % cuts);
         }
         if outside > 0 {
-            assemble(&sector.repeated(outside)?, cuts - 1, 0);
+            assemble(&sector.repeated(outside, interrupt)?, cuts - 1, 0);
         }
+        interrupt.check().map_err(StructureError::Interrupted)?;
         let factor = cholesky(stiffness).ok_or(FreeRing)?;
+        interrupt.check().map_err(StructureError::Interrupted)?;
         // With one cut only, both ends of the loaded sector are the same degrees of freedom.
         let mut unit = Mat::zeros(cuts * n, 2 * n);
         for i in 0..n {

@@ -58,6 +58,13 @@ impl Spline {
         weights
     }
 
+    /// Memory taken, in bytes.
+    pub fn bytes(&self) -> usize {
+        // The collocation's two factors, as one matrix.
+        let entries = self.nodes.len() + self.knots.len() + self.nodes.len() * self.nodes.len();
+        entries * size_of::<f64>()
+    }
+
     /// How far `s` lies beyond the last node, or, negative, before the first.
     pub fn beyond(&self, s: f64) -> f64 {
         s - s.clamp(self.nodes[0], self.nodes[self.nodes.len() - 1])

@@ -8,6 +8,7 @@ use calyx_gears::modification::{Modification, ReliefShape, TipRelief};
 use calyx_gears::mounting::{Mounting, mount_external};
 use calyx_gears::prototype::GearPrototype;
 use calyx_runtime::error::EngineError;
+use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::load::Wrench;
 use calyx_runtime::material::Material;
 use calyx_runtime::motion::{PlanePose, SteadyRotation};
@@ -60,7 +61,11 @@ impl Member {
 }
 
 impl Prototype for Member {
-    fn build(&self, options: &StructureOptions) -> Result<Arc<dyn Structure>, EngineError> {
+    fn build(
+        &self,
+        options: &StructureOptions,
+        interrupt: &Interrupt,
+    ) -> Result<Arc<dyn Structure>, EngineError> {
         let known = || {
             let structures = self.structures.lock().expect("nothing panics under the lock");
             structures.iter().find(|(known, _)| known == options).map(|(_, built)| built.clone())
@@ -68,7 +73,7 @@ impl Prototype for Member {
         // Not built under the lock: a thread waiting for its share of the work may be given the same gear to build.
         let built = match known() {
             Some(built) => return Ok(built),
-            None => self.prototype.build(options)?,
+            None => self.prototype.build(options, interrupt)?,
         };
         self.structures.lock().expect("nothing panics under the lock").push((*options, built.clone()));
         Ok(built)
@@ -302,7 +307,7 @@ pub fn system_of(scene: &Scene, structure: StructureOptions) -> System<'_> {
 /// The values of a pair at parts of its mesh cycle, on a coarse mesh.
 pub fn solve_at(options: &PairOptions, cycles: &[f64]) -> Vec<Values> {
     let (scene, mesh) = pair(options);
-    let mut system = system(&scene);
+    let system = system(&scene);
     cycles
         .iter()
         .map(|cycle| {

@@ -16,7 +16,7 @@ fn reference() -> Value {
 /// Values at the positions of a cycle, with the roll angle of the entering pair, degrees.
 fn cycle(gears: &[Member; 2], positions: impl Fn(&GearMesh) -> Vec<f64>) -> Vec<(f64, Values)> {
     let (scene, mesh) = pair(&PairOptions::chapter_5(gears));
-    let mut system = system_of(&scene, StructureOptions::default());
+    let system = system_of(&scene, StructureOptions::default());
     positions(&mesh)
         .into_iter()
         .map(|time| {

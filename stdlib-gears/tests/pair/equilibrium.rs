@@ -23,7 +23,7 @@ fn unloaded_involutes_have_no_transmission_error() {
                 ..PairOptions::chapter_5(&PLAIN)
             };
             let (scene, mesh) = pair(&options);
-            let mut system = system(&scene);
+            let system = system(&scene);
             for position in mesh_cycle(&mesh, 6) {
                 let step = system.solve(position.time).expect("it rests");
                 let values = Values::of(&system, &step);
@@ -43,7 +43,7 @@ fn unmodified_involutes_have_exactly_the_torque_ratio_of_their_teeth() {
     for loaded in [0, 1] {
         let options = PairOptions { loaded, ..PairOptions::chapter_5(&PLAIN) };
         let (scene, mesh) = pair(&options);
-        let mut system = system(&scene);
+        let system = system(&scene);
         for position in mesh_cycle(&mesh, 6) {
             let step = system.solve(position.time).expect("equilibrium");
             let [on_pinion, on_gear] = [FIRST, SECOND].map(|body| system.contact_force(&step, body)[5]);
@@ -66,7 +66,7 @@ fn action_is_reaction() {
         ..PairOptions::chapter_5(&RELIEVED)
     };
     let (scene, mesh) = pair(&options);
-    let mut system = system(&scene);
+    let system = system(&scene);
     for cycle in CYCLE {
         let time = mesh.start + cycle * mesh.period;
         let step = system.solve(time).expect("equilibrium");
@@ -95,7 +95,7 @@ fn a_lighter_or_heavier_load_by_a_million_is_solved() {
         for edges in [false, true] {
             let options = PairOptions { moment: factor * TORQUE, edges, ..PairOptions::chapter_5(&RELIEVED) };
             let (scene, mesh) = pair(&options);
-            let mut system = system(&scene);
+            let system = system(&scene);
             for cycle in [0.27, 0.6] {
                 let step = system.solve(mesh.start + cycle * mesh.period).expect("equilibrium");
                 assert!(step.certificate.largest() <= 1e-12, "{factor} {cycle}: {:?}", step.certificate);
@@ -111,7 +111,7 @@ fn a_lighter_or_heavier_load_by_a_million_is_solved() {
 fn every_position_is_certified_and_agrees_with_an_independent_solver() {
     for (gears, edges) in [(&PLAIN, false), (&RELIEVED, true)] {
         let (scene, mesh) = pair(&PairOptions { edges, ..PairOptions::chapter_5(gears) });
-        let mut system = system(&scene);
+        let system = system(&scene);
         for (index, position) in mesh_cycle(&mesh, 8).into_iter().enumerate() {
             let step = system.solve(position.time).expect("equilibrium");
             assert!(step.certificate.largest() <= 1e-12, "{:?}", step.certificate);
@@ -174,7 +174,7 @@ fn tangent_response(step: &StepResult, opened: usize, growth: f64) -> Vec<f64> {
 fn a_pitch_error_moves_load_by_stiffness_times_error() {
     let options = PairOptions::chapter_5(&PLAIN);
     let (scene, mesh) = pair(&options);
-    let mut nominal = system(&scene);
+    let nominal = system(&scene);
     let time = mesh.start + 0.27 * mesh.period;
     let step = nominal.solve(time).expect("equilibrium");
     assert_eq!(step.patches.len(), 2, "two pairs of teeth share the load");

@@ -27,10 +27,10 @@ fn assert_same(found: &[Values], expected: &[Values], tolerance: f64, what: &str
 fn results_repeat_after_a_pitch() {
     for options in chapter_5_cases() {
         let (scene, mesh) = pair(&options);
-        let mut system = system(&scene);
+        let system = system(&scene);
         for cycle in CYCLE {
             // All but the share of the load, which is that of one pair of teeth.
-            let mut at = |pitches: f64| {
+            let at = |pitches: f64| {
                 let step = system.solve(mesh.start + (cycle + pitches) * mesh.period).expect("equilibrium");
                 Values { load_share: 0.0, ..Values::of(&system, &step) }
             };
@@ -120,9 +120,9 @@ fn positions_solved_before_do_not_change_a_bit() {
     for options in chapter_5_cases() {
         let (scene, mesh) = pair(&options);
         let times = CYCLE.map(|cycle| mesh.start + cycle * mesh.period);
-        let mut forward = system(&scene);
+        let forward = system(&scene);
         let expected = times.map(|time| forward.solve(time).expect("equilibrium"));
-        let mut backward = system(&scene);
+        let backward = system(&scene);
         for (time, expected) in times.iter().zip(&expected).rev() {
             let step = backward.solve(*time).expect("equilibrium");
             assert_eq!(step.motion, expected.motion);

@@ -59,7 +59,7 @@ fn other_pairs_run_and_share_their_load() {
         for edges in [false, true] {
             let options = PairOptions { center_distance, moment, edges, ..PairOptions::chapter_5(&gears) };
             let (scene, mesh) = pair(&options);
-            let mut system = system(&scene);
+            let system = system(&scene);
             for position in mesh_cycle(&mesh, 3) {
                 // A pair of teeth one pitch on is where its successor is now: its shares add up to the whole load. On
                 // tip edges it carries a little before the path of contact, too.
@@ -87,8 +87,8 @@ fn transmission_error_is_continuous_where_tip_edges_carry() {
         let moment = 2e9 * center_distance.powi(3) / 1e3;
         let options = PairOptions { center_distance, moment, edges: true, ..PairOptions::chapter_5(&gears) };
         let (scene, mesh) = pair(&options);
-        let mut system = system(&scene);
-        let mut at = |cycle: f64| {
+        let system = system(&scene);
+        let at = |cycle: f64| {
             let step = system.solve(mesh.start + cycle * mesh.period).expect("equilibrium");
             Values::of(&system, &step).transmission_error
         };
@@ -111,7 +111,7 @@ fn pairs_of_one_scene_do_not_disturb_each_other() {
         [false, true].map(|edges| pair(&PairOptions { edges, ..PairOptions::chapter_5(&PLAIN) }));
     let time = mesh.start + 0.51 * mesh.period;
     let alone = [&scene, &other].map(|scene| {
-        let mut system = system(scene);
+        let system = system(scene);
         let step = system.solve(time).expect("equilibrium");
         system.value(&step, Observable::TransmissionError(MESH)).value
     });
@@ -123,7 +123,7 @@ fn pairs_of_one_scene_do_not_disturb_each_other() {
         pair.bodies = pair.bodies.map(|body| BodyId(body.0 + 2));
         scene.add_pair(pair);
     }
-    let mut system = system(&scene);
+    let system = system(&scene);
     let step = system.solve(time).expect("equilibrium");
     for (pair, alone) in alone.into_iter().enumerate() {
         let together = system.value(&step, Observable::TransmissionError(PairId(pair))).value;

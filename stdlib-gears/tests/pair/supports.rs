@@ -17,7 +17,7 @@ fn failure(options: &PairOptions, change: impl Fn(&mut Vec<Body>)) -> EngineErro
         Ok(plan) => plan,
         Err(error) => return error,
     };
-    let mut system = System::new(&scene, &plan).expect("it can be built");
+    let system = System::new(&scene, &plan).expect("it can be built");
     system.solve(mesh.start + 0.6 * mesh.period).expect_err("nothing holds it")
 }
 
@@ -65,14 +65,14 @@ fn gears_held_where_they_overlap_press_as_the_load_that_moved_them_there() {
     let time = mesh.start + 0.6 * mesh.period;
     let plan = Plan::new(&scene, Fidelity::Plane, COARSE).expect("a plan");
     let deflection =
-        System::new(&scene, &plan).and_then(|mut system| system.solve(time)).expect("it is held").motion[0];
+        System::new(&scene, &plan).and_then(|system| system.solve(time)).expect("it is held").motion[0];
 
     let mut held = scene.clone();
     held.bodies[0].free = [false; 6];
     held.bodies[0].load = Arc::new(Wrench::NONE);
     held.bodies[0].phase += deflection;
     let plan = Plan::new(&held, Fidelity::Plane, COARSE).expect("a plan");
-    let mut system = System::new(&held, &plan).expect("it can be built");
+    let system = System::new(&held, &plan).expect("it can be built");
     let step = system.solve(time).expect("nothing moves");
     let moment = system.contact_force(&step, FIRST)[5];
     // The closest approach is looked for with the gear turned, a little farther along the flanks.

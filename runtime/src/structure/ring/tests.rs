@@ -1,6 +1,7 @@
 //! Doubling against the block-circulant solution and against the whole ring uncondensed.
 
 use super::*;
+use crate::interrupt::Interrupt;
 use faer::c64;
 use faer::linalg::solvers::Solve;
 
@@ -72,7 +73,7 @@ fn doubling_agrees_with_the_block_circulant_solution() {
     let mut numbers = Numbers(7);
     let sector = CutStiffness::new(stiffness(12, 1e-3, &mut numbers));
     for sectors in [1, 2, 3, 7, 20, 64, 640] {
-        let ring = RingFlexibility::new(&sector, sectors, 3).unwrap();
+        let ring = RingFlexibility::new(&sector, sectors, 3, &Interrupt::never()).unwrap();
         assert_eq!(ring.window(), 3.min(sectors / 2));
         let scale = ring.at(0).norm_max();
         for offset in 0..=ring.window() {
@@ -101,7 +102,9 @@ fn condensed_ring_agrees_with_the_whole_one() {
 
     for sectors in [1_u32, 2, 3, 4, 5, 9] {
         let count = sectors as usize;
-        let ring = RingFlexibility::new(&CutStiffness::new(condensed.clone()), sectors, 3).unwrap();
+        let ring =
+            RingFlexibility::new(&CutStiffness::new(condensed.clone()), sectors, 3, &Interrupt::never())
+                .unwrap();
         // The whole ring: the inner unknowns of every sector, then the cuts.
         let size = count * (inner + n);
         let mut ring_stiffness = Mat::<f64>::zeros(size, size);
@@ -140,5 +143,8 @@ fn condensed_ring_agrees_with_the_whole_one() {
 fn a_free_ring_is_refused() {
     // Springs between equal ends: the whole ring can move along.
     let spring = Mat::from_fn(2, 2, |i, j| if i == j { 1.0 } else { -1.0 });
-    assert_eq!(RingFlexibility::new(&CutStiffness::new(spring), 8, 3).unwrap_err(), FreeRing);
+    assert_eq!(
+        RingFlexibility::new(&CutStiffness::new(spring), 8, 3, &Interrupt::never()).unwrap_err(),
+        FreeRing.into()
+    );
 }

@@ -3,6 +3,7 @@
 
 use super::bodies::{STEEL, disc};
 use crate::fe::quadrature::gauss_legendre;
+use crate::interrupt::Interrupt;
 use crate::material::Plane;
 use crate::structure::{Chart, ElasticStructure, Hold, SplitOptions, Structure};
 use std::f64::consts::{FRAC_PI_4, PI};
@@ -42,8 +43,14 @@ fn opposite_loads_agree_with_the_exact_solution_everywhere() {
     let worst = |plane: Plane, divisions: usize| {
         let (mut model, surfaces) = disc(radius, divisions);
         model.plane = plane;
-        let structure =
-            ElasticStructure::single(&model, Hold::Free, &surfaces, &SplitOptions::default()).unwrap();
+        let structure = ElasticStructure::single(
+            &model,
+            Hold::Free,
+            &surfaces,
+            &SplitOptions::default(),
+            &Interrupt::never(),
+        )
+        .unwrap();
         let (modulus, length) = (structure.surface_modulus(), structure.reference_length());
         let mut worst = 0.0_f64;
         for load in [-0.4, -0.1, 0.0, 0.3] {
@@ -70,8 +77,14 @@ fn opposite_loads_agree_with_the_exact_solution_everywhere() {
 fn squeezed_disc_has_the_known_approach() {
     let radius = 0.02;
     let (model, surfaces) = disc(radius, 20);
-    let structure =
-        ElasticStructure::single(&model, Hold::Free, &surfaces, &SplitOptions::default()).unwrap();
+    let structure = ElasticStructure::single(
+        &model,
+        Hold::Free,
+        &surfaces,
+        &SplitOptions::default(),
+        &Interrupt::never(),
+    )
+    .unwrap();
     let (modulus, length) = (structure.surface_modulus(), structure.reference_length());
     let middle = radius * FRAC_PI_4;
     for half_width in [0.03 * radius, 0.003 * radius] {
@@ -98,7 +111,8 @@ fn scaling_modulus_and_lengths_scales_the_answer() {
     let answer = |radius: f64, modulus_factor: f64| {
         let (mut model, surfaces) = disc(radius, 8);
         model.material.youngs_modulus *= modulus_factor;
-        let structure = ElasticStructure::single(&model, Hold::Free, &surfaces, &options).unwrap();
+        let structure =
+            ElasticStructure::single(&model, Hold::Free, &surfaces, &options, &Interrupt::never()).unwrap();
         let points: Vec<f64> = [0.2, 0.7, 1.1].map(|angle| radius * angle).to_vec();
         let mut block = vec![0.0; 9];
         structure.add_compliance(SIDES[0], &points, SIDES[0], &points, &mut block);

@@ -2,6 +2,7 @@
 
 use super::bodies::{COARSE, STEEL, ring_source, toothed_ring, toothed_sector};
 use crate::fe::{Constraints, PlaneModel, Solver, SparseVector};
+use crate::interrupt::Interrupt;
 use crate::material::Plane;
 use crate::structure::condense::{Support, condense, match_cuts};
 use crate::structure::ring::RingFlexibility;
@@ -28,8 +29,10 @@ fn condensed_sectors_agree_with_the_whole_mesh() {
     let cuts = match_cuts(&sector.mesh.nodes, &nodes("cut_first"), &nodes("cut_last"), &bore, angle).unwrap();
     let points = [([1.1, 0.2], [0.3, -1.0]), ([1.3, -0.1], [-0.5, 0.7]), ([0.85, 0.3], [1.0, 0.2])];
     let loads: Vec<_> = points.iter().map(|&(at, along)| force(&sector, at, along, 0.0)).collect();
-    let condensed = condense(&sector, &Support::Held(&bore), Some(&cuts), &loads, &loads).unwrap();
-    let ring = RingFlexibility::new(condensed.stiffness.as_ref().unwrap(), teeth, 3).unwrap();
+    let condensed =
+        condense(&sector, &Support::Held(&bore), Some(&cuts), &loads, &loads, &Interrupt::never()).unwrap();
+    let ring =
+        RingFlexibility::new(condensed.stiffness.as_ref().unwrap(), teeth, 3, &Interrupt::never()).unwrap();
 
     let whole = PlaneModel::new(toothed_ring(teeth, COARSE), STEEL, Plane::Strain);
     let mut held = Constraints::new();
@@ -65,8 +68,14 @@ fn condensed_sectors_agree_with_the_whole_mesh() {
 fn exchanging_load_and_observer_keeps_every_bit() {
     for teeth in [6_u32, 13] {
         let (model, surfaces) = toothed_sector(teeth, 1.0, COARSE);
-        let structure =
-            ElasticStructure::ring(&model, &ring_source(teeth), &surfaces, &SplitOptions::default()).unwrap();
+        let structure = ElasticStructure::ring(
+            &model,
+            &ring_source(teeth),
+            &surfaces,
+            &SplitOptions::default(),
+            &Interrupt::never(),
+        )
+        .unwrap();
         let length = structure.reference_length();
         let points: Vec<f64> = [0.9, 0.1, 0.33, 0.77, 1.02].map(|share| share * length).to_vec();
         let others: Vec<f64> = [0.2, 0.77, 0.5, 0.95].map(|share| share * length).to_vec();
@@ -109,7 +118,9 @@ fn exchanging_load_and_observer_keeps_every_bit() {
 fn wrong_meshes_are_named() {
     let (model, surfaces) = toothed_sector(8, 1.0, COARSE);
     let options = SplitOptions::default();
-    let ring = |ring, surfaces: &[_]| ElasticStructure::ring(&model, &ring, surfaces, &options).err();
+    let ring = |ring, surfaces: &[_]| {
+        ElasticStructure::ring(&model, &ring, surfaces, &options, &Interrupt::never()).err()
+    };
     let cuts = ["cut_first", "cut_last"].map(String::from);
     assert_eq!(ring(ring_source(9), &surfaces), Some(StructureError::CutsDiffer { cuts }));
     let mut missing = surfaces.clone();
@@ -123,7 +134,14 @@ fn the_number_of_threads_changes_no_bit() {
     let block = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
         let structure = pool.install(|| {
-            ElasticStructure::ring(&model, &ring_source(8), &surfaces, &SplitOptions::default()).unwrap()
+            ElasticStructure::ring(
+                &model,
+                &ring_source(8),
+                &surfaces,
+                &SplitOptions::default(),
+                &Interrupt::never(),
+            )
+            .unwrap()
         });
         let points: Vec<f64> = [0.1, 0.5, 0.9].map(|share| share * structure.reference_length()).to_vec();
         let mut block = vec![0.0; 9];

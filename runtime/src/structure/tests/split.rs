@@ -3,6 +3,7 @@
 use super::bodies::{COARSE, Divisions, ring_source, toothed_sector};
 use crate::fe::SparseVector;
 use crate::fe::quadrature::gauss_legendre;
+use crate::interrupt::Interrupt;
 use crate::structure::condense::{Condensed, Support, condense, match_cuts};
 use crate::structure::kernel::{Mollifier, PairQuadrature};
 use crate::structure::ring::RingFlexibility;
@@ -62,8 +63,10 @@ fn direct(divisions: Divisions, strips: &[(u32, Mollifier)]) -> (Condensed, Ring
             rows.push(recovery.surface_row(root, edge.s[0] + share * (edge.s[1] - edge.s[0])).unwrap());
         }
     }
-    let condensed = condense(&model, &Support::Held(&bore), Some(&cuts), &loads, &rows).unwrap();
-    let ring = RingFlexibility::new(condensed.stiffness.as_ref().unwrap(), TEETH, 3).unwrap();
+    let condensed =
+        condense(&model, &Support::Held(&bore), Some(&cuts), &loads, &rows, &Interrupt::never()).unwrap();
+    let ring =
+        RingFlexibility::new(condensed.stiffness.as_ref().unwrap(), TEETH, 3, &Interrupt::never()).unwrap();
     (condensed, ring)
 }
 
@@ -75,7 +78,7 @@ fn direct_mean(direct: &(Condensed, RingFlexibility), offset: u32, row: usize, c
 
 fn structure(divisions: Divisions, options: SplitOptions) -> ElasticStructure {
     let (model, surfaces) = toothed_sector(TEETH, 1.0, divisions);
-    ElasticStructure::ring(&model, &ring_source(TEETH), &surfaces, &options).unwrap()
+    ElasticStructure::ring(&model, &ring_source(TEETH), &surfaces, &options, &Interrupt::never()).unwrap()
 }
 
 fn strips(length: f64) -> Vec<(u32, Mollifier)> {
