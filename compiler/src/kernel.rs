@@ -123,7 +123,7 @@ pub struct Kernel {
 impl Module {
     /// The symbolic functions that [`Module::kernel`] knows, in the order of the text.
     pub fn kernel_names(&self) -> Vec<&str> {
-        let functions = &self.program().symbolic_functions;
+        let functions = self.program().map_or(&[][..], |program| &program.symbolic_functions);
         functions.iter().filter(|f| f.exported).map(|f| f.name.as_str()).collect()
     }
 
@@ -132,9 +132,11 @@ impl Module {
     /// # Errors
     /// There is none of this name, or it makes no sense as an expression.
     pub fn kernel(&self, name: &str) -> Result<Kernel, KernelError> {
-        let program = self.program();
-        let found = (0..).zip(&program.symbolic_functions).find(|(_, f)| f.exported && f.name == name);
-        let Some((index, function)) = found else {
+        let found = self.program().and_then(|program| {
+            let mut functions = (0..).zip(&program.symbolic_functions);
+            functions.find(|(_, f)| f.exported && f.name == name).map(|found| (program, found))
+        });
+        let Some((program, (index, function))) = found else {
             let kernels = self.kernel_names().into_iter().map(str::to_owned).collect();
             return Err(KernelError::Unknown { name: name.to_owned(), kernels });
         };

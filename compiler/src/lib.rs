@@ -10,6 +10,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod artifact;
 pub mod build;
 pub mod doc;
 pub mod dump;
@@ -19,7 +20,10 @@ mod kernel;
 mod module;
 pub mod session;
 pub mod testing;
+mod typed;
 
+pub use artifact::{ArtifactError, is_artifact};
+pub use calyx_codegen::TargetCpu;
 pub use calyx_elaborate as elaborate;
 pub use calyx_elaborate::{
     Checked, Interpreted, ModelLoader, Refused, check_file, check_run, check_text, render,

@@ -27,6 +27,18 @@ pub struct ModuleCode {
     pub(crate) main: u32,
 }
 
+impl ModuleCode {
+    /// Whether there is a function of this number in the program.
+    pub fn has_function(&self, number: u32) -> bool {
+        (number as usize) < self.program.len()
+    }
+
+    /// How many numbers each kernel takes and gives, in order of site.
+    pub fn kernel_sizes(&self) -> impl Iterator<Item = (usize, usize)> {
+        self.kernels.iter().map(|kernel| (kernel.inputs as usize, kernel.outputs as usize))
+    }
+}
+
 /// One function's code.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FunctionCode {

@@ -2,9 +2,10 @@
 
 use crate::diagnostics::has_errors;
 use crate::elaboration::{Cancel, Params, elaborate};
-use crate::loader::ModelLoader;
+use crate::loader::{ModelLoader, TextLoader};
 use crate::plan::Planned;
 use calyx_abi::description::ModelDescription;
+use calyx_lang::check::Loader;
 use calyx_lang::diagnostic::Diagnostic;
 use calyx_lang::ir::{Program, SourceFile};
 use calyx_lang::render::{Colour, Renderer};
@@ -81,7 +82,14 @@ pub fn check_text(name: &str, text: &str) -> Checked {
     check_with(name, text, &ModelLoader { folder: None }, Params::Defaults)
 }
 
-fn check_with(name: &str, text: &str, loader: &ModelLoader, params: Params) -> Checked {
+/// Checks a model again of which the texts of all its files are at hand: its own first, then those it uses. Nothing else is
+/// read.
+pub fn check_sources(files: &[SourceFile]) -> Checked {
+    let (name, text) = files.first().map_or(("", ""), |model| (&model.name, &model.text));
+    check_with(name, text, &TextLoader(files), Params::Defaults)
+}
+
+fn check_with(name: &str, text: &str, loader: &dyn Loader, params: Params) -> Checked {
     let checked = calyx_lang::check::check_program(name, text, loader);
     let mut result = Checked {
         program: checked.program,
