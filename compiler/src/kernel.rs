@@ -33,7 +33,6 @@ use calyx_gears::host::ModelHost;
 use calyx_lang::ir::{DisplayUnit, SymbolicFunction, SymbolicFunctionId};
 use calyx_lower::kernels::{KernelError as LoweringError, lower_kernel};
 use calyx_rt::Given;
-use calyx_rt::ParamError;
 use calyx_symbolic::{Instruction, Tape};
 use std::fmt;
 use std::sync::{Arc, OnceLock};
@@ -54,7 +53,7 @@ pub enum KernelError {
     Expression(LoweringError),
     Code(CodegenError),
     /// A param could not be set.
-    Param(ParamError),
+    Param(calyx_rt::Error),
     /// Another number of params or arguments than the kernel has.
     Count {
         what: &'static str,
@@ -76,8 +75,7 @@ impl fmt::Display for KernelError {
             }
             KernelError::Expression(error) => error.fmt(f),
             KernelError::Code(error) => error.fmt(f),
-            KernelError::Param(ParamError::Given(refused)) => f.write_str(&refused.message),
-            KernelError::Param(ParamError::Model(error)) => f.write_str(&error.message),
+            KernelError::Param(error) => f.write_str(error.message()),
             KernelError::Count { what, given, expected } => {
                 write!(f, "{given} {what} given, the kernel has {expected}")
             }

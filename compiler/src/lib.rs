@@ -5,7 +5,7 @@
 //! assert!(!checked.has_errors(), "{}", checked.render());
 //! let module = calyx::Module::compile(checked)?;
 //! let options = calyx::rt::RunOptions { directory: "results".into(), ..Default::default() };
-//! let report = calyx::rt::run(&module, &options).map_err(|error| format!("{error:?}"))?;
+//! let report = calyx::rt::run(std::sync::Arc::new(module), &options).map_err(|error| format!("{error:?}"))?;
 //! println!("{}", report.summary);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```

@@ -15,7 +15,7 @@ use calyx_lang::ir::{Program, SourceFile};
 use calyx_lang::parser::parse;
 use calyx_lang::span::{FileId, Span};
 use calyx_lower::interpret::CallSites;
-use calyx_rt::{Given, ParamError, Program as _, Refused, apply};
+use calyx_rt::{Error, Given, Program as _, Refused, apply};
 use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
@@ -190,8 +190,8 @@ fn run(interpreted: &Interpreted, program: &Program, test: usize) -> (Vec<String
     });
     let given = [Given::text(SELECTOR, test.to_string())];
     let ended = apply(interpreted, &given, &mut context).map_err(|error| match error {
-        ParamError::Model(error) => error,
-        ParamError::Given(Refused { message, help, .. }) => RuntimeError::new("E0314", message, help),
+        Error::Model(error) => error,
+        Error::Given(Refused { message, help, .. }) => RuntimeError::new("E0314", message, help),
     });
     let ended = ended.and_then(|()| interpreted.main(&mut context));
     let lines = lines.lock().map(|mut lines| std::mem::take(&mut *lines)).unwrap_or_default();

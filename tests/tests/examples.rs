@@ -3,6 +3,7 @@
 use calyx::rt::{Given, RunOptions, run};
 use calyx::{Module, check_file};
 use calyx_tests::root;
+use std::sync::Arc;
 
 #[test]
 fn every_example_checks_without_a_word_and_runs() {
@@ -28,7 +29,8 @@ fn every_example_checks_without_a_word_and_runs() {
         let options =
             RunOptions { directory: directory.path().into(), given, quiet: true, ..RunOptions::default() };
         let module = Module::compile(checked).expect("examples compile");
-        let report = run(&module, &options).unwrap_or_else(|error| panic!("{}: {error:?}", path.display()));
+        let report =
+            run(Arc::new(module), &options).unwrap_or_else(|error| panic!("{}: {error:?}", path.display()));
         assert!(report.findings.is_empty(), "{}: {:?}", path.display(), report.findings);
     }
     assert!(count > 0);

@@ -84,7 +84,7 @@ fn interpreter_and_machine_code_build_the_same_scene() {
 }
 
 /// `steps.csv` of a run in this process.
-fn steps(program: &dyn Program) -> String {
+fn steps(program: Arc<dyn Program>) -> String {
     let directory = tempfile::tempdir().unwrap();
     let options = RunOptions {
         directory: directory.path().into(),
@@ -98,10 +98,11 @@ fn steps(program: &dyn Program) -> String {
 
 #[test]
 fn all_three_ways_write_the_same_results() {
-    let program = check_file(&example()).unwrap().program.unwrap();
-    let interpreted = steps(&Interpreted::new(&program, Purity::Effect).unwrap());
+    // A run goes on beside its caller, so what it interprets is to live as long as the test.
+    let program = Box::leak(Box::new(check_file(&example()).unwrap().program.unwrap()));
+    let interpreted = steps(Arc::new(Interpreted::new(program, Purity::Effect).unwrap()));
     assert!(interpreted.lines().count() > 4, "{interpreted}");
-    let compiled = steps(&Module::compile(check_file(&example()).unwrap()).unwrap());
+    let compiled = steps(Arc::new(Module::compile(check_file(&example()).unwrap()).unwrap()));
     assert_eq!(interpreted, compiled);
 
     let directory = tempfile::tempdir().unwrap();

@@ -1,9 +1,10 @@
 //! A model checked in one go, from a file or a text: what is wrong with its language, and with the gears it describes.
 
 use crate::diagnostics::has_errors;
-use crate::elaboration::{Cancel, Params, elaborate};
+use crate::elaboration::{Params, elaborate};
 use crate::loader::{ModelLoader, TextLoader};
 use crate::plan::Planned;
+use calyx_abi::Cancel;
 use calyx_abi::description::ModelDescription;
 use calyx_lang::check::Loader;
 use calyx_lang::diagnostic::Diagnostic;

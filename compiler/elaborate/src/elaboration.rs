@@ -8,7 +8,7 @@ use crate::plan::Planned;
 use crate::values::{self, Value};
 use calyx_abi::context::codes;
 use calyx_abi::description::ModelDescription;
-use calyx_abi::{Context, Purity, RuntimeError};
+use calyx_abi::{Cancel, Context, Purity, RuntimeError};
 use calyx_gears::externs::{check_plan, check_unheld};
 use calyx_gears::host::ModelHost;
 use calyx_lang::diagnostic::Diagnostic;
@@ -16,13 +16,11 @@ use calyx_lang::ir::{Program, SiteId};
 use calyx_lang::span::Span;
 use calyx_lower::interpret::CallSites;
 use calyx_lower::kernels::lower_site;
-use calyx_rt::{Given, ParamError, Program as _, Refused, apply};
+use calyx_rt::{Error, Given, Program as _, Refused, apply};
 use calyx_runtime::error::EngineError;
 use calyx_runtime::interrupt::Interrupt;
 use std::collections::BTreeMap;
-use std::error::Error;
 use std::fmt;
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex};
 
 /// Basic blocks a program may enter while it is checked: models build and end; one that does not is stopped.
@@ -31,37 +29,18 @@ pub const FUEL: u64 = 20_000_000;
 /// Bytes that its values may take meanwhile.
 pub const MEMORY: u64 = 1_000_000_000;
 
-/// A switch that stops an elaboration from any thread. Clones are the same switch.
-#[derive(Clone, Debug, Default)]
-pub struct Cancel(Arc<AtomicBool>);
+/// Goes on, unless somebody has cancelled.
+fn go_on(cancel: &Cancel) -> Result<(), Cancelled> {
+    if cancel.is_cancelled() { Err(Cancelled) } else { Ok(()) }
+}
 
-impl Cancel {
-    pub fn cancel(&self) {
-        self.0.store(true, Ordering::Relaxed);
-    }
-
-    pub fn is_cancelled(&self) -> bool {
-        self.0.load(Ordering::Relaxed)
-    }
-
-    /// The flag that a running program looks at.
-    pub(crate) fn flag(&self) -> Arc<AtomicBool> {
-        self.0.clone()
-    }
-
-    /// What the engine asks whether to go on.
-    fn interrupt(&self) -> Interrupt {
-        let cancel = self.clone();
-        // Nobody reads the error: who finds the elaboration cancelled has no answer.
-        Interrupt::new(move || {
-            cancel.check().map_err(|Cancelled| EngineError::new(codes::CANCELLED, Cancelled.to_string(), ""))
-        })
-    }
-
-    /// Goes on, unless somebody has cancelled.
-    pub(crate) fn check(&self) -> Result<(), Cancelled> {
-        if self.is_cancelled() { Err(Cancelled) } else { Ok(()) }
-    }
+/// What the engine asks whether to go on.
+fn interrupt(cancel: &Cancel) -> Interrupt {
+    let cancel = cancel.clone();
+    // Nobody reads the error: who finds the elaboration cancelled has no answer.
+    Interrupt::new(move || {
+        go_on(&cancel).map_err(|Cancelled| EngineError::new(codes::CANCELLED, Cancelled.to_string(), ""))
+    })
 }
 
 /// An elaboration was stopped by its [`Cancel`]; what it had found until then means nothing.
@@ -74,7 +53,7 @@ impl fmt::Display for Cancelled {
     }
 }
 
-impl Error for Cancelled {}
+impl std::error::Error for Cancelled {}
 
 /// The params at which a model is elaborated.
 #[derive(Clone, Copy, Debug)]
@@ -135,7 +114,7 @@ fn elaborate_with(
 ) -> Result<Elaboration, Cancelled> {
     let mut tapes = Vec::with_capacity(program.sites.len());
     for site in (0..program.sites.len() as u32).map(SiteId) {
-        cancel.check()?;
+        go_on(cancel)?;
         match lower_site(program, site) {
             Ok(tape) => tapes.push(tape),
             Err(error) => return Ok(unrunnable(no_kernel(&error))),
@@ -145,12 +124,12 @@ fn elaborate_with(
         Ok(interpreted) => interpreted.going_on(),
         Err(found) => return Ok(unrunnable(found)),
     };
-    cancel.check()?;
+    go_on(cancel)?;
     let mut context = Context::new(Box::new(ModelHost::new(&interpreted.description().units)));
-    context.cancel = cancel.flag();
+    context.cancel = cancel.clone();
     context.fuel = FUEL;
     context.limits.memory = Some(MEMORY);
-    let seen = Seen::stopped_by(cancel.flag());
+    let seen = Seen::stopped_by(cancel.clone());
     context.kernels = seen.watched(interpreted.kernels());
     context.print = print;
     let defaults =
@@ -159,9 +138,9 @@ fn elaborate_with(
         Params::Defaults => (defaults, &[][..]),
         Params::Given(given) => (apply(&interpreted, given, &mut context), given),
     };
-    let ran = applied.and_then(|()| interpreted.main_to_values(&mut context).map_err(ParamError::Model));
+    let ran = applied.and_then(|()| interpreted.main_to_values(&mut context).map_err(Error::Model));
     let values = ran.as_ref().map(|slots| values::of_top_level(program, slots, &context)).unwrap_or_default();
-    cancel.check()?;
+    go_on(cancel)?;
     let survived = interpreted.failures();
     let sites = CallSites::new(program);
     let at_place = |error: &RuntimeError| {
@@ -176,7 +155,7 @@ fn elaborate_with(
         if ran.is_ok() && survived.is_empty() {
             check_unheld(host);
             if !host.scene.pairs.is_empty() {
-                match check_plan(host, &cancel.interrupt()) {
+                match check_plan(host, &interrupt(cancel)) {
                     Ok(plan) => planned = Some(Planned::of(host, &plan, interpreted.description())),
                     Err(error) => found.push(at_place(&error)),
                 }
@@ -187,13 +166,13 @@ fn elaborate_with(
     }
     match ran {
         // A run may take longer than checking.
-        Err(ParamError::Model(error))
+        Err(Error::Model(error))
             if matches!(error.code.as_str(), codes::LIMIT | codes::EXHAUSTED)
                 && matches!(params, Params::Given(_)) => {}
         // What comes after a call that failed may follow from it.
-        Err(ParamError::Model(error)) if survived.is_empty() => found.push(at_place(&error)),
-        Err(ParamError::Model(_)) => {}
-        Err(ParamError::Given(why)) => match params {
+        Err(Error::Model(error)) if survived.is_empty() => found.push(at_place(&error)),
+        Err(Error::Model(_)) => {}
+        Err(Error::Given(why)) => match params {
             Params::Given(_) => refused = Some(why),
             Params::Defaults => found.push(wrong_default(program, why)),
         },
@@ -202,7 +181,7 @@ fn elaborate_with(
     found.sort_by_key(|diagnostic| (diagnostic.primary.span.file, diagnostic.primary.span.start));
     // A loop says the same at every turn.
     found.dedup();
-    cancel.check()?;
+    go_on(cancel)?;
     Ok(Elaboration {
         description: interpreted.into_description(),
         found,

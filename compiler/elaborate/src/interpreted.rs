@@ -7,7 +7,7 @@ use calyx_lang::diagnostic::Diagnostic;
 use calyx_lang::ir::{FunctionId, Program};
 use calyx_lower::interpret::{Interpreter, NanTrace};
 use calyx_lower::kernels::{KernelError, lower_sites};
-use calyx_rt::ParamError;
+use calyx_rt::Error;
 use calyx_rt::program::ParamFunction;
 use calyx_symbolic::{Tape, TapeKernel};
 use std::sync::Arc;
@@ -73,11 +73,11 @@ impl<'p> Interpreted<'p> {
     }
 
     /// Fills in the defaults and ranges of the params, which `context` holds at their defaults.
-    pub(crate) fn describe_params(&mut self, context: &mut Context) -> Result<(), ParamError> {
+    pub(crate) fn describe_params(&mut self, context: &mut Context) -> Result<(), Error> {
         for index in 0..self.description.params.len() {
             let mut end = |which| {
-                let slot = self.function(index, which, context).map_err(ParamError::Model)?;
-                Ok::<_, ParamError>(slot.map(f64::from_bits))
+                let slot = self.function(index, which, context).map_err(Error::Model)?;
+                Ok::<_, Error>(slot.map(f64::from_bits))
             };
             let (low, high) = (end(ParamFunction::Low)?, end(ParamFunction::High)?);
             let param = &mut self.description.params[index];

@@ -37,11 +37,12 @@ pub mod results;
 pub mod shown;
 pub mod values;
 
+pub use calyx_abi::Cancel;
 pub use calyx_gears::derived::{Kind, Quantity};
 pub use calyx_lower::kernels::SymbolKind;
 pub use calyx_rt::{Given, Refused};
 pub use check::{Checked, check_file, check_run, check_sources, check_text, render};
-pub use elaboration::{Cancel, Cancelled, Elaboration, FUEL, MEMORY, Params, elaborate, elaborate_printing};
+pub use elaboration::{Cancelled, Elaboration, FUEL, MEMORY, Params, elaborate, elaborate_printing};
 pub use geometry::{GearGeometry, Geometry, Made, Membership, MeshGeometry};
 pub use infix::Infix;
 pub use interpreted::{Interpreted, param_function};

@@ -5,7 +5,7 @@
 
 use crate::interpreted::Interpreted;
 use calyx_abi::text::number;
-use calyx_abi::{Context, Kernel, Purity, RuntimeError};
+use calyx_abi::{Cancel, Context, Kernel, Purity, RuntimeError};
 use calyx_gears::host::ModelHost;
 use calyx_lang::diagnostic::Diagnostic;
 use calyx_lang::ir::{Program, SiteId};
@@ -15,7 +15,6 @@ use calyx_lower::nan::NanSource;
 use calyx_rt::program::ParamFunction;
 use calyx_rt::{Given, Program as _, apply};
 use std::collections::HashMap;
-use std::sync::atomic::AtomicBool;
 use std::sync::{Arc, Mutex};
 
 /// Codes of errors that NaN causes: of a frame, an argument, an output.
@@ -28,7 +27,7 @@ const OUTPUT: &str = "E0721";
 pub struct Seen {
     state: Arc<Mutex<State>>,
     /// Stops the second run of a program, too.
-    cancel: Arc<AtomicBool>,
+    cancel: Cancel,
 }
 
 #[derive(Default)]
@@ -39,7 +38,7 @@ struct State {
 
 impl Seen {
     /// Notes of a run that this flag stops.
-    pub(crate) fn stopped_by(cancel: Arc<AtomicBool>) -> Seen {
+    pub(crate) fn stopped_by(cancel: Cancel) -> Seen {
         Seen { cancel, ..Seen::default() }
     }
 

@@ -100,9 +100,13 @@ impl<'p> Interpreter<'p> {
         ctx: &mut Context,
         keep: bool,
     ) -> Result<Vec<Slot>, RuntimeError> {
+        let here = stack::is_large();
         stack::with_stack(|| {
             ctx.text.clear();
-            let depth = std::mem::take(&mut ctx.depth);
+            let depth = ctx.depth;
+            if !here {
+                ctx.depth = 0;
+            }
             let (function, frame) = self.function(id)?;
             let activation = Activation { function, frame, base: 0 };
             let mut machine = Machine {

@@ -2,18 +2,17 @@
 
 use crate::compile::compile;
 use crate::messages::{MODEL_ERROR, MessageFormat, USAGE};
-use calyx::rt::Given;
 use calyx::rt::directory::prepare;
-use calyx::rt::params::ParamError;
 use calyx::rt::progress::ProgressFormat;
 use calyx::rt::run::{RunError, RunOptions, default_directory};
-use calyx::rt::{budget, interrupt};
+use calyx::rt::{Error, Given, budget, interrupt};
 use calyx::{check_run, rt};
 use calyx_abi::Status;
 use clap::{Args, ValueEnum};
 use std::io;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use std::sync::Arc;
 use std::time::Duration;
 
 pub const EXAMPLES: &str = "Examples:
@@ -64,7 +63,7 @@ impl Run {
     pub fn run(self) -> ExitCode {
         let Run { file, out, set, time_limit, memory_limit, quiet, progress, message_format: format } = self;
         let (module, before) = match compile(&file, quiet, format, || check_run(&file, &set)) {
-            Ok(compiled) => compiled,
+            Ok((module, before)) => (Arc::new(module), before),
             Err(status) => return status,
         };
         let directory = out.unwrap_or_else(|| default_directory(&file));
@@ -90,7 +89,7 @@ impl Run {
             memory_limit,
             cancel: interrupt::flag(),
         };
-        match rt::run(&module, &options) {
+        match rt::run(module.clone(), &options) {
             Ok(report) => {
                 if !quiet {
                     format.diagnostics(&module.findings(&report.findings), module.files());
@@ -100,11 +99,11 @@ impl Run {
                 }
                 ExitCode::SUCCESS
             }
-            Err(RunError::Param(ParamError::Given(refused))) => {
+            Err(RunError::Run(Error::Given(refused))) => {
                 format.refused(&refused);
                 ExitCode::from(USAGE)
             }
-            Err(RunError::Param(ParamError::Model(error)) | RunError::Model(error)) => {
+            Err(RunError::Run(Error::Model(error))) => {
                 format.diagnostics(&[module.error(&error, &set)], module.files());
                 if error.status() == Status::Cancelled && directory.join("steps.csv").exists() {
                     format.note(&format!("the positions solved until then are in {}\n", directory.display()));

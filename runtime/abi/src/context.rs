@@ -1,6 +1,7 @@
 //! The state of one running model, as generated code and provided functions see it.
 
 use crate::call::Slot;
+use crate::cancel::Cancel;
 use crate::description::{FileDescription, UnitDescription};
 pub use crate::error::{RuntimeError, codes};
 use crate::heap::{Heap, Kernel};
@@ -9,7 +10,6 @@ use std::any::Any;
 use std::mem::offset_of;
 use std::path::PathBuf;
 use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
 
 /// What the engine keeps for a running model (its scene, its results). Provided functions downcast it.
 pub type Host = Box<dyn Any + Send>;
@@ -45,8 +45,8 @@ pub struct Context {
     pub print: Box<dyn FnMut(&str) + Send>,
     /// Basic blocks the program may still enter before it is stopped; `check` sets a limit.
     pub fuel: u64,
-    /// Set from any thread, it stops the program soon.
-    pub cancel: Arc<AtomicBool>,
+    /// Stops the program soon, from any thread.
+    pub cancel: Cancel,
     /// Time and memory it may use.
     pub limits: Limits,
     /// The source, by which a caught error tells its place.
@@ -89,7 +89,7 @@ impl Context {
             host,
             print: Box::new(|line| println!("{line}")),
             fuel: u64::MAX,
-            cancel: Arc::default(),
+            cancel: Cancel::default(),
             limits: Limits::default(),
             files: Arc::default(),
             directory: None,

@@ -3,13 +3,14 @@
 //! Every crate of the workspace may see this one; it sees none of ours.
 //! It holds the one scalar definition of each numeric operation ([`math`]), the calling convention
 //! ([`call`]), the run-time values behind opaque slots ([`heap`]), the state a running model carries
-//! ([`context`]), its errors ([`error`], [`failure`]) and limits ([`limits`]), the helpers that programs need beside
+//! ([`context`]), its errors ([`error`], [`failure`]) and limits ([`limits`], [`cancel`]), the helpers that programs need beside
 //! arithmetic ([`helpers`], as machine code calls them in [`entry`]), how values are shown ([`display`], [`text`],
 //! [`units`]) and read ([`quantity`]), the description that every compiled model brings along ([`description`]), and the
 //! number by which code knows an engine that keeps the same agreement ([`fingerprint`]).
 
 pub mod blame;
 pub mod call;
+pub mod cancel;
 pub mod context;
 pub mod description;
 pub mod display;
@@ -32,6 +33,7 @@ pub mod trigonometry;
 pub mod units;
 
 pub use call::{Extern, Purity, Repr, Slot, SlotFn, Status};
+pub use cancel::Cancel;
 pub use context::{Context, Host};
 pub use error::RuntimeError;
 pub use fingerprint::Fingerprint;

@@ -2,7 +2,6 @@
 
 use crate::context::{Context, MAX_DEPTH};
 use crate::error::{RuntimeError, codes};
-use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 
 /// Basic blocks between two looks at the limits.
@@ -65,7 +64,7 @@ fn shown_bytes(bytes: u64) -> String {
 /// # Errors
 /// E0704 or E0707.
 pub fn check(ctx: &Context) -> Result<(), RuntimeError> {
-    if ctx.cancel.load(Ordering::Relaxed) {
+    if ctx.cancel.is_cancelled() {
         return Err(RuntimeError::new(codes::CANCELLED, "the run was cancelled", ""));
     }
     ctx.limits.check_time()
@@ -129,7 +128,7 @@ mod tests {
         assert_eq!(entered, 5000);
         assert_eq!(refuel(&mut ctx).unwrap_err().status(), Status::Cancelled);
         ctx.fuel = u64::MAX;
-        ctx.cancel.store(true, Ordering::Relaxed);
+        ctx.cancel.cancel();
         assert_eq!(refuel(&mut ctx).unwrap_err().code, codes::CANCELLED);
     }
 

@@ -17,9 +17,17 @@ pub struct Quantity {
 /// Reads `NUMBER [UNIT]` where UNIT is names with whole exponents, joined by `*` and `/`.
 /// The error says what was not understood.
 pub fn parse(text: &str, units: &[UnitDescription]) -> Result<Quantity, String> {
-    let text = text.trim();
-    let (number, mut rest) = split_number(text)?;
+    let (number, unit) = split_number(text.trim())?;
+    with_unit(number, unit, units)
+}
+
+/// A number in a unit as [`parse`] reads it; an empty text is no unit.
+///
+/// # Errors
+/// What was not understood.
+pub fn with_unit(number: f64, unit: &str, units: &[UnitDescription]) -> Result<Quantity, String> {
     let mut quantity = Quantity { value: number, dimension: PURE, unit: false };
+    let mut rest = unit;
     while !rest.trim_start().is_empty() {
         rest = rest.trim_start();
         let divide = rest.starts_with('/');
@@ -31,7 +39,7 @@ pub fn parse(text: &str, units: &[UnitDescription]) -> Result<Quantity, String> 
         let end = rest.find(|c: char| !(c.is_alphanumeric() || c == '_' || c == '%')).unwrap_or(rest.len());
         let (name, after) = rest.split_at(end);
         if name.is_empty() {
-            return Err(format!("a unit is missing or misspelt at the end of `{text}`"));
+            return Err(format!("a unit is missing or misspelt at the end of `{}`", unit.trim()));
         }
         let Some(unit) = units.iter().find(|unit| unit.name == name) else {
             return Err(format!("there is no unit called `{name}`"));

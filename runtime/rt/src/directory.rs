@@ -1,9 +1,11 @@
 //! The run directory: `run.json`, `timing.json` and `steps.csv`, each position on disk before the next begins.
 
 use crate::run::StageTimes;
-use calyx_abi::description::{FileDescription, ModelDescription, OutputDescription, ParamDescription};
+use calyx_abi::RuntimeError;
+use calyx_abi::description::{
+    FileDescription, ModelDescription, OutputDescription, ParamDescription, ParamValue,
+};
 use calyx_abi::units::from_si;
-use calyx_abi::{Context, Repr, RuntimeError};
 use calyx_runtime::results::{AnalysisResult, OutputSummary, StepRow, Timing};
 use serde_json::{Map, Value, json};
 use sha2::{Digest, Sha256};
@@ -55,24 +57,24 @@ impl StepTable {
 pub fn write_unfinished(
     directory: &Path,
     description: &ModelDescription,
-    context: &Context,
+    params: &[ParamValue],
     solved: usize,
     ended_by: &RuntimeError,
 ) -> io::Result<()> {
-    let mut run = head_json(description, context);
+    let mut run = head_json(description, params);
     run["incomplete"] = json!({ "code": ended_by.code, "message": ended_by.message });
     run["positions"] = json!(solved);
     write_json(directory.join("run.json"), &run)
 }
 
 /// What a run was: versions, source and params.
-fn head_json(description: &ModelDescription, context: &Context) -> Value {
+fn head_json(description: &ModelDescription, params: &[ParamValue]) -> Value {
     json!({
         "calyx": env!("CARGO_PKG_VERSION"),
         "abi": description.abi,
         "model": description.name,
         "source": source_json(description),
-        "params": params_json(description, context),
+        "params": params_json(description, params),
     })
 }
 
@@ -80,12 +82,12 @@ fn head_json(description: &ModelDescription, context: &Context) -> Value {
 pub fn write_run(
     directory: &Path,
     description: &ModelDescription,
-    context: &Context,
+    params: &[ParamValue],
     result: Option<&AnalysisResult>,
     warnings: &[String],
     stages: &Stages,
 ) -> io::Result<()> {
-    let mut run = head_json(description, context);
+    let mut run = head_json(description, params);
     if let Some(result) = result {
         let summaries = description.outputs.iter().zip(&result.summaries);
         let outputs =
@@ -115,17 +117,6 @@ pub struct Stages {
     pub before: StageTimes,
     /// The program, its analysis included.
     pub program: Duration,
-}
-
-/// Every distinct warning of the positions, once.
-pub fn warnings(result: &AnalysisResult) -> Vec<String> {
-    let mut all: Vec<String> = Vec::new();
-    for warning in result.rows.iter().flat_map(|row| &row.warnings) {
-        if !all.contains(warning) {
-            all.push(warning.clone());
-        }
-    }
-    all
 }
 
 fn write_json(path: PathBuf, value: &Value) -> io::Result<()> {
@@ -165,21 +156,19 @@ fn output_json(output: &OutputDescription, summary: &OutputSummary, result: &Ana
     })
 }
 
-fn params_json(description: &ModelDescription, context: &Context) -> Map<String, Value> {
-    let values = description.params.iter().zip(&context.param_slots);
-    values.map(|(param, &slot)| (param.name.clone(), param_json(param, slot, context))).collect()
+fn params_json(description: &ModelDescription, params: &[ParamValue]) -> Map<String, Value> {
+    let values = description.params.iter().zip(params);
+    values.map(|(param, value)| (param.name.clone(), param_json(param, value))).collect()
 }
 
-fn param_json(param: &ParamDescription, slot: u64, context: &Context) -> Value {
-    match param.repr {
-        Repr::Bool => json!({ "value": slot != 0 }),
-        Repr::String => json!({ "value": context.heap.str(slot) }),
-        _ => {
-            let value = f64::from_bits(slot);
+fn param_json(param: &ParamDescription, value: &ParamValue) -> Value {
+    match value {
+        ParamValue::Bool(value) => json!({ "value": value }),
+        ParamValue::String(text) => json!({ "value": text }),
+        ParamValue::Number(si) => {
             // What the conversion adds in the last digit is not the user's.
-            let shown: f64 =
-                format!("{:.14e}", from_si(value, param.unit.factor)).parse().unwrap_or(f64::NAN);
-            json!({ "value": value, "display": { "unit": param.unit.name, "value": shown } })
+            let shown: f64 = format!("{:.14e}", from_si(*si, param.unit.factor)).parse().unwrap_or(f64::NAN);
+            json!({ "value": si, "display": { "unit": param.unit.name, "value": shown } })
         }
     }
 }

@@ -1,22 +1,24 @@
 //! Ctrl-C: the first one asks the run to end, which keeps what it has written; the second ends the process at once.
 
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Arc, OnceLock};
+use calyx_abi::Cancel;
+use std::sync::OnceLock;
 
-static INTERRUPTED: OnceLock<Arc<AtomicBool>> = OnceLock::new();
+/// Signals come to the process, so this is the process's.
+static INTERRUPTED: OnceLock<Cancel> = OnceLock::new();
 
-/// Set by an interrupt of this process from now on; the same flag however often this is called.
-pub fn flag() -> Arc<AtomicBool> {
-    let flag = INTERRUPTED.get_or_init(Arc::default).clone();
+/// Set by an interrupt of this process from now on; the same switch however often this is called. For programs that are
+/// their own masters: a library leaves signals alone.
+pub fn flag() -> Cancel {
+    let switch = INTERRUPTED.get_or_init(Cancel::default).clone();
     let handler: extern "C" fn(libc::c_int) = interrupted;
     // SAFETY: the handler does nothing but what a signal handler may: it stores to an atomic and resets itself.
     unsafe { libc::signal(libc::SIGINT, handler as *const () as libc::sighandler_t) };
-    flag
+    switch
 }
 
 extern "C" fn interrupted(_signal: libc::c_int) {
-    if let Some(flag) = INTERRUPTED.get() {
-        flag.store(true, Ordering::Relaxed);
+    if let Some(switch) = INTERRUPTED.get() {
+        switch.cancel();
     }
     // SAFETY: `signal` may be called in a handler.
     unsafe { libc::signal(libc::SIGINT, libc::SIG_DFL) };
@@ -31,6 +33,6 @@ mod tests {
         let flag = flag();
         // SAFETY: a signal to this thread, whose handler is the one above.
         unsafe { libc::raise(libc::SIGINT) };
-        assert!(flag.load(Ordering::Relaxed));
+        assert!(flag.is_cancelled());
     }
 }

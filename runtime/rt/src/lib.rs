@@ -1,20 +1,39 @@
-//! Runs a compiled model: takes its params, runs its program, shows progress and writes the run directory.
+//! Runs a compiled model: takes its params, runs its program, hands over its positions, shows progress and writes the run
+//! directory.
 //!
-//! The same code serves `calyx run`, which compiles in memory, and executables linked from object files.
+//! The same code serves programs that embed models ([`Instance`]), `calyx run`, which compiles in memory, and
+//! executables linked from object files.
 
 pub mod budget;
 pub mod directory;
+pub mod engine;
+pub mod error;
 pub mod given;
+pub mod host;
+pub mod instance;
 pub mod interrupt;
 pub mod linked;
+pub mod names;
 pub mod params;
 pub mod program;
 pub mod progress;
 pub mod report;
+pub mod results;
 pub mod run;
+pub mod stepping;
 pub mod table;
+mod watching;
 
+pub use calyx_abi::Cancel;
+pub use calyx_abi::description::{ModelDescription, ParamValue};
+pub use engine::{Engine, EngineConfig};
+pub use error::{Error, ErrorKind};
 pub use given::{Given, GivenValue};
-pub use params::{ParamError, Refused, apply};
+pub use host::Host;
+pub use instance::{Instance, Progress};
+pub use names::{Output, OutputName, Param, ParamName};
+pub use params::{Refused, apply};
 pub use program::Program;
+pub use results::Results;
 pub use run::{RunError, RunOptions, RunReport, run};
+pub use stepping::{Run, Step};

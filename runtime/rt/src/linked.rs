@@ -1,9 +1,10 @@
 //! The entry point of executables linked from object files.
 
 use crate::budget;
+use crate::error::Error;
 use crate::given::Given;
 use crate::interrupt;
-use crate::params::{self, ParamError};
+use crate::params;
 use crate::program::{ParamFunction, Program};
 use crate::report::{problem, refused};
 use crate::run::{RunError, RunOptions, run};
@@ -44,7 +45,7 @@ pub unsafe extern "C" fn calyx_rt_main(
     std::panic::catch_unwind(|| {
         // SAFETY: the table is a constant of the linked program.
         match LinkedProgram::new(unsafe { &*module }) {
-            Ok(program) => run_as_command(&program, arguments),
+            Ok(program) => run_as_command(Arc::new(program), arguments),
             Err(message) => {
                 eprintln!("error: {message}");
                 MODEL_ERROR
@@ -184,7 +185,7 @@ fn command(description: &ModelDescription) -> Command {
         )
 }
 
-fn run_as_command(program: &LinkedProgram, arguments: Vec<OsString>) -> c_int {
+fn run_as_command(program: Arc<LinkedProgram>, arguments: Vec<OsString>) -> c_int {
     let description = program.description();
     let matches = match command(description).try_get_matches_from(arguments) {
         Ok(matches) => matches,
@@ -210,7 +211,7 @@ fn run_as_command(program: &LinkedProgram, arguments: Vec<OsString>) -> c_int {
             }
         }
     }
-    match run(program, &options) {
+    match run(program.clone(), &options) {
         Ok(report) => {
             if !options.quiet {
                 for finding in &report.findings {
@@ -226,7 +227,7 @@ fn run_as_command(program: &LinkedProgram, arguments: Vec<OsString>) -> c_int {
         }
         Err(error) => {
             let status = report_failure(&error, description);
-            if let RunError::Model(error) = &error
+            if let RunError::Run(Error::Model(error)) = &error
                 && error.status() == Status::Cancelled
                 && options.directory.join("steps.csv").exists()
             {
@@ -260,11 +261,11 @@ fn params_help(description: &ModelDescription) -> String {
 /// Says what went wrong and returns the exit status.
 fn report_failure(error: &RunError, description: &ModelDescription) -> c_int {
     match error {
-        RunError::Param(ParamError::Given(why)) => {
+        RunError::Run(Error::Given(why)) => {
             eprint!("{}", refused(why));
             USAGE
         }
-        RunError::Param(ParamError::Model(error)) | RunError::Model(error) => {
+        RunError::Run(Error::Model(error)) => {
             eprint!("{}", problem("error", error, description));
             MODEL_ERROR
         }

@@ -1,5 +1,6 @@
-//! Setting a model's params: defaults, given values, ranges.
+//! The params of a run: defaults, given values, ranges.
 
+use crate::error::Error;
 use crate::given::{Given, GivenValue, Origin};
 use crate::program::{ParamFunction, Program};
 use calyx_abi::description::{
@@ -7,17 +8,8 @@ use calyx_abi::description::{
 };
 use calyx_abi::quantity::{self, Quantity};
 use calyx_abi::units::{from_si, to_si};
-use calyx_abi::{Context, Repr, RuntimeError, Slot};
+use calyx_abi::{Context, Repr, Slot, stack};
 use std::path::{Path, PathBuf};
-
-/// Why a param could not be set.
-#[derive(Clone, Debug, PartialEq)]
-pub enum ParamError {
-    /// What the user gave is not usable.
-    Given(Refused),
-    /// The model's own expression for a default or a range failed.
-    Model(RuntimeError),
-}
 
 /// Why a value given for a param from outside cannot be used.
 #[derive(Clone, Debug, PartialEq)]
@@ -35,18 +27,57 @@ impl Refused {
     }
 }
 
-/// Fills `context.params` and `context.param_slots` from the defaults and from `given` (the last of a name counts).
-/// Defaults are computed in order, so one that uses an earlier param follows its given value.
+/// What a param is set to.
+#[derive(Clone, Debug)]
+pub(crate) struct Setting {
+    pub value: ParamValue,
+    origin: Option<Origin>,
+}
+
+impl Setting {
+    /// A param by its place and what is given for it; whether a number is in the param's range is not asked here.
+    ///
+    /// # Errors
+    /// It takes values of another kind or dimension, whole numbers only, or other strings.
+    pub fn new(
+        description: &ModelDescription,
+        param: usize,
+        value: &GivenValue,
+        origin: Option<&Origin>,
+    ) -> Result<Setting, Error> {
+        let (origin, param) = (origin.cloned(), &description.params[param]);
+        match read(param, value, description) {
+            Ok(value) => Ok(Setting { value, origin }),
+            Err(refused) => Err(Error::Given(Refused { origin, ..refused })),
+        }
+    }
+}
+
+/// Fills the params of a context from the defaults and from `given` (the last of a name counts).
 ///
 /// # Errors
 /// A name is not known, a value does not fit its param, or an expression of the model failed.
-pub fn apply(program: &dyn Program, given: &[Given], context: &mut Context) -> Result<(), ParamError> {
+pub fn apply(program: &dyn Program, given: &[Given], context: &mut Context) -> Result<(), Error> {
     let description = program.description();
-    for given in given {
-        if !description.params.iter().any(|param| param.name == given.name) {
-            return Err(ParamError::Given(unknown_param(given, description)));
-        }
+    let mut settings = vec![None; description.params.len()];
+    for Given { name, value, origin } in given {
+        let index = index_of(description, name).map_err(|error| error.placed(origin.as_ref()))?;
+        settings[index] = Some(Setting::new(description, index, value, origin.as_ref())?);
     }
+    resolve(program, &settings, context)
+}
+
+/// Fills the params of a context from the defaults and from what is set, by param. Defaults are computed in order, so one
+/// that uses an earlier param follows what that is set to.
+///
+/// # Errors
+/// A value is out of range, or an expression of the model failed.
+pub(crate) fn resolve(
+    program: &dyn Program,
+    settings: &[Option<Setting>],
+    context: &mut Context,
+) -> Result<(), Error> {
+    let description = program.description();
     context.files = description.files.clone().into();
     context.units = description.known_units.clone().into();
     // Beside the model; a text that came from no file has no place to read from.
@@ -57,35 +88,82 @@ pub fn apply(program: &dyn Program, given: &[Given], context: &mut Context) -> R
     context.directory = directory.filter(|_| Path::new(&description.name).is_file());
     context.params = vec![f64::NAN; description.params.len()];
     context.param_slots = vec![0; description.params.len()];
-    for (index, param) in description.params.iter().enumerate() {
-        let given = given.iter().rev().find(|given| given.name == param.name);
-        let ends = range(program, index, param, context)?;
-        let placed = |refused: Refused| {
-            ParamError::Given(Refused { origin: given.and_then(|given| given.origin.clone()), ..refused })
-        };
-        let slot = match given {
-            Some(given) => read(param, &given.value, ends, description, context).map_err(placed)?,
-            None => program
-                .param_function(index, ParamFunction::Default, context)
-                .map_err(ParamError::Model)?
-                .unwrap_or(f64::NAN.to_bits()),
-        };
-        context.param_slots[index] = slot;
-        if param.repr == Repr::Bool {
-            context.params[index] = if slot == 0 { 0.0 } else { 1.0 };
+    // One stack for all functions of the params.
+    stack::with_stack(|| {
+        for (index, param) in description.params.iter().enumerate() {
+            set(program, index, param, settings.get(index).and_then(Option::as_ref), context)?;
         }
-        if param.repr == Repr::Number {
+        Ok(())
+    })?
+}
+
+fn set(
+    program: &dyn Program,
+    index: usize,
+    param: &ParamDescription,
+    setting: Option<&Setting>,
+    context: &mut Context,
+) -> Result<(), Error> {
+    let ends = range(program, index, param, context)?;
+    let slot = match setting.map(|setting| &setting.value) {
+        Some(ParamValue::Bool(value)) => u64::from(*value),
+        Some(ParamValue::Number(si)) => si.to_bits(),
+        Some(ParamValue::String(text)) => context.heap.string(text),
+        None => {
+            let default = program.param_function(index, ParamFunction::Default, context)?;
+            default.unwrap_or(f64::NAN.to_bits())
+        }
+    };
+    context.param_slots[index] = slot;
+    match param.repr {
+        Repr::Bool => context.params[index] = if slot == 0 { 0.0 } else { 1.0 },
+        Repr::Number => {
             context.params[index] = f64::from_bits(slot);
-            check_range(param, f64::from_bits(slot), ends).map_err(placed)?;
+            let origin = setting.and_then(|setting| setting.origin.as_ref());
+            let checked = check_range(param, f64::from_bits(slot), ends);
+            checked.map_err(|refused| Error::Given(refused).placed(origin))?;
         }
+        _ => {}
     }
     Ok(())
 }
 
-fn unknown_param(given: &Given, description: &ModelDescription) -> Refused {
-    let name = given.name.as_str();
-    let names = || description.params.iter().map(|param| param.name.as_str());
-    let near = names()
+/// The params of a context, in order.
+pub(crate) fn values(description: &ModelDescription, context: &Context) -> Vec<ParamValue> {
+    let slots = description.params.iter().zip(&context.param_slots);
+    slots.map(|(param, &slot)| value_of(param, slot, context)).collect()
+}
+
+fn value_of(param: &ParamDescription, slot: Slot, context: &Context) -> ParamValue {
+    match param.repr {
+        Repr::Bool => ParamValue::Bool(slot != 0),
+        Repr::String => ParamValue::String(context.heap.str(slot).unwrap_or_default().to_owned()),
+        _ => ParamValue::Number(f64::from_bits(slot)),
+    }
+}
+
+/// The param of this name.
+pub(crate) fn index_of(description: &ModelDescription, name: &str) -> Result<usize, Error> {
+    let found = description.params.iter().position(|param| param.name == name);
+    found.ok_or_else(|| {
+        let names = description.params.iter().map(|param| param.name.as_str());
+        unknown("param", name, names)
+    })
+}
+
+/// The output of this name.
+pub(crate) fn output_of(description: &ModelDescription, name: &str) -> Result<usize, Error> {
+    let found = description.outputs.iter().position(|output| output.name == name);
+    found.ok_or_else(|| {
+        let names = description.outputs.iter().map(|output| output.name.as_str());
+        unknown("output", name, names)
+    })
+}
+
+/// A name that the model has no param or output by.
+fn unknown<'n>(what: &str, name: &str, names: impl Iterator<Item = &'n str> + Clone) -> Error {
+    let near = names
+        .clone()
         .map(|candidate| (strsim::damerau_levenshtein(name, candidate), candidate))
         .filter(|(distance, candidate)| *distance <= (candidate.len() / 3).max(1))
         .min();
@@ -93,12 +171,11 @@ fn unknown_param(given: &Given, description: &ModelDescription) -> Refused {
         Some((_, near)) => format!("did you mean `{near}`? "),
         None => String::new(),
     };
-    help += &match names().collect::<Vec<_>>().join(", ") {
-        all if all.is_empty() => "the model has no params".to_owned(),
-        all => format!("its params are {all}"),
+    help += &match names.collect::<Vec<_>>().join(", ") {
+        all if all.is_empty() => format!("the model has no {what}s"),
+        all => format!("its {what}s are {all}"),
     };
-    let message = format!("the model has no param called `{name}`");
-    Refused { origin: given.origin.clone(), ..Refused::new(message, help) }
+    Error::given(format!("the model has no {what} called `{name}`"), help)
 }
 
 /// The ends of a number's range, in SI.
@@ -109,66 +186,63 @@ fn range(
     index: usize,
     param: &ParamDescription,
     context: &mut Context,
-) -> Result<Ends, ParamError> {
+) -> Result<Ends, Error> {
     if param.repr != Repr::Number {
         return Ok((None, None));
     }
     let mut end = |which| {
-        let slot = program.param_function(index, which, context).map_err(ParamError::Model)?;
-        Ok::<_, ParamError>(slot.map(f64::from_bits))
+        let slot = program.param_function(index, which, context)?;
+        Ok::<_, Error>(slot.map(f64::from_bits))
     };
     Ok((end(ParamFunction::Low)?, end(ParamFunction::High)?))
 }
 
+/// The value as the param holds it, in SI.
 fn read(
     param: &ParamDescription,
     value: &GivenValue,
-    ends: Ends,
     description: &ModelDescription,
-    context: &mut Context,
-) -> Result<Slot, Refused> {
-    let name = &param.name;
+) -> Result<ParamValue, Refused> {
+    let refused = |value: &str, why: &str| {
+        Refused::new(format!("`{}` cannot be {value}{why}", param.name), takes(param))
+    };
     match &param.repr {
         Repr::Bool => match value {
-            GivenValue::Bool(truth) => Ok(u64::from(*truth)),
-            GivenValue::Text(text) if matches!(text.trim(), "TRUE" | "true") => Ok(1),
-            GivenValue::Text(text) if matches!(text.trim(), "FALSE" | "false") => Ok(0),
-            GivenValue::String(text) => {
-                Err(Refused::new(format!("`{name}` cannot be \"{text}\""), takes(param, ends)))
-            }
-            other => Err(Refused::new(format!("`{name}` cannot be `{other}`"), takes(param, ends))),
+            GivenValue::Bool(truth) => Ok(ParamValue::Bool(*truth)),
+            GivenValue::Text(text) if matches!(text.trim(), "TRUE" | "true") => Ok(ParamValue::Bool(true)),
+            GivenValue::Text(text) if matches!(text.trim(), "FALSE" | "false") => Ok(ParamValue::Bool(false)),
+            GivenValue::String(text) => Err(refused(&format!("\"{text}\""), "")),
+            other => Err(refused(&format!("`{other}`"), "")),
         },
         Repr::String => match value {
             GivenValue::Text(text) | GivenValue::String(text) => {
                 if param.choices.is_empty() || param.choices.iter().any(|choice| choice == text) {
-                    return Ok(context.heap.string(text));
+                    return Ok(ParamValue::String(text.clone()));
                 }
-                Err(Refused::new(format!("`{name}` cannot be \"{text}\""), takes(param, ends)))
+                Err(refused(&format!("\"{text}\""), ""))
             }
-            other => {
-                let message = format!("`{name}` cannot be `{other}`: it is a text");
-                Err(Refused::new(message, takes(param, ends)))
-            }
+            other => Err(refused(&format!("`{other}`"), ": it is a text")),
         },
-        _ => read_number(param, value, ends, description).map(f64::to_bits),
+        _ => read_number(param, value, description).map(ParamValue::Number),
     }
 }
 
 fn read_number(
     param: &ParamDescription,
     value: &GivenValue,
-    ends: Ends,
     description: &ModelDescription,
 ) -> Result<f64, Refused> {
     let refused =
-        |why: &str| Refused::new(format!("`{}` cannot be `{value}`: {why}", param.name), takes(param, ends));
+        |why: &str| Refused::new(format!("`{}` cannot be `{value}`: {why}", param.name), takes(param));
+    let units = &description.known_units;
     let quantity = match value {
-        GivenValue::Text(text) | GivenValue::String(text) => {
-            quantity::parse(text, &description.known_units).map_err(|why| refused(&why))?
-        }
-        GivenValue::Number(value) => Quantity { value: *value, dimension: quantity::PURE, unit: false },
-        GivenValue::Bool(_) => return Err(refused("it is a number")),
+        GivenValue::Text(text) | GivenValue::String(text) => quantity::parse(text, units),
+        GivenValue::Quantity(number, unit) => quantity::with_unit(*number, unit, units),
+        GivenValue::Number(value) => Ok(Quantity { value: *value, dimension: quantity::PURE, unit: false }),
+        GivenValue::Si(si) => Ok(Quantity { value: *si, dimension: param.unit.dimension, unit: true }),
+        GivenValue::Bool(_) => Err("it is a number".into()),
     };
+    let quantity = quantity.map_err(|why| refused(&why))?;
     // A bare value is in the unit the default is written in.
     let value = if quantity.unit { quantity.value } else { to_si(quantity.value, param.unit.factor) };
     if quantity.unit && !quantity::fits(quantity.dimension, param.unit.dimension) {
@@ -206,10 +280,10 @@ fn check_range(param: &ParamDescription, value: f64, ends: Ends) -> Result<(), R
     Err(Refused::new(message, "give a value within the range, or widen the range in the model"))
 }
 
-/// What a param takes, and how to give it.
-fn takes(param: &ParamDescription, (low, high): Ends) -> String {
+/// What a param takes at the defaults of the others, and how to give it.
+fn takes(param: &ParamDescription) -> String {
     let (name, unit) = (&param.name, &param.unit.name);
-    let domain = match domain(param, low, high) {
+    let domain = match domain(param, param.low, param.high) {
         domain if domain.is_empty() && unit.is_empty() => "any number".to_owned(),
         domain if domain.is_empty() => format!("any value in {unit}"),
         domain => domain,

@@ -12,8 +12,8 @@ pub enum ParamFunction {
     High = 2,
 }
 
-/// A compiled model.
-pub trait Program {
+/// A compiled model. It keeps nothing of a run, so that any number of them go on at once.
+pub trait Program: Send + Sync {
     fn description(&self) -> &ModelDescription;
 
     /// One per symbolic site, in order.

@@ -1,25 +1,20 @@
-//! One run: params set, program run, its analysis watched and written down.
+//! A run for people and for those who read its directory: an instance, watched and written down.
 
-use crate::budget;
-use crate::directory::{Stages, StepTable, prepare, warnings, write_run, write_unfinished};
+use crate::directory::{Stages, StepTable, prepare, write_run, write_unfinished};
+use crate::engine::Engine;
+use crate::error::Error;
 use crate::given::Given;
-use crate::params::{self, ParamError};
+use crate::instance::Instance;
 use crate::program::Program;
 use crate::progress::{Progress, ProgressFormat};
+use crate::results::Results;
 use crate::table;
-use calyx_abi::description::ModelDescription;
-use calyx_abi::error::codes;
-use calyx_abi::limits::Limits;
-use calyx_abi::{Context, RuntimeError, Status};
-use calyx_gears::host::{Finding, ModelHost};
-use calyx_runtime::analysis::{Event, Observer};
-use calyx_runtime::error::EngineError;
-use calyx_runtime::interrupt::Interrupt;
+use calyx_abi::{Cancel, Status};
+use calyx_gears::host::Finding;
 use std::io;
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use std::sync::{Arc, Mutex};
-use std::time::{Duration, Instant};
+use std::sync::Arc;
+use std::time::Duration;
 
 /// Names of stages, in order, and the time each took.
 pub type StageTimes = Vec<(&'static str, Duration)>;
@@ -42,15 +37,14 @@ pub struct RunOptions {
     /// Bytes that it may take: of the program's values, and of the process while it analyses.
     pub memory_limit: Option<u64>,
     /// Set from outside, it ends the run soon; what was written is kept.
-    pub cancel: Arc<AtomicBool>,
+    pub cancel: Cancel,
 }
 
 /// Why a run did not finish.
 #[derive(Debug)]
 pub enum RunError {
-    Param(ParamError),
-    /// The model or its analysis failed.
-    Model(RuntimeError),
+    /// What was given, the model or its analysis.
+    Run(Error),
     Io {
         path: PathBuf,
         error: io::Error,
@@ -68,141 +62,77 @@ pub struct RunReport {
 }
 
 /// Runs a model and writes its run directory.
-pub fn run(program: &dyn Program, options: &RunOptions) -> Result<RunReport, RunError> {
-    let description = program.description();
+pub fn run(program: Arc<dyn Program>, options: &RunOptions) -> Result<RunReport, RunError> {
     let unwritable = |error| RunError::Io { path: options.directory.clone(), error };
-    let mut host = ModelHost::new(&description.units);
+    let mut instance = Instance::new(&Engine::default(), program.clone());
+    for given in &options.given {
+        instance.give(given).map_err(RunError::Run)?;
+    }
+    instance.limit_time(options.time_limit);
+    instance.limit_memory(options.memory_limit);
+    instance.set_cancel(options.cancel.clone());
+    let params = instance.params().map_err(RunError::Run)?;
+    prepare(&options.directory).map_err(unwritable)?;
     let progress = Arc::new(Progress::new(options.progress, options.quiet));
-    let solved = Arc::new(AtomicUsize::new(0));
-    let failure = Arc::new(Mutex::new(None));
-    let limits = Limits::from_now(options.time_limit, options.memory_limit);
-    let cancel = options.cancel.clone();
-    host.analysis.resources.interrupt = Interrupt::new(move || check_limits(&limits, &cancel));
-    host.observer = Some(Box::new(Watcher {
-        directory: options.directory.clone(),
-        description: description.clone(),
-        table: None,
-        progress: progress.clone(),
-        solved: solved.clone(),
-        failure: failure.clone(),
-    }));
-    let mut context = Context::new(Box::new(host));
-    context.limits = limits;
-    context.cancel = options.cancel.clone();
-    context.kernels = program.kernels();
-    let shown = progress.clone();
-    context.print = Box::new(move |line| shown.print(line));
-    let outcome = params::apply(program, &options.given, &mut context).map_err(RunError::Param);
-    let outcome = outcome.and_then(|()| prepare(&options.directory).map_err(unwritable)).and_then(|()| {
-        let started = Instant::now();
-        program.main(&mut context).map_err(RunError::Model)?;
-        Ok(started.elapsed())
+    let (shown, printed) = (progress.clone(), progress.clone());
+    instance.on_progress(move |now| match now.total {
+        Some(count) => shown.step(now.done - 1, count),
+        None => shown.stage(now.stage),
     });
+    instance.on_print(move |line| printed.print(line));
+    let (solved, outcome) = write_steps(&instance, &options.directory);
     progress.finish();
-    if let Some(error) = failure.lock().ok().and_then(|mut failure| failure.take()) {
-        return Err(unwritable(error));
-    }
+    let description = program.description();
     // What was solved until somebody ended the run is worth keeping, with what it is of.
-    if let Err(RunError::Model(error)) = &outcome
+    if let Err(RunError::Run(Error::Model(error))) = &outcome
         && error.status() == Status::Cancelled
-        && solved.load(Ordering::Relaxed) > 0
+        && solved > 0
     {
-        let solved = solved.load(Ordering::Relaxed);
-        write_unfinished(&options.directory, description, &context, solved, error).map_err(unwritable)?;
+        write_unfinished(&options.directory, description, &params, solved, error).map_err(unwritable)?;
     }
-    let stages = Stages { before: options.before.clone(), program: outcome? };
-    let (result, findings, failed) = match context.host::<ModelHost>() {
-        Some(host) => (host.result.take(), std::mem::take(&mut host.findings), host.failed_analyses > 0),
-        None => (None, Vec::new(), false),
-    };
-    if result.is_none() && !description.outputs.is_empty() {
-        return Err(RunError::Model(no_analysis(description, failed)));
-    }
-    let all_warnings = result.as_ref().map(warnings).unwrap_or_default();
+    let results = outcome?;
+    let stages = Stages { before: options.before.clone(), program: results.time() };
+    let all_warnings = results.warnings();
+    let findings = results.findings().iter();
     let mut written: Vec<String> =
-        findings.iter().map(|finding| format!("{}: {}", finding.error.code, finding.error.message)).collect();
+        findings.map(|finding| format!("{}: {}", finding.error.code, finding.error.message)).collect();
     written.extend(all_warnings.iter().cloned());
-    write_run(&options.directory, description, &context, result.as_ref(), &written, &stages)
+    let result = results.analysis();
+    write_run(&options.directory, description, results.params(), result, &written, &stages)
         .map_err(unwritable)?;
     let ignored = result.iter().flat_map(|result| &result.plan.ignored);
     let ignored =
         ignored.map(|ignored| format!("`{}` is not seen as given: {}", ignored.input, ignored.reason));
     Ok(RunReport {
-        summary: result.as_ref().map(|result| table::summary(description, result)).unwrap_or_default(),
+        summary: result.map(|result| table::summary(description, result)).unwrap_or_default(),
         warnings: ignored.chain(all_warnings).collect(),
-        findings,
+        findings: results.findings().to_vec(),
     })
 }
 
-/// The place is the end of the model, where an analysis would stand.
-fn no_analysis(description: &ModelDescription, failed: bool) -> RuntimeError {
-    let end = description.files.first().map_or(0, |file| file.text.trim_end().len() as u32);
-    let (message, help) = match failed {
-        true => (
-            "the model declares outputs, and its analysis failed",
-            "the model caught the error of the analysis; print it there to see what it was",
-        ),
-        false => (
-            "the model declares outputs and analyses nothing",
-            "end it with `analyze(\"quasi_static\", over = gears.mesh_cycle(mesh, 32));`",
-        ),
+/// Runs the instance with each position on disk before the next one begins: how many there are, and how it ended.
+fn write_steps(instance: &Instance, directory: &Path) -> (usize, Result<Results, RunError>) {
+    let mut solved = 0;
+    let mut write = || {
+        let mut run = instance.run().map_err(RunError::Run)?;
+        let mut table = None;
+        for step in &mut run {
+            let step = step.map_err(RunError::Run)?;
+            let unwritable = |error| RunError::Io { path: directory.to_owned(), error };
+            // A model may go on after an analysis that failed, and begin another.
+            if step.index() == 0 {
+                let outputs = &instance.description().outputs;
+                table = Some(StepTable::create(directory, outputs).map_err(unwritable)?);
+            }
+            if let Some(table) = &mut table {
+                table.write(step.index(), step.row()).map_err(unwritable)?;
+            }
+            solved = step.index() + 1;
+        }
+        run.finish().map_err(RunError::Run)
     };
-    let error = RuntimeError::new("E0711", message, help);
-    RuntimeError { place: Some((0, end.saturating_sub(1), end)), ..error }
-}
-
-/// Writes rows as they come and keeps the progress bar.
-struct Watcher {
-    directory: PathBuf,
-    description: ModelDescription,
-    table: Option<StepTable>,
-    progress: Arc<Progress>,
-    /// Positions that are on disk.
-    solved: Arc<AtomicUsize>,
-    /// An error of the file system, which ends the run but is not the model's.
-    failure: Arc<Mutex<Option<io::Error>>>,
-}
-
-impl Watcher {
-    /// Keeps the error for whoever started the run, and makes one that ends the analysis.
-    fn fail(&self, error: io::Error) -> EngineError {
-        let message = format!("cannot write to {}: {error}", self.directory.display());
-        if let Ok(mut failure) = self.failure.lock() {
-            *failure = Some(error);
-        }
-        EngineError::new("E0712", message, "choose another directory with --out")
-    }
-}
-
-/// Ends an analysis that was cancelled or has used up its time or memory.
-fn check_limits(limits: &Limits, cancel: &AtomicBool) -> Result<(), EngineError> {
-    if cancel.load(Ordering::Relaxed) {
-        return Err(EngineError::new(codes::CANCELLED, "the run was cancelled", ""));
-    }
-    let taken = limits.memory.and_then(|_| budget::taken()).unwrap_or(0);
-    limits
-        .check_time()
-        .and_then(|()| limits.check_memory(taken))
-        .map_err(|error| EngineError::new(codes::EXHAUSTED, error.message, error.help))
-}
-
-impl Observer for Watcher {
-    fn observe(&mut self, event: Event<'_>) -> Result<(), EngineError> {
-        match event {
-            Event::Planned(_) => {
-                let table = StepTable::create(&self.directory, &self.description.outputs);
-                self.table = Some(table.map_err(|error| self.fail(error))?);
-            }
-            Event::Stage(name) => self.progress.stage(name),
-            Event::Step { index, count, solved } => {
-                let written = self.table.as_mut().map_or(Ok(()), |table| table.write(index, &solved.row));
-                written.map_err(|error| self.fail(error))?;
-                self.solved.store(index + 1, Ordering::Relaxed);
-                self.progress.step(index, count);
-            }
-        }
-        Ok(())
-    }
+    let outcome = write();
+    (solved, outcome)
 }
 
 /// The default run directory: beside the model, named after it.

@@ -254,7 +254,9 @@ fn run(
     ctx.param_slots = start.params.iter().map(|x| x.to_bits()).collect();
     ctx.fuel = start.fuel.unwrap_or(1_000_000);
     ctx.limits.memory = start.memory;
-    ctx.cancel.store(start.cancelled, std::sync::atomic::Ordering::Relaxed);
+    if start.cancelled {
+        ctx.cancel.cancel();
+    }
     let result = evaluate(&mut ctx);
     let mut shown = String::new();
     if let Ok(slots) = &result {

@@ -1,0 +1,279 @@
+//! A model with values of its own: params are set, it is run, and run again.
+
+use crate::engine::Engine;
+use crate::error::Error;
+use crate::given::{Given, GivenValue};
+use crate::host::Host;
+use crate::names::{Names, Output, Param, ParamName, shape};
+use crate::params::{self, Setting};
+use crate::program::Program;
+use crate::results::Results;
+use crate::stepping::{Run, Steps};
+use crate::watching::{Watcher, interrupt};
+use calyx_abi::description::{ModelDescription, ParamValue};
+use calyx_abi::limits::Limits;
+use calyx_abi::{Cancel, Context, stack};
+use calyx_gears::host::ModelHost;
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::{Duration, Instant};
+
+/// How far a run has come.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Progress {
+    /// What is under way: `structures` or `positions`.
+    pub stage: &'static str,
+    /// Positions solved.
+    pub done: usize,
+    /// Positions to solve; not known while structures are made.
+    pub total: Option<usize>,
+}
+
+pub(crate) type ProgressSink = Arc<Mutex<dyn FnMut(Progress) + Send>>;
+type PrintSink = Arc<Mutex<dyn FnMut(&str) + Send>>;
+
+/// A model with values of its own.
+///
+/// Making one copies no code and computes nothing; a model may have any number of them, on any threads. Each run takes
+/// the values set by then, and a run under way is not changed by what is set later.
+pub struct Instance {
+    engine: Engine,
+    program: Arc<dyn Program>,
+    shape: u64,
+    /// By param.
+    settings: Vec<Option<Setting>>,
+    host: Host,
+    time_limit: Option<Duration>,
+    memory_limit: Option<u64>,
+    cancel: Cancel,
+    print: Option<PrintSink>,
+    progress: Option<ProgressSink>,
+}
+
+impl Instance {
+    /// An instance with all params at their defaults.
+    pub fn new(engine: &Engine, program: Arc<dyn Program>) -> Instance {
+        let description = program.description();
+        let (shape, settings) = (shape(description), vec![None; description.params.len()]);
+        Instance {
+            engine: engine.clone(),
+            program,
+            shape,
+            settings,
+            host: Host::default(),
+            time_limit: None,
+            memory_limit: None,
+            cancel: Cancel::default(),
+            print: None,
+            progress: None,
+        }
+    }
+
+    pub fn engine(&self) -> &Engine {
+        &self.engine
+    }
+
+    /// Names, units, ranges and docs of params and outputs.
+    pub fn description(&self) -> &ModelDescription {
+        self.program.description()
+    }
+
+    fn names(&self) -> Names<'_> {
+        Names { description: self.program.description(), shape: self.shape }
+    }
+
+    /// # Errors
+    /// The model has no such param.
+    pub fn param(&self, name: &str) -> Result<Param, Error> {
+        Param::named(self.description(), name)
+    }
+
+    /// # Errors
+    /// The model has no such output.
+    pub fn output(&self, name: &str) -> Result<Output, Error> {
+        Output::named(self.description(), name)
+    }
+
+    /// Sets a param: to a number in the unit of its default, a number and its unit, a truth value, or a text as after
+    /// `--set`.
+    ///
+    /// # Errors
+    /// There is no such param, or it does not take such a value.
+    pub fn set(&mut self, param: impl ParamName, value: impl Into<GivenValue>) -> Result<(), Error> {
+        let index = param.index_in(self.names())?;
+        let setting = Setting::new(self.program.description(), index, &value.into(), None)?;
+        self.settings[index] = Some(setting);
+        Ok(())
+    }
+
+    /// Sets a param to what was given on a command line or in a file; errors tell the place in the file.
+    ///
+    /// # Errors
+    /// As for [`Instance::set`].
+    pub fn give(&mut self, given: &Given) -> Result<(), Error> {
+        let (name, origin) = (given.name.as_str(), given.origin.as_ref());
+        let index = name.index_in(self.names()).map_err(|error| error.placed(origin))?;
+        let setting = Setting::new(self.program.description(), index, &given.value, origin)?;
+        self.settings[index] = Some(setting);
+        Ok(())
+    }
+
+    /// Sets a param to a number in the coherent SI unit.
+    ///
+    /// # Errors
+    /// As for [`Instance::set`].
+    pub fn set_si(&mut self, param: impl ParamName, si: f64) -> Result<(), Error> {
+        self.set(param, GivenValue::Si(si))
+    }
+
+    /// Gives a param its default again.
+    ///
+    /// # Errors
+    /// There is no such param.
+    pub fn reset(&mut self, param: impl ParamName) -> Result<(), Error> {
+        let index = param.index_in(self.names())?;
+        self.settings[index] = None;
+        Ok(())
+    }
+
+    /// What a param would be in a run, in SI.
+    ///
+    /// # Errors
+    /// There is no such param; or what [`Instance::params`] fails with, if it was not set.
+    pub fn get(&self, param: impl ParamName) -> Result<ParamValue, Error> {
+        let index = param.index_in(self.names())?;
+        match &self.settings[index] {
+            Some(setting) => Ok(setting.value.clone()),
+            None => Ok(self.params()?.swap_remove(index)),
+        }
+    }
+
+    /// What all params would be in a run, in SI. Defaults may follow what others are set to, so this runs them.
+    ///
+    /// # Errors
+    /// What is set is out of a param's range, or a default or range cannot be computed.
+    pub fn params(&self) -> Result<Vec<ParamValue>, Error> {
+        let mut context = self.job().context();
+        params::resolve(self.program.as_ref(), &self.settings, &mut context)?;
+        Ok(params::values(self.description(), &context))
+    }
+
+    /// What the model may call of the program that embeds it.
+    pub fn set_host(&mut self, host: Host) {
+        self.host = host;
+    }
+
+    /// How long each run may take; as long as it likes by default.
+    pub fn limit_time(&mut self, limit: Option<Duration>) {
+        self.time_limit = limit;
+    }
+
+    /// Bytes that a run's own values may take, and the whole process while it analyses; any number by default.
+    pub fn limit_memory(&mut self, limit: Option<u64>) {
+        self.memory_limit = limit;
+    }
+
+    /// Ends every run of this instance, from any thread, and stays set: give the instance another one with
+    /// [`Instance::set_cancel`] to run it again.
+    pub fn cancel_handle(&self) -> Cancel {
+        self.cancel.clone()
+    }
+
+    /// The switch that ends runs from now on. Several instances may have the same.
+    pub fn set_cancel(&mut self, cancel: Cancel) {
+        self.cancel = cancel;
+    }
+
+    /// What takes the lines that the model prints. Without it they are dropped.
+    pub fn on_print(&mut self, sink: impl FnMut(&str) + Send + 'static) {
+        self.print = Some(Arc::new(Mutex::new(sink)));
+    }
+
+    /// What is told when a stage begins and after each position, on the thread of the run.
+    pub fn on_progress(&mut self, sink: impl FnMut(Progress) + Send + 'static) {
+        self.progress = Some(Arc::new(Mutex::new(sink)));
+    }
+
+    /// Runs the model on a thread of its own, position by position: it goes on to the next one when the one before was
+    /// taken.
+    ///
+    /// # Errors
+    /// There is no thread for it. What is wrong with the model comes from the iterator.
+    pub fn run(&self) -> Result<Run, Error> {
+        let job = self.job();
+        Run::begin(job.cancel.clone(), |steps| stack::beside(move || job.execute(Some(steps))))
+    }
+
+    /// Runs the model to its end.
+    ///
+    /// # Errors
+    /// A param is out of its range, the model or its analysis failed, it was cancelled, or a limit was reached.
+    pub fn solve(&self) -> Result<Results, Error> {
+        let job = self.job();
+        stack::with_stack(|| job.execute(None))?
+    }
+
+    fn job(&self) -> Job {
+        Job {
+            engine: self.engine.clone(),
+            program: self.program.clone(),
+            shape: self.shape,
+            settings: self.settings.clone(),
+            host: self.host.clone(),
+            limits: Limits::from_now(self.time_limit, self.memory_limit),
+            cancel: self.cancel.child(),
+            print: self.print.clone(),
+            progress: self.progress.clone(),
+        }
+    }
+}
+
+/// One run, apart from its instance, which may be changed meanwhile.
+struct Job {
+    engine: Engine,
+    program: Arc<dyn Program>,
+    shape: u64,
+    settings: Vec<Option<Setting>>,
+    host: Host,
+    limits: Limits,
+    cancel: Cancel,
+    print: Option<PrintSink>,
+    progress: Option<ProgressSink>,
+}
+
+impl Job {
+    fn context(&self) -> Context {
+        let mut context = Context::new(Box::new(ModelHost::new(&self.program.description().units)));
+        context.limits = self.limits;
+        context.cancel = self.cancel.clone();
+        let print = self.print.clone();
+        context.print = Box::new(move |line| {
+            if let Some(print) = &print {
+                print.lock().unwrap_or_else(PoisonError::into_inner)(line);
+            }
+        });
+        self.host.provide(&mut context);
+        context
+    }
+
+    /// Runs the program; its positions go to `hand_over`.
+    fn execute(self, hand_over: Option<Steps>) -> Result<Results, Error> {
+        let mut context = self.context();
+        context.kernels = self.program.kernels();
+        params::resolve(self.program.as_ref(), &self.settings, &mut context)?;
+        let params = params::values(self.program.description(), &context);
+        if let Some(host) = context.host::<ModelHost>() {
+            host.observer = Some(Box::new(Watcher {
+                program: self.program.clone(),
+                shape: self.shape,
+                hand_over,
+                progress: self.progress,
+            }));
+            let interrupt = interrupt(self.cancel, self.limits);
+            host.analysis.resources = self.engine.resources(interrupt)?;
+        }
+        let started = Instant::now();
+        self.program.main(&mut context)?;
+        let time = started.elapsed();
+        Results::of(self.program, self.shape, params, &mut context, time)
+    }
+}
