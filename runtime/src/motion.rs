@@ -1,6 +1,7 @@
 //! Where bodies are meant to be: the kinematic trajectory that the deflections are measured from.
 
 use crate::error::EngineError;
+use calyx_abi::math;
 
 /// A prescribed motion. `frame` takes ground coordinates into the body's frame: `x' = R x + t`.
 pub trait Motion: Send + Sync {
@@ -31,13 +32,13 @@ impl SteadyRotation {
 
 impl Motion for SteadyRotation {
     fn frame(&self, time: f64) -> [f64; 12] {
-        let (sin, cos) = (self.start + self.speed * time).sin_cos();
+        let (sin, cos) = math::sincos(self.start + self.speed * time);
         let [x, y] = self.origin;
         [cos, sin, 0.0, -sin, cos, 0.0, 0.0, 0.0, 1.0, -(cos * x + sin * y), sin * x - cos * y, 0.0]
     }
 
     fn rate(&self, time: f64) -> [f64; 12] {
-        let (sin, cos) = (self.start + self.speed * time).sin_cos();
+        let (sin, cos) = math::sincos(self.start + self.speed * time);
         let [x, y] = self.origin;
         [-sin, cos, 0.0, -cos, -sin, 0.0, 0.0, 0.0, 0.0, sin * x - cos * y, cos * x + sin * y, 0.0]
             .map(|entry| entry * self.speed)

@@ -3,7 +3,8 @@
 use crate::analysis::Position;
 use crate::contact::problem::Certificate;
 use crate::plan::Plan;
-use calyx_abi::SymbolicValue;
+use crate::scene::ObservableId;
+use calyx_abi::{Kernel, Repr, SymbolicValue};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -37,6 +38,13 @@ pub struct OutputRequest {
 }
 
 impl OutputRequest {
+    /// The output that is an observable of the scene and nothing more.
+    pub fn observing(name: impl Into<String>, observable: ObservableId) -> OutputRequest {
+        let observed = vec![observable.0 as f64];
+        let value = SymbolicValue::new(0, Repr::Number, Arc::new(Itself), observed, vec![0], Vec::new());
+        OutputRequest { name: name.into(), value: Arc::new(value), params: Arc::from([]) }
+    }
+
     /// The output's value at `time` s, given the value of every observable of the scene.
     pub fn evaluate(&self, time: f64, observed: &[Observed]) -> Observed {
         let seen = |index: usize| observed.get(index).map_or(f64::NAN, |seen| seen.value);
@@ -47,6 +55,24 @@ impl OutputRequest {
         };
         let outputs = self.value.evaluate(time, &self.params, &seen).unwrap_or_default();
         Observed { value: outputs.first().copied().unwrap_or(f64::NAN), place }
+    }
+}
+
+/// The kernel whose value is what it captured.
+struct Itself;
+
+impl Kernel for Itself {
+    fn eval(&self, inputs: &[f64], outputs: &mut [f64]) {
+        // Time comes first.
+        outputs[0] = inputs[1];
+    }
+
+    fn inputs(&self) -> usize {
+        2
+    }
+
+    fn outputs(&self) -> usize {
+        1
     }
 }
 

@@ -2,6 +2,7 @@
 
 use crate::assembly::{MeshOptions, Pairing, add_body};
 use crate::blank::{GearBlank, Rim, Thickness};
+use crate::deviation::Deviation;
 use crate::error::Severity;
 use crate::host::{Finding, Meeting, ModelHost, keep};
 use crate::modification::{Modification, ReliefShape, TipRelief};
@@ -12,7 +13,7 @@ use calyx_runtime::analysis::{AnalysisOptions, mesh_cycle, quasi_static};
 use calyx_runtime::error::{EngineError, Subject};
 use calyx_runtime::holding;
 use calyx_runtime::interrupt::Interrupt;
-use calyx_runtime::load::Wrench;
+use calyx_runtime::load::{Load, Wrench};
 use calyx_runtime::material::Material;
 use calyx_runtime::motion::Motion;
 use calyx_runtime::plan::Plan;
@@ -60,6 +61,18 @@ calyx_abi::externs! {
         Ok(keep(&mut host.modifications, crown))
     }
 
+    Pure fn calyx_gears_host_modification(context, name: String) -> Handle {
+        let (place, host) = (context.place, host(context)?);
+        let deviation = match host.provided.modifications.get(&name) {
+            Some(deviation) => deviation.clone(),
+            None => {
+                host.note_unprovided("name", "flank modification", "the flank stays as it is", &name, place);
+                Deviation::new(name, |_| 0.0)
+            }
+        };
+        Ok(keep(&mut host.modifications, deviation.into()))
+    }
+
     Pure fn calyx_gears_external(
         context, teeth: f64, rack: Handle, face_width: f64, outer_diameter: f64, root_diameter: f64,
         material: Handle, rim: Handle, tooth_thickness: f64, profile_shift: f64, tip_edge_radius: f64,
@@ -98,7 +111,7 @@ calyx_abi::externs! {
 
     Scene fn calyx_gears_body(
         context, name: String, blank: Handle, frame: SymbolicTransform, free: Vec<String>, force: [f64; 3],
-        moment: [f64; 3],
+        moment: [f64; 3], host_load: String,
     ) -> Handle {
         let mut freedoms = [false; 6];
         for freedom in &free {
@@ -111,7 +124,7 @@ calyx_abi::externs! {
         let motion = Arc::new(FrameMotion { value: frame.0, params: context.params.clone() });
         let (place, host) = (context.place, host(context)?);
         let prototype = entry(&host.gears, blank)?.clone();
-        let load = Arc::new(Wrench { force, moment });
+        let load = load(host, Wrench { force, moment }, &host_load, place);
         let body = Body { name, prototype, motion, phase: 0.0, free: freedoms, load };
         let id = add_body(&mut host.scene, body).map_err(|refusal| host.refused(refusal, place))?;
         host.body_gears.push(blank.0 as usize);
@@ -262,6 +275,23 @@ fn fidelity_named(name: &str) -> Result<Fidelity, RuntimeError> {
     Fidelity::named(name).ok_or_else(|| {
         refusal("E0674", "fidelity", &format!("there is no fidelity called \"{name}\""), "choose \"plane\"")
     })
+}
+
+/// The load on a body: what the model says, and what the program around it provides under a name, if it has one.
+fn load(host: &mut ModelHost, constant: Wrench, name: &str, place: (u32, u32, u32)) -> Arc<dyn Load> {
+    if name.is_empty() {
+        return Arc::new(constant);
+    }
+    match host.provided.loads.get(name) {
+        Some(load) => {
+            let load = load.clone();
+            Arc::new(move |time: f64| constant + load.at(time))
+        }
+        None => {
+            host.note_unprovided("host_load", "load", "none is added", name, place);
+            Arc::new(constant)
+        }
+    }
 }
 
 /// A compiled frame as a motion.

@@ -5,6 +5,7 @@
 //! outward normal `v`. A modification of amount `a(g)` moves the point by `-a v`, so that
 //! `dP/dg = (r g - a) u - a' v`: tangent, normal and curvature follow exactly.
 
+use crate::deviation::Spline;
 use crate::error::GeometryError;
 use crate::external::ExternalGear;
 use crate::fillet::Side;
@@ -13,6 +14,10 @@ use crate::root_finding::solve_bracketed;
 use calyx_abi::math;
 use calyx_runtime::fe::quadrature::gauss_legendre;
 use calyx_runtime::profile::{Profile, ProfilePoint};
+use std::sync::Arc;
+
+/// Parts in which the length of a flank with deviations is measured.
+const DEVIATED_PARTS: usize = 16;
 
 /// One flank of a tooth in tooth coordinates (gear centre at the origin, tooth centreline along +x), metres.
 ///
@@ -26,6 +31,7 @@ pub struct Flank {
     form_roll: f64,
     tip_roll: f64,
     reliefs: Vec<TipRelief>,
+    deviations: Vec<Arc<Spline>>,
     /// Parts of the flank with smooth curvature, ascending; the first starts at the form circle.
     parts: Vec<Part>,
     edge: Edge,
@@ -72,17 +78,20 @@ impl Flank {
         modifications: &[Modification],
         side: Side,
     ) -> Result<Self, Vec<GeometryError>> {
-        let reliefs: Vec<TipRelief> = modifications
-            .iter()
-            .filter_map(|modification| match modification {
-                Modification::TipRelief(relief) if relief.depth != 0.0 => Some(*relief),
-                Modification::TipRelief(_) | Modification::LeadCrown { .. } => None,
-            })
-            .collect();
-        let errors: Vec<_> = reliefs
-            .iter()
-            .filter_map(|relief| relief.check(gear.form_roll, gear.tip_roll, gear.tip_thickness()).err())
-            .collect();
+        let (mut reliefs, mut deviations, mut errors) = (Vec::new(), Vec::new(), Vec::new());
+        for modification in modifications {
+            match modification {
+                Modification::TipRelief(relief) if relief.depth != 0.0 => {
+                    errors.extend(relief.check(gear.form_roll, gear.tip_roll, gear.tip_thickness()).err());
+                    reliefs.push(*relief);
+                }
+                Modification::Deviation(deviation) => match deviation.sampled(gear) {
+                    Ok(sampled) => deviations.extend(sampled.map(Arc::new)),
+                    Err(error) => errors.push(error),
+                },
+                Modification::TipRelief(_) | Modification::LeadCrown { .. } => {}
+            }
+        }
         if !errors.is_empty() {
             return Err(errors);
         }
@@ -93,6 +102,7 @@ impl Flank {
             form_roll: gear.form_roll,
             tip_roll: gear.tip_roll,
             reliefs,
+            deviations,
             parts: Vec::new(),
             edge: Edge {
                 centre: [0.0; 2],
@@ -139,24 +149,30 @@ impl Flank {
         self.edge.end_angle = math::atan2(centre[1], centre[0]);
     }
 
-    /// Splits the flank where its curvature jumps, and measures the parts.
+    /// Splits the flank where its curvature jumps, and a deviated one finely enough to measure its parts.
     fn divide(&mut self) {
-        let mut rolls: Vec<f64> = self
-            .reliefs
-            .iter()
-            .flat_map(|relief| relief.breaks(self.form_roll, self.tip_roll))
-            .filter(|roll| (self.form_roll..self.edge.start_roll).contains(roll))
-            .collect();
-        rolls.push(self.form_roll);
-        rolls.sort_by(f64::total_cmp);
-        rolls.dedup();
+        let end = self.edge.start_roll;
+        let jumps = self.reliefs.iter().flat_map(|relief| relief.breaks(self.form_roll, self.tip_roll));
+        let mut rolls: Vec<(f64, bool)> = jumps.map(|roll| (roll, true)).collect();
+        if !self.deviations.is_empty() {
+            let part = |k: usize| self.form_roll + (end - self.form_roll) * k as f64 / DEVIATED_PARTS as f64;
+            rolls.extend((1..DEVIATED_PARTS).map(|k| (part(k), false)));
+        }
+        rolls.retain(|(roll, _)| (self.form_roll..end).contains(roll));
+        rolls.push((self.form_roll, false));
+        rolls.sort_by(|a, b| a.0.total_cmp(&b.0));
+        rolls.dedup_by(|later, earlier| {
+            let same = later.0 == earlier.0;
+            earlier.1 |= same && later.1;
+            same
+        });
         let mut s = 0.0;
-        for (index, &start_roll) in rolls.iter().enumerate() {
-            let end = rolls.get(index + 1).copied().unwrap_or(self.edge.start_roll);
-            let modified = self.amount(0.5 * (start_roll + end))[0] != 0.0;
+        for (index, &(start_roll, jumps)) in rolls.iter().enumerate() {
+            let end = rolls.get(index + 1).map_or(end, |next| next.0);
+            let modified = !self.deviations.is_empty() || self.amount(0.5 * (start_roll + end))[0] != 0.0;
             let part = Part { start_roll, start_s: s, modified };
             self.parts.push(part);
-            if index > 0 {
+            if index > 0 && jumps {
                 self.breaks.push(s);
             }
             s = self.s_in_part(part, end);
@@ -169,8 +185,8 @@ impl Flank {
     /// Material taken off at a roll angle (m), and its first and second derivatives by roll.
     fn amount(&self, roll: f64) -> [f64; 3] {
         let mut total = [0.0; 3];
-        for relief in &self.reliefs {
-            let amount = relief.amount(roll, self.form_roll, self.tip_roll);
+        let reliefs = self.reliefs.iter().map(|relief| relief.amount(roll, self.form_roll, self.tip_roll));
+        for amount in reliefs.chain(self.deviations.iter().map(|deviation| deviation.at(roll))) {
             for order in 0..3 {
                 total[order] += amount[order];
             }

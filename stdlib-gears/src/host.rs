@@ -1,6 +1,7 @@
 //! What the library keeps for a running model: every gear, rack and material the program made, and the scene.
 
 use crate::blank::Rim;
+use crate::deviation::Deviation;
 use crate::error::{GeometryError, Refusal, Severity};
 use crate::mesh_geometry::MeshGeometry;
 use crate::modification::Modification;
@@ -11,9 +12,11 @@ use calyx_abi::RuntimeError;
 use calyx_abi::externs::Handle;
 use calyx_runtime::analysis::{AnalysisOptions, Observer, Position};
 use calyx_runtime::error::{EngineError, Subject};
+use calyx_runtime::load::Load;
 use calyx_runtime::material::Material;
 use calyx_runtime::results::{AnalysisResult, OutputRequest};
 use calyx_runtime::scene::Scene;
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -40,9 +43,20 @@ impl Default for LengthUnit {
     }
 }
 
+/// What the program that runs a model provides, by the names the model asks for it.
+#[derive(Clone, Default)]
+pub struct Provided {
+    /// For `gears.body(..., host_load = "name")`.
+    pub loads: BTreeMap<String, Arc<dyn Load>>,
+    /// For `gears.host_modification("name")`.
+    pub modifications: BTreeMap<String, Deviation>,
+}
+
 /// The state behind a model's handles.
 #[derive(Default)]
 pub struct ModelHost {
+    /// What the program around the model provides.
+    pub provided: Provided,
     pub length_unit: LengthUnit,
     pub materials: Vec<Material>,
     pub racks: Vec<Rack>,
@@ -92,6 +106,27 @@ impl ModelHost {
             argument: error.argument.map(str::to_owned),
             place: place.copied(),
             ..RuntimeError::new(error.code, error.message, error.help)
+        }
+    }
+
+    /// Tells the model's author that something was asked for by a name of which the program around the model provides nothing.
+    pub(crate) fn note_unprovided(
+        &mut self,
+        argument: &str,
+        what: &str,
+        instead: &str,
+        name: &str,
+        place: (u32, u32, u32),
+    ) {
+        let error = RuntimeError::new(
+            "E0681",
+            format!("nobody provides a {what} called \"{name}\", so {instead}"),
+            "it comes from a Rust program that embeds the model; `calyx run`, `calyx check` and executables know none",
+        );
+        let error = RuntimeError { place: Some(place), ..error.of_argument(argument) };
+        let finding = Finding { severity: Severity::Warning, error };
+        if !self.findings.contains(&finding) {
+            self.findings.push(finding);
         }
     }
 

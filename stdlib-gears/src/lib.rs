@@ -1,8 +1,109 @@
-//! Gears: geometry and tooth meshes in Rust, under a library written in Calyx.
+//! Involute gears for the engine, in Rust: geometry, meshes of teeth, and gear pairs put into a scene. Under it also lies the
+//! gear library of the Calyx language, whose functions are thin coats over the ones here.
+//!
+//! # The way from a rack to a stress
+//!
+//! | step | by |
+//! |---|---|
+//! | the tool | [`rack::Rack`] |
+//! | what is said of a gear | [`blank::GearBlank`]: teeth, diameters, [`blank::Rim`], [`modification::Modification`]s, pitch errors |
+//! | the gear, checked | [`blank::GearBlank::cut`] gives a [`prototype::GearPrototype`], which a body of the engine's [`Scene`] is made of |
+//! | bodies on their frames | [`assembly::add_body`] |
+//! | the mesh | [`assembly::mesh`]: which flanks drive, the phase, the cycle |
+//! | positions | [`mesh_cycle`] |
+//! | the analysis | [`Steps`], or [`quasi_static`] with an observer |
+//!
+//! All quantities are SI: m, rad, N, N m, Pa. What is wrong with a gear or a pair comes back as data
+//! ([`error::Refusal`]): a stable code, the argument to blame, a reason and a remedy.
+//!
+//! # A spur pair
+//!
+//! 20 and 40 teeth of diametral pitch 10, the pair of the report's chapter 5, with a quadratic tip relief. It is the model
+//! `examples/spur_pair.cx` of the language, and gives the same numbers to the last bit.
+//!
+//! ```
+//! use calyx_gears::assembly::{MeshOptions, add_body, mesh};
+//! use calyx_gears::blank::{GearBlank, Rim, Thickness};
+//! use calyx_gears::modification::{Modification, ReliefShape};
+//! use calyx_gears::rack::Rack;
+//! use calyx_runtime::analysis::{AnalysisOptions, mesh_cycle, quasi_static};
+//! use calyx_runtime::load::Wrench;
+//! use calyx_runtime::material::Material;
+//! use calyx_runtime::motion::SteadyRotation;
+//! use calyx_runtime::results::OutputRequest;
+//! use calyx_runtime::scene::{Body, Component, Observable, Scene};
+//! use std::f64::consts::TAU;
+//!
+//! const INCH: f64 = 0.0254;
+//! const PSI: f64 = 6894.757293168361;
+//!
+//! let steel = Material::new(3e7 * PSI, 0.3, 7850.0)?;
+//! let rack = Rack::new(0.1 * INCH, 20_f64.to_radians(), 0.02 * INCH)?;
+//! let gear = |teeth, [outer, root]: [f64; 2], rim: [f64; 2], relief_from: f64| {
+//!     GearBlank::standard(teeth, rack)
+//!         .diameters(outer * INCH, root * INCH)
+//!         .thickness(Thickness::Circular(0.15708 * INCH))
+//!         .face_width(INCH)
+//!         .material(steel)
+//!         .rim(Rim::new(rim[0] * INCH, rim[1] * INCH)?)
+//!         .modified(Modification::tip_relief(0.0005 * INCH, relief_from.to_radians(), ReliefShape::Quadratic))
+//!         .cut()
+//! };
+//! let pinion = gear(20, [2.18, 1.76], [1.40, 1.20], 27.25)?;
+//! let wheel = gear(40, [4.18, 3.78], [3.40, 2.40], 19.60)?;
+//!
+//! // The pinion turns at 3 rpm, is free about its axis, and 1000 lbf inch drive it; the wheel is held on its frame.
+//! let speed = 3.0 * TAU / 60.0;
+//! let torque = 1000.0 * 4.4482216152605 * INCH;
+//! let mut scene = Scene::default();
+//! let pinion = add_body(
+//!     &mut scene,
+//!     Body::new("pinion", pinion, SteadyRotation { origin: [0.0; 2], start: 0.0, speed })
+//!         .free_in(&[Component::ThetaZ])
+//!         .loaded(Wrench::of_moment([0.0, 0.0, torque])),
+//! )?;
+//! let wheel = add_body(
+//!     &mut scene,
+//!     Body::new("wheel", wheel, SteadyRotation { origin: [3.0 * INCH, 0.0], start: 0.0, speed: -speed * 20.0 / 40.0 }),
+//! )?;
+//! let meshed = mesh(&mut scene, pinion, wheel, &MeshOptions::default())?;
+//! assert!((meshed.geometry.contact_ratio - 1.6).abs() < 0.2);
+//!
+//! let outputs = [
+//!     OutputRequest::observing("transmission error", scene.observe(Observable::TransmissionError(meshed.pair))),
+//!     OutputRequest::observing("root stress", scene.observe(Observable::MaxRootStress(pinion))),
+//! ];
+//! let cycle = scene.pairs[meshed.pair.0].mesh.as_ref().expect("gears are in mesh");
+//! let positions = mesh_cycle(cycle, 4);
+//! let result = quasi_static(&scene, &positions, &outputs, &AnalysisOptions::default(), &mut ())?;
+//!
+//! // Every position is in equilibrium, and says how well.
+//! assert!(result.certificate.largest() < 1e-12);
+//! let [error, stress] = [&result.summaries[0], &result.summaries[1]];
+//! println!("transmission error {:.1} µrad peak to peak", error.peak_to_peak * 1e6);
+//! println!("root stress {:.0} MPa at roll {:.1} deg", stress.max * 1e-6, positions[stress.at_max].roll.to_degrees());
+//! assert!(error.peak_to_peak > 0.0 && stress.max > 100e6);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # Further
+//!
+//! * Loads and flanks of your own: [`calyx_runtime::load::Load`] is a constant or a closure of time,
+//!   [`deviation::Deviation`] a closure of the roll angle.
+//! * Geometry without an analysis: [`external::ExternalGear`], [`mesh_geometry::MeshGeometry`], and [`derived`] for what follows from
+//!   both in the terms of ISO 21771.
+//! * What the engine makes of a scene: [`calyx_runtime`].
+//! * The language's library: [`library`] (its source), [`externs`] (its functions), [`host`] (what a running model keeps), [`tables`].
+//!
+//! [`Scene`]: calyx_runtime::scene::Scene
+//! [`mesh_cycle`]: calyx_runtime::analysis::mesh_cycle
+//! [`Steps`]: calyx_runtime::analysis
+//! [`quasi_static`]: calyx_runtime::analysis::quasi_static
 
 pub mod assembly;
 pub mod blank;
 pub mod derived;
+pub mod deviation;
 pub mod error;
 pub mod external;
 pub mod externs;

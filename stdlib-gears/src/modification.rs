@@ -1,5 +1,6 @@
 //! Deliberate deviations of the flank from the involute. They take material off; amounts are normal to the flank.
 
+use crate::deviation::Deviation;
 use crate::error::{GeometryError, sentence};
 
 /// How relief grows from its start to the tip circle.
@@ -26,13 +27,29 @@ pub struct TipRelief {
 }
 
 /// A deviation of the flank.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Modification {
+    /// Material taken off near the tip.
     TipRelief(TipRelief),
+    /// What a function of the program says.
+    Deviation(Deviation),
     /// A parabola along the face with this depth at both ends, m. A plane model cannot see it.
     LeadCrown {
+        /// m
         depth: f64,
     },
+}
+
+impl From<TipRelief> for Modification {
+    fn from(relief: TipRelief) -> Self {
+        Modification::TipRelief(relief)
+    }
+}
+
+impl From<Deviation> for Modification {
+    fn from(deviation: Deviation) -> Self {
+        Modification::Deviation(deviation)
+    }
 }
 
 impl Modification {

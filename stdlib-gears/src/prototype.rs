@@ -153,16 +153,15 @@ impl Prototype for GearPrototype {
             .count(options.order as u64)
             .flag(options.stresses)
             .flag(options.sharp_edges);
-        let reliefs = self.modifications.iter().filter_map(|modification| match modification {
-            Modification::TipRelief(relief) => Some(relief),
+        let with_modification = |key: KeyWriter, modification: &Modification| match modification {
+            Modification::TipRelief(TipRelief { depth, start_roll, shape }) => {
+                key.numbers(&[*depth, *start_roll]).flag(*shape == ReliefShape::Linear)
+            }
+            Modification::Deviation(deviation) => key.numbers(&deviation.samples(&self.gear)),
             // Along the face, which a plane structure does not have.
-            Modification::LeadCrown { .. } => None,
-        });
-        let with_relief = |key: KeyWriter, relief: &TipRelief| {
-            let TipRelief { depth, start_roll, shape } = *relief;
-            key.numbers(&[depth, start_roll]).flag(shape == ReliefShape::Linear)
+            Modification::LeadCrown { .. } => key,
         };
-        Some(reliefs.fold(key, with_relief).finish())
+        Some(self.modifications.iter().fold(key, with_modification).finish())
     }
 
     fn enclosing_radius(&self) -> f64 {

@@ -5,6 +5,7 @@ mod common;
 
 mod chapter_5;
 mod equilibrium;
+mod given_by_functions;
 mod invariance;
 mod other_pairs;
 mod supports;
