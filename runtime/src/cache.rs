@@ -51,7 +51,8 @@ impl KeyWriter {
     }
 
     pub fn numbers(self, numbers: &[f64]) -> Self {
-        numbers.iter().fold(self.count(numbers.len() as u64), |key, &number| key.number(number))
+        let begun = self.part(b's', &(numbers.len() as u64).to_le_bytes());
+        numbers.iter().fold(begun, |key, &number| key.number(number))
     }
 
     pub fn count(self, count: u64) -> Self {
@@ -63,7 +64,7 @@ impl KeyWriter {
     }
 
     pub fn text(self, text: &str) -> Self {
-        self.count(text.len() as u64).part(b't', text.as_bytes())
+        self.part(b't', &(text.len() as u64).to_le_bytes()).part(b'u', text.as_bytes())
     }
 
     pub fn finish(self) -> Key {
@@ -277,3 +278,6 @@ impl State {
         gone
     }
 }
+
+#[cfg(test)]
+mod tests;

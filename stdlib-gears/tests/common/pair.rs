@@ -149,7 +149,7 @@ pub fn member(data: ExternalGearData, face_width: f64) -> Member {
     Member::new(GearPrototype::new(gear, Vec::new(), steel(), rim, face_width, Vec::new()).expect("a gear"))
 }
 
-const UNSCALED: Scale = Scale { length: 1.0, modulus: 1.0 };
+pub const UNSCALED: Scale = Scale { length: 1.0, modulus: 1.0 };
 
 /// The chapter 5 pair without modifications, and with its quadratic tip relief.
 pub static PLAIN: LazyLock<[Member; 2]> =

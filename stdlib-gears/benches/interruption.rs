@@ -1,0 +1,83 @@
+//! How long an analysis goes on after somebody has asked it to end: the longest time between two checkpoints, on one thread,
+//! against the whole analysis.
+
+#[path = "../tests/common/mod.rs"]
+mod common;
+
+use calyx_runtime::analysis::{AnalysisOptions, Steps, mesh_cycle};
+use calyx_runtime::interrupt::Interrupt;
+use calyx_runtime::resources::Resources;
+use common::pair::{Member, PairOptions, RELIEVED, member, pair};
+use common::standard_data;
+use std::sync::{Arc, Mutex};
+use std::time::{Duration, Instant};
+
+fn main() {
+    println!(
+        "{:>24} {:>12} {:>12} {:>8} {:>12} {:>12}",
+        "longest interval, ms", "structures", "positions", "whole", "its part", "checkpoints"
+    );
+    measure("20 and 40 teeth", &PairOptions { edges: true, ..PairOptions::chapter_5(&RELIEVED) });
+    let gears = [20, 640].map(|teeth| member(standard_data(teeth, 0.0, 0.25), 0.01));
+    let large = PairOptions { center_distance: 330e-3, moment: 20.0, ..PairOptions::chapter_5(&gears) };
+    measure("20 and 640 teeth", &PairOptions { edges: true, ..large });
+}
+
+/// Between one checkpoint and the next: their number, the last one, and the longest time.
+struct Watch {
+    checkpoints: usize,
+    last: Instant,
+    longest: Duration,
+}
+
+impl Watch {
+    fn look(&mut self) -> Duration {
+        let now = Instant::now();
+        self.longest = self.longest.max(now - self.last);
+        self.last = now;
+        self.longest
+    }
+}
+
+fn measure(name: &str, options: &PairOptions) {
+    let (mut scene, mesh) = pair(options);
+    for (body, Member { prototype, .. }) in scene.bodies.iter_mut().zip(&options.gears) {
+        body.prototype = prototype.clone();
+    }
+    let positions = mesh_cycle(&mesh, 16);
+    let watch = Arc::new(Mutex::new(Watch { checkpoints: 0, last: Instant::now(), longest: Duration::ZERO }));
+    let question = {
+        let watch = watch.clone();
+        move || {
+            let mut watch = watch.lock().expect("no panic");
+            watch.checkpoints += 1;
+            watch.look();
+            Ok(())
+        }
+    };
+    // One thread, so that the time between two checkpoints is that of what is done there.
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("a thread");
+    let resources =
+        Resources { interrupt: Interrupt::new(question), pool: Some(Arc::new(pool)), ..Resources::default() };
+    let options = AnalysisOptions { resources, ..AnalysisOptions::default() };
+    let longest = || std::mem::take(&mut watch.lock().expect("no panic").longest);
+    let started = Instant::now();
+    watch.lock().expect("no panic").last = started;
+    let steps = Steps::new(&scene, &positions, &[], &options).expect("structures");
+    let structures = longest();
+    let result = steps.finish().expect("equilibrium");
+    let whole = started.elapsed();
+    let positions = longest();
+    let checkpoints = watch.lock().expect("no panic").checkpoints;
+    let ms = |time: Duration| 1e3 * time.as_secs_f64();
+    println!(
+        "{name:>24} {:>12.1} {:>12.1} {:>8.0} {:>12.4} {checkpoints:>12}",
+        ms(structures),
+        ms(positions),
+        ms(whole),
+        structures.max(positions).as_secs_f64() / whole.as_secs_f64(),
+    );
+    for (stage, time) in result.timing.stages {
+        println!("{:>24} {stage:>12} {:>12.1}", "", ms(time));
+    }
+}

@@ -1,0 +1,337 @@
+//! An analysis as its users see it: positions one by one, ended at any checkpoint, gone on with after an earlier run, on any
+//! number of threads, with structures made for it or taken from a cache. Whatever is done, a result has the same bits.
+
+mod common;
+
+use calyx_abi::{Kernel, Repr, SymbolicValue};
+use calyx_gears::modification::{Modification, ReliefShape, TipRelief};
+use calyx_gears::prototype::GearPrototype;
+use calyx_runtime::analysis::{AnalysisOptions, Position, Steps, mesh_cycle, quasi_static};
+use calyx_runtime::cache::{CacheCounts, OperatorCache};
+use calyx_runtime::error::EngineError;
+use calyx_runtime::interrupt::Interrupt;
+use calyx_runtime::load::Wrench;
+use calyx_runtime::plan::Plan;
+use calyx_runtime::resources::Resources;
+use calyx_runtime::results::{OutputRequest, StructureCounts};
+use calyx_runtime::scene::{Fidelity, Prototype, Scene, StructureOptions};
+use calyx_runtime::system::System;
+use common::pair::{PLAIN, PairOptions, RELIEVED, TORQUE, pair};
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Arc, LazyLock, Mutex};
+
+/// As small as a mesh of a gear can be.
+const SMALLEST: StructureOptions =
+    StructureOptions { refinement: 0.5, order: 1, matching_depth: 1.0, stresses: true, sharp_edges: false };
+
+/// A pair of gears, where it is analysed, and everything observed as an output.
+struct Case {
+    scene: Scene,
+    positions: Vec<Position>,
+    outputs: Vec<OutputRequest>,
+}
+
+impl Case {
+    fn new(options: &PairOptions) -> Case {
+        let (mut scene, mesh) = pair(options);
+        for (body, member) in scene.bodies.iter_mut().zip(&options.gears) {
+            body.prototype = member.prototype.clone();
+        }
+        let outputs = (0..scene.observables.len()).map(observing).collect();
+        Case { scene, positions: mesh_cycle(&mesh, 3), outputs }
+    }
+
+    fn steps(&self, options: &AnalysisOptions) -> Result<Steps<'_>, EngineError> {
+        Steps::new(&self.scene, &self.positions, &self.outputs, options)
+    }
+
+    fn bits(&self, options: &AnalysisOptions) -> String {
+        self.steps(options).and_then(|steps| bits(steps)).expect("it can be solved")
+    }
+}
+
+/// With and without contact on tip edges, with tip relief, and without any load.
+fn cases() -> Vec<Case> {
+    let plain = PairOptions::chapter_5(&PLAIN);
+    let edges = PairOptions { edges: true, ..PairOptions::chapter_5(&RELIEVED) };
+    let unloaded = PairOptions { moment: 0.0, ..edges.clone() };
+    [plain, edges, unloaded].iter().map(Case::new).collect()
+}
+
+/// Everything a result says, to the last bit.
+fn bits(steps: Steps<'_>) -> Result<String, EngineError> {
+    let result = steps.finish()?;
+    // Debug prints the shortest decimals that read back as the same number.
+    Ok(format!("{:?}\n{:?}\n{:?}", result.rows, result.summaries, result.certificate))
+}
+
+fn options(resources: Resources) -> AnalysisOptions {
+    AnalysisOptions { structure: SMALLEST, resources, ..AnalysisOptions::default() }
+}
+
+/// An observable as it is.
+fn observing(index: usize) -> OutputRequest {
+    struct Same;
+    impl Kernel for Same {
+        fn eval(&self, inputs: &[f64], outputs: &mut [f64]) {
+            outputs[0] = inputs[1];
+        }
+        fn inputs(&self) -> usize {
+            2
+        }
+        fn outputs(&self) -> usize {
+            1
+        }
+    }
+    let value = SymbolicValue::new(0, Repr::Number, Arc::new(Same), vec![index as f64], vec![0], Vec::new());
+    OutputRequest { name: format!("output {index}"), value: Arc::new(value), params: Arc::from([]) }
+}
+
+/// Says no at its `last` checkpoint and ever after; counts them all.
+fn stopping_at(last: usize) -> (Interrupt, Arc<AtomicUsize>) {
+    let asked = Arc::new(AtomicUsize::new(0));
+    let counter = asked.clone();
+    let question = move || match counter.fetch_add(1, Ordering::Relaxed) + 1 {
+        now if now < last => Ok(()),
+        _ => Err(enough()),
+    };
+    (Interrupt::new(question), asked)
+}
+
+fn enough() -> EngineError {
+    EngineError::new("E0704", "the run was cancelled", "")
+}
+
+static EDGES: LazyLock<Case> =
+    LazyLock::new(|| Case::new(&PairOptions { edges: true, ..PairOptions::chapter_5(&RELIEVED) }));
+
+#[test]
+fn it_ends_at_whichever_checkpoint_says_so_and_leaves_nothing_half_done() {
+    let pool = Arc::new(rayon::ThreadPoolBuilder::new().num_threads(2).build().expect("threads"));
+    let (interrupt, asked) = stopping_at(usize::MAX);
+    let whole = Resources { interrupt, pool: Some(pool.clone()), cache: None };
+    let expected = EDGES.bits(&options(whole));
+    let checkpoints = asked.load(Ordering::Relaxed);
+    // Structures, positions and the solver's iterations all have theirs.
+    assert!(checkpoints > 300, "{checkpoints}");
+
+    let cache = Arc::new(OperatorCache::new(usize::MAX));
+    let mut complete = [0; 3];
+    // The first and the last ones, and a sample in between that hits every stage.
+    let sample =
+        (1..6).chain((6..checkpoints).step_by(checkpoints / 40)).chain(checkpoints - 3..=checkpoints);
+    for last in sample {
+        let (interrupt, asked) = stopping_at(last);
+        // Every other time without what earlier runs have left.
+        let kept = (last % 2 == 0).then(|| cache.clone());
+        let resources = Resources { interrupt, cache: kept.clone(), pool: Some(pool.clone()) };
+        let ended = EDGES.steps(&options(resources)).and_then(bits);
+        if asked.load(Ordering::Relaxed) >= last {
+            assert_eq!(ended, Err(enough()), "checkpoint {last} of {checkpoints}");
+        } else {
+            // With structures from the cache there are fewer.
+            assert!(kept.is_some());
+            assert_eq!(ended.as_ref(), Ok(&expected));
+        }
+        complete[cache.counts().structures] += 1;
+    }
+    // Interrupted builds were not kept, complete ones were.
+    assert!(complete[0] > 0 && complete[2] > 0, "{complete:?}");
+    let resources = Resources { cache: Some(cache.clone()), ..Resources::default() };
+    assert_eq!(EDGES.bits(&options(resources)), expected);
+    assert_eq!(cache.counts().structures, 2);
+}
+
+#[test]
+fn an_interrupt_ends_the_iterator_and_what_was_solved_remains() {
+    let stop = Arc::new(Mutex::new(false));
+    let question = {
+        let stop = stop.clone();
+        move || if *stop.lock().expect("no panic") { Err(enough()) } else { Ok(()) }
+    };
+    let resources = Resources { interrupt: Interrupt::new(question), ..Resources::default() };
+    let mut steps = EDGES.steps(&options(resources)).expect("structures");
+    assert_eq!(steps.size_hint(), (1, Some(EDGES.positions.len())));
+    assert!(steps.current().is_none());
+    let first = steps.next().expect("a position").expect("equilibrium");
+    assert_eq!(steps.current().map(|step| step.time), Some(first.row.position.time));
+    assert!(steps.current().is_some_and(|step| step.patches.iter().any(|patch| patch.force() > 0.0)));
+    *stop.lock().expect("no panic") = true;
+    assert_eq!(steps.next(), Some(Err(enough())));
+    assert_eq!((steps.next(), steps.size_hint()), (None, (0, Some(0))));
+    assert_eq!(steps.solved(), [first]);
+    // Having failed it stays so, although nobody would interrupt it any more.
+    *stop.lock().expect("no panic") = false;
+    assert_eq!(steps.finish().err(), Some(enough()));
+}
+
+#[test]
+fn the_number_of_threads_changes_no_bit() {
+    let [one, two, eight] = [1, 2, 8].map(|threads| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
+        EDGES.bits(&options(Resources { pool: Some(Arc::new(pool)), ..Resources::default() }))
+    });
+    assert_eq!(one, two);
+    assert_eq!(one, eight);
+}
+
+#[test]
+fn each_position_alone_has_the_bits_it_has_in_its_row() {
+    for case in cases() {
+        let plan = Plan::new(&case.scene, Fidelity::Plane, SMALLEST).expect("a plan");
+        let resources =
+            Resources { cache: Some(Arc::new(OperatorCache::new(usize::MAX))), ..Resources::default() };
+        let system = || System::with(&case.scene, &plan, &resources).expect("a system");
+        let in_sequence = system();
+        let together: Vec<_> = case
+            .positions
+            .iter()
+            .map(|position| format!("{:?}", in_sequence.solve(position.time).expect("equilibrium")))
+            .collect();
+        for (position, expected) in case.positions.iter().zip(&together).rev() {
+            let alone = system().solve(position.time).expect("equilibrium");
+            assert_eq!(&format!("{alone:?}"), expected, "Time = {}", position.time);
+        }
+    }
+}
+
+#[test]
+fn going_on_behind_an_earlier_run_gives_the_result_of_one_that_was_not_interrupted() {
+    for case in cases() {
+        let cache = Arc::new(OperatorCache::new(usize::MAX));
+        let resources = Resources { cache: Some(cache), ..Resources::default() };
+        let mut whole = case.steps(&options(resources.clone())).expect("structures");
+        let solved: Vec<_> = whole.by_ref().collect::<Result<_, _>>().expect("equilibrium");
+        let expected = bits(whole).expect("it is solved");
+        for count in [0, 1, 3, solved.len() - 1, solved.len()] {
+            let earlier = AnalysisOptions { solved: solved[..count].to_vec(), ..options(resources.clone()) };
+            let mut steps = case.steps(&earlier).expect("structures");
+            assert_eq!(steps.solved().len(), count);
+            assert_eq!(steps.by_ref().count(), solved.len() - count);
+            assert_eq!(bits(steps).expect("it is solved"), expected, "behind {count} positions");
+        }
+        // As a journal on disk keeps them.
+        let journal = serde_json::to_string(&solved).expect("plain data");
+        assert_eq!(
+            serde_json::from_str::<Vec<calyx_runtime::results::Solved>>(&journal).ok(),
+            Some(solved.clone())
+        );
+
+        let mut foreign = solved;
+        foreign[1].row.position.time = foreign[1].row.position.time.next_up();
+        let refused = case.steps(&AnalysisOptions { solved: foreign, ..options(resources) }).err();
+        assert_eq!(refused.map(|error| error.code), Some("E0724"));
+    }
+}
+
+#[test]
+fn another_torque_needs_no_new_structure() {
+    let cache = Arc::new(OperatorCache::new(usize::MAX));
+    let with_cache = options(Resources { cache: Some(cache.clone()), ..Resources::default() });
+    for (run, torque) in [TORQUE, 0.5 * TORQUE, TORQUE].into_iter().enumerate() {
+        let mut case = Case::new(&PairOptions { edges: true, ..PairOptions::chapter_5(&RELIEVED) });
+        case.scene.bodies[0].load = Arc::new(Wrench::of_moment([0.0, 0.0, torque]));
+        let result = quasi_static(&case.scene, &case.positions, &case.outputs, &with_cache, &mut ());
+        let counts = result.expect("it can be solved").timing.structures;
+        let expected = if run == 0 { [2, 0] } else { [0, 2] };
+        assert_eq!([counts.built, counts.reused], expected);
+        if run == 1 {
+            assert_eq!(case.bits(&with_cache), case.bits(&options(Resources::default())));
+        }
+    }
+    let CacheCounts { hits, misses, structures, .. } = cache.counts();
+    assert_eq!((hits, misses, structures), (6, 2, 2));
+}
+
+#[test]
+fn analyses_at_the_same_time_build_each_structure_once() {
+    let cache = Arc::new(OperatorCache::new(usize::MAX));
+    let expected = EDGES.bits(&options(Resources::default()));
+    std::thread::scope(|scope| {
+        let run = || EDGES.bits(&options(Resources { cache: Some(cache.clone()), ..Resources::default() }));
+        let runs: Vec<_> = (0..6).map(|_| scope.spawn(run)).collect();
+        for run in runs {
+            assert_eq!(run.join().expect("no panic"), expected);
+        }
+    });
+    assert_eq!((cache.counts().misses, cache.counts().hits), (2, 10));
+}
+
+#[test]
+fn what_a_structure_depends_on_is_in_its_key_and_nothing_else() {
+    let relief = |depth: f64, shape| {
+        Modification::TipRelief(TipRelief { depth, start_roll: 27.25_f64.to_radians(), shape })
+    };
+    let base = &PLAIN[0].prototype;
+    let again = |change: &dyn Fn(&mut GearPrototype)| {
+        let GearPrototype { gear, modifications, material, rim, face_width, pitch_errors, .. } = &**base;
+        let mut changed = GearPrototype::new(
+            gear.clone(),
+            modifications.clone(),
+            *material,
+            *rim,
+            *face_width,
+            pitch_errors.clone(),
+        )
+        .expect("a sound gear");
+        change(&mut changed);
+        changed.key(&SMALLEST)
+    };
+    let key = base.key(&SMALLEST);
+    assert!(key.is_some());
+    let irrelevant: [&dyn Fn(&mut GearPrototype); 6] = [
+        &|_| {},
+        &|gear| gear.face_width *= 2.0,
+        &|gear| gear.pitch_errors = vec![1e-4],
+        &|gear| gear.material.density *= 2.0,
+        &|gear| gear.rim.radius *= 0.99,
+        &|gear| gear.modifications.push(Modification::LeadCrown { depth: 1e-6 }),
+    ];
+    for (index, change) in irrelevant.iter().enumerate() {
+        assert_eq!(again(change), key, "change {index}");
+    }
+    let relevant: [&dyn Fn(&mut GearPrototype); 9] = [
+        &|gear| gear.gear.teeth += 1,
+        &|gear| gear.gear.outer_radius = gear.gear.outer_radius.next_up(),
+        &|gear| gear.gear.root_radius = gear.gear.root_radius.next_up(),
+        &|gear| gear.gear.tooth_thickness = gear.gear.tooth_thickness.next_up(),
+        &|gear| gear.gear.tip_edge_radius = gear.gear.tip_edge_radius.next_up(),
+        &|gear| gear.gear.rack.tip_radius = gear.gear.rack.tip_radius.next_up(),
+        &|gear| gear.material.poissons_ratio = gear.material.poissons_ratio.next_up(),
+        &|gear| gear.material.youngs_modulus = gear.material.youngs_modulus.next_up(),
+        &|gear| gear.rim.inner_radius = gear.rim.inner_radius.next_up(),
+    ];
+    let mut keys: Vec<_> = relevant.iter().map(|change| again(change)).collect();
+    keys.extend([
+        again(&|gear| gear.modifications.push(relief(1e-6, ReliefShape::Linear))),
+        again(&|gear| gear.modifications.push(relief(1e-6, ReliefShape::Quadratic))),
+        again(&|gear| gear.modifications.push(relief(2e-6, ReliefShape::Linear))),
+        base.key(&StructureOptions { refinement: 1.0, ..SMALLEST }),
+        base.key(&StructureOptions { order: 2, ..SMALLEST }),
+        base.key(&StructureOptions { matching_depth: 1.1, ..SMALLEST }),
+        base.key(&StructureOptions { stresses: false, ..SMALLEST }),
+        base.key(&StructureOptions { sharp_edges: true, ..SMALLEST }),
+        key,
+    ]);
+    let count = keys.len();
+    keys.sort_unstable();
+    keys.dedup();
+    assert_eq!(keys.len(), count);
+}
+
+#[test]
+fn equal_gears_share_a_structure_whoever_made_them() {
+    let (gears, other) = (&PLAIN[0], common::pair::chapter_5_member(20, 0.0, common::pair::UNSCALED));
+    let mut case = Case::new(&PairOptions {
+        gears: [gears.clone(), other],
+        center_distance: 2.0 * common::INCH,
+        ..PairOptions::chapter_5(&PLAIN)
+    });
+    let counts = |case: &Case| {
+        case.steps(&options(Resources::default())).expect("structures").system().structure_counts()
+    };
+    assert!(!Arc::ptr_eq(&case.scene.bodies[0].prototype, &case.scene.bodies[1].prototype));
+    assert_eq!(counts(&case), StructureCounts { built: 1, reused: 0 });
+    case.scene.bodies[1].prototype = PLAIN[1].prototype.clone();
+    assert_eq!(counts(&case), StructureCounts { built: 2, reused: 0 });
+}
