@@ -100,6 +100,7 @@ impl Prototype for GearPrototype {
         interrupt: &Interrupt,
     ) -> Result<Arc<dyn Structure>, EngineError> {
         options.check()?;
+        interrupt.check()?;
         let refinement = refinement(options.refinement, options.order);
         // Surfaces of contact, and those of the mesh.
         let (module, own) = (self.gear.rack.module, self.gear.tip_edge_radius);
@@ -117,6 +118,7 @@ impl Prototype for GearPrototype {
             )
             .blame("rim")
         })?;
+        interrupt.check()?;
         let model = PlaneModel::new(mesh, self.material, Plane::Strain);
         let surfaces: Vec<SurfaceSource> = contact
             .iter()

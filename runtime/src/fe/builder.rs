@@ -2,8 +2,8 @@
 //! and refuses what would not be a mesh.
 
 use super::block::{Block, NamedSide};
-use super::interpolation::{ElementOrder, side_place};
-use super::mesh::{ArcLength, EdgeChain, Element, ElementEdge, Place, PlaneMesh};
+use super::interpolation::{ElementOrder, Shape, side_place};
+use super::mesh::{ArcLength, EdgeChain, Element, ElementEdge, PlaneMesh};
 use super::quadrature::gauss_legendre;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
@@ -379,9 +379,15 @@ fn raise_shared_sides(cells: &mut [Cell], sides: &Sides) {
 fn place_displacement_nodes(mesh: &mut PlaneMesh) {
     let count = mesh.elements.iter().flat_map(|element| &element.nodes).max().map_or(0, |&node| node + 1);
     let mut nodes = vec![[0.0; 2]; count];
-    for (index, element) in mesh.elements.iter().enumerate().rev() {
-        for (&node, [xi, eta]) in element.nodes.iter().zip(element.order.node_places()) {
-            nodes[node] = mesh.position(Place { element: index, xi, eta });
+    // Most elements are of one kind.
+    let mut tables = BTreeMap::new();
+    for element in mesh.elements.iter().rev() {
+        let (order, coordinate) = (element.order, element.coordinate_order);
+        let shapes: &Vec<Vec<Shape>> = tables.entry((order, coordinate)).or_insert_with(|| {
+            order.node_places().into_iter().map(|[xi, eta]| coordinate.shapes(xi, eta)).collect()
+        });
+        for (&node, shapes) in element.nodes.iter().zip(shapes) {
+            nodes[node] = mesh.map_with(element, shapes).0;
         }
     }
     mesh.nodes = nodes;
@@ -389,19 +395,22 @@ fn place_displacement_nodes(mesh: &mut PlaneMesh) {
 
 /// The area must be positive at all points of integration, and at the corners, where a fold shows first.
 fn check_jacobians(mesh: &PlaneMesh, cells: &[Cell]) -> Result<(), MeshError> {
+    let mut tables = BTreeMap::new();
     for (element, cell) in mesh.elements.iter().zip(cells) {
-        let order = element.order.highest().max(element.coordinate_order.highest());
-        let mut ends = vec![-1.0, 1.0];
-        ends.extend(gauss_legendre(usize::from(order) + 1).iter().map(|point| point.0));
-        for &eta in &ends {
-            for &xi in &ends {
-                let (at, [[a, b], [c, d]]) =
-                    mesh.map_with(element, &element.coordinate_order.shapes(xi, eta));
-                // Negated, so that what is not a number fails.
-                let sound = a * d - b * c > 1e-6 * (a * a + b * b + c * c + d * d);
-                if !sound {
-                    return Err(MeshError::Folded { block: cell.block, at });
-                }
+        let coordinate = element.coordinate_order;
+        let order = element.order.highest().max(coordinate.highest());
+        let points: &Vec<Vec<Shape>> = tables.entry((order, coordinate)).or_insert_with(|| {
+            let mut ends = vec![-1.0, 1.0];
+            ends.extend(gauss_legendre(usize::from(order) + 1).iter().map(|point| point.0));
+            let at = |eta: f64| ends.iter().map(move |&xi| coordinate.shapes(xi, eta));
+            ends.iter().flat_map(|&eta| at(eta)).collect()
+        });
+        for shapes in points {
+            let (at, [[a, b], [c, d]]) = mesh.map_with(element, shapes);
+            // Negated, so that what is not a number fails.
+            let sound = a * d - b * c > 1e-6 * (a * a + b * b + c * c + d * d);
+            if !sound {
+                return Err(MeshError::Folded { block: cell.block, at });
             }
         }
     }

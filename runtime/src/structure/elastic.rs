@@ -16,7 +16,7 @@
 //! summed in the same order, so that exchanging load and observer gives the same bits.
 
 use super::condense::{Condensed, Support, condense, match_cuts};
-use super::kernel::{Mollifier, PairQuadrature};
+use super::kernel::{Mollifier, PairQuadrature, Sampled};
 use super::ring::RingFlexibility;
 use super::sampling::{SplitOptions, Stretch, sample};
 use super::spline::{Spline, Weights};
@@ -265,13 +265,17 @@ impl ElasticStructure {
         let log_factor = -2.0 / (PI * self.surface_modulus);
         let log_length = self.reference_length.ln();
         let surface = &prepared.surface;
-        let curved = |s: f64, at: f64| self.curved_part(surface, surface.local(s), surface.local(at));
+        let place = |s: f64| surface.turned_at(s);
+        let turned: Vec<Sampled<Turned>> =
+            prepared.mollifiers.iter().map(|mollifier| quadrature.sampled(mollifier, place)).collect();
         let mut smooth = answers.to_owned();
-        for (k, observer) in prepared.mollifiers.iter().enumerate() {
+        for k in 0..turned.len() {
             interrupt.check().map_err(StructureError::Interrupted)?;
-            for (l, load) in prepared.mollifiers.iter().enumerate().take(k + 1) {
+            for l in 0..=k {
+                let (observer, load) = (&prepared.mollifiers[k], &prepared.mollifiers[l]);
                 let logarithm = quadrature.logarithm(observer, load) - log_length;
-                let curved = quadrature.mean(observer, load, curved);
+                let curved =
+                    quadrature.mean(&turned[k], &turned[l], place, |a, b| self.curved_part(surface, a, b));
                 smooth[(k, l)] -= log_factor * logarithm + curved;
             }
         }
@@ -280,9 +284,9 @@ impl ElasticStructure {
     }
 
     /// What curvature adds to the half-plane's logarithm and is not smooth where `a` and `b` meet.
-    fn curved_part(&self, surface: &Surface, a: Local, b: Local) -> f64 {
+    fn curved_part(&self, surface: &Surface, a: Turned, b: Turned) -> f64 {
         // Convex is positive: the angle grows with the arc length.
-        let turn = if a.s >= b.s { a.turned - b.turned } else { b.turned - a.turned };
+        let turn = if a.s >= b.s { a.angle - b.angle } else { b.angle - a.angle };
         // Compared with the length of the surface, so that a straight one has no term at all.
         let distance = (a.s - b.s).abs() / surface.profile.length();
         let logarithmic = if distance > 0.0 { turn * turn * distance.ln() } else { 0.0 };
@@ -366,12 +370,12 @@ impl Structure for ElasticStructure {
             let observer = observed.local(s);
             for (column, &load) in loads.iter().enumerate() {
                 // Within one table, which is symmetric, the larger arc length goes first, whichever side it is on.
-                let first = if same { observer.s >= load.s } else { forward };
+                let first = if same { observer.turned.s >= load.turned.s } else { forward };
                 let (first, second) = if first { (observer, load) } else { (load, observer) };
                 let sum = |a: Weights, b: Weights| a.sum(|i| b.sum(|j| table[(i, j)]));
                 block[row * load_s.len() + column] += if same {
                     sum(first.stretched, second.stretched) - self.twist(observe.surface, first, second)
-                        + self.curved_part(observed, first, second)
+                        + self.curved_part(observed, first.turned, second.turned)
                 } else {
                     sum(first.weights, second.weights)
                 };
@@ -429,14 +433,21 @@ impl Structure for ElasticStructure {
 /// A point of a surface as its tables see it.
 #[derive(Clone, Copy)]
 struct Local {
-    /// Within the surface's range.
-    s: f64,
+    turned: Turned,
     weights: Weights,
     /// By the stretched coordinate.
     stretched: Weights,
     /// How far the stretched coordinate lies beyond the samples.
     beyond: f64,
-    turned: f64,
+}
+
+/// A point of a surface and how far its normal has turned there.
+#[derive(Clone, Copy)]
+struct Turned {
+    /// Within the surface's range.
+    s: f64,
+    /// rad, positive where convex.
+    angle: f64,
 }
 
 impl Surface {
@@ -444,7 +455,14 @@ impl Surface {
         let s = s.clamp(self.range[0], self.range[1]);
         let (t, weights) = (self.stretch.at(s), self.spline.weights(s));
         let (stretched, beyond) = (self.stretched.weights(t), self.stretched.beyond(t));
-        Local { s, weights, stretched, beyond, turned: weights.sum(|i| self.turned[i]) }
+        let turned = Turned { s, angle: weights.sum(|i| self.turned[i]) };
+        Local { turned, weights, stretched, beyond }
+    }
+
+    /// The same of what only curvature asks for.
+    fn turned_at(&self, s: f64) -> Turned {
+        let s = s.clamp(self.range[0], self.range[1]);
+        Turned { s, angle: self.spline.weights(s).sum(|i| self.turned[i]) }
     }
 }
 

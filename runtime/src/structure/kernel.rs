@@ -61,6 +61,14 @@ impl Mollifier {
     }
 }
 
+/// A mollifier at the quadrature points of its own support: what pairs far from each other need of it, which are most.
+#[derive(Clone, Debug)]
+pub struct Sampled<T> {
+    mollifier: Mollifier,
+    /// Its value, and what a kernel wants to know of the place.
+    points: Vec<(f64, T)>,
+}
+
 /// Quadrature for pairs of mollifiers.
 #[derive(Clone, Debug)]
 pub struct PairQuadrature {
@@ -75,28 +83,49 @@ impl Default for PairQuadrature {
 }
 
 impl PairQuadrature {
-    /// The double integral of `a(s) b(s') ln|s - s'|`.
-    pub fn logarithm(&self, a: &Mollifier, b: &Mollifier) -> f64 {
-        self.outer_integral(a, b, |s| self.log_potential(b, s))
+    /// Looks at a mollifier's support once: `place` says what a kernel wants to know of an arc length.
+    pub fn sampled<T>(&self, mollifier: &Mollifier, place: impl Fn(f64) -> T) -> Sampled<T> {
+        let [start, end] = mollifier.support();
+        let half = 0.5 * (end - start);
+        let point = |&(x, _): &(f64, f64)| {
+            let s = start + half * (1.0 + x);
+            (mollifier.value(s), place(s))
+        };
+        Sampled { mollifier: mollifier.clone(), points: self.outer.iter().map(point).collect() }
     }
 
-    /// The double integral of `a(s) b(s') f(s, s')`, `f` symmetric and smooth but for where both meet.
-    pub fn mean(&self, a: &Mollifier, b: &Mollifier, f: impl Fn(f64, f64) -> f64) -> f64 {
-        let [start, end] = b.support();
-        self.outer_integral(a, b, |s| {
+    /// The double integral of `a(s) b(s') ln|s - s'|`.
+    pub fn logarithm(&self, a: &Mollifier, b: &Mollifier) -> f64 {
+        self.outer_integral(a, b, |s, _| self.log_potential(b, s))
+    }
+
+    /// The double integral of `a(s) b(s') f(s, s')`, `f` symmetric and smooth but for where both meet; it is given the
+    /// `place` of either.
+    pub fn mean<T: Copy>(
+        &self,
+        a: &Sampled<T>,
+        b: &Sampled<T>,
+        place: impl Fn(f64) -> T,
+        f: impl Fn(T, T) -> f64,
+    ) -> f64 {
+        let [start, end] = b.mollifier.support();
+        self.outer_integral(&a.mollifier, &b.mollifier, |s, known| {
+            let here = known.map_or_else(|| place(s), |point| a.points[point].1);
             let part = |from: f64, to: f64| {
                 if from == to {
                     return 0.0;
                 }
                 let half = 0.5 * (to - from);
-                let sum: f64 = self
-                    .outer
-                    .iter()
-                    .map(|&(x, weight)| {
+                let mut sum = 0.0;
+                for (&(x, weight), &known) in self.outer.iter().zip(&b.points) {
+                    let (value, there) = if (from, to) == (start, end) {
+                        known
+                    } else {
                         let other = from + half * (1.0 + x);
-                        weight * b.value(other) * f(s, other)
-                    })
-                    .sum();
+                        (b.mollifier.value(other), place(other))
+                    };
+                    sum += weight * value * f(here, there);
+                }
                 half * sum
             };
             let split = s.clamp(start, end);
@@ -104,18 +133,25 @@ impl PairQuadrature {
         })
     }
 
-    /// Integrates `a(s) potential(s)`, in pieces between which the potential of `b` is smooth.
-    fn outer_integral(&self, a: &Mollifier, b: &Mollifier, potential: impl Fn(f64) -> f64) -> f64 {
+    /// Integrates `a(s) potential(s)`, in pieces between which the potential of `b` is smooth. Where the support of `a` is one
+    /// piece, the potential is told the number of the point as well.
+    fn outer_integral(
+        &self,
+        a: &Mollifier,
+        b: &Mollifier,
+        potential: impl Fn(f64, Option<usize>) -> f64,
+    ) -> f64 {
         let [start, end] = a.support();
         let mut ends = vec![start];
         ends.extend(b.support().into_iter().filter(|&s| s > start && s < end));
         ends.push(end);
+        let whole = ends.len() == 2;
         let mut sum = 0.0;
         for piece in ends.windows(2) {
             let half = 0.5 * (piece[1] - piece[0]);
-            for &(x, weight) in &self.outer {
+            for (point, &(x, weight)) in self.outer.iter().enumerate() {
                 let s = piece[0] + half * (1.0 + x);
-                sum += weight * half * a.value(s) * potential(s);
+                sum += weight * half * a.value(s) * potential(s, whole.then_some(point));
             }
         }
         sum
@@ -247,10 +283,12 @@ mod tests {
     fn mean_of_a_kink() {
         let quadrature = PairQuadrature::default();
         let kink = |s: f64, other: f64| 3.0 * (s - other).abs();
-        let (a, b) = (Mollifier::new(0.0, 0.0, 0.1), Mollifier::new(1.0, 1.0, 0.2));
-        assert!((quadrature.mean(&b, &a, kink) - 3.0).abs() < 1e-12);
+        let sampled = |center, width| quadrature.sampled(&Mollifier::new(center, center, width), |s| s);
+        let mean = |a: &Sampled<f64>, b: &Sampled<f64>| quadrature.mean(a, b, |s| s, kink);
+        let (a, b) = (sampled(0.0, 0.1), sampled(1.0, 0.2));
+        assert!((mean(&b, &a) - 3.0).abs() < 1e-12);
         // On itself: of the order of the width.
-        let own = quadrature.mean(&a, &a, kink);
+        let own = mean(&a, &a);
         assert!(own.abs() < 0.1 && own != 0.0);
     }
 }
