@@ -3,7 +3,6 @@
 
 mod common;
 
-use calyx_abi::{Kernel, Repr, SymbolicValue};
 use calyx_gears::modification::{Modification, ReliefShape, TipRelief};
 use calyx_gears::prototype::GearPrototype;
 use calyx_runtime::analysis::{AnalysisOptions, Position, Steps, mesh_cycle, quasi_static};
@@ -14,7 +13,7 @@ use calyx_runtime::load::Wrench;
 use calyx_runtime::plan::Plan;
 use calyx_runtime::resources::Resources;
 use calyx_runtime::results::{OutputRequest, StructureCounts};
-use calyx_runtime::scene::{Fidelity, Prototype, Scene, StructureOptions};
+use calyx_runtime::scene::{Fidelity, ObservableId, Prototype, Scene, StructureOptions};
 use calyx_runtime::system::System;
 use common::pair::{PLAIN, PairOptions, RELIEVED, TORQUE, pair};
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -37,6 +36,7 @@ impl Case {
         for (body, member) in scene.bodies.iter_mut().zip(&options.gears) {
             body.prototype = member.prototype.clone();
         }
+        let observing = |index| OutputRequest::observing(format!("output {index}"), ObservableId(index));
         let outputs = (0..scene.observables.len()).map(observing).collect();
         Case { scene, positions: mesh_cycle(&mesh, 3), outputs }
     }
@@ -67,24 +67,6 @@ fn bits(steps: Steps<'_>) -> Result<String, EngineError> {
 
 fn options(resources: Resources) -> AnalysisOptions {
     AnalysisOptions { structure: SMALLEST, resources, ..AnalysisOptions::default() }
-}
-
-/// An observable as it is.
-fn observing(index: usize) -> OutputRequest {
-    struct Same;
-    impl Kernel for Same {
-        fn eval(&self, inputs: &[f64], outputs: &mut [f64]) {
-            outputs[0] = inputs[1];
-        }
-        fn inputs(&self) -> usize {
-            2
-        }
-        fn outputs(&self) -> usize {
-            1
-        }
-    }
-    let value = SymbolicValue::new(0, Repr::Number, Arc::new(Same), vec![index as f64], vec![0], Vec::new());
-    OutputRequest { name: format!("output {index}"), value: Arc::new(value), params: Arc::from([]) }
 }
 
 /// Says no at its `last` checkpoint and ever after; counts them all.
