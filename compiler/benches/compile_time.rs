@@ -3,7 +3,7 @@
 #[path = "../../lang/tests/support/generator.rs"]
 mod generator;
 
-use calyx::{Checked, ModelLoader, Module, check_text};
+use calyx::{Checked, Engine, ModelLoader, Module, check_text};
 use calyx_lang::db::Database;
 use divan::{Bencher, black_box};
 
@@ -51,22 +51,24 @@ fn check_after_an_edit(bencher: Bencher, lines: usize) {
 /// Text to machine code.
 #[divan::bench(args = [250, 500, 1_000, 2_000])]
 fn compile(bencher: Bencher, lines: usize) {
-    let text = generator::model(lines);
-    bencher.bench(|| Module::compile(sound(check_text("model.cx", black_box(&text)))).map(|_| ()));
+    let (engine, text) = (Engine::default(), generator::model(lines));
+    bencher
+        .bench(|| Module::from_checked(&engine, sound(check_text("model.cx", black_box(&text)))).map(|_| ()));
 }
 
 /// Of a checked model.
 #[divan::bench(args = [250, 500, 1_000, 2_000])]
 fn machine_code(bencher: Bencher, lines: usize) {
-    let text = generator::model(lines);
+    let (engine, text) = (Engine::default(), generator::model(lines));
     bencher
         .with_inputs(|| sound(check_text("model.cx", &text)))
-        .bench_values(|checked| Module::compile(checked).map(|_| ()));
+        .bench_values(|checked| Module::from_checked(&engine, checked).map(|_| ()));
 }
 
 /// A product of frames with its first and second derivatives by time, text to machine code.
 #[divan::bench(args = [25, 50, 100])]
 fn chain(bencher: Bencher, factors: usize) {
-    let text = generator::chain(factors);
-    bencher.bench(|| Module::compile(sound(check_text("model.cx", black_box(&text)))).map(|_| ()));
+    let (engine, text) = (Engine::default(), generator::chain(factors));
+    bencher
+        .bench(|| Module::from_checked(&engine, sound(check_text("model.cx", black_box(&text)))).map(|_| ()));
 }

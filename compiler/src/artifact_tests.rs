@@ -1,7 +1,7 @@
 //! Reading artifacts that are not as they were written.
 
 use super::*;
-use crate::{Module, check_text};
+use crate::{Engine, Module};
 use calyx_gears::library::externs;
 
 const MODEL: &str = "units mm_N_s; param a = 2 mm in 1 mm .. 3 mm; param name = \"x\";
@@ -9,7 +9,7 @@ const MODEL: &str = "units mm_N_s; param a = 2 mm in 1 mm .. 3 mm; param name = 
     var x := a * sin(Time * (1 rad/s)); print(f(4), name, x at Time = 1 s);";
 
 fn artifact() -> Vec<u8> {
-    Module::compile(check_text("model.cx", MODEL)).unwrap().serialize().unwrap()
+    Module::from_text(&Engine::default(), "model.cx", MODEL).unwrap().serialize().unwrap()
 }
 
 /// The artifact with other identity, checksum and all.

@@ -9,7 +9,7 @@
 //! ";
 //! let checked = calyx::check_text("reach.cx", text);
 //! assert!(!checked.has_errors(), "{}", checked.render());
-//! let module = calyx::Module::compile(checked)?;
+//! let module = calyx::Module::from_checked(&calyx::Engine::default(), checked)?;
 //! let end = module.kernel("end")?;
 //! assert_eq!((end.arguments()[0].name.as_str(), end.outputs().len()), ("turn", 2));
 //!
@@ -149,9 +149,8 @@ impl Module {
     /// A name is unknown, a value cannot be read or is out of range, or a default fails.
     pub fn param_values(&self, given: &[(&str, &str)]) -> Result<Vec<f64>, KernelError> {
         let given: Vec<_> = given.iter().map(|(name, text)| Given::text(*name, *text)).collect();
-        let units = &calyx_rt::Program::description(self).units;
-        let mut context = Context::new(Box::new(ModelHost::new(units)));
-        calyx_rt::apply(self, &given, &mut context).map_err(KernelError::Param)?;
+        let mut context = Context::new(Box::new(ModelHost::new(&self.description().units)));
+        calyx_rt::apply(self.as_program().as_ref(), &given, &mut context).map_err(KernelError::Param)?;
         Ok(context.params)
     }
 }

@@ -1,95 +1,139 @@
 //! A model compiled to machine code in memory.
 
-use crate::artifact::{self, ArtifactError, Contents, WriteError};
+use crate::artifact::{self, ArtifactError, Contents};
+use crate::compiled::Compiled;
+use crate::error::{CompileError, Diagnostics};
 use crate::typed::{LazyTyped, Typed};
+use calyx_abi::RuntimeError;
 use calyx_abi::description::{FileDescription, ModelDescription};
-use calyx_abi::{Context, Kernel, RuntimeError, Slot};
-use calyx_codegen::{CodegenError, JitModule, TargetCpu, compile_code, compile_jit, load_code};
-use calyx_elaborate::diagnostics::{diagnostic, finding_diagnostic};
-use calyx_elaborate::nan::{Seen, explain};
-use calyx_elaborate::{Checked, param_function};
+use calyx_codegen::{TargetCpu, compile_code, compile_jit, load_code};
+use calyx_elaborate::diagnostics::{diagnostic, finding_diagnostic, has_errors};
+use calyx_elaborate::{Checked, check_file, check_text, param_function, render};
 use calyx_gears::host::Finding;
 use calyx_gears::library::externs;
-use calyx_lang::diagnostic::{Diagnostic, Severity};
+use calyx_lang::diagnostic::Diagnostic;
 use calyx_lang::ir::{FunctionId, Program, SourceFile};
 use calyx_lower::interpret::CallSites;
-use calyx_rt::Given;
 use calyx_rt::program::ParamFunction;
-use std::fmt;
+use calyx_rt::{Engine, Error, Instance, Output, Param};
+use std::path::Path;
 use std::sync::Arc;
 
-/// Why a checked model could not be compiled.
-#[derive(Debug)]
-pub enum CompileError {
-    /// The model has errors; see its diagnostics.
-    NotChecked,
-    Code(CodegenError),
-    Description(serde_json::Error),
-    /// It could not be made bytes of.
-    Artifact(postcard::Error),
-}
-
-impl fmt::Display for CompileError {
-    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        match self {
-            CompileError::NotChecked => write!(f, "the model has errors and cannot be compiled"),
-            CompileError::Code(error) => write!(f, "{error}"),
-            CompileError::Description(error) => {
-                write!(f, "the model's description cannot be written: {error}")
-            }
-            CompileError::Artifact(error) => write!(f, "the compiled module cannot be written: {error}"),
-        }
-    }
-}
-
-impl std::error::Error for CompileError {}
-
-impl From<WriteError> for CompileError {
-    fn from(error: WriteError) -> Self {
-        match error {
-            WriteError::Machine(error) => CompileError::Code(error),
-            WriteError::Description(error) => CompileError::Description(error),
-            WriteError::Encoding(error) => CompileError::Artifact(error),
-        }
-    }
-}
-
-/// The functions of a param: its default, and the ends of its range.
-type ParamFunctions = [Option<FunctionId>; 3];
-
-/// A compiled model. Its code is freed with it, when no value that came from it lives any more.
+/// A compiled model.
+///
+/// Making one takes as long as checking and compiling: for a model of one gear pair some hundredths of a second. It is
+/// immutable; a clone is the same module, and any number of threads may make instances of it, which share its code. Its
+/// code is freed with the last clone, instance or kernel that came from it.
+///
+/// ```
+/// let engine = calyx::Engine::default();
+/// let module = calyx::Module::from_text(&engine, "square.cx", "param side = 2 mm; print(side^2);")?;
+/// let mut instance = module.instantiate();
+/// instance.set("side", (1.0, "inch"))?;
+/// instance.on_print(|line| println!("{line}"));
+/// instance.solve()?;
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone)]
 pub struct Module {
-    description: ModelDescription,
-    files: Vec<SourceFile>,
-    code: JitModule,
-    param_functions: Vec<ParamFunctions>,
-    typed: LazyTyped,
-    /// Inputs at which its kernels gave NaN.
-    seen: Seen,
+    engine: Engine,
+    compiled: Arc<Compiled>,
 }
 
 impl Module {
-    /// Compiles a checked model. Its gears may be impossible at their defaults; running it then fails unless the params
-    /// given to the run mend it.
+    /// Checks and compiles the model in a file.
+    ///
+    /// Its gears may be impossible at their defaults ([`Module::has_errors`]); running it then fails unless the params that
+    /// are set mend it.
     ///
     /// # Errors
-    /// The model has errors of the language, or code generation failed.
-    pub fn compile(checked: Checked) -> Result<Module, CompileError> {
-        let program = checked.program.ok_or(CompileError::NotChecked)?;
+    /// The file cannot be read, the model has errors of the language, or code generation failed.
+    pub fn from_file(engine: &Engine, path: impl AsRef<Path>) -> Result<Module, CompileError> {
+        let path = path.as_ref();
+        let checked =
+            check_file(path).map_err(|error| CompileError::Unreadable { path: path.to_owned(), error })?;
+        Module::from_checked(engine, checked)
+    }
+
+    /// Checks and compiles a model given as text, which can import the library only. `name` stands for it in messages.
+    ///
+    /// # Errors
+    /// As for [`Module::from_file`].
+    pub fn from_text(engine: &Engine, name: &str, text: &str) -> Result<Module, CompileError> {
+        Module::from_checked(engine, check_text(name, text))
+    }
+
+    /// Compiles a model that is checked already.
+    ///
+    /// # Errors
+    /// As for [`Module::from_file`].
+    pub fn from_checked(engine: &Engine, checked: Checked) -> Result<Module, CompileError> {
+        let Checked { program, description, diagnostics, files, .. } = checked;
+        let Some(program) = program else {
+            return Err(CompileError::Model(Diagnostics { list: diagnostics, files }));
+        };
         let code = compile_jit(&program, externs()).map_err(CompileError::Code)?;
         let functions = |param| {
             use ParamFunction::{Default, High, Low};
             [Default, Low, High].map(|which| param_function(&program, param, which))
         };
         let param_functions = (0..program.params.len()).map(functions).collect();
-        Ok(Module {
-            description: checked.description,
-            files: checked.files,
-            code,
-            param_functions,
-            typed: LazyTyped::checked(Typed::new(program, checked.diagnostics)),
-            seen: Seen::default(),
-        })
+        let typed = LazyTyped::checked(Typed::new(program, diagnostics));
+        Ok(Module::new(engine, Compiled { description, files, code, param_functions, typed }))
+    }
+
+    fn new(engine: &Engine, compiled: Compiled) -> Module {
+        Module { engine: engine.clone(), compiled: Arc::new(compiled) }
+    }
+
+    /// The model with values of its own: all params at their defaults. Costs next to nothing.
+    pub fn instantiate(&self) -> Instance {
+        Instance::new(&self.engine, self.as_program())
+    }
+
+    pub fn engine(&self) -> &Engine {
+        &self.engine
+    }
+
+    /// As the runner sees it, whoever compiled it.
+    pub fn as_program(&self) -> Arc<dyn calyx_rt::Program> {
+        self.compiled.clone()
+    }
+
+    /// Names, units, defaults, ranges and docs of params and outputs.
+    pub fn description(&self) -> &ModelDescription {
+        &self.compiled.description
+    }
+
+    /// The model's file first, then every file it uses.
+    pub fn files(&self) -> &[SourceFile] {
+        &self.compiled.files
+    }
+
+    /// A param, to be set in instances without looking up its name again.
+    ///
+    /// # Errors
+    /// The model has no such param.
+    pub fn param(&self, name: &str) -> Result<Param, Error> {
+        Param::named(self.description(), name)
+    }
+
+    /// An output, to be read off results without looking up its name again.
+    ///
+    /// # Errors
+    /// The model has no such output.
+    pub fn output(&self, name: &str) -> Result<Output, Error> {
+        Output::named(self.description(), name)
+    }
+
+    /// What checking found at the params' defaults: warnings, and errors of the gears, which other params may mend.
+    pub fn diagnostics(&self) -> &[Diagnostic] {
+        self.compiled.typed().map_or(&[], |typed| &typed.known)
+    }
+
+    /// Whether checking found errors of the gears, which other params may mend.
+    pub fn has_errors(&self) -> bool {
+        has_errors(self.diagnostics())
     }
 
     /// The compiled module as bytes, for [`Module::deserialize`] on this machine, or one whose processor can do as much.
@@ -106,12 +150,16 @@ impl Module {
     /// # Errors
     /// Code generation failed.
     pub fn serialize_for(&self, cpu: TargetCpu) -> Result<Vec<u8>, CompileError> {
-        let program = self.program().ok_or(CompileError::NotChecked)?;
+        let Compiled { description, param_functions, .. } = self.compiled.as_ref();
+        let Some(program) = self.program() else {
+            let files = self.files().to_vec();
+            return Err(CompileError::Model(Diagnostics { list: Vec::new(), files }));
+        };
         let number = |id: Option<FunctionId>| id.map(|id| id.0);
         let contents = Contents {
-            description: self.description.clone(),
+            description: description.clone(),
             code: compile_code(program, cpu).map_err(CompileError::Code)?,
-            params: self.param_functions.iter().map(|functions| functions.map(number)).collect(),
+            params: param_functions.iter().map(|functions| functions.map(number)).collect(),
         };
         Ok(artifact::write(contents, cpu)?)
     }
@@ -127,48 +175,37 @@ impl Module {
     /// # Safety
     /// The machine code in the bytes is run as it is: they must come from [`Module::serialize`], and nobody who might mean
     /// harm may have had a chance to change them since. The checksum protects against accidents, not against intent.
-    pub unsafe fn deserialize(bytes: &[u8]) -> Result<Module, ArtifactError> {
+    pub unsafe fn deserialize(engine: &Engine, bytes: &[u8]) -> Result<Module, ArtifactError> {
         let Contents { description, code, params } = artifact::read(bytes)?;
         // SAFETY: the caller vouches for the code; its version and machine were checked while it was read.
         let code = unsafe { load_code(&code, externs()) }.map_err(ArtifactError::Code)?;
         let file = |file: &FileDescription| SourceFile { name: file.name.clone(), text: file.text.clone() };
-        Ok(Module {
-            files: description.files.iter().map(file).collect(),
-            description,
-            code,
-            param_functions: params.into_iter().map(|ids| ids.map(|id| id.map(FunctionId))).collect(),
-            typed: LazyTyped::of_sources(),
-            seen: Seen::default(),
-        })
+        let files = description.files.iter().map(file).collect();
+        let param_functions = params.into_iter().map(|ids| ids.map(|id| id.map(FunctionId))).collect();
+        let typed = LazyTyped::of_sources();
+        Ok(Module::new(engine, Compiled { description, files, code, param_functions, typed }))
     }
 
-    /// `None` if the module was loaded and its sources cannot be checked any more, which its version rules out.
     pub(crate) fn program(&self) -> Option<&Program> {
-        self.typed().map(|typed| &typed.program)
+        self.compiled.typed().map(|typed| &typed.program)
     }
 
-    fn typed(&self) -> Option<&Typed> {
-        self.typed.get(&self.files)
-    }
-
-    /// Whether checking found errors of the gears, which other params may mend.
-    pub fn has_errors(&self) -> bool {
-        self.known().iter().any(|diagnostic| diagnostic.severity == Severity::Error)
-    }
-
-    /// The model's file first, then every file it uses.
-    pub fn files(&self) -> &[SourceFile] {
-        &self.files
-    }
-
-    /// A run-time error at its place in the source; if NaN is behind it, with the expression that arose in. `given` are the
-    /// params of the run.
-    pub fn error(&self, error: &RuntimeError, given: &[Given]) -> Diagnostic {
-        let Some(Typed { program, call_sites, .. }) = self.typed() else { return diagnostic(error) };
+    /// An error of an instance at its place in the source; if NaN is behind it, with the expression that arose in.
+    pub fn error(&self, error: &RuntimeError) -> Diagnostic {
+        let Some(Typed { call_sites, .. }) = self.compiled.typed() else { return diagnostic(error) };
         // What the analysis says of a body is placed at the call that made it, and blames an argument of that.
         let mut error = error.clone();
         call_sites.blame(&mut error);
-        explain(program, given, &self.seen, &error, diagnostic(&error))
+        diagnostic(&error)
+    }
+
+    /// An error of an instance for people, with the lines of the source it is about, in colour if standard error is a
+    /// terminal.
+    pub fn render(&self, error: &Error) -> String {
+        match error {
+            Error::Given(refused) => calyx_rt::report::refused(refused),
+            Error::Model(error) => render(&[self.error(error)], self.files()),
+        }
     }
 
     /// What a run found, without what checking the model has said already.
@@ -178,37 +215,8 @@ impl Module {
             return Vec::new();
         }
         let nowhere = CallSites::default();
-        let call_sites = self.typed().map_or(&nowhere, |typed| &typed.call_sites);
+        let call_sites = self.compiled.typed().map_or(&nowhere, |typed| &typed.call_sites);
         let found = findings.iter().map(|finding| finding_diagnostic(finding, call_sites));
-        found.filter(|diagnostic| !self.known().contains(diagnostic)).collect()
-    }
-
-    fn known(&self) -> &[Diagnostic] {
-        self.typed().map_or(&[], |typed| &typed.known)
-    }
-}
-
-impl calyx_rt::Program for Module {
-    fn description(&self) -> &ModelDescription {
-        &self.description
-    }
-
-    fn kernels(&self) -> Vec<Arc<dyn Kernel>> {
-        self.seen.watched(self.code.kernels())
-    }
-
-    fn param_function(
-        &self,
-        param: usize,
-        which: ParamFunction,
-        context: &mut Context,
-    ) -> Result<Option<Slot>, RuntimeError> {
-        let functions = self.param_functions.get(param);
-        let Some(id) = functions.and_then(|functions| functions[which as usize]) else { return Ok(None) };
-        Ok(self.code.run_function(id, &[], context)?.first().copied())
-    }
-
-    fn main(&self, context: &mut Context) -> Result<(), RuntimeError> {
-        self.code.run_main(context)
+        found.filter(|diagnostic| !self.diagnostics().contains(diagnostic)).collect()
     }
 }

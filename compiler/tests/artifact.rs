@@ -2,39 +2,34 @@
 //! gone.
 
 use calyx::rt::run::RunError;
-use calyx::rt::{Error, Given, Program, RunOptions, run};
-use calyx::{Checked, Module, TargetCpu, check_file, check_text, is_artifact};
+use calyx::rt::{Error, Given, RunOptions, run};
+use calyx::{Checked, Engine, Module, TargetCpu, check_file, check_text, is_artifact};
 use calyx_lang::diagnostic::Diagnostic;
 use std::fs;
 use std::path::Path;
-use std::sync::Arc;
 
-fn loaded(bytes: &[u8]) -> Arc<Module> {
+fn loaded(bytes: &[u8]) -> Module {
     assert!(is_artifact(bytes));
     // SAFETY: this process has just made the bytes.
-    Arc::new(unsafe { Module::deserialize(bytes) }.unwrap_or_else(|error| panic!("{error}")))
+    unsafe { Module::deserialize(&Engine::default(), bytes) }.unwrap_or_else(|error| panic!("{error}"))
 }
 
-fn compiled(checked: Checked) -> Arc<Module> {
-    Arc::new(Module::compile(checked).unwrap())
+fn compiled(checked: Checked) -> Module {
+    Module::from_checked(&Engine::default(), checked).unwrap()
 }
 
 /// What comes of a run: its table, what was found, or its error as people see it.
-fn outcome(module: &Arc<Module>, set: &[(&str, &str)]) -> Result<(String, Vec<Diagnostic>), Box<Diagnostic>> {
+fn outcome(module: &Module, set: &[(&str, &str)]) -> Result<(String, Vec<Diagnostic>), Box<Diagnostic>> {
     let directory = tempfile::tempdir().unwrap();
     let given: Vec<_> = set.iter().map(|(name, value)| Given::text(*name, *value)).collect();
-    let options = RunOptions {
-        directory: directory.path().into(),
-        given: given.clone(),
-        quiet: true,
-        ..RunOptions::default()
-    };
-    match run(module.clone(), &options) {
+    let options =
+        RunOptions { directory: directory.path().into(), given, quiet: true, ..RunOptions::default() };
+    match run(module.as_program(), &options) {
         Ok(report) => {
             let table = fs::read_to_string(directory.path().join("steps.csv")).unwrap_or_default();
             Ok((table, module.findings(&report.findings)))
         }
-        Err(RunError::Run(Error::Model(error))) => Err(Box::new(module.error(&error, &given))),
+        Err(RunError::Run(Error::Model(error))) => Err(Box::new(module.error(&error))),
         Err(error) => panic!("{error:?}"),
     }
 }

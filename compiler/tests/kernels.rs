@@ -1,6 +1,6 @@
 //! Symbolic functions as programs that embed a model get them: names, units, one point, many points, errors.
 
-use calyx::{KernelError, Module};
+use calyx::{Engine, KernelError, Module};
 
 const TEXT: &str = "
 units mm_N_s;
@@ -19,7 +19,7 @@ function half(in x) := sqrt(x);
 fn module(text: &str) -> Module {
     let checked = calyx::check_text("arm.cx", text);
     assert!(!checked.has_errors(), "{}", checked.render());
-    Module::compile(checked).unwrap()
+    Module::from_checked(&Engine::default(), checked).unwrap()
 }
 
 #[test]

@@ -2,9 +2,7 @@
 //! its process, so that nothing else grows meanwhile.
 #![cfg(target_os = "linux")]
 
-use calyx::rt::Program;
-use calyx::{Module, check_text};
-use calyx_abi::Context;
+use calyx::{Engine, Module, check_text};
 use std::fs;
 
 const MODEL: &str = "param a = 2; function f(in n) { return if (n < 2) 1 else n*f(n - 1); }
@@ -20,10 +18,7 @@ fn memory() -> [usize; 2] {
 }
 
 fn run(module: &Module) {
-    let mut context = Context::new(Box::new(()));
-    context.kernels = module.kernels();
-    calyx::rt::apply(module, &[], &mut context).unwrap();
-    module.main(&mut context).unwrap();
+    module.instantiate().solve().unwrap();
 }
 
 /// What `count` more modules take, after some have come and gone.
@@ -38,16 +33,17 @@ fn growth(count: usize, mut module: impl FnMut() -> Module) -> [usize; 2] {
 
 #[test]
 fn modules_come_and_go() {
+    let engine = Engine::default();
     let check = || check_text("model.cx", MODEL);
-    let bytes = Module::compile(check()).unwrap().serialize().unwrap();
+    let bytes = Module::from_checked(&engine, check()).unwrap().serialize().unwrap();
     // SAFETY: this process has just made the bytes.
-    let [resident, reserved] = growth(10_000, || unsafe { Module::deserialize(&bytes) }.unwrap());
+    let [resident, reserved] = growth(10_000, || unsafe { Module::deserialize(&engine, &bytes) }.unwrap());
     // A page of code kept from each would be 40 MB, a description a gigabyte.
     assert!(
         resident < 8 << 20 && reserved < 512 << 20,
         "loading: {resident} more bytes, {reserved} reserved"
     );
-    let [resident, reserved] = growth(500, || Module::compile(check()).unwrap());
+    let [resident, reserved] = growth(500, || Module::from_checked(&engine, check()).unwrap());
     assert!(
         resident < 8 << 20 && reserved < 512 << 20,
         "compiling: {resident} more bytes, {reserved} reserved"

@@ -29,6 +29,7 @@ pub fn describe(program: &Program, abi: Fingerprint) -> ModelDescription {
                 default: None,
                 low: None,
                 high: None,
+                independent: false,
             })
             .collect(),
         outputs: program

@@ -293,8 +293,9 @@ pub fn quasi_static(
     let mut steps = planned.build()?;
     observer.observe(Event::Stage("positions"))?;
     while let Some(solved) = steps.next() {
+        let solved = &solved?;
         let index = steps.solved().len() - 1;
-        observer.observe(Event::Step { index, count: positions.len(), solved: &solved? })?;
+        observer.observe(Event::Step { index, count: positions.len(), solved })?;
     }
     steps.finish()
 }

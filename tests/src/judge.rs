@@ -2,7 +2,7 @@
 
 use crate::document::{Block, Case, Document};
 use calyx::rt::apply;
-use calyx::{Checked, Interpreted, Module, check_file};
+use calyx::{Checked, Engine, Interpreted, Module, check_file};
 use calyx_abi::{Context, Purity, RuntimeError};
 use calyx_gears::host::ModelHost;
 use calyx_lang::check::rules::{self, Rule};
@@ -81,8 +81,8 @@ pub fn judge(case: &Case, folder: &Path) -> Judgement {
     checked.diagnostics.clear();
     let files = checked.files.clone();
     let interpreted = Interpreted::new(&program, Purity::Effect).expect("the interpreter");
-    let compiled = Module::compile(checked).expect("machine code");
-    let runs = [("interpreted", run(&interpreted)), ("compiled", run(&compiled))];
+    let compiled = Module::from_checked(&Engine::default(), checked).expect("machine code");
+    let runs = [("interpreted", run(&interpreted)), ("compiled", run(compiled.as_program().as_ref()))];
     for (way, (output, error)) in &runs {
         let nothing = Block { line: case.model.line, kind: String::new(), text: String::new() };
         let error = error.as_ref().map(|error| described(error, &files)).unwrap_or_default();

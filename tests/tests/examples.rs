@@ -1,9 +1,8 @@
 //! Every example is right as it stands, and runs.
 
 use calyx::rt::{Given, RunOptions, run};
-use calyx::{Module, check_file};
+use calyx::{Engine, Module, check_file};
 use calyx_tests::root;
-use std::sync::Arc;
 
 #[test]
 fn every_example_checks_without_a_word_and_runs() {
@@ -28,9 +27,9 @@ fn every_example_checks_without_a_word_and_runs() {
         let directory = tempfile::tempdir().expect("a directory");
         let options =
             RunOptions { directory: directory.path().into(), given, quiet: true, ..RunOptions::default() };
-        let module = Module::compile(checked).expect("examples compile");
-        let report =
-            run(Arc::new(module), &options).unwrap_or_else(|error| panic!("{}: {error:?}", path.display()));
+        let module = Module::from_checked(&Engine::default(), checked).expect("examples compile");
+        let report = run(module.as_program(), &options)
+            .unwrap_or_else(|error| panic!("{}: {error:?}", path.display()));
         assert!(report.findings.is_empty(), "{}: {:?}", path.display(), report.findings);
     }
     assert!(count > 0);

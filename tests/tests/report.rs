@@ -1,7 +1,7 @@
 //! The two programs that the report prints compile, and do the same interpreted and as machine code.
 
 use calyx::rt::{Given, Program, apply};
-use calyx::{Interpreted, Module, check_file};
+use calyx::{Engine, Interpreted, Module, check_file};
 use calyx_abi::{Context, Purity};
 use calyx_gears::host::ModelHost;
 use calyx_tests::root;
@@ -28,8 +28,12 @@ fn run(name: &str, set: &[(&str, &str)]) -> Vec<String> {
     let program = checked.program.clone().expect("a program");
     let interpreted = Interpreted::new(&program, Purity::Effect).expect("linked");
     let expected = printed(&interpreted, set);
-    let module = Module::compile(checked).expect("compiled");
-    assert_eq!(printed(&module, set), expected, "machine code (left) and interpreter (right) differ");
+    let module = Module::from_checked(&Engine::default(), checked).expect("compiled");
+    assert_eq!(
+        printed(module.as_program().as_ref(), set),
+        expected,
+        "machine code (left) and interpreter (right) differ"
+    );
     expected
 }
 

@@ -4,7 +4,7 @@
 
 use calyx::build::{BuildOptions, build};
 use calyx::rt::{Given, Program, RunOptions, apply, run};
-use calyx::{Interpreted, Module, check_file, check_text};
+use calyx::{Engine, Interpreted, Module, check_file, check_text};
 use calyx_abi::{Context, Purity, SymbolicValue};
 use calyx_gears::host::ModelHost;
 use calyx_tests::root;
@@ -78,7 +78,7 @@ fn interpreter_and_machine_code_build_the_same_scene() {
     let checked = || check_text("spur_pair.cx", &text);
     let program = checked().program.unwrap();
     let interpreted = scene(&Interpreted::new(&program, Purity::Effect).unwrap());
-    let compiled = scene(&Module::compile(checked()).unwrap());
+    let compiled = scene(Module::from_checked(&Engine::default(), checked()).unwrap().as_program().as_ref());
     assert!(interpreted.lines().count() > 20, "{interpreted}");
     assert_eq!(interpreted, compiled);
 }
@@ -102,7 +102,7 @@ fn all_three_ways_write_the_same_results() {
     let program = Box::leak(Box::new(check_file(&example()).unwrap().program.unwrap()));
     let interpreted = steps(Arc::new(Interpreted::new(program, Purity::Effect).unwrap()));
     assert!(interpreted.lines().count() > 4, "{interpreted}");
-    let compiled = steps(Arc::new(Module::compile(check_file(&example()).unwrap()).unwrap()));
+    let compiled = steps(Module::from_file(&Engine::default(), example()).unwrap().as_program());
     assert_eq!(interpreted, compiled);
 
     let directory = tempfile::tempdir().unwrap();

@@ -17,6 +17,11 @@ pub fn diagnostic(error: &RuntimeError) -> Diagnostic {
     let label = if error.argument.is_some() { "because of this" } else { "it happened here" };
     let mut diagnostic = Diagnostic::error(&error.code, &error.message, place(error.place), label);
     diagnostic.calls = error.details.calls.clone();
+    let diagnostic = error
+        .details
+        .notes
+        .iter()
+        .fold(diagnostic, |diagnostic, (at, note)| diagnostic.label(place(Some(*at)), note.clone()));
     match (error.help.as_str(), error.details.origin.as_str()) {
         ("", "") => diagnostic,
         ("", origin) => diagnostic.help(format!("by its own words it arose at {origin}")),

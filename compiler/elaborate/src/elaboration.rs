@@ -1,9 +1,9 @@
 //! Running a program without solving anything, and what that shows.
 
-use crate::diagnostics::{diagnostic, finding_diagnostic};
+use crate::diagnostics::{diagnostic, finding_diagnostic, place};
 use crate::geometry::Geometry;
 use crate::interpreted::{Interpreted, no_kernel};
-use crate::nan::{Seen, explain, label, of_default};
+use crate::nan::{explain, note, of_default};
 use crate::plan::Planned;
 use crate::values::{self, Value};
 use calyx_abi::context::codes;
@@ -16,7 +16,7 @@ use calyx_lang::ir::{Program, SiteId};
 use calyx_lang::span::Span;
 use calyx_lower::interpret::CallSites;
 use calyx_lower::kernels::lower_site;
-use calyx_rt::{Error, Given, Program as _, Refused, apply};
+use calyx_rt::{Error, Given, Program as _, Refused, Seen, apply};
 use calyx_runtime::error::EngineError;
 use calyx_runtime::interrupt::Interrupt;
 use std::collections::BTreeMap;
@@ -129,7 +129,7 @@ fn elaborate_with(
     context.cancel = cancel.clone();
     context.fuel = FUEL;
     context.limits.memory = Some(MEMORY);
-    let seen = Seen::stopped_by(cancel.clone());
+    let seen = Seen::new(cancel.clone(), context.limits);
     context.kernels = seen.watched(interpreted.kernels());
     context.print = print;
     let defaults =
@@ -146,7 +146,8 @@ fn elaborate_with(
     let at_place = |error: &RuntimeError| {
         let mut error = error.clone();
         sites.blame(&mut error);
-        explain(program, given, &seen, &error, diagnostic(&error))
+        explain(program, given, &seen, &mut error);
+        diagnostic(&error)
     };
     let mut found: Vec<Diagnostic> = survived.iter().map(at_place).collect();
     let (mut refused, mut planned, mut geometry) = (None, None, Geometry::default());
@@ -206,7 +207,10 @@ fn wrong_default(program: &Program, Refused { message, help, .. }: Refused) -> D
     let span = param.map_or(Span::default(), |param| param.span);
     let found = Diagnostic::error("E0314", message.clone(), span, "the default is this").help(help);
     match of_default(program) {
-        Some((place, source)) if place == span => label(program, found, &source, None),
+        Some((default, source)) if default == span => {
+            let (at, note) = note(program, &source, None);
+            found.label(place(Some(at)), note)
+        }
         _ => found,
     }
 }

@@ -7,6 +7,7 @@ use calyx_lang::diagnostic::Diagnostic;
 use calyx_lang::ir::{FunctionId, Program};
 use calyx_lower::interpret::{Interpreter, NanTrace};
 use calyx_lower::kernels::{KernelError, lower_sites};
+use calyx_lower::traverse::is_constant;
 use calyx_rt::Error;
 use calyx_rt::program::ParamFunction;
 use calyx_symbolic::{Tape, TapeKernel};
@@ -80,8 +81,12 @@ impl<'p> Interpreted<'p> {
                 Ok::<_, Error>(slot.map(f64::from_bits))
             };
             let (low, high) = (end(ParamFunction::Low)?, end(ParamFunction::High)?);
+            let functions = [ParamFunction::Default, ParamFunction::Low, ParamFunction::High];
+            let mut functions =
+                functions.iter().filter_map(|which| param_function(self.program, index, *which));
+            let independent = functions.all(|function| is_constant(self.program, function));
             let param = &mut self.description.params[index];
-            (param.low, param.high) = (low, high);
+            (param.low, param.high, param.independent) = (low, high, independent);
             let slot = context.param_slots[index];
             param.default = Some(match param.repr {
                 Repr::Bool => ParamValue::Bool(slot != 0),

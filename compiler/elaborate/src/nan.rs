@@ -4,122 +4,56 @@
 //! interpreted once more, following every NaN.
 
 use crate::interpreted::Interpreted;
+use calyx_abi::error::Place;
 use calyx_abi::text::number;
-use calyx_abi::{Cancel, Context, Kernel, Purity, RuntimeError};
+use calyx_abi::{Context, Purity, RuntimeError};
 use calyx_gears::host::ModelHost;
-use calyx_lang::diagnostic::Diagnostic;
 use calyx_lang::ir::{Program, SiteId};
 use calyx_lang::span::{FileId, Span};
 use calyx_lower::kernels::trace_nan;
 use calyx_lower::nan::NanSource;
 use calyx_rt::program::ParamFunction;
-use calyx_rt::{Given, Program as _, apply};
-use std::collections::HashMap;
-use std::sync::{Arc, Mutex};
+use calyx_rt::{Given, Program as _, Seen, apply};
 
 /// Codes of errors that NaN causes: of a frame, an argument, an output.
 const FRAME: &str = "E0710";
 const ARGUMENT: &str = "E0722";
 const OUTPUT: &str = "E0721";
 
-/// Inputs at which kernels gave NaN: by site, and the site that did so last.
-#[derive(Clone, Default)]
-pub struct Seen {
-    state: Arc<Mutex<State>>,
-    /// Stops the second run of a program, too.
-    cancel: Cancel,
+/// The site to blame for an error, and the inputs at which it gave NaN.
+fn blamed(program: &Program, seen: &Seen, code: &str) -> Option<(usize, Vec<f64>)> {
+    let inputs = |site| Some((site, seen.inputs(site)?));
+    match code {
+        // The first output that is not a number is the one that is reported.
+        OUTPUT => program.outputs.iter().find_map(|output| inputs(output.site.0 as usize)),
+        _ => inputs(seen.last()?),
+    }
 }
 
-#[derive(Default)]
-struct State {
-    inputs: HashMap<usize, Vec<f64>>,
-    last: Option<usize>,
+/// Notes at an error where the NaN behind it arose, if NaN is behind it. `given` are the params of the run that failed.
+pub fn explain(program: &Program, given: &[Given], seen: &Seen, error: &mut RuntimeError) {
+    error.details.notes.extend(found(program, given, seen, &error.code));
 }
 
-impl Seen {
-    /// Notes of a run that this flag stops.
-    pub(crate) fn stopped_by(cancel: Cancel) -> Seen {
-        Seen { cancel, ..Seen::default() }
-    }
-
-    /// Kernels, one per site, that note it when NaN comes out of them.
-    pub fn watched(&self, kernels: Vec<Arc<dyn Kernel>>) -> Vec<Arc<dyn Kernel>> {
-        let watch =
-            |(site, kernel)| Arc::new(Watched { kernel, site, seen: self.clone() }) as Arc<dyn Kernel>;
-        kernels.into_iter().enumerate().map(watch).collect()
-    }
-
-    fn note(&self, site: usize, inputs: &[f64]) {
-        if let Ok(mut state) = self.state.lock() {
-            state.inputs.insert(site, inputs.to_vec());
-            state.last = Some(site);
+fn found(program: &Program, given: &[Given], seen: &Seen, code: &str) -> Option<(Place, String)> {
+    match code {
+        ARGUMENT => {
+            let source = retrace(program, given, seen, |interpreted| interpreted.trace()?.in_call())?;
+            Some(note(program, &source, None))
         }
-    }
-
-    /// The site to blame for an error, and its inputs.
-    fn of(&self, program: &Program, code: &str) -> Option<(usize, Vec<f64>)> {
-        let state = self.state.lock().ok()?;
-        let site = match code {
-            // The first output that is not a number is the one that is reported.
-            OUTPUT => {
-                program.outputs.iter().map(|o| o.site.0 as usize).find(|site| state.inputs.contains_key(site))
-            }
-            _ => state.last,
-        }?;
-        Some((site, state.inputs.get(&site)?.clone()))
-    }
-}
-
-struct Watched {
-    kernel: Arc<dyn Kernel>,
-    site: usize,
-    seen: Seen,
-}
-
-impl Kernel for Watched {
-    fn eval(&self, inputs: &[f64], outputs: &mut [f64]) {
-        self.kernel.eval(inputs, outputs);
-        let count = self.kernel.outputs().min(outputs.len());
-        if outputs[..count].iter().any(|output| output.is_nan()) {
-            self.seen.note(self.site, inputs);
-        }
-    }
-
-    fn inputs(&self) -> usize {
-        self.kernel.inputs()
-    }
-
-    fn outputs(&self) -> usize {
-        self.kernel.outputs()
-    }
-}
-
-/// The diagnostic of an error with a label where the NaN behind it arose, if NaN is behind it. `given` are the params of
-/// the run that failed.
-pub fn explain(
-    program: &Program,
-    given: &[Given],
-    seen: &Seen,
-    error: &RuntimeError,
-    diagnostic: Diagnostic,
-) -> Diagnostic {
-    match error.code.as_str() {
-        ARGUMENT => match retrace(program, given, seen, |interpreted| interpreted.trace()?.in_call()) {
-            Some(source) => label(program, diagnostic, &source, None),
-            None => diagnostic,
-        },
         FRAME | OUTPUT => {
-            let Some((site, inputs)) = seen.of(program, &error.code) else { return diagnostic };
+            let (site, inputs) = blamed(program, seen, code)?;
             let time = inputs.first().copied();
             let site = SiteId(site as u32);
-            let Some(found) = trace_nan(program, site, &inputs) else { return diagnostic };
-            let Some(input) = found.input else { return label(program, diagnostic, &found, time) };
-            match retrace(program, given, seen, |interpreted| interpreted.trace()?.captured(site)) {
-                Some(source) => label(program, diagnostic, &source, None),
-                None => from_outside(program, diagnostic, site, input, found.span),
-            }
+            let found = trace_nan(program, site, &inputs)?;
+            let Some(input) = found.input else { return Some(note(program, &found, time)) };
+            let captured = retrace(program, given, seen, |interpreted| interpreted.trace()?.captured(site));
+            Some(match captured {
+                Some(source) => note(program, &source, None),
+                None => from_outside(program, site, input, found.span),
+            })
         }
-        _ => diagnostic,
+        _ => None,
     }
 }
 
@@ -140,35 +74,24 @@ pub(crate) fn of_default(program: &Program) -> Option<(Span, NanSource)> {
     None
 }
 
-/// Adds where a NaN arose.
-pub(crate) fn label(
-    program: &Program,
-    diagnostic: Diagnostic,
-    source: &NanSource,
-    time: Option<f64>,
-) -> Diagnostic {
+/// Where a NaN arose, and of what.
+pub(crate) fn note(program: &Program, source: &NanSource, time: Option<f64>) -> (Place, String) {
     let Span { file: FileId(file), start, end } = source.span;
     let text = program.files.get(file as usize).and_then(|file| file.text.get(start as usize..end as usize));
     let text = text.filter(|text| !text.is_empty() && !text.contains('\n'));
     let what = text.map_or("NaN arose here".to_owned(), |text| format!("`{text}` gave NaN here"));
     let why = source.made_by.as_ref().map(|made_by| format!(": {made_by}")).unwrap_or_default();
     let when = time.map(|time| format!(" at Time = {} s", number(time))).unwrap_or_default();
-    diagnostic.label(source.span, format!("{what}{why}{when}"))
+    ((file, start, end), format!("{what}{why}{when}"))
 }
 
 /// A NaN that neither the program nor its expression made: an observable's.
-fn from_outside(
-    program: &Program,
-    diagnostic: Diagnostic,
-    site: SiteId,
-    input: u32,
-    span: Span,
-) -> Diagnostic {
+fn from_outside(program: &Program, site: SiteId, input: u32, span: Span) -> (Place, String) {
     let first = 1 + program.params.len();
     let captures =
         program.sites.get(site.0 as usize).map(|site| site.captures.as_slice()).unwrap_or_default();
     let name = captures.get((input as usize).saturating_sub(first)).map_or("this", |capture| &capture.name);
-    diagnostic.label(span, format!("the engine observed no number for `{name}`"))
+    ((span.file.0, span.start, span.end), format!("the engine observed no number for `{name}`"))
 }
 
 /// Interprets the program with the same params, following NaN, and asks what was found.
@@ -181,6 +104,7 @@ fn retrace<R>(
     let interpreted = Interpreted::new(program, Purity::Scene).ok()?.tracing();
     let mut context = context(&interpreted);
     context.cancel = seen.cancel.clone();
+    context.limits = seen.limits;
     apply(&interpreted, given, &mut context).ok()?;
     // It ends where it ended before.
     let _ = interpreted.main(&mut context);

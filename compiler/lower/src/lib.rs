@@ -6,3 +6,4 @@ pub mod layout;
 pub mod link;
 pub mod nan;
 pub mod operations;
+pub mod traverse;

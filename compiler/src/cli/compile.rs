@@ -2,7 +2,7 @@
 
 use crate::messages::{MODEL_ERROR, MessageFormat, USAGE};
 use calyx::rt::run::StageTimes;
-use calyx::{Checked, Module};
+use calyx::{Checked, Engine, Module};
 use calyx_lang::diagnostic::Severity;
 use std::io;
 use std::path::Path;
@@ -21,7 +21,7 @@ pub fn compile(
     let checked = checked(file, quiet, format, check)?;
     let checking = started.elapsed();
     let started = Instant::now();
-    let module = Module::compile(checked).map_err(|error| {
+    let module = Module::from_checked(&Engine::default(), checked).map_err(|error| {
         format.failure(&error.to_string(), "");
         ExitCode::from(MODEL_ERROR)
     })?;

@@ -12,7 +12,6 @@ use clap::{Args, ValueEnum};
 use std::io;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use std::sync::Arc;
 use std::time::Duration;
 
 pub const EXAMPLES: &str = "Examples:
@@ -63,7 +62,7 @@ impl Run {
     pub fn run(self) -> ExitCode {
         let Run { file, out, set, time_limit, memory_limit, quiet, progress, message_format: format } = self;
         let (module, before) = match compile(&file, quiet, format, || check_run(&file, &set)) {
-            Ok((module, before)) => (Arc::new(module), before),
+            Ok(compiled) => compiled,
             Err(status) => return status,
         };
         let directory = out.unwrap_or_else(|| default_directory(&file));
@@ -77,6 +76,7 @@ impl Run {
         // Progress bars are for people.
         let silent = quiet || format == MessageFormat::Json;
         let options = RunOptions {
+            engine: module.engine().clone(),
             directory: directory.clone(),
             given: set.clone(),
             quiet: silent,
@@ -89,7 +89,7 @@ impl Run {
             memory_limit,
             cancel: interrupt::flag(),
         };
-        match rt::run(module.clone(), &options) {
+        match rt::run(module.as_program(), &options) {
             Ok(report) => {
                 if !quiet {
                     format.diagnostics(&module.findings(&report.findings), module.files());
@@ -104,7 +104,7 @@ impl Run {
                 ExitCode::from(USAGE)
             }
             Err(RunError::Run(Error::Model(error))) => {
-                format.diagnostics(&[module.error(&error, &set)], module.files());
+                format.diagnostics(&[module.error(&error)], module.files());
                 if error.status() == Status::Cancelled && directory.join("steps.csv").exists() {
                     format.note(&format!("the positions solved until then are in {}\n", directory.display()));
                 }

@@ -75,6 +75,8 @@ pub struct ParamDescription {
     pub default: Option<ParamValue>,
     pub low: Option<f64>,
     pub high: Option<f64>,
+    /// Default and range are the same whatever other params are.
+    pub independent: bool,
 }
 
 /// Value of a param.

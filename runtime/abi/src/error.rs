@@ -29,6 +29,8 @@ pub struct Details {
     pub value: Option<f64>,
     /// Where the error arose by the words of the program that threw it; empty if it said nothing of it.
     pub origin: String,
+    /// What else led to it, at places of their own.
+    pub notes: Vec<(Place, String)>,
 }
 
 /// A call that was under way when an error arose.

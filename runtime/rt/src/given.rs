@@ -35,6 +35,11 @@ impl Given {
         Given { name: name.into(), value: GivenValue::Text(text.into()), origin: None }
     }
 
+    /// A value of a program.
+    pub fn value(name: impl Into<String>, value: impl Into<GivenValue>) -> Given {
+        Given { name: name.into(), value: value.into(), origin: None }
+    }
+
     /// Reads `NAME=VALUE`.
     ///
     /// # Errors

@@ -8,6 +8,7 @@ use crate::names::{Names, Output, Param, ParamName, shape};
 use crate::params::{self, Setting};
 use crate::program::Program;
 use crate::results::Results;
+use crate::seen::Seen;
 use crate::stepping::{Run, Steps};
 use crate::watching::{Watcher, interrupt};
 use calyx_abi::description::{ModelDescription, ParamValue};
@@ -141,9 +142,11 @@ impl Instance {
     /// There is no such param; or what [`Instance::params`] fails with, if it was not set.
     pub fn get(&self, param: impl ParamName) -> Result<ParamValue, Error> {
         let index = param.index_in(self.names())?;
-        match &self.settings[index] {
-            Some(setting) => Ok(setting.value.clone()),
-            None => Ok(self.params()?.swap_remove(index)),
+        let param = &self.description().params[index];
+        match (&self.settings[index], &param.default) {
+            (Some(setting), _) => Ok(setting.value.clone()),
+            (None, Some(default)) if param.independent => Ok(default.clone()),
+            (None, _) => Ok(self.params()?.swap_remove(index)),
         }
     }
 
@@ -257,8 +260,24 @@ impl Job {
 
     /// Runs the program; its positions go to `hand_over`.
     fn execute(self, hand_over: Option<Steps>) -> Result<Results, Error> {
+        let seen = Seen::new(self.cancel.clone(), self.limits);
+        let (program, settings) = (self.program.clone(), self.settings.clone());
+        self.watched(hand_over, &seen).map_err(|error| match error {
+            Error::Model(mut error) => {
+                let params = program.description().params.iter().zip(settings);
+                let given: Vec<Given> = params
+                    .filter_map(|(param, setting)| Some(Given::value(&param.name, setting?.value)))
+                    .collect();
+                program.explain(&mut error, &given, &seen);
+                Error::Model(error)
+            }
+            given => given,
+        })
+    }
+
+    fn watched(self, hand_over: Option<Steps>, seen: &Seen) -> Result<Results, Error> {
         let mut context = self.context();
-        context.kernels = self.program.kernels();
+        context.kernels = seen.watched(self.program.kernels());
         params::resolve(self.program.as_ref(), &self.settings, &mut context)?;
         let params = params::values(self.program.description(), &context);
         if let Some(host) = context.host::<ModelHost>() {

@@ -35,10 +35,11 @@ pub(crate) struct Setting {
 }
 
 impl Setting {
-    /// A param by its place and what is given for it; whether a number is in the param's range is not asked here.
+    /// A param by its place, and what is given for it. A range that depends on other params is left to be asked when those
+    /// are known.
     ///
     /// # Errors
-    /// It takes values of another kind or dimension, whole numbers only, or other strings.
+    /// It takes values of another kind or dimension, whole numbers only, other strings, or others than this number.
     pub fn new(
         description: &ModelDescription,
         param: usize,
@@ -46,7 +47,11 @@ impl Setting {
         origin: Option<&Origin>,
     ) -> Result<Setting, Error> {
         let (origin, param) = (origin.cloned(), &description.params[param]);
-        match read(param, value, description) {
+        let in_range = |value: &ParamValue| match value {
+            ParamValue::Number(si) if param.independent => check_range(param, *si, (param.low, param.high)),
+            _ => Ok(()),
+        };
+        match read(param, value, description).and_then(|value| in_range(&value).map(|()| value)) {
             Ok(value) => Ok(Setting { value, origin }),
             Err(refused) => Err(Error::Given(Refused { origin, ..refused })),
         }

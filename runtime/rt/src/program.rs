@@ -1,5 +1,7 @@
 //! A compiled model as the runner sees it, wherever its code is: in memory, linked in, or interpreted.
 
+use crate::given::Given;
+use crate::seen::Seen;
 use calyx_abi::description::ModelDescription;
 use calyx_abi::{Context, Kernel, RuntimeError, Slot};
 use std::sync::Arc;
@@ -29,4 +31,10 @@ pub trait Program: Send + Sync {
 
     /// Runs the model's top level.
     fn main(&self, context: &mut Context) -> Result<(), RuntimeError>;
+
+    /// Notes at the error that a run ended with what can be said of its cause. `given` is what was set, and `seen` what
+    /// its kernels did.
+    fn explain(&self, error: &mut RuntimeError, given: &[Given], seen: &Seen) {
+        let _ = (error, given, seen);
+    }
 }

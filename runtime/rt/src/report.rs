@@ -22,6 +22,9 @@ pub fn problem(kind: &str, error: &RuntimeError, description: &ModelDescription)
         let (line, column) = line_column(file, start as usize);
         format!("{}:{line}:{column}", file.name)
     };
+    for (place, note) in &error.details.notes {
+        text += &format!("  {}: {note}\n", shown_place(*place));
+    }
     for line in call_lines(&error.details.calls, shown_place) {
         text += &format!("  {line}\n");
     }

@@ -22,6 +22,7 @@ pub type StageTimes = Vec<(&'static str, Duration)>;
 /// What a run is to do.
 #[derive(Clone, Debug, Default)]
 pub struct RunOptions {
+    pub engine: Engine,
     /// Where results go.
     pub directory: PathBuf,
     /// Values given for params; the last of a name counts.
@@ -64,7 +65,7 @@ pub struct RunReport {
 /// Runs a model and writes its run directory.
 pub fn run(program: Arc<dyn Program>, options: &RunOptions) -> Result<RunReport, RunError> {
     let unwritable = |error| RunError::Io { path: options.directory.clone(), error };
-    let mut instance = Instance::new(&Engine::default(), program.clone());
+    let mut instance = Instance::new(&options.engine, program.clone());
     for given in &options.given {
         instance.give(given).map_err(RunError::Run)?;
     }

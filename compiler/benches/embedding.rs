@@ -1,0 +1,124 @@
+//! What it costs to embed a model: an instance with params of its own against compiling the model, and a position taken
+//! from a run against one solved by the engine alone. Ratios within one run; times are only there to see their size:
+//! `cargo bench -p calyx --bench embedding`.
+
+use calyx::rt::apply;
+use calyx::{Engine, Instance, Module};
+use calyx_abi::Context;
+use calyx_gears::host::ModelHost;
+use calyx_runtime::cache::OperatorCache;
+use calyx_runtime::plan::Plan;
+use calyx_runtime::resources::Resources;
+use calyx_runtime::results::StepRow;
+use calyx_runtime::scene::{Fidelity, StructureOptions};
+use calyx_runtime::system::System;
+use std::hint::black_box;
+use std::path::Path;
+use std::sync::Arc;
+use std::time::Instant;
+
+/// Positions of an analysis.
+const STEPS: i32 = 64;
+
+fn main() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples/spur_pair.cx");
+    let engine = Engine::default();
+    let compile = fastest(10, || {
+        black_box(Module::from_file(&engine, &path).expect("the example compiles"));
+    });
+    let module = Module::from_file(&engine, &path).expect("the example compiles");
+    let [torque, distance, relief] =
+        ["torque", "center_distance", "tip_relief"].map(|name| module.param(name).expect("a param"));
+    let set = fastest(1000, || {
+        let mut instance = module.instantiate();
+        instance.set(torque, 700.0).expect("in range");
+        instance.set(distance, (76.3, "mm")).expect("in range");
+        instance.set_si(relief, 1e-5).expect("in range");
+        black_box(instance);
+    });
+    println!("{:<52} {:>10} {:>10}", "spur pair", "us", "ratio");
+    row("check and compile", compile, compile);
+    row("instantiate, set three params", set, compile);
+
+    let mut instance = module.instantiate();
+    instance.set("steps", STEPS).expect("in range");
+    // The structures are built once; what follows takes them from the engine.
+    instance.solve().expect("the example is solved");
+    let text = std::fs::read_to_string(&path).expect("the example");
+    let direct = direct(&text);
+    let mut times = [f64::INFINITY; 3];
+    for _ in 0..10 {
+        for (time, measured) in times.iter_mut().zip([direct(), stepping(&instance), solving(&instance)]) {
+            *time = time.min(measured);
+        }
+    }
+    println!("{:<52} {:>10} {:>10}", "a position of the spur pair", "us", "ratio");
+    row("System::solve, values, row", times[0], times[0]);
+    row("for step in instance.run()?", times[1], times[0]);
+    row("instance.solve()?, a run's beginning included", times[2], times[0]);
+}
+
+/// Solves the same scene without an instance: seconds per position.
+fn direct(text: &str) -> impl Fn() -> f64 {
+    let unsolved = text.replace("analyze(", "// analyze(");
+    let module = Module::from_text(&Engine::default(), "spur_pair.cx", &unsolved).expect("it compiles");
+    let program = module.as_program();
+    let mut context = Context::new(Box::new(ModelHost::new(&module.description().units)));
+    context.kernels = program.kernels();
+    let steps = [calyx::Given::value("steps", STEPS)];
+    apply(program.as_ref(), &steps, &mut context).expect("params");
+    program.main(&mut context).expect("it runs");
+    let host = std::mem::take(context.host::<ModelHost>().expect("its host"));
+    let resources = Resources { cache: Some(Arc::new(OperatorCache::new(1 << 30))), ..Resources::default() };
+    move || {
+        let plan =
+            Plan::new(&host.scene, Fidelity::Plane, StructureOptions::default()).expect("it can be planned");
+        let system = System::with(&host.scene, &plan, &resources).expect("it can be built");
+        let positions = &host.positions[0];
+        let mut began = Instant::now();
+        for (index, position) in positions.iter().enumerate() {
+            let step = system.solve(position.time).expect("equilibrium");
+            let observed: Vec<_> =
+                host.scene.observables.iter().map(|&observable| system.value(&step, observable)).collect();
+            black_box(StepRow::new(position.clone(), &host.outputs, &observed, step.warnings.clone()));
+            if index == 0 {
+                began = Instant::now();
+            }
+        }
+        began.elapsed().as_secs_f64() / (positions.len() - 1) as f64
+    }
+}
+
+/// Takes every position: seconds per position after the first.
+fn stepping(instance: &Instance) -> f64 {
+    let mut run = instance.run().expect("a run");
+    let count = run.next().expect("a position").expect("solved").count();
+    let began = Instant::now();
+    run.by_ref().for_each(|step| {
+        black_box(step.expect("solved"));
+    });
+    let time = began.elapsed().as_secs_f64() / (count - 1) as f64;
+    run.finish().expect("solved");
+    time
+}
+
+/// Solves all positions: seconds per position, with all that a run does before them.
+fn solving(instance: &Instance) -> f64 {
+    let began = Instant::now();
+    let results = instance.solve().expect("solved");
+    began.elapsed().as_secs_f64() / results.steps().len() as f64
+}
+
+fn row(name: &str, time: f64, whole: f64) {
+    println!("{name:<52} {:>10.1} {:>10.4}", 1e6 * time, time / whole);
+}
+
+/// Seconds of the fastest of some runs: the one least disturbed.
+fn fastest(runs: usize, mut run: impl FnMut()) -> f64 {
+    let time = |_| {
+        let began = Instant::now();
+        run();
+        began.elapsed().as_secs_f64()
+    };
+    (0..runs).map(time).fold(f64::INFINITY, f64::min)
+}

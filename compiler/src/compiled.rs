@@ -1,0 +1,61 @@
+//! The compiled program behind a module, as the runner sees it.
+
+use crate::typed::{LazyTyped, Typed};
+use calyx_abi::description::ModelDescription;
+use calyx_abi::{Context, Kernel, RuntimeError, Slot};
+use calyx_codegen::JitModule;
+use calyx_elaborate::nan::explain;
+use calyx_lang::ir::{FunctionId, SourceFile};
+use calyx_rt::program::ParamFunction;
+use calyx_rt::{Given, Program, Seen};
+use std::sync::Arc;
+
+/// The functions of a param: its default, and the ends of its range.
+pub type ParamFunctions = [Option<FunctionId>; 3];
+
+/// Code, and all that is known of what it came from. The code is freed with it, when no kernel of it lives any more.
+pub struct Compiled {
+    pub description: ModelDescription,
+    pub files: Vec<SourceFile>,
+    pub code: JitModule,
+    pub param_functions: Vec<ParamFunctions>,
+    pub typed: LazyTyped,
+}
+
+impl Compiled {
+    /// `None` if the module was loaded and its sources cannot be checked any more, which its version rules out.
+    pub fn typed(&self) -> Option<&Typed> {
+        self.typed.get(&self.files)
+    }
+}
+
+impl Program for Compiled {
+    fn description(&self) -> &ModelDescription {
+        &self.description
+    }
+
+    fn kernels(&self) -> Vec<Arc<dyn Kernel>> {
+        self.code.kernels()
+    }
+
+    fn param_function(
+        &self,
+        param: usize,
+        which: ParamFunction,
+        context: &mut Context,
+    ) -> Result<Option<Slot>, RuntimeError> {
+        let functions = self.param_functions.get(param);
+        let Some(id) = functions.and_then(|functions| functions[which as usize]) else { return Ok(None) };
+        Ok(self.code.run_function(id, &[], context)?.first().copied())
+    }
+
+    fn main(&self, context: &mut Context) -> Result<(), RuntimeError> {
+        self.code.run_main(context)
+    }
+
+    fn explain(&self, error: &mut RuntimeError, given: &[Given], seen: &Seen) {
+        if let Some(Typed { program, .. }) = self.typed() {
+            explain(program, given, seen, error);
+        }
+    }
+}
