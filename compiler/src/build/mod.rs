@@ -15,6 +15,7 @@
 mod archive;
 mod error;
 mod executable;
+mod header;
 pub mod library;
 
 pub use calyx_codegen::TargetCpu;
@@ -38,12 +39,14 @@ pub enum Emit {
     Object,
     /// Model and runtime in one static library.
     Library,
+    /// The C header of object and library.
+    Header,
 }
 
 /// How to build.
 #[derive(Clone, Debug)]
 pub struct BuildOptions {
-    /// Where to: the path of the executable. What else is made stands beside it: `NAME.o`, `libNAME.a`.
+    /// Where to: the path of the executable. What else is made stands beside it: `NAME.o`, `libNAME.a`, `NAME.h`.
     pub output: PathBuf,
     pub emit: BTreeSet<Emit>,
     pub cpu: TargetCpu,
@@ -79,6 +82,7 @@ impl BuildOptions {
             Emit::Executable => self.output.clone(),
             Emit::Object => self.output.with_file_name(name + ".o"),
             Emit::Library => self.output.with_file_name(format!("lib{name}.a")),
+            Emit::Header => self.output.with_file_name(name + ".h"),
         }
     }
 }
@@ -129,6 +133,9 @@ pub fn build(checked: &Checked, options: &BuildOptions) -> Result<Vec<Built>, Bu
             Emit::Library => {
                 let library = library::find(options.library.as_deref())?;
                 archive::with_member(&library, &format!("{name}.o"), &object(false)?, &unfinished)?;
+            }
+            Emit::Header => {
+                staging.write(&unfinished, header::header(&name, &checked.description).as_bytes())?;
             }
         }
         built.push(staging.finish(&unfinished, emit, options)?);
@@ -186,12 +193,17 @@ impl Staging {
 
 /// A word of C that is like a file's name: `spur-pair.v2` gives `spur_pair_v2`.
 fn c_name(name: &str) -> String {
-    let word: String = name.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '_' }).collect();
+    let word = c_letters(name);
     match word.chars().next() {
         Some(first) if first.is_ascii_digit() => format!("model_{word}"),
         Some(_) => word,
         None => "model".into(),
     }
+}
+
+/// A text with letters, digits and underscores only.
+fn c_letters(text: &str) -> String {
+    text.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '_' }).collect()
 }
 
 #[cfg(test)]
@@ -215,7 +227,11 @@ mod tests {
     #[test]
     fn kinds_of_files_stand_beside_each_other() {
         let options = BuildOptions::executable("out/pair.v2");
-        let paths = [Emit::Executable, Emit::Object, Emit::Library].map(|emit| options.path(emit));
-        assert_eq!(paths, ["out/pair.v2", "out/pair.v2.o", "out/libpair.v2.a"].map(PathBuf::from));
+        let paths =
+            [Emit::Executable, Emit::Object, Emit::Library, Emit::Header].map(|emit| options.path(emit));
+        assert_eq!(
+            paths,
+            ["out/pair.v2", "out/pair.v2.o", "out/libpair.v2.a", "out/pair.v2.h"].map(PathBuf::from)
+        );
     }
 }

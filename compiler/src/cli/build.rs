@@ -25,6 +25,8 @@ enum Kind {
     Obj,
     /// libNAME.a, model and engine in one library
     Lib,
+    /// NAME.h, the header of both for C and C++
+    Header,
 }
 
 /// The machines that code is for.
@@ -69,6 +71,7 @@ impl Build {
             Kind::Exe => Emit::Executable,
             Kind::Obj => Emit::Object,
             Kind::Lib => Emit::Library,
+            Kind::Header => Emit::Header,
         });
         let cpu = match self.target_cpu {
             Cpu::Baseline => TargetCpu::Baseline,
@@ -101,17 +104,26 @@ impl Build {
 fn told(built: &Built) -> String {
     let Built { path, size, .. } = built;
     let shown = path.display();
-    let size = *size as f64 / 1e6;
+    let size = shown_size(*size);
     match built.emit {
         Emit::Executable => {
             let needs =
                 built.glibc.map(|floor| format!(", needs glibc {floor} or newer")).unwrap_or_default();
-            format!("{shown}: {size:.1} MB{needs}; run it with {} --help\n", command(path))
+            format!("{shown}: {size}{needs}; run it with {} --help\n", command(path))
         }
-        Emit::Object => format!("{shown}: {size:.1} MB; link it with libcalyx_rt.a\n"),
+        Emit::Object => format!("{shown}: {size}; link it with your program and libcalyx_rt.a\n"),
         Emit::Library => {
-            format!("{shown}: {size:.1} MB; link it with: cc PROGRAM.c {shown} -lm -lpthread -ldl\n")
+            format!("{shown}: {size}; link it with: cc PROGRAM.c {shown} -lm -lpthread -ldl\n")
         }
+        Emit::Header => format!("{shown}: what the library offers, params and outputs of the model\n"),
+    }
+}
+
+/// In megabytes, or in kilobytes where those would be none.
+fn shown_size(bytes: u64) -> String {
+    match bytes as f64 {
+        bytes if bytes < 1e5 => format!("{:.1} kB", bytes / 1e3),
+        bytes => format!("{:.1} MB", bytes / 1e6),
     }
 }
 

@@ -5,6 +5,7 @@
 //! executables linked from object files.
 
 pub mod budget;
+pub mod c_api;
 pub mod directory;
 pub mod engine;
 pub mod error;

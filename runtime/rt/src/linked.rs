@@ -14,6 +14,7 @@ use calyx_abi::{Context, Fingerprint, Kernel, RuntimeError, Slot, Status, stack}
 use calyx_gears::library::FINGERPRINT;
 use clap::{Arg, ArgAction, Command};
 use std::ffi::{CStr, OsString, c_char, c_int};
+use std::fmt;
 use std::os::unix::ffi::OsStringExt;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -56,26 +57,46 @@ pub unsafe extern "C" fn calyx_rt_main(
 }
 
 /// A model whose code is part of this program.
-struct LinkedProgram {
+pub(crate) struct LinkedProgram {
     module: &'static ModuleTable,
     description: ModelDescription,
 }
 
-impl LinkedProgram {
-    fn new(module: &'static ModuleTable) -> Result<Self, String> {
-        let compiled_for = Fingerprint(module.abi);
-        if compiled_for != FINGERPRINT {
-            return Err(format!(
+/// Why a linked model cannot be run.
+pub(crate) enum NotLinked {
+    /// It was compiled against another engine.
+    Version(Fingerprint),
+    /// Its description cannot be read.
+    Damaged(serde_json::Error),
+}
+
+impl fmt::Display for NotLinked {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            NotLinked::Version(compiled_for) => write!(
+                f,
                 "the model was compiled for another version of Calyx than it is linked with\n  \
                  help: compile the model again with the `calyx` of this engine (the model's code expects the interface \
                  {compiled_for}, the engine has {FINGERPRINT})"
-            ));
+            ),
+            NotLinked::Damaged(error) => write!(
+                f,
+                "the model's description is damaged: {error}\n  help: compile the model again with the `calyx` of this engine"
+            ),
+        }
+    }
+}
+
+impl LinkedProgram {
+    pub(crate) fn new(module: &'static ModuleTable) -> Result<Self, NotLinked> {
+        let compiled_for = Fingerprint(module.abi);
+        if compiled_for != FINGERPRINT {
+            return Err(NotLinked::Version(compiled_for));
         }
         // SAFETY: the table states the length of its constant description.
         let bytes =
             unsafe { std::slice::from_raw_parts(module.description, module.description_len as usize) };
-        let description =
-            serde_json::from_slice(bytes).map_err(|e| format!("the model's description is damaged: {e}"))?;
+        let description = serde_json::from_slice(bytes).map_err(NotLinked::Damaged)?;
         Ok(LinkedProgram { module, description })
     }
 }

@@ -50,7 +50,8 @@ pub fn place_json(origin: &Origin) -> serde_json::Value {
     json!({ "file": file.name, "line": line, "column": column, "byte_start": start, "byte_end": end })
 }
 
-fn line_column(file: &FileDescription, start: usize) -> (usize, usize) {
+/// Line and column, counted from 1, of a byte of a file.
+pub(crate) fn line_column(file: &FileDescription, start: usize) -> (usize, usize) {
     let before = file.text.get(..start).unwrap_or_default();
     (before.matches('\n').count() + 1, before.chars().rev().take_while(|c| *c != '\n').count() + 1)
 }

@@ -1,0 +1,206 @@
+//! Models in programs written in C: the header is C and C++, the interface keeps its promises, the example runs; valgrind finds
+//! nothing.
+//!
+//! What is not installed is skipped, visibly; with `CALYX_CI_STRICT=1`, which `.ci/run` sets after having installed it, that is a
+//! failure.
+#![cfg(unix)]
+
+use calyx::build::{BuildOptions, Emit, build, library};
+use calyx_abi::Fingerprint;
+use calyx_codegen::{ObjectOptions, compile_object};
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+use tempfile::TempDir;
+
+const STRICT: [&str; 4] = ["-Wall", "-Wextra", "-Werror", "-pedantic"];
+
+fn here(path: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/embed_c").join(path)
+}
+
+fn examples() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples")
+}
+
+/// Whether a program answers, and the test goes on.
+fn installed(program: &str) -> bool {
+    let answer = Command::new(program).arg("--version").stdout(Stdio::null()).stderr(Stdio::null()).status();
+    if answer.is_ok_and(|status| status.success()) {
+        return true;
+    }
+    let why = format!("`{program}` is not installed");
+    assert!(std::env::var_os("CALYX_CI_STRICT").is_none_or(|strict| strict != "1"), "{why}");
+    // The harness hides what a test prints while it passes, but not what is written past it.
+    let _ = std::io::Write::write_all(&mut std::io::stderr(), format!("SKIPPED: {why}\n").as_bytes());
+    false
+}
+
+/// Runs a command that succeeds.
+fn run(command: &mut Command) -> Output {
+    let output = command.stdin(Stdio::null()).output().unwrap_or_else(|error| panic!("{command:?}: {error}"));
+    let said = [&output.stdout, &output.stderr].map(|stream| String::from_utf8_lossy(stream));
+    assert!(output.status.success(), "{command:?}: {}\n{}{}", output.status, said[0], said[1]);
+    output
+}
+
+/// A command that runs a program under valgrind, which must find no error and no leak; what is still in use by threads that go
+/// on is none. Stacks of programs are large, and only reserved.
+fn valgrind(program: &Path) -> Command {
+    let mut command = Command::new("valgrind");
+    command.args(["--quiet", "--error-exitcode=99", "--leak-check=full", "--max-stackframe=300000000"]);
+    command.arg("--errors-for-leak-kinds=definite,indirect,possible");
+    command.arg(format!("--suppressions={}", here("valgrind.supp").display())).arg(program);
+    command
+}
+
+/// Builds header and object of a model called `name` in a directory.
+fn made(model: &Path, directory: &Path, name: &str) {
+    let checked = calyx::check_file(model).unwrap();
+    let options = BuildOptions {
+        emit: [Emit::Object, Emit::Header].into(),
+        ..BuildOptions::executable(directory.join(name))
+    };
+    build(&checked, &options).unwrap_or_else(|error| panic!("{error}"));
+}
+
+/// A program of the interface's test, with both its models and one that was compiled for another engine.
+fn interface() -> (TempDir, PathBuf) {
+    let directory = tempfile::tempdir().unwrap();
+    let at = |name: &str| directory.path().join(name);
+    made(&here("small.cx"), directory.path(), "small");
+    made(&examples().join("spur_pair.cx"), directory.path(), "spur_pair");
+    let foreign = calyx::check_text("foreign.cx", "print(1);\n").program.unwrap();
+    let options = ObjectOptions::new("foreign", "{}", Fingerprint(1));
+    fs::write(at("foreign.o"), compile_object(&foreign, &options).unwrap()).unwrap();
+    run(Command::new("cc")
+        .args(["-std=c99", "-g"])
+        .args(STRICT)
+        .arg("-I")
+        .arg(directory.path())
+        .arg(here("interface.c"))
+        .args(["small.o", "spur_pair.o", "foreign.o"].map(at))
+        .arg(library::find(None).unwrap())
+        .args(["-lm", "-lpthread", "-ldl", "-o"])
+        .arg(at("interface")));
+    let program = at("interface");
+    (directory, program)
+}
+
+#[test]
+fn headers_are_c_and_cpp() {
+    let directory = tempfile::tempdir().unwrap();
+    made(&here("small.cx"), directory.path(), "small");
+    made(&examples().join("spur_pair.cx"), directory.path(), "spur_pair");
+    let compilers: [(&str, &str, &[&str]); 4] = [
+        ("cc", "c", &["-std=c99", "-Wstrict-prototypes"]),
+        ("cc", "c", &["-std=c17"]),
+        ("c++", "c++", &["-std=c++17"]),
+        ("c++", "c++", &["-std=c++11"]),
+    ];
+    for (compiler, language, flags) in compilers {
+        if !installed(compiler) {
+            continue;
+        }
+        let source = directory.path().join("both.c");
+        fs::write(&source, "#include \"small.h\"\n#include \"spur_pair.h\"\n#include \"small.h\"\n").unwrap();
+        run(Command::new(compiler)
+            .args(flags)
+            .args(STRICT)
+            .args(["-fsyntax-only", "-x", language])
+            .arg(source));
+    }
+    let header = fs::read_to_string(directory.path().join("spur_pair.h")).unwrap();
+    for part in [
+        "/* Spur pair of the report, chapter 5: 20 and 40 teeth, 10 diametral pitch. */\nextern const calyx_model spur_pair_model;",
+        "    /* Torque on the pinion.\n       0 lbf*inch .. 5000 lbf*inch; default 1000 lbf*inch. */\n    spur_pair_param_torque = 0,",
+        "       TRUE or FALSE; default TRUE. */\n    spur_pair_param_tip_corner_contact = 6,",
+        "whole numbers 2 .. 10000; default 32. */",
+        "    /* Largest contact pressure on the flanks, tip edges left out.\n       In psi. */\n",
+    ] {
+        assert!(header.contains(part), "{part}\nis not in\n{header}");
+    }
+}
+
+#[test]
+fn the_interface_keeps_its_promises() {
+    let (_directory, program) = interface();
+    run(Command::new(program).arg("all").env_clear());
+}
+
+#[test]
+fn valgrind_finds_nothing_in_the_interface() {
+    if installed("valgrind") {
+        let (_directory, program) = interface();
+        run(&mut valgrind(&program));
+    }
+}
+
+/// Every name that the header declares is one of the library, with C linkage.
+#[test]
+fn what_the_header_declares_is_there() {
+    let declared: Vec<&str> = calyx::rt::c_api::HEADER
+        .split([' ', '*', '('])
+        .filter(|word| word.starts_with("calyx_") && !word.contains(['<', ')', ';', ',']))
+        .collect();
+    let functions: Vec<&str> =
+        declared.into_iter().filter(|word| calyx::rt::c_api::HEADER.contains(&format!("{word}("))).collect();
+    assert!(functions.len() > 25, "{functions:?}");
+    let uses = fs::read_to_string(here("interface.c")).unwrap();
+    for function in functions {
+        assert!(uses.contains(&format!("{function}(")), "interface.c does not use {function}");
+    }
+}
+
+/// The example, built by its own Makefile in a copy of the directory, after `old => new` of each edit of the model.
+fn example(edits: &[(&str, &str)]) -> (TempDir, PathBuf) {
+    let directory = tempfile::tempdir().unwrap();
+    let text = fs::read_to_string(examples().join("spur_pair.cx")).unwrap();
+    let text = edits.iter().fold(text, |text, (old, new)| {
+        assert!(text.contains(old), "the example has no `{old}`");
+        text.replace(old, new)
+    });
+    fs::write(directory.path().join("spur_pair.cx"), text).unwrap();
+    let folder = directory.path().join("embed-c");
+    fs::create_dir(&folder).unwrap();
+    for name in ["main.c", "Makefile"] {
+        fs::copy(examples().join("embed-c").join(name), folder.join(name)).unwrap();
+    }
+    run(Command::new("make").arg("-C").arg(&folder).env("CALYX", env!("CARGO_BIN_EXE_calyx")));
+    let program = folder.join("pair");
+    (directory, program)
+}
+
+#[test]
+fn the_example_prints_what_its_page_shows() {
+    if !installed("make") {
+        return;
+    }
+    let (_directory, program) = example(&[]);
+    let output = run(Command::new(program).env_clear());
+    let printed = String::from_utf8(output.stdout).unwrap();
+    let page = fs::read_to_string(examples().join("embed-c/README.md")).unwrap();
+    assert!(page.contains(&printed), "the page does not show\n{printed}");
+}
+
+/// Two equal gears have one structure, which is what takes time under valgrind.
+const EQUAL_GEARS: [(&str, &str); 7] = [
+    (
+        "center_distance = 3.0 inch in 2.98 inch .. 3.05 inch",
+        "center_distance = 2 inch in 1.98 inch .. 2.05 inch",
+    ),
+    ("teeth = 40", "teeth = 20"),
+    ("outer_diameter = 4.18 inch", "outer_diameter = 2.18 inch"),
+    ("root_diameter = 3.78 inch", "root_diameter = 1.76 inch"),
+    ("diameter = 3.40 inch, inner_diameter = 2.40 inch", "diameter = 1.40 inch, inner_diameter = 1.20 inch"),
+    ("start_roll = 19.60 deg", "start_roll = 27.25 deg"),
+    ("-speed * 20 / 40 * Time", "-speed * Time"),
+];
+
+#[test]
+fn valgrind_finds_nothing_in_the_example() {
+    if installed("make") && installed("valgrind") {
+        let (_directory, program) = example(&EQUAL_GEARS);
+        run(valgrind(&program).arg("2"));
+    }
+}

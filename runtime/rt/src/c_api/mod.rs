@@ -1,0 +1,304 @@
+//! Models in programs written in C: the functions that `calyx.h` declares.
+//!
+//! Each is a thin layer over [`Instance`]: pointers are checked, panics stopped, errors kept for [`calyx_error`]. An instance in C
+//! is behind a lock, so that a program that uses one from two threads at once waits and breaks nothing;
+//! [`calyx_cancel`] alone does not wait.
+
+mod describe;
+mod params;
+mod running;
+mod status;
+
+pub use describe::{
+    OutputInfo, ParamInfo, calyx_output_at, calyx_output_count, calyx_output_named, calyx_param_at,
+    calyx_param_count,
+};
+pub use params::{
+    calyx_get, calyx_limit_memory, calyx_limit_time, calyx_on_print, calyx_reset, calyx_set, calyx_set_bool,
+    calyx_set_in, calyx_set_text,
+};
+pub use running::{
+    Position, Summary, calyx_cancel, calyx_output, calyx_output_in, calyx_step, calyx_stop, calyx_summarize,
+    calyx_summarize_in, calyx_where,
+};
+pub use status::{CStatus, calyx_status_message};
+
+use crate::engine::Engine;
+use crate::error::Error;
+use crate::instance::Instance;
+use crate::linked::{LinkedProgram, NotLinked};
+use crate::program::Program;
+use crate::report::{line_column, problem};
+use calyx_abi::description::{ModelDescription, ModuleTable};
+use calyx_abi::error::codes;
+use calyx_abi::{Cancel, RuntimeError};
+use describe::Described;
+use running::Running;
+use std::ffi::{CStr, CString, c_char};
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+/// The header of these functions.
+pub const HEADER: &str = include_str!("calyx.h");
+
+/// `calyx_instance` of the header.
+pub struct CInstance {
+    state: Mutex<State>,
+    /// Ends the run under way.
+    cancel: Mutex<Cancel>,
+    /// What the model says of itself, as C reads it.
+    described: Described,
+}
+
+/// What only one function at a time looks at.
+struct State {
+    instance: Instance,
+    program: Arc<dyn Program>,
+    running: Running,
+    problem: Option<Told>,
+}
+
+/// The texts of a problem.
+struct Told {
+    status: CStatus,
+    code: CString,
+    message: CString,
+    help: CString,
+    file: CString,
+    line: usize,
+    column: usize,
+    report: CString,
+}
+
+/// `calyx_problem` of the header.
+#[repr(C)]
+pub struct Problem {
+    pub status: CStatus,
+    pub code: *const c_char,
+    pub message: *const c_char,
+    pub help: *const c_char,
+    pub file: *const c_char,
+    pub line: usize,
+    pub column: usize,
+    pub report: *const c_char,
+}
+
+impl Told {
+    fn new(error: &Error, description: &ModelDescription) -> Told {
+        let mut told = Told {
+            status: CStatus::of(error),
+            code: c_text(error.code().unwrap_or_default()),
+            message: c_text(error.message()),
+            help: c_text(error.help()),
+            file: CString::default(),
+            line: 0,
+            column: 0,
+            report: CString::default(),
+        };
+        let report = match error {
+            Error::Model(error) => {
+                let place = error.place.and_then(|(file, start, _)| {
+                    description.files.get(file as usize).map(|file| (file, start as usize))
+                });
+                if let Some((file, start)) = place {
+                    told.file = c_text(&file.name);
+                    (told.line, told.column) = line_column(file, start);
+                }
+                problem("error", error, description)
+            }
+            _ => match error.help() {
+                "" => format!("error: {}\n", error.message()),
+                help => format!("error: {}\n  help: {help}\n", error.message()),
+            },
+        };
+        told.report = c_text(&report);
+        told
+    }
+}
+
+/// A text as C reads it. It has no zero in it but the last; one that had would end there.
+fn c_text(text: &str) -> CString {
+    CString::new(text.replace('\0', "\u{fffd}")).unwrap_or_default()
+}
+
+fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    // What a panic left behind is whole: every function changes the state in one assignment.
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// The error that stands for a pointer that is NULL.
+fn null(what: &str) -> Error {
+    Error::given(format!("{what} is NULL"), "")
+}
+
+/// A text that C gave.
+///
+/// # Safety
+/// `text` is NULL or points to a text that ends with a zero and lives for `'a`.
+unsafe fn text<'a>(text: *const c_char, what: &str) -> Result<&'a str, Error> {
+    if text.is_null() {
+        return Err(null(what));
+    }
+    // SAFETY: as promised by the caller.
+    let bytes = unsafe { CStr::from_ptr(text) };
+    bytes.to_str().map_err(|_| Error::given(format!("{what} is not UTF-8"), ""))
+}
+
+/// Stores a result where C wants it.
+///
+/// # Safety
+/// `place` is NULL or valid for writing a `T`.
+unsafe fn store<T>(place: *mut T, what: &str, value: T) -> Result<(), Error> {
+    if place.is_null() {
+        return Err(null(what));
+    }
+    // SAFETY: not null, so valid as promised by the caller.
+    unsafe { place.write(value) };
+    Ok(())
+}
+
+/// Runs the body of a function with an instance: a NULL instance, an error and a panic become a status, and errors are kept.
+///
+/// # Safety
+/// `instance` is NULL or was made by [`calyx_create`] and not freed.
+unsafe fn with(
+    instance: *const CInstance,
+    body: impl FnOnce(&CInstance, &mut State) -> Result<CStatus, Error>,
+) -> CStatus {
+    // SAFETY: as promised by the caller.
+    let Some(instance) = (unsafe { instance.as_ref() }) else { return CStatus::Null };
+    let mut state = lock(&instance.state);
+    let result = catch_unwind(AssertUnwindSafe(|| body(instance, &mut state)));
+    let error = match result {
+        Ok(Ok(status)) => return status,
+        Ok(Err(error)) => error,
+        Err(_) => panicked(),
+    };
+    let told = Told::new(&error, state.program.description());
+    let status = told.status;
+    state.problem = Some(told);
+    status
+}
+
+/// The error that stands for a panic, whose message was printed when it arose.
+fn panicked() -> Error {
+    RuntimeError::new(codes::INTERNAL, "internal error", "please report it with the model").into()
+}
+
+fn instance_of(engine: &Engine, program: Arc<dyn Program>) -> CInstance {
+    let instance = Instance::new(engine, program.clone());
+    CInstance {
+        cancel: Mutex::new(instance.cancel_handle()),
+        described: Described::new(program.description()),
+        state: Mutex::new(State { instance, program, running: Running::default(), problem: None }),
+    }
+}
+
+/// Makes an instance of a linked model.
+///
+/// # Safety
+/// `model` is NULL or the table that `calyx build` made, of static lifetime; `instance` is NULL or valid for writing a pointer.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn calyx_create(model: *const ModuleTable, instance: *mut *mut CInstance) -> CStatus {
+    if instance.is_null() {
+        return CStatus::Null;
+    }
+    let made = catch_unwind(|| {
+        // SAFETY: NULL, or a constant of the program. Its first word is the fingerprint in every version; nothing else of it is
+        // read before that has been compared.
+        let Some(model) = (unsafe { model.as_ref() }) else { return Err(CStatus::Null) };
+        match LinkedProgram::new(model) {
+            Ok(program) => Ok(Box::new(instance_of(&Engine::default(), Arc::new(program)))),
+            Err(NotLinked::Version(_)) => Err(CStatus::Version),
+            Err(NotLinked::Damaged(_)) => Err(CStatus::Internal),
+        }
+    });
+    match made {
+        Ok(Ok(made)) => {
+            // SAFETY: not null, so valid for writing as promised by the caller.
+            unsafe { instance.write(Box::into_raw(made)) };
+            CStatus::Ok
+        }
+        Ok(Err(status)) => status,
+        Err(_) => CStatus::Internal,
+    }
+}
+
+/// Makes another instance of the same model.
+///
+/// # Safety
+/// As for the other functions, and `another` is NULL or valid for writing a pointer.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn calyx_create_like(
+    instance: *const CInstance,
+    another: *mut *mut CInstance,
+) -> CStatus {
+    let body = |_: &CInstance, state: &mut State| {
+        if another.is_null() {
+            return Err(null("the place for the instance"));
+        }
+        let made = Box::new(instance_of(state.instance.engine(), state.program.clone()));
+        // SAFETY: not null, so valid for writing as promised by the caller.
+        unsafe { another.write(Box::into_raw(made)) };
+        Ok(CStatus::Ok)
+    };
+    // SAFETY: as promised by the caller.
+    unsafe { with(instance, body) }
+}
+
+/// Frees an instance.
+///
+/// # Safety
+/// `instance` is NULL or was made by [`calyx_create`], is not freed, and no other function is using it.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn calyx_free(instance: *mut CInstance) {
+    if instance.is_null() {
+        return;
+    }
+    // SAFETY: it came from `Box::into_raw`, and the caller gives it up.
+    let instance = unsafe { Box::from_raw(instance) };
+    // A run under way is ended and waited for. What a panic there would leave behind is memory, nothing worse.
+    let _ = catch_unwind(AssertUnwindSafe(|| drop(instance)));
+}
+
+/// Tells why the last function that failed with this instance did so.
+///
+/// # Safety
+/// As for the other functions, and `problem` is NULL or valid for writing.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn calyx_error(instance: *const CInstance, problem: *mut Problem) -> CStatus {
+    // SAFETY: as promised by the caller.
+    let Some(instance) = (unsafe { instance.as_ref() }) else { return CStatus::Null };
+    let state = lock(&instance.state);
+    let told = match &state.problem {
+        Some(told) => Problem {
+            status: told.status,
+            code: told.code.as_ptr(),
+            message: told.message.as_ptr(),
+            help: told.help.as_ptr(),
+            file: told.file.as_ptr(),
+            line: told.line,
+            column: told.column,
+            report: told.report.as_ptr(),
+        },
+        None => {
+            let nothing = c"".as_ptr();
+            Problem {
+                status: CStatus::Ok,
+                code: nothing,
+                message: nothing,
+                help: nothing,
+                file: nothing,
+                line: 0,
+                column: 0,
+                report: nothing,
+            }
+        }
+    };
+    if problem.is_null() {
+        return CStatus::Null;
+    }
+    // SAFETY: not null, so valid for writing as promised by the caller.
+    unsafe { problem.write(told) };
+    CStatus::Ok
+}
