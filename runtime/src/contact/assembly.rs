@@ -39,7 +39,7 @@ pub fn compliance(patches: &[Patch]) -> Vec<f64> {
     let mut matrix = vec![0.0; n * n];
     for (p, observing) in patches.iter().enumerate() {
         for (q, loaded) in patches.iter().enumerate().skip(p) {
-            let block = block(observing, loaded);
+            let block = block(observing, loaded, p == q);
             let columns = loaded.cells.len();
             debug_assert!(
                 p != q || is_symmetric(&block, columns),
@@ -61,8 +61,8 @@ fn is_symmetric(block: &[f64], n: usize) -> bool {
     (0..n * n).all(|e| block[e].to_bits() == block[e % n * n + e / n].to_bits())
 }
 
-/// Growth of the gaps of one patch per force on the cells of another (or the same).
-fn block(observing: &Patch, loaded: &Patch) -> Vec<f64> {
+/// Growth of the gaps of one patch per force on the cells of another, or of the `same`.
+fn block(observing: &Patch, loaded: &Patch, same: bool) -> Vec<f64> {
     let columns = loaded.cells.len();
     let mut block = vec![0.0; observing.cells.len() * columns];
     for (a, observer) in observing.sides.iter().enumerate() {
@@ -87,8 +87,14 @@ fn block(observing: &Patch, loaded: &Patch) -> Vec<f64> {
                 reference_length: observer.structure.reference_length(),
             };
             for (i, cell) in observing.cells.iter().enumerate() {
-                for (j, other) in loaded.cells.iter().enumerate() {
-                    block[i * columns + j] += half_plane.cell_compliance(cell.arc[a], other.arc[b]);
+                // Exchanging its cells leaves the half-plane's answer as it is.
+                let others = if same { &loaded.cells[..=i] } else { loaded.cells };
+                for (j, other) in others.iter().enumerate() {
+                    let given = half_plane.cell_compliance(cell.arc[a], other.arc[b]);
+                    block[i * columns + j] += given;
+                    if same && j < i {
+                        block[j * columns + i] += given;
+                    }
                 }
             }
         }

@@ -133,19 +133,15 @@ pub fn lay(first: PlacedProfile, second: PlacedProfile, approach: &Approach, opt
         }
     }
     let bounds = if range[1] > range[0] { cell_bounds(range, width / count, &edges) } else { Vec::new() };
-    let cells = bounds
-        .windows(2)
-        .map(|x| {
-            let x = [x[0], x[1]];
-            let center = 0.5 * (x[0] + x[1]);
-            let s = [0, 1].map(|side| surfaces[side].arc_at(center));
-            Cell {
-                x,
-                arc: [0, 1].map(|side| x.map(|end| surfaces[side].arc_at(end))),
-                s,
-                gap: average_gap(&surfaces, x),
-                edge: placed[0].on_edge(s[0]) || placed[1].on_edge(s[1]),
-            }
+    let arcs = [0, 1].map(|side| surfaces[side].arcs_at(&bounds));
+    let cells = (1..bounds.len())
+        .map(|end| {
+            let x = [bounds[end - 1], bounds[end]];
+            let arc = [0, 1].map(|side| [arcs[side][end - 1], arcs[side][end]]);
+            let middle = 0.5 * (x[0] + x[1]);
+            let s = [0, 1].map(|side| surfaces[side].arc_at(middle, 0.5 * (arc[side][0] + arc[side][1])));
+            let edge = placed[0].on_edge(s[0]) || placed[1].on_edge(s[1]);
+            Cell { x, arc, s, gap: average_gap(&surfaces, x, arc, s), edge }
         })
         .collect();
     Grid { frame, cells, width, half_count: options.half_count, surface_ends }
@@ -281,15 +277,23 @@ impl<'a> Surface<'a> {
         dot(minus(self.placed.at(s).position, self.frame.point), self.frame.tangent)
     }
 
+    /// Arc lengths over ascending x, each sought from the one before.
+    fn arcs_at(&self, x: &[f64]) -> Vec<f64> {
+        let mut arcs = Vec::with_capacity(x.len());
+        let mut guess = 0.5 * (self.arc[0] + self.arc[1]);
+        for (at, &place) in x.iter().enumerate() {
+            let s = self.arc_at(place, guess);
+            arcs.push(s);
+            guess = x.get(at + 1).map_or(s, |next| s + self.sense * (next - place));
+        }
+        arcs
+    }
+
     /// Arc length over x: Newton's method inside a shrinking bracket, as x grows or falls steadily with arc length.
-    fn arc_at(&self, x: f64) -> f64 {
+    fn arc_at(&self, x: f64, guess: f64) -> f64 {
         let (mut low, mut high) = (self.arc[0], self.arc[1]);
         let resolution = 2.0 * f64::EPSILON * high;
-        let mut s = low
-            + (high - low) * {
-                let along = (x - self.x[0]) / (self.x[1] - self.x[0]);
-                (if self.sense > 0.0 { along } else { 1.0 - along }).clamp(0.0, 1.0)
-            };
+        let mut s = guess.clamp(low, high);
         for _ in 0..100 {
             let point = self.placed.at(s);
             let short = self.sense * (x - dot(minus(point.position, self.frame.point), self.frame.tangent));
@@ -311,19 +315,24 @@ impl<'a> Surface<'a> {
         s
     }
 
-    /// Height over the tangent plane at x, along the common normal.
-    fn height(&self, x: f64) -> f64 {
-        dot(minus(self.placed.at(self.arc_at(x)).position, self.frame.point), self.frame.normal)
+    /// Height over the tangent plane at an arc length, along the common normal.
+    fn height(&self, s: f64) -> f64 {
+        dot(minus(self.placed.at(s).position, self.frame.point), self.frame.normal)
     }
 }
 
-/// Average separation over a cell, by Gauss's three-point rule: exact for surfaces of fifth degree.
-fn average_gap(surfaces: &[Surface; 2], x: [f64; 2]) -> f64 {
+/// Average separation over a cell with its ends and its middle `s` on either side, by Gauss's three-point rule: exact for
+/// surfaces of fifth degree.
+fn average_gap(surfaces: &[Surface; 2], x: [f64; 2], arc: [[f64; 2]; 2], s: [f64; 2]) -> f64 {
     const OUTER_POINT: f64 = 0.774_596_669_241_483_4;
     let (center, half) = (0.5 * (x[0] + x[1]), 0.5 * (x[1] - x[0]));
-    let separation = |x: f64| surfaces[1].height(x) - surfaces[0].height(x);
-    (5.0 * (separation(center - OUTER_POINT * half) + separation(center + OUTER_POINT * half))
-        + 8.0 * separation(center))
+    let separation = |arcs: [f64; 2]| surfaces[1].height(arcs[1]) - surfaces[0].height(arcs[0]);
+    let outer = |end: usize, x: f64| {
+        let guess = |side: usize| s[side] + OUTER_POINT * (arc[side][end] - s[side]);
+        separation([0, 1].map(|side| surfaces[side].arc_at(x, guess(side))))
+    };
+    (5.0 * (outer(0, center - OUTER_POINT * half) + outer(1, center + OUTER_POINT * half))
+        + 8.0 * separation(s))
         / 18.0
 }
 
