@@ -197,7 +197,7 @@ impl<'s> Steps<'s> {
     /// # Errors
     /// The first that a position ended with.
     pub fn finish(mut self) -> Result<AnalysisResult, EngineError> {
-        while let Some(step) = self.next() {
+        for step in self.by_ref() {
             step?;
         }
         if let Some(error) = self.failed {

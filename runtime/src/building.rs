@@ -16,12 +16,15 @@ struct Wanted<'s> {
     options: StructureOptions,
 }
 
+/// One per body; `None` for a body the plan left out.
+pub(crate) type Structures = Vec<Option<Arc<dyn Structure>>>;
+
 /// The structure of every body that the plan models, and how many were built for it.
 pub(crate) fn build_structures(
     scene: &Scene,
     plan: &Plan,
     resources: &Resources,
-) -> Result<(Vec<Option<Arc<dyn Structure>>>, StructureCounts), EngineError> {
+) -> Result<(Structures, StructureCounts), EngineError> {
     let numbers = plan.structures(scene);
     let mut wanted: Vec<Wanted<'_>> = Vec::new();
     for ((number, body), planned) in numbers.iter().zip(&scene.bodies).zip(&plan.bodies) {
@@ -39,12 +42,14 @@ pub(crate) fn build_structures(
 
 /// A structure to be built here, with the duty to hand it to others if it has a key.
 type Build<'c> = (usize, Option<Claim<'c>>);
+/// By number of what is wanted.
+type Built = (usize, Arc<dyn Structure>);
 
 fn obtain(
     wanted: &[Wanted<'_>],
     resources: &Resources,
 ) -> Result<(Vec<Arc<dyn Structure>>, StructureCounts), EngineError> {
-    let mut structures: Vec<Option<Arc<dyn Structure>>> = vec![None; wanted.len()];
+    let mut structures: Structures = vec![None; wanted.len()];
     let mut counts = StructureCounts::default();
     // A thread of a pool must not wait for another one's build; see `OperatorCache::structure`.
     let may_wait = rayon::current_thread_index().is_none();
@@ -89,7 +94,7 @@ fn build(
     wanted: &[Wanted<'_>],
     builds: Vec<Build<'_>>,
     resources: &Resources,
-) -> Result<Vec<(usize, Arc<dyn Structure>)>, EngineError> {
+) -> Result<Vec<Built>, EngineError> {
     let one = |(number, claim): Build<'_>| {
         let Wanted { prototype, options } = &wanted[number];
         let structure = prototype.build(options, &resources.interrupt)?;
@@ -98,6 +103,7 @@ fn build(
         }
         Ok((number, structure))
     };
-    let built: Vec<Result<_, EngineError>> = resources.install(|| builds.into_par_iter().map(one).collect());
+    let built: Vec<Result<Built, EngineError>> =
+        resources.install(|| builds.into_par_iter().map(one).collect());
     built.into_iter().collect()
 }

@@ -110,7 +110,7 @@ pub struct Solution {
     pub motion: Vec<f64>,
     /// d, m.
     pub gaps: Vec<f64>,
-    /// Cells that carry force, ascending: the warm start of the next step.
+    /// Cells that carry force, ascending: a warm start for a problem that is nearly the same.
     pub active: Vec<usize>,
     pub method: Method,
     /// Active sets tried.
