@@ -181,6 +181,8 @@ pub struct FunctionDecl {
     pub body: FunctionBody,
     /// `test function f() { ... }`, which `calyx test` runs.
     pub is_test: bool,
+    /// `host function`: the program that embeds the model may provide another body.
+    pub is_host: bool,
 }
 
 #[derive(Clone, Debug, PartialEq)]

@@ -46,7 +46,7 @@ const CODES: &[Explanation] = codes! {
     "E0120" "a parameter without its mode" "Parameters say how they are passed: `in` by value, `out` and `inout` copy a value back when the function returns."
     "E0121" "a unit's exponent that is no whole number" "The exponent right after a unit belongs to the unit and is a whole number, as in `2 inch^2`. Put the quantity in parentheses to raise all of it to a power."
     "E0122" "an assignment to something that is no place" "Only variables and elements of arrays can be assigned."
-    "E0123" "a top-level declaration inside a block" "`import`, `units`, `param`, `output`, `private` and `test` concern the file as a whole, so they stand outside blocks and functions."
+    "E0123" "a top-level declaration inside a block" "`import`, `units`, `param`, `output`, `private`, `test` and `host` concern the file as a whole, so they stand outside blocks and functions."
     "E0124" "a malformed type" "A type is a dimension such as `Length` or `Force/Length^2`, or `Bool`, `String`, `Vector(...)`, `Transform`, `Array(...)`."
     "W0125" "a quantity as a divisor" "A unit binds tighter than any operator, so `1/2 inch` is 1/(2 inch). Write parentheses to say which is meant."
     "E0201" "an unknown name" "Nothing of this name is visible here. Variables are visible from their declaration to the end of its block, functions in their whole block, functions of modules as `module.name` after `import module;`."
@@ -75,6 +75,7 @@ const CODES: &[Explanation] = codes! {
     "E0222" "a test that takes or gives something" "`calyx test` calls a test without arguments and looks at nothing it gives. Call the function to be tested inside the test, and assert what it should give."
     "E0223" "a variable of the model in a test" "A test runs on its own: what the model runs is not run before it. It sees functions, constants, records and params."
     "E0224" "a second system of units" "`units` says what the bare numbers of the whole file are in, so a file has one. Remove the other; a single number may have any unit."
+    "E0225" "a host function that no program could provide" "The program that embeds the model may provide a host function, so its header says all of it: parameters are `in` and have types, the result has one, and they are numbers and vectors of known dimensions, `Bool`, `String` or arrays of these. Its body is used where nobody provides it."
     "E0301" "a value of another type" "Every variable and parameter has one type. The message names the one needed and the one found."
     "E0302" "a value inside itself" "The program would need a type that contains itself, such as an array that is its own element."
     "E0303" "a call without a value used as one" "The function returns nothing. Call it as a statement."
@@ -115,6 +116,7 @@ const CODES: &[Explanation] = codes! {
     "E0513" "a symbolic function that needs itself" "A symbolic function stands for one expression, which would never end. Build the expression in a loop that binds a `:=` name again."
     "E0514" "a function that is more than an expression" "A function called with symbols in a `:=` becomes part of the expression, so its body may only name values with `var` and return one. Write it as a symbolic function, or call it with values."
     "E0515" "an axis that is no unit vector" "`Rotate` turns about a vector of length 1; a longer or shorter one would stretch what is turned. Divide the axis by its length, `a/norm(a)`."
+    "E0516" "a host function in a symbolic expression" "What another program may provide has no formula, so it cannot be differentiated or become part of an expression. Call it with values, or interpolate values of it."
 };
 
 #[cfg(test)]

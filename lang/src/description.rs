@@ -1,12 +1,12 @@
 //! A program's description of itself, from the typed program: what `--help`, results, executables and embedders read.
 
 use crate::dimension::Dimension;
-use crate::ir::{DisplayUnit, Program};
+use crate::ir::{DisplayUnit, HostValue, Program};
 use crate::units::Unit;
 use calyx_abi::Fingerprint;
 use calyx_abi::description::{
-    CaptureDescription, DimensionDescription, FileDescription, KernelDescription, ModelDescription,
-    OutputDescription, ParamDescription, UnitDescription,
+    CaptureDescription, DimensionDescription, FileDescription, HostFunctionDescription, HostValueDescription,
+    KernelDescription, ModelDescription, OutputDescription, ParamDescription, UnitDescription,
 };
 
 /// Describes a program that runs with an engine of this fingerprint. Defaults and ranges of params are left `None`: whoever elaborates the program fills them in.
@@ -41,6 +41,16 @@ pub fn describe(program: &Program, abi: Fingerprint) -> ModelDescription {
                 site: output.site.0 as usize,
                 unit: unit(&output.unit),
                 si: output.si.clone(),
+            })
+            .collect(),
+        host_functions: program
+            .host_functions
+            .iter()
+            .map(|function| HostFunctionDescription {
+                name: function.name.clone(),
+                doc: function.doc.clone(),
+                parameters: function.parameters.iter().map(host_value).collect(),
+                result: host_value(&function.result),
             })
             .collect(),
         kernels: program
@@ -86,6 +96,15 @@ fn dimensions(program: &Program) -> Vec<DimensionDescription> {
     let known = Dimension::named().map(|(name, dimension)| (name.to_owned(), dimension.exponents()));
     let all = known.chain(program.own_dimensions.iter().cloned());
     all.map(|(name, exponents)| DimensionDescription { name, exponents }).collect()
+}
+
+fn host_value(value: &HostValue) -> HostValueDescription {
+    HostValueDescription {
+        name: value.name.clone(),
+        repr: value.repr.clone(),
+        ty: value.ty.clone(),
+        unit: unit(&value.unit),
+    }
 }
 
 fn unit(unit: &DisplayUnit) -> UnitDescription {

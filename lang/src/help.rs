@@ -232,6 +232,11 @@ const KEYWORDS: &[Help] = &[
         "Declares a function of the engine. Only the library does; models have no engine of their own to call.",
         "",
     ),
+    help(
+        "host",
+        "A function that the program which embeds the model may provide. Its body is used where nobody does.",
+        "host function friction(in v: Velocity) -> Number { return 0.05; }\nprint(friction(2 m/s));",
+    ),
     help("test", "Marks a function that `calyx test` runs.", "test function adds() { assert(1 + 1 == 2); }"),
     help(
         "if",

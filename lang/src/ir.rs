@@ -20,6 +20,8 @@ pub struct Program {
     /// The function that runs the model's top level. Takes and returns nothing.
     pub main: FunctionId,
     pub externs: Vec<ExternDecl>,
+    /// What the embedding program may provide, in order of file and place.
+    pub host_functions: Vec<HostFunction>,
     /// Every `:=` expression and every symbolic argument.
     pub sites: Vec<Site>,
     /// Symbolic functions, each once per representation of its arguments. A function stands after those it calls.
@@ -48,6 +50,9 @@ pub struct SourceFile {
 pub struct FunctionId(pub u32);
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct ExternId(pub u32);
+/// By index in `Program::host_functions`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct HostId(pub u32);
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct SiteId(pub u32);
 /// By index in `Program::symbolic_functions`.
@@ -111,6 +116,31 @@ pub struct ExternDecl {
     pub result: Repr,
     /// Where it is declared.
     pub span: Span,
+}
+
+/// A function that the program which embeds the model may provide; its own body begins by asking for that
+/// ([`Statement::Host`]).
+#[derive(Clone, Debug, PartialEq)]
+pub struct HostFunction {
+    /// With the module it stands in.
+    pub name: String,
+    pub doc: String,
+    pub parameters: Vec<HostValue>,
+    /// Its name is empty.
+    pub result: HostValue,
+    /// Where it is declared.
+    pub span: Span,
+}
+
+/// What a host function takes or gives.
+#[derive(Clone, Debug, PartialEq)]
+pub struct HostValue {
+    pub name: String,
+    /// Number, Bool, String, Vector, or an array of these.
+    pub repr: Repr,
+    /// The type as people write it.
+    pub ty: String,
+    pub unit: DisplayUnit,
 }
 
 /// A symbolic expression in the source: one kernel, many sets of captured values.
@@ -310,6 +340,16 @@ pub enum Statement {
         arguments: Vec<Expr>,
         /// One per `out` or `inout` parameter, in order.
         copy_back: Vec<Place>,
+        span: Span,
+    },
+    /// Calls a host function if the embedding program provides it.
+    Host {
+        function: HostId,
+        arguments: Vec<Expr>,
+        /// Where its result goes if it is provided; left with no particular value otherwise.
+        result: Place,
+        /// Where it is told whether it is provided.
+        provided: Place,
         span: Span,
     },
     /// Appends an element to the array the place holds.

@@ -50,6 +50,7 @@ pub enum Kind {
     Param,
     Output,
     Extern,
+    Host,
     At,
     Private,
     Test,
@@ -149,6 +150,7 @@ impl Kind {
                 | Kind::Output
                 | Kind::Extern
                 | Kind::Private
+                | Kind::Host
                 | Kind::Test
                 | Kind::Const
                 | Kind::Record
@@ -193,6 +195,7 @@ const CONTEXTUAL: &[Spelling] = &[
     ("extern", Kind::Extern, "`extern`"),
     ("at", Kind::At, "`at`"),
     ("private", Kind::Private, "`private`"),
+    ("host", Kind::Host, "`host`"),
     ("test", Kind::Test, "`test`"),
     ("const", Kind::Const, "`const`"),
     ("record", Kind::Record, "`record`"),
@@ -312,7 +315,7 @@ fn mark_contextual_words(tokens: &mut [Token], text: &str) {
         let is_word = match kind {
             Kind::At => next == Some(Kind::Identifier) && previous.is_some_and(Kind::ends_expression),
             Kind::Extern | Kind::Private => matches!(next, Some(Kind::Identifier | Kind::Function)),
-            Kind::Test => next == Some(Kind::Function),
+            Kind::Host | Kind::Test => next == Some(Kind::Function),
             _ => next == Some(Kind::Identifier),
         };
         if is_word && !value_at {

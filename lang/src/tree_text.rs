@@ -76,7 +76,7 @@ fn statement(s: &Stmt, depth: usize, out: &mut String) {
         }
         StmtKind::Expr(e) => format!("(do {}", expr(e)),
         StmtKind::Function(f) => {
-            let mut head = format!("({} {}", if f.is_test { "test" } else { "function" }, f.name.name);
+            let mut head = format!("({} {}", function_word(f), f.name.name);
             for p in &f.parameters {
                 head.push_str(&parameter(p));
             }
@@ -169,6 +169,14 @@ fn domain(domain: &Option<Domain>) -> String {
             format!(" (in {} .. {})", end(low), end(high))
         }
         Some(Domain::Choices { values, .. }) => format!(" (in [{}])", list(values)),
+    }
+}
+
+fn function_word(function: &FunctionDecl) -> &'static str {
+    match (function.is_test, function.is_host) {
+        (true, _) => "test",
+        (_, true) => "host",
+        _ => "function",
     }
 }
 

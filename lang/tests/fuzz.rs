@@ -176,6 +176,7 @@ const WORDS: &[&str] = &[
     "extern",
     "private",
     "test",
+    "host",
     "at",
     "const",
     "record",

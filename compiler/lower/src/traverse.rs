@@ -5,7 +5,7 @@ use calyx_lang::ir::{
 };
 
 /// Whether a function without parameters gives the same at all params, and always: it reads none, nor what the engine
-/// provides, and so do the functions it calls.
+/// or an embedding program provides, and so do the functions it calls.
 pub fn is_constant(program: &Program, function: FunctionId) -> bool {
     let (mut waiting, mut known) = (vec![function], vec![function]);
     let mut constant = true;
@@ -26,8 +26,11 @@ pub fn is_constant(program: &Program, function: FunctionId) -> bool {
             _ => {}
         });
         for statement in function.blocks.iter().flat_map(|block| &block.statements) {
-            if let Statement::Call { function: called, .. } = statement {
-                call(*called);
+            match statement {
+                Statement::Call { function: called, .. } => call(*called),
+                // Each instance may have another.
+                Statement::Host { .. } => constant = false,
+                _ => {}
             }
         }
         if !constant {
@@ -45,6 +48,9 @@ pub fn for_each_expression<'p>(function: &'p Function, visit: &mut dyn FnMut(&'p
                 Statement::Assign { place, value, .. } | Statement::Push { place, value, .. } => {
                     in_place(place, visit);
                     in_expression(value, visit);
+                }
+                Statement::Host { arguments, .. } => {
+                    arguments.iter().for_each(|argument| in_expression(argument, visit));
                 }
                 Statement::Eval(value) => in_expression(value, visit),
                 Statement::Call { result, arguments, copy_back, .. } => {

@@ -258,6 +258,7 @@ fn effect(function: &FunctionDecl) -> &'static str {
         FunctionBody::Extern { purity: Some(word) } if word.name == "pure" => "",
         FunctionBody::Extern { purity: Some(word) } if word.name == "scene" => "adds to the scene",
         FunctionBody::Extern { .. } => "solves; not called by check",
+        FunctionBody::Statement(_) if function.is_host => "an embedding program may provide it",
         FunctionBody::Statement(_) | FunctionBody::Symbolic(_) => "",
     }
 }

@@ -96,6 +96,11 @@ impl Printer<'_> {
                 let call = format!("{}({})", self.function_name(*callee), self.list(function, arguments));
                 if places.is_empty() { call } else { format!("{} = {call}", places.join(", ")) }
             }
+            Statement::Host { function: host, arguments, result, provided, .. } => {
+                let name = self.program.host_functions.get(host.0 as usize).map_or("", |host| &host.name);
+                let places = [provided, result].map(|place| self.place(function, place)).join(", ");
+                format!("{places} = host {name}({})", self.list(function, arguments))
+            }
             Statement::Push { place, value, .. } => {
                 format!("push {}, {}", self.place(function, place), self.expr(function, value))
             }

@@ -88,6 +88,7 @@ pub const CODES: &[Explanation] = codes! {
     "E0722" "an argument of the engine is not a number" "Some operation gave NaN, such as the root of a negative number or 0/0, and the engine was asked to use it. The message shows in which expression it arose, and with what operands."
     "E0723" "a load is not a number at some time" "The load on a body comes from the program that embeds the model. It must have a value at every position."
     "E0724" "the positions solved before are of another analysis" "A run can go on behind positions that an earlier one has solved only with the same model and the same params."
+    "E0725" "a function of the embedding program failed" "The program that runs the model provides a host function in place of the model's own, and what it provides returned an error or panicked. The message is its own."
     "E0730" "a table cannot be read" "Files are read from the directory of the model and those in it, also where links lead elsewhere. The message says what was in the way."
     "E0731" "a malformed table" "A table is text: a line of column names separated by commas, perhaps with units in brackets, then rows of as many cells. The message names the line."
     "E0732" "a column of another kind of quantity" "The unit in the header of a column and the one asked for must be of one dimension."

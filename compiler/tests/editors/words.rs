@@ -116,6 +116,7 @@ fn the_textmate_grammar_has_the_languages_words() {
         "at",
         "private",
         "test",
+        "host",
         "const",
         "record",
         "dimension",

@@ -93,6 +93,10 @@ fn assigned(statement: &Statement, set: &mut Set) {
                 set.insert(place.local);
             }
         }
+        Statement::Host { result, provided, .. } => {
+            set.insert(result.local);
+            set.insert(provided.local);
+        }
         _ => {}
     }
 }
@@ -121,6 +125,7 @@ impl Finder<'_> {
                     arguments.iter().for_each(|e| self.expr(e, &set));
                     result.iter().chain(copy_back).for_each(|place| self.place(place, &set, *span));
                 }
+                Statement::Host { arguments, .. } => arguments.iter().for_each(|e| self.expr(e, &set)),
             }
             assigned(statement, &mut set);
         }

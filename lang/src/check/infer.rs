@@ -157,6 +157,7 @@ impl<'a> Checker<'a> {
                 result: Type::Unit,
                 body,
                 definition: None,
+                host: None,
                 scheme: Scheme::default(),
                 span,
             },
@@ -383,6 +384,7 @@ impl<'a> Checker<'a> {
             let ty = self.variable_type(variable);
             self.parameter_domain(&ty, parameter);
         }
+        let host = decl.is_host.then(|| self.host_function(id, decl));
         let (mut body, mut definition) = (Vec::new(), None);
         match &decl.body {
             ast::FunctionBody::Statement(statement) => match &statement.kind {
@@ -409,6 +411,7 @@ impl<'a> Checker<'a> {
                 result,
                 body,
                 definition,
+                host,
                 scheme: Scheme::default(),
                 span: decl.name.span,
             },

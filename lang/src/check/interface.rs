@@ -256,6 +256,7 @@ impl Interface {
                 result: result.clone(),
                 body: Vec::new(),
                 definition,
+                host: None,
                 scheme: scheme.clone(),
                 span: decl.name.span,
             },

@@ -101,8 +101,8 @@ fn without_docs(statement: &mut Stmt) {
     match &mut statement.kind {
         StmtKind::Function(decl) => {
             decl.parameters.iter_mut().for_each(|parameter| parameter.doc = None);
-            // A symbolic function is offered by name, with its documentation.
-            if !matches!(decl.body, FunctionBody::Symbolic(_)) {
+            // Symbolic functions and host functions are offered by name, with their documentation.
+            if !matches!(decl.body, FunctionBody::Symbolic(_)) && !decl.is_host {
                 statement.doc = None;
             }
         }
@@ -144,6 +144,7 @@ impl Item {
             result: decl.result.clone(),
             body,
             is_test: decl.is_test,
+            is_host: decl.is_host,
         };
         let text = self.text.get(..start as usize).unwrap_or(&self.text).to_string();
         let span = Span::new(self.statement.span.file, 0, text.len());

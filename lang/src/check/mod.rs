@@ -23,6 +23,7 @@ mod expr;
 pub(crate) mod expressions;
 mod flow;
 mod graphs;
+mod hosts;
 mod infer;
 pub(crate) mod interface;
 pub(crate) mod item;

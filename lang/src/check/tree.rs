@@ -277,6 +277,8 @@ pub struct Function {
     pub body: Vec<Stmt>,
     /// What a symbolic function stands for; its body is empty then.
     pub definition: Option<SymbolicBody>,
+    /// Of a host function whose body is there: how it is offered.
+    pub host: Option<HostOffer>,
     pub scheme: Scheme,
     pub span: Span,
 }
@@ -286,6 +288,14 @@ pub struct SymbolicBody {
     pub def: DefId,
     /// Declared at the model's top level: offered by name.
     pub exported: bool,
+    pub doc: String,
+}
+
+/// How a host function is offered to the program that embeds the model.
+#[derive(Clone, Debug, PartialEq)]
+pub struct HostOffer {
+    /// With the module it stands in.
+    pub name: String,
     pub doc: String,
 }
 

@@ -152,6 +152,10 @@ impl Printer<'_> {
             self.token(Kind::Test);
             self.space();
         }
+        if function.is_host {
+            self.token(Kind::Host);
+            self.space();
+        }
         if let FunctionBody::Extern { purity } = &function.body {
             self.token(Kind::Extern);
             self.space();

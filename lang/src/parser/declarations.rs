@@ -96,7 +96,7 @@ fn domain<'a>(source: &'a Source<'a>, e: &Expressions<'a>) -> Rule<'a, Domain> {
         .boxed()
 }
 
-/// `function f(...) statement`, `function p(...) := e;`, `extern pure function f(...) -> T;`
+/// `function f(...) statement`, `host function f(...) statement`, `function p(...) := e;`, `extern pure function f(...) -> T;`
 pub(super) fn function<'a>(
     source: &'a Source<'a>,
     e: &Expressions<'a>,
@@ -129,18 +129,18 @@ pub(super) fn function<'a>(
         symbolic.map(FunctionBody::Symbolic),
         body.map(|body| FunctionBody::Statement(Box::new(body))),
     )));
-    let test = custom(move |input: &mut Reader<'a, '_>| {
+    let marked = custom(move |input: &mut Reader<'a, '_>| {
         let at = position(input);
-        if source.kind(at) != Some(Kind::Test) {
+        let Some(mark @ (Kind::Test | Kind::Host)) = source.kind(at) else {
             return Err(Problem(None));
-        }
+        };
         input.next();
         if source.previous(at) != Some(Kind::Private)
             && let Some(problem) = inside_another(source, at)
         {
             input.emit(problem.into());
         }
-        Ok(())
+        Ok(mark)
     });
     // `function`, and something else on the next line.
     let begun = just(Kind::Function)
@@ -149,12 +149,13 @@ pub(super) fn function<'a>(
         }))
         .ignore_then(name(source, "the function"))
         .to(StmtKind::Error);
-    let whole = test.or_not().map(|test| test.is_some()).then(external.or(defined)).map(
-        |(is_test, (((name, parameters), result), body))| match name {
-            Some(name) => StmtKind::Function(FunctionDecl { name, parameters, result, body, is_test }),
-            None => StmtKind::Error,
-        },
-    );
+    let whole =
+        marked.or_not().then(external.or(defined)).map(|(mark, (((name, parameters), result), body))| {
+            let (is_test, is_host) = (mark == Some(Kind::Test), mark == Some(Kind::Host));
+            name.map_or(StmtKind::Error, |name| {
+                StmtKind::Function(FunctionDecl { name, parameters, result, body, is_test, is_host })
+            })
+        });
     begun.or(whole).boxed()
 }
 
@@ -174,6 +175,7 @@ pub(super) fn private<'a>(source: &'a Source<'a>) -> Rule<'a, ()> {
             Some(
                 Kind::Function
                     | Kind::Extern
+                    | Kind::Host
                     | Kind::Test
                     | Kind::Const
                     | Kind::Record

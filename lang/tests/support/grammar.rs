@@ -64,6 +64,7 @@ fn lexical(rule: &str) -> Option<&'static [&'static str]> {
             "import",
             "extern",
             "test",
+            "host",
             "private",
             "const",
             "record",

@@ -57,8 +57,8 @@ The formatter's is 4."
   "The truth values.")
 
 (defconst calyx--contextual
-  '("import" "units" "param" "output" "extern" "at" "private" "test" "const"
-    "record" "dimension" "unit")
+  '("import" "units" "param" "output" "extern" "at" "private" "test" "host"
+    "const" "record" "dimension" "unit")
   "Words of the language only where another name follows.")
 
 (defconst calyx--constants '("Time" "e1" "e2" "e3" "pi" "inf" "nan")
@@ -140,7 +140,7 @@ multiplied with or divided by."
     ("\\_<\\(extern\\)\\_>[ \t]+\\(?:\\(pure\\|scene\\|effect\\)\\_>\\)?"
      (1 font-lock-keyword-face) (2 font-lock-keyword-face nil t))
     ("\\_<\\(private\\)\\_>[ \t]+[[:alpha:]_]" 1 font-lock-keyword-face)
-    ("\\_<\\(test\\)\\_>[ \t]+function\\_>" 1 font-lock-keyword-face)
+    ("\\_<\\(host\\|test\\)\\_>[ \t]+function\\_>" 1 font-lock-keyword-face)
     (,(concat "[])[:alnum:]_\"%.][ \t]+\\(at\\)[ \t]+" calyx--name "[ \t]*=[^=]")
      1 font-lock-keyword-face)
     ;; Names that are declared.

@@ -5,6 +5,7 @@ use crate::cancel::Cancel;
 use crate::description::{FileDescription, UnitDescription};
 pub use crate::error::{RuntimeError, codes};
 use crate::heap::{Heap, Kernel};
+use crate::host::Resolved;
 use crate::limits::Limits;
 use std::any::Any;
 use std::mem::offset_of;
@@ -39,6 +40,8 @@ pub struct Context {
     pub param_slots: Vec<Slot>,
     /// One kernel per symbolic site of the module.
     pub kernels: Vec<Arc<dyn Kernel>>,
+    /// What the embedding program provides of the model's host functions, in the order of its description.
+    pub host_functions: Resolved,
     /// The engine's own state.
     pub host: Host,
     /// Lines the program printed are handed to this.
@@ -86,6 +89,7 @@ impl Context {
             params: Vec::new(),
             param_slots: Vec::new(),
             kernels: Vec::new(),
+            host_functions: Resolved::default(),
             host,
             print: Box::new(|line| println!("{line}")),
             fuel: u64::MAX,

@@ -47,6 +47,8 @@ pub struct ModelDescription {
     pub units: String,
     pub params: Vec<ParamDescription>,
     pub outputs: Vec<OutputDescription>,
+    /// Functions that the embedding program may provide, in the order of [`crate::Context::host_functions`].
+    pub host_functions: Vec<HostFunctionDescription>,
     /// One per symbolic site, in order of site: the order of [`ModuleTable::kernels`].
     pub kernels: Vec<KernelDescription>,
     /// The model first, then every file it uses, the library's included.
@@ -100,6 +102,30 @@ pub struct OutputDescription {
     pub unit: UnitDescription,
     /// Name of the coherent SI unit.
     pub si: String,
+}
+
+/// A function that the embedding program may provide in place of the model's own ([`crate::host`]).
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct HostFunctionDescription {
+    /// As it is provided by: of a function of an imported module `module.name`.
+    pub name: String,
+    pub doc: String,
+    pub parameters: Vec<HostValueDescription>,
+    /// Its name is empty.
+    pub result: HostValueDescription,
+}
+
+/// What a host function takes or gives.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct HostValueDescription {
+    pub name: String,
+    /// Number, Bool, String, Vector, or an array of these.
+    pub repr: Repr,
+    /// The type as the model writes it, like `Array(Length)`.
+    #[serde(rename = "type")]
+    pub ty: String,
+    /// What the model shows its numbers in. They cross in coherent SI units.
+    pub unit: UnitDescription,
 }
 
 /// How a number is shown: SI value = shown value * `factor`.

@@ -245,6 +245,15 @@ entry_points! {
         helpers::eval_symbolic(ctx, value, f64::from_bits(time), &repr, slots_mut(result, count))
     }
 
+    /// Calls a host function with `count` slots of arguments if the embedding program provides it; stores the slots of its
+    /// result in `result`, and whether it was called in `provided`.
+    fn calyx_host(ctx, function, arguments, count, result, result_count, provided) {
+        let (arguments, result) = (slots(arguments, count), slots_mut(result, result_count));
+        let called = crate::host::ask(ctx, function as usize, arguments, result)?;
+        slots_mut(provided, 1)[0] = u64::from(called);
+        Ok(())
+    }
+
     /// Stores the `count` slots of a param in `result`.
     fn calyx_param(ctx, offset, result, count) {
         helpers::param(ctx, offset as usize, slots_mut(result, count))

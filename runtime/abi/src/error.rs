@@ -112,6 +112,8 @@ pub mod codes {
     pub const EXHAUSTED: &str = "E0707";
     /// The program threw an error without a code of its own.
     pub const THROWN: &str = "E0720";
+    /// A function that the embedding program provides failed.
+    pub const HOST: &str = "E0725";
     /// An argument of the engine is NaN.
     pub const NOT_A_NUMBER: &str = "E0722";
     /// A fault of the engine or the compiler, not of the program.

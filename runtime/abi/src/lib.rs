@@ -21,6 +21,7 @@ pub mod failure;
 pub mod fingerprint;
 pub mod heap;
 pub mod helpers;
+pub mod host;
 pub mod limits;
 pub mod math;
 pub mod quantity;

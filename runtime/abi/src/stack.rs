@@ -115,16 +115,17 @@ pub unsafe fn run(
 
 /// The error that stands for a panic of the engine.
 pub(crate) fn panicked(payload: &(dyn std::any::Any + Send)) -> RuntimeError {
-    let message = payload
-        .downcast_ref::<&str>()
-        .copied()
-        .or_else(|| payload.downcast_ref::<String>().map(String::as_str))
-        .unwrap_or("unknown cause");
     RuntimeError::new(
         codes::INTERNAL,
-        format!("internal error: {message}"),
+        format!("internal error: {}", panic_message(payload)),
         "please report it with the model",
     )
+}
+
+/// What a panic says.
+pub(crate) fn panic_message(payload: &(dyn std::any::Any + Send)) -> &str {
+    let text = payload.downcast_ref::<&str>().copied();
+    text.or_else(|| payload.downcast_ref::<String>().map(String::as_str)).unwrap_or("unknown cause")
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 use crate::engine::Engine;
 use crate::error::Error;
 use crate::given::{Given, GivenValue};
-use crate::host::Host;
+use crate::host::{Fitted, Host};
 use crate::names::{Names, Output, Param, ParamName, shape};
 use crate::params::{self, Setting};
 use crate::program::Program;
@@ -42,7 +42,8 @@ pub struct Instance {
     shape: u64,
     /// By param.
     settings: Vec<Option<Setting>>,
-    host: Host,
+    /// What the embedding program provides.
+    host: Fitted,
     time_limit: Option<Duration>,
     memory_limit: Option<u64>,
     cancel: Cancel,
@@ -60,7 +61,7 @@ impl Instance {
             program,
             shape,
             settings,
-            host: Host::default(),
+            host: Fitted::default(),
             time_limit: None,
             memory_limit: None,
             cancel: Cancel::default(),
@@ -161,8 +162,12 @@ impl Instance {
     }
 
     /// What the model may call of the program that embeds it.
-    pub fn set_host(&mut self, host: Host) {
-        self.host = host;
+    ///
+    /// # Errors
+    /// The model has no function of that name, or one with other arguments or another result.
+    pub fn set_host(&mut self, host: &Host) -> Result<(), Error> {
+        self.host = host.fitted(self.description())?;
+        Ok(())
     }
 
     /// How long each run may take; as long as it likes by default.
@@ -236,7 +241,7 @@ struct Job {
     program: Arc<dyn Program>,
     shape: u64,
     settings: Vec<Option<Setting>>,
-    host: Host,
+    host: Fitted,
     limits: Limits,
     cancel: Cancel,
     print: Option<PrintSink>,

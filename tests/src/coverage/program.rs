@@ -13,6 +13,7 @@ rows!(statement(Statement) {
     Statement::Eval(_) => "evaluate for what it does",
     Statement::Call { result: None, .. } => "call that hands values back",
     Statement::Call { result: Some(_), .. } => "call that hands values back and gives one",
+    Statement::Host { .. } => "host function",
     Statement::Push { .. } => "push",
 });
 
@@ -219,6 +220,7 @@ impl Walk {
                 result.iter().chain(copy_back).for_each(|place| self.place(place));
                 self.expressions(arguments);
             }
+            Statement::Host { arguments, .. } => self.expressions(arguments),
         }
     }
 

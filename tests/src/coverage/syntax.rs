@@ -159,13 +159,14 @@ rows!(binary(BinaryOp) {
 });
 
 /// Forms that are no variants of their own.
-const FORMS: [&str; 6] = [
+const FORMS: [&str; 7] = [
     "`///` at the beginning of a file",
     "`///` before a declaration",
     "`///` before a parameter",
     "`-> T`",
     "`private`",
     "`test function`",
+    "`host function`",
 ];
 
 /// All productions, in the order of the tree's definition.
@@ -306,6 +307,9 @@ impl Walk {
         }
         if function.is_test {
             self.0.insert(FORMS[5]);
+        }
+        if function.is_host {
+            self.0.insert(FORMS[6]);
         }
         match &function.body {
             FunctionBody::Statement(statement) => self.statement(statement),

@@ -2,6 +2,7 @@
 
 pub mod text;
 
+use calyx_abi::host::HostFunctions;
 use calyx_abi::{Context, Extern, Kernel, Purity, Repr, RuntimeError, Slot};
 use calyx_codegen::{JitModule, TargetCpu, compile_code, compile_jit, load_code};
 use calyx_lang::ir::*;
@@ -237,6 +238,8 @@ pub struct Start {
     pub fuel: Option<u64>,
     pub cancelled: bool,
     pub memory: Option<u64>,
+    /// What the embedding program provides.
+    pub host: HostFunctions,
 }
 
 fn run(
@@ -254,6 +257,8 @@ fn run(
     ctx.param_slots = start.params.iter().map(|x| x.to_bits()).collect();
     ctx.fuel = start.fuel.unwrap_or(1_000_000);
     ctx.limits.memory = start.memory;
+    let described = calyx_lang::description::describe(program, Default::default()).host_functions;
+    ctx.host_functions = start.host.resolve(&described).unwrap();
     if start.cancelled {
         ctx.cancel.cancel();
     }

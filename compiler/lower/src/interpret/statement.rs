@@ -3,7 +3,7 @@
 use super::{Activation, Machine};
 use crate::layout::passed;
 use calyx_abi::context::RuntimeError;
-use calyx_abi::{Slot, Status, failure, helpers, limits};
+use calyx_abi::{Slot, Status, failure, helpers, host, limits};
 use calyx_lang::ir::{Block, BlockId, Expr, Statement, Terminator};
 
 impl<'p> Machine<'_, 'p> {
@@ -104,6 +104,21 @@ impl<'p> Machine<'_, 'p> {
                 for (place, indices) in places.iter().zip(&indices) {
                     self.store(place, indices, at)?;
                     at += place.repr.slots();
+                }
+            }
+            Statement::Host { function, arguments, result, provided, span } => {
+                for argument in arguments {
+                    self.eval(argument)?;
+                }
+                let arguments = self.stack.split_off(bottom);
+                self.at(*span);
+                let mut given = vec![0; result.repr.slots()];
+                let called = host::ask(self.ctx, function.0 as usize, &arguments, &mut given)?;
+                self.stack.push(u64::from(called));
+                self.stack.extend(given);
+                self.store(provided, &[], bottom)?;
+                if called {
+                    self.store(result, &[], bottom + 1)?;
                 }
             }
         }

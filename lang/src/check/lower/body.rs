@@ -88,6 +88,10 @@ impl<'l, 'c> Body<'l, 'c> {
             modes.into_iter().map(|(v, mode)| (body.local(v), mode)).collect();
         let result = body.repr(&function.result);
         body.begin(function.span);
+        if let Some(host) = body.lowering.hosts.get(&(body.lowering.unit, id)).copied() {
+            let own: Vec<VarId> = function.parameters.iter().map(|(id, _)| *id).collect();
+            body.ask_host(host, &own, &result, function.span);
+        }
         body.look_for_statements(function);
         body.block(&function.body);
         if body.alive {

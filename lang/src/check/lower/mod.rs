@@ -5,6 +5,7 @@ mod body;
 mod calls;
 mod closures;
 mod errors;
+mod hosts;
 mod jumps;
 mod linked;
 mod placed;
@@ -59,6 +60,7 @@ pub(super) struct Lowering<'c> {
     /// Functions that write numbers into text, themselves or by those they call.
     showing: HashMap<(usize, FuncId), bool>,
     externs: HashMap<String, ExternId>,
+    hosts: hosts::Hosts,
     diagnostics: Vec<Diagnostic>,
     /// Sites, symbolic functions and diagnostics whose places are in files already.
     placed: (usize, usize, usize),
@@ -100,6 +102,7 @@ pub fn lower(linked: &Linked<'_>, model: Model, files: Vec<SourceFile>) -> (Prog
             });
         }
     });
+    lowering.host_functions();
     let main = lowering.instance(0, FuncId(0), Substitution::default());
     lowering.program.main = main;
     lowering.work();
@@ -162,6 +165,7 @@ impl<'c> Lowering<'c> {
             symbolic_functions: Default::default(),
             showing: HashMap::new(),
             externs: HashMap::new(),
+            hosts: HashMap::new(),
             diagnostics: Vec::new(),
             placed: (0, 0, 0),
         }

@@ -34,6 +34,12 @@ fn statement(s: &mut Statement, places: &Places<'_>) {
             all(arguments, places);
             *span = places.span(*span);
         }
+        Statement::Host { function: _, arguments, result, provided, span } => {
+            place(result, places);
+            place(provided, places);
+            all(arguments, places);
+            *span = places.span(*span);
+        }
     }
 }
 

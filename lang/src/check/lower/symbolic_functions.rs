@@ -20,8 +20,8 @@ const MOST_NESTED: usize = 64;
 #[derive(Default)]
 pub(super) struct Instances {
     known: HashMap<(usize, FuncId, Vec<Repr>), SymbolicFunctionId>,
-    /// An ordinary function that turned out to be more than an expression.
-    refused: Option<String>,
+    /// An ordinary function that turned out to be more than an expression, and whether another program may provide it.
+    refused: Option<(String, bool)>,
     /// Functions being lowered inside one another.
     depth: usize,
     /// Expressions being lowered inside one another, over all these functions.
@@ -39,6 +39,9 @@ impl<'c> FunctionText<'c> {
     fn of(function: &'c Function) -> Option<Self> {
         if let Some(definition) = &function.definition {
             return Some(FunctionText::Symbolic(definition));
+        }
+        if function.host.is_some() {
+            return None;
         }
         if function.parameters.iter().any(|(_, mode)| *mode != Mode::In) {
             return None;
@@ -68,7 +71,16 @@ impl<'c> FunctionText<'c> {
     }
 }
 
-fn not_plain(name: &str, called: Span) -> Diagnostic {
+fn not_plain(name: &str, host: bool, called: Span) -> Diagnostic {
+    if host {
+        return Diagnostic::error(
+            "E0516",
+            format!("the host function `{name}` cannot be differentiated"),
+            called,
+            "called with symbols here",
+        )
+        .help("call it with values and bind what it gives, or interpolate values of it");
+    }
     Diagnostic::error(
         "E0514",
         format!("`{name}` cannot become part of a symbolic expression"),
@@ -84,8 +96,8 @@ impl Body<'_, '_> {
         let (unit, function, types) = self.lowering.callee(call.function, call.instance, &self.types)?;
         let found = self.lowering.within(unit, |lowering| lowering.symbolic_function(function, types, span));
         // The function may stand in another unit, the call stands in this one.
-        if let Some(name) = self.lowering.symbolic_functions.refused.take() {
-            self.lowering.report(not_plain(&name, span));
+        if let Some((name, host)) = self.lowering.symbolic_functions.refused.take() {
+            self.lowering.report(not_plain(&name, host, span));
         }
         found
     }
@@ -143,7 +155,7 @@ impl Lowering<'_> {
             return None;
         }
         let Some(body) = body else {
-            self.symbolic_functions.refused = Some(function.name.clone());
+            self.symbolic_functions.refused = Some((function.name.clone(), function.host.is_some()));
             return None;
         };
         self.symbolic_functions.depth += 1;
@@ -215,7 +227,7 @@ impl<'l, 'c> Body<'l, 'c> {
         };
         let expr = body.symbolic(result, &mut captures);
         if captures.outside {
-            body.lowering.symbolic_functions.refused = Some(function.name.clone());
+            body.lowering.symbolic_functions.refused = Some((function.name.clone(), false));
         }
         body.report_size(&function.name, function.span, &captures);
         let system = body.lowering.system;

@@ -201,7 +201,7 @@ impl<'a> Context<'a> {
             }
             Some(Kind::Extern) if alone => Spot::Words(vec!["pure", "scene", "effect", "function"]),
             Some(Kind::Extern) if end == start + 2 => Spot::Words(vec!["function"]),
-            Some(Kind::Test) if alone => Spot::Words(vec!["function"]),
+            Some(Kind::Host | Kind::Test) if alone => Spot::Words(vec!["function"]),
             Some(Kind::Var) if alone || self.around.previous(end) == Some(Kind::Comma) => Spot::Nothing,
             Some(Kind::Function) => match self.around.previous(end) {
                 Some(Kind::Bind) => self.operand(0, end),
@@ -236,6 +236,7 @@ impl<'a> Context<'a> {
             "output" => Kind::Output,
             "extern" => Kind::Extern,
             "private" => Kind::Private,
+            "host" => Kind::Host,
             "test" => Kind::Test,
             "const" => Kind::Const,
             "record" => Kind::Record,

@@ -130,6 +130,12 @@ const STATEMENTS: &[Keyword] = &[
         stands: &[Model, Module],
     },
     Keyword {
+        label: "host function",
+        detail: "a function that an embedding program may provide",
+        snippet: "host function ${1:name}(in ${2:x}: ${3:Number}) -> ${4:Number} {\n    return $0;\n}",
+        stands: &[Model, Module],
+    },
+    Keyword {
         label: "do",
         detail: "a loop that runs at least once",
         snippet: "do {\n    $0\n} while (${1:condition});",
@@ -303,6 +309,9 @@ pub fn documentation(word: &str) -> Option<&'static str> {
         }
         "units" => {
             "`units mm_N_s;` sets the system of the file: in which units its text shows numbers, and what numbers without a unit mean."
+        }
+        "host" => {
+            "`host function name(in x: Number) -> Number { ... }` may be provided by the program that embeds the model; its body is used where nobody provides it."
         }
         "test" => "`test function name() { ... }` is run by `calyx test`.",
         "private" => "A declaration that importers of the module do not see.",

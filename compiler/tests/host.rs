@@ -1,0 +1,102 @@
+//! Functions of the embedding program through the whole stack: instances of modules that were compiled here, and of modules that
+//! were loaded.
+
+use calyx::rt::Host;
+use calyx::{Engine, Module};
+use std::sync::{Arc, Mutex};
+
+const MODEL: &str = "units mm_N_s;
+/// Friction of the flanks.
+host function friction(in sliding: Velocity) -> Number { return 0.05; }
+host function names(in count: Number) -> Array(String) { return []; }
+param limit = friction(1 m/s) in 0 .. 1;
+print(friction(3 m/s), limit, names(2));
+assert(friction(0 m/s) < 0.5, \"sticks\");";
+
+fn modules() -> [(&'static str, Module); 2] {
+    let engine = Engine::default();
+    let compiled = Module::from_text(&engine, "model.cx", MODEL).unwrap();
+    let bytes = compiled.serialize().unwrap();
+    // SAFETY: this process has just made the bytes.
+    let loaded = unsafe { Module::deserialize(&engine, &bytes) }.unwrap();
+    [("compiled", compiled), ("loaded", loaded)]
+}
+
+/// Lines that a model prints when it is run with this host, or its error.
+fn printed(module: &Module, host: &Host) -> Result<Vec<String>, calyx::rt::Error> {
+    let mut instance = module.instantiate();
+    instance.set_host(host)?;
+    let lines = Arc::new(Mutex::new(Vec::new()));
+    let sink = lines.clone();
+    instance.on_print(move |line| sink.lock().unwrap().push(line.to_owned()));
+    instance.solve()?;
+    Ok(lines.lock().unwrap().clone())
+}
+
+#[test]
+fn a_model_calls_what_the_host_provides() {
+    let host = Host::new()
+        .function("friction", |sliding: f64| 0.1 * sliding)
+        .function("names", |count: f64| (0..count as usize).map(|i| format!("n{i}")).collect::<Vec<_>>());
+    for (name, module) in modules() {
+        let functions = &module.description().host_functions;
+        assert_eq!(functions[0].to_string(), "host function friction(in sliding: Velocity) -> Number");
+        assert_eq!((functions[0].doc.as_str(), functions.len()), ("Friction of the flanks.", 2));
+        assert_eq!(functions[0].parameters[0].unit.name, "mm/s");
+        // Without a host the model's own bodies run. The default of a param asks the host, too.
+        assert_eq!(printed(&module, &Host::new()).unwrap(), ["0.05 0.05 []"], "{name}");
+        assert_eq!(
+            printed(&module, &host).unwrap(),
+            [format!("{} 0.1 [n0, n1]", calyx_abi::text::number(0.1 * 3.0))],
+            "{name}"
+        );
+    }
+}
+
+#[test]
+fn what_does_not_fit_is_refused_before_anything_runs() {
+    for (_, module) in modules() {
+        let refusal = |host: &Host| printed(&module, host).unwrap_err().to_string();
+        assert_eq!(
+            refusal(&Host::new().function("friction", |a: f64, b: f64| a + b)),
+            "`friction` is given as `|f64, f64| -> f64`, and the model declares `host function friction(in sliding: \
+             Velocity) -> Number` (give a closure `|f64| -> f64`; numbers are in SI units)"
+        );
+        assert_eq!(
+            refusal(&Host::new().function("fiction", || 1.0)),
+            "the model has no host function `fiction` (its host functions are `friction`, `names`)"
+        );
+    }
+}
+
+#[test]
+fn errors_of_the_host_are_errors_of_the_model() {
+    let fails = Host::new().function("friction", |v: f64| if v > 2.0 { Err("too fast") } else { Ok(0.1) });
+    let panics = Host::new().function("friction", |v: f64| if v > 2.0 { panic!("too fast") } else { 0.1 });
+    for (_, module) in modules() {
+        for host in [&fails, &panics] {
+            let error = printed(&module, host).unwrap_err();
+            assert_eq!(error.code(), Some("E0725"));
+            assert!(error.message().ends_with("too fast"), "{error}");
+        }
+    }
+}
+
+/// One closure, fifty instances at once: each gets what is its own.
+#[test]
+fn fifty_instances_share_a_host() {
+    let host = Host::new().function("friction", |sliding: f64| sliding / 100.0);
+    let (_, module) = &modules()[1];
+    std::thread::scope(|scope| {
+        for i in 0..50 {
+            let host = &host;
+            scope.spawn(move || {
+                let mut instance = module.instantiate();
+                instance.set_host(host).unwrap();
+                instance.set("limit", f64::from(i) / 50.0).unwrap();
+                instance.solve().unwrap();
+                assert_eq!(instance.params().unwrap().len(), 1);
+            });
+        }
+    });
+}
