@@ -2,10 +2,10 @@
 
 use crate::cache::{Answer, Claim};
 use crate::error::EngineError;
-use crate::plan::Plan;
+use crate::plan::{BodyPlan, Plan};
 use crate::resources::Resources;
 use crate::results::StructureCounts;
-use crate::scene::{Prototype, Scene, StructureOptions};
+use crate::scene::{Body, Prototype, Scene, StructureOptions};
 use crate::structure::Structure;
 use rayon::prelude::*;
 use std::sync::Arc;
@@ -36,8 +36,12 @@ pub(crate) fn build_structures(
         }
     }
     let (structures, counts) = obtain(&wanted, resources)?;
-    let of_body = |number: Option<usize>| number.and_then(|number| structures.get(number).cloned());
-    Ok((numbers.into_iter().map(of_body).collect(), counts))
+    let bodies = numbers.into_iter().zip(&scene.bodies).zip(&plan.bodies);
+    let of_body = |((number, body), planned): ((Option<usize>, &Body), &BodyPlan)| {
+        let shared = number.and_then(|number| structures.get(number).cloned());
+        shared.map(|shared| body.prototype.shape(shared, &planned.options)).transpose()
+    };
+    Ok((bodies.map(of_body).collect::<Result<_, _>>()?, counts))
 }
 
 /// A structure to be built here, with the duty to hand it to others if it has a key.

@@ -50,6 +50,19 @@ pub trait Prototype: Any + Send + Sync {
         None
     }
 
+    /// The structure of this very body, made of one that [`Prototype::build`] gave it or another of the same key. It takes little
+    /// time: what is shared has been condensed.
+    ///
+    /// # Errors
+    /// The body's own shape cannot be had.
+    fn shape(
+        &self,
+        shared: Arc<dyn Structure>,
+        _options: &StructureOptions,
+    ) -> Result<Arc<dyn Structure>, EngineError> {
+        Ok(shared)
+    }
+
     /// Radius of the circle about the body's origin that encloses it, m.
     fn enclosing_radius(&self) -> f64;
 

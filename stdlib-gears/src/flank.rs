@@ -273,6 +273,30 @@ impl Flank {
         self.amount(self.roll_at(s))[0]
     }
 
+    /// Whether anything is taken off this flank.
+    pub fn is_modified(&self) -> bool {
+        !self.reliefs.is_empty() || !self.deviations.is_empty()
+    }
+
+    /// The largest amount taken off or put on between form and tip circle, m.
+    pub(crate) fn deepest(&self) -> f64 {
+        const STEPS: usize = 64;
+        let range = self.tip_roll - self.form_roll;
+        let at = |step: usize| self.amount(self.form_roll + range * step as f64 / STEPS as f64)[0].abs();
+        if self.is_modified() { (0..=STEPS).map(at).fold(0.0, f64::max) } else { 0.0 }
+    }
+
+    /// Roll angle at the form circle, rad.
+    pub fn form_roll(&self) -> f64 {
+        self.form_roll
+    }
+
+    /// Roll angle below which nothing is taken off, rad.
+    pub(crate) fn first_modified_roll(&self) -> f64 {
+        let modified = self.parts.iter().find(|part| part.modified);
+        modified.map_or(self.edge.start_roll, |part| part.start_roll)
+    }
+
     /// Roll angle at which the rounded tip edge begins, rad.
     pub fn edge_roll(&self) -> f64 {
         self.edge.start_roll

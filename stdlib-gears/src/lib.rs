@@ -115,6 +115,7 @@ pub mod involute;
 pub mod library;
 pub mod mesh_geometry;
 pub mod modification;
+mod modified;
 pub mod mounting;
 pub mod prototype;
 pub mod rack;

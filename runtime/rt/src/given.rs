@@ -10,10 +10,8 @@ pub struct Given {
     /// Of the param.
     pub name: String,
     pub value: GivenValue,
-    /// Where the value stands, if it was given in a file.
+    /// Where it stands, if it was given in a file.
     pub origin: Option<Origin>,
-    /// Where the name stands.
-    pub name_origin: Option<Origin>,
 }
 
 #[derive(Clone, Debug, PartialEq)]
@@ -34,12 +32,12 @@ pub enum GivenValue {
 impl Given {
     /// A value as typed on a command line.
     pub fn text(name: impl Into<String>, text: impl Into<String>) -> Given {
-        Given { name: name.into(), value: GivenValue::Text(text.into()), origin: None, name_origin: None }
+        Given { name: name.into(), value: GivenValue::Text(text.into()), origin: None }
     }
 
     /// A value of a program.
     pub fn value(name: impl Into<String>, value: impl Into<GivenValue>) -> Given {
-        Given { name: name.into(), value: value.into(), origin: None, name_origin: None }
+        Given { name: name.into(), value: value.into(), origin: None }
     }
 
     /// Reads `NAME=VALUE`.

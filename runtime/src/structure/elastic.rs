@@ -15,12 +15,13 @@
 //! edges ([`super::sampling`]). Only one orientation of each table is stored and it is always
 //! summed in the same order, so that exchanging load and observer gives the same bits.
 
+use super::StructureError;
+use super::answers::Turned;
 use super::condense::{Condensed, Support, condense, match_cuts};
 use super::kernel::{Mollifier, PairQuadrature, Sampled};
 use super::ring::RingFlexibility;
 use super::sampling::{SplitOptions, Stretch, sample};
-use super::spline::{Spline, Weights};
-use super::{Chart, StressPlace, Structure, StructureError, SurfaceLoad};
+use super::spline::Spline;
 use crate::fe::stress::StressRecovery;
 use crate::fe::{EdgeChain, PlaneModel, SparseVector};
 use crate::interrupt::Interrupt;
@@ -71,47 +72,51 @@ pub struct RingSource<'a> {
 
 /// An elastic body from finite elements. See the module.
 pub struct ElasticStructure {
-    teeth: u32,
-    surface_modulus: f64,
-    reference_length: f64,
+    pub(super) teeth: u32,
+    pub(super) surface_modulus: f64,
+    pub(super) reference_length: f64,
     /// Displacement per angle between normals, m/(N/m).
-    kink: f64,
-    surfaces: Vec<Surface>,
+    pub(super) kink: f64,
+    pub(super) surfaces: Vec<Surface>,
+    /// Directions in which points of a surface are loaded and observed: 1, into the body, or 2, along the surface too.
+    pub(super) directions: usize,
     /// By offset of the observing sector ahead of the loaded one.
-    offsets: Vec<OffsetTables>,
-    /// By surface: the mixed derivative of its own table at the first and the last sample.
-    twists: Vec<[f64; 2]>,
+    pub(super) offsets: Vec<OffsetTables>,
+    /// By surface and pair of directions: the mixed derivative of its own table at the first and the last sample.
+    pub(super) twists: Vec<[f64; 2]>,
 }
 
-struct Surface {
-    profile: Arc<dyn Profile>,
+pub(super) struct Surface {
+    pub profile: Arc<dyn Profile>,
     /// Over arc length: for everything but the surface's own compliance.
-    spline: Spline,
-    stretch: Stretch,
+    pub spline: Spline,
+    pub stretch: Stretch,
     /// Over the stretched coordinate: for the surface's own compliance.
-    stretched: Spline,
+    pub stretched: Spline,
     /// Arc lengths of the chain. Beyond it, its ends stand in.
-    range: [f64; 2],
+    pub range: [f64; 2],
     /// Spline coefficients of the angle by which the normal has turned, positive where convex, rad.
-    turned: Vec<f64>,
-    stress_positions: Vec<[f64; 2]>,
+    pub turned: Vec<f64>,
+    pub stress_positions: Vec<[f64; 2]>,
 }
 
-/// Spline coefficients between a loaded sector and one that is some places ahead of it.
-struct OffsetTables {
-    /// `[observed surface][loaded surface]`, rows by observer.
-    compliance: Vec<Vec<Mat<f64>>>,
-    /// Stress on the sector ahead by loads on this one: `[observed surface][loaded surface]`, rows by place, Pa/(N/m).
-    stress_ahead: Vec<Vec<Mat<f64>>>,
+/// Spline coefficients between a loaded sector and one that is some places ahead of it. A side is a surface in one of its
+/// directions: `surface * directions + direction`.
+pub(super) struct OffsetTables {
+    /// `[observed side][loaded side]`, rows by observer.
+    pub compliance: Vec<Vec<Mat<f64>>>,
+    /// Stress on the sector ahead by loads on this one: `[observed surface][loaded side]`, rows by place, Pa/(N/m).
+    pub stress_ahead: Vec<Vec<Mat<f64>>>,
     /// Stress on this sector by loads on the one ahead.
-    stress_behind: Vec<Vec<Mat<f64>>>,
+    pub stress_behind: Vec<Vec<Mat<f64>>>,
 }
 
 /// A surface with its loads and stress rows, before solution.
 struct Prepared {
     surface: Surface,
     mollifiers: Vec<Mollifier>,
-    loads: Vec<SparseVector>,
+    /// By direction, one a mollifier.
+    loads: Vec<Vec<SparseVector>>,
     stress_rows: Vec<SparseVector>,
 }
 
@@ -190,6 +195,7 @@ impl ElasticStructure {
             reference_length,
             kink,
             surfaces: Vec::new(),
+            directions: prepared.first().map_or(1, |first| first.loads.len()),
             offsets: Vec::new(),
             twists: Vec::new(),
         };
@@ -198,13 +204,15 @@ impl ElasticStructure {
             structure.offsets.push(tables);
         }
         let own = &structure.offsets[0].compliance;
-        let twist = |(p, prepared): (usize, &Prepared)| {
-            [0, 1].map(|end| {
-                let slopes = prepared.surface.stretched.slopes(end);
-                slopes.sum(|i| slopes.sum(|j| own[p][p][(i, j)]))
-            })
-        };
-        structure.twists = prepared.iter().enumerate().map(twist).collect();
+        for (p, prepared) in prepared.iter().enumerate() {
+            let sides = || p * structure.directions..(p + 1) * structure.directions;
+            for (a, b) in sides().flat_map(|a| sides().map(move |b| (a, b))) {
+                structure.twists.push([0, 1].map(|end| {
+                    let slopes = prepared.surface.stretched.slopes(end);
+                    slopes.sum(|i| slopes.sum(|j| own[a][b][(i, j)]))
+                }));
+            }
+        }
         structure.surfaces = prepared.into_iter().map(|prepared| prepared.surface).collect();
         Ok(structure)
     }
@@ -219,45 +227,53 @@ impl ElasticStructure {
         interrupt: &Interrupt,
     ) -> Result<OffsetTables, StructureError> {
         let response = response(condensed, ring, offset, interrupt)?;
-        let load_starts = starts(prepared.iter().map(|surface| surface.loads.len()));
+        let directions = self.directions;
+        let sides = || (0..prepared.len() * directions).map(|side| (side / directions, side % directions));
+        let load_starts = starts(sides().map(|(p, direction)| prepared[p].loads[direction].len()));
         let row_starts = starts(prepared.iter().map(|surface| surface.stress_rows.len()));
-        type Tables = Result<Vec<Vec<Mat<f64>>>, StructureError>;
-        let per_pair = |table: &dyn Fn(usize, usize) -> Result<Mat<f64>, StructureError>| -> Tables {
-            let surfaces = 0..prepared.len();
-            surfaces.clone().map(|p| surfaces.clone().map(|q| table(p, q)).collect()).collect()
-        };
-        let stress = |all: &Mat<f64>| {
-            per_pair(&|p, q| {
-                let (rows, loads) = (row_starts[p]..row_starts[p + 1], load_starts[q]..load_starts[q + 1]);
+        let stress = |all: &Mat<f64>| -> Vec<Vec<Mat<f64>>> {
+            let table = |p: usize, side: usize| {
+                let (rows, loads) =
+                    (row_starts[p]..row_starts[p + 1], load_starts[side]..load_starts[side + 1]);
                 let table = all.as_ref().submatrix(rows.start, loads.start, rows.len(), loads.len());
-                Ok(prepared[q].surface.spline.coefficients(table.transpose()).transpose().to_owned())
-            })
+                let spline = &prepared[side / directions].surface.spline;
+                spline.coefficients(table.transpose()).transpose().to_owned()
+            };
+            let loaded = 0..prepared.len() * directions;
+            (0..prepared.len()).map(|p| loaded.clone().map(|side| table(p, side)).collect()).collect()
         };
+        let compliance = |(p, a): (usize, usize), (q, b): (usize, usize)| {
+            let (rows, columns) = (p * directions + a, q * directions + b);
+            let (rows, loads) =
+                (load_starts[rows]..load_starts[rows + 1], load_starts[columns]..load_starts[columns + 1]);
+            let table =
+                response.compliance.as_ref().submatrix(rows.start, loads.start, rows.len(), loads.len());
+            let (observed, loaded) = (&prepared[p].surface, &prepared[q].surface);
+            if offset > 0 || p != q {
+                return Ok(both_sides(&observed.spline, &loaded.spline, table));
+            }
+            let smooth = self.smooth_part(&prepared[p], [a, b], table, interrupt)?;
+            let mut coefficients = both_sides(&observed.stretched, &loaded.stretched, smooth.as_ref());
+            if a == b {
+                super::dense::mirror_lower(&mut coefficients);
+            }
+            Ok(coefficients)
+        };
+        let row = |observed| sides().map(|loaded| compliance(observed, loaded)).collect();
         Ok(OffsetTables {
-            compliance: per_pair(&|p, q| {
-                let (rows, loads) = (load_starts[p]..load_starts[p + 1], load_starts[q]..load_starts[q + 1]);
-                let table =
-                    response.compliance.as_ref().submatrix(rows.start, loads.start, rows.len(), loads.len());
-                let (observed, loaded) = (&prepared[p].surface, &prepared[q].surface);
-                if offset == 0 && p == q {
-                    let smooth = self.smooth_part(&prepared[p], table, interrupt)?;
-                    let mut coefficients =
-                        both_sides(&observed.stretched, &loaded.stretched, smooth.as_ref());
-                    super::dense::mirror_lower(&mut coefficients);
-                    Ok(coefficients)
-                } else {
-                    Ok(both_sides(&observed.spline, &loaded.spline, table))
-                }
-            })?,
-            stress_ahead: stress(&response.stress_ahead)?,
-            stress_behind: stress(&response.stress_behind)?,
+            compliance: sides().map(row).collect::<Result<_, StructureError>>()?,
+            stress_ahead: stress(&response.stress_ahead),
+            stress_behind: stress(&response.stress_behind),
         })
     }
 
-    /// The mesh's answers on one surface less the half-plane's and the kink's to the same mollifiers.
+    /// The mesh's answers on one surface less the half-plane's and the kink's to the same mollifiers. `directions` are the
+    /// observer's and the load's: both into the body or both along the surface, the half-plane answers alike; across, it steps
+    /// where both meet (Johnson, Contact Mechanics, eqs. 2.19 and 2.22).
     fn smooth_part(
         &self,
         prepared: &Prepared,
+        directions: [usize; 2],
         answers: MatRef<'_, f64>,
         interrupt: &Interrupt,
     ) -> Result<Mat<f64>, StructureError> {
@@ -268,201 +284,28 @@ impl ElasticStructure {
         let place = |s: f64| surface.turned_at(s);
         let turned: Vec<Sampled<Turned>> =
             prepared.mollifiers.iter().map(|mollifier| quadrature.sampled(mollifier, place)).collect();
+        let curved = |a: Turned, b: Turned| self.curved_part(surface, a, b);
+        let step = if directions[0] == 0 { self.kink } else { -self.kink };
+        let across = |a: Turned, b: Turned| if a.s == b.s { 0.0 } else { step * (a.s - b.s).signum() };
+        let alike = directions[0] == directions[1];
         let mut smooth = answers.to_owned();
         for k in 0..turned.len() {
             interrupt.check().map_err(StructureError::Interrupted)?;
-            for l in 0..=k {
-                let (observer, load) = (&prepared.mollifiers[k], &prepared.mollifiers[l]);
-                let logarithm = quadrature.logarithm(observer, load) - log_length;
-                let curved =
-                    quadrature.mean(&turned[k], &turned[l], place, |a, b| self.curved_part(surface, a, b));
-                smooth[(k, l)] -= log_factor * logarithm + curved;
-            }
-        }
-        super::dense::mirror_lower(&mut smooth);
-        Ok(smooth)
-    }
-
-    /// What curvature adds to the half-plane's logarithm and is not smooth where `a` and `b` meet.
-    fn curved_part(&self, surface: &Surface, a: Turned, b: Turned) -> f64 {
-        // Convex is positive: the angle grows with the arc length.
-        let turn = if a.s >= b.s { a.angle - b.angle } else { b.angle - a.angle };
-        // Compared with the length of the surface, so that a straight one has no term at all.
-        let distance = (a.s - b.s).abs() / surface.profile.length();
-        let logarithmic = if distance > 0.0 { turn * turn * distance.ln() } else { 0.0 };
-        self.kink * turn + logarithmic / (PI * self.surface_modulus)
-    }
-
-    /// What continuing the table of a surface straight in both variables adds at its corner, and should not: towards a
-    /// free edge the compliance of a point grows with the logarithm of the distance, whatever that of its neighbours.
-    fn twist(&self, surface: u32, a: Local, b: Local) -> f64 {
-        if a.beyond * b.beyond <= 0.0 {
-            return 0.0;
-        }
-        a.beyond * b.beyond * self.twists[surface as usize][usize::from(a.beyond > 0.0)]
-    }
-
-    /// Places ahead, going round, from one tooth to another.
-    fn places_ahead(&self, from: u32, to: u32) -> u32 {
-        (to % self.teeth + self.teeth - from % self.teeth) % self.teeth
-    }
-
-    fn surface(&self, chart: Chart) -> Option<&Surface> {
-        self.surfaces.get(chart.surface as usize)
-    }
-}
-
-impl Structure for ElasticStructure {
-    fn profile(&self, surface: u32) -> Arc<dyn Profile> {
-        self.surfaces[surface as usize].profile.clone()
-    }
-
-    fn tooth_angle(&self, tooth: u32) -> f64 {
-        TAU * f64::from(tooth % self.teeth) / f64::from(self.teeth)
-    }
-
-    fn teeth(&self) -> u32 {
-        self.teeth
-    }
-
-    fn surface_modulus(&self) -> f64 {
-        self.surface_modulus
-    }
-
-    fn reference_length(&self) -> f64 {
-        self.reference_length
-    }
-
-    fn add_compliance(
-        &self,
-        observe: Chart,
-        observe_s: &[f64],
-        load: Chart,
-        load_s: &[f64],
-        block: &mut [f64],
-    ) {
-        let (Some(observed), Some(loaded)) = (self.surface(observe), self.surface(load)) else {
-            return;
-        };
-        let ahead = self.places_ahead(load.tooth, observe.tooth);
-        let behind = self.places_ahead(observe.tooth, load.tooth);
-        let same_tooth = ahead == 0;
-        let same = same_tooth && observe.surface == load.surface;
-        // Of the two orientations, the stored one: the observer ahead, or on the higher surface of the same tooth. Half
-        // way round a ring of even number each is ahead of the other; the higher tooth decides.
-        let forward = if same_tooth {
-            observe.surface >= load.surface
-        } else if ahead == behind {
-            observe.tooth % self.teeth > load.tooth % self.teeth
-        } else {
-            ahead < behind
-        };
-        let Some(tables) = self.offsets.get(ahead.min(behind) as usize) else {
-            return;
-        };
-        let table = if forward {
-            &tables.compliance[observe.surface as usize][load.surface as usize]
-        } else {
-            &tables.compliance[load.surface as usize][observe.surface as usize]
-        };
-        let loads: Vec<Local> = load_s.iter().map(|&s| loaded.local(s)).collect();
-        for (row, &s) in observe_s.iter().enumerate() {
-            let observer = observed.local(s);
-            for (column, &load) in loads.iter().enumerate() {
-                // Within one table, which is symmetric, the larger arc length goes first, whichever side it is on.
-                let first = if same { observer.turned.s >= load.turned.s } else { forward };
-                let (first, second) = if first { (observer, load) } else { (load, observer) };
-                let sum = |a: Weights, b: Weights| a.sum(|i| b.sum(|j| table[(i, j)]));
-                block[row * load_s.len() + column] += if same {
-                    sum(first.stretched, second.stretched) - self.twist(observe.surface, first, second)
-                        + self.curved_part(observed, first.turned, second.turned)
+            let count = if alike { k + 1 } else { turned.len() };
+            for l in 0..count {
+                smooth[(k, l)] -= if alike {
+                    let (observer, load) = (&prepared.mollifiers[k], &prepared.mollifiers[l]);
+                    let logarithm = quadrature.logarithm(observer, load) - log_length;
+                    log_factor * logarithm + quadrature.mean(&turned[k], &turned[l], place, curved)
                 } else {
-                    sum(first.weights, second.weights)
+                    quadrature.mean(&turned[k], &turned[l], place, across)
                 };
             }
         }
-    }
-
-    /// The stress along the surface: of a free surface, the principal stress that is not zero. A compressed place has
-    /// a negative one.
-    fn stresses(&self, tooth: u32, surface: u32, loads: &[SurfaceLoad]) -> Vec<(StressPlace, f64)> {
-        let Some(observed) = self.surfaces.get(surface as usize) else {
-            return Vec::new();
-        };
-        let mut stress = vec![0.0; observed.stress_positions.len()];
-        for load in loads {
-            let Some(loaded) = self.surface(load.chart) else {
-                continue;
-            };
-            let ahead = self.places_ahead(load.chart.tooth, tooth);
-            let behind = self.places_ahead(tooth, load.chart.tooth);
-            let Some(tables) = self.offsets.get(ahead.min(behind) as usize) else {
-                continue;
-            };
-            let side = if ahead <= behind { &tables.stress_ahead } else { &tables.stress_behind };
-            let table = &side[surface as usize][load.chart.surface as usize];
-            let weights = loaded.local(load.s).weights;
-            for (row, value) in stress.iter_mut().enumerate() {
-                *value += load.force * weights.sum(|i| table[(row, i)]);
-            }
+        if alike {
+            super::dense::mirror_lower(&mut smooth);
         }
-        let (sin, cos) = self.tooth_angle(tooth).sin_cos();
-        let place = |&[x, y]: &[f64; 2]| StressPlace {
-            tooth,
-            surface,
-            position: [cos * x - sin * y, sin * x + cos * y],
-        };
-        observed.stress_positions.iter().map(place).zip(stress).collect()
-    }
-
-    fn bytes(&self) -> usize {
-        let surface = |surface: &Surface| {
-            surface.spline.bytes()
-                + surface.stretched.bytes()
-                + size_of_val(surface.turned.as_slice())
-                + size_of_val(surface.stress_positions.as_slice())
-        };
-        let tables = self.offsets.iter().flat_map(|tables| {
-            [&tables.compliance, &tables.stress_ahead, &tables.stress_behind].into_iter().flatten().flatten()
-        });
-        let entries: usize = tables.map(|table| table.nrows() * table.ncols()).sum();
-        self.surfaces.iter().map(surface).sum::<usize>() + entries * size_of::<f64>()
-    }
-}
-
-/// A point of a surface as its tables see it.
-#[derive(Clone, Copy)]
-struct Local {
-    turned: Turned,
-    weights: Weights,
-    /// By the stretched coordinate.
-    stretched: Weights,
-    /// How far the stretched coordinate lies beyond the samples.
-    beyond: f64,
-}
-
-/// A point of a surface and how far its normal has turned there.
-#[derive(Clone, Copy)]
-struct Turned {
-    /// Within the surface's range.
-    s: f64,
-    /// rad, positive where convex.
-    angle: f64,
-}
-
-impl Surface {
-    fn local(&self, s: f64) -> Local {
-        let s = s.clamp(self.range[0], self.range[1]);
-        let (t, weights) = (self.stretch.at(s), self.spline.weights(s));
-        let (stretched, beyond) = (self.stretched.weights(t), self.stretched.beyond(t));
-        let turned = Turned { s, angle: weights.sum(|i| self.turned[i]) };
-        Local { turned, weights, stretched, beyond }
-    }
-
-    /// The same of what only curvature asks for.
-    fn turned_at(&self, s: f64) -> Turned {
-        let s = s.clamp(self.range[0], self.range[1]);
-        Turned { s, angle: self.spline.weights(s).sum(|i| self.turned[i]) }
+        Ok(smooth)
     }
 }
 
@@ -517,7 +360,7 @@ fn starts(counts: impl Iterator<Item = usize>) -> Vec<usize> {
 }
 
 fn gathered(prepared: &[Prepared]) -> (Vec<SparseVector>, Vec<SparseVector>) {
-    let loads = prepared.iter().flat_map(|surface| surface.loads.iter().cloned()).collect();
+    let loads = prepared.iter().flat_map(|surface| surface.loads.iter().flatten().cloned()).collect();
     let rows = prepared.iter().flat_map(|surface| surface.stress_rows.iter().cloned()).collect();
     (loads, rows)
 }
@@ -548,16 +391,17 @@ fn prepare_surface(
     let loaded = chain(model, &source.chain)?;
     let samples = sample(&model.mesh, loaded, source.edges, options)
         .ok_or_else(|| StructureError::Coarse { chain: source.chain.clone() })?;
-    let loads = samples
-        .mollifiers
-        .iter()
-        .map(|mollifier| {
+    let mut loads = Vec::new();
+    for direction in 0..if options.reshapable { 2 } else { 1 } {
+        let load = |mollifier: &Mollifier| {
             checkpoint()?;
-            Ok(model.edge_load_between(loaded, mollifier.support(), |s, point| {
-                point.normal.map(|part| -part * mollifier.value(s))
+            Ok(model.edge_load_between(loaded, mollifier.support(), |s, point| match direction {
+                0 => point.normal.map(|part| -part * mollifier.value(s)),
+                _ => source.profile.at(s).tangent.map(|part| part * mollifier.value(s)),
             }))
-        })
-        .collect::<Result<_, StructureError>>()?;
+        };
+        loads.push(samples.mollifiers.iter().map(load).collect::<Result<_, StructureError>>()?);
+    }
 
     let mut surface = Surface {
         profile: source.profile.clone(),

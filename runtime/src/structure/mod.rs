@@ -3,16 +3,19 @@
 //! Displacements are elastic only: what moves the body as a whole belongs to its frame.
 //! Everything here is per unit of face width (a plane model): forces in N/m, compliances in m/(N/m).
 
+mod answers;
 mod condense;
 mod dense;
 pub mod elastic;
 pub mod kernel;
+mod reshaped;
 pub mod rigid;
 pub mod ring;
 pub mod sampling;
 pub mod spline;
 
 pub use elastic::{ElasticStructure, Hold, RingSource, SurfaceSource};
+pub use reshaped::ReshapedSurface;
 pub use rigid::RigidStructure;
 pub use sampling::SplitOptions;
 
@@ -117,6 +120,13 @@ pub trait Structure: Send + Sync {
     /// Principal stress of largest tension (Pa) at each point where stress is recovered, for the given loads, on tooth
     /// `tooth`: on a free surface the stress along it, negative where compressed. Empty if the structure recovers none.
     fn stresses(&self, tooth: u32, surface: u32, loads: &[SurfaceLoad]) -> Vec<(StressPlace, f64)>;
+
+    /// The same body with surfaces that differ from its own by little, one for each; `None` if it cannot be had so.
+    ///
+    /// What is pressed is the new curve, along its own normal; how the body gives is that of the old one.
+    fn reshaped(self: Arc<Self>, _surfaces: Vec<ReshapedSurface>) -> Option<Arc<dyn Structure>> {
+        None
+    }
 
     /// Memory that the structure takes, in bytes, to the nearest few percent: what a cache counts.
     fn bytes(&self) -> usize;

@@ -15,11 +15,14 @@ pub struct SplitOptions {
     pub matching_depth: f64,
     /// Samples on each surface, at least 8.
     pub samples: usize,
+    /// Condense forces along the surfaces as well as into them, so that they may be given other shapes afterwards
+    /// ([`super::Structure::reshaped`]).
+    pub reshapable: bool,
 }
 
 impl Default for SplitOptions {
     fn default() -> Self {
-        Self { matching_depth: 1.0, samples: 64 }
+        Self { matching_depth: 1.0, samples: 64, reshapable: false }
     }
 }
 

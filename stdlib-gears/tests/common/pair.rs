@@ -79,6 +79,14 @@ impl Prototype for Member {
         Ok(built)
     }
 
+    fn shape(
+        &self,
+        shared: Arc<dyn Structure>,
+        options: &StructureOptions,
+    ) -> Result<Arc<dyn Structure>, EngineError> {
+        self.prototype.shape(shared, options)
+    }
+
     fn enclosing_radius(&self) -> f64 {
         self.prototype.enclosing_radius()
     }

@@ -8,6 +8,7 @@ mod equilibrium;
 mod given_by_functions;
 mod invariance;
 mod other_pairs;
+mod sharing;
 mod supports;
 
 /// Parts of the mesh cycle of the chapter 5 pair at which tests look: two pairs of teeth in contact up to 0.4925.

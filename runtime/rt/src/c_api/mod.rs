@@ -32,7 +32,6 @@ use crate::report::{line_column, problem};
 use calyx_abi::description::{ModelDescription, ModuleTable};
 use calyx_abi::error::codes;
 use calyx_abi::{Cancel, RuntimeError};
-use calyx_gears::error::Severity;
 use describe::Described;
 use running::Running;
 use std::ffi::{CStr, CString, c_char};
@@ -105,7 +104,7 @@ impl Told {
                     told.file = c_text(&file.name);
                     (told.line, told.column) = line_column(file, start);
                 }
-                problem(Severity::Error, error, description)
+                problem("error", error, description)
             }
             _ => match error.help() {
                 "" => format!("error: {}\n", error.message()),

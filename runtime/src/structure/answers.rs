@@ -1,0 +1,246 @@
+//! What a condensed structure answers: compliances between points of its surfaces, and stresses, off its tables.
+
+use super::elastic::{ElasticStructure, Surface};
+use super::reshaped::Reshaped;
+use super::spline::Weights;
+use super::{Chart, ReshapedSurface, StressPlace, Structure, SurfaceLoad};
+use crate::profile::Profile;
+use std::f64::consts::{PI, TAU};
+use std::sync::Arc;
+
+impl ElasticStructure {
+    /// What curvature adds to the half-plane's logarithm and is not smooth where `a` and `b` meet.
+    pub(super) fn curved_part(&self, surface: &Surface, a: Turned, b: Turned) -> f64 {
+        // Convex is positive: the angle grows with the arc length.
+        let turn = if a.s >= b.s { a.angle - b.angle } else { b.angle - a.angle };
+        // Compared with the length of the surface, so that a straight one has no term at all.
+        let distance = (a.s - b.s).abs() / surface.profile.length();
+        let logarithmic = if distance > 0.0 { turn * turn * distance.ln() } else { 0.0 };
+        self.kink * turn + logarithmic / (PI * self.surface_modulus)
+    }
+
+    /// What continuing the table of a surface straight in both variables adds at its corner, and should not: towards a
+    /// free edge the compliance of a point grows with the logarithm of the distance, whatever that of its neighbours.
+    fn twist(&self, surface: u32, directions: [usize; 2], a: Local, b: Local) -> f64 {
+        if a.beyond * b.beyond <= 0.0 {
+            return 0.0;
+        }
+        let pair = (surface as usize * self.directions + directions[0]) * self.directions + directions[1];
+        a.beyond * b.beyond * self.twists[pair][usize::from(a.beyond > 0.0)]
+    }
+
+    /// Pairs of directions in which two points are loaded and observed, with the product of their shares.
+    fn shared_directions(&self, a: Local, b: Local) -> impl Iterator<Item = ([usize; 2], f64)> {
+        let pairs = (0..self.directions).flat_map(|of_a| (0..self.directions).map(move |of_b| [of_a, of_b]));
+        pairs
+            .map(move |[of_a, of_b]| ([of_a, of_b], a.direction[of_a] * b.direction[of_b]))
+            .filter(|(_, share)| *share != 0.0)
+    }
+
+    /// Places ahead, going round, from one tooth to another.
+    fn places_ahead(&self, from: u32, to: u32) -> u32 {
+        (to % self.teeth + self.teeth - from % self.teeth) % self.teeth
+    }
+
+    /// [`Structure::add_compliance`] between points as the tables see them.
+    pub(super) fn add_between(
+        &self,
+        observe: Chart,
+        observers: &[Local],
+        load: Chart,
+        loads: &[Local],
+        block: &mut [f64],
+    ) {
+        let Some(observed) = self.surface(observe) else { return };
+        let ahead = self.places_ahead(load.tooth, observe.tooth);
+        let behind = self.places_ahead(observe.tooth, load.tooth);
+        let same_tooth = ahead == 0;
+        let same = same_tooth && observe.surface == load.surface;
+        // Of the two orientations, the stored one: the observer ahead, or on the higher surface of the same tooth. Half
+        // way round a ring of even number each is ahead of the other; the higher tooth decides.
+        let forward = if same_tooth {
+            observe.surface >= load.surface
+        } else if ahead == behind {
+            observe.tooth % self.teeth > load.tooth % self.teeth
+        } else {
+            ahead < behind
+        };
+        let Some(tables) = self.offsets.get(ahead.min(behind) as usize) else {
+            return;
+        };
+        let sides = if forward { [observe, load] } else { [load, observe] };
+        let [rows, columns] = sides.map(|chart| chart.surface as usize * self.directions);
+        for (row, &observer) in observers.iter().enumerate() {
+            for (column, &load) in loads.iter().enumerate() {
+                // Within one table, which is symmetric, the larger arc length goes first, whichever side it is on.
+                let first = if same { observer.is_before(&load) } else { forward };
+                let (first, second) = if first { (observer, load) } else { (load, observer) };
+                let mut sum =
+                    if same { self.curved_part(observed, first.turned, second.turned) } else { 0.0 };
+                for ([of_first, of_second], share) in self.shared_directions(first, second) {
+                    let table = &tables.compliance[rows + of_first][columns + of_second];
+                    let between = |a: Weights, b: Weights| a.sum(|i| b.sum(|j| table[(i, j)]));
+                    sum += share
+                        * if same {
+                            between(first.stretched, second.stretched)
+                                - self.twist(observe.surface, [of_first, of_second], first, second)
+                        } else {
+                            between(first.weights, second.weights)
+                        };
+                }
+                block[row * loads.len() + column] += sum;
+            }
+        }
+    }
+
+    /// [`Structure::stresses`] under loads as the tables see them, in N/m.
+    pub(super) fn stresses_by(
+        &self,
+        tooth: u32,
+        surface: u32,
+        loads: impl Iterator<Item = (Chart, Local, f64)>,
+    ) -> Vec<(StressPlace, f64)> {
+        let Some(observed) = self.surfaces.get(surface as usize) else {
+            return Vec::new();
+        };
+        let mut stress = vec![0.0; observed.stress_positions.len()];
+        for (chart, local, force) in loads {
+            let ahead = self.places_ahead(chart.tooth, tooth);
+            let behind = self.places_ahead(tooth, chart.tooth);
+            let Some(tables) = self.offsets.get(ahead.min(behind) as usize) else {
+                continue;
+            };
+            let tables = if ahead <= behind { &tables.stress_ahead } else { &tables.stress_behind };
+            for direction in (0..self.directions).filter(|&direction| local.direction[direction] != 0.0) {
+                let table = &tables[surface as usize][chart.surface as usize * self.directions + direction];
+                let force = force * local.direction[direction];
+                for (row, value) in stress.iter_mut().enumerate() {
+                    *value += force * local.weights.sum(|i| table[(row, i)]);
+                }
+            }
+        }
+        let (sin, cos) = self.tooth_angle(tooth).sin_cos();
+        let place = |&[x, y]: &[f64; 2]| StressPlace {
+            tooth,
+            surface,
+            position: [cos * x - sin * y, sin * x + cos * y],
+        };
+        observed.stress_positions.iter().map(place).zip(stress).collect()
+    }
+
+    pub(super) fn surface(&self, chart: Chart) -> Option<&Surface> {
+        self.surfaces.get(chart.surface as usize)
+    }
+}
+
+impl Structure for ElasticStructure {
+    fn profile(&self, surface: u32) -> Arc<dyn Profile> {
+        self.surfaces[surface as usize].profile.clone()
+    }
+
+    fn tooth_angle(&self, tooth: u32) -> f64 {
+        TAU * f64::from(tooth % self.teeth) / f64::from(self.teeth)
+    }
+
+    fn teeth(&self) -> u32 {
+        self.teeth
+    }
+
+    fn surface_modulus(&self) -> f64 {
+        self.surface_modulus
+    }
+
+    fn reference_length(&self) -> f64 {
+        self.reference_length
+    }
+
+    fn add_compliance(
+        &self,
+        observe: Chart,
+        observe_s: &[f64],
+        load: Chart,
+        load_s: &[f64],
+        block: &mut [f64],
+    ) {
+        let (Some(observed), Some(loaded)) = (self.surface(observe), self.surface(load)) else {
+            return;
+        };
+        let observers: Vec<Local> = observe_s.iter().map(|&s| observed.local(s)).collect();
+        let loads: Vec<Local> = load_s.iter().map(|&s| loaded.local(s)).collect();
+        self.add_between(observe, &observers, load, &loads, block);
+    }
+
+    /// The stress along the surface: of a free surface, the principal stress that is not zero. A compressed place has
+    /// a negative one.
+    fn stresses(&self, tooth: u32, surface: u32, loads: &[SurfaceLoad]) -> Vec<(StressPlace, f64)> {
+        let seen = loads
+            .iter()
+            .filter_map(|load| Some((load.chart, self.surface(load.chart)?.local(load.s), load.force)));
+        self.stresses_by(tooth, surface, seen)
+    }
+
+    fn reshaped(self: Arc<Self>, surfaces: Vec<ReshapedSurface>) -> Option<Arc<dyn Structure>> {
+        (self.directions == 2 && surfaces.len() == self.surfaces.len())
+            .then(|| Arc::new(Reshaped::new(self, surfaces)) as Arc<dyn Structure>)
+    }
+
+    fn bytes(&self) -> usize {
+        let surface = |surface: &Surface| {
+            surface.spline.bytes()
+                + surface.stretched.bytes()
+                + size_of_val(surface.turned.as_slice())
+                + size_of_val(surface.stress_positions.as_slice())
+        };
+        let tables = self.offsets.iter().flat_map(|tables| {
+            [&tables.compliance, &tables.stress_ahead, &tables.stress_behind].into_iter().flatten().flatten()
+        });
+        let entries: usize = tables.map(|table| table.nrows() * table.ncols()).sum();
+        self.surfaces.iter().map(surface).sum::<usize>() + entries * size_of::<f64>()
+    }
+}
+
+/// A point of a surface as its tables see it.
+#[derive(Clone, Copy)]
+pub(super) struct Local {
+    pub turned: Turned,
+    /// In which direction it is loaded and observed: share into the body, share along the surface. Their squares add up to one.
+    pub direction: [f64; 2],
+    pub weights: Weights,
+    /// By the stretched coordinate.
+    pub stretched: Weights,
+    /// How far the stretched coordinate lies beyond the samples.
+    pub beyond: f64,
+}
+
+/// A point of a surface and how far its normal has turned there.
+#[derive(Clone, Copy)]
+pub(super) struct Turned {
+    /// Within the surface's range.
+    pub s: f64,
+    /// rad, positive where convex.
+    pub angle: f64,
+}
+
+impl Local {
+    /// Whether it comes first in a table of its own surface; of points that a range's end stands in for, by direction.
+    fn is_before(&self, other: &Local) -> bool {
+        (self.turned.s, self.direction[1]) >= (other.turned.s, other.direction[1])
+    }
+}
+
+impl Surface {
+    /// A point pressed into the body along the normal of the surface.
+    pub fn local(&self, s: f64) -> Local {
+        let s = s.clamp(self.range[0], self.range[1]);
+        let (t, weights) = (self.stretch.at(s), self.spline.weights(s));
+        let (stretched, beyond) = (self.stretched.weights(t), self.stretched.beyond(t));
+        let turned = Turned { s, angle: weights.sum(|i| self.turned[i]) };
+        Local { turned, direction: [1.0, 0.0], weights, stretched, beyond }
+    }
+
+    /// The same of what only curvature asks for.
+    pub fn turned_at(&self, s: f64) -> Turned {
+        let s = s.clamp(self.range[0], self.range[1]);
+        Turned { s, angle: self.spline.weights(s).sum(|i| self.turned[i]) }
+    }
+}

@@ -1,0 +1,96 @@
+//! A structure whose surfaces have been given slightly other shapes: a relief of micrometres on flanks of millimetres.
+//!
+//! Contact sees the new curves in full. The body behind them is the old one: its tables answer for a point of the new curve at the
+//! point of the old one that stands for it. A force there goes along the new normal, which the tables know as a force into the body
+//! and one along its surface; turned by an angle `t`, it bends a tooth of radius `r` with another arm by `r t`, so this cannot be
+//! left out. What is left out is the body between the two curves.
+
+use super::answers::{Local, Turned};
+use super::elastic::ElasticStructure;
+use super::{Chart, StressPlace, Structure, SurfaceLoad};
+use crate::profile::Profile;
+use std::sync::Arc;
+
+/// A surface to take the place of another.
+#[derive(Clone)]
+pub struct ReshapedSurface {
+    /// The curve that contact is to see.
+    pub profile: Arc<dyn Profile>,
+    /// Takes arc lengths of it to those of the curve it replaces, m; continuous and ascending.
+    pub onto: Arc<dyn Fn(f64) -> f64 + Send + Sync>,
+}
+
+pub(super) struct Reshaped {
+    body: Arc<ElasticStructure>,
+    surfaces: Vec<ReshapedSurface>,
+}
+
+impl Reshaped {
+    /// `surfaces` are as many as the body's.
+    pub fn new(body: Arc<ElasticStructure>, surfaces: Vec<ReshapedSurface>) -> Self {
+        Self { body, surfaces }
+    }
+
+    fn local(&self, chart: Chart, s: f64) -> Option<Local> {
+        let (own, old) = (self.surfaces.get(chart.surface as usize)?, self.body.surface(chart)?);
+        let onto = (own.onto)(s);
+        // Beyond the last point of the tables that point stands in, with its direction.
+        let last = own.profile.edge_from().unwrap_or(own.profile.length());
+        let own = own.profile.at(s.clamp(0.0, last));
+        let local = old.local(onto);
+        let old = old.profile.at(local.turned.s);
+        let [x, y] = own.normal;
+        let into = x * old.normal[0] + y * old.normal[1];
+        let along = -(x * old.tangent[0] + y * old.tangent[1]);
+        let turned = Turned { angle: local.turned.angle - along.atan2(into), ..local.turned };
+        Some(Local { direction: [into, along], turned, ..local })
+    }
+
+    fn locals(&self, chart: Chart, s: &[f64]) -> Vec<Local> {
+        s.iter().filter_map(|&s| self.local(chart, s)).collect()
+    }
+}
+
+impl Structure for Reshaped {
+    fn profile(&self, surface: u32) -> Arc<dyn Profile> {
+        self.surfaces[surface as usize].profile.clone()
+    }
+
+    fn tooth_angle(&self, tooth: u32) -> f64 {
+        self.body.tooth_angle(tooth)
+    }
+
+    fn teeth(&self) -> u32 {
+        self.body.teeth()
+    }
+
+    fn surface_modulus(&self) -> f64 {
+        self.body.surface_modulus()
+    }
+
+    fn reference_length(&self) -> f64 {
+        self.body.reference_length()
+    }
+
+    fn add_compliance(
+        &self,
+        observe: Chart,
+        observe_s: &[f64],
+        load: Chart,
+        load_s: &[f64],
+        block: &mut [f64],
+    ) {
+        let (observers, loads) = (self.locals(observe, observe_s), self.locals(load, load_s));
+        self.body.add_between(observe, &observers, load, &loads, block);
+    }
+
+    fn stresses(&self, tooth: u32, surface: u32, loads: &[SurfaceLoad]) -> Vec<(StressPlace, f64)> {
+        let seen =
+            loads.iter().filter_map(|load| Some((load.chart, self.local(load.chart, load.s)?, load.force)));
+        self.body.stresses_by(tooth, surface, seen)
+    }
+
+    fn bytes(&self) -> usize {
+        self.body.bytes()
+    }
+}
