@@ -227,6 +227,16 @@ fn builds_say_what_they_lack() {
 }
 
 #[test]
+fn params_come_from_files_and_options() {
+    hold(include_str!("cli/params.md"));
+}
+
+#[test]
+fn runs_go_on_with_their_own() {
+    hold(include_str!("cli/resume.md"));
+}
+
+#[test]
 fn certain_fixes_are_applied() {
     hold(include_str!("cli/fix.md"));
 }

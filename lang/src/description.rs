@@ -9,7 +9,8 @@ use calyx_abi::description::{
     KernelDescription, ModelDescription, OutputDescription, ParamDescription, UnitDescription,
 };
 
-/// Describes a program that runs with an engine of this fingerprint. Defaults and ranges of params are left `None`: whoever elaborates the program fills them in.
+/// Describes a program that runs with an engine of this fingerprint. Defaults and ranges of params, tables and calls are left out: whoever elaborates the
+/// program fills them in.
 pub fn describe(program: &Program, abi: Fingerprint) -> ModelDescription {
     ModelDescription {
         abi,
@@ -89,6 +90,8 @@ pub fn describe(program: &Program, abi: Fingerprint) -> ModelDescription {
             .chain(program.own_units.iter().map(unit))
             .collect(),
         known_dimensions: dimensions(program),
+        tables: [].into(),
+        calls: Vec::new(),
     }
 }
 

@@ -17,7 +17,6 @@ use calyx_runtime::material::Material;
 use calyx_runtime::results::{AnalysisResult, OutputRequest};
 use calyx_runtime::scene::Scene;
 use std::collections::BTreeMap;
-use std::path::PathBuf;
 use std::sync::Arc;
 
 /// The unit in which messages to the model's author give lengths.
@@ -72,8 +71,8 @@ pub struct ModelHost {
     pub output_places: Vec<(u32, u32, u32)>,
     /// Pairs of gears that were to mesh, those refused among them.
     pub meetings: Vec<Meeting>,
-    /// Tables that were read, by the file they come from.
-    pub tables: Vec<(PathBuf, Table)>,
+    /// Tables that were read.
+    pub tables: Vec<Table>,
     pub positions: Vec<Vec<Position>>,
     pub scene: Scene,
     pub outputs: Vec<OutputRequest>,

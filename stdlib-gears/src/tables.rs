@@ -8,6 +8,7 @@ use calyx_abi::externs::Handle;
 use calyx_abi::quantity::{self, Quantity};
 use calyx_abi::units::to_si;
 use calyx_abi::{Context, RuntimeError};
+use std::io;
 use std::path::{Component, Path, PathBuf};
 
 /// Bytes of the largest file that is read: a table, not a measurement of hours.
@@ -18,6 +19,8 @@ const LARGEST: u64 = 100 << 20;
 pub struct Table {
     /// As the model names it.
     pub name: String,
+    /// Of the whole file.
+    pub text: String,
     columns: Vec<Column>,
     /// Line of each row in the file.
     lines: Vec<u64>,
@@ -33,16 +36,14 @@ struct Column {
 
 calyx_abi::externs! {
     Pure fn calyx_std_read_table(context, path: String) -> Handle {
-        let file = locate(context.directory.as_deref(), &path).map_err(|(message, help)| unreadable(&path, &message, help))?;
-        let host = host(context)?;
-        if let Some(known) = host.tables.iter().position(|(known, _)| *known == file) {
+        if let Some(known) = host(context)?.tables.iter().position(|known| known.name == path) {
             return Ok(Handle(known as u64));
         }
-        let text = std::fs::read_to_string(&file)
-            .map_err(|error| unreadable(&path, &error.to_string(), "a table is a text file in UTF-8"))?;
-        let table = parse(&path, &text)?;
-        host.tables.push((file, table));
-        Ok(Handle(host.tables.len() as u64 - 1))
+        let text = text_of(context, &path).map_err(|(message, help)| unreadable(&path, &message, help))?;
+        let table = parse(&path, text)?;
+        let tables = &mut host(context)?.tables;
+        tables.push(table);
+        Ok(Handle(tables.len() as u64 - 1))
     }
 
     Pure fn calyx_std_table_column(context, table: Handle, name: String, unit: String) -> Vec<f64> {
@@ -70,7 +71,7 @@ fn host(context: &mut Context) -> Result<&mut ModelHost, RuntimeError> {
 fn table_of(context: &mut Context, handle: Handle) -> Result<&Table, RuntimeError> {
     let tables = &host(context)?.tables;
     let found = usize::try_from(handle.0).ok().and_then(|index| tables.get(index));
-    found.map(|(_, table)| table).ok_or_else(|| {
+    found.ok_or_else(|| {
         RuntimeError::new("E0799", "a table that is not there", "please report it with the model")
     })
 }
@@ -79,9 +80,26 @@ fn unreadable(path: &str, message: &str, help: &str) -> RuntimeError {
     RuntimeError::new("E0730", format!("`{path}` cannot be read: {message}"), help).of_argument("path")
 }
 
-/// The file a path names, which must lie below the model's directory, whatever links lead there. An error is a
-/// message and what to do.
-fn locate(directory: Option<&Path>, path: &str) -> Result<PathBuf, (String, &'static str)> {
+/// Why a table cannot be read, and what to do.
+type Unreadable = (String, &'static str);
+
+/// The text of a table: one that travels with the program, or that of a file.
+fn text_of(context: &Context, path: &str) -> Result<String, Unreadable> {
+    if let Some(table) = context.tables.iter().flat_map(|all| all.iter()).find(|table| table.name == path) {
+        return Ok(table.text.clone());
+    }
+    let read = |file: PathBuf| {
+        std::fs::read_to_string(file).map_err(|error| (error.to_string(), "a table is a text file in UTF-8"))
+    };
+    let found = locate(context.directory.as_deref(), path).and_then(read);
+    found.map_err(|(message, help)| match context.tables {
+        Some(_) => (format!("it does not travel with the program, and {message}"), help),
+        None => (message, help),
+    })
+}
+
+/// The file a path names, which must lie below the directory, whatever links lead there.
+fn locate(directory: Option<&Path>, path: &str) -> Result<PathBuf, Unreadable> {
     let below =
         "files are read from the model's directory and those in it; give a path relative to the model";
     let directory =
@@ -90,12 +108,12 @@ fn locate(directory: Option<&Path>, path: &str) -> Result<PathBuf, (String, &'st
     if !relative.components().all(|part| matches!(part, Component::Normal(_) | Component::CurDir)) {
         return Err(("it leads out of the model's directory".into(), below));
     }
-    let whole = |path: &Path| path.canonicalize().map_err(|error| (error.to_string(), below));
-    let (directory, file) = (whole(directory)?, whole(&directory.join(relative))?);
-    if !file.starts_with(&directory) {
+    let whole = |path: &Path| path.canonicalize().map_err(|error| (not_in(directory, &error), below));
+    let (root, file) = (whole(directory)?, whole(&directory.join(relative))?);
+    if !file.starts_with(&root) {
         return Err(("it leads out of the model's directory".into(), below));
     }
-    let about = file.metadata().map_err(|error| (error.to_string(), below))?;
+    let about = file.metadata().map_err(|error| (not_in(directory, &error), below))?;
     if !about.is_file() {
         return Err(("it is not a file".into(), below));
     }
@@ -105,13 +123,23 @@ fn locate(directory: Option<&Path>, path: &str) -> Result<PathBuf, (String, &'st
     Ok(file)
 }
 
+fn not_in(directory: &Path, error: &io::Error) -> String {
+    match error.kind() {
+        io::ErrorKind::NotFound if directory == Path::new(".") => {
+            "there is no such file in this directory".into()
+        }
+        io::ErrorKind::NotFound => format!("there is no such file in {}", directory.display()),
+        _ => error.to_string(),
+    }
+}
+
 /// A table from its text: a line of names, then rows of as many cells. `#` begins a comment line.
-fn parse(name: &str, text: &str) -> Result<Table, RuntimeError> {
+fn parse(name: &str, whole: String) -> Result<Table, RuntimeError> {
     let malformed = |line: Option<u64>, message: String, help: &str| {
         let place = line.map(|line| format!(", line {line}")).unwrap_or_default();
         RuntimeError::new("E0731", format!("{name}{place}: {message}"), help).of_argument("path")
     };
-    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let text = whole.strip_prefix('\u{feff}').unwrap_or(&whole);
     let mut reader =
         csv::ReaderBuilder::new().comment(Some(b'#')).trim(csv::Trim::All).from_reader(text.as_bytes());
     let help = "the first line names the columns, separated by commas; every other line has as many cells";
@@ -158,7 +186,8 @@ fn parse(name: &str, text: &str) -> Result<Table, RuntimeError> {
             column.cells.push(cell.to_string());
         }
     }
-    Ok(Table { name: name.into(), columns, lines })
+    drop(reader);
+    Ok(Table { name: name.into(), text: whole, columns, lines })
 }
 
 /// The numbers of a column in SI. `wanted` is one of what the column is to hold: its dimension, and the unit of a column
@@ -236,7 +265,7 @@ mod tests {
     #[test]
     fn columns_come_in_the_dimension_asked_for() {
         let text = "\u{feff}# measured\nroll, depth [mm], note\n0.5, 10, a\n# between\n1, 2.5e1,\"b, c\"\n";
-        let table = parse("t.csv", text).unwrap();
+        let table = parse("t.csv", text.into()).unwrap();
         let metre = quantity::parse("1 m", &units()).ok();
         assert_eq!(column(&table, "depth", metre, &units()).unwrap(), [0.01, 0.025]);
         assert_eq!(column(&table, "roll", None, &units()).unwrap(), [0.5, 1.0]);
@@ -255,10 +284,10 @@ mod tests {
             ("a [mm, b\n", "does not end"),
             (", b\n", "has no name"),
         ] {
-            let error = parse("t.csv", text).unwrap_err();
+            let error = parse("t.csv", text.into()).unwrap_err();
             assert!(error.message.contains(reason), "{text:?}: {}", error.message);
         }
-        let odd = parse("t.csv", "a [ell]\n1\n").unwrap();
+        let odd = parse("t.csv", "a [ell]\n1\n".into()).unwrap();
         assert!(column(&odd, "a", None, &units()).unwrap_err().message.contains("no unit called `ell`"));
     }
 

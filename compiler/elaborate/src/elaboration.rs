@@ -7,7 +7,7 @@ use crate::nan::{explain, note, of_default};
 use crate::plan::Planned;
 use crate::values::{self, Value};
 use calyx_abi::context::codes;
-use calyx_abi::description::ModelDescription;
+use calyx_abi::description::{FileDescription, ModelDescription};
 use calyx_abi::{Cancel, Context, Purity, RuntimeError};
 use calyx_gears::externs::{check_plan, check_unheld};
 use calyx_gears::host::ModelHost;
@@ -151,6 +151,7 @@ fn elaborate_with(
     };
     let mut found: Vec<Diagnostic> = survived.iter().map(at_place).collect();
     let (mut refused, mut planned, mut geometry) = (None, None, Geometry::default());
+    let mut read = Vec::new();
     if let Some(host) = context.host::<ModelHost>() {
         // Of a scene that is not complete nobody can say what it would do.
         if ran.is_ok() && survived.is_empty() {
@@ -162,6 +163,10 @@ fn elaborate_with(
                 }
             }
         }
+        let tables = host.tables.iter();
+        read = tables
+            .map(|table| FileDescription { name: table.name.clone(), text: table.text.clone() })
+            .collect();
         geometry = Geometry::of(host);
         found.extend(host.findings.iter().map(|finding| finding_diagnostic(finding, &sites)));
     }
@@ -184,7 +189,11 @@ fn elaborate_with(
     found.dedup();
     go_on(cancel)?;
     Ok(Elaboration {
-        description: interpreted.into_description(),
+        description: ModelDescription {
+            tables: read.into(),
+            calls: sites.describe(),
+            ..interpreted.into_description()
+        },
         found,
         refused,
         runnable: true,

@@ -1,58 +1,41 @@
 //! `calyx run`: solves a model and writes its results.
 
-use crate::compile::compile;
+use crate::compile::{checked, compile};
 use crate::messages::{MODEL_ERROR, MessageFormat, USAGE};
+use calyx::rt::Refused;
+use calyx::rt::command::{Messages, RunCommand, unwritable};
 use calyx::rt::directory::prepare;
-use calyx::rt::progress::ProgressFormat;
-use calyx::rt::run::{RunError, RunOptions, default_directory};
-use calyx::rt::{Error, Given, budget, interrupt};
-use calyx::{check_run, rt};
-use calyx_abi::Status;
-use clap::{Args, ValueEnum};
-use std::io;
+use calyx::rt::options::RunArguments;
+use calyx::rt::run::default_directory;
+use calyx::rt::schema::schema;
+use calyx::{Module, check_file, check_run};
+use calyx_abi::RuntimeError;
+use calyx_gears::host::Finding;
+use clap::Args;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use std::time::Duration;
 
-pub const EXAMPLES: &str = "Examples:
-  calyx run pair.cx
+pub const EXAMPLES: &str = "\
+Examples:
+  calyx run pair.cx                                     results go to pair.cx.run
   calyx run pair.cx --set torque=500 --set \"tip_radius=0.5 mm\"
-  calyx run pair.cx --out results/case-1 --quiet
+  calyx run pair.cx --params case.toml --out results/case-1 --quiet
+  calyx run pair.cx --print-params > params.schema.json what a file of params may hold
+  calyx run pair.cx --json --quiet | jq .outputs.max_contact_pressure.max
+  calyx run pair.cx --resume                            after a run that was ended
+
+A file of params, case.toml:
+  torque = 500              # in the unit of the param's default
+  tip_radius = \"0.5 mm\"
 
 Exit status: 0 when results are written, 1 if the model or its analysis failed, 2 if the command was not used as it can be.";
-
-/// Who watches the run.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-pub enum Progress {
-    /// A bar, on a terminal
-    #[default]
-    Human,
-    /// One JSON object a line: stage, done, total, seconds_left
-    Json,
-}
 
 #[derive(Args)]
 pub struct Run {
     /// The model, a .cx file
     file: PathBuf,
-    /// Directory for the results [default: beside the model, named after it]
-    #[arg(long, value_name = "DIR")]
-    out: Option<PathBuf>,
-    /// Set a param; a bare VALUE is in the unit of the param's default. May be given several times
-    #[arg(long, value_name = "NAME=VALUE", value_parser = Given::name_and_value)]
-    set: Vec<Given>,
-    /// End the run with an error after this time, like 10s or 5min
-    #[arg(long, value_name = "TIME", value_parser = budget::time)]
-    time_limit: Option<Duration>,
-    /// End the run with an error when it takes more memory, like 2GB
-    #[arg(long, value_name = "SIZE", value_parser = budget::memory)]
-    memory_limit: Option<u64>,
-    /// Print nothing but what the model prints
-    #[arg(long)]
-    quiet: bool,
-    /// How progress is shown on standard error
-    #[arg(long, value_enum, default_value_t, value_name = "FORMAT")]
-    progress: Progress,
+    #[command(flatten)]
+    run: RunArguments,
     /// How messages are written to standard error
     #[arg(long, value_enum, default_value_t, value_name = "FORMAT")]
     message_format: MessageFormat,
@@ -60,65 +43,78 @@ pub struct Run {
 
 impl Run {
     pub fn run(self) -> ExitCode {
-        let Run { file, out, set, time_limit, memory_limit, quiet, progress, message_format: format } = self;
-        let (module, before) = match compile(&file, quiet, format, || check_run(&file, &set)) {
+        let Run { file, run: arguments, message_format: format } = self;
+        if arguments.print_params {
+            return print_params(&file, arguments.quiet, format);
+        }
+        let given = match arguments.given() {
+            Ok(given) => given,
+            Err(refused) => {
+                format.refused(&refused);
+                return ExitCode::from(USAGE);
+            }
+        };
+        let (module, before) = match compile(&file, arguments.quiet, format, || check_run(&file, &given)) {
             Ok(compiled) => compiled,
             Err(status) => return status,
         };
-        let directory = out.unwrap_or_else(|| default_directory(&file));
+        let directory = arguments.out.clone().unwrap_or_else(|| default_directory(&file));
+        let messages = Said { module: &module, format };
         if module.has_errors() {
-            // As after any run that fails, no results of an earlier one are left behind.
-            return match prepare(&directory) {
-                Ok(()) => ExitCode::from(MODEL_ERROR),
-                Err(error) => unwritable(format, &directory, &error),
-            };
+            // As after any run that fails, no results of an earlier one are left behind, unless they are to be gone on with.
+            let prepared = if arguments.resume { Ok(()) } else { prepare(&directory) };
+            return ExitCode::from(match prepared {
+                Ok(()) => MODEL_ERROR,
+                Err(error) => unwritable(&directory, &error, &messages),
+            });
         }
-        // Progress bars are for people.
-        let silent = quiet || format == MessageFormat::Json;
-        let options = RunOptions {
-            engine: module.engine().clone(),
-            directory: directory.clone(),
-            given: set.clone(),
-            quiet: silent,
-            progress: match progress {
-                Progress::Human => ProgressFormat::Human,
-                Progress::Json => ProgressFormat::Json,
-            },
+        let command = RunCommand {
+            program: module.as_program(),
+            arguments: &arguments,
             before,
-            time_limit,
-            memory_limit,
-            cancel: interrupt::flag(),
+            default_directory: directory,
+            messages: &messages,
+            // Progress bars are for people.
+            silent: format == MessageFormat::Json,
         };
-        match rt::run(module.as_program(), &options) {
-            Ok(report) => {
-                if !quiet {
-                    format.diagnostics(&module.findings(&report.findings), module.files());
-                    report.warnings.iter().for_each(|warning| format.warning(warning));
-                    format.note(&report.summary);
-                    format.note(&format!("results are in {}\n", directory.display()));
-                }
-                ExitCode::SUCCESS
-            }
-            Err(RunError::Run(Error::Given(refused))) => {
-                format.refused(&refused);
-                ExitCode::from(USAGE)
-            }
-            Err(RunError::Run(Error::Model(error))) => {
-                format.diagnostics(&[module.error(&error)], module.files());
-                if error.status() == Status::Cancelled && directory.join("steps.csv").exists() {
-                    format.note(&format!("the positions solved until then are in {}\n", directory.display()));
-                }
-                ExitCode::from(MODEL_ERROR)
-            }
-            Err(RunError::Io { path, error }) => unwritable(format, &path, &error),
-        }
+        ExitCode::from(command.execute(given))
     }
 }
 
-fn unwritable(format: MessageFormat, path: &Path, error: &io::Error) -> ExitCode {
-    format.failure(
-        &format!("cannot write results to {}: {error}", path.display()),
-        "choose another directory with --out",
-    );
-    ExitCode::from(MODEL_ERROR)
+fn print_params(file: &Path, quiet: bool, format: MessageFormat) -> ExitCode {
+    match checked(file, quiet, format, || check_file(file)) {
+        Ok(checked) => {
+            println!("{:#}", schema(&checked.description));
+            ExitCode::SUCCESS
+        }
+        Err(status) => status,
+    }
+}
+
+/// What a run says, with the source beside it.
+struct Said<'m> {
+    module: &'m Module,
+    format: MessageFormat,
+}
+
+impl Messages for Said<'_> {
+    fn refused(&self, why: &Refused) {
+        self.format.refused(why);
+    }
+
+    fn error(&self, error: &RuntimeError) {
+        self.format.diagnostics(&[self.module.error(error)], self.module.files());
+    }
+
+    fn findings(&self, findings: &[Finding]) {
+        self.format.diagnostics(&self.module.findings(findings), self.module.files());
+    }
+
+    fn warning(&self, text: &str) {
+        self.format.warning(text);
+    }
+
+    fn note(&self, text: &str) {
+        self.format.note(&format!("{text}\n"));
+    }
 }

@@ -56,6 +56,9 @@ pub struct Context {
     pub files: Arc<[FileDescription]>,
     /// The directory below which the program may read files; none if there is none.
     pub directory: Option<PathBuf>,
+    /// Tables that travel with the program, by the names it reads them by: these are not looked for in `directory`.
+    /// `None` for a program that is beside its tables.
+    pub tables: Option<Arc<[FileDescription]>>,
     /// Units by which quantities given as text are read.
     pub units: Arc<[UnitDescription]>,
     /// The string under construction.
@@ -97,6 +100,7 @@ impl Context {
             limits: Limits::default(),
             files: Arc::default(),
             directory: None,
+            tables: None,
             units: Arc::default(),
             text: String::new(),
         }

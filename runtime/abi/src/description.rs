@@ -3,8 +3,10 @@
 //! In an object file it is stored as JSON. Here are its structure, and the C layout by which a linked model is found.
 
 use crate::call::{KernelFn, Repr, SlotFn};
+use crate::error::Place;
 use crate::fingerprint::Fingerprint;
 use serde::{Deserialize, Serialize};
+use std::sync::Arc;
 
 /// A linked model, as the object file exports it under the symbol `NAME_model`.
 #[repr(C)]
@@ -52,12 +54,29 @@ pub struct ModelDescription {
     /// One per symbolic site, in order of site: the order of [`ModuleTable::kernels`].
     pub kernels: Vec<KernelDescription>,
     /// The model first, then every file it uses, the library's included.
-    pub files: Vec<FileDescription>,
+    #[serde(with = "shared")]
+    pub files: Arc<[FileDescription]>,
     /// Every unit of the language, so that values given as text can be read without the compiler.
     pub known_units: Vec<UnitDescription>,
     /// Every dimension that has a name, the program's own base dimensions included. Of several that differ in the
     /// exponent of angle only, the one that people mean comes first.
     pub known_dimensions: Vec<DimensionDescription>,
+    /// Tables that the program reads at its params' defaults, by the names it reads them by. Elaboration fills them in;
+    /// they travel with the program.
+    #[serde(with = "shared")]
+    pub tables: Arc<[FileDescription]>,
+    /// Calls of the engine's functions, in order of place. Elaboration fills them in.
+    pub calls: Vec<CallDescription>,
+}
+
+/// Where a call of one of the engine's functions is written, so that what the engine says of an argument can be placed on
+/// it without the compiler.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct CallDescription {
+    /// Byte range `(file, start, end)` of the call.
+    pub place: Place,
+    /// Name and byte range of each argument that is written in the call; others are left to their defaults.
+    pub arguments: Vec<(String, Place)>,
 }
 
 /// An input of the model.
@@ -171,4 +190,20 @@ pub struct CaptureDescription {
 pub struct FileDescription {
     pub name: String,
     pub text: String,
+}
+
+/// What many instances share, written as a list.
+mod shared {
+    use serde::{Deserialize, Deserializer, Serialize, Serializer};
+    use std::sync::Arc;
+
+    pub fn serialize<T: Serialize, S: Serializer>(list: &Arc<[T]>, serializer: S) -> Result<S::Ok, S::Error> {
+        list.as_ref().serialize(serializer)
+    }
+
+    pub fn deserialize<'de, T: Deserialize<'de>, D: Deserializer<'de>>(
+        deserializer: D,
+    ) -> Result<Arc<[T]>, D::Error> {
+        Vec::deserialize(deserializer).map(Arc::from)
+    }
 }

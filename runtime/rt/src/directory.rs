@@ -1,12 +1,13 @@
 //! The run directory: `run.json`, `timing.json` and `steps.csv`, each position on disk before the next begins.
 
+use crate::journal::{self, Found, Journal};
 use crate::run::StageTimes;
 use calyx_abi::RuntimeError;
 use calyx_abi::description::{
     FileDescription, ModelDescription, OutputDescription, ParamDescription, ParamValue,
 };
 use calyx_abi::units::from_si;
-use calyx_runtime::results::{AnalysisResult, OutputSummary, StepRow, Timing};
+use calyx_runtime::results::{AnalysisResult, OutputSummary, Solved, StepRow, Timing};
 use serde_json::{Map, Value, json};
 use sha2::{Digest, Sha256};
 use std::fs::{self, File};
@@ -23,7 +24,74 @@ pub fn prepare(directory: &Path) -> io::Result<()> {
             _ => {}
         }
     }
-    Ok(())
+    journal::remove(directory)
+}
+
+/// What `run.json` of a run in a directory says; `None` if there is none.
+pub fn read_run(directory: &Path) -> io::Result<Option<Value>> {
+    match fs::read(directory.join("run.json")) {
+        Ok(text) => Ok(Some(serde_json::from_slice(&text)?)),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
+        Err(error) => Err(error),
+    }
+}
+
+/// The results in a directory as one document: what `run.json` says, and `steps`, the rows of `steps.csv` by column.
+pub fn document(directory: &Path) -> io::Result<Value> {
+    let mut document = read_run(directory)?.ok_or(io::ErrorKind::NotFound)?;
+    let table = directory.join("steps.csv");
+    if table.exists() {
+        let mut reader = csv::Reader::from_path(table)?;
+        let columns = reader.headers()?.clone();
+        let mut rows = Vec::new();
+        for record in reader.records() {
+            let record = record?;
+            let cells = columns
+                .iter()
+                .zip(&record)
+                .map(|(column, cell)| (column.to_owned(), cell_json(column, cell)));
+            rows.push(Value::Object(cells.collect()));
+        }
+        document["steps"] = json!(rows);
+    }
+    Ok(document)
+}
+
+/// JSON has no infinity: what is not finite is null.
+fn cell_json(column: &str, cell: &str) -> Value {
+    match column {
+        "point" => json!(cell),
+        "step" => json!(cell.parse::<usize>().ok()),
+        _ => json!(cell.parse::<f64>().ok()),
+    }
+}
+
+/// Writes down positions as they are solved: in the table for people, and in the journal for a run that goes on.
+pub struct Record {
+    table: StepTable,
+    journal: Journal,
+}
+
+impl Record {
+    /// Begins with the first position.
+    pub fn begin(directory: &Path, outputs: &[OutputDescription], head: &Value) -> io::Result<Record> {
+        let table = StepTable::create(directory, outputs)?;
+        Ok(Record { table, journal: Journal::create(directory, head)? })
+    }
+
+    /// Begins behind what an earlier run solved.
+    pub fn go_on(directory: &Path, outputs: &[OutputDescription], found: &Found) -> io::Result<Record> {
+        let mut table = StepTable::create(directory, outputs)?;
+        for (index, solved) in found.solved.iter().enumerate() {
+            table.write(index, &solved.row)?;
+        }
+        Ok(Record { table, journal: Journal::go_on(directory, found)? })
+    }
+
+    pub fn write(&mut self, index: usize, solved: &Solved) -> io::Result<()> {
+        self.journal.write(solved)?;
+        self.table.write(index, &solved.row)
+    }
 }
 
 /// Writes one row per position as it is solved.
@@ -53,22 +121,21 @@ impl StepTable {
     }
 }
 
-/// Writes `run.json` of a run that was ended before its time: what it was given, how far it came, and what ended it.
+/// Writes `run.json` of a run that was ended before its time: what it is of (`run`, see [`head`]), how far it came, and what
+/// ended it.
 pub fn write_unfinished(
     directory: &Path,
-    description: &ModelDescription,
-    params: &[ParamValue],
+    mut run: Value,
     solved: usize,
     ended_by: &RuntimeError,
 ) -> io::Result<()> {
-    let mut run = head_json(description, params);
     run["incomplete"] = json!({ "code": ended_by.code, "message": ended_by.message });
     run["positions"] = json!(solved);
     write_json(directory.join("run.json"), &run)
 }
 
-/// What a run was: versions, source and params.
-fn head_json(description: &ModelDescription, params: &[ParamValue]) -> Value {
+/// What a run is of: versions, source and params.
+pub fn head(description: &ModelDescription, params: &[ParamValue]) -> Value {
     json!({
         "calyx": env!("CARGO_PKG_VERSION"),
         "abi": description.abi,
@@ -87,7 +154,7 @@ pub fn write_run(
     warnings: &[String],
     stages: &Stages,
 ) -> io::Result<()> {
-    let mut run = head_json(description, params);
+    let mut run = head(description, params);
     if let Some(result) = result {
         let summaries = description.outputs.iter().zip(&result.summaries);
         let outputs =
@@ -173,12 +240,14 @@ fn param_json(param: &ParamDescription, value: &ParamValue) -> Value {
     }
 }
 
-/// The model's hash, and name and hash of every file it consists of.
+/// The model's hash, and name and hash of every file it consists of, and of the tables it reads at its params' defaults.
 fn source_json(description: &ModelDescription) -> Value {
     let hash = |file: &FileDescription| text_hash(&file.text);
     let files: Vec<Value> =
         description.files.iter().map(|file| json!({ "name": file.name, "sha256": hash(file) })).collect();
-    json!({ "sha256": description.files.first().map(hash), "files": files })
+    let tables: Vec<Value> =
+        description.tables.iter().map(|file| json!({ "name": file.name, "sha256": hash(file) })).collect();
+    json!({ "sha256": description.files.first().map(hash), "files": files, "tables": tables })
 }
 
 /// The hash by which `run.json` tells of which text it is.

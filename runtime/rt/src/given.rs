@@ -10,8 +10,10 @@ pub struct Given {
     /// Of the param.
     pub name: String,
     pub value: GivenValue,
-    /// Where it stands, if it was given in a file.
+    /// Where the value stands, if it was given in a file.
     pub origin: Option<Origin>,
+    /// Where the name stands.
+    pub name_origin: Option<Origin>,
 }
 
 #[derive(Clone, Debug, PartialEq)]
@@ -32,12 +34,12 @@ pub enum GivenValue {
 impl Given {
     /// A value as typed on a command line.
     pub fn text(name: impl Into<String>, text: impl Into<String>) -> Given {
-        Given { name: name.into(), value: GivenValue::Text(text.into()), origin: None }
+        Given { name: name.into(), value: GivenValue::Text(text.into()), origin: None, name_origin: None }
     }
 
     /// A value of a program.
     pub fn value(name: impl Into<String>, value: impl Into<GivenValue>) -> Given {
-        Given { name: name.into(), value: value.into(), origin: None }
+        Given { name: name.into(), value: value.into(), origin: None, name_origin: None }
     }
 
     /// Reads `NAME=VALUE`.

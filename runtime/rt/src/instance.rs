@@ -15,6 +15,8 @@ use calyx_abi::description::{ModelDescription, ParamValue};
 use calyx_abi::limits::Limits;
 use calyx_abi::{Cancel, Context, stack};
 use calyx_gears::host::ModelHost;
+use calyx_runtime::error::EngineError;
+use calyx_runtime::results::Solved;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
@@ -30,6 +32,7 @@ pub struct Progress {
 }
 
 pub(crate) type ProgressSink = Arc<Mutex<dyn FnMut(Progress) + Send>>;
+pub(crate) type RecordSink = Arc<Mutex<dyn FnMut(usize, &Solved) -> Result<(), EngineError> + Send>>;
 type PrintSink = Arc<Mutex<dyn FnMut(&str) + Send>>;
 
 /// A model with values of its own.
@@ -49,6 +52,8 @@ pub struct Instance {
     cancel: Cancel,
     print: Option<PrintSink>,
     progress: Option<ProgressSink>,
+    record: Option<RecordSink>,
+    solved: Vec<Solved>,
 }
 
 impl Instance {
@@ -67,6 +72,8 @@ impl Instance {
             cancel: Cancel::default(),
             print: None,
             progress: None,
+            record: None,
+            solved: Vec::new(),
         }
     }
 
@@ -113,7 +120,7 @@ impl Instance {
     /// As for [`Instance::set`].
     pub fn give(&mut self, given: &Given) -> Result<(), Error> {
         let (name, origin) = (given.name.as_str(), given.origin.as_ref());
-        let index = name.index_in(self.names()).map_err(|error| error.placed(origin))?;
+        let index = name.index_in(self.names()).map_err(|error| error.placed(given.name_origin.as_ref()))?;
         let setting = Setting::new(self.program.description(), index, &given.value, origin)?;
         self.settings[index] = Some(setting);
         Ok(())
@@ -201,6 +208,21 @@ impl Instance {
         self.progress = Some(Arc::new(Mutex::new(sink)));
     }
 
+    /// What is given each position by its index, on the thread of the run, which goes on when this is done with it; an
+    /// error ends the run.
+    pub(crate) fn on_solved(
+        &mut self,
+        sink: impl FnMut(usize, &Solved) -> Result<(), EngineError> + Send + 'static,
+    ) {
+        self.record = Some(Arc::new(Mutex::new(sink)));
+    }
+
+    /// What an earlier run with the same values solved of its first positions: runs begin after them, and their results are
+    /// those of runs that solved them all.
+    pub fn begin_after(&mut self, solved: Vec<Solved>) {
+        self.solved = solved;
+    }
+
     /// Runs the model on a thread of its own, position by position: it goes on to the next one when the one before was
     /// taken.
     ///
@@ -231,6 +253,8 @@ impl Instance {
             cancel: self.cancel.child(),
             print: self.print.clone(),
             progress: self.progress.clone(),
+            record: self.record.clone(),
+            solved: self.solved.clone(),
         }
     }
 }
@@ -246,6 +270,8 @@ struct Job {
     cancel: Cancel,
     print: Option<PrintSink>,
     progress: Option<ProgressSink>,
+    record: Option<RecordSink>,
+    solved: Vec<Solved>,
 }
 
 impl Job {
@@ -291,9 +317,11 @@ impl Job {
                 shape: self.shape,
                 hand_over,
                 progress: self.progress,
+                record: self.record,
             }));
             let interrupt = interrupt(self.cancel, self.limits);
             host.analysis.resources = self.engine.resources(interrupt)?;
+            host.analysis.solved = self.solved;
         }
         let started = Instant::now();
         self.program.main(&mut context)?;

@@ -1,33 +1,20 @@
-//! The entry point of executables linked from object files.
+//! A model whose machine code is linked into this program: its table, as a [`Program`], and the entry point of executables.
 
-use crate::budget;
-use crate::error::Error;
-use crate::given::Given;
-use crate::interrupt;
-use crate::params;
+use crate::command::MODEL_ERROR;
+use crate::executable;
 use crate::program::{ParamFunction, Program};
-use crate::report::{problem, refused};
-use crate::run::{RunError, RunOptions, run};
 use calyx_abi::call::KernelFn;
-use calyx_abi::description::{ModelDescription, ModuleTable, ParamValue};
-use calyx_abi::{Context, Fingerprint, Kernel, RuntimeError, Slot, Status, stack};
+use calyx_abi::description::{ModelDescription, ModuleTable};
+use calyx_abi::{Context, Fingerprint, Kernel, RuntimeError, Slot, stack};
 use calyx_gears::library::FINGERPRINT;
-use clap::{Arg, ArgAction, Command};
 use std::ffi::{CStr, OsString, c_char, c_int};
 use std::fmt;
 use std::os::unix::ffi::OsStringExt;
-use std::path::PathBuf;
 use std::sync::Arc;
-use std::time::Duration;
 
 /// The fingerprint of the engine in this library, by which `calyx build` knows whether a library fits.
 #[unsafe(no_mangle)]
 pub static CALYX_RT_ABI: u64 = FINGERPRINT.0;
-
-/// The model, or its analysis, is wrong.
-const MODEL_ERROR: c_int = 1;
-/// The command was not used as it can be.
-const USAGE: c_int = 2;
 
 /// Runs a linked model as a program. Called by the `main` of its object file.
 ///
@@ -46,14 +33,14 @@ pub unsafe extern "C" fn calyx_rt_main(
     std::panic::catch_unwind(|| {
         // SAFETY: the table is a constant of the linked program.
         match LinkedProgram::new(unsafe { &*module }) {
-            Ok(program) => run_as_command(Arc::new(program), arguments),
+            Ok(program) => executable::main(Arc::new(program), &arguments).into(),
             Err(message) => {
                 eprintln!("error: {message}");
-                MODEL_ERROR
+                MODEL_ERROR.into()
             }
         }
     })
-    .unwrap_or(MODEL_ERROR)
+    .unwrap_or(MODEL_ERROR.into())
 }
 
 /// A model whose code is part of this program.
@@ -162,140 +149,5 @@ impl Program for LinkedProgram {
     fn main(&self, context: &mut Context) -> Result<(), RuntimeError> {
         // SAFETY: the top level takes and returns nothing.
         unsafe { stack::run(context, self.module.main, &[], 0) }.map(|_| ())
-    }
-}
-
-/// The command line every executable has.
-fn command(description: &ModelDescription) -> Command {
-    Command::new(description.name.clone())
-        .about(description.doc.clone())
-        .after_help(params_help(description))
-        .arg(
-            Arg::new("out")
-                .long("out")
-                .value_name("DIR")
-                .help("Directory for the results")
-                .default_value("run"),
-        )
-        .arg(
-            Arg::new("set")
-                .long("set")
-                .value_name("NAME=VALUE")
-                .action(ArgAction::Append)
-                .help("Set a param; a bare value is in the unit of its default"),
-        )
-        .arg(
-            Arg::new("time-limit")
-                .long("time-limit")
-                .value_name("TIME")
-                .value_parser(budget::time)
-                .help("End the run with an error after this time, like 10s or 5min"),
-        )
-        .arg(
-            Arg::new("memory-limit")
-                .long("memory-limit")
-                .value_name("SIZE")
-                .value_parser(budget::memory)
-                .help("End the run with an error when it takes more memory, like 2GB"),
-        )
-        .arg(
-            Arg::new("quiet")
-                .long("quiet")
-                .action(ArgAction::SetTrue)
-                .help("Print nothing but what the model prints"),
-        )
-}
-
-fn run_as_command(program: Arc<LinkedProgram>, arguments: Vec<OsString>) -> c_int {
-    let description = program.description();
-    let matches = match command(description).try_get_matches_from(arguments) {
-        Ok(matches) => matches,
-        Err(error) => {
-            let _ = error.print();
-            return error.exit_code();
-        }
-    };
-    let mut options = RunOptions {
-        directory: matches.get_one::<String>("out").map_or_else(|| "run".into(), PathBuf::from),
-        quiet: matches.get_flag("quiet"),
-        time_limit: matches.get_one::<Duration>("time-limit").copied(),
-        memory_limit: matches.get_one::<u64>("memory-limit").copied(),
-        cancel: interrupt::flag(),
-        ..RunOptions::default()
-    };
-    for given in matches.get_many::<String>("set").into_iter().flatten() {
-        match Given::name_and_value(given) {
-            Ok(given) => options.given.push(given),
-            Err(message) => {
-                eprintln!("error: `--set {given}`: {message}");
-                return USAGE;
-            }
-        }
-    }
-    match run(program.clone(), &options) {
-        Ok(report) => {
-            if !options.quiet {
-                for finding in &report.findings {
-                    eprint!("{}", problem("warning", &finding.error, description));
-                }
-                for warning in &report.warnings {
-                    eprintln!("warning: {warning}");
-                }
-                eprint!("{}", report.summary);
-                eprintln!("results are in {}", options.directory.display());
-            }
-            0
-        }
-        Err(error) => {
-            let status = report_failure(&error, description);
-            if let RunError::Run(Error::Model(error)) = &error
-                && error.status() == Status::Cancelled
-                && options.directory.join("steps.csv").exists()
-            {
-                eprintln!("the positions solved until then are in {}", options.directory.display());
-            }
-            status
-        }
-    }
-}
-
-/// Every param with its default, what it takes, and its doc comment.
-fn params_help(description: &ModelDescription) -> String {
-    let mut text = String::from("Params:\n");
-    for param in &description.params {
-        let default = match &param.default {
-            Some(ParamValue::Number(si)) => params::shown(param, *si),
-            Some(ParamValue::Bool(value)) => (if *value { "TRUE" } else { "FALSE" }).into(),
-            Some(ParamValue::String(value)) => format!("\"{value}\""),
-            None => "?".into(),
-        };
-        let domain = params::domain(param, param.low, param.high);
-        let domain = if domain.is_empty() { domain } else { format!(" [{domain}]") };
-        text += &format!("  {} = {default}{domain}\n", param.name);
-        for line in param.doc.lines() {
-            text += &format!("      {line}\n");
-        }
-    }
-    text
-}
-
-/// Says what went wrong and returns the exit status.
-fn report_failure(error: &RunError, description: &ModelDescription) -> c_int {
-    match error {
-        RunError::Run(Error::Given(why)) => {
-            eprint!("{}", refused(why));
-            USAGE
-        }
-        RunError::Run(Error::Model(error)) => {
-            eprint!("{}", problem("error", error, description));
-            MODEL_ERROR
-        }
-        RunError::Io { path, error } => {
-            eprintln!(
-                "error: cannot write results to {}: {error}\n  help: choose another directory with --out",
-                path.display()
-            );
-            MODEL_ERROR
-        }
     }
 }

@@ -9,7 +9,6 @@ use calyx_abi::description::{
 use calyx_abi::quantity::{self, Quantity};
 use calyx_abi::units::{from_si, to_si};
 use calyx_abi::{Context, Repr, Slot, stack};
-use std::path::{Path, PathBuf};
 
 /// Why a value given for a param from outside cannot be used.
 #[derive(Clone, Debug, PartialEq)]
@@ -65,8 +64,8 @@ impl Setting {
 pub fn apply(program: &dyn Program, given: &[Given], context: &mut Context) -> Result<(), Error> {
     let description = program.description();
     let mut settings = vec![None; description.params.len()];
-    for Given { name, value, origin } in given {
-        let index = index_of(description, name).map_err(|error| error.placed(origin.as_ref()))?;
+    for Given { name, value, origin, name_origin } in given {
+        let index = index_of(description, name).map_err(|error| error.placed(name_origin.as_ref()))?;
         settings[index] = Some(Setting::new(description, index, value, origin.as_ref())?);
     }
     resolve(program, &settings, context)
@@ -83,14 +82,10 @@ pub(crate) fn resolve(
     context: &mut Context,
 ) -> Result<(), Error> {
     let description = program.description();
-    context.files = description.files.clone().into();
+    context.files = description.files.clone();
     context.units = description.known_units.clone().into();
-    // Beside the model; a text that came from no file has no place to read from.
-    let directory = Path::new(&description.name).parent().map(|parent| match parent.as_os_str().is_empty() {
-        true => PathBuf::from("."),
-        false => parent.to_owned(),
-    });
-    context.directory = directory.filter(|_| Path::new(&description.name).is_file());
+    context.tables = program.tables();
+    context.directory = program.directory();
     context.params = vec![f64::NAN; description.params.len()];
     context.param_slots = vec![0; description.params.len()];
     // One stack for all functions of the params.

@@ -2,8 +2,9 @@
 
 use crate::given::Given;
 use crate::seen::Seen;
-use calyx_abi::description::ModelDescription;
+use calyx_abi::description::{FileDescription, ModelDescription};
 use calyx_abi::{Context, Kernel, RuntimeError, Slot};
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// Which function of a param.
@@ -28,6 +29,20 @@ pub trait Program: Send + Sync {
         which: ParamFunction,
         context: &mut Context,
     ) -> Result<Option<Slot>, RuntimeError>;
+
+    /// Tables that travel with the program; `None` if it reads all of them from [`Program::directory`].
+    fn tables(&self) -> Option<Arc<[FileDescription]>> {
+        let tables = &self.description().tables;
+        (!tables.is_empty()).then(|| tables.clone())
+    }
+
+    /// The directory below which the program may read files; `None` if there is none. The model's own, unless it is a text
+    /// that came from no file.
+    fn directory(&self) -> Option<PathBuf> {
+        let model = Path::new(&self.description().name);
+        let beside = model.parent().filter(|_| model.is_file())?;
+        Some(if beside.as_os_str().is_empty() { PathBuf::from(".") } else { beside.to_owned() })
+    }
 
     /// Runs the model's top level.
     fn main(&self, context: &mut Context) -> Result<(), RuntimeError>;

@@ -1,37 +1,43 @@
 //! Progress with the time that remains: a bar on a terminal, or one JSON object a line for programs.
 
+use clap::ValueEnum;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde_json::json;
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
-/// Who watches a run.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// How progress is shown.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum ProgressFormat {
-    /// A bar, if standard error is a terminal.
+    /// A bar, on a terminal
     #[default]
     Human,
-    /// On standard error, `{"stage": ..., "done": ..., "total": ..., "seconds_left": ...}` a line: when a stage begins,
-    /// and after each position. What is not known is null.
+    /// One JSON object a line: stage, done, total, seconds_left
+    ///
+    /// When a stage begins, and after each position. What is not known is null.
     Json,
 }
 
 /// Shows the stage under way and, once positions are being solved, how many are left.
 pub struct Progress {
     bar: ProgressBar,
+    quiet: bool,
+    /// Standard output is for something else than what the program prints.
+    print_to_error: bool,
     /// The stage under way and when it began, for programs that watch.
     lines: Option<Mutex<(&'static str, Instant)>>,
 }
 
 impl Progress {
-    /// Draws on standard error; draws no bar if `quiet` or if that is no terminal.
-    pub fn new(format: ProgressFormat, quiet: bool) -> Progress {
+    /// Draws on standard error; draws no bar if `quiet` or if that is no terminal. What the program prints goes to standard
+    /// output, or with `print_to_error` to standard error.
+    pub fn new(format: ProgressFormat, quiet: bool, print_to_error: bool) -> Progress {
         let json = format == ProgressFormat::Json;
         let target = if quiet || json { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };
         let bar = ProgressBar::with_draw_target(None, target);
         bar.set_style(style("{spinner} {msg}"));
         bar.enable_steady_tick(Duration::from_millis(100));
-        Progress { bar, lines: json.then(|| Mutex::new(("", Instant::now()))) }
+        Progress { bar, quiet, print_to_error, lines: json.then(|| Mutex::new(("", Instant::now()))) }
     }
 
     pub fn stage(&self, name: &'static str) {
@@ -58,9 +64,19 @@ impl Progress {
         self.bar.finish_and_clear();
     }
 
-    /// Prints what the program prints, on standard output, without disturbing the bar.
+    /// Prints what the program prints, without disturbing the bar.
     pub fn print(&self, line: &str) {
-        self.bar.suspend(|| println!("{line}"));
+        self.bar.suspend(|| match self.print_to_error {
+            true => eprintln!("{line}"),
+            false => println!("{line}"),
+        });
+    }
+
+    /// Says what people want to know, on standard error.
+    pub fn note(&self, text: &str) {
+        if !self.quiet {
+            self.bar.suspend(|| eprintln!("{text}"));
+        }
     }
 }
 

@@ -3,19 +3,29 @@
 use crate::given::Origin;
 use crate::params::Refused;
 use calyx_abi::RuntimeError;
-use calyx_abi::description::{FileDescription, ModelDescription};
-use calyx_abi::error::{Place, call_lines};
+use calyx_abi::description::{CallDescription, FileDescription, ModelDescription};
+use calyx_abi::error::{Place, call_lines, codes};
+use calyx_gears::error::Severity;
 use serde_json::json;
 
-/// `error[E0670]: ...` with the place, its line underlined, and the remedy. `kind` is `error` or `warning`.
-pub fn problem(kind: &str, error: &RuntimeError, description: &ModelDescription) -> String {
-    let mut text = format!("{kind}[{}]: {}\n", error.code, error.message);
+/// `error[E0670]: ...` with the place, its line underlined, and the remedy.
+pub fn problem(severity: Severity, error: &RuntimeError, description: &ModelDescription) -> String {
+    let mut error = error.clone();
+    blame(&mut error, &description.calls);
+    let mut text = match severity {
+        Severity::Error => format!("error[{}]: {}\n", error.code, error.message),
+        Severity::Warning => format!("warning[{}]: {}\n", error.code.replacen('E', "W", 1), error.message),
+    };
     let place = error.place.and_then(|(file, start, end)| {
         excerpt(description.files.get(file as usize)?, start as usize, end as usize)
     });
     text += place.as_deref().unwrap_or_default();
     if !error.help.is_empty() {
         text += &format!("  help: {}\n", error.help);
+    }
+    if NOT_A_NUMBER.contains(&error.code.as_str()) && error.details.notes.is_empty() {
+        let model = &description.name;
+        text += &format!("  note: with these params, `calyx run {model}` shows the operation it came from\n");
     }
     let shown_place = |(file, start, _): Place| {
         let Some(file) = description.files.get(file as usize) else { return "?".into() };
@@ -29,6 +39,18 @@ pub fn problem(kind: &str, error: &RuntimeError, description: &ModelDescription)
         text += &format!("  {line}\n");
     }
     text
+}
+
+/// Codes of errors that NaN causes: of a frame, an output, an argument. Its source is found by interpreting the program.
+const NOT_A_NUMBER: [&str; 3] = ["E0710", "E0721", codes::NOT_A_NUMBER];
+
+/// If the error blames an argument of the call at its place, moves the place to that argument.
+fn blame(error: &mut RuntimeError, calls: &[CallDescription]) {
+    let (Some(place), Some(name)) = (error.place, &error.argument) else { return };
+    let Ok(call) = calls.binary_search_by_key(&place, |call| call.place) else { return };
+    if let Some((_, argument)) = calls[call].arguments.iter().find(|(argument, _)| argument == name) {
+        error.place = Some(*argument);
+    }
 }
 
 /// `error: ...` with the place in the file of params, if it came from one, and the remedy.
@@ -85,23 +107,28 @@ mod tests {
     #[test]
     fn the_line_is_shown_and_marked() {
         let description = ModelDescription {
-            files: vec![FileDescription {
-                name: "m.cx".into(), text: "var é = 1;\n\tprint(é[3]);\n".into()
-            }],
+            files: [FileDescription { name: "m.cx".into(), text: "var é = 1;\n\tprint(é[3]);\n".into() }]
+                .into(),
             ..ModelDescription::default()
         };
         let error =
             RuntimeError { place: Some((0, 22, 23)), ..RuntimeError::new("E0701", "index 3", "less") };
         let expected = "error[E0701]: index 3\n  --> m.cx:2:10\n   |\n 2 | \tprint(é[3]);\n   | \t        ^\n  help: less\n";
-        assert_eq!(problem("error", &error, &description), expected);
+        assert_eq!(problem(Severity::Error, &error, &description), expected);
         let mut called = error.clone();
         called.passed("f", (0, 13, 18));
         assert_eq!(
-            problem("error", &called, &description),
+            problem(Severity::Error, &called, &description),
             format!("{expected}  in `f`, called at m.cx:2:2\n")
         );
+        // What blames an argument is placed on it, and a warning has a warning's code.
+        let calls = vec![CallDescription { place: (0, 13, 24), arguments: vec![("x".into(), (0, 22, 23))] }];
+        let blamed = RuntimeError { place: Some((0, 13, 24)), ..error.clone().of_argument("x") };
+        let description = ModelDescription { calls, ..description };
+        let warning = expected.replacen("error[E", "warning[W", 1);
+        assert_eq!(problem(Severity::Warning, &blamed, &description), warning);
         // A place that is not in the file is left out.
         let nowhere = RuntimeError { place: Some((0, 400, 401)), ..error };
-        assert_eq!(problem("error", &nowhere, &description), "error[E0701]: index 3\n  help: less\n");
+        assert_eq!(problem(Severity::Error, &nowhere, &description), "error[E0701]: index 3\n  help: less\n");
     }
 }

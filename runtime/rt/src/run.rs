@@ -1,19 +1,25 @@
 //! A run for people and for those who read its directory: an instance, watched and written down.
 
-use crate::directory::{Stages, StepTable, prepare, write_run, write_unfinished};
+use crate::directory::{Record, Stages, head, prepare, write_run, write_unfinished};
 use crate::engine::Engine;
 use crate::error::Error;
 use crate::given::Given;
 use crate::instance::Instance;
+use crate::journal::{self, Found};
 use crate::program::Program;
 use crate::progress::{Progress, ProgressFormat};
 use crate::results::Results;
+use crate::resume::{self, Begun};
 use crate::table;
+use calyx_abi::description::OutputDescription;
 use calyx_abi::{Cancel, Status};
 use calyx_gears::host::Finding;
+use calyx_runtime::error::EngineError;
+use calyx_runtime::results::Solved;
+use serde_json::Value;
 use std::io;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
 /// Names of stages, in order, and the time each took.
@@ -31,12 +37,16 @@ pub struct RunOptions {
     pub quiet: bool,
     /// How progress is shown; for people it is silent if `quiet`.
     pub progress: ProgressFormat,
+    /// What the program prints goes to standard error.
+    pub print_to_error: bool,
     /// What went before, for `timing.json`.
     pub before: StageTimes,
     /// How long the run may take.
     pub time_limit: Option<Duration>,
     /// Bytes that it may take: of the program's values, and of the process while it analyses.
     pub memory_limit: Option<u64>,
+    /// Goes on after the positions that an earlier run completed.
+    pub resume: bool,
     /// Set from outside, it ends the run soon; what was written is kept.
     pub cancel: Cancel,
 }
@@ -53,6 +63,7 @@ pub enum RunError {
 }
 
 /// What a finished run says for people.
+#[derive(Default)]
 pub struct RunReport {
     /// The table of outputs; empty for a model without an analysis.
     pub summary: String,
@@ -60,11 +71,14 @@ pub struct RunReport {
     pub warnings: Vec<String>,
     /// What the library found, with places in the source.
     pub findings: Vec<Finding>,
+    /// An earlier run had done everything; this one did nothing.
+    pub finished_before: bool,
 }
 
 /// Runs a model and writes its run directory.
 pub fn run(program: Arc<dyn Program>, options: &RunOptions) -> Result<RunReport, RunError> {
-    let unwritable = |error| RunError::Io { path: options.directory.clone(), error };
+    let directory = options.directory.as_path();
+    let unwritable = |error| RunError::Io { path: directory.to_owned(), error };
     let mut instance = Instance::new(&options.engine, program.clone());
     for given in &options.given {
         instance.give(given).map_err(RunError::Run)?;
@@ -73,23 +87,43 @@ pub fn run(program: Arc<dyn Program>, options: &RunOptions) -> Result<RunReport,
     instance.limit_memory(options.memory_limit);
     instance.set_cancel(options.cancel.clone());
     let params = instance.params().map_err(RunError::Run)?;
-    prepare(&options.directory).map_err(unwritable)?;
-    let progress = Arc::new(Progress::new(options.progress, options.quiet));
+    let description = program.description();
+    let head = head(description, &params);
+    let progress = Arc::new(Progress::new(options.progress, options.quiet, options.print_to_error));
+    let found = match earlier(options, &head)? {
+        Begun::Finished => {
+            progress.finish();
+            return Ok(RunReport { finished_before: true, ..RunReport::default() });
+        }
+        Begun::Unfinished(found) => {
+            let count = found.solved.len();
+            progress.note(&format!("going on after {count} positions of the run in {}", directory.display()));
+            instance.begin_after(found.solved.clone());
+            Some(found)
+        }
+        Begun::Nothing => {
+            if options.resume {
+                let directory = directory.display();
+                progress.note(&format!("there is nothing to go on with in {directory}: the run begins anew"));
+            }
+            prepare(directory).map_err(unwritable)?;
+            None
+        }
+    };
     let (shown, printed) = (progress.clone(), progress.clone());
     instance.on_progress(move |now| match now.total {
         Some(count) => shown.step(now.done - 1, count),
         None => shown.stage(now.stage),
     });
     instance.on_print(move |line| printed.print(line));
-    let (solved, outcome) = write_steps(&instance, &options.directory);
+    let (solved, outcome) = write_steps(instance, directory, &head, found.as_ref());
     progress.finish();
-    let description = program.description();
     // What was solved until somebody ended the run is worth keeping, with what it is of.
     if let Err(RunError::Run(Error::Model(error))) = &outcome
         && error.status() == Status::Cancelled
         && solved > 0
     {
-        write_unfinished(&options.directory, description, &params, solved, error).map_err(unwritable)?;
+        write_unfinished(directory, head, solved, error).map_err(unwritable)?;
     }
     let results = outcome?;
     let stages = Stages { before: options.before.clone(), program: results.time() };
@@ -99,8 +133,8 @@ pub fn run(program: Arc<dyn Program>, options: &RunOptions) -> Result<RunReport,
         findings.map(|finding| format!("{}: {}", finding.error.code, finding.error.message)).collect();
     written.extend(all_warnings.iter().cloned());
     let result = results.analysis();
-    write_run(&options.directory, description, results.params(), result, &written, &stages)
-        .map_err(unwritable)?;
+    write_run(directory, description, results.params(), result, &written, &stages).map_err(unwritable)?;
+    journal::remove(directory).map_err(unwritable)?;
     let ignored = result.iter().flat_map(|result| &result.plan.ignored);
     let ignored =
         ignored.map(|ignored| format!("`{}` is not seen as given: {}", ignored.input, ignored.reason));
@@ -108,32 +142,79 @@ pub fn run(program: Arc<dyn Program>, options: &RunOptions) -> Result<RunReport,
         summary: result.map(|result| table::summary(description, result)).unwrap_or_default(),
         warnings: ignored.chain(all_warnings).collect(),
         findings: results.findings().to_vec(),
+        finished_before: false,
+    })
+}
+
+/// The run that is to be gone on with, if there is one.
+fn earlier(options: &RunOptions, head: &Value) -> Result<Begun, RunError> {
+    if !options.resume {
+        return Ok(Begun::Nothing);
+    }
+    resume::find(&options.directory, head).map_err(|not| match not {
+        resume::Not::Other(refused) => RunError::Run(Error::Given(refused)),
+        resume::Not::Io(error) => RunError::Io { path: options.directory.clone(), error },
     })
 }
 
 /// Runs the instance with each position on disk before the next one begins: how many there are, and how it ended.
-fn write_steps(instance: &Instance, directory: &Path) -> (usize, Result<Results, RunError>) {
-    let mut solved = 0;
-    let mut write = || {
-        let mut run = instance.run().map_err(RunError::Run)?;
-        let mut table = None;
-        for step in &mut run {
-            let step = step.map_err(RunError::Run)?;
-            let unwritable = |error| RunError::Io { path: directory.to_owned(), error };
-            // A model may go on after an analysis that failed, and begin another.
-            if step.index() == 0 {
-                let outputs = &instance.description().outputs;
-                table = Some(StepTable::create(directory, outputs).map_err(unwritable)?);
-            }
-            if let Some(table) = &mut table {
-                table.write(step.index(), step.row()).map_err(unwritable)?;
-            }
-            solved = step.index() + 1;
-        }
-        run.finish().map_err(RunError::Run)
+fn write_steps(
+    mut instance: Instance,
+    directory: &Path,
+    head: &Value,
+    found: Option<&Found>,
+) -> (usize, Result<Results, RunError>) {
+    let unwritable = |error| RunError::Io { path: directory.to_owned(), error };
+    let outputs = instance.description().outputs.clone();
+    let solved = found.map_or(0, |found| found.solved.len());
+    let record = match found.map(|found| Record::go_on(directory, &outputs, found)).transpose() {
+        Ok(record) => record,
+        Err(error) => return (solved, Err(unwritable(error))),
     };
-    let outcome = write();
-    (solved, outcome)
+    let written = Arc::new(Mutex::new(Written { record, solved, failure: None }));
+    let (writing, head, path) = (written.clone(), head.clone(), directory.to_owned());
+    instance.on_solved(move |index, solved| {
+        let mut written = writing.lock().unwrap_or_else(PoisonError::into_inner);
+        written.write(&path, &outputs, &head, index, solved).map_err(|error| {
+            written.failure = Some(error);
+            // The run ends with what is kept; this ends the analysis.
+            EngineError::new("E0712", "the results cannot be written", "")
+        })
+    });
+    let outcome = instance.solve().map_err(RunError::Run);
+    let mut written = written.lock().unwrap_or_else(PoisonError::into_inner);
+    match written.failure.take() {
+        Some(error) => (written.solved, Err(unwritable(error))),
+        None => (written.solved, outcome),
+    }
+}
+
+/// What of a run is on disk.
+struct Written {
+    record: Option<Record>,
+    /// Positions.
+    solved: usize,
+    failure: Option<io::Error>,
+}
+
+impl Written {
+    fn write(
+        &mut self,
+        directory: &Path,
+        outputs: &[OutputDescription],
+        head: &Value,
+        index: usize,
+        solved: &Solved,
+    ) -> io::Result<()> {
+        // A model may go on after an analysis that failed, and begin another.
+        let record = match self.record.take().filter(|_| index > 0) {
+            Some(record) => record,
+            None => Record::begin(directory, outputs, head)?,
+        };
+        self.record.insert(record).write(index, solved)?;
+        self.solved = index + 1;
+        Ok(())
+    }
 }
 
 /// The default run directory: beside the model, named after it.

@@ -1,7 +1,7 @@
 //! Watches an analysis for an instance: hands over positions, tells of progress, and ends what is to end.
 
 use crate::budget;
-use crate::instance::{Progress, ProgressSink};
+use crate::instance::{Progress, ProgressSink, RecordSink};
 use crate::program::Program;
 use crate::stepping::{Step, Steps};
 use calyx_abi::Cancel;
@@ -18,6 +18,7 @@ pub struct Watcher {
     pub shape: u64,
     pub hand_over: Option<Steps>,
     pub progress: Option<ProgressSink>,
+    pub record: Option<RecordSink>,
 }
 
 impl Watcher {
@@ -52,6 +53,9 @@ impl Observer for Watcher {
             Event::Planned(_) => {}
             Event::Stage(stage) => self.tell(Progress { stage, done: 0, total: None }),
             Event::Step { index, count, solved } => {
+                if let Some(record) = &self.record {
+                    record.lock().unwrap_or_else(PoisonError::into_inner)(index, solved)?;
+                }
                 if let Some(steps) = &self.hand_over {
                     let (program, row) = (self.program.clone(), Arc::new(solved.row.clone()));
                     let step = Step { program, shape: self.shape, index, count, row };

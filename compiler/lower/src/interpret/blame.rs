@@ -2,6 +2,7 @@
 
 use crate::traverse::for_each_expression;
 use calyx_abi::RuntimeError;
+use calyx_abi::description::CallDescription;
 use calyx_lang::ir::{Expr, ExprKind, Program};
 use std::collections::HashMap;
 
@@ -32,6 +33,16 @@ impl CallSites {
         };
         program.functions.iter().for_each(|function| for_each_expression(function, &mut visit));
         sites
+    }
+
+    /// The same for those who have no compiler, in order of place.
+    pub fn describe(&self) -> Vec<CallDescription> {
+        let calls = self.arguments.iter().filter(|(_, arguments)| !arguments.is_empty());
+        let described =
+            calls.map(|(&place, arguments)| CallDescription { place, arguments: arguments.clone() });
+        let mut described: Vec<_> = described.collect();
+        described.sort_by_key(|call| call.place);
+        described
     }
 
     /// If the error blames an argument of the call at its place, moves the place to that argument.

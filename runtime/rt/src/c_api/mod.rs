@@ -32,6 +32,7 @@ use crate::report::{line_column, problem};
 use calyx_abi::description::{ModelDescription, ModuleTable};
 use calyx_abi::error::codes;
 use calyx_abi::{Cancel, RuntimeError};
+use calyx_gears::error::Severity;
 use describe::Described;
 use running::Running;
 use std::ffi::{CStr, CString, c_char};
@@ -104,7 +105,7 @@ impl Told {
                     told.file = c_text(&file.name);
                     (told.line, told.column) = line_column(file, start);
                 }
-                problem("error", error, description)
+                problem(Severity::Error, error, description)
             }
             _ => match error.help() {
                 "" => format!("error: {}\n", error.message()),

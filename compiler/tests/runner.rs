@@ -1,0 +1,326 @@
+//! Runs as their users meet them, by `calyx run` and by an executable alike: killed and gone on with, tables that travel,
+//! help, messages. What only the command line of `calyx run` says is in `cli/`.
+#![cfg(unix)]
+
+use serde_json::Value;
+use std::fs;
+use std::io::{BufRead, BufReader};
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+use std::sync::OnceLock;
+
+fn example() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples/spur_pair.cx")
+}
+
+/// Builds an executable of a model beside it.
+fn build(model: &Path) -> PathBuf {
+    let executable = model.with_extension("");
+    let built = Command::new(env!("CARGO_BIN_EXE_calyx"))
+        .arg("build")
+        .args([model, "-o".as_ref(), &executable])
+        .output();
+    let built = built.expect("calyx starts");
+    assert!(built.status.success(), "{}", String::from_utf8_lossy(&built.stderr));
+    executable
+}
+
+/// The spur pair and its executable.
+fn pair() -> &'static (tempfile::TempDir, PathBuf) {
+    static PAIR: OnceLock<(tempfile::TempDir, PathBuf)> = OnceLock::new();
+    PAIR.get_or_init(|| {
+        let directory = tempfile::tempdir().expect("a directory");
+        let model = directory.path().join("pair.cx");
+        fs::copy(example(), &model).expect("writable");
+        let executable = build(&model);
+        (directory, executable)
+    })
+}
+
+/// A way to run the spur pair.
+#[derive(Clone, Copy, Debug)]
+enum Way {
+    CalyxRun,
+    Executable,
+}
+
+impl Way {
+    fn command(self, directory: &Path, arguments: &[&str]) -> Command {
+        let (folder, executable) = pair();
+        let mut command = match self {
+            Way::CalyxRun => Command::new(env!("CARGO_BIN_EXE_calyx")),
+            Way::Executable => Command::new(executable),
+        };
+        if let Way::CalyxRun = self {
+            command.arg("run").arg(folder.path().join("pair.cx"));
+        } else {
+            command.env_clear();
+        }
+        command.args(["--out", "results"]).args(arguments).current_dir(directory);
+        command
+    }
+}
+
+/// Runs a program in a directory: exit status, standard output, standard error.
+fn said(command: &mut Command) -> (Option<i32>, String, String) {
+    let Output { status, stdout, stderr } = command.output().expect("it starts");
+    let [out, err] = [stdout, stderr].map(|text| String::from_utf8_lossy(&text).into_owned());
+    (status.code(), out, err)
+}
+
+/// Starts a run and kills it as soon as it says that so many positions are done; 0 is while structures are made.
+fn kill_after(command: &mut Command, positions: u64) {
+    let mut run = command.args(["--progress", "json"]).stderr(Stdio::piped()).spawn().expect("it starts");
+    let mut lines = BufReader::new(run.stderr.take().expect("piped")).lines();
+    let reached = lines.any(|line| {
+        let progress: Value = serde_json::from_str(&line.expect("text")).unwrap_or_default();
+        progress["done"] == positions
+    });
+    assert!(reached, "it ended before {positions} positions");
+    run.kill().expect("it runs");
+    run.wait().expect("it ends");
+}
+
+/// Final files of a run; how long it took is its own.
+fn results(directory: &Path) -> [String; 2] {
+    let names: Vec<_> = fs::read_dir(directory.join("results"))
+        .expect("results")
+        .map(|entry| entry.unwrap().file_name())
+        .collect();
+    assert_eq!(names.len(), 3, "{names:?}");
+    ["run.json", "steps.csv"]
+        .map(|name| fs::read_to_string(directory.join("results").join(name)).expect(name))
+}
+
+const SET: [&str; 3] = ["--quiet", "--set", "steps=5"];
+
+#[test]
+fn a_killed_run_goes_on_and_writes_the_same_bytes() {
+    let whole = tempfile::tempdir().unwrap();
+    let (status, _, err) = said(&mut Way::CalyxRun.command(whole.path(), &SET));
+    assert_eq!(status, Some(0), "{err}");
+    let expected = results(whole.path());
+    let count = expected[1].lines().count() as u64 - 1;
+    assert!(count > 6, "{}", expected[1]);
+    let moments = [
+        (Way::CalyxRun, 0),
+        (Way::CalyxRun, 1),
+        (Way::CalyxRun, count / 2),
+        (Way::Executable, 2),
+        (Way::Executable, count),
+    ];
+    for (way, positions) in moments {
+        let directory = tempfile::tempdir().unwrap();
+        kill_after(&mut way.command(directory.path(), &SET), positions);
+        let steps = directory.path().join("results/steps.csv");
+        let solved = fs::read_to_string(&steps).map_or(0, |steps| steps.lines().count() as u64 - 1);
+        assert!(solved >= positions, "{way:?} had written {solved} of {positions} positions");
+        let again = [&SET[..], &["--resume", "--progress", "json"]].concat();
+        let (status, _, err) = said(&mut way.command(directory.path(), &again));
+        assert_eq!(status, Some(0), "{way:?} after {positions}: {err}");
+        // What was solved is not solved again.
+        let done =
+            |line: &str| serde_json::from_str::<Value>(line).ok()?["done"].as_u64().filter(|&done| done > 0);
+        let first = err.lines().find_map(done);
+        assert!(first.unwrap_or(count + 1) > positions, "{way:?} after {positions} began at {first:?}");
+        assert!(results(directory.path()) == expected, "{way:?} after {positions} positions");
+    }
+}
+
+#[test]
+fn a_journal_that_was_cut_off_is_gone_on_with() {
+    let directory = tempfile::tempdir().unwrap();
+    let run = |arguments: &[&str]| {
+        said(&mut Way::CalyxRun.command(directory.path(), &[&["--set", "steps=2"], arguments].concat()))
+    };
+    assert_eq!(run(&["--quiet"]).0, Some(0));
+    let expected = results(directory.path());
+    kill_after(&mut Way::CalyxRun.command(directory.path(), &["--quiet", "--set", "steps=2"]), 3);
+    let journal = directory.path().join("results/journal.jsonl");
+    let text = fs::read(&journal).unwrap();
+    let ends: Vec<usize> = (1..=text.len()).filter(|&end| text[end - 1] == b'\n').collect();
+    // How much of the journal is left, and the positions that are whole in it.
+    let cuts =
+        [(ends[3], Some(3)), (ends[3] - 1, Some(2)), (ends[2] + 17, Some(2)), (ends[0], Some(0)), (40, None)];
+    for (length, whole) in cuts {
+        for name in ["run.json", "timing.json", "steps.csv"] {
+            let _ = fs::remove_file(directory.path().join("results").join(name));
+        }
+        fs::write(&journal, &text[..length]).unwrap();
+        let (status, _, err) = run(&["--resume"]);
+        assert_eq!(status, Some(0), "{err}");
+        let told = match whole {
+            Some(count) => format!("going on after {count} positions"),
+            None => "there is nothing to go on with".into(),
+        };
+        assert!(err.contains(&told), "{length} bytes: {err}");
+        assert!(results(directory.path()) == expected, "{length} bytes");
+    }
+    // Another model and other params are another run.
+    fs::remove_file(directory.path().join("results/run.json")).unwrap();
+    fs::write(&journal, &text).unwrap();
+    let (status, _, err) =
+        said(&mut Way::Executable.command(directory.path(), &["--resume", "--set", "steps=4"]));
+    assert_eq!(status, Some(2), "{err}");
+    assert!(err.contains("`steps` was 2 and is 4 now"), "{err}");
+    assert!(fs::read(&journal).unwrap() == text, "a refused run leaves everything as it was");
+}
+
+/// A directory with a model, its executable, and another directory where nothing is.
+struct Standing {
+    folder: tempfile::TempDir,
+    executable: PathBuf,
+}
+
+impl Standing {
+    fn of(model: &str, files: &[(&str, &str)]) -> Standing {
+        let folder = tempfile::tempdir().expect("a directory");
+        fs::create_dir(folder.path().join("elsewhere")).expect("a directory");
+        for (name, text) in [("model.cx", model)].iter().chain(files) {
+            fs::write(folder.path().join(name), text).expect("writable");
+        }
+        let executable = build(&folder.path().join("model.cx"));
+        Standing { folder, executable }
+    }
+
+    fn run(&self, arguments: &[&str]) -> (Option<i32>, String, String) {
+        let elsewhere = self.folder.path().join("elsewhere");
+        said(Command::new(&self.executable).args(arguments).env_clear().current_dir(elsewhere))
+    }
+}
+
+#[test]
+fn tables_travel_with_an_executable() {
+    let model = "param file = \"roll.csv\" in [\"roll.csv\", \"other.csv\"];\n\
+                 var t = read_table(file);\nprint(column(t, \"depth\", 1 mm));\n";
+    let standing =
+        Standing::of(model, &[("roll.csv", "depth [mm]\n1\n2\n"), ("other.csv", "depth [mm]\n3\n")]);
+    // What the model was compiled with is not looked at any more.
+    fs::remove_file(standing.folder.path().join("roll.csv")).unwrap();
+    let (status, out, err) = standing.run(&["--quiet"]);
+    assert_eq!((status, &*out, &*err), (Some(0), "[0.001 m, 0.002 m]\n", ""));
+    let run = fs::read_to_string(standing.folder.path().join("elsewhere/model.run/run.json")).unwrap();
+    assert!(run.contains("\"name\": \"roll.csv\""), "{run}");
+    // What it reads at other params does not travel, not even from where it was compiled.
+    let other = ["--quiet", "--set", "file=other.csv"];
+    let (status, _, err) = standing.run(&other);
+    assert_eq!(status, Some(1), "{err}");
+    for part in [
+        "error[E0730]: `other.csv` cannot be read: it does not travel with the program, and there is no such file in this \
+         directory",
+        "model.cx:2:20",
+        " 2 | var t = read_table(file);",
+        "^^^^",
+    ] {
+        assert!(err.contains(part), "{part} is not in\n{err}");
+    }
+    // It is found where the program runs.
+    let elsewhere = standing.folder.path().join("elsewhere");
+    fs::write(elsewhere.join("other.csv"), "depth [mm]\n4\n").unwrap();
+    assert_eq!(standing.run(&other).1, "[0.004 m]\n");
+    // Who names a directory gets what is there, and nothing else.
+    fs::create_dir(elsewhere.join("measured")).unwrap();
+    fs::write(elsewhere.join("measured/roll.csv"), "depth [mm]\n5\n").unwrap();
+    assert_eq!(standing.run(&["--quiet", "--tables", "measured"]).1, "[0.005 m]\n");
+    let (status, _, err) = standing.run(&["--tables", "measured", "--set", "file=other.csv"]);
+    assert!(status == Some(1) && err.contains("cannot be read: there is no such file in measured"), "{err}");
+}
+
+#[test]
+fn an_executable_explains_itself() {
+    let model = "/// Turns a thing.\n///\n/// At length: how it turns.\nunits mm_N_s;\n\
+                 /// How wide.\n///\n/// Wider is stiffer.\nparam width = 3 mm in 1 mm .. 20 mm;\n\
+                 param wide = TRUE;\n/// How it is made.\nparam kind = \"plane\" in [\"plane\", \"solid\"];\n\
+                 print(width, wide, kind);\n";
+    let standing = Standing::of(model, &[]);
+    let version = format!("model (compiled by Calyx {}, engine ", env!("CARGO_PKG_VERSION"));
+    // Arguments, exit status, and parts of what is said, in this order.
+    let table: [(&[&str], i32, &[&str]); 7] = [
+        (
+            &["-h"],
+            0,
+            &[
+                "Turns a thing.\n",
+                "Usage: model [OPTIONS]",
+                "width",
+                "3 mm",
+                "1 .. 20",
+                "How wide.",
+                "wide",
+                "TRUE",
+                "kind",
+                "\"plane\" or \"solid\"",
+                "Giving params:",
+                "--set <NAME=VALUE>",
+                "--print-params",
+                "Results:",
+                "--resume",
+                "Limits:",
+                "--threads",
+            ],
+        ),
+        (
+            &["--help"],
+            0,
+            &["Turns a thing.", "At length: how it turns.", "Wider is stiffer.", "--tables <DIR>"],
+        ),
+        (&["--version"], 0, &[&version]),
+        (&["--print-params"], 0, &["json-schema.org", "\"x-unit\": \"mm\""]),
+        (&["--set", "width"], 2, &["'width' for '--set <NAME=VALUE>': there is no `=`"]),
+        (
+            &["--set", "width=1 s"],
+            2,
+            &["`width` cannot be `1 s`: that is a time, and its default is in mm, a length"],
+        ),
+        (&["--set", "width=30"], 2, &["`width` = 30 mm is outside its range, 1 mm .. 20 mm"]),
+    ];
+    for (arguments, status, parts) in table {
+        let (ended, out, err) = standing.run(arguments);
+        let shown = if status == 0 { out } else { err };
+        assert_eq!(ended, Some(status), "{arguments:?}: {shown}");
+        let mut rest = &shown[..];
+        for part in parts {
+            let at = rest.find(part).unwrap_or_else(|| panic!("{arguments:?} lacks `{part}`: {shown}"));
+            rest = &rest[at + part.len()..];
+        }
+        let fits = |line: &str| line.chars().count() <= 100;
+        assert!(!arguments[0].ends_with('h') || shown.lines().all(fits), "{shown}");
+    }
+    assert!(!standing.run(&["-h"]).1.contains("Wider is stiffer"));
+    let (status, out, err) = standing.run(&["--json", "--params", "/dev/null/none.toml"]);
+    assert!(status == Some(2) && out.is_empty() && err.contains("cannot read"), "{err}");
+    let (status, out, err) = standing.run(&["--json", "--set", "width=4"]);
+    let document: Value = serde_json::from_str(&out).expect("one document");
+    assert_eq!((status, &document["params"]["width"]["display"]["value"]), (Some(0), &Value::from(4.0)));
+    assert!(err.starts_with("4 mm TRUE plane\n") && err.contains("results are in model.run"), "{err}");
+}
+
+/// What checking would have said is placed as checking places it, and NaN says who finds its source.
+#[test]
+fn an_executable_places_what_it_says() {
+    let spur_pair = fs::read_to_string(example()).unwrap();
+    let old = "output load_share := gears.load_share(mesh);";
+    assert!(spur_pair.contains(old) && spur_pair.contains("free = [\"theta_z\"]"));
+    let model = spur_pair
+        .replace(old, "param offset = 0;\noutput load_share := log(gears.load_share(mesh) - offset);")
+        .replace("var mesh =", "var idle = gears.body(\"idle\", gear_blank,\n    free = [\"theta_z\"],\n    frame := Translate(9 inch * e1));\nvar mesh =");
+    let standing = Standing::of(&model, &[]);
+    let (status, _, err) = standing.run(&["--set", "steps=2", "--set", "offset=2"]);
+    assert_eq!(status, Some(1), "{err}");
+    for part in [
+        "error[E0721]: output `load_share` is not a number at Time =",
+        "note: with these params, `calyx run ",
+    ] {
+        assert!(err.contains(part), "{part} is not in\n{err}");
+    }
+    let (status, _, err) = standing.run(&["--set", "steps=2", "--set", "offset=-1"]);
+    assert_eq!(status, Some(0), "{err}");
+    for part in [
+        "warning[W0715]: nothing holds body \"idle\"",
+        "    free = [\"theta_z\"],",
+        "           ^^^^^^^^^^^",
+        "help: ",
+    ] {
+        assert!(err.contains(part), "{part} is not in\n{err}");
+    }
+}

@@ -1,0 +1,165 @@
+//! The command line of a model that is a program of its own: its help is made from the model's words, the rest is what
+//! `calyx run` takes.
+
+use crate::command::{Messages, RunCommand, USAGE, print_json};
+use crate::given::Given;
+use crate::help;
+use crate::options::RunArguments;
+use crate::params::Refused;
+use crate::program::{ParamFunction, Program};
+use crate::report::{problem, refused};
+use crate::schema::schema;
+use crate::seen::Seen;
+use calyx_abi::description::{FileDescription, ModelDescription};
+use calyx_abi::{Context, Kernel, RuntimeError, Slot};
+use calyx_gears::error::Severity;
+use calyx_gears::host::Finding;
+use clap::{Args, Command, CommandFactory, FromArgMatches, Parser};
+use std::ffi::OsString;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+/// What an executable takes.
+#[derive(Parser)]
+#[command(disable_help_subcommand = true)]
+struct Arguments {
+    #[command(flatten)]
+    run: RunArguments,
+    #[command(flatten)]
+    tables: Tables,
+}
+
+#[derive(Args)]
+struct Tables {
+    /// Read the model's tables from this directory, not those that it was compiled with
+    ///
+    /// The tables that the model reads at the defaults of its params are part of this program; others are looked for in the
+    /// working directory.
+    #[arg(long, value_name = "DIR")]
+    tables: Option<PathBuf>,
+}
+
+/// Runs a model as a program: its exit status, 0 when results are written, 1 if the model or its analysis failed, 2 if the
+/// command was not used as it can be. `arguments` begin with the program's name.
+pub fn main(program: Arc<dyn Program>, arguments: &[OsString]) -> u8 {
+    let description = program.description();
+    let parsed = command(description).try_get_matches_from(arguments);
+    let parsed = parsed.and_then(|mut matches| Arguments::from_arg_matches_mut(&mut matches));
+    let Arguments { run: arguments_of_run, tables } = match parsed {
+        Ok(arguments) => arguments,
+        Err(error) => {
+            let _ = error.print();
+            return error.exit_code().try_into().unwrap_or(1);
+        }
+    };
+    let name = arguments.first().and_then(|path| Path::new(path).file_name());
+    let mut directory = name.map_or_else(|| "model".into(), OsString::from);
+    directory.push(".run");
+    let messages = Told { description };
+    let program = Arc::new(Standalone { program: program.clone(), tables: tables.tables });
+    let command = RunCommand {
+        program,
+        arguments: &arguments_of_run,
+        before: Vec::new(),
+        default_directory: directory.into(),
+        messages: &messages,
+        silent: false,
+    };
+    if arguments_of_run.print_params {
+        return print_json(&schema(description), &messages);
+    }
+    match arguments_of_run.given() {
+        Ok(given) => command.execute(given),
+        Err(why) => {
+            messages.refused(&why);
+            USAGE
+        }
+    }
+}
+
+/// The command line, with the help of this model.
+fn command(description: &ModelDescription) -> Command {
+    let (about, long_about) = match description.doc.trim() {
+        "" => ("A model compiled by Calyx.", "A model compiled by Calyx."),
+        doc => (doc.lines().next().unwrap_or_default(), doc),
+    };
+    let name = Path::new(&description.name).file_stem().map(|name| name.to_string_lossy().into_owned());
+    Arguments::command()
+        .name(name.unwrap_or_else(|| "model".into()))
+        .version(format!("(compiled by Calyx {}, engine {})", env!("CARGO_PKG_VERSION"), description.abi))
+        .about(about.to_owned())
+        .long_about(long_about.to_owned())
+        .after_help(help::short(description))
+        .after_long_help(help::long(description))
+        .help_template("{about-with-newline}\n{usage-heading} {usage}{after-help}\n\n{all-args}")
+}
+
+/// A program that is not beside its model: its tables are its own or in a directory that somebody names.
+struct Standalone {
+    program: Arc<dyn Program>,
+    tables: Option<PathBuf>,
+}
+
+impl Program for Standalone {
+    fn description(&self) -> &ModelDescription {
+        self.program.description()
+    }
+
+    fn kernels(&self) -> Vec<Arc<dyn Kernel>> {
+        self.program.kernels()
+    }
+
+    fn param_function(
+        &self,
+        param: usize,
+        which: ParamFunction,
+        context: &mut Context,
+    ) -> Result<Option<Slot>, RuntimeError> {
+        self.program.param_function(param, which, context)
+    }
+
+    fn tables(&self) -> Option<Arc<[FileDescription]>> {
+        self.tables.is_none().then(|| self.description().tables.clone())
+    }
+
+    fn directory(&self) -> Option<PathBuf> {
+        Some(self.tables.clone().unwrap_or_else(|| ".".into()))
+    }
+
+    fn main(&self, context: &mut Context) -> Result<(), RuntimeError> {
+        self.program.main(context)
+    }
+
+    fn explain(&self, error: &mut RuntimeError, given: &[Given], seen: &Seen) {
+        self.program.explain(error, given, seen);
+    }
+}
+
+/// What an executable says, on standard error.
+struct Told<'d> {
+    description: &'d ModelDescription,
+}
+
+impl Messages for Told<'_> {
+    fn refused(&self, why: &Refused) {
+        eprint!("{}", refused(why));
+    }
+
+    fn error(&self, error: &RuntimeError) {
+        eprint!("{}", problem(Severity::Error, error, self.description));
+    }
+
+    fn findings(&self, findings: &[Finding]) {
+        for finding in findings {
+            eprint!("{}", problem(finding.severity, &finding.error, self.description));
+        }
+    }
+
+    fn warning(&self, text: &str) {
+        eprintln!("warning: {text}");
+    }
+
+    fn note(&self, text: &str) {
+        eprintln!("{text}");
+    }
+}

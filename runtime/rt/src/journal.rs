@@ -1,0 +1,275 @@
+//! The journal of a run under way: what a run that goes on after it needs to know, a line of JSON a position, each on disk
+//! before the next position begins.
+//!
+//! The table of positions says less: it lacks places of maxima, warnings and certificates. The first line, the head, says of
+//! which model and params the run is. A line that a kill left half written is dropped, and so is what is behind one that
+//! cannot be read: those positions are solved again, to the same bits. A finished run has no journal.
+
+use calyx_runtime::analysis::Position;
+use calyx_runtime::contact::problem::Certificate;
+use calyx_runtime::results::{Observed, Place, Solved, StepRow};
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use serde_json::{Value, json};
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+/// Of the lines: a journal of another format is not read.
+const FORMAT: u64 = 1;
+
+pub fn path(directory: &Path) -> PathBuf {
+    directory.join("journal.jsonl")
+}
+
+/// A journal as it was found.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Found {
+    /// What the run was of.
+    pub head: Value,
+    /// The positions it completed, from the first on.
+    pub solved: Vec<Solved>,
+    /// Length of what could be read.
+    bytes: u64,
+}
+
+/// The journal in a directory; `None` if there is none, or one whose head is not complete.
+///
+/// # Errors
+/// It is there and cannot be read.
+pub fn find(directory: &Path) -> io::Result<Option<Found>> {
+    let text = match fs::read(path(directory)) {
+        Ok(text) => text,
+        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(None),
+        Err(error) => return Err(error),
+    };
+    let mut lines = text.split_inclusive(|&byte| byte == b'\n').filter(|line| line.ends_with(b"\n"));
+    let first = lines.next().and_then(|line| Some((line.len(), serde_json::from_slice::<Value>(line).ok()?)));
+    let Some((bytes, first)) = first.filter(|(_, first)| first["journal"] == FORMAT) else { return Ok(None) };
+    let mut found = Found { head: first["run"].clone(), solved: Vec::new(), bytes: bytes as u64 };
+    for line in lines {
+        let entry = serde_json::from_slice::<Entry>(line).ok();
+        let Some(entry) = entry.filter(|entry| entry.step == found.solved.len()) else { break };
+        found.solved.push(entry.solved());
+        found.bytes += line.len() as u64;
+    }
+    Ok(Some(found))
+}
+
+/// Writes a journal.
+pub struct Journal {
+    file: File,
+    written: usize,
+}
+
+impl Journal {
+    /// Begins a journal with what the run is of.
+    ///
+    /// # Errors
+    /// It cannot be written.
+    pub fn create(directory: &Path, head: &Value) -> io::Result<Journal> {
+        let mut file = File::create(path(directory))?;
+        write_line(&mut file, &json!({ "journal": FORMAT, "run": head }))?;
+        Ok(Journal { file, written: 0 })
+    }
+
+    /// Goes on behind what was found.
+    ///
+    /// # Errors
+    /// It cannot be written.
+    pub fn go_on(directory: &Path, found: &Found) -> io::Result<Journal> {
+        let file = OpenOptions::new().append(true).open(path(directory))?;
+        file.set_len(found.bytes)?;
+        Ok(Journal { file, written: found.solved.len() })
+    }
+
+    /// Adds the next position.
+    ///
+    /// # Errors
+    /// It cannot be written.
+    pub fn write(&mut self, solved: &Solved) -> io::Result<()> {
+        write_line(&mut self.file, &Entry::of(self.written, solved))?;
+        self.written += 1;
+        Ok(())
+    }
+}
+
+/// In one piece, line end and all.
+fn write_line(file: &mut File, line: &impl Serialize) -> io::Result<()> {
+    let mut text = serde_json::to_vec(line)?;
+    text.push(b'\n');
+    file.write_all(&text)
+}
+
+/// Removes the journal of a run that is finished, or of one that is not gone on with.
+///
+/// # Errors
+/// It is there and cannot be removed.
+pub fn remove(directory: &Path) -> io::Result<()> {
+    match fs::remove_file(path(directory)) {
+        Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
+        _ => Ok(()),
+    }
+}
+
+/// The line of a position.
+#[derive(Serialize, Deserialize)]
+struct Entry {
+    step: usize,
+    time: Exact,
+    cycle: Exact,
+    roll: Exact,
+    point: String,
+    outputs: Vec<(Exact, Option<At>)>,
+    warnings: Vec<String>,
+    /// Complementarity, penetration, tension, equilibrium.
+    certificate: [Exact; 4],
+}
+
+/// A place on a body.
+#[derive(Serialize, Deserialize)]
+struct At {
+    body: String,
+    tooth: u32,
+    roll_angle: Option<Exact>,
+    radius: Exact,
+}
+
+impl Entry {
+    fn of(step: usize, solved: &Solved) -> Entry {
+        let Solved { row: StepRow { position, outputs, warnings }, certificate } = solved;
+        let at = |place: &Place| At {
+            body: place.body.clone(),
+            tooth: place.tooth,
+            roll_angle: place.roll_angle.map(Exact),
+            radius: Exact(place.radius),
+        };
+        let Certificate { complementarity, penetration, tension, equilibrium } = *certificate;
+        Entry {
+            step,
+            time: Exact(position.time),
+            cycle: Exact(position.cycle),
+            roll: Exact(position.roll),
+            point: position.name.to_string(),
+            outputs: outputs
+                .iter()
+                .map(|output| (Exact(output.value), output.place.as_ref().map(at)))
+                .collect(),
+            warnings: warnings.clone(),
+            certificate: [complementarity, penetration, tension, equilibrium].map(Exact),
+        }
+    }
+
+    fn solved(self) -> Solved {
+        let place = |at: At| Place {
+            body: at.body,
+            tooth: at.tooth,
+            roll_angle: at.roll_angle.map(|Exact(angle)| angle),
+            radius: at.radius.0,
+        };
+        let outputs = self.outputs.into_iter();
+        let outputs = outputs.map(|(Exact(value), at)| Observed { value, place: at.map(place) });
+        let [complementarity, penetration, tension, equilibrium] =
+            self.certificate.map(|Exact(number)| number);
+        let position =
+            Position { time: self.time.0, cycle: self.cycle.0, roll: self.roll.0, name: self.point.into() };
+        Solved {
+            row: StepRow { position, outputs: outputs.collect(), warnings: self.warnings },
+            certificate: Certificate { complementarity, penetration, tension, equilibrium },
+        }
+    }
+}
+
+/// A number that reads back to the same bits; JSON has no infinity, so what is not finite is a text.
+#[derive(Clone, Copy)]
+struct Exact(f64);
+
+impl Serialize for Exact {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self.0.is_finite() {
+            true => serializer.serialize_f64(self.0),
+            false => serializer.collect_str(&self.0),
+        }
+    }
+}
+
+impl<'de> Deserialize<'de> for Exact {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        #[derive(Deserialize)]
+        #[serde(untagged)]
+        enum Written {
+            Finite(f64),
+            Other(String),
+        }
+        match Written::deserialize(deserializer)? {
+            Written::Finite(number) => Ok(Exact(number)),
+            Written::Other(text) => text.parse().map(Exact).map_err(serde::de::Error::custom),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn solved(time: f64) -> Solved {
+        let place = Place { body: "pinion".into(), tooth: 3, roll_angle: None, radius: 0.1 + 0.2 };
+        let outputs = vec![
+            Observed { value: 1.0 / 3.0, place: Some(place) },
+            Observed { value: f64::INFINITY, place: None },
+            Observed { value: -0.0, place: None },
+        ];
+        let position = Position { time, cycle: 5e-324, roll: 2.0_f64.sqrt(), name: "lowest".into() };
+        let certificate =
+            Certificate { complementarity: 1e-17, penetration: 0.0, tension: 3e300, equilibrium: 7.1e-15 };
+        let warnings = vec!["a \"quoted\"\nline".into()];
+        Solved { row: StepRow { position, outputs, warnings }, certificate }
+    }
+
+    #[test]
+    fn what_is_written_reads_back_to_the_bit_wherever_it_was_cut_off() {
+        let directory = tempfile::tempdir().unwrap();
+        let directory = directory.path();
+        assert_eq!(find(directory).unwrap(), None);
+        let head = json!({ "params": { "torque": 0.1 } });
+        let mut journal = Journal::create(directory, &head).unwrap();
+        let all = [0.1, 0.2, 0.3].map(solved);
+        all.iter().for_each(|solved| journal.write(solved).unwrap());
+        let text = fs::read(path(directory)).unwrap();
+        let ends: Vec<usize> =
+            text.iter().enumerate().filter(|(_, byte)| **byte == b'\n').map(|(at, _)| at + 1).collect();
+        for length in 0..=text.len() {
+            fs::write(path(directory), &text[..length]).unwrap();
+            let whole = ends.iter().filter(|end| **end <= length).count();
+            let Some(found) = find(directory).unwrap() else {
+                assert_eq!(whole, 0, "cut off after {length} bytes");
+                continue;
+            };
+            assert_eq!((&found.head, &found.solved[..]), (&head, &all[..whole - 1]));
+            assert!(found.solved.iter().all(|solved| solved.row.outputs[2].value.is_sign_negative()));
+            // Going on leaves the journal that an uninterrupted run writes.
+            let mut journal = Journal::go_on(directory, &found).unwrap();
+            all[whole - 1..].iter().for_each(|solved| journal.write(solved).unwrap());
+            assert!(fs::read(path(directory)).unwrap() == text, "cut off after {length} bytes");
+        }
+    }
+
+    #[test]
+    fn what_cannot_be_read_ends_the_journal() {
+        let directory = tempfile::tempdir().unwrap();
+        let directory = directory.path();
+        let mut journal = Journal::create(directory, &json!({})).unwrap();
+        [0.1, 0.2, 0.3].iter().for_each(|&time| journal.write(&solved(time)).unwrap());
+        let text = fs::read_to_string(path(directory)).unwrap();
+        for (damage, count) in [
+            (text.replacen("\"step\":1", "\"step\":7", 1), Some(1)),
+            (text.replacen("\"step\":2", "\"step\":\0", 1), Some(2)),
+            (text.replacen("\"journal\":1", "\"journal\":2", 1), None),
+            (text.replacen('{', "", 1), None),
+        ] {
+            fs::write(path(directory), damage).unwrap();
+            assert_eq!(find(directory).unwrap().map(|found| found.solved.len()), count);
+        }
+        remove(directory).unwrap();
+        remove(directory).unwrap();
+    }
+}

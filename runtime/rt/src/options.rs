@@ -1,0 +1,80 @@
+//! What can be asked of a run on a command line: one set of options for `calyx run` and for executables.
+
+use crate::budget;
+use crate::given::Given;
+use crate::params::Refused;
+use crate::params_file;
+use crate::progress::ProgressFormat;
+use clap::Args;
+use std::num::NonZeroUsize;
+use std::path::PathBuf;
+use std::time::Duration;
+
+/// The options of a run.
+#[derive(Args, Clone, Debug, Default)]
+pub struct RunArguments {
+    /// Set a param, like torque=500 or "torque=60 N*m"
+    ///
+    /// A bare VALUE is in the unit of the param's default. May be given several times; the last of a name counts, and it
+    /// counts more than a file of --params.
+    #[arg(long, value_name = "NAME=VALUE", value_parser = Given::name_and_value, help_heading = PARAMS)]
+    pub set: Vec<Given>,
+    /// Read params from FILE.json or FILE.toml
+    ///
+    /// An object or table of names and values. Numbers are in the unit of the param's default, texts like "0.5 mm" have
+    /// their own. --print-params says what such a file may hold.
+    #[arg(long, value_name = "FILE", help_heading = PARAMS)]
+    pub params: Option<PathBuf>,
+    /// Print what the params are, as JSON Schema, and run nothing
+    #[arg(long, help_heading = PARAMS)]
+    pub print_params: bool,
+    /// Directory for the results [default: the model's name and .run]
+    ///
+    /// Gets run.json (inputs, outputs, certificate), steps.csv (a row a position) and timing.json.
+    #[arg(long, value_name = "DIR", help_heading = RESULTS)]
+    pub out: Option<PathBuf>,
+    /// Go on where an earlier run was ended
+    ///
+    /// Begins after the last position that the run in the results' directory completed. Model and params must be those of
+    /// that run, and the results are those of a run that was never ended.
+    #[arg(long, help_heading = RESULTS)]
+    pub resume: bool,
+    /// Print the results on standard output, as one JSON document
+    ///
+    /// What run.json says, and the rows of steps.csv. What the model prints then goes to standard error.
+    #[arg(long, help_heading = RESULTS)]
+    pub json: bool,
+    /// Print nothing but what the model prints, and errors
+    #[arg(long)]
+    pub quiet: bool,
+    /// How progress is shown on standard error
+    #[arg(long, value_enum, default_value_t, value_name = "FORMAT")]
+    pub progress: ProgressFormat,
+    /// Use this many threads [default: one a core]
+    ///
+    /// The results have the same bits with any number.
+    #[arg(long, value_name = "N", help_heading = LIMITS)]
+    pub threads: Option<NonZeroUsize>,
+    /// End the run with an error after this time, like 10s or 5min
+    #[arg(long, value_name = "TIME", value_parser = budget::time, help_heading = LIMITS)]
+    pub time_limit: Option<Duration>,
+    /// End the run with an error when it takes more memory, like 2GB
+    #[arg(long, value_name = "SIZE", value_parser = budget::memory, help_heading = LIMITS)]
+    pub memory_limit: Option<u64>,
+}
+
+const PARAMS: &str = "Giving params";
+const RESULTS: &str = "Results";
+const LIMITS: &str = "Limits";
+
+impl RunArguments {
+    /// What is given for params: of the file first, then what counts more.
+    ///
+    /// # Errors
+    /// The file cannot be read, or is not one of params.
+    pub fn given(&self) -> Result<Vec<Given>, Refused> {
+        let mut given = self.params.as_deref().map(params_file::read).transpose()?.unwrap_or_default();
+        given.extend(self.set.iter().cloned());
+        Ok(given)
+    }
+}

@@ -1,0 +1,235 @@
+//! Files of params, `--params FILE.json` or `FILE.toml`: names and values, each with its place, so that what is wrong with one
+//! is shown where it stands.
+
+use crate::given::{Given, GivenValue, Origin};
+use crate::params::Refused;
+use calyx_abi::description::FileDescription;
+use serde::Deserializer;
+use serde::de::{MapAccess, Visitor};
+use serde_json::value::RawValue;
+use std::fmt;
+use std::ops::Range;
+use std::path::Path;
+use std::sync::Arc;
+use toml::de::{DeTable, DeValue};
+
+/// A key of JSON files by which editors find the schema; it is no param.
+pub const SCHEMA_KEY: &str = "$schema";
+
+/// What a file says, in its order.
+///
+/// # Errors
+/// It cannot be read, or is not a table of numbers, texts and truth values.
+pub fn read(path: &Path) -> Result<Vec<Given>, Refused> {
+    let parse = match path.extension().and_then(|extension| extension.to_str()) {
+        Some("json") => json,
+        Some("toml") => toml,
+        _ => {
+            let message = format!("{} is neither a .json nor a .toml file", path.display());
+            return Err(Refused::new(message, "write params as `{\"torque\": 500}` or as `torque = 500`"));
+        }
+    };
+    let bytes = std::fs::read(path).map_err(|error| unreadable(path, &error.to_string()))?;
+    let text = String::from_utf8(bytes).map_err(|_| unreadable(path, "it is not UTF-8 text"))?;
+    // Windows' editors begin files so; neither format knows of it.
+    let text = text.strip_prefix('\u{feff}').map(str::to_owned).unwrap_or(text);
+    parse(&Arc::new(FileDescription { name: path.display().to_string(), text }))
+}
+
+fn unreadable(path: &Path, why: &str) -> Refused {
+    Refused::new(format!("cannot read {}: {why}", path.display()), "give the path of a file of params")
+}
+
+/// Something wrong at a place of the file.
+fn wrong(file: &Arc<FileDescription>, at: Range<usize>, message: String, help: &str) -> Refused {
+    let origin = Origin { file: file.clone(), start: at.start, end: at.end };
+    Refused { origin: Some(origin), ..Refused::new(message, help) }
+}
+
+fn given(file: &Arc<FileDescription>, name: &str, value: GivenValue, at: [Range<usize>; 2]) -> Given {
+    let [of_name, of_value] = at.map(|Range { start, end }| Some(Origin { file: file.clone(), start, end }));
+    Given { name: name.to_owned(), value, name_origin: of_name, origin: of_value }
+}
+
+const KINDS: &str = "a param is a number, a text like \"0.5 mm\", or true or false";
+
+/// Names and values of a file `{"torque": 500}`.
+fn json(file: &Arc<FileDescription>) -> Result<Vec<Given>, Refused> {
+    let text = file.text.as_str();
+    let mut reader = serde_json::Deserializer::from_str(text);
+    let entries = reader.deserialize_map(Entries).and_then(|entries| reader.end().map(|()| entries));
+    let entries = entries.map_err(|error| {
+        let at = offset(text, error.line(), error.column());
+        // What is wrong without its place, which is shown.
+        let message = error.to_string();
+        let message = message.rsplit_once(" at line ").map_or(message.as_str(), |(message, _)| message);
+        let help = "params are one object: `{\"torque\": 500, \"tip_radius\": \"0.5 mm\"}`";
+        wrong(file, at..at, format!("the file is not as it should be: {message}"), help)
+    })?;
+    let mut all: Vec<Given> = Vec::new();
+    for (name, raw) in entries.into_iter().filter(|(name, _)| name != SCHEMA_KEY) {
+        let value = raw.get();
+        let start = value.as_ptr().addr() - text.as_ptr().addr();
+        let of_value = start..start + value.len();
+        let before = text[..start].trim_end().trim_end_matches(':').trim_end();
+        let of_name = match before.strip_suffix(&format!("\"{name}\"")) {
+            Some(rest) => rest.len()..before.len(),
+            // A name with escapes.
+            None => of_value.clone(),
+        };
+        if all.iter().any(|known| known.name == name) {
+            return Err(wrong(file, of_name, format!("`{name}` is given twice"), "keep one of them"));
+        }
+        let value = match value.as_bytes().first() {
+            Some(b't') => GivenValue::Bool(true),
+            Some(b'f') => GivenValue::Bool(false),
+            Some(b'"') => GivenValue::String(serde_json::from_str(value).unwrap_or_default()),
+            // The decimal is read as on a command line, to the same bits.
+            Some(b'-' | b'0'..=b'9') => GivenValue::Number(value.parse().unwrap_or(f64::NAN)),
+            other => {
+                let kind = match other {
+                    Some(b'{') => "an object",
+                    Some(b'[') => "an array",
+                    _ => "null",
+                };
+                return Err(wrong(file, of_value, format!("`{name}` is {kind}"), KINDS));
+            }
+        };
+        all.push(given(file, &name, value, [of_name, of_value]));
+    }
+    Ok(all)
+}
+
+/// The byte at a line and column, both from 1, the column in bytes.
+fn offset(text: &str, line: usize, column: usize) -> usize {
+    let begin: usize = text.split_inclusive('\n').take(line.saturating_sub(1)).map(str::len).sum();
+    let mut at = (begin + column.saturating_sub(1)).min(text.len());
+    while !text.is_char_boundary(at) {
+        at -= 1;
+    }
+    at
+}
+
+/// An object's names and the texts of their values.
+struct Entries;
+
+impl<'de> Visitor<'de> for Entries {
+    type Value = Vec<(String, &'de RawValue)>;
+
+    fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str("an object of params")
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Self::Value, A::Error> {
+        let mut entries = Vec::new();
+        while let Some(entry) = map.next_entry()? {
+            entries.push(entry);
+        }
+        Ok(entries)
+    }
+}
+
+/// Names and values of a file `torque = 500`.
+fn toml(file: &Arc<FileDescription>) -> Result<Vec<Given>, Refused> {
+    let table = DeTable::parse(&file.text).map_err(|error| {
+        let help = "write a param a line: `torque = 500`, `tip_radius = \"0.5 mm\"`";
+        wrong(
+            file,
+            error.span().unwrap_or(0..0),
+            format!("the file is not as it should be: {}", error.message()),
+            help,
+        )
+    })?;
+    let mut all: Vec<Given> = Vec::new();
+    for (name, value) in table.into_inner() {
+        let at = [name.span(), value.span()];
+        let name = name.into_inner();
+        let kind = match value.into_inner() {
+            DeValue::Boolean(truth) => Ok(GivenValue::Bool(truth)),
+            DeValue::String(text) => Ok(GivenValue::String(text.into_owned())),
+            DeValue::Float(number) => Ok(GivenValue::Number(number.as_str().parse().unwrap_or(f64::NAN))),
+            DeValue::Integer(number) if number.radix() == 10 => {
+                Ok(GivenValue::Number(number.as_str().parse().unwrap_or(f64::NAN)))
+            }
+            DeValue::Integer(number) => {
+                let whole = i64::from_str_radix(number.as_str(), number.radix());
+                Ok(GivenValue::Number(whole.map_or(f64::NAN, |whole| whole as f64)))
+            }
+            DeValue::Datetime(_) => Err("a date"),
+            DeValue::Array(_) => Err("an array"),
+            DeValue::Table(_) => Err("a table"),
+        };
+        match kind {
+            Ok(value) => all.push(given(file, &name, value, at)),
+            Err(kind) => return Err(wrong(file, at[0].clone(), format!("`{name}` is {kind}"), KINDS)),
+        }
+    }
+    // The table is sorted by name; people read from the top.
+    all.sort_by_key(|given| given.origin.as_ref().map(|origin| origin.start));
+    Ok(all)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn parsed(format: &str, text: &str) -> Result<Vec<Given>, Refused> {
+        let file = Arc::new(FileDescription { name: format!("params.{format}"), text: text.into() });
+        if format == "json" { json(&file) } else { toml(&file) }
+    }
+
+    #[test]
+    fn both_formats_say_the_same() {
+        let json = "{\"$schema\": \"params.json\", \"torque\": 0.1,\n \"tip\": \"0.5 mm\", \"edges\": false, \"n\": 12}";
+        let toml = "# A variant.\ntorque = 0.1\ntip = '0.5 mm'\nedges = false\nn = 12\n";
+        for (format, text) in [("json", json), ("toml", toml)] {
+            let all = parsed(format, text).unwrap();
+            let values: Vec<_> = all.iter().map(|given| (given.name.as_str(), &given.value)).collect();
+            let (tip, no) = (GivenValue::String("0.5 mm".into()), GivenValue::Bool(false));
+            let (torque, n) = (GivenValue::Number(0.1), GivenValue::Number(12.0));
+            assert_eq!(values, [("torque", &torque), ("tip", &tip), ("edges", &no), ("n", &n)], "{format}");
+            let shown = |origin: &Option<Origin>| {
+                let origin = origin.as_ref().unwrap();
+                text[origin.start..origin.end].to_owned()
+            };
+            let tip = &all[1];
+            assert!(shown(&tip.name_origin).trim_matches('"') == "tip", "{format}");
+            assert!(shown(&tip.origin).trim_matches(['"', '\'']) == "0.5 mm", "{format}");
+        }
+        assert_eq!(parsed("toml", "n = 0x10").unwrap()[0].value, GivenValue::Number(16.0));
+        assert_eq!(parsed("toml", "n = 1_000.5").unwrap()[0].value, GivenValue::Number(1000.5));
+    }
+
+    #[test]
+    fn what_is_no_param_is_refused_at_its_place() {
+        for (format, text, message, marked) in [
+            ("json", "{\"a\": [1]}", "`a` is an array", "[1]"),
+            ("json", "{\"a\": null}", "`a` is null", "null"),
+            ("json", "{\"a\": {\"b\": 1}}", "`a` is an object", "{\"b\": 1}"),
+            ("json", "{\"a\": 1, \"a\": 2}", "`a` is given twice", "\"a\""),
+            ("json", "{\"é\": 1,, }", "not as it should be: ", ""),
+            ("json", "[1]", "expected an object of params", ""),
+            ("json", "{} {}", "trailing characters", ""),
+            ("json", "", "EOF", ""),
+            ("toml", "a = [1]", "`a` is an array", "a"),
+            ("toml", "[a]\nb = 1", "`a` is a table", "a"),
+            ("toml", "a = 2026-11-20", "`a` is a date", "a"),
+            ("toml", "a = 1\na = 2", "duplicate key", "a"),
+            ("toml", "a = 3 mm", "not as it should be", ""),
+        ] {
+            let refused = parsed(format, text).unwrap_err();
+            assert!(refused.message.contains(message), "{text}: {}", refused.message);
+            let origin = refused.origin.unwrap();
+            let shown = &text[origin.start..origin.end];
+            assert!(marked.is_empty() || shown == marked, "{text}: `{shown}`");
+            assert!(!refused.help.is_empty());
+        }
+    }
+
+    #[test]
+    fn files_of_another_kind_are_not_guessed() {
+        assert!(read("params.yaml".as_ref()).unwrap_err().message.contains("neither a .json nor a .toml"));
+        let missing = read("missing.json".as_ref()).unwrap_err();
+        assert!(missing.message.starts_with("cannot read missing.json: "), "{}", missing.message);
+    }
+}

@@ -1,0 +1,153 @@
+//! Going on with an earlier run: what its directory holds of it, and whether it is a run of the same model and params.
+
+use crate::directory::read_run;
+use crate::journal::{self, Found};
+use crate::params::Refused;
+use serde_json::Value;
+use std::io;
+use std::path::Path;
+
+/// What there is of an earlier run.
+pub enum Begun {
+    Nothing,
+    /// Positions to go on after.
+    Unfinished(Found),
+    /// Nothing is left to be done.
+    Finished,
+}
+
+/// Why an earlier run is not gone on with.
+pub enum Not {
+    /// It was another run.
+    Other(Refused),
+    Io(io::Error),
+}
+
+impl From<io::Error> for Not {
+    fn from(error: io::Error) -> Not {
+        Not::Io(error)
+    }
+}
+
+/// Looks in a directory for the run that `head` (see [`crate::directory::head`]) says what it is of.
+///
+/// # Errors
+/// There is a run of another model, of other params, or by another version of Calyx; or it cannot be read.
+pub fn find(directory: &Path, head: &Value) -> Result<Begun, Not> {
+    let same = |then: &Value| match differences(then, head) {
+        differences if differences.is_empty() => Ok(()),
+        differences => Err(Not::Other(Refused::new(
+            format!("the run in {} is another one: {}", directory.display(), differences.join("; ")),
+            "go on with the model and params it was begun with, or begin anew without --resume",
+        ))),
+    };
+    if let Some(run) = read_run(directory)?.filter(|run| run.get("incomplete").is_none()) {
+        same(&run)?;
+        return Ok(Begun::Finished);
+    }
+    match journal::find(directory)? {
+        Some(found) => same(&found.head).map(|()| Begun::Unfinished(found)),
+        None => Ok(Begun::Nothing),
+    }
+}
+
+/// What is not the same of two runs, in words.
+fn differences(then: &Value, now: &Value) -> Vec<String> {
+    let mut all = Vec::new();
+    // Numbers as they are written, wherever they come from.
+    let written = |value: &Value| value.to_string();
+    if written(&then["calyx"]) != written(&now["calyx"]) {
+        all.push(format!(
+            "it was begun by Calyx {}, and this is {}",
+            text(&then["calyx"]),
+            text(&now["calyx"])
+        ));
+    } else if written(&then["abi"]) != written(&now["abi"]) {
+        all.push("it was begun by another build of Calyx".into());
+    }
+    for (kind, what) in [("files", "the model"), ("tables", "the tables")] {
+        let (then, now) = (list(&then["source"][kind]), list(&now["source"][kind]));
+        let changed = then.iter().zip(now).filter(|(then, now)| then["sha256"] != now["sha256"]);
+        all.extend(changed.map(|(_, now)| format!("{} has changed", text(&now["name"]))));
+        if then.len() != now.len() {
+            all.push(format!("{what} consisted of other files"));
+        }
+    }
+    let none = serde_json::Map::new();
+    let [before, after] = [then, now].map(|run| run["params"].as_object().unwrap_or(&none));
+    for (name, now) in after {
+        let then = &before.get(name).unwrap_or(&Value::Null);
+        if written(&then["value"]) != written(&now["value"]) {
+            all.push(format!("`{name}` was {} and is {} now", shown(then), shown(now)));
+        }
+    }
+    all
+}
+
+fn list(value: &Value) -> &[Value] {
+    value.as_array().map_or(&[], Vec::as_slice)
+}
+
+fn text(value: &Value) -> &str {
+    value.as_str().unwrap_or("?")
+}
+
+/// A param of `run.json` in its own unit.
+fn shown(param: &Value) -> String {
+    let value = if param["display"].is_null() { &param["value"] } else { &param["display"]["value"] };
+    let number = match value {
+        Value::Bool(truth) => (if *truth { "TRUE" } else { "FALSE" }).into(),
+        Value::Null => "nothing".into(),
+        Value::Number(number) => number.as_f64().map_or_else(|| number.to_string(), |n| n.to_string()),
+        other => other.to_string(),
+    };
+    format!("{number} {}", param["display"]["unit"].as_str().unwrap_or_default()).trim_end().to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::json;
+
+    fn head() -> Value {
+        json!({
+            "calyx": "1.0", "abi": 7, "model": "pair.cx",
+            "source": {
+                "files": [{ "name": "pair.cx", "sha256": "a" }, { "name": "gears.cx", "sha256": "b" }],
+                "tables": [{ "name": "roll.csv", "sha256": "c" }],
+            },
+            "params": {
+                "torque": { "value": 113.0, "display": { "unit": "lbf*inch", "value": 1000.0 } },
+                "edges": { "value": true }, "kind": { "value": "plane" },
+            },
+        })
+    }
+
+    #[test]
+    fn what_differs_is_said() {
+        assert_eq!(differences(&head(), &head()), Vec::<String>::new());
+        // The same model, elsewhere.
+        let mut moved = head();
+        moved["source"]["files"][0]["name"] = json!("models/pair.cx");
+        assert_eq!(differences(&head(), &moved), Vec::<String>::new());
+        let changes: [(&[&str], Value, &str); 7] = [
+            (&["calyx"], json!("2.0"), "it was begun by Calyx 1.0, and this is 2.0"),
+            (&["abi"], json!(8), "it was begun by another build of Calyx"),
+            (&["source", "files"], json!([]), "the model consisted of other files"),
+            (&["source", "tables"], json!([{ "name": "roll.csv", "sha256": "d" }]), "roll.csv has changed"),
+            (
+                &["params", "torque"],
+                json!({ "value": 56.5, "display": { "unit": "lbf*inch", "value": 500.0 } }),
+                "`torque` was 1000 lbf*inch and is 500 lbf*inch now",
+            ),
+            (&["params", "edges"], json!({ "value": false }), "`edges` was TRUE and is FALSE now"),
+            (&["params", "kind"], json!({ "value": "solid" }), "`kind` was \"plane\" and is \"solid\" now"),
+        ];
+        for (path, value, said) in changes {
+            let mut changed = head();
+            let at = path.iter().fold(&mut changed, |value, key| &mut value[key]);
+            *at = value;
+            assert_eq!(differences(&head(), &changed), [said]);
+        }
+    }
+}

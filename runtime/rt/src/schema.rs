@@ -1,0 +1,202 @@
+//! What a model's params take, as JSON Schema: for editors of `--params` files and for programs that write them.
+
+use crate::params::shortest;
+use crate::params_file::SCHEMA_KEY;
+use calyx_abi::Repr;
+use calyx_abi::description::{ModelDescription, ParamDescription, ParamValue};
+use calyx_abi::units::{from_si, to_si};
+use serde_json::{Map, Value, json};
+
+/// A number and a unit, as far as a pattern can tell.
+const QUANTITY: &str = r"^\s*[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?(\s*[^\d\s.].*)?$";
+
+/// The schema (2020-12) that every file which `--params` accepts conforms to. Numbers are in the unit of the param's
+/// default, which is its `x-unit`.
+pub fn schema(description: &ModelDescription) -> Value {
+    let params = description.params.iter().map(|param| (param.name.clone(), of_param(param)));
+    let mut properties: Map<String, Value> = params.collect();
+    properties.insert(SCHEMA_KEY.into(), json!({ "type": "string" }));
+    json!({
+        "$schema": "https://json-schema.org/draft/2020-12/schema",
+        "title": format!("Params of {}", description.name),
+        "description": description.doc,
+        "type": "object",
+        "properties": properties,
+        "additionalProperties": false,
+    })
+}
+
+fn of_param(param: &ParamDescription) -> Value {
+    let mut schema = Map::new();
+    let mut add = |key: &str, value: Value| schema.insert(key.into(), value);
+    match param.repr {
+        Repr::Bool => {
+            add("type", json!("boolean"));
+        }
+        Repr::String => {
+            add("type", json!("string"));
+            if !param.choices.is_empty() {
+                add("enum", json!(param.choices));
+            }
+        }
+        _ => {
+            // A string is a quantity with its own unit; bounds are about numbers only.
+            add("type", json!([if param.integral { "integer" } else { "number" }, "string"]));
+            add("pattern", json!(QUANTITY));
+            // What follows other params may lie elsewhere in a run.
+            if let Some(low) = param.low.filter(|_| param.independent) {
+                add("minimum", number(bound(low, param)));
+            }
+            if let Some(high) = param.high.filter(|_| param.independent) {
+                add("maximum", number(bound(high, param)));
+            }
+        }
+    }
+    if let Some(default) = &param.default {
+        let default = match default {
+            ParamValue::Bool(truth) => json!(truth),
+            ParamValue::String(text) => json!(text),
+            ParamValue::Number(si) => number(bound(*si, param)),
+        };
+        add("default", default);
+    }
+    if param.repr == Repr::Number {
+        add("x-unit", json!(param.unit.name));
+    }
+    let unit = match (&param.repr, param.unit.name.as_str()) {
+        (Repr::Number, unit) if !unit.is_empty() => format!("In {unit}, or a string with another unit."),
+        _ => String::new(),
+    };
+    add("description", json!([param.doc.as_str(), &unit].join("\n").trim()));
+    Value::Object(schema)
+}
+
+/// A number in the unit of the param's default: the short one if it means the same.
+fn bound(si: f64, param: &ParamDescription) -> f64 {
+    let factor = param.unit.factor;
+    let exact = from_si(si, factor);
+    let short = shortest(exact).parse().unwrap_or(exact);
+    if to_si(short, factor) == si { short } else { exact }
+}
+
+/// Whole numbers without `.0`.
+fn number(value: f64) -> Value {
+    if value.fract() == 0.0 && value.abs() < 1e15 { json!(value as i64) } else { json!(value) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use calyx_abi::description::UnitDescription;
+    use calyx_abi::quantity::PURE;
+
+    fn param(name: &str, repr: Repr, unit: &str, factor: f64) -> ParamDescription {
+        ParamDescription {
+            name: name.into(),
+            doc: "What it is.".into(),
+            repr,
+            unit: UnitDescription { name: unit.into(), factor, dimension: PURE },
+            integral: false,
+            choices: Vec::new(),
+            default: None,
+            low: None,
+            high: None,
+            independent: true,
+        }
+    }
+
+    fn model() -> ModelDescription {
+        let tip = ParamDescription {
+            default: Some(ParamValue::Number(to_si(0.02, 0.0254))),
+            low: Some(to_si(0.005, 0.0254)),
+            high: Some(to_si(0.045, 0.0254)),
+            ..param("tip", Repr::Number, "inch", 0.0254)
+        };
+        let steps = ParamDescription {
+            integral: true,
+            default: Some(ParamValue::Number(32.0)),
+            low: Some(2.0),
+            ..param("steps", Repr::Number, "", 1.0)
+        };
+        let kind = ParamDescription {
+            choices: vec!["plane".into(), "solid".into()],
+            default: Some(ParamValue::String("plane".into())),
+            ..param("kind", Repr::String, "", 1.0)
+        };
+        let edges =
+            ParamDescription { default: Some(ParamValue::Bool(true)), ..param("edges", Repr::Bool, "", 1.0) };
+        ModelDescription { params: vec![tip, steps, kind, edges], ..ModelDescription::default() }
+    }
+
+    /// What of the standard the schema makes use of, by its words.
+    fn conforms(value: &Value, schema: &Value) -> bool {
+        let is = |kind: &str| match kind {
+            "integer" => value.as_f64().is_some_and(|number| number.fract() == 0.0),
+            "number" => value.is_number(),
+            "string" => value.is_string(),
+            "boolean" => value.is_boolean(),
+            "object" => value.is_object(),
+            other => panic!("{other} is not used here"),
+        };
+        schema.as_object().unwrap().iter().all(|(keyword, rule)| match keyword.as_str() {
+            "type" => {
+                rule.as_array().unwrap_or(&vec![rule.clone()]).iter().any(|kind| is(kind.as_str().unwrap()))
+            }
+            "enum" => rule.as_array().unwrap().contains(value),
+            "minimum" => value.as_f64().is_none_or(|number| number >= rule.as_f64().unwrap()),
+            "maximum" => value.as_f64().is_none_or(|number| number <= rule.as_f64().unwrap()),
+            "pattern" => value
+                .as_str()
+                .is_none_or(|text| regex_lite::Regex::new(rule.as_str().unwrap()).unwrap().is_match(text)),
+            "properties" => value
+                .as_object()
+                .into_iter()
+                .flatten()
+                .all(|(name, value)| rule.get(name).is_none_or(|rule| conforms(value, rule))),
+            "additionalProperties" => value
+                .as_object()
+                .is_none_or(|all| all.keys().all(|name| schema["properties"].get(name).is_some())),
+            "$schema" | "title" | "description" | "default" | "x-unit" => true,
+            other => panic!("{other} is not used here"),
+        })
+    }
+
+    #[test]
+    fn the_schema_is_one_and_takes_what_params_take() {
+        let schema = schema(&model());
+        for (file, valid) in [
+            (json!({}), true),
+            (json!({ "tip": 0.005, "steps": 32, "kind": "solid", "edges": false }), true),
+            (json!({ "$schema": "params.schema.json", "tip": "0.5 mm" }), true),
+            (json!({ "tip": " 5e-1mm " }), true),
+            (json!({ "tip": "10 / inch" }), true),
+            (json!({ "tip": ".5" }), true),
+            (json!({ "steps": "3" }), true),
+            (json!({ "tip": 0.0049 }), false),
+            (json!({ "tip": 0.046 }), false),
+            (json!({ "tip": "wide" }), false),
+            (json!({ "tip": true }), false),
+            (json!({ "steps": 2.5 }), false),
+            (json!({ "steps": 1 }), false),
+            (json!({ "kind": "round" }), false),
+            (json!({ "kind": 3 }), false),
+            (json!({ "edges": "TRUE" }), false),
+            (json!({ "tips": 0.02 }), false),
+            (json!([]), false),
+        ] {
+            assert_eq!(conforms(&file, &schema), valid, "{file}");
+        }
+    }
+
+    #[test]
+    fn numbers_are_those_people_wrote() {
+        let schema = schema(&model());
+        let tip = &schema["properties"]["tip"];
+        assert_eq!(
+            [&tip["minimum"], &tip["maximum"], &tip["default"]],
+            [&json!(0.005), &json!(0.045), &json!(0.02)]
+        );
+        assert_eq!((&tip["x-unit"], &schema["properties"]["steps"]["default"]), (&json!("inch"), &json!(32)));
+        assert_eq!(tip["description"], "What it is.\nIn inch, or a string with another unit.");
+    }
+}
