@@ -64,18 +64,28 @@
 //! - Symbolic functions of a model are evaluated by themselves, one point or many at a time: [`Module::kernel`].
 //! - Runs are ended from outside ([`Instance::cancel_handle`]) or by limits ([`Instance::limit_time`],
 //!   [`Instance::limit_memory`]), and tell how far they are ([`Instance::on_progress`]).
+//!
+//! The feature `cli`, which is on by default, holds the `calyx` command and what only it needs; programs that embed models
+//! take this crate with `default-features = false`.
 
 mod artifact;
+#[cfg(feature = "cli")]
 pub mod build;
 mod compiled;
+#[cfg(feature = "cli")]
 pub mod doc;
+#[cfg(feature = "cli")]
 pub mod dump;
 mod error;
+#[cfg(feature = "cli")]
 pub mod explain;
+#[cfg(feature = "cli")]
 pub mod fix;
 mod kernel;
 mod module;
+#[cfg(feature = "cli")]
 pub mod session;
+#[cfg(feature = "cli")]
 pub mod testing;
 mod typed;
 

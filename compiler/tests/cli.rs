@@ -378,6 +378,8 @@ fn the_run_directory_of_the_example_is_complete() {
             "tip_radius",
             "tooth_thickness",
             "tip_relief",
+            "pinion_relief_start",
+            "gear_relief_start",
             "lead_crown",
             "tip_corner_contact",
             "steps",

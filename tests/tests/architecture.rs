@@ -27,6 +27,7 @@ const ALLOWED: &[(&str, &str, &[&str])] = &[
         ],
     ),
     ("calyx-lsp", "lsp", &["calyx-abi", "calyx-elaborate", "calyx-lang"]),
+    ("embed-rust", "examples/embed-rust", &["calyx"]),
 ];
 
 /// Crates of others that only one of ours may name.
