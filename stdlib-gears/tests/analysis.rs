@@ -3,7 +3,7 @@
 
 mod common;
 
-use calyx_gears::modification::{Modification, ReliefShape, TipRelief};
+use calyx_gears::modification::Modification;
 use calyx_gears::prototype::GearPrototype;
 use calyx_runtime::analysis::{AnalysisOptions, Position, Steps, mesh_cycle, quasi_static};
 use calyx_runtime::cache::{CacheCounts, OperatorCache};
@@ -226,6 +226,26 @@ fn another_torque_needs_no_new_structure() {
 }
 
 #[test]
+fn another_relief_needs_no_new_structure() {
+    let cache = Arc::new(OperatorCache::new(usize::MAX));
+    let with_cache = options(Resources { cache: Some(cache), ..Resources::default() });
+    for (run, relief) in [0.0005, 0.0012].into_iter().enumerate() {
+        let gears =
+            [20, 40].map(|teeth| common::pair::chapter_5_member(teeth, relief, common::pair::UNSCALED));
+        let mut case = Case::new(&PairOptions::chapter_5(&gears));
+        for (body, gear) in case.scene.bodies.iter_mut().zip(&gears) {
+            body.prototype = gear.prototype.clone();
+        }
+        let result = quasi_static(&case.scene, &case.positions, &case.outputs, &with_cache, &mut ());
+        let counts = result.expect("it can be solved").timing.structures;
+        assert_eq!([counts.built, counts.reused], if run == 0 { [2, 0] } else { [0, 2] });
+        if run == 1 {
+            assert_eq!(case.bits(&with_cache), case.bits(&options(Resources::default())));
+        }
+    }
+}
+
+#[test]
 fn analyses_at_the_same_time_build_each_structure_once() {
     let cache = Arc::new(OperatorCache::new(usize::MAX));
     let expected = EDGES.bits(&options(Resources::default()));
@@ -241,9 +261,6 @@ fn analyses_at_the_same_time_build_each_structure_once() {
 
 #[test]
 fn what_a_structure_depends_on_is_in_its_key_and_nothing_else() {
-    let relief = |depth: f64, shape| {
-        Modification::TipRelief(TipRelief { depth, start_roll: 27.25_f64.to_radians(), shape })
-    };
     let base = &PLAIN[0].prototype;
     let again = |change: &dyn Fn(&mut GearPrototype)| {
         let GearPrototype { gear, modifications, material, rim, face_width, pitch_errors, .. } = &**base;
@@ -285,9 +302,6 @@ fn what_a_structure_depends_on_is_in_its_key_and_nothing_else() {
     ];
     let mut keys: Vec<_> = relevant.iter().map(|change| again(change)).collect();
     keys.extend([
-        again(&|gear| gear.modifications.push(relief(1e-6, ReliefShape::Linear))),
-        again(&|gear| gear.modifications.push(relief(1e-6, ReliefShape::Quadratic))),
-        again(&|gear| gear.modifications.push(relief(2e-6, ReliefShape::Linear))),
         base.key(&StructureOptions { refinement: 1.0, ..SMALLEST }),
         base.key(&StructureOptions { order: 2, ..SMALLEST }),
         base.key(&StructureOptions { matching_depth: 1.1, ..SMALLEST }),
