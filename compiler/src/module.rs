@@ -1,7 +1,7 @@
 //! A model compiled to machine code in memory.
 
 use crate::artifact::{self, ArtifactError, Contents};
-use crate::compiled::Compiled;
+use crate::compiled::{Compiled, ParamFunctions};
 use crate::error::{CompileError, Diagnostics};
 use crate::typed::{LazyTyped, Typed};
 use calyx_abi::RuntimeError;
@@ -73,11 +73,7 @@ impl Module {
             return Err(CompileError::Model(Diagnostics { list: diagnostics, files }));
         };
         let code = compile_jit(&program, externs()).map_err(CompileError::Code)?;
-        let functions = |param| {
-            use ParamFunction::{Default, High, Low};
-            [Default, Low, High].map(|which| param_function(&program, param, which))
-        };
-        let param_functions = (0..program.params.len()).map(functions).collect();
+        let param_functions = param_functions(&program);
         let typed = LazyTyped::checked(Typed::new(program, diagnostics));
         Ok(Module::new(engine, Compiled { description, files, code, param_functions, typed }))
     }
@@ -150,18 +146,11 @@ impl Module {
     /// # Errors
     /// Code generation failed.
     pub fn serialize_for(&self, cpu: TargetCpu) -> Result<Vec<u8>, CompileError> {
-        let Compiled { description, param_functions, .. } = self.compiled.as_ref();
         let Some(program) = self.program() else {
             let files = self.files().to_vec();
             return Err(CompileError::Model(Diagnostics { list: Vec::new(), files }));
         };
-        let number = |id: Option<FunctionId>| id.map(|id| id.0);
-        let contents = Contents {
-            description: description.clone(),
-            code: compile_code(program, cpu).map_err(CompileError::Code)?,
-            params: param_functions.iter().map(|functions| functions.map(number)).collect(),
-        };
-        Ok(artifact::write(contents, cpu)?)
+        serialize(program, self.description(), cpu)
     }
 
     /// Loads what [`Module::serialize`] made, without compiling anything. The module answers everything the original did;
@@ -219,4 +208,26 @@ impl Module {
         let found = findings.iter().map(|finding| finding_diagnostic(finding, call_sites));
         found.filter(|diagnostic| !self.diagnostics().contains(diagnostic)).collect()
     }
+}
+
+/// The functions of every param.
+fn param_functions(program: &Program) -> Vec<ParamFunctions> {
+    use ParamFunction::{Default, High, Low};
+    let functions = |param| [Default, Low, High].map(|which| param_function(program, param, which));
+    (0..program.params.len()).map(functions).collect()
+}
+
+/// A checked program as bytes, for [`Module::deserialize`].
+pub(crate) fn serialize(
+    program: &Program,
+    description: &ModelDescription,
+    cpu: TargetCpu,
+) -> Result<Vec<u8>, CompileError> {
+    let number = |id: Option<FunctionId>| id.map(|id| id.0);
+    let contents = Contents {
+        description: description.clone(),
+        code: compile_code(program, cpu).map_err(CompileError::Code)?,
+        params: param_functions(program).into_iter().map(|functions| functions.map(number)).collect(),
+    };
+    Ok(artifact::write(contents, cpu)?)
 }

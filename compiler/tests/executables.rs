@@ -57,20 +57,23 @@ fn every_example_runs_alone_and_writes_the_same_bits() {
         let results = directory.path().join("results");
         let told = calyx(&[&["run", shown(&model), "--quiet", "--out", shown(&results)], set].concat());
 
-        let executable = directory.path().join("model");
-        calyx(&["build", shown(&model), "-o", shown(&executable)]);
-        let output = alone(&executable, &elsewhere, &[&["--quiet", "--out", "here"], set].concat());
-        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-        assert_eq!(output.stdout, told.stdout, "{}", model.display());
-        assert!(output.stderr.is_empty(), "{}", String::from_utf8_lossy(&output.stderr));
+        for how in [&[][..], &["--bundle"]] {
+            let (executable, here) = (directory.path().join("model"), elsewhere.join("here"));
+            calyx(&[&["build", shown(&model), "-o", shown(&executable)], how].concat());
+            let output = alone(&executable, &elsewhere, &[&["--quiet", "--out", "here"], set].concat());
+            assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+            assert_eq!(output.stdout, told.stdout, "{} {how:?}", model.display());
+            assert!(output.stderr.is_empty(), "{}", String::from_utf8_lossy(&output.stderr));
 
-        let steps = |run: &Path| fs::read(run.join("steps.csv")).ok();
-        assert_eq!(steps(&elsewhere.join("here")), steps(&results), "{}", model.display());
-        let outputs = |run: &Path| {
-            let json: Value = serde_json::from_slice(&fs::read(run.join("run.json")).unwrap()).unwrap();
-            (json["outputs"].clone(), json["params"].clone(), json["source"]["sha256"].clone())
-        };
-        assert_eq!(outputs(&elsewhere.join("here")), outputs(&results), "{}", model.display());
+            let steps = |run: &Path| fs::read(run.join("steps.csv")).ok();
+            assert_eq!(steps(&here), steps(&results), "{} {how:?}", model.display());
+            let outputs = |run: &Path| {
+                let json: Value = serde_json::from_slice(&fs::read(run.join("run.json")).unwrap()).unwrap();
+                (json["outputs"].clone(), json["params"].clone(), json["source"]["sha256"].clone())
+            };
+            assert_eq!(outputs(&here), outputs(&results), "{} {how:?}", model.display());
+            fs::remove_dir_all(here).unwrap();
+        }
     }
 }
 
@@ -117,6 +120,50 @@ fn what_is_not_finished_is_not_seen() {
     assert_eq!(names(), ["model.cx"]);
     calyx(&["build", shown(&model), "--emit", "exe,obj,lib"]);
     assert_eq!(names(), ["libmodel.a", "model", "model.cx", "model.o"]);
+}
+
+/// A bundle takes the same options as a linked executable, needs no linker to be made, and is refused when it was damaged.
+#[test]
+fn bundles_are_executables_of_their_model() {
+    let directory = tempfile::tempdir().unwrap();
+    let [model, bundle, linked] = ["model.cx", "bundle", "linked"].map(|name| directory.path().join(name));
+    fs::write(
+        &model,
+        "/// Twice the number.\nunits SI;\n/// A length.\nparam x = 1 m in 0 m .. 2 m;\nprint(2*x);\n",
+    )
+    .unwrap();
+    calyx(&["build", shown(&model), "-o", shown(&linked)]);
+    let built = Command::new(env!("CARGO_BIN_EXE_calyx"))
+        .args(["build", shown(&model), "--bundle", "-o", shown(&bundle)])
+        .env_clear()
+        .output()
+        .unwrap();
+    assert!(built.status.success(), "{}", String::from_utf8_lossy(&built.stderr));
+    let cases: [(&[&str], i32); 4] =
+        [(&["--help"], 0), (&["--set", "x=3"], 2), (&["run"], 2), (&["--set", "x=0.5", "--quiet"], 0)];
+    for (arguments, status) in cases {
+        let [one, other] = [&bundle, &linked].map(|executable| {
+            let output = alone(executable, directory.path(), arguments);
+            let name = executable.file_name().unwrap().to_str().unwrap();
+            let said = [output.stdout, output.stderr]
+                .map(|text| String::from_utf8(text).unwrap().replace(name, "NAME"));
+            (output.status.code(), said)
+        });
+        assert_eq!(one, other, "{arguments:?}");
+        assert_eq!(one.0, Some(status), "{arguments:?}: {one:?}");
+    }
+    // A byte of the module, in front of checksum, length and mark.
+    let mut bytes = fs::read(&bundle).unwrap();
+    let place = bytes.len() - 60;
+    bytes[place] ^= 1;
+    // A file that is being run cannot be written, and this one may still be for another thread's child.
+    fs::remove_file(&bundle).unwrap();
+    fs::write(&bundle, bytes).unwrap();
+    fs::set_permissions(&bundle, fs::metadata(&linked).unwrap().permissions()).unwrap();
+    let output = alone(&bundle, directory.path(), &[]);
+    let said = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(1), "{said}");
+    assert!(said.contains("error: the model in this executable is damaged\n  help: copy it again"), "{said}");
 }
 
 /// Code that was compiled against another engine is refused before it runs.

@@ -1,5 +1,6 @@
 //! Why a model could not be built, and what helps.
 
+use crate::error::CompileError;
 use calyx_abi::Fingerprint;
 use calyx_codegen::CodegenError;
 use calyx_gears::library::FINGERPRINT;
@@ -14,6 +15,8 @@ pub enum BuildError {
     NotChecked,
     Code(CodegenError),
     Description(String),
+    /// The module could not be made bytes of.
+    Module(CompileError),
     /// There is no such program.
     NoLinker {
         command: String,
@@ -61,18 +64,19 @@ impl BuildError {
     pub fn help(&self) -> String {
         const MAKE: &str = "make it with `cargo build --release -p calyx-rt` in Calyx's source and name it by \
                             CALYX_RT_LIBRARY=target/release/libcalyx_rt.a";
+        const BUNDLE: &str = "build with `calyx build --bundle`, which needs neither";
         match self {
             BuildError::NotChecked => "`calyx check` says what is wrong with it".into(),
-            BuildError::NoLinker { .. } => format!("{}, or name yours by CC=...", install_linker()),
+            BuildError::NoLinker { .. } => format!("{}, name yours by CC=..., or {BUNDLE}", install_linker()),
             BuildError::Linker { .. } => "the linker is the C compiler `cc`, or what CC=... names".into(),
             BuildError::NoLibrary { searched } => {
                 let places: Vec<String> = searched.iter().map(|path| path.display().to_string()).collect();
-                format!("{MAKE}; looked in {}", places.join(", "))
+                format!("{MAKE}, or {BUNDLE}; looked in {}", places.join(", "))
             }
             BuildError::WrongLibrary { .. } => MAKE.into(),
             BuildError::Source { .. } => "name the executable with `-o NAME`".into(),
             BuildError::Io { .. } => "choose another place with `-o NAME`".into(),
-            BuildError::Code(_) | BuildError::Description(_) => String::new(),
+            BuildError::Code(_) | BuildError::Description(_) | BuildError::Module(_) => String::new(),
         }
     }
 }
@@ -101,6 +105,7 @@ impl fmt::Display for BuildError {
         match self {
             BuildError::NotChecked => f.write_str("the model has errors and cannot be compiled"),
             BuildError::Code(error) => error.fmt(f),
+            BuildError::Module(error) => error.fmt(f),
             BuildError::Description(error) => write!(f, "the model's description cannot be written: {error}"),
             BuildError::NoLinker { command } => {
                 write!(f, "the linker `{command}` is not there, and an executable cannot be made without one")
@@ -134,3 +139,9 @@ impl fmt::Display for BuildError {
 }
 
 impl std::error::Error for BuildError {}
+
+impl From<CompileError> for BuildError {
+    fn from(error: CompileError) -> BuildError {
+        BuildError::Module(error)
+    }
+}

@@ -9,10 +9,12 @@
 //! ```
 //!
 //! Code comes from the same lowering as code in memory. An executable is linked by the system's C compiler with the static
-//! library of `calyx-rt`, which holds the engine ([`library`] finds it), so that it needs nothing of Calyx where it runs.
+//! library of `calyx-rt`, which holds the engine ([`library`] finds it), so that it needs nothing of Calyx where it runs; or it is
+//! a copy of `calyx` with the compiled module behind it ([`bundle`]), which takes neither linker nor library to make.
 //! Whatever is written is made beside its place and renamed: nobody finds half a file.
 
 mod archive;
+pub mod bundle;
 mod error;
 mod executable;
 mod header;
@@ -22,6 +24,7 @@ pub use calyx_codegen::TargetCpu;
 pub use error::BuildError;
 pub use executable::{GlibcVersion, Linker, glibc_floor};
 
+use crate::module::serialize;
 use calyx_codegen::{ObjectOptions, compile_object};
 use calyx_elaborate::Checked;
 use calyx_gears::library::FINGERPRINT;
@@ -55,6 +58,9 @@ pub struct BuildOptions {
     /// The runtime library; searched for if there is none.
     pub library: Option<PathBuf>,
     pub linker: Linker,
+    /// The `calyx` that executables are to be copies of, with the module behind them. Then neither linker nor runtime library is
+    /// needed for them.
+    pub bundle: Option<PathBuf>,
 }
 
 impl BuildOptions {
@@ -67,6 +73,7 @@ impl BuildOptions {
             keep_symbols: false,
             library: None,
             linker: Linker::from_environment(),
+            bundle: None,
         }
     }
 
@@ -122,11 +129,18 @@ pub fn build(checked: &Checked, options: &BuildOptions) -> Result<Vec<Built>, Bu
     for &emit in &options.emit {
         let unfinished = staging.path(&options.path(emit));
         match emit {
-            Emit::Executable => {
-                let library = library::find(options.library.as_deref())?;
-                let file = staging.write("model.o", &object(true)?)?;
-                executable::link(&file, &library, &unfinished, options)?;
-            }
+            Emit::Executable => match &options.bundle {
+                Some(calyx) => {
+                    let module = serialize(program, &checked.description, options.cpu)?;
+                    bundle::write(calyx, &module, &unfinished)
+                        .map_err(|error| BuildError::unwritable(&unfinished, error))?;
+                }
+                None => {
+                    let library = library::find(options.library.as_deref())?;
+                    let file = staging.write("model.o", &object(true)?)?;
+                    executable::link(&file, &library, &unfinished, options)?;
+                }
+            },
             Emit::Object => {
                 staging.write(&unfinished, &object(false)?)?;
             }

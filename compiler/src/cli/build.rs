@@ -13,6 +13,7 @@ pub const EXAMPLES: &str = "Examples:
   calyx build pair.cx -o bin/pair --target-cpu native
   calyx build pair.cx --emit lib,header        libpair.a and pair.h, for a program in C
   CC=clang calyx build pair.cx
+  calyx build pair.cx --bundle                 needs no linker; the executable is as large as calyx
 
 Exit status: 0 when everything is built, 1 if the model is wrong or cannot be built, 2 if the command was not used as it can be.";
 
@@ -55,6 +56,9 @@ pub struct Build {
     /// Leave the names of functions in the executable, for debuggers and profilers
     #[arg(long)]
     keep_symbols: bool,
+    /// Make the executable a copy of `calyx` with the compiled model behind it: larger, but no linker and no library are needed
+    #[arg(long)]
+    bundle: bool,
     /// How messages are written to standard error
     #[arg(long, value_enum, default_value_t, value_name = "FORMAT")]
     message_format: MessageFormat,
@@ -77,11 +81,22 @@ impl Build {
             Cpu::Baseline => TargetCpu::Baseline,
             Cpu::Native => TargetCpu::Native,
         };
+        let bundle = match self.bundle.then(std::env::current_exe).transpose() {
+            Ok(bundle) => bundle,
+            Err(error) => {
+                format.failure(
+                    &format!("`calyx` cannot find its own file: {error}"),
+                    "build without `--bundle`",
+                );
+                return ExitCode::from(MODEL_ERROR);
+            }
+        };
         let output = self.output.unwrap_or_else(|| self.file.with_extension(""));
         let options = BuildOptions {
             emit: emit.collect(),
             cpu,
             keep_symbols: self.keep_symbols,
+            bundle,
             ..BuildOptions::executable(output)
         };
         match build(&checked, &options) {

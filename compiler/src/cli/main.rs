@@ -1,6 +1,7 @@
 //! The `calyx` command: one file a subcommand.
 
 mod build;
+mod bundled;
 mod check;
 mod compile;
 mod doc;
@@ -98,6 +99,9 @@ enum Command {
 }
 
 fn main() -> ExitCode {
+    if let Some(status) = bundled::run() {
+        return status;
+    }
     match Arguments::parse().command {
         Command::New(command) => command.run(),
         Command::Check(command) => command.run(),

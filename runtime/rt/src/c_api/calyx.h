@@ -88,8 +88,8 @@ calyx_status calyx_error(const calyx_instance *instance, calyx_problem *problem)
 
 /* -- Params ------------------------------------------------------------------------------------------------------------- */
 
-/* Sets a param to a number in the unit of its default. What is set counts from the next run on; whether it is in the param's
-   range is asked when that begins. */
+/* Sets a param to a number in the unit of its default. What is set counts from the next run on. A value out of range is
+   refused: here, or when that run begins if the range depends on other params. */
 calyx_status calyx_set(calyx_instance *instance, const char *param, double value);
 
 /* Sets a param to a number in a unit, like "N*m". */
