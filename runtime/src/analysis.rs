@@ -30,6 +30,13 @@ pub struct Position {
     pub name: Cow<'static, str>,
 }
 
+impl Position {
+    /// A position by its time (s) alone, of a scene that has no mesh cycle.
+    pub fn at(time: f64) -> Position {
+        Position { time, cycle: 0.0, roll: 0.0, name: Cow::Borrowed("") }
+    }
+}
+
 /// One mesh cycle: `steps` uniform positions from the moment a pair enters contact, and the characteristic points of
 /// the path of contact.
 ///
@@ -59,8 +66,11 @@ pub fn mesh_cycle(mesh: &GearMesh, steps: usize) -> Vec<Position> {
 /// How an analysis is done.
 #[derive(Clone, Debug)]
 pub struct AnalysisOptions {
+    /// How bodies are modelled.
     pub fidelity: Fidelity,
+    /// How finely.
     pub structure: StructureOptions,
+    /// Threads, kept structures, an interrupt: no result depends on them.
     pub resources: Resources,
     /// What an earlier run of the same analysis solved of its first positions; it goes on behind them, and its result is that
     /// of a run that solved them all.
@@ -110,6 +120,7 @@ impl<'s> Planned<'s> {
         Ok(Planned { scene, positions, outputs, resources, solved, plan, timing })
     }
 
+    /// What is modelled, and why.
     pub fn plan(&self) -> &Plan {
         &self.plan
     }
@@ -168,6 +179,7 @@ impl<'s> Steps<'s> {
         Planned::new(scene, positions, outputs, options)?.build()
     }
 
+    /// What is modelled, and why.
     pub fn plan(&self) -> &Plan {
         &self.plan
     }
@@ -253,19 +265,27 @@ impl FusedIterator for Steps<'_> {}
 
 /// What happens while an analysis runs, in order.
 pub enum Event<'a> {
+    /// The scene is planned and known to be held.
     Planned(&'a Plan),
     /// A stage begins: `structures` or `positions`.
     Stage(&'static str),
     /// A position is solved. `index` counts from 0 to `count` - 1, beginning behind those that an earlier run had solved.
     Step {
+        /// Of the position.
         index: usize,
+        /// Of positions.
         count: usize,
+        /// Its row and its certificate.
         solved: &'a Solved,
     },
 }
 
 /// Told of every event; an error from it ends the analysis.
 pub trait Observer {
+    /// Is told of an event.
+    ///
+    /// # Errors
+    /// Whatever is to end the analysis.
     fn observe(&mut self, event: Event<'_>) -> Result<(), EngineError>;
 }
 

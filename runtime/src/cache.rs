@@ -28,6 +28,7 @@ impl Key {
         KeyWriter(Sha256::new()).text(env!("CARGO_PKG_VERSION")).count(METHOD).text(kind)
     }
 
+    /// The hash.
     pub fn bytes(&self) -> &[u8; 32] {
         &self.0
     }
@@ -50,23 +51,28 @@ impl KeyWriter {
         self.part(b'n', &number.to_bits().to_le_bytes())
     }
 
+    /// Their count, and each of them.
     pub fn numbers(self, numbers: &[f64]) -> Self {
         let begun = self.part(b's', &(numbers.len() as u64).to_le_bytes());
         numbers.iter().fold(begun, |key, &number| key.number(number))
     }
 
+    /// A whole number.
     pub fn count(self, count: u64) -> Self {
         self.part(b'c', &count.to_le_bytes())
     }
 
+    /// A truth value.
     pub fn flag(self, flag: bool) -> Self {
         self.part(b'f', &[u8::from(flag)])
     }
 
+    /// A text.
     pub fn text(self, text: &str) -> Self {
         self.part(b't', &(text.len() as u64).to_le_bytes()).part(b'u', text.as_bytes())
     }
 
+    /// The key of all that was written.
     pub fn finish(self) -> Key {
         Key(self.0.finalize().into())
     }
@@ -85,7 +91,9 @@ pub struct CacheCounts {
     pub hits: u64,
     /// Builds that were begun.
     pub misses: u64,
+    /// Structures it holds.
     pub structures: usize,
+    /// What they take, in bytes.
     pub bytes: usize,
 }
 
@@ -157,6 +165,7 @@ impl OperatorCache {
         }
     }
 
+    /// How often it was asked, and what it holds.
     pub fn counts(&self) -> CacheCounts {
         let state = self.lock();
         let built = state.slots.values().filter(|slot| matches!(slot, Slot::Built { .. }));

@@ -6,7 +6,9 @@ use thiserror::Error;
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[error("{message}")]
 pub struct EngineError {
+    /// Stable, such as `E0714`; `calyx explain` has a page for it.
     pub code: &'static str,
+    /// One plain sentence.
     pub message: String,
     /// What to do about it; empty if nothing can be said.
     pub help: String,
@@ -19,20 +21,25 @@ pub struct EngineError {
 /// A part of the scene or of what was asked for, by its index.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Subject {
+    /// A body of the scene.
     Body(usize),
+    /// An output that was asked for.
     Output(usize),
 }
 
 impl EngineError {
+    /// A refusal by its code, its sentence and its remedy.
     pub fn new(code: &'static str, message: impl Into<String>, help: impl Into<String>) -> Self {
         EngineError { code, message: message.into(), help: help.into(), argument: None, subject: None }
     }
 
+    /// Names the argument to blame.
     pub fn blame(mut self, argument: &'static str) -> Self {
         self.argument = Some(argument);
         self
     }
 
+    /// Names the part of the scene it is about.
     pub fn about(mut self, subject: Subject) -> Self {
         self.subject = Some(subject);
         self

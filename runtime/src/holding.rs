@@ -5,7 +5,7 @@
 //! freedoms, in one sense, and whether they can balance the load is a small problem of its own.
 
 use crate::contact::problem::{ContactError, FreeMotion};
-use crate::contact::rigid_limit::rigid_limit_until;
+use crate::contact::rigid_limit::rigid_limit;
 use crate::error::{EngineError, Subject};
 use crate::interrupt::Interrupt;
 use crate::plan::Plan;
@@ -35,7 +35,7 @@ pub fn check(scene: &Scene, plan: &Plan, time: f64, interrupt: &Interrupt) -> Re
     if load.iter().all(|&load| load == 0.0) {
         load = drive_direction(scene, &freedoms);
     }
-    match rigid_limit_until(&vec![0.0; contacts], &arms, &load, interrupt) {
+    match rigid_limit(&vec![0.0; contacts], &arms, &load, interrupt) {
         Err(
             error @ (ContactError::Infeasible(_)
             | ContactError::Unconstrained(_)

@@ -22,6 +22,7 @@ type Question = dyn Fn() -> Result<(), EngineError> + Send + Sync;
 pub struct Interrupt(Option<Arc<Question>>);
 
 impl Interrupt {
+    /// An interrupt that asks a question: an error ends the work with it.
     pub fn new(question: impl Fn() -> Result<(), EngineError> + Send + Sync + 'static) -> Self {
         Self(Some(Arc::new(question)))
     }

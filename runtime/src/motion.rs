@@ -48,6 +48,7 @@ impl Motion for SteadyRotation {
 /// A pose in the plane: a body turned by `angle` with its origin at `origin`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlanePose {
+    /// m
     pub origin: [f64; 2],
     /// rad, counter-clockwise.
     pub angle: f64,

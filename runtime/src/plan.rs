@@ -8,6 +8,7 @@ use std::sync::Arc;
 /// The decision of how a scene is analysed. Nothing has been solved yet.
 #[derive(Clone, Debug)]
 pub struct Plan {
+    /// How bodies are modelled.
     pub fidelity: Fidelity,
     /// One per body of the scene, in order.
     pub bodies: Vec<BodyPlan>,
@@ -15,8 +16,10 @@ pub struct Plan {
     pub ignored: Vec<Ignored>,
 }
 
+/// How a body is modelled.
 #[derive(Clone, Debug)]
 pub struct BodyPlan {
+    /// How its structure is discretised.
     pub options: StructureOptions,
     /// Why the body is modelled the way it is, or left out.
     pub reason: &'static str,

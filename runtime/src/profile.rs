@@ -18,8 +18,10 @@ pub struct ProfilePoint {
 /// It is continuous with a continuous normal; its curvature may jump at [`Profile::breaks`].
 /// It may be evaluated a little beyond its ends, where it continues smoothly.
 pub trait Profile: Send + Sync {
+    /// m
     fn length(&self) -> f64;
 
+    /// The point at an arc length, m.
     fn at(&self, s: f64) -> ProfilePoint;
 
     /// Arc lengths, ascending and inside the curve, at which its curvature jumps

@@ -12,7 +12,9 @@ use std::time::{Duration, Instant};
 /// Where on a body something was found.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Place {
+    /// Its name.
     pub body: String,
+    /// Counted counter-clockwise from 0.
     pub tooth: u32,
     /// rad; absent where there is no involute.
     pub roll_angle: Option<f64>,
@@ -25,13 +27,16 @@ pub struct Place {
 pub struct Observed {
     /// SI
     pub value: f64,
+    /// Of a maximum over places.
     pub place: Option<Place>,
 }
 
 /// A wanted output: a kernel over time, params and observables.
 #[derive(Clone)]
 pub struct OutputRequest {
+    /// As results call it.
     pub name: String,
+    /// What is evaluated.
     pub value: Arc<SymbolicValue>,
     /// The kernel's param inputs.
     pub params: Arc<[f64]>,
@@ -79,13 +84,16 @@ impl Kernel for Itself {
 /// A solved position, as reported.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct StepRow {
+    /// Where it was solved.
     pub position: Position,
     /// One per output.
     pub outputs: Vec<Observed>,
+    /// What should be known about the position, in sentences.
     pub warnings: Vec<String>,
 }
 
 impl StepRow {
+    /// The row of a position from the values of all observables of the scene.
     pub fn new(
         position: Position,
         requests: &[OutputRequest],
@@ -100,32 +108,41 @@ impl StepRow {
 /// A solved position and how well it was solved: what a later run needs of it to go on behind it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Solved {
+    /// As reported.
     pub row: StepRow,
+    /// How well it is solved.
     pub certificate: Certificate,
 }
 
 /// An output over all positions, SI.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OutputSummary {
+    /// Least value.
     pub min: f64,
+    /// Largest value.
     pub max: f64,
     /// Over time: the trapezoidal rule on the (not quite uniform) positions.
     pub mean: f64,
+    /// Largest less least.
     pub peak_to_peak: f64,
     /// Index of the position of the maximum, and where on the body it was.
     pub at_max: usize,
+    /// Of the maximum.
     pub place: Option<Place>,
 }
 
 /// Everything an analysis yields.
 #[derive(Clone, Debug)]
 pub struct AnalysisResult {
+    /// What was modelled, and why.
     pub plan: Plan,
+    /// One a position, in order.
     pub rows: Vec<StepRow>,
     /// One per output.
     pub summaries: Vec<OutputSummary>,
     /// The worst residuals of all positions.
     pub certificate: Certificate,
+    /// How long it took.
     pub timing: Timing,
 }
 
@@ -174,6 +191,7 @@ fn mean_over_time(rows: &[StepRow], value: impl Fn(&StepRow) -> f64) -> f64 {
 /// Where the structures of an analysis came from.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct StructureCounts {
+    /// Condensed anew.
     pub built: usize,
     /// Taken from a cache, or from another thread that was building it.
     pub reused: usize,
@@ -182,7 +200,9 @@ pub struct StructureCounts {
 /// Wall time of each stage, in order.
 #[derive(Clone, Debug, Default)]
 pub struct Timing {
+    /// Name and duration.
     pub stages: Vec<(&'static str, Duration)>,
+    /// How many were built, how many reused.
     pub structures: StructureCounts,
 }
 
@@ -195,6 +215,7 @@ impl Timing {
         result
     }
 
+    /// Records how long a stage took.
     pub fn add(&mut self, name: &'static str, time: Duration) {
         self.stages.push((name, time));
     }

@@ -89,7 +89,9 @@ pub trait Prototype: Any + Send + Sync {
 /// An input that the chosen fidelity cannot see.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Ignored {
+    /// Its name.
     pub input: String,
+    /// Why it is not seen.
     pub reason: String,
 }
 
@@ -101,6 +103,7 @@ pub enum Fidelity {
 }
 
 impl Fidelity {
+    /// A fidelity by its name.
     pub fn named(name: &str) -> Option<Fidelity> {
         match name {
             "plane" => Some(Fidelity::Plane),
@@ -108,6 +111,7 @@ impl Fidelity {
         }
     }
 
+    /// Its name.
     pub fn name(self) -> &'static str {
         match self {
             Fidelity::Plane => "plane",
@@ -159,10 +163,13 @@ impl StructureOptions {
     }
 }
 
+/// A body of a scene, by its index.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct BodyId(pub usize);
+/// A pair of surfaces of a scene, by its index.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct PairId(pub usize);
+/// An observable of a scene, by its index.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct ObservableId(pub usize);
 
@@ -257,6 +264,7 @@ impl Default for GridOptions {
 /// What makes a surface pair a gear mesh: enough to speak of transmission error and of its cycle.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GearMesh {
+    /// Numbers of teeth.
     pub teeth: [u32; 2],
     /// m.
     pub base_radii: [f64; 2],
@@ -266,8 +274,9 @@ pub struct GearMesh {
     pub sign: f64,
     /// Teeth of the pair that enters contact at the start of the cycle.
     pub entering: [u32; 2],
-    /// Time at which it does, and the time of one pitch, s.
+    /// Time at which it does, s.
     pub start: f64,
+    /// Time of one pitch, s.
     pub period: f64,
     /// The characteristic points of the path of contact, in order of time.
     pub characteristic: Vec<CharacteristicPoint>,
@@ -323,17 +332,22 @@ pub enum Observable {
 /// Everything the model says. Frozen by the first analysis.
 #[derive(Clone, Default)]
 pub struct Scene {
+    /// By [`BodyId`].
     pub bodies: Vec<Body>,
+    /// By [`PairId`].
     pub pairs: Vec<SurfacePair>,
+    /// By [`ObservableId`].
     pub observables: Vec<Observable>,
 }
 
 impl Scene {
+    /// Adds a body.
     pub fn add_body(&mut self, body: Body) -> BodyId {
         self.bodies.push(body);
         BodyId(self.bodies.len() - 1)
     }
 
+    /// Adds a pair of surfaces that may touch.
     pub fn add_pair(&mut self, pair: SurfacePair) -> PairId {
         self.pairs.push(pair);
         PairId(self.pairs.len() - 1)

@@ -5,7 +5,7 @@ use crate::contact::assembly::{self, compliance};
 use crate::contact::grid::{self, Cell, Grid, GridOptions, Width, assess, lay, pressures};
 use crate::contact::pressure::{Peak, half_width, peak};
 use crate::contact::problem::{Certificate, ContactError, ContactProblem};
-use crate::contact::rigid_limit::rigid_limit_until;
+use crate::contact::rigid_limit::rigid_limit;
 use crate::contact::{ContactFrame, Placement, active_set};
 use crate::error::EngineError;
 use crate::holding;
@@ -20,9 +20,13 @@ use std::sync::Arc;
 pub struct Patch {
     /// Index of the surface pair in the scene.
     pub pair: usize,
+    /// One of each body.
     pub teeth: [u32; 2],
+    /// One of each body.
     pub surfaces: [u32; 2],
+    /// Where it lies, and its common normal.
     pub frame: ContactFrame,
+    /// Pieces of the grid, along the tangent; none where nothing is pressed.
     pub cells: Vec<Cell>,
     /// N per metre of face width, one a cell.
     pub forces: Vec<f64>,
@@ -58,13 +62,17 @@ impl Patch {
 pub struct StepResult {
     /// s
     pub time: f64,
+    /// Pairs of teeth that touch or may.
     pub patches: Vec<Patch>,
     /// Deviation of every freedom from its prescribed motion, m or rad.
     pub motion: Vec<f64>,
+    /// What was solved.
     pub problem: ContactProblem,
     /// Cells that carry load, by index in the problem.
     pub active: Vec<usize>,
+    /// How well it is solved.
     pub certificate: Certificate,
+    /// What should be known about the position, in sentences.
     pub warnings: Vec<String>,
 }
 
@@ -189,7 +197,7 @@ impl System<'_> {
             Vec::new()
         } else {
             let drive = holding::drive_direction(self.scene, &self.freedoms);
-            let limit = rigid_limit_until(&gaps, &arms, &drive, &self.interrupt);
+            let limit = rigid_limit(&gaps, &arms, &drive, &self.interrupt);
             limit.map_err(|error| self.explain(&error))?.motion
         };
         let patches = candidates.iter().map(|candidate| self.empty_patch(candidate)).collect();

@@ -16,6 +16,7 @@ use std::sync::Arc;
 /// A free component of a body's frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Freedom {
+    /// Index of the body in the scene.
     pub body: usize,
     /// Index in [`crate::scene::FREEDOMS`].
     pub component: usize,

@@ -21,6 +21,7 @@ pub enum Kind {
     Curvature,
     /// rad
     Angle,
+    /// Of no dimension.
     #[default]
     Number,
 }
@@ -28,11 +29,13 @@ pub enum Kind {
 /// A quantity that follows from what the model says.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Quantity {
+    /// By ISO 1122-1.
     pub name: &'static str,
     /// As in formulas: `d_b`, `epsilon_alpha`.
     pub symbol: &'static str,
     /// SI.
     pub value: f64,
+    /// What it measures.
     pub kind: Kind,
     /// What it is given for, or what it is in modules; empty if the name says all.
     pub note: String,

@@ -15,11 +15,13 @@ pub enum Severity {
 /// A piece of a sentence.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Part {
+    /// As it stands.
     Text(&'static str),
     /// Metres.
     Length(f64),
     /// Radians.
     Angle(f64),
+    /// Of no dimension.
     Number(f64),
 }
 
@@ -85,9 +87,11 @@ impl fmt::Display for Digits {
 pub struct GeometryError {
     /// Stable: `E0601` and so on.
     pub code: &'static str,
+    /// Whether it stops the model.
     pub severity: Severity,
     /// Name of the argument to blame, as the library's `rack`, `external`, `tip_relief`, `simple_rim` or `mesh` call it.
     pub argument: &'static str,
+    /// What is the matter.
     pub message: Sentence,
     /// What to do about it.
     pub help: Sentence,

@@ -11,7 +11,9 @@ use std::f64::consts::{FRAC_PI_2, PI};
 /// What is given of an external gear. SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ExternalGearData {
+    /// Number of teeth, 4 at least.
     pub teeth: u32,
+    /// What generates the teeth.
     pub rack: Rack,
     /// Transverse circular thickness at the pitch circle, m. See [`Rack::thickness_of_shift`].
     pub tooth_thickness: f64,
@@ -33,14 +35,21 @@ const AT_BASE_CIRCLE: f64 = 3e-5;
 /// A sound external gear and what follows from its data. SI units; angles in rad.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ExternalGear {
+    /// Number of teeth.
     pub teeth: u32,
+    /// What generates the teeth.
     pub rack: Rack,
+    /// Transverse, along the pitch circle.
     pub tooth_thickness: f64,
+    /// Of the circle through the tips.
     pub outer_radius: f64,
+    /// Of the circle on which the spaces end.
     pub root_radius: f64,
+    /// Rounding of the tip edge.
     pub tip_edge_radius: f64,
     /// Of the circle on which the rack rolls, `teeth * module / 2`.
     pub pitch_radius: f64,
+    /// Of the circle whose involutes the flanks are.
     pub base_radius: f64,
     /// Distance between neighbouring involutes along their common normal.
     pub base_pitch: f64,
@@ -50,6 +59,7 @@ pub struct ExternalGear {
     pub tip_roll: f64,
     /// Where the involute begins: where the fillet goes over into it, or cuts it if there is undercut.
     pub form_radius: f64,
+    /// Roll angle there.
     pub form_roll: f64,
     /// Whether the rack's tip cuts away part of the involute.
     pub undercut: bool,
@@ -160,10 +170,12 @@ impl ExternalGear {
         self.half_base_angle - involute_of_roll(roll)
     }
 
+    /// Roll angle at a radius (m); 0 below the base circle.
     pub fn roll_at_radius(&self, radius: f64) -> f64 {
         roll_at_radius(self.base_radius, radius)
     }
 
+    /// Radius at a roll angle, m.
     pub fn radius_at_roll(&self, roll: f64) -> f64 {
         radius_at_roll(self.base_radius, roll)
     }

@@ -22,7 +22,9 @@ use std::sync::Arc;
 /// The unit in which messages to the model's author give lengths.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LengthUnit {
+    /// As messages write it.
     pub name: &'static str,
+    /// Its size.
     pub metres: f64,
 }
 
@@ -56,25 +58,35 @@ pub struct Provided {
 pub struct ModelHost {
     /// What the program around the model provides.
     pub provided: Provided,
+    /// For messages.
     pub length_unit: LengthUnit,
+    /// By handle, like all tables here.
     pub materials: Vec<Material>,
+    /// Racks.
     pub racks: Vec<Rack>,
+    /// Rims.
     pub rims: Vec<Rim>,
+    /// Modifications of flanks.
     pub modifications: Vec<Modification>,
+    /// Gears.
     pub gears: Vec<Arc<GearPrototype>>,
     /// Places of the calls that made each gear.
     pub gear_places: Vec<(u32, u32, u32)>,
     /// The gear of each body of the scene, in order.
     pub body_gears: Vec<usize>,
-    /// Places of the calls that made each body and each output.
+    /// Places of the calls that made each body.
     pub body_places: Vec<(u32, u32, u32)>,
+    /// Places of the calls that made each output.
     pub output_places: Vec<(u32, u32, u32)>,
     /// Pairs of gears that were to mesh, those refused among them.
     pub meetings: Vec<Meeting>,
     /// Tables that were read.
     pub tables: Vec<Table>,
+    /// Lists of positions to analyse.
     pub positions: Vec<Vec<Position>>,
+    /// Bodies, pairs and observables.
     pub scene: Scene,
+    /// What the model wants to know.
     pub outputs: Vec<OutputRequest>,
     /// Findings beside the one that stopped the model, if any did.
     pub findings: Vec<Finding>,
@@ -179,7 +191,9 @@ impl ModelHost {
 /// Two bodies whose gears meet.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Meeting {
+    /// Indices in the scene.
     pub bodies: [usize; 2],
+    /// How the gears touch.
     pub geometry: MeshGeometry,
     /// Place of the call.
     pub place: (u32, u32, u32),
@@ -188,7 +202,9 @@ pub struct Meeting {
 /// Something an engineer should know, with the place of the call it arose in and the argument to blame.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Finding {
+    /// Whether it stopped the model.
     pub severity: Severity,
+    /// What was found, and where.
     pub error: RuntimeError,
 }
 

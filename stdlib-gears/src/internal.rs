@@ -8,7 +8,9 @@ use std::f64::consts::{FRAC_PI_2, PI};
 /// An internal gear. SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct InternalGear {
+    /// Number of teeth.
     pub teeth: u32,
+    /// m
     pub module: f64,
     /// rad.
     pub pressure_angle: f64,
@@ -19,10 +21,12 @@ pub struct InternalGear {
 }
 
 impl InternalGear {
+    /// m
     pub fn pitch_radius(&self) -> f64 {
         0.5 * f64::from(self.teeth) * self.module
     }
 
+    /// m
     pub fn base_radius(&self) -> f64 {
         self.pitch_radius() * math::cos(self.pressure_angle)
     }

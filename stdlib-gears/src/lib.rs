@@ -97,8 +97,10 @@
 //!
 //! [`Scene`]: calyx_runtime::scene::Scene
 //! [`mesh_cycle`]: calyx_runtime::analysis::mesh_cycle
-//! [`Steps`]: calyx_runtime::analysis
+//! [`Steps`]: calyx_runtime::analysis::Steps
 //! [`quasi_static`]: calyx_runtime::analysis::quasi_static
+
+#![warn(missing_docs)]
 
 pub mod assembly;
 pub mod blank;

@@ -5,8 +5,11 @@ use std::sync::LazyLock;
 
 /// A library module: its import path, the name it is shown by, its text.
 pub struct LibraryModule {
+    /// As `import` names it.
     pub path: &'static str,
+    /// As messages show it.
     pub file: &'static str,
+    /// The source.
     pub text: &'static str,
 }
 

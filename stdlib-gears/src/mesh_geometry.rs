@@ -18,6 +18,7 @@ pub struct PathOfContact {
     pub start_of_active_profile: f64,
     /// LPSTC: the pair before leaves contact.
     pub lowest_single_tooth: f64,
+    /// Where the line of action crosses the line of centres.
     pub pitch_point: f64,
     /// HPSTC: the pair after comes into contact.
     pub highest_single_tooth: f64,
@@ -42,11 +43,15 @@ impl PathOfContact {
 /// A pair at a centre distance. SI units; angles in rad.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MeshGeometry {
+    /// Between the axes.
     pub center_distance: f64,
+    /// Between the line of action and the normal to the line of centres.
     pub operating_pressure_angle: f64,
+    /// Of both members.
     pub base_pitch: f64,
     /// Length of the path of contact between the outer circles.
     pub line_of_action_length: f64,
+    /// Length of the path of contact in base pitches.
     pub contact_ratio: f64,
     /// Base radii of the first and the second member.
     pub base_radius: [f64; 2],
@@ -55,6 +60,7 @@ pub struct MeshGeometry {
     /// Distance between the points where the line of action touches the base circles: on external pairs the sum of
     /// both members' tangents to a point of contact, on internal pairs their difference.
     pub tangent_distance: f64,
+    /// Whether the second member is a ring with internal teeth.
     pub internal: bool,
     /// Along the operating pitch circles.
     pub backlash: f64,

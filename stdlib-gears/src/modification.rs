@@ -23,6 +23,7 @@ pub struct TipRelief {
     pub depth: f64,
     /// Roll angle at which it begins, rad.
     pub start_roll: f64,
+    /// How it grows.
     pub shape: ReliefShape,
 }
 

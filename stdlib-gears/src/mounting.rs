@@ -16,7 +16,9 @@ use std::f64::consts::{PI, TAU};
 /// How two gears stand to each other at time 0.
 #[derive(Clone, Copy, Debug)]
 pub struct Mounting {
+    /// Of the first gear's frame, with its phase.
     pub first: PlanePose,
+    /// Of the second gear's frame, without a phase.
     pub second: PlanePose,
     /// rad/s, counter-clockwise.
     pub angular_velocity: [f64; 2],

@@ -36,9 +36,13 @@ const COARSEST_TIP_GROWTH: f64 = 0.4;
 
 /// An external gear on its rim.
 pub struct GearPrototype {
+    /// Its teeth.
     pub gear: ExternalGear,
+    /// What is taken off its flanks.
     pub modifications: Vec<Modification>,
+    /// What it is made of.
     pub material: Material,
+    /// What carries the teeth.
     pub rim: Rim,
     /// m.
     pub face_width: f64,

@@ -7,7 +7,6 @@ use calyx_gears::blank::Rim;
 use calyx_gears::external::ExternalGear;
 use calyx_gears::prototype::GearPrototype;
 use calyx_runtime::analysis::mesh_cycle;
-use calyx_runtime::contact::grid::pressures;
 use calyx_runtime::contact::pressure::{hertz_half_width, peak};
 use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::plan::Plan;
@@ -89,7 +88,7 @@ fn pressures_over_hertz(edges: bool, structure: StructureOptions, cycles: &[f64]
     for cycle in cycles {
         let step = system.solve(mesh.start + cycle * mesh.period).expect("it is in equilibrium");
         for patch in step.patches.iter().filter(|patch| patch.force() > 0.0) {
-            let of_cells = pressures(&patch.cells, &patch.forces);
+            let of_cells = patch.pressures();
             let Some(largest) = peak(&patch.cells, &of_cells) else { continue };
             // Involutes touch at the middle of the grid.
             let middle = patch.cells.iter().min_by(|a, b| a.center().abs().total_cmp(&b.center().abs()));

@@ -25,10 +25,12 @@ pub struct Cell {
 }
 
 impl Cell {
+    /// m
     pub fn width(&self) -> f64 {
         self.x[1] - self.x[0]
     }
 
+    /// Middle along the tangent, m.
     pub fn center(&self) -> f64 {
         0.5 * (self.x[0] + self.x[1])
     }

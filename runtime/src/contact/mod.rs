@@ -5,19 +5,21 @@
 //! [`active_set`] solves it; [`pressure`] reads peak pressure and half-width off the solution.
 
 pub mod active_set;
-pub mod approach;
-pub mod assembly;
+pub(crate) mod approach;
+pub(crate) mod assembly;
 pub mod clarabel_check;
 mod dense;
 mod feasibility;
-pub mod grid;
+pub(crate) mod grid;
 pub mod half_plane;
 mod placement;
 pub mod pressure;
 pub mod problem;
-pub mod rigid_limit;
+pub(crate) mod rigid_limit;
 
-pub use placement::{ContactFrame, Placement};
+pub use grid::Cell;
+pub use placement::ContactFrame;
+pub(crate) use placement::Placement;
 
 #[cfg(test)]
 mod geometry_tests;

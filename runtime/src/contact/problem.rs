@@ -34,6 +34,7 @@ pub struct FreeMotion {
     pub motion: Vec<f64>,
 }
 
+/// Why a contact problem has no solution, or none was found.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum ContactError {
     /// The load runs away along this motion, on which no contact closes.
@@ -45,13 +46,17 @@ pub enum ContactError {
     /// Gaps of cells are not independent: the compliance loses rank at this cell (two cells in one place,
     /// or rigid bodies).
     #[error("the compliance of cell {cell} is not independent of the cells before it")]
-    DependentCells { cell: usize },
+    DependentCells {
+        /// Index of the cell.
+        cell: usize,
+    },
     /// Contact cannot be avoided by any motion, so there is no limit of vanishing load.
     #[error("the bodies overlap in every position")]
     Jammed,
     /// A number is not finite, or the arrays do not fit each other.
     #[error("contact problem: {0}")]
     Invalid(&'static str),
+    /// Neither pivoting nor the check found the solution.
     #[error("the contact solver did not converge")]
     NotConverged,
     /// Whoever asked for the solution ended the search.
@@ -66,6 +71,7 @@ fn sense(direction: f64) -> &'static str {
 /// What led to a solution.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Method {
+    /// Blocks of cells exchanged at once.
     BlockPivoting,
     /// One exchange at a time, which cannot cycle as blocks of them can.
     SinglePivoting,
@@ -87,6 +93,7 @@ pub struct Certificate {
 }
 
 impl Certificate {
+    /// The largest of all residuals.
     pub fn largest(&self) -> f64 {
         self.complementarity.max(self.penetration).max(self.tension).max(self.equilibrium)
     }
@@ -102,6 +109,7 @@ impl Certificate {
     }
 }
 
+/// A solved contact problem.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solution {
     /// p, N/m.
@@ -112,17 +120,21 @@ pub struct Solution {
     pub gaps: Vec<f64>,
     /// Cells that carry force, ascending: a warm start for a problem that is nearly the same.
     pub active: Vec<usize>,
+    /// How it was found.
     pub method: Method,
     /// Active sets tried.
     pub iterations: usize,
+    /// How well it is solved.
     pub certificate: Certificate,
 }
 
 impl ContactProblem {
+    /// Number of cells.
     pub fn cells(&self) -> usize {
         self.gaps.len()
     }
 
+    /// Number of rigid freedoms.
     pub fn freedoms(&self) -> usize {
         self.load.len()
     }

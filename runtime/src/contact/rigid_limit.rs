@@ -25,16 +25,9 @@ pub struct RigidLimit {
 ///
 /// # Errors
 /// [`ContactError::Infeasible`] if no contact stops the motion, [`ContactError::Unconstrained`] if the load does not
-/// decide some freedom, [`ContactError::Jammed`] if there is no position without overlap.
-pub fn rigid_limit(gaps: &[f64], arms: &[f64], direction: &[f64]) -> Result<RigidLimit, ContactError> {
-    rigid_limit_until(gaps, arms, direction, &Interrupt::never())
-}
-
-/// The same, with checkpoints: with many freedoms it takes long.
-///
-/// # Errors
-/// As [`rigid_limit`]; [`ContactError::Interrupted`].
-pub fn rigid_limit_until(
+/// decide some freedom, [`ContactError::Jammed`] if there is no position without overlap; [`ContactError::Interrupted`], as with
+/// many freedoms it takes long.
+pub fn rigid_limit(
     gaps: &[f64],
     arms: &[f64],
     direction: &[f64],
@@ -162,7 +155,7 @@ mod tests {
     fn it_ends_at_the_checkpoint_that_says_so() {
         let (arms, load) = train(20);
         let gaps = [0.0; 20];
-        assert!(rigid_limit(&gaps, &arms, &load).is_ok());
+        assert!(rigid_limit(&gaps, &arms, &load, &Interrupt::never()).is_ok());
         let asked = Arc::new(AtomicUsize::new(0));
         let counter = asked.clone();
         let enough = EngineError::new("E0704", "enough", "");
@@ -170,7 +163,7 @@ mod tests {
             let enough = enough.clone();
             move || if counter.fetch_add(1, Ordering::Relaxed) == 2 { Err(enough.clone()) } else { Ok(()) }
         });
-        let ended = rigid_limit_until(&gaps, &arms, &load, &third);
+        let ended = rigid_limit(&gaps, &arms, &load, &third);
         assert_eq!(ended, Err(ContactError::Interrupted(enough)));
         assert_eq!(asked.load(Ordering::Relaxed), 3);
     }

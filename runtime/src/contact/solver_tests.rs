@@ -4,6 +4,7 @@ use super::active_set::solve;
 use super::clarabel_check;
 use super::problem::{ContactError, ContactProblem, Method};
 use super::rigid_limit::rigid_limit;
+use crate::interrupt::Interrupt;
 use nalgebra::{DMatrix, DVector};
 
 /// Xorshift: the same numbers on every machine.
@@ -254,13 +255,22 @@ fn without_load_nothing_is_pressed() {
 #[test]
 fn vanishing_load_brings_bodies_to_touch() {
     // One freedom: the first gap to close.
-    let limit = rigid_limit(&[3.0, 1.0, 4.0], &[0.5, 0.25, -1.0], &[-1.0]).unwrap();
+    let limit = rigid_limit(&[3.0, 1.0, 4.0], &[0.5, 0.25, -1.0], &[-1.0], &Interrupt::never()).unwrap();
     assert_eq!((limit.motion[0], limit.touching), (-4.0, vec![1]));
-    let limit = rigid_limit(&[3.0, 1.0, 4.0], &[0.5, 0.25, -1.0], &[1.0]).unwrap();
+    let limit = rigid_limit(&[3.0, 1.0, 4.0], &[0.5, 0.25, -1.0], &[1.0], &Interrupt::never()).unwrap();
     assert_eq!((limit.motion[0], limit.touching), (4.0, vec![2]));
-    assert!(matches!(rigid_limit(&[1.0], &[0.5], &[1.0]), Err(ContactError::Infeasible(_))));
-    assert_eq!(rigid_limit(&[-1.0, -1.0], &[1.0, -1.0], &[1.0]), Err(ContactError::Jammed));
-    assert!(matches!(rigid_limit(&[1.0], &[1.0, 0.0], &[-1.0, 0.0]), Err(ContactError::Unconstrained(_))));
+    assert!(matches!(
+        rigid_limit(&[1.0], &[0.5], &[1.0], &Interrupt::never()),
+        Err(ContactError::Infeasible(_))
+    ));
+    assert_eq!(
+        rigid_limit(&[-1.0, -1.0], &[1.0, -1.0], &[1.0], &Interrupt::never()),
+        Err(ContactError::Jammed)
+    );
+    assert!(matches!(
+        rigid_limit(&[1.0], &[1.0, 0.0], &[-1.0, 0.0], &Interrupt::never()),
+        Err(ContactError::Unconstrained(_))
+    ));
 }
 
 #[test]
@@ -269,7 +279,7 @@ fn the_rigid_limit_is_that_of_small_loads() {
     for trial in 0..40 {
         let m = 1 + trial % 3;
         let mut problem = random_problem(12, m, false, &mut random);
-        let limit = match rigid_limit(&problem.gaps, &problem.arms, &problem.load) {
+        let limit = match rigid_limit(&problem.gaps, &problem.arms, &problem.load, &Interrupt::never()) {
             Ok(limit) => limit,
             // Random gaps need not leave room.
             Err(ContactError::Jammed) => continue,

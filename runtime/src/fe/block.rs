@@ -8,10 +8,12 @@ use std::sync::Arc;
 pub struct Curve(Arc<dyn Fn(f64) -> [f64; 2] + Send + Sync>);
 
 impl Curve {
+    /// A curve by its points, m, for a parameter from 0 to 1.
     pub fn new(curve: impl Fn(f64) -> [f64; 2] + Send + Sync + 'static) -> Self {
         Self(Arc::new(curve))
     }
 
+    /// A straight line between two points, m.
     pub fn line(from: [f64; 2], to: [f64; 2]) -> Self {
         // This form of the mean meets both ends exactly.
         Self::new(move |u| [0, 1].map(|axis| (1.0 - u) * from[axis] + u * to[axis]))
@@ -25,6 +27,7 @@ impl Curve {
         })
     }
 
+    /// The point at a parameter from 0 to 1, m.
     pub fn at(&self, u: f64) -> [f64; 2] {
         (self.0)(u)
     }
@@ -44,9 +47,13 @@ impl Curve {
 /// A side of a block. Bottom and top run with `u` (left to right), left and right with `v` (bottom to top).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Side {
+    /// Where v is 0.
     Bottom,
+    /// Where u is 1.
     Right,
+    /// Where v is 1.
     Top,
+    /// Where u is 0.
     Left,
 }
 

@@ -12,6 +12,7 @@ const COINCIDENT: f64 = 1e-7;
 
 /// Why blocks do not make a mesh. Blocks are numbered from 0 as they were added; positions in m.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[allow(missing_docs, reason = "each says itself in its message")]
 pub enum MeshError {
     #[error("there are no blocks")]
     Empty,
@@ -73,10 +74,12 @@ fn within([from, to]: [f64; 2], x: f64) -> f64 {
 type Sides = BTreeMap<(usize, usize), Vec<(usize, usize)>>;
 
 impl MeshBuilder {
+    /// A mesh of no blocks.
     pub fn new() -> Self {
         Self::default()
     }
 
+    /// Adds a block.
     pub fn block(&mut self, block: Block) -> &mut Self {
         self.blocks.push(block);
         self

@@ -18,8 +18,11 @@ pub struct ElementOrder {
 pub type Shape = [f64; 3];
 
 impl ElementOrder {
+    /// Four nodes.
     pub const LINEAR: Self = Self::full(1);
+    /// Nine nodes.
     pub const QUADRATIC: Self = Self::full(2);
+    /// Sixteen nodes.
     pub const CUBIC: Self = Self::full(3);
 
     /// The complete tensor product of order 1, 2 or 3.
@@ -37,6 +40,7 @@ impl ElementOrder {
         self.sides.iter().chain(&self.interior).all(|order| (1..=3).contains(order))
     }
 
+    /// The highest order of the element and its sides.
     pub fn highest(&self) -> u8 {
         self.sides.iter().chain(&self.interior).copied().max().unwrap_or(1)
     }

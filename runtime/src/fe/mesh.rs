@@ -13,6 +13,7 @@ pub struct PlaneMesh {
     pub nodes: Vec<[f64; 2]>,
     /// Coordinate nodes, m.
     pub coordinate_nodes: Vec<[f64; 2]>,
+    /// In no particular order.
     pub elements: Vec<Element>,
     /// Named sets of element edges: `"bore"`, `"cut_left"`, `"flank_0"`.
     pub chains: BTreeMap<String, EdgeChain>,
@@ -22,9 +23,11 @@ pub struct PlaneMesh {
 /// rigid-body motions exactly; a curved element of linear displacements has not (its rotation strains it).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Element {
+    /// Of displacements.
     pub order: ElementOrder,
     /// Into [`PlaneMesh::nodes`], in the numbering of [`ElementOrder`].
     pub nodes: Vec<usize>,
+    /// Of the coordinates.
     pub coordinate_order: ElementOrder,
     /// Into [`PlaneMesh::coordinate_nodes`].
     pub coordinates: Vec<usize>,
@@ -33,14 +36,18 @@ pub struct Element {
 /// A place in an element, by its local coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Place {
+    /// Index in [`PlaneMesh::elements`].
     pub element: usize,
+    /// From -1 to 1.
     pub xi: f64,
+    /// From -1 to 1.
     pub eta: f64,
 }
 
 /// A side of an element as a part of a chain.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ElementEdge {
+    /// Index in [`PlaneMesh::elements`].
     pub element: usize,
     /// 0 to 3, see [`ElementOrder`].
     pub side: usize,
@@ -63,14 +70,18 @@ pub enum ArcLength {
 /// around the body); those on a profile run as the profile does.
 #[derive(Clone, Debug, PartialEq)]
 pub struct EdgeChain {
+    /// In order along the chain.
     pub edges: Vec<ElementEdge>,
+    /// What arc lengths along it mean.
     pub measure: ArcLength,
 }
 
 /// A point of a chain.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EdgePoint {
+    /// Where in which element.
     pub place: Place,
+    /// m
     pub position: [f64; 2],
     /// Unit tangent, towards growing arc length.
     pub tangent: [f64; 2],

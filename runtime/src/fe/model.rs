@@ -11,8 +11,11 @@ use std::collections::BTreeMap;
 /// A mesh with its material.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PlaneModel {
+    /// What it is divided into.
     pub mesh: PlaneMesh,
+    /// What it is made of.
     pub material: Material,
+    /// What happens across the plane.
     pub plane: Plane,
 }
 
@@ -24,10 +27,12 @@ struct Tabulated {
 }
 
 impl PlaneModel {
+    /// A mesh of one material.
     pub fn new(mesh: PlaneMesh, material: Material, plane: Plane) -> Self {
         Self { mesh, material, plane }
     }
 
+    /// Number of displacements, two a node.
     pub fn dof_count(&self) -> usize {
         self.mesh.dof_count()
     }

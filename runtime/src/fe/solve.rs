@@ -19,6 +19,7 @@ pub struct Constraints {
 }
 
 impl Constraints {
+    /// Nothing prescribed.
     pub fn new() -> Self {
         Self::default()
     }
@@ -34,10 +35,12 @@ impl Constraints {
         self.prescribe(2 * node, x).prescribe(2 * node + 1, y)
     }
 
+    /// Holds a node where it is.
     pub fn fix_node(&mut self, node: usize) -> &mut Self {
         self.prescribe_node(node, [0.0; 2])
     }
 
+    /// Prescribed displacements by degree of freedom, m.
     pub fn values(&self) -> &BTreeMap<usize, f64> {
         &self.values
     }
@@ -45,6 +48,7 @@ impl Constraints {
 
 /// Why equations cannot be solved.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[allow(missing_docs, reason = "each says itself in its message")]
 pub enum SolveError {
     #[error("the stiffness is singular: the constraints leave a motion free, or an element has no stiffness")]
     Singular,

@@ -6,6 +6,7 @@ use std::collections::BTreeMap;
 /// Entries by ascending, distinct degree of freedom.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SparseVector {
+    /// Indices and values.
     pub entries: Vec<(usize, f64)>,
 }
 
@@ -22,6 +23,7 @@ impl SparseVector {
         }
     }
 
+    /// All entries, zeros too.
     pub fn to_full(&self, dof_count: usize) -> Vec<f64> {
         let mut full = vec![0.0; dof_count];
         self.add_to(1.0, &mut full);

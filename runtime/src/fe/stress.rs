@@ -25,6 +25,7 @@ pub struct StressRecovery<'a> {
 }
 
 impl<'a> StressRecovery<'a> {
+    /// Prepares the recovery of a model's stresses.
     pub fn new(model: &'a PlaneModel) -> Self {
         let mut elements_of = vec![Vec::new(); model.mesh.nodes.len()];
         for (index, element) in model.mesh.elements.iter().enumerate() {

@@ -6,13 +6,13 @@
 mod answers;
 mod condense;
 mod dense;
-pub mod elastic;
-pub mod kernel;
+pub(crate) mod elastic;
+pub(crate) mod kernel;
 mod reshaped;
-pub mod rigid;
-pub mod ring;
-pub mod sampling;
-pub mod spline;
+pub(crate) mod rigid;
+pub(crate) mod ring;
+pub(crate) mod sampling;
+pub(crate) mod spline;
 
 pub use elastic::{ElasticStructure, Hold, RingSource, SurfaceSource};
 pub use reshaped::ReshapedSurface;
@@ -27,6 +27,7 @@ use std::sync::Arc;
 
 /// Why a structure cannot be made of a mesh.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[allow(missing_docs, reason = "each says itself in its message")]
 pub enum StructureError {
     #[error("the mesh has no chain of edges `{chain}`")]
     NoChain { chain: String },
@@ -66,6 +67,7 @@ pub struct Chart {
 /// A normal force on a surface: positive presses into the material.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SurfaceLoad {
+    /// Where it acts.
     pub chart: Chart,
     /// Arc length on the chart's profile, m.
     pub s: f64,
@@ -76,7 +78,9 @@ pub struct SurfaceLoad {
 /// Where a recovered stress is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StressPlace {
+    /// Counted counter-clockwise from 0.
     pub tooth: u32,
+    /// As [`Chart::surface`].
     pub surface: u32,
     /// In the body's frame, m.
     pub position: [f64; 2],
