@@ -208,12 +208,12 @@ fn the_example_becomes_a_program() {
     let problems: Vec<_> = checked.diagnostics.iter().map(|d| describe(d, &text)).collect();
     assert!(problems.is_empty(), "{}", problems.join("\n"));
     let program = checked.program.expect("a program");
-    assert_eq!((program.params.len(), program.outputs.len(), program.sites.len()), (9, 8, 10));
+    assert_eq!((program.params.len(), program.outputs.len(), program.sites.len()), (11, 8, 10));
     let orders: Vec<u8> = program.sites.iter().map(|site| site.order).collect();
     assert_eq!(orders, [2, 2, 0, 0, 0, 0, 0, 0, 0, 0], "two frames, eight outputs");
     let torque = &program.params[0];
     assert_eq!((torque.unit.name.as_str(), torque.integral), ("lbf*inch", false));
-    assert!(program.params[7].integral, "steps is a count");
+    assert!(program.params[9].integral, "steps is a count");
     assert!(program.doc.starts_with("Spur pair of the report"));
     let description = calyx_lang::description::describe(&program, calyx_abi::Fingerprint::default());
     let json = calyx_lang::description::to_json(&description).expect("writes");
