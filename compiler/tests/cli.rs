@@ -450,6 +450,7 @@ fn the_run_directory_of_the_example_is_complete() {
     }
     let sum: f64 = stages.values().map(number).sum();
     assert!((sum - number(&timing["total"])).abs() <= 1e-9 * sum);
+    assert_eq!(timing["structures"], serde_json::json!({ "built": 2, "reused": 0 }));
 
     // The summary fits a terminal; its lines are in the model's units.
     assert!(err.contains("max_contact_pressure       psi "), "{err}");

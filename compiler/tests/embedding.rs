@@ -337,6 +337,22 @@ fn runs_at_once_tell_their_own_causes() {
 }
 
 #[test]
+fn a_run_ends_while_its_structures_are_being_built() {
+    // An engine of its own: in another's cache the structures may be already.
+    let engine = Engine::default();
+    let mut pair = Module::from_file(&engine, example()).unwrap().instantiate();
+    let cancel = pair.cancel_handle();
+    pair.on_progress(move |Progress { stage, .. }| {
+        assert_ne!(stage, "positions");
+        if stage == "structures" {
+            cancel.cancel();
+        }
+    });
+    assert_eq!(pair.solve().err().map(|error| error.kind()), Some(ErrorKind::Cancelled));
+    assert_eq!(engine.kept().structures, 0);
+}
+
+#[test]
 fn progress_is_told_and_may_end_the_run() {
     let mut pair = pair();
     let told = Arc::new(Mutex::new(Vec::new()));

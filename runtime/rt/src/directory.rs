@@ -7,7 +7,7 @@ use calyx_abi::description::{
     FileDescription, ModelDescription, OutputDescription, ParamDescription, ParamValue,
 };
 use calyx_abi::units::from_si;
-use calyx_runtime::results::{AnalysisResult, OutputSummary, Solved, StepRow, Timing};
+use calyx_runtime::results::{AnalysisResult, OutputSummary, Solved, StepRow, StructureCounts, Timing};
 use serde_json::{Map, Value, json};
 use sha2::{Digest, Sha256};
 use std::fs::{self, File};
@@ -272,5 +272,10 @@ fn timing_json(analysis: Option<&Timing>, around: &Stages) -> Value {
         add(name, time.as_secs_f64());
     }
     let before: Duration = around.before.iter().map(|(_, time)| *time).sum();
-    json!({ "unit": "s", "total": (before + around.program).as_secs_f64(), "stages": stages })
+    let mut timing =
+        json!({ "unit": "s", "total": (before + around.program).as_secs_f64(), "stages": stages });
+    if let Some(Timing { structures: StructureCounts { built, reused }, .. }) = analysis {
+        timing["structures"] = json!({ "built": built, "reused": reused });
+    }
+    timing
 }

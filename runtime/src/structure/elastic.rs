@@ -18,6 +18,7 @@
 use super::StructureError;
 use super::answers::Turned;
 use super::condense::{Condensed, Support, condense, match_cuts};
+use super::dense::product;
 use super::kernel::{Mollifier, PairQuadrature, Sampled};
 use super::ring::RingFlexibility;
 use super::sampling::{SplitOptions, Stretch, sample};
@@ -328,14 +329,14 @@ fn response(
     let Some(ring) = ring else {
         return Ok(Response { compliance: own, stress_ahead: rows_own.clone(), stress_behind: rows_own });
     };
-    let cuts_ahead = ring.at(offset) * &condensed.on_cuts;
+    let cuts_ahead = product(ring.at(offset), condensed.on_cuts.as_ref());
     interrupt.check().map_err(StructureError::Interrupted)?;
-    let cuts_behind = ring.at(offset).transpose() * &condensed.on_cuts;
+    let cuts_behind = product(ring.at(offset).transpose(), condensed.on_cuts.as_ref());
     interrupt.check().map_err(StructureError::Interrupted)?;
     let mut response = Response {
-        compliance: condensed.on_cuts.transpose() * &cuts_ahead,
-        stress_ahead: &condensed.rows_cuts * &cuts_ahead,
-        stress_behind: &condensed.rows_cuts * &cuts_behind,
+        compliance: product(condensed.on_cuts.transpose(), cuts_ahead.as_ref()),
+        stress_ahead: product(condensed.rows_cuts.as_ref(), cuts_ahead.as_ref()),
+        stress_behind: product(condensed.rows_cuts.as_ref(), cuts_behind.as_ref()),
     };
     if offset == 0 {
         response.compliance += own;
