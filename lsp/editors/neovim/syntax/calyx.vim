@@ -21,7 +21,7 @@ syn match calyxInclude "\<\%(import\|units\)\>\ze\s\+\h"
 syn match calyxDeclaration "\<\%(param\|output\|const\|record\|dimension\|unit\)\>\ze\s\+\K"
 syn match calyxModifier "\<\%(extern\|private\)\>\ze\s\+\h"
 syn match calyxModifier "\<extern\s\+\%(pure\|scene\|effect\)\>"
-syn match calyxModifier "\<test\>\ze\s\+function\>"
+syn match calyxModifier "\<\%(host\|test\)\>\ze\s\+function\>"
 syn match calyxOperatorWord "\%([[:alnum:]_)\]\"%.]\s\+\)\@<=at\>\ze\s\+\K\k*\s*=[^=]"
 
 " What is named.
