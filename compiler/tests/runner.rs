@@ -70,6 +70,11 @@ fn said(command: &mut Command) -> (Option<i32>, String, String) {
 
 /// Starts a run and kills it as soon as it says that so many positions are done; 0 is while structures are made.
 fn kill_after(command: &mut Command, positions: u64) {
+    end_after(command, positions, "-KILL");
+}
+
+/// The same by any signal.
+fn end_after(command: &mut Command, positions: u64, signal: &str) {
     let mut run = command.args(["--progress", "json"]).stderr(Stdio::piped()).spawn().expect("it starts");
     let mut lines = BufReader::new(run.stderr.take().expect("piped")).lines();
     let reached = lines.any(|line| {
@@ -77,7 +82,10 @@ fn kill_after(command: &mut Command, positions: u64) {
         progress["done"] == positions
     });
     assert!(reached, "it ended before {positions} positions");
-    run.kill().expect("it runs");
+    let sent = Command::new("kill").args([signal, &run.id().to_string()]).status();
+    assert!(sent.expect("`kill` is there").success());
+    // Nobody reads what it says from now on, which is not to hold it up.
+    lines.for_each(drop);
     run.wait().expect("it ends");
 }
 
@@ -115,7 +123,9 @@ fn a_killed_run_goes_on_and_writes_the_same_bytes() {
         let steps = directory.path().join("results/steps.csv");
         let solved = fs::read_to_string(&steps).map_or(0, |steps| steps.lines().count() as u64 - 1);
         assert!(solved >= positions, "{way:?} had written {solved} of {positions} positions");
-        let again = [&SET[..], &["--resume", "--progress", "json"]].concat();
+        // Any number of threads gives the same bits.
+        let threads = if let Way::Executable = way { "1" } else { "2" };
+        let again = [&SET[..], &["--resume", "--progress", "json", "--threads", threads]].concat();
         let (status, _, err) = said(&mut way.command(directory.path(), &again));
         assert_eq!(status, Some(0), "{way:?} after {positions}: {err}");
         // What was solved is not solved again.
@@ -156,6 +166,10 @@ fn a_journal_that_was_cut_off_is_gone_on_with() {
         assert!(err.contains(&told), "{length} bytes: {err}");
         assert!(results(directory.path()) == expected, "{length} bytes");
     }
+    // Who ends a run with Ctrl-C goes on with it, too.
+    end_after(&mut Way::CalyxRun.command(directory.path(), &["--quiet", "--set", "steps=2"]), 1, "-INT");
+    assert_eq!(run(&["--resume", "--quiet"]).0, Some(0));
+    assert!(results(directory.path()) == expected);
     // Another model and other params are another run.
     fs::remove_file(directory.path().join("results/run.json")).unwrap();
     fs::write(&journal, &text).unwrap();

@@ -90,7 +90,7 @@ fn described_in_calyx() -> Context {
     let interpreted = Interpreted::new(&program, Purity::Effect).unwrap();
     let mut context = Context::new(Box::new(ModelHost::default()));
     context.kernels = interpreted.kernels();
-    apply(&interpreted, &[Given::text("steps", &STEPS.to_string())], &mut context).unwrap();
+    apply(&interpreted, &[Given::text("steps", STEPS.to_string())], &mut context).unwrap();
     interpreted.main(&mut context).unwrap();
     context
 }

@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use std::io;
 use std::path::Path;
 
-pub use calyx_rt::run::default_directory;
+pub use calyx_rt::directory::default_directory;
 
 /// A run as its `run.json` tells it.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]

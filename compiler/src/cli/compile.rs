@@ -1,7 +1,7 @@
 //! What `run` and `build` have in common: a model is checked and becomes machine code, or its errors are shown.
 
 use crate::messages::{MODEL_ERROR, MessageFormat, USAGE};
-use calyx::rt::run::StageTimes;
+use calyx::rt::directory::StageTimes;
 use calyx::{Checked, Engine, Module};
 use calyx_lang::diagnostic::Severity;
 use std::io;

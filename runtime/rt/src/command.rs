@@ -1,6 +1,6 @@
 //! A run as a command: what `calyx run` and an executable do with their options, once there is a program.
 
-use crate::directory;
+use crate::directory::{self, StageTimes};
 use crate::engine::{Engine, EngineConfig};
 use crate::error::Error;
 use crate::given::Given;
@@ -8,7 +8,7 @@ use crate::interrupt;
 use crate::options::RunArguments;
 use crate::params::Refused;
 use crate::program::Program;
-use crate::run::{RunError, RunOptions, RunReport, StageTimes, run};
+use crate::run::{RunError, RunOptions, RunReport, run};
 use calyx_abi::{RuntimeError, Status};
 use calyx_gears::host::Finding;
 use std::io::{self, Write};

@@ -1,7 +1,6 @@
 //! The run directory: `run.json`, `timing.json` and `steps.csv`, each position on disk before the next begins.
 
 use crate::journal::{self, Found, Journal};
-use crate::run::StageTimes;
 use calyx_abi::RuntimeError;
 use calyx_abi::description::{
     FileDescription, ModelDescription, OutputDescription, ParamDescription, ParamValue,
@@ -14,6 +13,16 @@ use std::fs::{self, File};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
+
+/// Names of stages, in order, and the time each took.
+pub type StageTimes = Vec<(&'static str, Duration)>;
+
+/// The default run directory: beside the model, named after it.
+pub fn default_directory(model: &Path) -> PathBuf {
+    let mut name = model.file_name().unwrap_or_default().to_owned();
+    name.push(".run");
+    model.with_file_name(name)
+}
 
 /// Makes the directory, and removes the results of an earlier run: what a run leaves behind belongs together.
 pub fn prepare(directory: &Path) -> io::Result<()> {

@@ -1,21 +1,23 @@
 //! The command line of a model that is a program of its own: its help is made from the model's words, the rest is what
 //! `calyx run` takes.
 
-use crate::command::{Messages, RunCommand, USAGE, print_json};
+use crate::command::{MODEL_ERROR, Messages, RunCommand, USAGE, print_json};
 use crate::given::Given;
 use crate::help;
+use crate::linked::LinkedProgram;
 use crate::options::RunArguments;
 use crate::params::Refused;
 use crate::program::{ParamFunction, Program};
 use crate::report::{problem, refused};
 use crate::schema::schema;
 use crate::seen::Seen;
-use calyx_abi::description::{FileDescription, ModelDescription};
+use calyx_abi::description::{FileDescription, ModelDescription, ModuleTable};
 use calyx_abi::{Context, Kernel, RuntimeError, Slot};
 use calyx_gears::error::Severity;
 use calyx_gears::host::Finding;
 use clap::{Args, Command, CommandFactory, FromArgMatches, Parser};
-use std::ffi::OsString;
+use std::ffi::{CStr, OsString, c_char, c_int};
+use std::os::unix::ffi::OsStringExt;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -37,6 +39,33 @@ struct Tables {
     /// working directory.
     #[arg(long, value_name = "DIR")]
     tables: Option<PathBuf>,
+}
+
+/// Runs a linked model as a program. Called by the `main` of its object file.
+///
+/// # Safety
+/// `argv` holds `argc` C strings and `module` is the model's table with static lifetime.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn calyx_rt_main(
+    argc: c_int,
+    argv: *const *const c_char,
+    module: *const ModuleTable,
+) -> c_int {
+    // SAFETY: as promised by the caller.
+    let arguments: Vec<OsString> = (0..argc.max(0) as usize)
+        .map(|i| OsString::from_vec(unsafe { CStr::from_ptr(*argv.add(i)) }.to_bytes().to_vec()))
+        .collect();
+    std::panic::catch_unwind(|| {
+        // SAFETY: the table is a constant of the linked program.
+        match LinkedProgram::new(unsafe { &*module }) {
+            Ok(program) => main(Arc::new(program), &arguments).into(),
+            Err(message) => {
+                eprintln!("error: {message}");
+                MODEL_ERROR.into()
+            }
+        }
+    })
+    .unwrap_or(MODEL_ERROR.into())
 }
 
 /// Runs a model as a program: its exit status, 0 when results are written, 1 if the model or its analysis failed, 2 if the

@@ -208,9 +208,9 @@ impl Instance {
         self.progress = Some(Arc::new(Mutex::new(sink)));
     }
 
-    /// What is given each position by its index, on the thread of the run, which goes on when this is done with it; an
-    /// error ends the run.
-    pub(crate) fn on_solved(
+    /// What is given each position by its index, with its certificate, on the thread of the run. Other than [`Instance::run`]
+    /// it holds the run until it is done with the position. An error from it ends the analysis.
+    pub fn on_solved(
         &mut self,
         sink: impl FnMut(usize, &Solved) -> Result<(), EngineError> + Send + 'static,
     ) {

@@ -6,28 +6,37 @@
 
 pub mod budget;
 pub mod c_api;
+#[cfg(feature = "command")]
 pub mod command;
 pub mod directory;
 pub mod engine;
 pub mod error;
+#[cfg(feature = "command")]
 pub mod executable;
 pub mod given;
+#[cfg(feature = "command")]
 pub mod help;
 pub mod host;
 pub mod instance;
+#[cfg(feature = "command")]
 pub mod interrupt;
 pub mod journal;
 pub mod linked;
 pub mod names;
+#[cfg(feature = "command")]
 pub mod options;
 pub mod params;
+#[cfg(feature = "command")]
 pub mod params_file;
 pub mod program;
+#[cfg(feature = "command")]
 pub mod progress;
 pub mod report;
 pub mod results;
 pub mod resume;
+#[cfg(feature = "command")]
 pub mod run;
+#[cfg(feature = "command")]
 pub mod schema;
 pub mod seen;
 pub mod stepping;
@@ -45,6 +54,7 @@ pub use names::{Output, OutputName, Param, ParamName};
 pub use params::{Refused, apply};
 pub use program::Program;
 pub use results::Results;
+#[cfg(feature = "command")]
 pub use run::{RunError, RunOptions, RunReport, run};
 pub use seen::Seen;
 pub use stepping::{Run, Step};

@@ -1,47 +1,16 @@
-//! A model whose machine code is linked into this program: its table, as a [`Program`], and the entry point of executables.
+//! A model whose machine code is linked into this program: its table, as a [`Program`].
 
-use crate::command::MODEL_ERROR;
-use crate::executable;
 use crate::program::{ParamFunction, Program};
 use calyx_abi::call::KernelFn;
 use calyx_abi::description::{ModelDescription, ModuleTable};
 use calyx_abi::{Context, Fingerprint, Kernel, RuntimeError, Slot, stack};
 use calyx_gears::library::FINGERPRINT;
-use std::ffi::{CStr, OsString, c_char, c_int};
 use std::fmt;
-use std::os::unix::ffi::OsStringExt;
 use std::sync::Arc;
 
 /// The fingerprint of the engine in this library, by which `calyx build` knows whether a library fits.
 #[unsafe(no_mangle)]
 pub static CALYX_RT_ABI: u64 = FINGERPRINT.0;
-
-/// Runs a linked model as a program. Called by the `main` of its object file.
-///
-/// # Safety
-/// `argv` holds `argc` C strings and `module` is the model's table with static lifetime.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn calyx_rt_main(
-    argc: c_int,
-    argv: *const *const c_char,
-    module: *const ModuleTable,
-) -> c_int {
-    // SAFETY: as promised by the caller.
-    let arguments: Vec<OsString> = (0..argc.max(0) as usize)
-        .map(|i| OsString::from_vec(unsafe { CStr::from_ptr(*argv.add(i)) }.to_bytes().to_vec()))
-        .collect();
-    std::panic::catch_unwind(|| {
-        // SAFETY: the table is a constant of the linked program.
-        match LinkedProgram::new(unsafe { &*module }) {
-            Ok(program) => executable::main(Arc::new(program), &arguments).into(),
-            Err(message) => {
-                eprintln!("error: {message}");
-                MODEL_ERROR.into()
-            }
-        }
-    })
-    .unwrap_or(MODEL_ERROR.into())
-}
 
 /// A model whose code is part of this program.
 pub(crate) struct LinkedProgram {

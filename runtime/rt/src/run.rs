@@ -1,6 +1,6 @@
 //! A run for people and for those who read its directory: an instance, watched and written down.
 
-use crate::directory::{Record, Stages, head, prepare, write_run, write_unfinished};
+use crate::directory::{Record, StageTimes, Stages, head, prepare, write_run, write_unfinished};
 use crate::engine::Engine;
 use crate::error::Error;
 use crate::given::Given;
@@ -21,9 +21,6 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
-
-/// Names of stages, in order, and the time each took.
-pub type StageTimes = Vec<(&'static str, Duration)>;
 
 /// What a run is to do.
 #[derive(Clone, Debug, Default)]
@@ -215,11 +212,4 @@ impl Written {
         self.solved = index + 1;
         Ok(())
     }
-}
-
-/// The default run directory: beside the model, named after it.
-pub fn default_directory(model: &Path) -> PathBuf {
-    let mut name = model.file_name().unwrap_or_default().to_owned();
-    name.push(".run");
-    model.with_file_name(name)
 }
