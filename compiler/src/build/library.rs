@@ -35,38 +35,37 @@ pub fn find(given: Option<&Path>) -> Result<PathBuf, BuildError> {
     find_in(&places())
 }
 
-/// The directories that are searched, in this order: that of the running executable, `deps` beside it, `../lib/calyx`, and
-/// `calyx` in the user's data directory.
-pub fn places() -> Vec<PathBuf> {
+/// The directories that are searched, in this order: that of the running executable and `deps` beside it, where the newer of
+/// two libraries counts, then `../lib/calyx`, then `calyx` in the user's data directory.
+pub fn places() -> Vec<Vec<PathBuf>> {
     let mut places = Vec::new();
     let executable = std::env::current_exe().and_then(|path| path.canonicalize());
     if let Some(beside) = executable.ok().as_deref().and_then(Path::parent) {
-        places.push(beside.to_owned());
-        places.push(beside.join("deps"));
-        places.extend(beside.parent().map(|prefix| prefix.join("lib/calyx")));
+        places.push(vec![beside.to_owned(), beside.join("deps")]);
+        places.extend(beside.parent().map(|prefix| vec![prefix.join("lib/calyx")]));
     }
     if let Ok(strategy) = etcetera::choose_base_strategy() {
-        places.push(strategy.data_dir().join("calyx"));
+        places.push(vec![strategy.data_dir().join("calyx")]);
     }
     places
 }
 
-fn find_in(places: &[PathBuf]) -> Result<PathBuf, BuildError> {
+fn find_in(places: &[Vec<PathBuf>]) -> Result<PathBuf, BuildError> {
     let mut unfit = None;
-    for place in places {
-        for path in libraries(place) {
+    for directories in places {
+        for path in libraries(directories) {
             match check(&path) {
                 Ok(()) => return Ok(path),
                 Err(error) => unfit = unfit.or(Some(error)),
             }
         }
     }
-    Err(unfit.unwrap_or_else(|| BuildError::NoLibrary { searched: places.to_vec() }))
+    Err(unfit.unwrap_or_else(|| BuildError::NoLibrary { searched: places.concat() }))
 }
 
-/// The libraries in a directory, the newest first.
-fn libraries(directory: &Path) -> Vec<PathBuf> {
-    let entries = fs::read_dir(directory).into_iter().flatten().flatten();
+/// The libraries in directories, the newest first.
+fn libraries(directories: &[PathBuf]) -> Vec<PathBuf> {
+    let entries = directories.iter().flat_map(fs::read_dir).flatten().flatten();
     let mut found: Vec<(SystemTime, PathBuf)> = entries
         .filter(|entry| is_library(&entry.file_name()))
         .filter_map(|entry| Some((entry.metadata().ok()?.modified().ok()?, entry.path())))
@@ -146,7 +145,7 @@ mod tests {
     #[test]
     fn what_does_not_fit_is_told_from_what_is_not_there() {
         let directory = tempfile::tempdir().unwrap();
-        let places = [directory.path().to_owned()];
+        let places = [vec![directory.path().to_owned()]];
         let missing = find_in(&places).unwrap_err();
         assert!(matches!(missing, BuildError::NoLibrary { .. }), "{missing}");
         assert!(missing.help().contains("cargo build --release -p calyx-rt"), "{}", missing.help());

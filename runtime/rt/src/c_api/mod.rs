@@ -210,8 +210,8 @@ pub unsafe extern "C" fn calyx_create(model: *const ModuleTable, instance: *mut 
         let Some(model) = (unsafe { model.as_ref() }) else { return Err(CStatus::Null) };
         match LinkedProgram::new(model) {
             Ok(program) => Ok(Box::new(instance_of(&Engine::default(), Arc::new(program)))),
-            Err(NotLinked::Version(_)) => Err(CStatus::Version),
-            Err(NotLinked::Damaged(_)) => Err(CStatus::Internal),
+            // A description that cannot be read is one that another version wrote.
+            Err(NotLinked::Version(_) | NotLinked::Damaged(_)) => Err(CStatus::Version),
         }
     });
     match made {
