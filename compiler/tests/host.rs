@@ -3,6 +3,7 @@
 
 use calyx::rt::Host;
 use calyx::{Engine, Module};
+use calyx_runtime::load::Wrench;
 use std::sync::{Arc, Mutex};
 
 const MODEL: &str = "units mm_N_s;
@@ -99,4 +100,60 @@ fn fifty_instances_share_a_host() {
             });
         }
     });
+}
+
+/// The outputs of the spur pair of the examples at two uniform positions and the characteristic points, with some of its text
+/// replaced.
+fn spur_pair(engine: &Engine, replaced: &[(&str, &str)], host: &Host) -> calyx::rt::Results {
+    let path =
+        [env!("CARGO_MANIFEST_DIR"), "../examples/spur_pair.cx"].iter().collect::<std::path::PathBuf>();
+    let text = replaced.iter().fold(std::fs::read_to_string(path).unwrap(), |text, (old, new)| {
+        assert!(text.contains(old), "{old}");
+        text.replacen(old, new, 1)
+    });
+    let module = Module::from_text(engine, "spur_pair.cx", &text).unwrap_or_else(|error| panic!("{error}"));
+    let mut instance = module.instantiate();
+    instance.set("steps", 2).unwrap();
+    instance.set_host(host).unwrap();
+    instance.solve().unwrap_or_else(|error| panic!("{error}"))
+}
+
+fn values(results: &calyx::rt::Results) -> Vec<f64> {
+    results
+        .steps()
+        .flat_map(|step| step.outputs().iter().map(|output| output.value).collect::<Vec<_>>())
+        .collect()
+}
+
+#[test]
+fn loads_and_flanks_of_the_host_are_those_of_the_model() {
+    let engine = Engine::default();
+    let load = ("moment = torque * e3", "host_load = \"torque\"");
+    let relief = (
+        "gears.tip_relief(tip_relief, start_roll = pinion_relief_start, shape = \"quadratic\")",
+        "gears.host_modification(\"relief\")",
+    );
+    let torque = 1000.0 * (4.4482216152605 * 0.0254);
+    let host = Host::new().load("torque", move |_: f64| Wrench::of_moment([0.0, 0.0, torque])).modification(
+        "relief",
+        |roll: f64| {
+            // At the tip circle, where the involute of the base circle of 20 teeth meets it, 0.0005 inch.
+            let (start, tip) =
+                (27.25_f64.to_radians(), ((1.09 / 20_f64.to_radians().cos()).powi(2) - 1.0).sqrt());
+            0.0005 * 0.0254 * ((roll - start) / (tip - start)).max(0.0).powi(2)
+        },
+    );
+    let own = values(&spur_pair(&engine, &[], &Host::new()));
+    assert_eq!(values(&spur_pair(&engine, &[load], &host)), own);
+    let given = spur_pair(&engine, &[load, relief], &host);
+    assert!(given.findings().iter().all(|finding| finding.error.code != "E0681"));
+    for (given, own) in values(&given).iter().zip(&own) {
+        assert!((given - own).abs() <= 2e-4 * own.abs(), "{given} {own}");
+    }
+    // All reliefs were had from the structures of the two gears.
+    assert_eq!(engine.kept().structures, 2);
+    // Where nobody provides them there are none, and it is said.
+    let without = spur_pair(&engine, &[relief], &Host::new());
+    assert_eq!(without.findings().iter().filter(|finding| finding.error.code == "E0681").count(), 1);
+    assert_ne!(values(&without), own);
 }
