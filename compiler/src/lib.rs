@@ -60,6 +60,7 @@
 //!
 //! # More
 //!
+//! - The program around a model provides functions, loads and flank deviations to it by name: [`Host`], [`Instance::set_host`].
 //! - Modules are kept as bytes and loaded without compiling: [`Module::serialize`], [`Module::deserialize`].
 //! - Symbolic functions of a model are evaluated by themselves, one point or many at a time: [`Module::kernel`].
 //! - Runs are ended from outside ([`Instance::cancel_handle`]) or by limits ([`Instance::limit_time`],

@@ -206,7 +206,7 @@ mod tests {
             let at = |i: usize| i as f64 / 1000.0;
             (0..=1000).map(|i| (spline.at(at(i))[0] - (7.0 * at(i)).sin()).abs()).fold(0.0, f64::max)
         };
-        let [coarse, fine] = [32, 64].map(error);
-        assert!(fine < coarse / 12.0 && fine < 2e-6, "{coarse:e} {fine:e}");
+        let [coarse, fine] = [64, 128].map(error);
+        assert!(fine < coarse / 13.0 && fine < 3e-7, "{coarse:e} {fine:e}");
     }
 }
