@@ -124,8 +124,8 @@ struct Open {
     braces: usize,
     /// Parentheses outside of blocks; the number is of semicolons that may still stand in it, two in the head of a `for`.
     parentheses: Vec<u8>,
-    /// The last token was `for`.
-    after_for: bool,
+    /// The last token.
+    previous: Option<Kind>,
     /// `do` whose `while` has not come, outside of blocks.
     loops: usize,
 }
@@ -133,7 +133,7 @@ struct Open {
 impl Open {
     /// Takes a token; whether the statement ends with it.
     fn ends(&mut self, kind: Kind, next: Option<Kind>) -> bool {
-        let after_for = std::mem::replace(&mut self.after_for, kind == Kind::For);
+        let previous = self.previous.replace(kind);
         let outside = self.braces == 0;
         match kind {
             Kind::OpenBrace => {
@@ -146,12 +146,17 @@ impl Open {
                 self.braces = self.braces.saturating_sub(1);
                 return self.braces == 0 && !self.goes_on(next);
             }
-            Kind::OpenParen if outside => self.parentheses.push(if after_for { 2 } else { 0 }),
+            Kind::OpenParen if outside => {
+                self.parentheses.push(if previous == Some(Kind::For) { 2 } else { 0 })
+            }
             Kind::CloseParen if outside => {
                 self.parentheses.pop();
             }
             Kind::Do if outside => self.loops += 1,
-            Kind::While if outside => self.loops = self.loops.saturating_sub(1),
+            // Behind a statement it belongs to a `do`; elsewhere it begins a loop.
+            Kind::While if outside && matches!(previous, Some(Kind::Semicolon | Kind::CloseBrace)) => {
+                self.loops = self.loops.saturating_sub(1);
+            }
             Kind::Semicolon if outside => {
                 return match self.parentheses.last_mut() {
                     Some(left) if *left > 0 => {
@@ -206,6 +211,20 @@ print(\"{size : .3 mm}\");
     fn below(state: &mut u64, end: usize) -> usize {
         *state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
         (*state >> 33) as usize % end.max(1)
+    }
+
+    #[test]
+    fn loops_inside_of_loops_are_one_piece() {
+        for text in [
+            "do while (a) do ; while (b) ; while (c) ;",
+            "do if (a) { } else while (b) { } while (c);",
+            "do for (;;) try while (a) ; catch (e) ; while (b);",
+        ] {
+            let written = format!("{text}\nwhile (d) ;\n");
+            let found = split(&lex(FileId(0), &written).tokens);
+            let texts: Vec<_> = found.into_iter().map(|range| written[range].trim()).collect();
+            assert_eq!(texts, [text, "while (d) ;"]);
+        }
     }
 
     #[test]
