@@ -5,15 +5,18 @@
 use crate::contact::problem::Certificate;
 use crate::error::{EngineError, Subject};
 use crate::holding;
-use crate::interrupt::Interrupt;
+use crate::observe::{Equilibrium, Fields};
 use crate::plan::Plan;
 use crate::resources::Resources;
-use crate::results::{AnalysisResult, OutputRequest, Solved, StepRow, Timing, summarize};
+use crate::results::{AnalysisResult, Observed, OutputRequest, Solved, StepRow, Timing};
 use crate::scene::{Fidelity, GearMesh, Scene, StructureOptions};
 use crate::step::StepResult;
+use crate::summary::summarize;
 use crate::system::System;
+use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
+use std::collections::VecDeque;
 use std::iter::FusedIterator;
 use std::time::{Duration, Instant};
 
@@ -75,6 +78,8 @@ pub struct AnalysisOptions {
     /// What an earlier run of the same analysis solved of its first positions; it goes on behind them, and its result is that
     /// of a run that solved them all.
     pub solved: Vec<Solved>,
+    /// Tell the observer of every position's fields too: pressures, line loads, stresses. They take no part in the results.
+    pub fields: bool,
 }
 
 impl Default for AnalysisOptions {
@@ -84,6 +89,7 @@ impl Default for AnalysisOptions {
             structure: StructureOptions::default(),
             resources: Resources::default(),
             solved: Vec::new(),
+            fields: false,
         }
     }
 }
@@ -136,11 +142,12 @@ impl<'s> Planned<'s> {
         Ok(Steps {
             positions,
             outputs,
-            interrupt: resources.interrupt,
+            resources,
             solved,
             plan,
             timing,
             system,
+            ahead: VecDeque::new(),
             solving: Duration::ZERO,
             current: None,
             failed: None,
@@ -148,17 +155,26 @@ impl<'s> Planned<'s> {
     }
 }
 
-/// A quasi-static analysis under way: an iterator that solves a position each time it is asked for the next.
+/// A position in equilibrium and what is observed of it.
+struct Found {
+    step: StepResult,
+    observed: Vec<Observed>,
+}
+
+/// A quasi-static analysis under way: an iterator over its positions, in order.
 ///
-/// After an error it is at its end.
+/// As many are solved side by side as there are threads, the first of them being the one that is asked for. After an error it is at
+/// its end.
 pub struct Steps<'s> {
     positions: &'s [Position],
     outputs: &'s [OutputRequest],
-    interrupt: Interrupt,
+    resources: Resources,
     solved: Vec<Solved>,
     plan: Plan,
     timing: Timing,
     system: System<'s>,
+    /// Positions that follow, solved side by side with one that was asked for.
+    ahead: VecDeque<Result<Found, EngineError>>,
     /// Time spent on positions.
     solving: Duration,
     current: Option<StepResult>,
@@ -194,6 +210,11 @@ impl<'s> Steps<'s> {
         self.current.as_ref()
     }
 
+    /// The same as observables see it.
+    pub fn equilibrium(&self) -> Option<Equilibrium<'_>> {
+        Some(Equilibrium { system: &self.system, step: self.current.as_ref()? })
+    }
+
     /// All positions solved so far, those of an earlier run among them.
     pub fn solved(&self) -> &[Solved] {
         &self.solved
@@ -218,21 +239,44 @@ impl<'s> Steps<'s> {
         let first = Certificate::default();
         let certificate = self.solved.iter().fold(first, |worst, solved| worst.worst(&solved.certificate));
         let rows: Vec<StepRow> = self.solved.into_iter().map(|solved| solved.row).collect();
-        let summaries = summarize(&rows, self.outputs);
+        let summaries = summarize(&rows, self.outputs, &self.system.scene.observables);
         self.timing.add("positions", self.solving);
         Ok(AnalysisResult { plan: self.plan, rows, summaries, certificate, timing: self.timing })
     }
 
     fn solve(&mut self, position: &Position) -> Result<Solved, EngineError> {
-        self.interrupt.check()?;
-        let step = self.system.solve(position.time)?;
-        let observables = &self.system.scene.observables;
-        let observed: Vec<_> = observables.iter().map(|&o| self.system.value(&step, o)).collect();
+        self.resources.interrupt.check()?;
+        if self.ahead.is_empty() {
+            self.solve_ahead();
+        }
+        let Found { step, observed } = match self.ahead.pop_front() {
+            Some(Ok(found)) => found,
+            // Again and alone, so that what kernels note about an error is of this position and no other.
+            _ => self.solve_alone(position)?,
+        };
         let row = StepRow::new(position.clone(), self.outputs, &observed, step.warnings.clone());
         refuse_nan(&row, self.outputs)?;
         let certificate = step.certificate;
         self.current = Some(step);
         Ok(Solved { row, certificate })
+    }
+
+    /// Solves the next positions, one a thread.
+    fn solve_ahead(&mut self) {
+        let positions = &self.positions[self.solved.len()..];
+        let together = &positions[..self.resources.threads().min(positions.len())];
+        let this = &*self;
+        let all = || together.par_iter().map(|position| this.solve_alone(position)).collect::<Vec<_>>();
+        self.ahead = self.resources.install(all).into();
+    }
+
+    fn solve_alone(&self, position: &Position) -> Result<Found, EngineError> {
+        let step = self.system.solve(position.time)?;
+        let observables = &self.system.scene.observables;
+        let observed = observables.iter().map(|o| self.system.value(&step, o.as_ref())).collect();
+        // An observable that was interrupted has no value, and that is not the model's fault.
+        self.resources.interrupt.check()?;
+        Ok(Found { step, observed })
     }
 }
 
@@ -277,6 +321,8 @@ pub enum Event<'a> {
         count: usize,
         /// Its row and its certificate.
         solved: &'a Solved,
+        /// Where [`AnalysisOptions::fields`] asks for them.
+        fields: Option<&'a Fields>,
     },
 }
 
@@ -315,7 +361,9 @@ pub fn quasi_static(
     while let Some(solved) = steps.next() {
         let solved = &solved?;
         let index = steps.solved().len() - 1;
-        observer.observe(Event::Step { index, count: positions.len(), solved })?;
+        let equilibrium = steps.equilibrium().filter(|_| options.fields);
+        let fields = equilibrium.map(Equilibrium::fields);
+        observer.observe(Event::Step { index, count: positions.len(), solved, fields: fields.as_ref() })?;
     }
     steps.finish()
 }

@@ -1,23 +1,52 @@
 //! The structures of a planned scene: taken from the cache or built side by side, each once.
 
-use crate::cache::{Answer, Claim};
+use crate::cache::{Answer, Claim, Key};
 use crate::error::EngineError;
+use crate::interrupt::Interrupt;
 use crate::plan::{BodyPlan, Plan};
 use crate::resources::Resources;
 use crate::results::StructureCounts;
-use crate::scene::{Body, Prototype, Scene, StructureOptions};
-use crate::structure::Structure;
+use crate::scene::{Body, Fidelity, Prototype, Scene, StructureOptions};
+use crate::structure::AnyStructure;
 use rayon::prelude::*;
-use std::sync::Arc;
 
 /// A structure that bodies of the scene need.
 struct Wanted<'s> {
     prototype: &'s dyn Prototype,
     options: StructureOptions,
+    solid: bool,
 }
 
-/// One per body; `None` for a body the plan left out.
-pub(crate) type Structures = Vec<Option<Arc<dyn Structure>>>;
+impl Wanted<'_> {
+    fn key(&self) -> Option<Key> {
+        if self.solid { self.prototype.solid_key(&self.options) } else { self.prototype.key(&self.options) }
+    }
+
+    fn build(&self, interrupt: &Interrupt) -> Result<AnyStructure, EngineError> {
+        Ok(if self.solid {
+            self.prototype.build_solid(&self.options, interrupt)?.into()
+        } else {
+            self.prototype.build(&self.options, interrupt)?.into()
+        })
+    }
+
+    /// What was kept on disk, made whole again; `None` if the bytes are of something else.
+    fn restore(&self, bytes: &[u8]) -> Option<AnyStructure> {
+        if self.solid {
+            self.prototype.restore_solid(&self.options, bytes).map(AnyStructure::from)
+        } else {
+            self.prototype.restore(&self.options, bytes).map(AnyStructure::from)
+        }
+    }
+
+    /// Whether this is of the kind that is wanted: a prototype that gives both kinds one key is not to be trusted with it.
+    fn takes(&self, structure: &AnyStructure) -> bool {
+        matches!(structure, AnyStructure::Solid(_)) == self.solid
+    }
+}
+
+/// One per body; `None` for a body the plan left out. All are of one kind.
+pub(crate) type Structures = Vec<Option<AnyStructure>>;
 
 /// The structure of every body that the plan models, and how many were built for it.
 pub(crate) fn build_structures(
@@ -32,27 +61,37 @@ pub(crate) fn build_structures(
         match wanted.get_mut(number) {
             // One that needs stresses serves all that share it.
             Some(Wanted { options, .. }) => options.stresses |= planned.options.stresses,
-            None => wanted.push(Wanted { prototype: body.prototype.as_ref(), options: planned.options }),
+            None => wanted.push(Wanted {
+                prototype: body.prototype.as_ref(),
+                options: planned.options,
+                solid: plan.fidelity != Fidelity::Plane,
+            }),
         }
     }
     let (structures, counts) = obtain(&wanted, resources)?;
     let bodies = numbers.into_iter().zip(&scene.bodies).zip(&plan.bodies);
     let of_body = |((number, body), planned): ((Option<usize>, &Body), &BodyPlan)| {
         let shared = number.and_then(|number| structures.get(number).cloned());
-        shared.map(|shared| body.prototype.shape(shared, &planned.options)).transpose()
+        let shaped = |shared| {
+            Ok::<_, EngineError>(match shared {
+                AnyStructure::Plane(shared) => body.prototype.shape(shared, &planned.options)?.into(),
+                AnyStructure::Solid(shared) => body.prototype.shape_solid(shared, &planned.options)?.into(),
+            })
+        };
+        shared.map(shaped).transpose()
     };
     Ok((bodies.map(of_body).collect::<Result<_, _>>()?, counts))
 }
 
 /// A structure to be built here, with the duty to hand it to others if it has a key.
 type Build<'c> = (usize, Option<Claim<'c>>);
-/// By number of what is wanted.
-type Built = (usize, Arc<dyn Structure>);
+/// By number of what is wanted, and whether it was condensed anew.
+type Built = (usize, AnyStructure, bool);
 
 fn obtain(
     wanted: &[Wanted<'_>],
     resources: &Resources,
-) -> Result<(Vec<Arc<dyn Structure>>, StructureCounts), EngineError> {
+) -> Result<(Vec<AnyStructure>, StructureCounts), EngineError> {
     let mut structures: Structures = vec![None; wanted.len()];
     let mut counts = StructureCounts::default();
     // A thread of a pool must not wait for another one's build; see `OperatorCache::structure`.
@@ -64,9 +103,9 @@ fn obtain(
             if structures[number].is_some() {
                 continue;
             }
-            let cached = resources.cache.as_deref().zip(wanted.prototype.key(&wanted.options));
+            let cached = resources.cache.as_deref().zip(wanted.key());
             match cached.map(|(cache, key)| (cache, key, cache.ask(key))) {
-                Some((_, _, Answer::Ready(structure))) => {
+                Some((_, _, Answer::Ready(structure))) if wanted.takes(&structure) => {
                     counts.reused += 1;
                     structures[number] = Some(structure);
                 }
@@ -74,17 +113,19 @@ fn obtain(
                 Some((cache, key, Answer::Elsewhere(flight))) if may_wait => {
                     waits.push((number, cache, key, flight));
                 }
-                Some((_, _, Answer::Elsewhere(_))) | None => builds.push((number, None)),
+                Some((_, _, Answer::Ready(_) | Answer::Elsewhere(_))) | None => builds.push((number, None)),
             }
         }
-        counts.built += builds.len();
-        for (number, structure) in build(wanted, builds, resources)? {
+        for (number, structure, anew) in build(wanted, builds, resources)? {
             structures[number] = Some(structure);
+            *if anew { &mut counts.built } else { &mut counts.reused } += 1;
         }
         // Nobody waits for a structure of another thread's with one of its own unbuilt, so no two wait for each other.
         for (number, cache, key, flight) in waits {
             // Should the other build fail, the next round builds it here.
-            if let Some(structure) = cache.wait(key, &flight, &resources.interrupt)? {
+            if let Some(structure) = cache.wait(key, &flight, &resources.interrupt)?
+                && wanted[number].takes(&structure)
+            {
                 counts.reused += 1;
                 structures[number] = Some(structure);
             }
@@ -93,19 +134,31 @@ fn obtain(
     Ok((structures.into_iter().flatten().collect(), counts))
 }
 
-/// Builds side by side. Of several errors the first in order is reported.
+/// Takes from the disk or builds, side by side. Of several errors the first in order is reported.
 fn build(
     wanted: &[Wanted<'_>],
     builds: Vec<Build<'_>>,
     resources: &Resources,
 ) -> Result<Vec<Built>, EngineError> {
     let one = |(number, claim): Build<'_>| {
-        let Wanted { prototype, options } = &wanted[number];
-        let structure = prototype.build(options, &resources.interrupt)?;
+        let wanted = &wanted[number];
+        let on_disk = claim.as_ref().and_then(Claim::on_disk);
+        let restored = on_disk.and_then(|(store, key)| wanted.restore(&store.read(&key)?));
+        let (structure, anew) = match restored {
+            Some(structure) => (structure, false),
+            None => (wanted.build(&resources.interrupt)?, true),
+        };
         if let Some(claim) = claim {
             claim.fulfil(&structure);
         }
-        Ok((number, structure))
+        // Nobody waits for the disk.
+        if anew
+            && let Some((store, key)) = on_disk
+            && let Some(content) = structure.stored()
+        {
+            store.write(&key, &content);
+        }
+        Ok((number, structure, anew))
     };
     let built: Vec<Result<Built, EngineError>> =
         resources.install(|| builds.into_par_iter().map(one).collect());

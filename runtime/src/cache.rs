@@ -2,19 +2,24 @@
 //! most of what people vary (loads, speeds, misalignment, pitch errors) leaves it as it is.
 //!
 //! A cache is shared by threads. Two that ask for one structure at the same time build it once; whose build fails or is
-//! interrupted leaves nothing behind, and whoever waited for it builds it then.
+//! interrupted leaves nothing behind, and whoever waited for it builds it then. With a [`Store`] structures are kept on disk too, for
+//! other processes and for runs to come.
+
+mod store;
+
+pub use store::Store;
 
 use crate::error::EngineError;
 use crate::interrupt::Interrupt;
-use crate::structure::Structure;
+use crate::structure::AnyStructure;
 use sha2::{Digest, Sha256};
 use std::collections::HashMap;
 use std::fmt;
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, OnceLock, PoisonError};
 use std::time::Duration;
 
-/// Raised whenever the same input gives another structure, so that no structure of an earlier method is taken for it.
-const METHOD: u64 = 1;
+/// Of the engine's source: no structure of an earlier method is taken for one of this.
+const SOURCE: &str = env!("CALYX_SOURCE");
 /// How long a thread that waits for another one's build leaves its own interrupt unasked.
 const PATIENCE: Duration = Duration::from_millis(10);
 
@@ -25,7 +30,7 @@ pub struct Key([u8; 32]);
 impl Key {
     /// Begins the key of a kind of structure; nothing else may have this name.
     pub fn of(kind: &str) -> KeyWriter {
-        KeyWriter(Sha256::new()).text(env!("CARGO_PKG_VERSION")).count(METHOD).text(kind)
+        KeyWriter(Sha256::new()).text(env!("CARGO_PKG_VERSION")).text(SOURCE).text(kind)
     }
 
     /// The hash.
@@ -100,6 +105,7 @@ pub struct CacheCounts {
 /// Structures by content, up to a number of bytes; what was used least recently goes first.
 pub struct OperatorCache {
     limit: usize,
+    store: Option<Store>,
     state: Mutex<State>,
     /// A build has ended, one way or the other.
     ended: Condvar,
@@ -117,15 +123,15 @@ struct State {
 
 enum Slot {
     Building(Arc<Flight>),
-    Built { structure: Arc<dyn Structure>, bytes: usize, used: u64 },
+    Built { structure: AnyStructure, bytes: usize, used: u64 },
 }
 
 /// A build under way, through which those who wait for it get the structure even if the cache cannot keep it.
-pub(crate) struct Flight(OnceLock<Arc<dyn Structure>>);
+pub(crate) struct Flight(OnceLock<AnyStructure>);
 
 /// What a cache answers to somebody who needs a structure.
 pub(crate) enum Answer<'c> {
-    Ready(Arc<dyn Structure>),
+    Ready(AnyStructure),
     /// Nobody has it: the asker is to build it.
     Yours(Claim<'c>),
     /// Somebody else is building it.
@@ -135,7 +141,17 @@ pub(crate) enum Answer<'c> {
 impl OperatorCache {
     /// A cache that keeps at most `limit` bytes. Structures in use are kept by those who use them, and not counted.
     pub fn new(limit: usize) -> Self {
-        Self { limit, state: Mutex::default(), ended: Condvar::new() }
+        Self { limit, store: None, state: Mutex::default(), ended: Condvar::new() }
+    }
+
+    /// Keeps what analyses build on disk too, and takes from there what is not in memory.
+    pub fn with_store(self, store: Store) -> Self {
+        Self { store: Some(store), ..self }
+    }
+
+    /// Where structures are kept on disk.
+    pub fn store(&self) -> Option<&Store> {
+        self.store.as_ref()
     }
 
     /// The structure of this key: a kept one, else built here, or waited for if another thread is building it.
@@ -149,8 +165,8 @@ impl OperatorCache {
         &self,
         key: Key,
         interrupt: &Interrupt,
-        build: impl FnOnce() -> Result<Arc<dyn Structure>, EngineError>,
-    ) -> Result<Arc<dyn Structure>, EngineError> {
+        build: impl FnOnce() -> Result<AnyStructure, EngineError>,
+    ) -> Result<AnyStructure, EngineError> {
         loop {
             match self.ask(key) {
                 Answer::Ready(structure) => return Ok(structure),
@@ -200,7 +216,7 @@ impl OperatorCache {
         key: Key,
         flight: &Arc<Flight>,
         interrupt: &Interrupt,
-    ) -> Result<Option<Arc<dyn Structure>>, EngineError> {
+    ) -> Result<Option<AnyStructure>, EngineError> {
         loop {
             interrupt.check()?;
             let mut state = self.lock();
@@ -236,9 +252,14 @@ pub(crate) struct Claim<'c> {
     flight: Arc<Flight>,
 }
 
-impl Claim<'_> {
+impl<'c> Claim<'c> {
+    /// Where the structure is kept on disk, and under which key.
+    pub(crate) fn on_disk(&self) -> Option<(&'c Store, Key)> {
+        self.cache.store.as_ref().map(|store| (store, self.key))
+    }
+
     /// Hands the structure to all who wait for it, and keeps it if it fits.
-    pub(crate) fn fulfil(self, structure: &Arc<dyn Structure>) {
+    pub(crate) fn fulfil(self, structure: &AnyStructure) {
         let bytes = structure.bytes();
         let mut gone = Vec::new();
         let mut state = self.cache.lock();

@@ -90,6 +90,12 @@ impl Disc {
         Disc { radius, face_width, material }
     }
 
+    /// The curves of its surfaces.
+    fn quarters(&self) -> [Arc<dyn Profile>; 2] {
+        [FRAC_PI_2, -FRAC_PI_2]
+            .map(|middle| Arc::new(Quarter { radius: self.radius, middle }) as Arc<dyn Profile>)
+    }
+
     /// A core with bulging sides, and a block between each of them and the rim.
     fn mesh(&self, divisions: usize, order: ElementOrder) -> Result<PlaneMesh, MeshError> {
         let core = 0.5 * self.radius;
@@ -146,7 +152,7 @@ impl Prototype for Disc {
             .map_err(|error| unmeshed(&format!("a disc: {error}")))?;
         let model = PlaneModel::new(mesh, self.material, Plane::Strain);
         let surfaces = [0, 1].map(|surface| SurfaceSource {
-            profile: Arc::new(Quarter { radius: self.radius, middle: [FRAC_PI_2, -FRAC_PI_2][surface] }),
+            profile: self.quarters()[surface].clone(),
             chain: QUARTERS[surface].into(),
             edges: [None; 2],
             stress_chain: None,
@@ -154,6 +160,10 @@ impl Prototype for Disc {
         });
         let split = SplitOptions { matching_depth: options.matching_depth, ..SplitOptions::default() };
         Ok(Arc::new(ElasticStructure::single(&model, Hold::Free, &surfaces, &split, interrupt)?))
+    }
+
+    fn restore(&self, _: &StructureOptions, stored: &[u8]) -> Option<Arc<dyn Structure>> {
+        Some(Arc::new(ElasticStructure::restored(stored, &self.quarters())?))
     }
 
     fn key(&self, options: &StructureOptions) -> Option<Key> {

@@ -14,7 +14,7 @@ type Question = dyn Fn() -> Result<(), EngineError> + Send + Sync;
 ///
 /// # How long it may take to be asked
 /// The longest stages without a checkpoint are of the mesh of one sector, a tooth of a gear with its share of the rim: making it,
-/// adding up its stiffness, ordering and decomposing that. Each is about a twentieth of an analysis of a mesh cycle at the default
+/// adding up its stiffness, ordering that and eliminating what its last cut leaves. Each is about a twentieth of an analysis of a mesh cycle at the default
 /// mesh, whatever the number of teeth (`cargo bench -p calyx-gears --bench interruption` measures it), and grows with
 /// [`StructureOptions::refinement`](crate::scene::StructureOptions::refinement). With kept structures the longest is one round of
 /// the contact solver, a fraction of a position.

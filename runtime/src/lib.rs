@@ -11,8 +11,9 @@
 //! use calyx_runtime::load::Wrench;
 //! use calyx_runtime::material::{Material, Plane};
 //! use calyx_runtime::motion::SteadyRotation;
+//! use calyx_runtime::observe::MaxContactPressure;
 //! use calyx_runtime::results::OutputRequest;
-//! use calyx_runtime::scene::{Body, Component, Observable, Scene, SurfacePair};
+//! use calyx_runtime::scene::{Body, Component, Scene, SurfacePair};
 //! use std::f64::consts::PI;
 //! use std::sync::Arc;
 //!
@@ -28,7 +29,7 @@
 //!         .loaded(Wrench::of_force([0.0, -force, 0.0])),
 //! );
 //! let contact = scene.add_pair(SurfacePair::new([lower, upper], [Disc::TOP, Disc::BOTTOM]));
-//! let peak = scene.observe(Observable::MaxContactPressure(contact));
+//! let peak = scene.observe(MaxContactPressure(contact));
 //!
 //! // One position, at time 0; a mechanism would have many.
 //! let positions = [Position::at(0.0)];
@@ -60,13 +61,13 @@
 //!
 //! | module | what |
 //! |---|---|
-//! | [`scene`] | what there is: [`scene::Body`], [`scene::SurfacePair`], [`scene::Observable`]; [`scene::Prototype`] is how a body is modelled |
+//! | [`scene`] | what there is: [`scene::Body`], [`scene::SurfacePair`]; [`scene::Prototype`] is how a body is modelled |
 //! | [`motion`], [`load`], [`material`] | where frames are meant to be, what acts on them, what bodies are made of |
 //! | [`disc`] | cylinders and platens; gears are in the crate `calyx-gears` |
 //! | [`plan`] | what of the scene is modelled, what is left out, and why |
 //! | [`holding`] | whether contacts can hold what is free, known before anything is solved |
-//! | [`system`], [`step`], [`observe`] | the planned scene, built; a position in equilibrium; values read off it |
-//! | [`analysis`], [`results`] | a list of positions: [`analysis::Steps`] is the iterator, [`analysis::quasi_static`] tells an observer |
+//! | [`system`], [`step`], [`observe`] | the planned scene, built; a position in equilibrium; values read off it, one [`observe::Observable`] each |
+//! | [`analysis`], [`results`], [`summary`] | a list of positions: [`analysis::Steps`] is the iterator, [`analysis::quasi_static`] tells an observer |
 //! | [`resources`], [`cache`], [`interrupt`] | what an analysis uses and no result depends on: threads, kept structures, a way to end it |
 //! | [`structure`], [`fe`], [`profile`] | elastic bodies by their surfaces, the finite elements behind them, the true curves contact sees |
 //! | [`contact`] | closest approaches, grids, the contact problem and its exact solution |
@@ -94,6 +95,7 @@ pub mod analysis;
 mod building;
 pub mod cache;
 pub mod contact;
+mod dense;
 pub mod disc;
 pub mod error;
 pub mod fe;
@@ -110,4 +112,6 @@ pub mod results;
 pub mod scene;
 pub mod step;
 pub mod structure;
+pub mod summary;
+pub mod surface;
 pub mod system;

@@ -2,7 +2,7 @@
 
 use crate::cache::Key;
 use crate::error::{EngineError, Subject};
-use crate::scene::{BodyId, FREEDOMS, Fidelity, Ignored, Observable, Prototype, Scene, StructureOptions};
+use crate::scene::{BodyId, FREEDOMS, Fidelity, Ignored, Prototype, Scene, StructureOptions};
 use std::sync::Arc;
 
 /// The decision of how a scene is analysed. Nothing has been solved yet.
@@ -31,11 +31,15 @@ impl Plan {
     /// Plans a scene at a fidelity with the given discretisation (its `stresses` and `sharp_edges` are decided here).
     pub fn new(scene: &Scene, fidelity: Fidelity, options: StructureOptions) -> Result<Plan, EngineError> {
         let pairs_of = |id: BodyId| scene.pairs.iter().filter(move |pair| pair.bodies.contains(&id));
+        let template = match fidelity {
+            Fidelity::Plane => options.template,
+            Fidelity::Solid(template) => template,
+        };
         let mut bodies = Vec::new();
         let mut ignored: Vec<Ignored> = Vec::new();
         for (index, body) in scene.bodies.iter().enumerate() {
             let id = BodyId(index);
-            let stresses = scene.observables.contains(&Observable::MaxRootStress(id));
+            let stresses = scene.observables.iter().any(|observable| observable.stresses_of() == Some(id));
             let left_out = pairs_of(id).next().is_none();
             let sharp_edges = pairs_of(id).all(|pair| !pair.grid.edges);
             if !left_out {
@@ -46,7 +50,7 @@ impl Plan {
                     .map_err(|error| error.about(Subject::Body(index)))?;
             }
             bodies.push(BodyPlan {
-                options: StructureOptions { stresses, sharp_edges, ..options },
+                options: StructureOptions { stresses, sharp_edges, template, ..options },
                 reason: match (left_out, stresses) {
                     (true, _) => "left out: it touches nothing",
                     (false, true) => "elastic, with stress recovery: an output asks for its root stress",
@@ -55,7 +59,9 @@ impl Plan {
                 left_out,
             });
         }
-        ignored.extend(unequal_widths(scene, &bodies));
+        if fidelity == Fidelity::Plane {
+            ignored.extend(unequal_widths(scene, &bodies));
+        }
         ignored.sort();
         ignored.dedup();
         Ok(Plan { fidelity, bodies, ignored })
@@ -67,7 +73,7 @@ impl Plan {
         let mut known: Vec<Identity> = Vec::new();
         let planned = scene.bodies.iter().zip(&self.bodies);
         let number = planned.map(|(body, plan)| {
-            let key = Identity::of(&body.prototype, &plan.options);
+            let key = Identity::of(&body.prototype, self.fidelity, &plan.options);
             (!plan.left_out).then(|| {
                 known.iter().position(|other| *other == key).unwrap_or_else(|| {
                     known.push(key);
@@ -87,8 +93,13 @@ enum Identity {
 }
 
 impl Identity {
-    fn of(prototype: &Arc<dyn Prototype>, options: &StructureOptions) -> Identity {
-        match prototype.key(&StructureOptions { stresses: false, ..*options }) {
+    fn of(prototype: &Arc<dyn Prototype>, fidelity: Fidelity, options: &StructureOptions) -> Identity {
+        let without_stresses = StructureOptions { stresses: false, ..*options };
+        let key = match fidelity {
+            Fidelity::Plane => prototype.key(&without_stresses),
+            Fidelity::Solid(_) => prototype.solid_key(&without_stresses),
+        };
+        match key {
             Some(key) => Identity::Content(key),
             None => Identity::Prototype(Arc::as_ptr(prototype).cast::<()>(), options.sharp_edges),
         }

@@ -2,10 +2,13 @@
 
 use crate::analysis::Position;
 use crate::contact::problem::Certificate;
+use crate::observe::{Course, Observable};
 use crate::plan::Plan;
 use crate::scene::ObservableId;
+use crate::summary::Harmonic;
 use calyx_abi::{Kernel, Repr, SymbolicValue};
 use serde::{Deserialize, Serialize};
+use std::cell::Cell;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
@@ -20,6 +23,8 @@ pub struct Place {
     pub roll_angle: Option<f64>,
     /// m
     pub radius: f64,
+    /// Along the axis from the middle of the face, m; absent in a plane model.
+    pub axial: Option<f64>,
 }
 
 /// The value of an observable at a position, and where it arose if it is a maximum over places.
@@ -27,8 +32,18 @@ pub struct Place {
 pub struct Observed {
     /// SI
     pub value: f64,
+    /// The least of the values that `value` is the largest of, where an observable tells of a range: of the same place of
+    /// several teeth, say.
+    pub least: Option<f64>,
     /// Of a maximum over places.
     pub place: Option<Place>,
+}
+
+impl Observed {
+    /// A value that has no place.
+    pub const fn number(value: f64) -> Observed {
+        Observed { value, least: None, place: None }
+    }
 }
 
 /// A wanted output: a kernel over time, params and observables.
@@ -58,8 +73,37 @@ impl OutputRequest {
             [at] => observed.get(self.value.captured[*at] as usize).and_then(|seen| seen.place.clone()),
             _ => None,
         };
-        let outputs = self.value.evaluate(time, &self.params, &seen).unwrap_or_default();
-        Observed { value: outputs.first().copied().unwrap_or(f64::NAN), place }
+        let ranges = |index: usize| observed.get(index).is_some_and(|seen| seen.least.is_some());
+        let low =
+            |index: usize| observed.get(index).map_or(f64::NAN, |seen| seen.least.unwrap_or(seen.value));
+        let least = self.observes(ranges).then(|| self.at(time, &low));
+        Observed { value: self.at(time, &seen), least, place }
+    }
+
+    /// The value at `time` s for these values of observables, by their indices.
+    fn at(&self, time: f64, observed: &dyn Fn(usize) -> f64) -> f64 {
+        let outputs = self.value.evaluate(time, &self.params, observed).unwrap_or_default();
+        outputs.first().copied().unwrap_or(f64::NAN)
+    }
+
+    /// Whether it depends on an observable that is like this.
+    fn observes(&self, like: impl Fn(usize) -> bool) -> bool {
+        let found = Cell::new(false);
+        self.at(0.0, &|index| {
+            found.set(found.get() || like(index));
+            f64::NAN
+        });
+        found.get()
+    }
+
+    /// Whether every mesh cycle gives the same values of it, if teeth are alike: it observes something, nothing that follows
+    /// one tooth, and does not depend on time itself.
+    pub(crate) fn repeats(&self, observables: &[Arc<dyn Observable>], times: [f64; 2]) -> bool {
+        let passes =
+            |index: usize| observables.get(index).is_none_or(|seen| seen.quantity().course == Course::Passes);
+        // Any values will do to see whether time makes a difference.
+        let [now, later] = times.map(|time| self.at(time, &|index| 0.7 + 0.1 * index as f64).to_bits());
+        self.observes(|_| true) && !self.observes(passes) && now == later
     }
 }
 
@@ -121,7 +165,8 @@ pub struct OutputSummary {
     pub min: f64,
     /// Largest value.
     pub max: f64,
-    /// Over time: the trapezoidal rule on the (not quite uniform) positions.
+    /// Over time: the trapezoidal rule on the (not quite uniform) positions; of a quantity that every mesh cycle repeats, over the
+    /// whole cycle.
     pub mean: f64,
     /// Largest less least.
     pub peak_to_peak: f64,
@@ -129,6 +174,8 @@ pub struct OutputSummary {
     pub at_max: usize,
     /// Of the maximum.
     pub place: Option<Place>,
+    /// Of the tooth mesh frequency and its multiples, where the positions are a mesh cycle and every cycle gives the same values.
+    pub harmonics: Vec<Harmonic>,
 }
 
 /// Everything an analysis yields.
@@ -146,54 +193,12 @@ pub struct AnalysisResult {
     pub timing: Timing,
 }
 
-/// Summarises every output over the rows.
-pub fn summarize(rows: &[StepRow], outputs: &[OutputRequest]) -> Vec<OutputSummary> {
-    (0..outputs.len())
-        .map(|output| {
-            let value = |row: &StepRow| row.outputs[output].value;
-            let mut summary = OutputSummary {
-                min: f64::INFINITY,
-                max: f64::NEG_INFINITY,
-                mean: mean_over_time(rows, value),
-                peak_to_peak: 0.0,
-                at_max: 0,
-                place: None,
-            };
-            for (index, row) in rows.iter().enumerate() {
-                summary.min = summary.min.min(value(row));
-                if value(row) > summary.max {
-                    summary.max = value(row);
-                    summary.at_max = index;
-                    summary.place = row.outputs[output].place.clone();
-                }
-            }
-            summary.peak_to_peak = summary.max - summary.min;
-            summary
-        })
-        .collect()
-}
-
-fn mean_over_time(rows: &[StepRow], value: impl Fn(&StepRow) -> f64) -> f64 {
-    let (Some(first), Some(last)) = (rows.first(), rows.last()) else { return f64::NAN };
-    let span = last.position.time - first.position.time;
-    if span <= 0.0 {
-        return value(first);
-    }
-    let area: f64 = rows
-        .windows(2)
-        .map(|pair| {
-            0.5 * (value(&pair[0]) + value(&pair[1])) * (pair[1].position.time - pair[0].position.time)
-        })
-        .sum();
-    area / span
-}
-
 /// Where the structures of an analysis came from.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct StructureCounts {
     /// Condensed anew.
     pub built: usize,
-    /// Taken from a cache, or from another thread that was building it.
+    /// Taken from a cache, in memory or on disk, or from another thread that was building it.
     pub reused: usize,
 }
 

@@ -5,7 +5,9 @@ use crate::error::EngineError;
 use crate::interrupt::Interrupt;
 use crate::load::{Load, Wrench};
 use crate::motion::Motion;
+use crate::observe::Observable;
 use crate::structure::Structure;
+use crate::structure::solid::SolidStructure;
 use std::any::Any;
 use std::f64::consts::TAU;
 use std::sync::Arc;
@@ -50,6 +52,12 @@ pub trait Prototype: Any + Send + Sync {
         None
     }
 
+    /// The structure whose [`Structure::stored`] gave these bytes, built by a prototype of the same key; `None` if it cannot be made of
+    /// them.
+    fn restore(&self, _options: &StructureOptions, _stored: &[u8]) -> Option<Arc<dyn Structure>> {
+        None
+    }
+
     /// The structure of this very body, made of one that [`Prototype::build`] gave it or another of the same key. It takes little
     /// time: what is shared has been condensed.
     ///
@@ -60,6 +68,47 @@ pub trait Prototype: Any + Send + Sync {
         shared: Arc<dyn Structure>,
         _options: &StructureOptions,
     ) -> Result<Arc<dyn Structure>, EngineError> {
+        Ok(shared)
+    }
+
+    /// Builds the elastic structure in space, of the mesh template that the options name. Equal prototypes with equal options give
+    /// equal structures.
+    ///
+    /// # Errors
+    /// E0690: the body has no model in space, which is so unless this is implemented. Else as [`Prototype::build`].
+    fn build_solid(
+        &self,
+        _options: &StructureOptions,
+        _interrupt: &Interrupt,
+    ) -> Result<Arc<dyn SolidStructure>, EngineError> {
+        Err(EngineError::new(
+            "E0690",
+            "a body of this kind has no model in space",
+            "choose the fidelity \"plane\", which has one of every body",
+        ))
+    }
+
+    /// As [`Prototype::key`], of the structure in space. A kind of structure is the plane's or one in space, so the keys of both never
+    /// meet.
+    fn solid_key(&self, _options: &StructureOptions) -> Option<Key> {
+        None
+    }
+
+    /// As [`Prototype::restore`], in space.
+    fn restore_solid(&self, _options: &StructureOptions, _stored: &[u8]) -> Option<Arc<dyn SolidStructure>> {
+        None
+    }
+
+    /// As [`Prototype::shape`], in space: usually [`Reshaped`](crate::structure::solid::Reshaped), the shared structure under the surfaces
+    /// of this body.
+    ///
+    /// # Errors
+    /// The body's own shape cannot be had.
+    fn shape_solid(
+        &self,
+        shared: Arc<dyn SolidStructure>,
+        _options: &StructureOptions,
+    ) -> Result<Arc<dyn SolidStructure>, EngineError> {
         Ok(shared)
     }
 
@@ -100,21 +149,56 @@ pub struct Ignored {
 pub enum Fidelity {
     /// Plane finite elements with the semi-analytic near field.
     Plane,
+    /// Finite elements in space with the semi-analytic near field, on meshes of this kind.
+    Solid(Template),
+}
+
+/// Meshes in space by name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
+pub enum Template {
+    /// For loads, deflections and stresses of usual gears.
+    #[default]
+    Medium,
+    /// Finer in the fillets.
+    FineRoot,
+    /// Finer everywhere.
+    Finest,
+    /// For rims not much thicker than the teeth are high, or thinner.
+    ThinRim,
+}
+
+impl Template {
+    /// Its name, which is that of the fidelity.
+    pub fn name(self) -> &'static str {
+        match self {
+            Template::Medium => "medium",
+            Template::FineRoot => "fineroot",
+            Template::Finest => "finest",
+            Template::ThinRim => "thinrim",
+        }
+    }
 }
 
 impl Fidelity {
+    /// From cheap to exact.
+    pub const ALL: [Fidelity; 5] = [
+        Fidelity::Plane,
+        Fidelity::Solid(Template::Medium),
+        Fidelity::Solid(Template::ThinRim),
+        Fidelity::Solid(Template::FineRoot),
+        Fidelity::Solid(Template::Finest),
+    ];
+
     /// A fidelity by its name.
     pub fn named(name: &str) -> Option<Fidelity> {
-        match name {
-            "plane" => Some(Fidelity::Plane),
-            _ => None,
-        }
+        Fidelity::ALL.into_iter().find(|fidelity| fidelity.name() == name)
     }
 
     /// Its name.
     pub fn name(self) -> &'static str {
         match self {
             Fidelity::Plane => "plane",
+            Fidelity::Solid(template) => template.name(),
         }
     }
 }
@@ -124,8 +208,14 @@ impl Fidelity {
 pub struct StructureOptions {
     /// Multiplies the number of elements along every direction of the mesh; 1 is the default mesh.
     pub refinement: f64,
-    /// Order of displacement interpolation, 1 to 3.
+    /// Order of displacement interpolation in the section, 1 to 3.
     pub order: usize,
+    /// The mesh of a body in space; a plane one has no use for it and for the next two.
+    pub template: Template,
+    /// Elements along the face, 1 to 64; `None` takes the template's.
+    pub face_elements: Option<usize>,
+    /// Order of displacement interpolation along the face, 1 to 8; `None` takes the template's.
+    pub axial_order: Option<usize>,
     /// Multiplies the matching depth of near and far field; 1 is the default.
     pub matching_depth: f64,
     /// Recover stresses (costs one map per structure).
@@ -139,6 +229,9 @@ impl Default for StructureOptions {
         StructureOptions {
             refinement: 1.0,
             order: 3,
+            template: Template::default(),
+            face_elements: None,
+            axial_order: None,
             matching_depth: 1.0,
             stresses: true,
             sharp_edges: false,
@@ -150,16 +243,33 @@ impl StructureOptions {
     /// Whether a mesh can be made by them.
     ///
     /// # Errors
-    /// E0675: the order is not 1 to 3, or the refinement is not positive.
+    /// E0675: the order is not 1 to 3, or the refinement is not positive. E0691: nor are elements along the face 1 to 64, or their
+    /// order 1 to 8.
     pub fn check(&self) -> Result<(), EngineError> {
-        if (1..=3).contains(&self.order) && self.refinement.is_finite() && self.refinement > 0.0 {
-            return Ok(());
+        if !((1..=3).contains(&self.order) && self.refinement.is_finite() && self.refinement > 0.0) {
+            return Err(EngineError::new(
+                "E0675",
+                "a mesh needs elements of order 1 to 3 and a positive refinement",
+                "order 3 and refinement 1 are the defaults",
+            ));
         }
-        Err(EngineError::new(
-            "E0675",
-            "a mesh needs elements of order 1 to 3 and a positive refinement",
-            "order 3 and refinement 1 are the defaults",
-        ))
+        let refuse = |argument, what: &str, given: usize, most: usize| {
+            Err(EngineError::new(
+                "E0691",
+                format!("{what} cannot be {given}"),
+                format!("give a whole number from 1 to {most}, or leave it to the fidelity"),
+            )
+            .blame(argument))
+        };
+        match (self.face_elements, self.axial_order) {
+            (Some(count), _) if !(1..=64).contains(&count) => {
+                refuse("face_elements", "the number of elements along the face", count, 64)
+            }
+            (_, Some(order)) if !(1..=8).contains(&order) => {
+                refuse("displacement_order", "the order of displacements along the face", order, 8)
+            }
+            _ => Ok(()),
+        }
     }
 }
 
@@ -231,22 +341,28 @@ pub struct SurfacePair {
     pub surfaces: [u32; 2],
     /// How contact between them is discretised.
     pub grid: GridOptions,
+    /// Coefficient of friction: beside its pressure a surface that slides carries this part of it, against the sliding of the prescribed
+    /// motions.
+    pub friction: f64,
     /// Present when the two bodies are gears in mesh.
     pub mesh: Option<GearMesh>,
 }
 
 impl SurfacePair {
-    /// Two surfaces that are no gears', with the default grid.
+    /// Two surfaces that are no gears', with the default grid and without friction.
     pub fn new(bodies: [BodyId; 2], surfaces: [u32; 2]) -> SurfacePair {
-        SurfacePair { bodies, surfaces, grid: GridOptions::default(), mesh: None }
+        SurfacePair { bodies, surfaces, grid: GridOptions::default(), friction: 0.0, mesh: None }
     }
 }
 
 /// The contact grid of a surface pair.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GridOptions {
-    /// M: a grid has 2M + 1 cells before refinement at edges.
-    pub half_cells: usize,
+    /// M: a grid has 2M + 1 cells across before refinement at edges; `None` takes what suits the fidelity, see
+    /// [`GridOptions::half_cells_in_space`].
+    pub half_cells: Option<usize>,
+    /// N: in space a grid has 2N + 1 slices along the face.
+    pub half_slices: usize,
     /// Total width, m; `None` takes it from the Hertz half-width under the full load.
     pub width: Option<f64>,
     /// Search for contact on rounded edges and beyond the nominal path of contact. Otherwise surfaces end sharply at
@@ -255,9 +371,21 @@ pub struct GridOptions {
     pub edges: bool,
 }
 
+impl GridOptions {
+    /// M in the plane, where a cell costs little.
+    pub fn half_cells_in_plane(&self) -> usize {
+        self.half_cells.unwrap_or(24)
+    }
+
+    /// M in space, where every cell is there once for each slice: peaks of pressure are right to a few thousandths by it.
+    pub fn half_cells_in_space(&self) -> usize {
+        self.half_cells.unwrap_or(10)
+    }
+}
+
 impl Default for GridOptions {
     fn default() -> Self {
-        GridOptions { half_cells: 24, width: None, edges: true }
+        GridOptions { half_cells: None, half_slices: 8, width: None, edges: true }
     }
 }
 
@@ -312,23 +440,6 @@ pub struct CharacteristicPoint {
     pub after: bool,
 }
 
-/// A quantity of a solved position.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Observable {
-    /// rad, of the second body.
-    TransmissionError(PairId),
-    /// Part of the load on the pair of teeth that enters at the start of the cycle.
-    LoadShare(PairId),
-    /// Tangent stiffness along the line of action, N/m.
-    MeshStiffness(PairId),
-    /// Pa, without edges.
-    MaxContactPressure(PairId),
-    /// Pa, on edges.
-    MaxEdgePressure(PairId),
-    /// Pa, in the fillets of a body on its loaded side.
-    MaxRootStress(BodyId),
-}
-
 /// Everything the model says. Frozen by the first analysis.
 #[derive(Clone, Default)]
 pub struct Scene {
@@ -337,7 +448,7 @@ pub struct Scene {
     /// By [`PairId`].
     pub pairs: Vec<SurfacePair>,
     /// By [`ObservableId`].
-    pub observables: Vec<Observable>,
+    pub observables: Vec<Arc<dyn Observable>>,
 }
 
 impl Scene {
@@ -354,9 +465,10 @@ impl Scene {
     }
 
     /// Observing the same thing twice costs nothing.
-    pub fn observe(&mut self, observable: Observable) -> ObservableId {
-        let at = self.observables.iter().position(|o| *o == observable).unwrap_or_else(|| {
-            self.observables.push(observable);
+    pub fn observe(&mut self, observable: impl Observable) -> ObservableId {
+        let known = self.observables.iter().position(|known| known.as_ref().equals(observable.as_any()));
+        let at = known.unwrap_or_else(|| {
+            self.observables.push(Arc::new(observable));
             self.observables.len() - 1
         });
         ObservableId(at)

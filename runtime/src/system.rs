@@ -1,16 +1,17 @@
 //! The planned scene, built: structures condensed, freedoms numbered, loads gathered. What every position starts from.
 
-use crate::building::build_structures;
-use crate::contact::Placement;
+use crate::building::{Structures, build_structures};
+use crate::contact::solid::Pose;
 use crate::error::{EngineError, Subject};
 use crate::interrupt::Interrupt;
 use crate::load::Wrench;
-use crate::motion::PlanePose;
+use crate::motion::{PlanePose, pose_in_space, turned_between};
 use crate::plan::Plan;
 use crate::resources::Resources;
 use crate::results::StructureCounts;
-use crate::scene::Scene;
-use crate::structure::Structure;
+use crate::scene::{Fidelity, Scene};
+use crate::structure::solid::SolidStructure;
+use crate::structure::{AnyStructure, Structure};
 use std::sync::Arc;
 
 /// A free component of a body's frame.
@@ -28,15 +29,60 @@ pub(crate) type Teeth = (usize, [u32; 2]);
 /// Everything that positions share.
 pub struct System<'s> {
     pub(crate) scene: &'s Scene,
-    /// One per body; `None` for a body the plan left out.
-    pub(crate) structures: Vec<Option<Arc<dyn Structure>>>,
+    pub(crate) bodies: Bodies,
     pub(crate) freedoms: Vec<Freedom>,
+    pub(crate) interrupt: Interrupt,
+    structure_counts: StructureCounts,
+}
+
+/// The bodies of a scene as they are modelled, in order; `None` for a body the plan left out.
+pub(crate) enum Bodies {
+    Plane(PlaneBodies),
+    Solid(SolidBodies),
+}
+
+impl Bodies {
+    /// With their structures, which are of the kind that the plan asked for.
+    fn with(self, structures: Structures) -> Bodies {
+        match self {
+            Bodies::Plane(bodies) => {
+                let plane = |structure| match structure {
+                    Some(AnyStructure::Plane(structure)) => Some(structure),
+                    _ => None,
+                };
+                Bodies::Plane(PlaneBodies {
+                    structures: structures.into_iter().map(plane).collect(),
+                    ..bodies
+                })
+            }
+            Bodies::Solid(bodies) => {
+                let solid = |structure| match structure {
+                    Some(AnyStructure::Solid(structure)) => Some(structure),
+                    _ => None,
+                };
+                Bodies::Solid(SolidBodies {
+                    structures: structures.into_iter().map(solid).collect(),
+                    ..bodies
+                })
+            }
+        }
+    }
+}
+
+/// Bodies in a section.
+pub(crate) struct PlaneBodies {
+    pub(crate) structures: Vec<Option<Arc<dyn Structure>>>,
     /// Width over which all plane quantities are spread, m.
     pub(crate) face_width: f64,
     /// Poses at time 0, from which kinematic angles are counted.
-    pub(crate) initial: Vec<PlanePose>,
-    pub(crate) interrupt: Interrupt,
-    structure_counts: StructureCounts,
+    initial: Vec<PlanePose>,
+}
+
+/// Bodies in space.
+pub(crate) struct SolidBodies {
+    pub(crate) structures: Vec<Option<Arc<dyn SolidStructure>>>,
+    /// Poses at time 0.
+    initial: Vec<Pose>,
 }
 
 impl<'s> System<'s> {
@@ -63,15 +109,22 @@ impl<'s> System<'s> {
                 "mesh two bodies, like `gears.mesh(pinion, gear)`",
             ));
         }
-        let initial = scene
-            .bodies
-            .iter()
-            .enumerate()
-            .map(|(body, _)| pose(scene, body, 0.0))
-            .collect::<Result<_, _>>()?;
+        let all = 0..scene.bodies.len();
+        // Frames are looked at before what takes long.
+        let bodies = match plan.fidelity {
+            Fidelity::Plane => {
+                let initial = all.map(|body| pose(scene, body, 0.0)).collect::<Result<_, _>>()?;
+                Bodies::Plane(PlaneBodies { structures: Vec::new(), face_width, initial })
+            }
+            Fidelity::Solid(_) => {
+                let initial = all.map(|body| solid_pose(scene, body, 0.0)).collect::<Result<_, _>>()?;
+                Bodies::Solid(SolidBodies { structures: Vec::new(), initial })
+            }
+        };
         let (structures, structure_counts) = build_structures(scene, plan, resources)?;
+        let bodies = bodies.with(structures);
         let interrupt = resources.interrupt.clone();
-        Ok(System { scene, structures, freedoms, face_width, initial, interrupt, structure_counts })
+        Ok(System { scene, bodies, freedoms, interrupt, structure_counts })
     }
 
     /// How many structures were built for this system, and how many there were already.
@@ -79,21 +132,46 @@ impl<'s> System<'s> {
         self.structure_counts
     }
 
-    /// External generalised forces on the freedoms at a time, per unit of face width (N/m, N).
+    /// What forces of the contact problem are per: the width of a plane model's face, m; 1 in space.
+    pub(crate) fn width(&self) -> f64 {
+        match &self.bodies {
+            Bodies::Plane(bodies) => bodies.face_width,
+            Bodies::Solid(_) => 1.0,
+        }
+    }
+
+    /// External generalised forces on the freedoms at a time, per [`System::width`].
     pub(crate) fn load_at(&self, time: f64) -> Result<Vec<f64>, EngineError> {
-        let loads = loads_on(self.scene, &self.freedoms, time)?;
-        Ok(loads.into_iter().map(|load| load / self.face_width).collect())
+        let (loads, width) = (loads_on(self.scene, &self.freedoms, time)?, self.width());
+        Ok(loads.into_iter().map(|load| load / width).collect())
     }
 
-    /// Where a body's teeth coordinates lie at a time, with the body's phase.
-    pub(crate) fn placement(&self, body: usize, time: f64) -> Result<Placement, EngineError> {
-        let pose = pose(self.scene, body, time)?;
-        Ok(Placement::new(pose.angle + self.scene.bodies[body].phase, pose.origin))
+    /// Angle by which a tooth stands off its nominal place, rad.
+    pub(crate) fn pitch_error(&self, body: usize, tooth: u32) -> f64 {
+        self.scene.bodies[body].prototype.pitch_error(tooth)
     }
 
-    /// Angle of a tooth in its body's coordinates, with its pitch error, rad.
-    pub(crate) fn tooth_angle(&self, body: usize, structure: &dyn Structure, tooth: u32) -> f64 {
-        structure.tooth_angle(tooth) + self.scene.bodies[body].prototype.pitch_error(tooth)
+    /// Angle by which a body is meant to have turned about its own axis since time 0, rad, up to whole turns; not a number where its
+    /// motion is none.
+    pub(crate) fn turned(&self, body: usize, time: f64) -> f64 {
+        match &self.bodies {
+            Bodies::Plane(bodies) => {
+                pose(self.scene, body, time).map_or(f64::NAN, |pose| pose.angle - bodies.initial[body].angle)
+            }
+            Bodies::Solid(bodies) => solid_pose(self.scene, body, time)
+                .map_or(f64::NAN, |pose| turned_between(&bodies.initial[body], &pose)),
+        }
+    }
+
+    /// Where the origin of a body's frame is meant to be, m; not a number where its motion is none.
+    pub(crate) fn origin(&self, body: usize, time: f64) -> [f64; 3] {
+        match &self.bodies {
+            Bodies::Plane(_) => {
+                let [x, y] = pose(self.scene, body, time).map_or([f64::NAN; 2], |pose| pose.origin);
+                [x, y, 0.0]
+            }
+            Bodies::Solid(_) => solid_pose(self.scene, body, time).map_or([f64::NAN; 3], |pose| pose.origin),
+        }
     }
 }
 
@@ -103,6 +181,14 @@ impl<'s> System<'s> {
 /// The frame is not a number there, or tilted; the error is about that body.
 pub(crate) fn pose(scene: &Scene, body: usize, time: f64) -> Result<PlanePose, EngineError> {
     PlanePose::of(scene.bodies[body].motion.as_ref(), time).map_err(|error| error.about(Subject::Body(body)))
+}
+
+/// The same in space, where frames may tilt.
+///
+/// # Errors
+/// The frame is not a number there; the error is about that body.
+pub(crate) fn solid_pose(scene: &Scene, body: usize, time: f64) -> Result<Pose, EngineError> {
+    pose_in_space(scene.bodies[body].motion.as_ref(), time).map_err(|error| error.about(Subject::Body(body)))
 }
 
 /// Free components of the bodies that are modelled, in order.

@@ -117,7 +117,7 @@ fn two_cylinders_converge_to_hertz() {
         let upper = body("upper", discs[1].clone(), radii[1]);
         let upper = scene.add_body(upper.free_in(&[Component::Uy]).loaded(downwards(force)));
         let mut pair = SurfacePair::new([lower, upper], [Disc::TOP, Disc::BOTTOM]);
-        pair.grid.half_cells = half_cells;
+        pair.grid.half_cells = Some(half_cells);
         scene.add_pair(pair);
         let step = solve(&scene);
         let patch = &step.patches[0];

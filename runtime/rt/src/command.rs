@@ -57,7 +57,11 @@ impl RunCommand<'_> {
         let directory = arguments.out.clone().unwrap_or(default_directory);
         let threads = arguments.threads.map_or(0, NonZeroUsize::get);
         let options = RunOptions {
-            engine: Engine::new(EngineConfig { threads, ..EngineConfig::default() }),
+            engine: Engine::new(EngineConfig {
+                threads,
+                store: arguments.store(),
+                ..EngineConfig::default()
+            }),
             directory: directory.clone(),
             given,
             quiet: arguments.quiet || silent,
@@ -67,6 +71,8 @@ impl RunCommand<'_> {
             time_limit: arguments.time_limit,
             memory_limit: arguments.memory_limit,
             resume: arguments.resume,
+            fields: arguments.fields,
+            vtu: arguments.vtu,
             cancel: interrupt::flag(),
         };
         match run(program, &options) {

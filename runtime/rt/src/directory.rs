@@ -1,12 +1,16 @@
 //! The run directory: `run.json`, `timing.json` and `steps.csv`, each position on disk before the next begins.
 
+use crate::field_tables::{self, FieldTables};
 use crate::journal::{self, Found, Journal};
+use crate::vtu::{self, Pictures};
 use calyx_abi::RuntimeError;
 use calyx_abi::description::{
     FileDescription, ModelDescription, OutputDescription, ParamDescription, ParamValue,
 };
 use calyx_abi::units::from_si;
+use calyx_runtime::observe::Fields;
 use calyx_runtime::results::{AnalysisResult, OutputSummary, Solved, StepRow, StructureCounts, Timing};
+use calyx_runtime::summary::Harmonic;
 use serde_json::{Map, Value, json};
 use sha2::{Digest, Sha256};
 use std::fs::{self, File};
@@ -27,7 +31,8 @@ pub fn default_directory(model: &Path) -> PathBuf {
 /// Makes the directory, and removes the results of an earlier run: what a run leaves behind belongs together.
 pub fn prepare(directory: &Path) -> io::Result<()> {
     fs::create_dir_all(directory)?;
-    for name in ["run.json", "timing.json", "steps.csv"] {
+    vtu::remove(directory)?;
+    for name in ["run.json", "timing.json", "steps.csv"].into_iter().chain(field_tables::NAMES) {
         match fs::remove_file(directory.join(name)) {
             Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(error),
             _ => {}
@@ -75,29 +80,84 @@ fn cell_json(column: &str, cell: &str) -> Value {
     }
 }
 
-/// Writes down positions as they are solved: in the table for people, and in the journal for a run that goes on.
+/// What is written of every position beside its row.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Details {
+    /// Tables, see [`crate::field_tables`].
+    pub tables: bool,
+    /// Pictures for ParaView, see [`crate::vtu`].
+    pub pictures: bool,
+}
+
+impl Details {
+    /// Whether anything is.
+    pub fn any(self) -> bool {
+        self.tables || self.pictures
+    }
+
+    /// Whether an earlier run has written them of its first positions.
+    pub fn are_in(self, directory: &Path, positions: usize) -> bool {
+        (!self.tables || field_tables::are_in(directory))
+            && (!self.pictures || vtu::are_in(directory, positions))
+    }
+}
+
+/// Writes down positions as they are solved: in tables and pictures for people, and in the journal for a run that goes on.
 pub struct Record {
     table: StepTable,
+    tables: Option<FieldTables>,
+    pictures: Option<Pictures>,
     journal: Journal,
 }
 
 impl Record {
     /// Begins with the first position.
-    pub fn begin(directory: &Path, outputs: &[OutputDescription], head: &Value) -> io::Result<Record> {
-        let table = StepTable::create(directory, outputs)?;
-        Ok(Record { table, journal: Journal::create(directory, head)? })
+    pub fn begin(
+        directory: &Path,
+        outputs: &[OutputDescription],
+        head: &Value,
+        details: Details,
+    ) -> io::Result<Record> {
+        Ok(Record {
+            table: StepTable::create(directory, outputs)?,
+            tables: details.tables.then(|| FieldTables::create(directory)).transpose()?,
+            pictures: details.pictures.then(|| Pictures::begin(directory, Vec::new())).transpose()?,
+            journal: Journal::create(directory, head)?,
+        })
     }
 
     /// Begins behind what an earlier run solved.
-    pub fn go_on(directory: &Path, outputs: &[OutputDescription], found: &Found) -> io::Result<Record> {
+    pub fn go_on(
+        directory: &Path,
+        outputs: &[OutputDescription],
+        found: &Found,
+        details: Details,
+    ) -> io::Result<Record> {
+        let tables = details.tables.then(|| FieldTables::go_on(directory, found.solved.len())).transpose()?;
+        let times = found.solved.iter().map(|solved| solved.row.position.time).collect();
+        let pictures = details.pictures.then(|| Pictures::begin(directory, times)).transpose()?;
         let mut table = StepTable::create(directory, outputs)?;
         for (index, solved) in found.solved.iter().enumerate() {
             table.write(index, &solved.row)?;
         }
-        Ok(Record { table, journal: Journal::go_on(directory, found)? })
+        Ok(Record { table, tables: tables.flatten(), pictures, journal: Journal::go_on(directory, found)? })
     }
 
-    pub fn write(&mut self, index: usize, solved: &Solved) -> io::Result<()> {
+    pub fn write(
+        &mut self,
+        index: usize,
+        outputs: &[OutputDescription],
+        solved: &Solved,
+        fields: Option<&Fields>,
+    ) -> io::Result<()> {
+        if let Some(fields) = fields {
+            if let Some(tables) = &mut self.tables {
+                tables.write(index, &solved.row, outputs, fields)?;
+            }
+            if let Some(pictures) = &mut self.pictures {
+                pictures.write(index, solved.row.position.time, fields)?;
+            }
+        }
         self.journal.write(solved)?;
         self.table.write(index, &solved.row)
     }
@@ -208,6 +268,9 @@ fn write_json(path: PathBuf, value: &Value) -> io::Result<()> {
 fn output_json(output: &OutputDescription, summary: &OutputSummary, result: &AnalysisResult) -> Value {
     let shown = |si: f64| from_si(si, output.unit.factor);
     let row = &result.rows[summary.at_max].position;
+    let harmonics = summary.harmonics.iter().map(|Harmonic { order, amplitude, phase }| {
+        json!({ "order": order, "amplitude": amplitude, "phase": phase, "display": shown(*amplitude) })
+    });
     json!({
         "doc": output.doc,
         "unit": output.si,
@@ -215,6 +278,7 @@ fn output_json(output: &OutputDescription, summary: &OutputSummary, result: &Ana
         "max": summary.max,
         "mean": summary.mean,
         "peak_to_peak": summary.peak_to_peak,
+        "harmonics": harmonics.collect::<Vec<_>>(),
         "display": {
             "unit": output.unit.name,
             "min": shown(summary.min),

@@ -4,7 +4,7 @@
 use crate::error::Error;
 use calyx_abi::RuntimeError;
 use calyx_abi::error::codes;
-use calyx_runtime::cache::{CacheCounts, OperatorCache};
+use calyx_runtime::cache::{CacheCounts, OperatorCache, Store};
 use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::resources::Resources;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -17,11 +17,14 @@ pub struct EngineConfig {
     /// Bytes of structures that are kept for analyses to come: the part of an analysis that takes longest, and the same
     /// as long as geometry and material are. 0 keeps none.
     pub kept: usize,
+    /// Where structures are kept on disk, for other processes and runs to come. By default nowhere: a program that embeds models says
+    /// what it writes.
+    pub store: Option<Store>,
 }
 
 impl Default for EngineConfig {
     fn default() -> EngineConfig {
-        EngineConfig { threads: 0, kept: 512 << 20 }
+        EngineConfig { threads: 0, kept: 512 << 20, store: None }
     }
 }
 
@@ -47,7 +50,11 @@ impl Default for Shared {
 
 impl Shared {
     fn new(config: EngineConfig) -> Shared {
-        let cache = Arc::new(OperatorCache::new(config.kept));
+        let cache = OperatorCache::new(config.kept);
+        let cache = Arc::new(match &config.store {
+            Some(store) => cache.with_store(store.clone()),
+            None => cache,
+        });
         Shared { config, cache, pool: Mutex::default() }
     }
 }
@@ -68,7 +75,8 @@ impl Engine {
 
     /// What an analysis uses of this engine.
     pub(crate) fn resources(&self, interrupt: Interrupt) -> Result<Resources, Error> {
-        let cache = (self.0.config.kept > 0).then(|| self.0.cache.clone());
+        let EngineConfig { kept, store, .. } = &self.0.config;
+        let cache = (*kept > 0 || store.is_some()).then(|| self.0.cache.clone());
         Ok(Resources { interrupt, cache, pool: Some(self.pool()?) })
     }
 

@@ -16,6 +16,7 @@ use calyx_abi::limits::Limits;
 use calyx_abi::{Cancel, Context, stack};
 use calyx_gears::host::ModelHost;
 use calyx_runtime::error::EngineError;
+use calyx_runtime::observe::Fields;
 use calyx_runtime::results::Solved;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
@@ -32,7 +33,8 @@ pub struct Progress {
 }
 
 pub(crate) type ProgressSink = Arc<Mutex<dyn FnMut(Progress) + Send>>;
-pub(crate) type RecordSink = Arc<Mutex<dyn FnMut(usize, &Solved) -> Result<(), EngineError> + Send>>;
+pub(crate) type RecordSink =
+    Arc<Mutex<dyn FnMut(usize, &Solved, Option<&Fields>) -> Result<(), EngineError> + Send>>;
 type PrintSink = Arc<Mutex<dyn FnMut(&str) + Send>>;
 
 /// A model with values of its own.
@@ -54,6 +56,7 @@ pub struct Instance {
     progress: Option<ProgressSink>,
     record: Option<RecordSink>,
     solved: Vec<Solved>,
+    fields: bool,
 }
 
 impl Instance {
@@ -74,6 +77,7 @@ impl Instance {
             progress: None,
             record: None,
             solved: Vec::new(),
+            fields: false,
         }
     }
 
@@ -208,11 +212,12 @@ impl Instance {
         self.progress = Some(Arc::new(Mutex::new(sink)));
     }
 
-    /// What is given each position by its index, with its certificate, on the thread of the run. Other than [`Instance::run`]
+    /// What is given each position by its index, with its certificate and, where [`Instance::tell_fields`] asks for them, its fields, on
+    /// the thread of the run. Other than [`Instance::run`]
     /// it holds the run until it is done with the position. An error from it ends the analysis.
     pub fn on_solved(
         &mut self,
-        sink: impl FnMut(usize, &Solved) -> Result<(), EngineError> + Send + 'static,
+        sink: impl FnMut(usize, &Solved, Option<&Fields>) -> Result<(), EngineError> + Send + 'static,
     ) {
         self.record = Some(Arc::new(Mutex::new(sink)));
     }
@@ -221,6 +226,11 @@ impl Instance {
     /// those of runs that solved them all.
     pub fn begin_after(&mut self, solved: Vec<Solved>) {
         self.solved = solved;
+    }
+
+    /// Has every position's fields told to [`Instance::on_solved`], which takes a little time for each.
+    pub fn tell_fields(&mut self, wanted: bool) {
+        self.fields = wanted;
     }
 
     /// Runs the model on a thread of its own, position by position: it goes on to the next one when the one before was
@@ -255,6 +265,7 @@ impl Instance {
             progress: self.progress.clone(),
             record: self.record.clone(),
             solved: self.solved.clone(),
+            fields: self.fields,
         }
     }
 }
@@ -272,6 +283,7 @@ struct Job {
     progress: Option<ProgressSink>,
     record: Option<RecordSink>,
     solved: Vec<Solved>,
+    fields: bool,
 }
 
 impl Job {
@@ -322,6 +334,7 @@ impl Job {
             let interrupt = interrupt(self.cancel, self.limits);
             host.analysis.resources = self.engine.resources(interrupt)?;
             host.analysis.solved = self.solved;
+            host.analysis.fields = self.fields;
         }
         let started = Instant::now();
         self.program.main(&mut context)?;

@@ -15,7 +15,7 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 /// Of the lines: a journal of another format is not read.
-const FORMAT: u64 = 1;
+const FORMAT: u64 = 2;
 
 pub fn path(directory: &Path) -> PathBuf {
     directory.join("journal.jsonl")
@@ -119,7 +119,8 @@ struct Entry {
     cycle: Exact,
     roll: Exact,
     point: String,
-    outputs: Vec<(Exact, Option<At>)>,
+    /// Value, least, place.
+    outputs: Vec<(Exact, Option<Exact>, Option<At>)>,
     warnings: Vec<String>,
     /// Complementarity, penetration, tension, equilibrium.
     certificate: [Exact; 4],
@@ -132,6 +133,7 @@ struct At {
     tooth: u32,
     roll_angle: Option<Exact>,
     radius: Exact,
+    axial: Option<Exact>,
 }
 
 impl Entry {
@@ -142,6 +144,7 @@ impl Entry {
             tooth: place.tooth,
             roll_angle: place.roll_angle.map(Exact),
             radius: Exact(place.radius),
+            axial: place.axial.map(Exact),
         };
         let Certificate { complementarity, penetration, tension, equilibrium } = *certificate;
         Entry {
@@ -152,7 +155,7 @@ impl Entry {
             point: position.name.to_string(),
             outputs: outputs
                 .iter()
-                .map(|output| (Exact(output.value), output.place.as_ref().map(at)))
+                .map(|output| (Exact(output.value), output.least.map(Exact), output.place.as_ref().map(at)))
                 .collect(),
             warnings: warnings.clone(),
             certificate: [complementarity, penetration, tension, equilibrium].map(Exact),
@@ -165,9 +168,14 @@ impl Entry {
             tooth: at.tooth,
             roll_angle: at.roll_angle.map(|Exact(angle)| angle),
             radius: at.radius.0,
+            axial: at.axial.map(|Exact(axial)| axial),
         };
         let outputs = self.outputs.into_iter();
-        let outputs = outputs.map(|(Exact(value), at)| Observed { value, place: at.map(place) });
+        let outputs = outputs.map(|(Exact(value), least, at)| Observed {
+            value,
+            least: least.map(|Exact(least)| least),
+            place: at.map(place),
+        });
         let [complementarity, penetration, tension, equilibrium] =
             self.certificate.map(|Exact(number)| number);
         let position =
@@ -212,11 +220,17 @@ mod tests {
     use super::*;
 
     fn solved(time: f64) -> Solved {
-        let place = Place { body: "pinion".into(), tooth: 3, roll_angle: None, radius: 0.1 + 0.2 };
+        let place = Place {
+            body: "pinion".into(),
+            tooth: 3,
+            roll_angle: None,
+            radius: 0.1 + 0.2,
+            axial: Some(-1e-3),
+        };
         let outputs = vec![
-            Observed { value: 1.0 / 3.0, place: Some(place) },
-            Observed { value: f64::INFINITY, place: None },
-            Observed { value: -0.0, place: None },
+            Observed { value: 1.0 / 3.0, least: Some(-0.1), place: Some(place) },
+            Observed::number(f64::INFINITY),
+            Observed::number(-0.0),
         ];
         let position = Position { time, cycle: 5e-324, roll: 2.0_f64.sqrt(), name: "lowest".into() };
         let certificate =
@@ -263,7 +277,7 @@ mod tests {
         for (damage, count) in [
             (text.replacen("\"step\":1", "\"step\":7", 1), Some(1)),
             (text.replacen("\"step\":2", "\"step\":\0", 1), Some(2)),
-            (text.replacen("\"journal\":1", "\"journal\":2", 1), None),
+            (text.replacen("\"journal\":2", "\"journal\":1", 1), None),
             (text.replacen('{', "", 1), None),
         ] {
             fs::write(path(directory), damage).unwrap();

@@ -13,6 +13,7 @@ pub mod engine;
 pub mod error;
 #[cfg(feature = "command")]
 pub mod executable;
+pub mod field_tables;
 pub mod given;
 #[cfg(feature = "command")]
 pub mod help;
@@ -41,6 +42,7 @@ pub mod schema;
 pub mod seen;
 pub mod stepping;
 pub mod table;
+pub mod vtu;
 mod watching;
 
 pub use calyx_abi::Cancel;

@@ -5,7 +5,9 @@ use crate::given::Given;
 use crate::params::Refused;
 use crate::params_file;
 use crate::progress::ProgressFormat;
+use calyx_runtime::cache::Store;
 use clap::Args;
+use etcetera::BaseStrategy;
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 use std::time::Duration;
@@ -39,6 +41,17 @@ pub struct RunArguments {
     /// that run, and the results are those of a run that was never ended.
     #[arg(long, help_heading = RESULTS)]
     pub resume: bool,
+    /// Write the fields of every position too
+    ///
+    /// pressure.csv (cell by cell), line_load.csv (along the lines of contact), root_stress.csv (along the fillets, if an output
+    /// asks for stress) and places.csv (where each maximum is).
+    #[arg(long, help_heading = RESULTS)]
+    pub fields: bool,
+    /// Write pictures of every position for ParaView
+    ///
+    /// Contact pressure and stress in the fillets, as VTU files in the directory vtu of the results.
+    #[arg(long, help_heading = RESULTS)]
+    pub vtu: bool,
     /// Print the results on standard output, as one JSON document
     ///
     /// What run.json says, and the rows of steps.csv. What the model prints then goes to standard error.
@@ -50,6 +63,15 @@ pub struct RunArguments {
     /// How progress is shown on standard error
     #[arg(long, value_enum, default_value_t, value_name = "FORMAT")]
     pub progress: ProgressFormat,
+    /// Keep the structures of gears in this directory for runs to come [default: calyx/structures in the user's cache]
+    ///
+    /// Condensing the structures is most of the work of a run, and the same as long as geometry and material are. The environment
+    /// variable CALYX_CACHE names a directory too, or is "off".
+    #[arg(long, value_name = "DIR", help_heading = KEPT)]
+    pub cache: Option<PathBuf>,
+    /// Keep no structures on disk, and take none from there
+    #[arg(long, conflicts_with = "cache", help_heading = KEPT)]
+    pub no_cache: bool,
     /// Use this many threads [default: one a core]
     ///
     /// The results have the same bits with any number.
@@ -66,8 +88,26 @@ pub struct RunArguments {
 const PARAMS: &str = "Giving params";
 const RESULTS: &str = "Results";
 const LIMITS: &str = "Limits";
+const KEPT: &str = "Kept structures";
+/// Names the directory of kept structures, or is "off".
+const CACHE_VARIABLE: &str = "CALYX_CACHE";
+/// Of kept structures on disk, bytes: some dozens of pairs of gears in space.
+const CACHE_LIMIT: u64 = 4 << 30;
 
 impl RunArguments {
+    /// Where structures are kept on disk; `None` if that is not wanted or the user has no place for such files.
+    pub fn store(&self) -> Option<Store> {
+        let named = std::env::var_os(CACHE_VARIABLE).filter(|name| !name.is_empty());
+        let directory = match (&self.cache, named) {
+            _ if self.no_cache => return None,
+            (Some(directory), _) => directory.clone(),
+            (None, Some(name)) if name == "off" => return None,
+            (None, Some(name)) => PathBuf::from(name),
+            (None, None) => etcetera::choose_base_strategy().ok()?.cache_dir().join("calyx/structures"),
+        };
+        Some(Store::new(directory, CACHE_LIMIT))
+    }
+
     /// What is given for params: of the file first, then what counts more.
     ///
     /// # Errors

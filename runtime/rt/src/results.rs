@@ -11,6 +11,7 @@ use calyx_gears::host::{Finding, ModelHost};
 use calyx_runtime::contact::problem::Certificate;
 use calyx_runtime::plan::Plan;
 use calyx_runtime::results::{AnalysisResult, OutputSummary, Timing};
+use calyx_runtime::summary::Harmonic;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -152,11 +153,14 @@ impl Results {
 }
 
 fn shown(summary: &OutputSummary, unit: f64) -> OutputSummary {
+    let harmonic =
+        |harmonic: &Harmonic| Harmonic { amplitude: from_si(harmonic.amplitude, unit), ..*harmonic };
     OutputSummary {
         min: from_si(summary.min, unit),
         max: from_si(summary.max, unit),
         mean: from_si(summary.mean, unit),
         peak_to_peak: from_si(summary.peak_to_peak, unit),
+        harmonics: summary.harmonics.iter().map(harmonic).collect(),
         ..summary.clone()
     }
 }

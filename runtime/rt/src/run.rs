@@ -1,6 +1,6 @@
 //! A run for people and for those who read its directory: an instance, watched and written down.
 
-use crate::directory::{Record, StageTimes, Stages, head, prepare, write_run, write_unfinished};
+use crate::directory::{Details, Record, StageTimes, Stages, head, prepare, write_run, write_unfinished};
 use crate::engine::Engine;
 use crate::error::Error;
 use crate::given::Given;
@@ -15,6 +15,7 @@ use calyx_abi::description::OutputDescription;
 use calyx_abi::{Cancel, Status};
 use calyx_gears::host::Finding;
 use calyx_runtime::error::EngineError;
+use calyx_runtime::observe::Fields;
 use calyx_runtime::results::Solved;
 use serde_json::Value;
 use std::io;
@@ -44,8 +45,18 @@ pub struct RunOptions {
     pub memory_limit: Option<u64>,
     /// Goes on after the positions that an earlier run completed.
     pub resume: bool,
+    /// Writes the fields of every position as tables.
+    pub fields: bool,
+    /// Writes pictures of every position for ParaView.
+    pub vtu: bool,
     /// Set from outside, it ends the run soon; what was written is kept.
     pub cancel: Cancel,
+}
+
+impl RunOptions {
+    fn details(&self) -> Details {
+        Details { tables: self.fields, pictures: self.vtu }
+    }
 }
 
 /// Why a run did not finish.
@@ -113,7 +124,7 @@ pub fn run(program: Arc<dyn Program>, options: &RunOptions) -> Result<RunReport,
         None => shown.stage(now.stage),
     });
     instance.on_print(move |line| printed.print(line));
-    let (solved, outcome) = write_steps(instance, directory, &head, found.as_ref());
+    let (solved, outcome) = write_steps(instance, directory, &head, found.as_ref(), options.details());
     progress.finish();
     // What was solved until somebody ended the run is worth keeping, with what it is of.
     if let Err(RunError::Run(Error::Model(error))) = &outcome
@@ -148,10 +159,18 @@ fn earlier(options: &RunOptions, head: &Value) -> Result<Begun, RunError> {
     if !options.resume {
         return Ok(Begun::Nothing);
     }
-    resume::find(&options.directory, head).map_err(|not| match not {
+    let found = resume::find(&options.directory, head).map_err(|not| match not {
         resume::Not::Other(refused) => RunError::Run(Error::Given(refused)),
         resume::Not::Io(error) => RunError::Io { path: options.directory.clone(), error },
-    })
+    })?;
+    let positions = match &found {
+        Begun::Nothing => return Ok(found),
+        Begun::Unfinished(found) => found.solved.len(),
+        Begun::Finished => 1,
+    };
+    // What an earlier run has not written of its positions can only be had by solving them again.
+    let complete = options.details().are_in(&options.directory, positions);
+    Ok(if complete { found } else { Begun::Nothing })
 }
 
 /// Runs the instance with each position on disk before the next one begins: how many there are, and how it ended.
@@ -160,19 +179,21 @@ fn write_steps(
     directory: &Path,
     head: &Value,
     found: Option<&Found>,
+    details: Details,
 ) -> (usize, Result<Results, RunError>) {
     let unwritable = |error| RunError::Io { path: directory.to_owned(), error };
     let outputs = instance.description().outputs.clone();
+    instance.tell_fields(details.any());
     let solved = found.map_or(0, |found| found.solved.len());
-    let record = match found.map(|found| Record::go_on(directory, &outputs, found)).transpose() {
+    let record = match found.map(|found| Record::go_on(directory, &outputs, found, details)).transpose() {
         Ok(record) => record,
         Err(error) => return (solved, Err(unwritable(error))),
     };
     let written = Arc::new(Mutex::new(Written { record, solved, failure: None }));
     let (writing, head, path) = (written.clone(), head.clone(), directory.to_owned());
-    instance.on_solved(move |index, solved| {
+    instance.on_solved(move |index, solved, fields| {
         let mut written = writing.lock().unwrap_or_else(PoisonError::into_inner);
-        written.write(&path, &outputs, &head, index, solved).map_err(|error| {
+        written.write(&path, &outputs, &head, details, (index, solved, fields)).map_err(|error| {
             written.failure = Some(error);
             // The run ends with what is kept; this ends the analysis.
             EngineError::new("E0712", "the results cannot be written", "")
@@ -200,15 +221,15 @@ impl Written {
         directory: &Path,
         outputs: &[OutputDescription],
         head: &Value,
-        index: usize,
-        solved: &Solved,
+        details: Details,
+        (index, solved, fields): (usize, &Solved, Option<&Fields>),
     ) -> io::Result<()> {
         // A model may go on after an analysis that failed, and begin another.
         let record = match self.record.take().filter(|_| index > 0) {
             Some(record) => record,
-            None => Record::begin(directory, outputs, head)?,
+            None => Record::begin(directory, outputs, head, details)?,
         };
-        self.record.insert(record).write(index, solved)?;
+        self.record.insert(record).write(index, outputs, solved, fields)?;
         self.solved = index + 1;
         Ok(())
     }

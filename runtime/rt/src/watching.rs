@@ -52,9 +52,9 @@ impl Observer for Watcher {
         match event {
             Event::Planned(_) => {}
             Event::Stage(stage) => self.tell(Progress { stage, done: 0, total: None }),
-            Event::Step { index, count, solved } => {
+            Event::Step { index, count, solved, fields } => {
                 if let Some(record) = &self.record {
-                    record.lock().unwrap_or_else(PoisonError::into_inner)(index, solved)?;
+                    record.lock().unwrap_or_else(PoisonError::into_inner)(index, solved, fields)?;
                 }
                 if let Some(steps) = &self.hand_over {
                     let (program, row) = (self.program.clone(), Arc::new(solved.row.clone()));

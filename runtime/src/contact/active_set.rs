@@ -79,9 +79,10 @@ struct Found {
     motion: Vec<f64>,
 }
 
-/// The problem in variables `p = cell_scale * q`, `x = freedom_scale * y`.
-pub(super) struct Scaled {
-    pub compliance: Matrix,
+/// The problem in variables `p = cell_scale * q`, `x = freedom_scale * y`. The compliance stays where it is, for it is large, and is
+/// scaled entry by entry.
+pub(super) struct Scaled<'a> {
+    compliance: &'a [f64],
     pub arms: Matrix,
     pub gaps: Vec<f64>,
     pub stiffness: Matrix,
@@ -95,9 +96,9 @@ fn power_of_two(value: f64) -> f64 {
     value.log2().round().exp2()
 }
 
-impl Scaled {
+impl<'a> Scaled<'a> {
     /// Of a valid problem.
-    pub fn new(problem: &ContactProblem) -> Self {
+    pub fn new(problem: &'a ContactProblem) -> Self {
         let (n, m) = (problem.cells(), problem.freedoms());
         let cell_scale: Vec<f64> =
             (0..n).map(|i| power_of_two(problem.compliance[i * n + i].sqrt().recip())).collect();
@@ -117,12 +118,8 @@ impl Scaled {
                 if size > 0.0 { power_of_two(size.recip()) } else { 1.0 }
             })
             .collect();
-        let mut compliance = Matrix::zeros(n, n);
         let mut arms = Matrix::zeros(n, m);
         for i in 0..n {
-            for j in 0..n {
-                compliance[(i, j)] = cell_scale[i] * problem.compliance[i * n + j] * cell_scale[j];
-            }
             for k in (0..m).filter(|&k| seen[k]) {
                 arms[(i, k)] = cell_scale[i] * problem.arms[i * m + k] * freedom_scale[k];
             }
@@ -134,7 +131,7 @@ impl Scaled {
             }
         }
         Self {
-            compliance,
+            compliance: &problem.compliance,
             arms,
             gaps: problem.gaps.iter().zip(&cell_scale).map(|(e, s)| e * s).collect(),
             stiffness,
@@ -146,6 +143,11 @@ impl Scaled {
 
     fn cells(&self) -> usize {
         self.gaps.len()
+    }
+
+    /// Growth of the gap of cell `i` per force on cell `j`, in scaled variables.
+    pub fn compliance(&self, i: usize, j: usize) -> f64 {
+        self.cell_scale[i] * self.compliance[i * self.cells() + j] * self.cell_scale[j]
     }
 
     fn free_motion(&self, scaled_motion: &[f64]) -> FreeMotion {
@@ -184,7 +186,8 @@ impl Scaled {
     /// Forces of the active cells and the motion that close their gaps, with one step of refinement.
     fn close(&self, active: &[usize]) -> Result<(Vec<f64>, Vec<f64>), Singular> {
         let m = self.load.len();
-        let equations = ActiveEquations::new(&self.compliance, &self.arms, &self.stiffness, active)?;
+        let equations =
+            ActiveEquations::new(|i, j| self.compliance(i, j), &self.arms, &self.stiffness, active)?;
         let right_gaps: Vec<f64> = active.iter().map(|&i| -self.gaps[i]).collect();
         let right_loads: Vec<f64> = self.load.iter().map(|f| -f).collect();
         let (mut forces, mut motion) = equations.solve(&right_gaps, &right_loads);
@@ -206,8 +209,7 @@ impl Scaled {
     }
 
     fn gap(&self, i: usize, active: &[usize], forces: &[f64], motion: &[f64]) -> f64 {
-        let row = self.compliance.row(i);
-        let elastic: f64 = active.iter().zip(forces).map(|(&j, q)| row[j] * q).sum();
+        let elastic: f64 = active.iter().zip(forces).map(|(&j, q)| self.compliance(i, j) * q).sum();
         elastic + dot(self.arms.row(i), motion) + self.gaps[i]
     }
 
@@ -216,8 +218,8 @@ impl Scaled {
         active
             .iter()
             .map(|&i| {
-                let row = self.compliance.row(i);
-                let elastic: f64 = active.iter().zip(forces).map(|(&j, q)| (row[j] * q).abs()).sum();
+                let elastic: f64 =
+                    active.iter().zip(forces).map(|(&j, q)| (self.compliance(i, j) * q).abs()).sum();
                 let rigid: f64 = self.arms.row(i).iter().zip(motion).map(|(c, y)| (c * y).abs()).sum();
                 elastic + rigid + self.gaps[i].abs()
             })

@@ -20,7 +20,7 @@ pub fn solve(problem: &ContactProblem) -> Result<(Vec<f64>, Vec<f64>), ContactEr
     // Variables: q, and the motions y that the springs see.
     let mut quadratic = Columns::default();
     for j in 0..n {
-        quadratic.push((0..=j).map(|i| (i, scaled.compliance[(i, j)])));
+        quadratic.push((0..=j).map(|i| (i, scaled.compliance(i, j))));
     }
     for l in 0..m {
         quadratic.push((0..=l).map(|k| (n + k, scaled.stiffness[(k, l)])));

@@ -94,15 +94,15 @@ pub(super) struct ActiveEquations {
 const RANK_TOLERANCE: f64 = 1e-12;
 
 impl ActiveEquations {
-    /// `compliance` and `arms` of all cells, `active` ascending, `stiffness` of the freedoms.
+    /// `compliance` (between two cells) and `arms` of all cells, `active` ascending, `stiffness` of the freedoms.
     pub fn new(
-        compliance: &Matrix,
+        compliance: impl Fn(usize, usize) -> f64,
         arms: &Matrix,
         stiffness: &Matrix,
         active: &[usize],
     ) -> Result<Self, Singular> {
         let (n, m) = (active.len(), arms.columns);
-        let mut factor = Mat::from_fn(n, n, |i, j| compliance[(active[i], active[j])]);
+        let mut factor = Mat::from_fn(n, n, |i, j| compliance(active[i], active[j]));
         cholesky(&mut factor).map_err(Singular::Compliance)?;
         let active_arms = Mat::from_fn(n, m, |i, k| arms[(active[i], k)]);
         let mut solved_arms = active_arms.clone();

@@ -160,19 +160,19 @@ fn curvature_beside_edge(placed: &PlacedProfile, s: f64, side: f64) -> f64 {
 }
 
 /// Start of a rounded edge on the tangent line.
-struct Edge {
-    x: f64,
+pub(super) struct Edge {
+    pub x: f64,
     /// +1 if the edge lies at larger x, -1 if at smaller.
-    towards: f64,
+    pub towards: f64,
     /// Width of cells on it, m.
-    cell: f64,
+    pub cell: f64,
 }
 
 /// Ends of the cells over `range`: of size `flank_cell`, shrinking towards edges, with ends at the edges' starts.
 ///
 /// Between such ends, cells hold equal shares of the integral of 1 / size, so that a patch seen from the other side has the
 /// same cells.
-fn cell_bounds(range: [f64; 2], flank_cell: f64, edges: &[Edge]) -> Vec<f64> {
+pub(super) fn cell_bounds(range: [f64; 2], flank_cell: f64, edges: &[Edge]) -> Vec<f64> {
     let inside = |x: &f64| *x > range[0] && *x < range[1];
     let mut stops: Vec<f64> = edges.iter().map(|edge| edge.x).filter(inside).collect();
     stops.sort_by(f64::total_cmp);

@@ -39,8 +39,12 @@ impl HalfPlane {
 /// the sum of two uniform variables give the series of `ln D + E[ln(1 + u/D)]`.
 fn mean_log_distance(first: [f64; 2], second: [f64; 2]) -> f64 {
     let half = |cell: [f64; 2]| 0.5 * (cell[1] - cell[0]).abs();
-    let (a, b) = (half(first), half(second));
     let distance = (0.5 * (first[0] + first[1]) - 0.5 * (second[0] + second[1])).abs();
+    mean_log_apart(distance, half(first), half(second))
+}
+
+/// The same by the distance of the intervals' centres and their half-widths.
+pub(super) fn mean_log_apart(distance: f64, a: f64, b: f64) -> f64 {
     let reach = a + b;
     if distance > SERIES_FROM * reach {
         return distance.ln() + far_series(a / distance, b / distance);

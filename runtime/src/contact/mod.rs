@@ -2,7 +2,7 @@
 //!
 //! A step of an analysis goes through these modules in order: [`approach`] finds where two profiles come closest,
 //! [`grid`] lays cells there, [`assembly`] builds their compliance, [`problem`] states the contact problem and
-//! [`active_set`] solves it; [`pressure`] reads peak pressure and half-width off the solution.
+//! [`active_set`] solves it; [`friction`] adds what slides; [`pressure`] reads peak pressure and half-width off the solution. [`solid`] is the same in space.
 
 pub mod active_set;
 pub(crate) mod approach;
@@ -10,12 +10,14 @@ pub(crate) mod assembly;
 pub mod clarabel_check;
 mod dense;
 mod feasibility;
+pub mod friction;
 pub(crate) mod grid;
 pub mod half_plane;
 mod placement;
 pub mod pressure;
 pub mod problem;
 pub(crate) mod rigid_limit;
+pub mod solid;
 
 pub use grid::Cell;
 pub use placement::ContactFrame;

@@ -13,6 +13,29 @@ pub fn hertz_half_width(force: f64, contact_modulus: f64, relative_curvature: f6
     (4.0 * force / (PI * contact_modulus * relative_curvature)).sqrt()
 }
 
+/// A piece of a line under one pressure: a cell of a plane patch, a slice of another.
+pub trait Piece {
+    /// Ascending, m.
+    fn ends(&self) -> [f64; 2];
+}
+
+impl Piece for Cell {
+    fn ends(&self) -> [f64; 2] {
+        self.x
+    }
+}
+
+impl Piece for [f64; 2] {
+    fn ends(&self) -> [f64; 2] {
+        *self
+    }
+}
+
+fn center(piece: &impl Piece) -> f64 {
+    let [from, to] = piece.ends();
+    0.5 * (from + to)
+}
+
 /// Largest pressure of some cells of a patch.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Peak {
@@ -30,12 +53,12 @@ const PEAK_REACH: usize = 2;
 /// The peak pressure: the vertex of a parabola through p² of the (at most five) loaded neighbours of the cell of largest
 /// pressure; that cell's own pressure where the maximum lies at the end of the patch. `None` if no cell is loaded.
 /// `pressures` in Pa, one a cell.
-pub fn peak(cells: &[Cell], pressures: &[f64]) -> Option<Peak> {
+pub fn peak(cells: &[impl Piece], pressures: &[f64]) -> Option<Peak> {
     let belongs = |i: usize| pressures[i] > 0.0;
     let largest = (0..cells.len())
         .filter(|&i| belongs(i))
         .max_by(|&i, &j| pressures[i].total_cmp(&pressures[j]).then(j.cmp(&i)))?;
-    let own = Peak { pressure: pressures[largest], x: cells[largest].center(), cell: largest };
+    let own = Peak { pressure: pressures[largest], x: center(&cells[largest]), cell: largest };
     let first = (0..=PEAK_REACH.min(largest)).take_while(|&k| belongs(largest - k)).last().unwrap_or(0);
     let last = (0..=PEAK_REACH)
         .take_while(|&k| largest + k < cells.len() && belongs(largest + k))
@@ -48,7 +71,9 @@ pub fn peak(cells: &[Cell], pressures: &[f64]) -> Option<Peak> {
     Some(match fit.and_then(|f| f.vertex()) {
         // A vertex outside the fitted cells is no maximum of theirs.
         Some((x, squared))
-            if squared > 0.0 && x > cells[largest - first].x[0] && x < cells[largest + last].x[1] =>
+            if squared > 0.0
+                && x > cells[largest - first].ends()[0]
+                && x < cells[largest + last].ends()[1] =>
         {
             Peak { pressure: squared.sqrt(), x, cell: largest }
         }
@@ -58,13 +83,13 @@ pub fn peak(cells: &[Cell], pressures: &[f64]) -> Option<Peak> {
 
 /// Half-width of the loaded zone, m: half the distance between the zeros of p² extrapolated. `None` with fewer than
 /// five loaded cells, or where p² is no parabola with two zeros.
-pub fn half_width(cells: &[Cell], pressures: &[f64]) -> Option<f64> {
+pub fn half_width(cells: &[impl Piece], pressures: &[f64]) -> Option<f64> {
     zeros_of_squared_pressure(cells, pressures).map(|[left, right]| 0.5 * (right - left))
 }
 
 /// Where a parabola fitted to p² of the loaded cells is zero; without the outermost on each side, which are loaded over
 /// part of their width only.
-pub(super) fn zeros_of_squared_pressure(cells: &[Cell], pressures: &[f64]) -> Option<[f64; 2]> {
+pub(super) fn zeros_of_squared_pressure(cells: &[impl Piece], pressures: &[f64]) -> Option<[f64; 2]> {
     let first = pressures.iter().position(|&p| p > 0.0)?;
     let last = pressures.iter().rposition(|&p| p > 0.0)?;
     if last < first + 4 {
@@ -82,13 +107,13 @@ struct Parabola {
 
 impl Parabola {
     /// Least squares through p² of the cells `first ..= last`, at least three of them.
-    fn through(cells: &[Cell], pressures: &[f64], first: usize, last: usize) -> Option<Self> {
-        let origin = 0.5 * (cells[first].x[0] + cells[last].x[1]);
-        let unit = 0.5 * (cells[last].x[1] - cells[first].x[0]);
+    fn through(cells: &[impl Piece], pressures: &[f64], first: usize, last: usize) -> Option<Self> {
+        let origin = 0.5 * (cells[first].ends()[0] + cells[last].ends()[1]);
+        let unit = 0.5 * (cells[last].ends()[1] - cells[first].ends()[0]);
         let mut normal = Matrix3::zeros();
         let mut right = Vector3::zeros();
         for i in first..=last {
-            let u = (cells[i].center() - origin) / unit;
+            let u = (center(&cells[i]) - origin) / unit;
             let row = Vector3::new(1.0, u, u * u);
             normal += row * row.transpose();
             right += row * (pressures[i] * pressures[i]);

@@ -1,12 +1,16 @@
-//! Plane finite elements: meshes of quadrilaterals of any order up to cubic, stiffness, loads, solution, stress.
+//! Finite elements. Here those in the plane: meshes of quadrilaterals of any order up to cubic, stiffness, loads, solution, stress;
+//! in [`solid`] those in space.
 
 pub mod block;
 pub mod builder;
+pub mod dissection;
+pub mod elimination;
 pub mod interpolation;
 mod load;
 pub mod mesh;
 pub mod model;
 pub mod quadrature;
+pub mod solid;
 pub mod solve;
 pub mod sparse;
 pub mod stress;

@@ -1,7 +1,6 @@
 //! Sparse vectors over degrees of freedom (loads, and rows of linear maps from displacements) and sparse sums.
 
 use faer::sparse::{SparseColMat, SymbolicSparseColMat};
-use std::collections::BTreeMap;
 
 /// Entries by ascending, distinct degree of freedom.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -32,24 +31,27 @@ impl SparseVector {
 
     /// The sum of vectors, each times its factor, added in the given order.
     pub fn combination<'a>(terms: impl IntoIterator<Item = (f64, &'a SparseVector)>) -> Self {
-        let mut sum = BTreeMap::new();
-        for (factor, vector) in terms {
-            for &(dof, value) in &vector.entries {
-                *sum.entry(dof).or_insert(0.0) += factor * value;
-            }
-        }
-        sum.into_iter().collect()
+        let scaled = |(factor, vector): (f64, &'a SparseVector)| {
+            vector.entries.iter().map(move |&(dof, value)| (dof, factor * value))
+        };
+        terms.into_iter().flat_map(scaled).collect()
     }
 }
 
-/// Adds up what is given for the same degree of freedom.
+/// Adds up what is given for the same degree of freedom, in the given order.
 impl FromIterator<(usize, f64)> for SparseVector {
     fn from_iter<T: IntoIterator<Item = (usize, f64)>>(entries: T) -> Self {
-        let mut sum = BTreeMap::new();
-        for (dof, value) in entries {
-            *sum.entry(dof).or_insert(0.0) += value;
-        }
-        Self { entries: sum.into_iter().collect() }
+        let mut entries = entries.into_iter().collect::<Vec<_>>();
+        // Stable, so that the order within a degree of freedom remains.
+        entries.sort_by_key(|entry| entry.0);
+        entries.dedup_by(|next, sum| {
+            let same = next.0 == sum.0;
+            if same {
+                sum.1 += next.1;
+            }
+            same
+        });
+        Self { entries }
     }
 }
 

@@ -1,7 +1,7 @@
 //! Smoothed stresses: a polynomial fitted through the stresses at superconvergent points of a patch of elements
 //! (Zienkiewicz and Zhu 1992). Linear in the displacements, hence given as rows.
 
-use super::mesh::{EdgeChain, Place};
+use super::mesh::{EdgeChain, Place, PlaneMesh};
 use super::model::PlaneModel;
 use super::quadrature::gauss_legendre;
 use super::sparse::SparseVector;
@@ -27,36 +27,17 @@ pub struct StressRecovery<'a> {
 impl<'a> StressRecovery<'a> {
     /// Prepares the recovery of a model's stresses.
     pub fn new(model: &'a PlaneModel) -> Self {
-        let mut elements_of = vec![Vec::new(); model.mesh.nodes.len()];
-        for (index, element) in model.mesh.elements.iter().enumerate() {
-            for &node in &element.nodes {
-                elements_of[node].push(index);
-            }
-        }
-        Self { model, elements_of }
+        Self { model, elements_of: elements_of(&model.mesh) }
     }
 
     /// Rows giving the smoothed stresses xx, yy, xy (Pa) at a place.
     pub fn rows(&self, place: Place) -> [SparseVector; 3] {
-        let mesh = &self.model.mesh;
-        let samples = self.samples(place.element);
-        let center = mesh.position(Place { xi: 0.0, eta: 0.0, ..place });
-        let points = samples.iter().map(|&sample| mesh.position(sample)).collect::<Vec<_>>();
-        let size = points
-            .iter()
-            .map(|point| (point[0] - center[0]).hypot(point[1] - center[1]))
-            .fold(f64::MIN_POSITIVE, f64::max);
-        let local = |point: [f64; 2]| [0, 1].map(|axis| (point[axis] - center[axis]) / size);
-        let points = points.into_iter().map(local).collect::<Vec<_>>();
-        let target = local(mesh.position(place));
-
-        let degree = usize::from(mesh.elements[place.element].order.lowest_side());
-        let weights = (0..=degree).rev().find_map(|degree| fit_weights(&points, target, degree));
-        let rows = samples.iter().map(|&sample| self.model.stress_rows(sample)).collect::<Vec<_>>();
-        // A constant can always be fitted; were there no samples, there would be no element.
-        let weights = weights.unwrap_or_default();
+        let samples = sample_weights(&self.model.mesh, &self.elements_of, place);
+        let rows = samples.iter().map(|&(sample, _)| self.model.stress_rows(sample)).collect::<Vec<_>>();
         [0, 1, 2].map(|part| {
-            SparseVector::combination(weights.iter().zip(&rows).map(|(&weight, row)| (weight, &row[part])))
+            SparseVector::combination(
+                samples.iter().zip(&rows).map(|((_, weight), row)| (*weight, &row[part])),
+            )
         })
     }
 
@@ -73,47 +54,102 @@ impl<'a> StressRecovery<'a> {
         let [xx, yy, xy] = self.rows(point.place);
         Some(SparseVector::combination([(x * x, &xx), (y * y, &yy), (2.0 * x * y, &xy)]))
     }
+}
 
-    /// Superconvergent points of an element's patch: p by p Gauss points of each element of order p.
-    fn samples(&self, element: usize) -> Vec<Place> {
-        let mesh = &self.model.mesh;
-        let nodes = &mesh.elements[element].nodes;
-        let patch = nodes.iter().flat_map(|&node| &self.elements_of[node]).copied().collect::<BTreeSet<_>>();
-        let mut samples = Vec::new();
-        for element in patch {
-            let rule = gauss_legendre(usize::from(mesh.elements[element].order.lowest_side()));
-            for (eta, _) in &rule {
-                samples.extend(rule.iter().map(|&(xi, _)| Place { element, xi, eta: *eta }));
-            }
+/// Elements by displacement node, ascending.
+pub(super) fn elements_of(mesh: &PlaneMesh) -> Vec<Vec<usize>> {
+    let mut elements_of = vec![Vec::new(); mesh.nodes.len()];
+    for (index, element) in mesh.elements.iter().enumerate() {
+        for &node in &element.nodes {
+            elements_of[node].push(index);
         }
-        samples
     }
+    elements_of
+}
+
+/// Superconvergent points of the patch of a place, and the weights with which they make up the smoothed value there.
+pub(super) fn sample_weights(
+    mesh: &PlaneMesh,
+    elements_of: &[Vec<usize>],
+    place: Place,
+) -> Vec<(Place, f64)> {
+    let samples = samples(mesh, elements_of, place.element);
+    let center = mesh.position(Place { xi: 0.0, eta: 0.0, ..place });
+    let points = samples.iter().map(|&sample| mesh.position(sample)).collect::<Vec<_>>();
+    let size = points
+        .iter()
+        .map(|point| (point[0] - center[0]).hypot(point[1] - center[1]))
+        .fold(f64::MIN_POSITIVE, f64::max);
+    let local = |point: [f64; 2]| [0, 1].map(|axis| (point[axis] - center[axis]) / size);
+    let points = points.into_iter().map(local).collect::<Vec<_>>();
+    let target = local(mesh.position(place));
+
+    let degree = usize::from(mesh.elements[place.element].order.lowest_side());
+    let weights = (0..=degree).rev().find_map(|degree| plane_weights(&points, target, degree));
+    // A constant can always be fitted; were there no samples, there would be no element.
+    samples.into_iter().zip(weights.unwrap_or_default()).collect()
+}
+
+/// Superconvergent points of an element's patch: p by p Gauss points of each element of order p, `xi` running fastest.
+fn samples(mesh: &PlaneMesh, elements_of: &[Vec<usize>], element: usize) -> Vec<Place> {
+    let nodes = &mesh.elements[element].nodes;
+    let patch = nodes.iter().flat_map(|&node| &elements_of[node]).copied().collect::<BTreeSet<_>>();
+    let mut samples = Vec::new();
+    for element in patch {
+        let rule = gauss_legendre(usize::from(mesh.elements[element].order.lowest_side()));
+        for (eta, _) in &rule {
+            samples.extend(rule.iter().map(|&(xi, _)| Place { element, xi, eta: *eta }));
+        }
+    }
+    samples
 }
 
 /// Weights of the samples in the value at `target` of the polynomial of the given total degree that fits them best;
 /// the points relative to the middle of the element, the farthest at distance 1. `None` if the points do not determine it.
-fn fit_weights(points: &[[f64; 2]], target: [f64; 2], degree: usize) -> Option<Vec<f64>> {
+fn plane_weights(points: &[[f64; 2]], target: [f64; 2], degree: usize) -> Option<Vec<f64>> {
     let terms = |[x, y]: [f64; 2]| {
         let powers = (0..=degree).flat_map(|total| (0..=total).map(move |of_y| (total - of_y, of_y)));
         powers.map(|(of_x, of_y)| x.powi(of_x as i32) * y.powi(of_y as i32)).collect::<Vec<_>>()
     };
-    let wanted = DVector::from_vec(terms(target));
-    if points.len() < wanted.len() {
+    let samples = points.iter().map(|&[x, y]| (terms([x, y]), nearness(x * x + y * y))).collect::<Vec<_>>();
+    fit_weights(&samples, terms(target))
+}
+
+/// How much a sample counts at a squared distance, relative to that of the farthest.
+pub(super) fn nearness(square: f64) -> f64 {
+    (-NEARNESS * square).exp()
+}
+
+/// Weights of samples in the value, where the terms are `wanted`, of the combination of terms that fits them best. Each sample is
+/// given by its terms and by how much it counts. `None` if the samples do not determine the combination.
+pub(super) fn fit_weights(samples: &[(Vec<f64>, f64)], wanted: Vec<f64>) -> Option<Vec<f64>> {
+    let (orthogonal, triangle) = decomposed(samples)?;
+    // With C A = Q R, C the counts, the value is wanted' R^-1 Q' C samples.
+    let in_q = triangle.transpose().solve_lower_triangular(&DVector::from_vec(wanted))?;
+    Some((orthogonal * in_q).iter().zip(samples).map(|(weight, (_, count))| weight * count).collect())
+}
+
+/// Coefficients of the combinations of terms that fit the values best, one column a quantity; samples as for [`fit_weights`].
+pub(super) fn fit(samples: &[(Vec<f64>, f64)], values: &DMatrix<f64>) -> Option<DMatrix<f64>> {
+    let (orthogonal, triangle) = decomposed(samples)?;
+    let counted = DMatrix::from_fn(values.nrows(), values.ncols(), |row, column| {
+        samples[row].1 * values[(row, column)]
+    });
+    triangle.solve_upper_triangular(&(orthogonal.transpose() * counted))
+}
+
+/// The samples' terms, each row times how much it counts, as an orthogonal and a triangular factor.
+fn decomposed(samples: &[(Vec<f64>, f64)]) -> Option<(DMatrix<f64>, DMatrix<f64>)> {
+    let terms = samples.first()?.0.len();
+    if samples.len() < terms {
         return None;
     }
-    let counts = points.iter().map(|[x, y]| (-NEARNESS * (x * x + y * y)).exp()).collect::<Vec<_>>();
-    let rows = points
+    let rows = samples
         .iter()
-        .zip(&counts)
-        .flat_map(|(&point, count)| terms(point).into_iter().map(move |term| term * count))
+        .flat_map(|(terms, count)| terms.iter().map(move |term| term * count))
         .collect::<Vec<_>>();
-    let factors = DMatrix::from_row_slice(points.len(), wanted.len(), &rows).qr();
+    let factors = DMatrix::from_row_slice(samples.len(), terms, &rows).qr();
     let triangle = factors.r();
     let diagonal = triangle.diagonal().abs();
-    if diagonal.min() <= RANK * diagonal.max() {
-        return None;
-    }
-    // With C A = Q R, C the counts, the value is wanted' R^-1 Q' C samples.
-    let in_q = triangle.transpose().solve_lower_triangular(&wanted)?;
-    Some((factors.q() * in_q).iter().zip(&counts).map(|(weight, count)| weight * count).collect())
+    (diagonal.min() > RANK * diagonal.max()).then(|| (factors.q(), triangle))
 }

@@ -197,6 +197,10 @@ impl Structure for ElasticStructure {
         let entries: usize = tables.map(|table| table.nrows() * table.ncols()).sum();
         self.surfaces.iter().map(surface).sum::<usize>() + entries * size_of::<f64>()
     }
+
+    fn stored(&self) -> Option<Vec<u8>> {
+        self.to_bytes()
+    }
 }
 
 /// A point of a surface as its tables see it.

@@ -4,24 +4,51 @@
 //! displacements, so that `B = A^T`; condensed, they keep that symmetry.
 
 use super::StructureError;
-use super::dense::{add_product, cholesky, mirror_lower, product, solve};
+use super::dense::{add_product, cholesky, product, solve};
 use super::ring::CutStiffness;
-use crate::fe::{Constraints, PlaneModel, Solver, SparseVector};
+use crate::fe::dissection::Dissection;
+use crate::fe::elimination::eliminate;
+use crate::fe::{PlaneModel, SparseVector};
 use crate::interrupt::Interrupt;
-use crate::material::Material;
+use faer::sparse::SparseColMat;
 use faer::{Mat, MatRef};
-use rayon::prelude::*;
-use std::collections::{BTreeSet, HashMap};
+use std::collections::BTreeSet;
 
-/// Right-hand sides solved at once. Fixed, so that the arithmetic does not depend on the number of threads.
-const COLUMNS_AT_ONCE: usize = 32;
+/// What is condensed: the equations of a mesh, in the plane or in space.
+pub(super) struct Assembled {
+    /// Symmetric, both triangles; the degrees of freedom of a node are adjacent.
+    pub stiffness: SparseColMat<usize, f64>,
+    /// 2 in the plane, 3 in space.
+    pub dofs_per_node: usize,
+    /// Of the nodes, m; z is 0 in the plane.
+    pub positions: Vec<[f64; 3]>,
+}
+
+impl Assembled {
+    /// The equations of a plane mesh.
+    pub fn plane(model: &PlaneModel) -> Self {
+        let positions = model.mesh.nodes.iter().map(|&[x, y]| [x, y, 0.0]).collect();
+        Self { stiffness: model.stiffness(), dofs_per_node: 2, positions }
+    }
+
+    /// The degrees of freedom of nodes, in their order.
+    pub fn dofs_of(&self, nodes: &[usize]) -> Vec<usize> {
+        let count = self.dofs_per_node;
+        nodes.iter().flat_map(|&node| count * node..count * (node + 1)).collect()
+    }
+}
 
 /// How the mesh is held.
 pub(super) enum Support<'a> {
-    /// Nodes that do not move.
+    /// Degrees of freedom that do not move.
     Held(&'a [usize]),
     /// Not at all: loads are balanced by forces distributed like inertia, which load pairs in equilibrium do not feel.
-    Free,
+    Free {
+        /// Of any uniform density: only the distribution of the inertia forces counts.
+        mass: &'a SparseColMat<usize, f64>,
+        /// All rigid motions, three in the plane and six in space, as full vectors.
+        motions: &'a [Vec<f64>],
+    },
 }
 
 /// Nodes of the two cuts of a sector, in the same order.
@@ -46,9 +73,10 @@ pub(super) struct Condensed {
     pub rows_cuts: Mat<f64>,
 }
 
-/// Condenses a model, with a checkpoint between its stages and before each portion of right-hand sides. `rows` are linear forms of its displacements that vanish for rigid-body motions.
+/// Condenses a model, with a checkpoint before each part of the elimination. `rows` are linear forms of its displacements that
+/// vanish for rigid-body motions.
 pub(super) fn condense(
-    model: &PlaneModel,
+    model: &Assembled,
     support: &Support<'_>,
     cuts: Option<&Cuts>,
     loads: &[SparseVector],
@@ -56,85 +84,53 @@ pub(super) fn condense(
     interrupt: &Interrupt,
 ) -> Result<Condensed, StructureError> {
     let checkpoint = || interrupt.check().map_err(StructureError::Interrupted);
-    let dofs = model.dof_count();
-    let stiffness = model.stiffness();
     checkpoint()?;
-    let masters: Vec<usize> = cuts
-        .map(|cuts| cuts.first.iter().chain(&cuts.last).flat_map(|&node| [2 * node, 2 * node + 1]).collect())
-        .unwrap_or_default();
+    let kept = cuts.map_or_else(Vec::new, |cuts| [cuts.first.as_slice(), &cuts.last].concat());
+    let (held, inertia) = match support {
+        Support::Held(held) => (held.to_vec(), None),
+        Support::Free { mass, motions } => {
+            (determinate_support(&model.positions, motions), Some(Inertia::new(mass, motions)?))
+        }
+    };
+    let dissection = Dissection::new(&model.stiffness, &model.positions, &held, &kept);
+    let balancing = inertia.as_ref().map_or_else(Vec::new, |inertia| inertia.forces.clone());
+    let all_loads = [loads, &balancing].concat();
+    let left = eliminate(&model.stiffness, &dissection, &all_loads, rows, checkpoint)?;
+    checkpoint()?;
 
-    let mut constraints = Constraints::new();
-    for &dof in &masters {
-        constraints.prescribe(dof, 0.0);
+    let (c, m, q) = (kept.len() * model.dofs_per_node, loads.len(), rows.len());
+    let square = left.square.as_ref();
+    let mut on_cuts = square.submatrix(c, 0, m, c).to_owned();
+    let mut rows_cuts = left.forms.as_ref().submatrix(0, 0, q, c).to_owned();
+    let mut own = Mat::from_fn(all_loads.len(), all_loads.len(), |row, column| {
+        -square[(c + row.max(column), c + row.min(column))]
+    });
+    let mut rows_own = Mat::from_fn(q, all_loads.len(), |row, column| -left.forms[(row, c + column)]);
+    if let Some(inertia) = inertia {
+        let shares = inertia.balancing(loads);
+        // Both ways alike, and summed so that symmetry remains to the bit.
+        own = balanced(own.as_ref(), m, shares.as_ref());
+        let mut of_loads = rows_own.as_ref().subcols(0, m).to_owned();
+        add_product(of_loads.as_mut(), -1.0, rows_own.as_ref().subcols(m, balancing.len()), shares.as_ref());
+        rows_own = of_loads;
     }
-    let mut load = columns(dofs, loads);
-    match support {
-        Support::Held(nodes) => {
-            for &node in *nodes {
-                constraints.fix_node(node);
-            }
+    let stiffness = cuts.map(|cuts| {
+        let mut matrix = Mat::from_fn(c, c, |row, column| square[(row.max(column), row.min(column))]);
+        for _ in 0..2 {
+            turn_last_cut(&mut matrix, model.dofs_per_node, cuts.angle);
+            matrix = matrix.transpose().to_owned();
         }
-        Support::Free => {
-            balance(model, &mut load)?;
-            for dof in determinate_support(model) {
-                constraints.prescribe(dof, 0.0);
-            }
-        }
-    }
-    let solver = Solver::new(&stiffness, constraints)?;
-    let response = solve_columns(&solver, load.as_ref(), interrupt)?;
-
-    // Displacements of the whole mesh by unit displacements of each cut unknown (`D` of report eq. 2.76), the last
-    // cut's in the frame of the next sector.
-    let column_of: HashMap<usize, usize> = masters.iter().enumerate().map(|(i, &dof)| (dof, i)).collect();
-    let mut coupling = Mat::zeros(dofs, masters.len());
-    for entry in stiffness.triplet_iter() {
-        if let Some(&column) = column_of.get(&entry.col) {
-            coupling[(entry.row, column)] = -*entry.val;
-        }
-    }
-    let mut extension = solve_columns(&solver, coupling.as_ref(), interrupt)?;
-    for (column, &dof) in masters.iter().enumerate() {
-        extension[(dof, column)] = 1.0;
-    }
-
-    let condensed_stiffness = cuts.map(|cuts| {
-        let mut matrix = Mat::zeros(masters.len(), masters.len());
-        for column in 0..masters.len() {
-            for (row, &dof) in masters.iter().enumerate() {
-                // K is symmetric: its column is its row.
-                let in_column = stiffness.row_idx_of_col(dof).zip(stiffness.val_of_col(dof));
-                matrix[(row, column)] =
-                    in_column.map(|(other, value)| value * extension[(other, column)]).sum();
-            }
-        }
-        turn_last_cut(&mut matrix, cuts.angle);
-        matrix = matrix.transpose().to_owned();
-        turn_last_cut(&mut matrix, cuts.angle);
+        turn_last_cut(&mut on_cuts, model.dofs_per_node, cuts.angle);
+        turn_last_cut(&mut rows_cuts, model.dofs_per_node, cuts.angle);
         CutStiffness::new(matrix)
     });
-    if let Some(cuts) = cuts {
-        turn_last_cut(&mut extension, cuts.angle);
-    }
-
-    checkpoint()?;
-    let mut own = product(load.transpose(), response.as_ref());
-    mirror_lower(&mut own);
-    checkpoint()?;
-    let on_cuts = product(extension.transpose(), load.as_ref());
-    checkpoint()?;
-    Ok(Condensed {
-        stiffness: condensed_stiffness,
-        on_cuts,
-        own,
-        rows_own: rows_of(rows, response.as_ref()),
-        rows_cuts: rows_of(rows, extension.as_ref()),
-    })
+    Ok(Condensed { stiffness, on_cuts: on_cuts.transpose().to_owned(), own, rows_own, rows_cuts })
 }
 
-/// Orders the nodes of the last cut as those of the first one, turned by `angle`; nodes in `held` belong to neither.
+/// Orders the nodes of the last cut as those of the first one, turned by `angle` about the z axis; nodes in `held` belong to
+/// neither.
 pub(super) fn match_cuts(
-    nodes: &[[f64; 2]],
+    positions: &[[f64; 3]],
     first: &[usize],
     last: &[usize],
     held: &[usize],
@@ -146,23 +142,27 @@ pub(super) fn match_cuts(
     if first.len() != rest.len() || first.is_empty() {
         return None;
     }
-    let size = nodes.iter().map(|[x, y]| x.hypot(*y)).fold(0.0, f64::max);
+    let size = positions.iter().map(|&[x, y, _]| x.hypot(y)).fold(0.0, f64::max);
     let (sin, cos) = angle.sin_cos();
     let mut ordered = Vec::with_capacity(rest.len());
     for &node in &first {
-        let [x, y] = nodes[node];
-        let target = [cos * x - sin * y, sin * x + cos * y];
-        let gap = |other: usize| (nodes[other][0] - target[0]).hypot(nodes[other][1] - target[1]);
-        let found = rest.iter().position(|&other| gap(other) <= 1e-8 * size)?;
+        let [x, y, z] = positions[node];
+        let target = [cos * x - sin * y, sin * x + cos * y, z];
+        let near = |other: usize| distance(positions[other], target) <= 1e-8 * size;
+        let found = rest.iter().position(|&other| near(other))?;
         ordered.push(rest.swap_remove(found));
     }
     Some(Cuts { first, last: ordered, angle })
 }
 
-/// Replaces the columns of the last cut, half of them, by those of displacements given in a frame turned by `angle`.
-fn turn_last_cut(matrix: &mut Mat<f64>, angle: f64) {
+fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
+    (a[0] - b[0]).hypot(a[1] - b[1]).hypot(a[2] - b[2])
+}
+
+/// Replaces the columns of the last cut, half of them, by those of displacements given in a frame turned by `angle` about z.
+fn turn_last_cut(matrix: &mut Mat<f64>, dofs_per_node: usize, angle: f64) {
     let (sin, cos) = angle.sin_cos();
-    for column in (matrix.ncols() / 2..matrix.ncols()).step_by(2) {
+    for column in (matrix.ncols() / 2..matrix.ncols()).step_by(dofs_per_node) {
         for row in 0..matrix.nrows() {
             let (x, y) = (matrix[(row, column)], matrix[(row, column + 1)]);
             matrix[(row, column)] = cos * x + sin * y;
@@ -171,72 +171,92 @@ fn turn_last_cut(matrix: &mut Mat<f64>, angle: f64) {
     }
 }
 
-fn columns(dofs: usize, vectors: &[SparseVector]) -> Mat<f64> {
-    let mut matrix = Mat::zeros(dofs, vectors.len());
-    for (column, vector) in vectors.iter().enumerate() {
-        for &(dof, value) in &vector.entries {
-            matrix[(dof, column)] = value;
+/// Forces distributed like the inertia of a body.
+struct Inertia<'a> {
+    motions: &'a [Vec<f64>],
+    /// By the acceleration along each rigid motion.
+    forces: Vec<SparseVector>,
+    /// Factor of the inertia of the rigid motions.
+    factor: Mat<f64>,
+}
+
+impl<'a> Inertia<'a> {
+    fn new(mass: &SparseColMat<usize, f64>, motions: &'a [Vec<f64>]) -> Result<Self, StructureError> {
+        let mut forces = Mat::<f64>::zeros(mass.nrows(), motions.len());
+        for entry in mass.triplet_iter() {
+            for (mode, motion) in motions.iter().enumerate() {
+                forces[(entry.row, mode)] += *entry.val * motion[entry.col];
+            }
         }
-    }
-    matrix
-}
-
-fn rows_of(rows: &[SparseVector], displacements: MatRef<'_, f64>) -> Mat<f64> {
-    Mat::from_fn(rows.len(), displacements.ncols(), |row, column| {
-        rows[row].entries.iter().map(|&(dof, value)| value * displacements[(dof, column)]).sum()
-    })
-}
-
-/// Solves all columns, in fixed portions side by side.
-fn solve_columns(
-    solver: &Solver,
-    right: MatRef<'_, f64>,
-    interrupt: &Interrupt,
-) -> Result<Mat<f64>, StructureError> {
-    let starts: Vec<usize> = (0..right.ncols()).step_by(COLUMNS_AT_ONCE).collect();
-    let portions = starts
-        .par_iter()
-        .map(|&start| {
-            interrupt.check().map_err(StructureError::Interrupted)?;
-            Ok(solver.solve(right.subcols(start, COLUMNS_AT_ONCE.min(right.ncols() - start)))?)
+        let of_motions = Mat::from_fn(mass.nrows(), motions.len(), |row, mode| motions[mode][row]);
+        let factor = cholesky(product(of_motions.transpose(), forces.as_ref()));
+        let sparse = |force: faer::ColRef<'_, f64>| force.iter().copied().enumerate().collect();
+        Ok(Self {
+            motions,
+            forces: forces.col_iter().map(sparse).collect(),
+            factor: factor.ok_or(StructureError::NoArea)?,
         })
-        .collect::<Result<Vec<_>, StructureError>>()?;
-    let mut solution = Mat::zeros(right.nrows(), right.ncols());
-    for (&start, portion) in starts.iter().zip(&portions) {
-        solution.as_mut().subcols_mut(start, portion.ncols()).copy_from(portion);
     }
-    Ok(solution)
+
+    /// The accelerations that loads (columns) would cause, one for each rigid motion.
+    fn balancing(&self, loads: &[SparseVector]) -> Mat<f64> {
+        let work =
+            Mat::from_fn(self.motions.len(), loads.len(), |mode, load| loads[load].dot(&self.motions[mode]));
+        solve(self.factor.as_ref(), work)
+    }
 }
 
-/// Adds to each load the inertia forces of the rigid-body acceleration it would cause: balanced loads remain as they are.
-fn balance(model: &PlaneModel, loads: &mut Mat<f64>) -> Result<(), StructureError> {
-    // Any positive density distributes the forces alike.
-    let unit = Material { density: 1.0, ..model.material };
-    let mass = PlaneModel { material: unit, ..model.clone() }.mass();
-    let modes = model.rigid_body_modes();
-    let mut forces = Mat::<f64>::zeros(model.dof_count(), 3);
-    for entry in mass.triplet_iter() {
-        for (mode, motion) in modes.iter().enumerate() {
-            forces[(entry.row, mode)] += *entry.val * motion[entry.col];
+/// Responses of balanced loads to balanced loads: of each of the first `m` loads, less `shares` of the others.
+fn balanced(responses: MatRef<'_, f64>, m: usize, shares: MatRef<'_, f64>) -> Mat<f64> {
+    let others = responses.nrows() - m;
+    let (own, across, last) = (
+        responses.submatrix(0, 0, m, m),
+        responses.submatrix(0, m, m, others),
+        responses.submatrix(m, m, others, others),
+    );
+    // R - C S - (C S)^T + S^T L S, of which the lower triangle counts.
+    let mut between = product(across, shares);
+    add_product(between.as_mut(), -0.5, product(shares.transpose(), last).as_ref(), shares);
+    Mat::from_fn(m, m, |row, column| own[(row, column)] - (between[(row, column)] + between[(column, row)]))
+}
+
+/// As many degrees of freedom as there are rigid motions, which hold the mesh without straining it: of three nodes far apart, those
+/// on which the motions depend most.
+fn determinate_support(positions: &[[f64; 3]], motions: &[Vec<f64>]) -> Vec<usize> {
+    let axes = motions.first().map_or(0, |motion| motion.len() / positions.len().max(1));
+    let farthest = |measure: &dyn Fn(usize) -> f64| {
+        (0..positions.len()).fold(0, |best, node| if measure(node) > measure(best) { node } else { best })
+    };
+    let second = farthest(&|node| distance(positions[node], positions[0]));
+    let off_line = |node: usize| {
+        let [a, b] =
+            [0, second].map(|from| [0, 1, 2].map(|axis| positions[node][axis] - positions[from][axis]));
+        let cross = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+        distance(cross, [0.0; 3])
+    };
+    let third = farthest(&off_line);
+    let candidates: Vec<usize> =
+        [0, second, third].into_iter().flat_map(|node| axes * node..axes * (node + 1)).collect();
+    // Each motion by its largest displacement, so that rotations compare with translations.
+    let mut left = Mat::from_fn(candidates.len(), motions.len(), |row, mode| {
+        let largest = motions[mode].iter().fold(0.0_f64, |largest, part| largest.max(part.abs()));
+        motions[mode][candidates[row]] / largest
+    });
+    // Gaussian elimination with complete pivoting: its pivot rows depend on each other least.
+    let mut chosen = Vec::new();
+    for _ in 0..motions.len() {
+        let places = (0..left.nrows()).flat_map(|row| (0..left.ncols()).map(move |column| (row, column)));
+        let larger = |a, b| if left[b].abs() > left[a].abs() { b } else { a };
+        let Some((row, column)) = places.reduce(larger).filter(|&place| left[place] != 0.0) else { break };
+        chosen.push(candidates[row]);
+        let pivot = left.row(row).to_owned();
+        for other in 0..left.nrows() {
+            let factor = left[(other, column)] / pivot[column];
+            for mode in 0..left.ncols() {
+                left[(other, mode)] -= factor * pivot[mode];
+            }
+            left[(other, column)] = 0.0;
         }
     }
-    let motions = Mat::from_fn(model.dof_count(), 3, |row, mode| modes[mode][row]);
-    let inertia = product(motions.transpose(), forces.as_ref());
-    let factor = cholesky(inertia).ok_or(StructureError::NoArea)?;
-    // Twice: the second pass removes what rounding left of the first.
-    for _ in 0..2 {
-        let acceleration = solve(factor.as_ref(), product(motions.transpose(), loads.as_ref()));
-        add_product(loads.as_mut(), -1.0, forces.as_ref(), acceleration.as_ref());
-    }
-    Ok(())
-}
-
-/// Three degrees of freedom that hold the mesh without straining it: a node, and across the line to the farthest one.
-fn determinate_support(model: &PlaneModel) -> [usize; 3] {
-    let nodes = &model.mesh.nodes;
-    let distance = |node: usize| (nodes[node][0] - nodes[0][0]).hypot(nodes[node][1] - nodes[0][1]);
-    let far =
-        (0..nodes.len()).fold(0, |best, node| if distance(node) > distance(best) { node } else { best });
-    let [dx, dy] = [0, 1].map(|axis| (nodes[far][axis] - nodes[0][axis]).abs());
-    [0, 1, 2 * far + usize::from(dx > dy)]
+    chosen
 }

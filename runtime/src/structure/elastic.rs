@@ -17,7 +17,7 @@
 
 use super::StructureError;
 use super::answers::Turned;
-use super::condense::{Condensed, Support, condense, match_cuts};
+use super::condense::{Assembled, Condensed, Support, condense, match_cuts};
 use super::dense::product;
 use super::kernel::{Mollifier, PairQuadrature, Sampled};
 use super::ring::RingFlexibility;
@@ -26,7 +26,7 @@ use super::spline::Spline;
 use crate::fe::stress::StressRecovery;
 use crate::fe::{EdgeChain, PlaneModel, SparseVector};
 use crate::interrupt::Interrupt;
-use crate::material::Plane;
+use crate::material::{Material, Plane};
 use crate::profile::Profile;
 use faer::{Mat, MatRef};
 use std::f64::consts::{PI, TAU};
@@ -136,11 +136,13 @@ impl ElasticStructure {
         let nodes = |name: &str| Ok::<_, StructureError>(model.mesh.chain_nodes(chain(model, name)?));
         let (first, last, bore) = (nodes(ring.cuts[0])?, nodes(ring.cuts[1])?, nodes(ring.bore)?);
         let angle = TAU / f64::from(ring.sectors.max(1));
-        let cuts = match_cuts(&model.mesh.nodes, &first, &last, &bore, angle)
+        let assembled = Assembled::plane(model);
+        let cuts = match_cuts(&assembled.positions, &first, &last, &bore, angle)
             .ok_or_else(|| StructureError::CutsDiffer { cuts: ring.cuts.map(String::from) })?;
         let prepared = prepare(model, surfaces, options, interrupt)?;
         let (loads, rows) = gathered(&prepared);
-        let condensed = condense(model, &Support::Held(&bore), Some(&cuts), &loads, &rows, interrupt)?;
+        let held = assembled.dofs_of(&bore);
+        let condensed = condense(&assembled, &Support::Held(&held), Some(&cuts), &loads, &rows, interrupt)?;
         let flexibility = match &condensed.stiffness {
             Some(stiffness) => {
                 Some(RingFlexibility::new(stiffness, ring.sectors.max(1), ring.coupled, interrupt)?)
@@ -163,15 +165,20 @@ impl ElasticStructure {
     ) -> Result<Self, StructureError> {
         let prepared = prepare(model, surfaces, options, interrupt)?;
         let (loads, rows) = gathered(&prepared);
-        let held;
-        let support = match hold {
-            Hold::Free => Support::Free,
+        let assembled = Assembled::plane(model);
+        let condense = |support| condense(&assembled, &support, None, &loads, &rows, interrupt);
+        let condensed = match hold {
+            Hold::Free => {
+                // Any positive density distributes the forces alike.
+                let unit = Material { density: 1.0, ..model.material };
+                let mass = PlaneModel { material: unit, ..model.clone() }.mass();
+                condense(Support::Free { mass: &mass, motions: &model.rigid_body_modes() })?
+            }
             Hold::Chain(name) => {
-                held = model.mesh.chain_nodes(chain(model, name)?);
-                Support::Held(&held)
+                let nodes = model.mesh.chain_nodes(chain(model, name)?);
+                condense(Support::Held(&assembled.dofs_of(&nodes)))?
             }
         };
-        let condensed = condense(model, &support, None, &loads, &rows, interrupt)?;
         Self::assemble(model, 1, prepared, &condensed, None, interrupt)
     }
 
@@ -311,15 +318,15 @@ impl ElasticStructure {
 }
 
 /// What the mesh answers to unit mollified loads on one sector.
-struct Response {
+pub(super) struct Response {
     /// On the sector ahead, rows by observing mollifier.
-    compliance: Mat<f64>,
-    stress_ahead: Mat<f64>,
+    pub compliance: Mat<f64>,
+    pub stress_ahead: Mat<f64>,
     /// On this sector by loads on the sector ahead.
-    stress_behind: Mat<f64>,
+    pub stress_behind: Mat<f64>,
 }
 
-fn response(
+pub(super) fn response(
     condensed: &Condensed,
     ring: Option<&RingFlexibility>,
     offset: u32,
@@ -347,12 +354,12 @@ fn response(
 }
 
 /// Spline coefficients of a table in both variables.
-fn both_sides(rows: &Spline, columns: &Spline, table: MatRef<'_, f64>) -> Mat<f64> {
+pub(super) fn both_sides(rows: &Spline, columns: &Spline, table: MatRef<'_, f64>) -> Mat<f64> {
     let by_row = rows.coefficients(table);
     columns.coefficients(by_row.transpose()).transpose().to_owned()
 }
 
-fn starts(counts: impl Iterator<Item = usize>) -> Vec<usize> {
+pub(super) fn starts(counts: impl Iterator<Item = usize>) -> Vec<usize> {
     let mut starts = vec![0];
     for count in counts {
         starts.push(starts[starts.len() - 1] + count);

@@ -1,28 +1,31 @@
 //! How bodies deform: elastic behaviour relative to the body's frame, seen through its loadable surfaces.
 //!
 //! Displacements are elastic only: what moves the body as a whole belongs to its frame.
-//! Everything here is per unit of face width (a plane model): forces in N/m, compliances in m/(N/m).
+//! Everything here is per unit of face width (a plane model): forces in N/m, compliances in m/(N/m). Bodies in space are in [`solid`].
 
 mod answers;
 mod condense;
-mod dense;
 pub(crate) mod elastic;
 pub(crate) mod kernel;
 mod reshaped;
 pub(crate) mod rigid;
 pub(crate) mod ring;
 pub(crate) mod sampling;
+pub mod solid;
 pub(crate) mod spline;
+mod stored;
 
 pub use elastic::{ElasticStructure, Hold, RingSource, SurfaceSource};
 pub use reshaped::ReshapedSurface;
 pub use rigid::RigidStructure;
 pub use sampling::SplitOptions;
 
+use crate::dense;
 use crate::error::EngineError;
 use crate::fe::SolveError;
 use crate::profile::Profile;
 use ring::FreeRing;
+use solid::SolidStructure;
 use std::sync::Arc;
 
 /// Why a structure cannot be made of a mesh.
@@ -35,6 +38,10 @@ pub enum StructureError {
     Coarse { chain: String },
     #[error("the nodes of `{}`, turned by a pitch, are not those of `{}`", cuts[0], cuts[1])]
     CutsDiffer { cuts: [String; 2] },
+    #[error("the mesh has no set of faces `{faces}`")]
+    NoFaces { faces: String },
+    #[error("the faces `{faces}` are not swept along the z axis")]
+    NotSwept { faces: String },
     #[error("the mesh has no area")]
     NoArea,
     #[error(transparent)]
@@ -134,7 +141,52 @@ pub trait Structure: Send + Sync {
 
     /// Memory that the structure takes, in bytes, to the nearest few percent: what a cache counts.
     fn bytes(&self) -> usize;
+
+    /// All of it but the surfaces that contact sees, to be kept on disk for [`Prototype::restore`](crate::scene::Prototype::restore);
+    /// `None` if it is made faster than read.
+    fn stored(&self) -> Option<Vec<u8>> {
+        None
+    }
+}
+
+/// A structure of either kind.
+#[derive(Clone)]
+pub enum AnyStructure {
+    /// In the plane.
+    Plane(Arc<dyn Structure>),
+    /// In space.
+    Solid(Arc<dyn SolidStructure>),
+}
+
+impl AnyStructure {
+    /// Memory that it takes, in bytes.
+    pub fn bytes(&self) -> usize {
+        match self {
+            AnyStructure::Plane(structure) => structure.bytes(),
+            AnyStructure::Solid(structure) => structure.bytes(),
+        }
+    }
+
+    /// What of it is to be kept on disk.
+    pub(crate) fn stored(&self) -> Option<Vec<u8>> {
+        match self {
+            AnyStructure::Plane(structure) => structure.stored(),
+            AnyStructure::Solid(structure) => structure.stored(),
+        }
+    }
+}
+
+impl From<Arc<dyn Structure>> for AnyStructure {
+    fn from(structure: Arc<dyn Structure>) -> Self {
+        AnyStructure::Plane(structure)
+    }
+}
+
+impl From<Arc<dyn SolidStructure>> for AnyStructure {
+    fn from(structure: Arc<dyn SolidStructure>) -> Self {
+        AnyStructure::Solid(structure)
+    }
 }
 
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;

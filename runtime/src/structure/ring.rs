@@ -10,7 +10,9 @@
 //! definite even if the ring itself is free, so no step needs pivoting.
 
 use super::StructureError;
-use super::dense::{add_product, cholesky, half_solve, mirror_lower, solve};
+use super::dense::{
+    add_product, add_product_lower, cholesky, half_solve, mirror_lower, other_half_solve, solve,
+};
 use crate::interrupt::Interrupt;
 use faer::{Mat, MatRef};
 
@@ -28,7 +30,7 @@ pub struct FreeRing;
 
 impl CutStiffness {
     /// `matrix` is symmetric of even size: the degrees of freedom of the first cut, then as many of the last, in N/m
-    /// per metre of face width. Only its lower triangle is read.
+    /// (in the plane per metre of face width). Only its lower triangle is read.
     pub fn new(mut matrix: Mat<f64>) -> Self {
         assert!(
             matrix.nrows() == matrix.ncols() && matrix.nrows().is_multiple_of(2),
@@ -50,6 +52,11 @@ impl CutStiffness {
 
     /// The chain of `self` followed by `next`, the cut between them condensed (report eq. 2.80).
     fn joined(&self, next: &Self, interrupt: &Interrupt) -> Result<Self, StructureError> {
+        Ok(self.join(next, interrupt)?.0)
+    }
+
+    /// The chain of `self` followed by `next`, and how the cut between them follows its ends.
+    fn join(&self, next: &Self, interrupt: &Interrupt) -> Result<(Self, Inner), StructureError> {
         interrupt.check().map_err(StructureError::Interrupted)?;
         let n = self.cut_size();
         let between = self.block(1, 1) + next.block(0, 0);
@@ -61,8 +68,8 @@ impl CutStiffness {
         let mut matrix = Mat::zeros(2 * n, 2 * n);
         matrix.as_mut().submatrix_mut(0, 0, n, n).copy_from(self.block(0, 0));
         matrix.as_mut().submatrix_mut(n, n, n, n).copy_from(next.block(1, 1));
-        add_product(matrix.as_mut(), -1.0, coupling.transpose(), coupling.as_ref());
-        Ok(Self::new(matrix))
+        add_product_lower(matrix.as_mut(), -1.0, coupling.transpose(), coupling.as_ref());
+        Ok((Self::new(matrix), Inner { factor, coupling }))
     }
 
     /// The chain of `count >= 1` equal sectors, by doubling.
@@ -86,6 +93,24 @@ impl CutStiffness {
     }
 }
 
+/// A cut between two chains: its displacements are `-L^-T C` times those of the ends of both, first end before last.
+struct Inner {
+    /// `L`, of the stiffness of the cut with the ends held.
+    factor: Mat<f64>,
+    /// `C = L^-1 K`, with `K` between the cut and the ends.
+    coupling: Mat<f64>,
+}
+
+impl Inner {
+    fn displacements(&self, first: MatRef<'_, f64>, last: MatRef<'_, f64>) -> Mat<f64> {
+        let n = self.factor.nrows();
+        let mut forces = Mat::zeros(n, first.ncols());
+        add_product(forces.as_mut(), -1.0, self.coupling.as_ref().subcols(0, n), first);
+        add_product(forces.as_mut(), -1.0, self.coupling.as_ref().subcols(n, n), last);
+        other_half_solve(self.factor.as_ref(), forces)
+    }
+}
+
 /// Displacements of the cuts of every sector in a window, per unit force on the cuts of the first one.
 #[derive(Clone, Debug)]
 pub struct RingFlexibility {
@@ -97,8 +122,8 @@ pub struct RingFlexibility {
 impl RingFlexibility {
     /// For a ring of `sectors` equal sectors: offsets `0 ..= window`, at most half way round.
     ///
-    /// The `sectors - window - 1` sectors outside the window are condensed by doubling, the ring is closed, and the
-    /// cuts of the window are solved for.
+    /// The sectors outside the window are condensed by doubling. Those of the window are joined to them one by one, from the last
+    /// one back to the loaded one, and the cuts passed on the way follow from those of the loaded one.
     /// There is a checkpoint before each joining.
     ///
     /// # Errors
@@ -112,46 +137,51 @@ impl RingFlexibility {
         assert!(sectors >= 1, "a ring has sectors");
         let window = window.min(sectors / 2).min(sectors - 1);
         let n = sector.cut_size();
+        let ends = [[0, 0], [0, 1], [1, 0], [1, 1]];
+        if sectors == 1 {
+            // Both ends of the one sector are the same degrees of freedom.
+            let mut closed = Mat::zeros(n, n);
+            ends.iter().for_each(|&[row, column]| closed += sector.block(row, column));
+            let factor = cholesky(closed).ok_or(FreeRing)?;
+            let alone = solve(factor.as_ref(), Mat::identity(n, n));
+            let at = |row: usize, column: usize| alone[(row % n, column % n)];
+            return Ok(Self { by_offset: vec![Mat::from_fn(2 * n, 2 * n, at)] });
+        }
+        // The sectors outside the window, or its last one if there are none, go from cut `known` back to cut 0.
         let outside = sectors - window - 1;
-        // With nothing outside the window, its last cut is its first.
-        let cuts = if outside > 0 { window + 2 } else { window + 1 } as usize;
-        let mut stiffness = Mat::<f64>::zeros(cuts * n, cuts * n);
-        let mut assemble = |element: &CutStiffness, first: usize, last: usize| {
-            let place = [first * n, last * n];
-            for (row, &to_row) in place.iter().enumerate() {
-                for (column, &to_column) in place.iter().enumerate() {
-                    let mut target = stiffness.as_mut().submatrix_mut(to_row, to_column, n, n);
-                    target += element.block(row, column);
-                }
-            }
+        let (mut rest, known) = match outside {
+            0 => (sector.clone(), window),
+            _ => (sector.repeated(outside, interrupt)?, window + 1),
         };
-        for i in 0..=window as usize {
-            assemble(sector, i, (i + 1) % cuts);
-        }
-        if outside > 0 {
-            assemble(&sector.repeated(outside, interrupt)?, cuts - 1, 0);
+        let mut passed = Vec::new();
+        for _ in 1..known {
+            let (longer, inner) = sector.join(&rest, interrupt)?;
+            passed.push(inner);
+            rest = longer;
         }
         interrupt.check().map_err(StructureError::Interrupted)?;
-        let factor = cholesky(stiffness).ok_or(FreeRing)?;
-        interrupt.check().map_err(StructureError::Interrupted)?;
-        // With one cut only, both ends of the loaded sector are the same degrees of freedom.
-        let mut unit = Mat::zeros(cuts * n, 2 * n);
-        for i in 0..n {
-            unit[(i, i)] = 1.0;
-            unit[((1 % cuts) * n + i, n + i)] = 1.0;
+        let mut closed = sector.matrix.clone();
+        for [row, column] in ends {
+            let mut target = closed.as_mut().submatrix_mut((1 - row) * n, (1 - column) * n, n, n);
+            target += rest.block(row, column);
         }
-        let displacement = solve(factor.as_ref(), unit);
-        let by_offset = (0..=window as usize)
-            .map(|offset| {
-                let mut rows = Mat::zeros(2 * n, 2 * n);
-                for (end, cut) in [offset, (offset + 1) % cuts].into_iter().enumerate() {
-                    let from = displacement.as_ref().submatrix(cut * n, 0, n, 2 * n);
-                    rows.as_mut().submatrix_mut(end * n, 0, n, 2 * n).copy_from(from);
-                }
-                rows
-            })
-            .collect();
-        Ok(Self { by_offset })
+        let factor = cholesky(closed).ok_or(FreeRing)?;
+        interrupt.check().map_err(StructureError::Interrupted)?;
+        let loaded = solve(factor.as_ref(), Mat::identity(2 * n, 2 * n));
+        let (first, second) = loaded.as_ref().split_at_row(n);
+        let mut cuts = vec![first.to_owned(), second.to_owned()];
+        while let Some(inner) = passed.pop() {
+            interrupt.check().map_err(StructureError::Interrupted)?;
+            cuts.push(inner.displacements(cuts[cuts.len() - 1].as_ref(), first));
+        }
+        let of_sector = |offset: usize| {
+            let mut rows = Mat::zeros(2 * n, 2 * n);
+            for (end, cut) in [offset, (offset + 1) % cuts.len()].into_iter().enumerate() {
+                rows.as_mut().submatrix_mut(end * n, 0, n, 2 * n).copy_from(&cuts[cut]);
+            }
+            rows
+        };
+        Ok(Self { by_offset: (0..=window as usize).map(of_sector).collect() })
     }
 
     /// The largest offset known.

@@ -7,6 +7,7 @@
 
 use super::kernel::Mollifier;
 use crate::fe::{EdgeChain, ElementEdge, PlaneMesh};
+use serde::{Deserialize, Serialize};
 
 /// How finely the split of the compliance is made.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,14 +39,14 @@ const INTERVALS: usize = 2000;
 
 /// A coordinate along a surface in which the smooth part is as smooth near a sharp edge as elsewhere: there it varies
 /// with the logarithm of the distance. Straight continuation beyond the last sample is the law of a free corner.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub(super) struct Stretch {
     length: f64,
     /// At the start and the end of the surface, if they are sharp.
     edges: [Option<Edge>; 2],
 }
 
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 struct Edge {
     at: f64,
     /// Distance over which the edge is not sharp, on the body or in the mesh, m.

@@ -1,6 +1,7 @@
 //! Structures against exact solutions, whole meshes and brute force.
 
-mod bodies;
+pub(crate) mod bodies;
 mod disc;
 mod ring;
+mod solid_ring;
 mod split;

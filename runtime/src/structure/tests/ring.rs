@@ -4,7 +4,7 @@ use super::bodies::{COARSE, STEEL, ring_source, toothed_ring, toothed_sector};
 use crate::fe::{Constraints, PlaneModel, Solver, SparseVector};
 use crate::interrupt::Interrupt;
 use crate::material::Plane;
-use crate::structure::condense::{Support, condense, match_cuts};
+use crate::structure::condense::{Assembled, Support, condense, match_cuts};
 use crate::structure::ring::RingFlexibility;
 use crate::structure::{Chart, ElasticStructure, SplitOptions, Structure, StructureError};
 use std::f64::consts::TAU;
@@ -26,11 +26,20 @@ fn condensed_sectors_agree_with_the_whole_mesh() {
     let nodes = |name: &str| sector.mesh.chain_nodes(sector.mesh.chain(name).unwrap());
     let angle = TAU / f64::from(teeth);
     let bore = nodes("bore");
-    let cuts = match_cuts(&sector.mesh.nodes, &nodes("cut_first"), &nodes("cut_last"), &bore, angle).unwrap();
+    let assembled = Assembled::plane(&sector);
+    let cuts =
+        match_cuts(&assembled.positions, &nodes("cut_first"), &nodes("cut_last"), &bore, angle).unwrap();
     let points = [([1.1, 0.2], [0.3, -1.0]), ([1.3, -0.1], [-0.5, 0.7]), ([0.85, 0.3], [1.0, 0.2])];
     let loads: Vec<_> = points.iter().map(|&(at, along)| force(&sector, at, along, 0.0)).collect();
-    let condensed =
-        condense(&sector, &Support::Held(&bore), Some(&cuts), &loads, &loads, &Interrupt::never()).unwrap();
+    let condensed = condense(
+        &assembled,
+        &Support::Held(&assembled.dofs_of(&bore)),
+        Some(&cuts),
+        &loads,
+        &loads,
+        &Interrupt::never(),
+    )
+    .unwrap();
     let ring =
         RingFlexibility::new(condensed.stiffness.as_ref().unwrap(), teeth, 3, &Interrupt::never()).unwrap();
 

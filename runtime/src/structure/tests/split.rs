@@ -5,7 +5,7 @@ use crate::fe::SparseVector;
 use crate::fe::quadrature::gauss_legendre;
 use crate::interrupt::Interrupt;
 use crate::profile::{Profile, ProfilePoint};
-use crate::structure::condense::{Condensed, Support, condense, match_cuts};
+use crate::structure::condense::{Assembled, Condensed, Support, condense, match_cuts};
 use crate::structure::kernel::{Mollifier, PairQuadrature};
 use crate::structure::ring::RingFlexibility;
 use crate::structure::{Chart, ElasticStructure, ReshapedSurface, SplitOptions, Structure, SurfaceLoad};
@@ -44,7 +44,9 @@ fn direct(divisions: Divisions, strips: &[(u32, Mollifier)], tilt: f64) -> (Cond
     let nodes = |name: &str| model.mesh.chain_nodes(model.mesh.chain(name).unwrap());
     let bore = nodes("bore");
     let angle = TAU / f64::from(TEETH);
-    let cuts = match_cuts(&model.mesh.nodes, &nodes("cut_first"), &nodes("cut_last"), &bore, angle).unwrap();
+    let assembled = Assembled::plane(&model);
+    let cuts =
+        match_cuts(&assembled.positions, &nodes("cut_first"), &nodes("cut_last"), &bore, angle).unwrap();
     let loads: Vec<SparseVector> = strips
         .iter()
         .map(|(surface, strip)| {
@@ -66,8 +68,15 @@ fn direct(divisions: Divisions, strips: &[(u32, Mollifier)], tilt: f64) -> (Cond
             rows.push(recovery.surface_row(root, edge.s[0] + share * (edge.s[1] - edge.s[0])).unwrap());
         }
     }
-    let condensed =
-        condense(&model, &Support::Held(&bore), Some(&cuts), &loads, &rows, &Interrupt::never()).unwrap();
+    let condensed = condense(
+        &assembled,
+        &Support::Held(&assembled.dofs_of(&bore)),
+        Some(&cuts),
+        &loads,
+        &rows,
+        &Interrupt::never(),
+    )
+    .unwrap();
     let ring =
         RingFlexibility::new(condensed.stiffness.as_ref().unwrap(), TEETH, 3, &Interrupt::never()).unwrap();
     (condensed, ring)

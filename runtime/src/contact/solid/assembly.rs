@@ -1,0 +1,192 @@
+//! The compliance of all cells of all patches: half-spaces and their images where load and observer share a surface, structures where
+//! they share a body.
+//!
+//! Every entry is the same expression with its two cells exchanged, so the matrix is symmetric bit for bit; nothing is averaged with
+//! its transpose.
+
+use super::grid::Cell;
+use super::half_space::mean_inverse_distance;
+use super::image::{Images, PlacedMirror};
+use super::placement::{PatchFrame, Pose};
+use crate::structure::Chart;
+use crate::structure::solid::SolidStructure;
+use std::f64::consts::PI;
+
+/// One body's part in a patch.
+#[derive(Clone, Copy)]
+pub struct Side<'a> {
+    /// Tells bodies apart: several may share a structure (planets made alike) without touching each other's displacements.
+    pub body: usize,
+    /// How the body deforms.
+    pub structure: &'a dyn SolidStructure,
+    /// Its surface.
+    pub chart: Chart,
+    /// Of the body's frame, without the turn of a tooth.
+    pub pose: Pose,
+}
+
+/// A patch: its two different bodies, in the order of its grid's sides, and its cells.
+#[derive(Clone, Copy)]
+pub struct Patch<'a> {
+    /// The first body and the second.
+    pub sides: [Side<'a>; 2],
+    /// Of its grid.
+    pub frame: &'a PatchFrame,
+    /// Of its grid.
+    pub cells: &'a [Cell],
+}
+
+/// A, row-major, cells in the order of the patches: growth of a cell's gap, averaged over it, per force on a cell, m/N.
+pub fn compliance(patches: &[Patch]) -> Vec<f64> {
+    let starts: Vec<usize> = patches
+        .iter()
+        .scan(0, |next, patch| {
+            let start = *next;
+            *next += patch.cells.len();
+            Some(start)
+        })
+        .collect();
+    let n: usize = patches.iter().map(|patch| patch.cells.len()).sum();
+    let mut matrix = vec![0.0; n * n];
+    for (p, observing) in patches.iter().enumerate() {
+        for (q, loaded) in patches.iter().enumerate().skip(p) {
+            let mut block = structural(observing, loaded);
+            let columns = loaded.cells.len();
+            debug_assert!(
+                p != q || is_symmetric(&block, columns),
+                "a structure's compliance is not symmetric"
+            );
+            if p == q {
+                add_half_spaces(observing, &mut block);
+            }
+            for i in 0..observing.cells.len() {
+                for j in 0..columns {
+                    let value = block[i * columns + j];
+                    matrix[(starts[p] + i) * n + starts[q] + j] = value;
+                    matrix[(starts[q] + j) * n + starts[p] + i] = value;
+                }
+            }
+        }
+    }
+    matrix
+}
+
+fn is_symmetric(block: &[f64], n: usize) -> bool {
+    (0..n * n).all(|e| block[e].to_bits() == block[e % n * n + e / n].to_bits())
+}
+
+/// Growth of the gaps of one patch per force on the cells of another, or of the same, by the structures of the bodies they share.
+fn structural(observing: &Patch, loaded: &Patch) -> Vec<f64> {
+    let mut block = vec![0.0; observing.cells.len() * loaded.cells.len()];
+    for (a, observer) in observing.sides.iter().enumerate() {
+        for (b, load) in loaded.sides.iter().enumerate() {
+            if observer.body != load.body {
+                continue;
+            }
+            let places =
+                |patch: &Patch, side: usize| patch.cells.iter().map(|c| c.places[side]).collect::<Vec<_>>();
+            observer.structure.add_compliance(
+                observer.chart,
+                &places(observing, a),
+                load.chart,
+                &places(loaded, b),
+                &mut block,
+            );
+        }
+    }
+    block
+}
+
+/// Adds the half-spaces of both bodies, with their images, to the block of a patch with itself.
+fn add_half_spaces(patch: &Patch, block: &mut [f64]) {
+    let n = patch.cells.len();
+    let softness = |side: &Side| {
+        let modulus = side.structure.surface_modulus();
+        if modulus.is_infinite() { 0.0 } else { (PI * modulus).recip() }
+    };
+    let direct: f64 = patch.sides.iter().map(softness).sum();
+    if direct == 0.0 {
+        return;
+    }
+    let mut mirrors: Vec<PlacedMirror> = Vec::new();
+    for side in patch.sides.iter().filter(|side| softness(side) > 0.0) {
+        for mirror in side.structure.mirrors() {
+            let mirror = PlacedMirror::new(mirror, &side.pose, softness(side));
+            match mirrors.iter_mut().find(|known| known.is_same(&mirror, patch.frame.point)) {
+                Some(known) => known.softness += mirror.softness,
+                None => mirrors.push(mirror),
+            }
+        }
+    }
+    let images: Vec<Images> = mirrors.into_iter().map(|mirror| Images::new(mirror, patch.frame)).collect();
+    let lattice = Lattice::of(patch.cells);
+    let given = |first: &Cell, second: &Cell| {
+        let offset = [0, 1].map(|k| first.center[k] - second.center[k]);
+        let halves = [first, second].map(|cell| cell.size.map(|size| 0.5 * size));
+        direct * mean_inverse_distance(offset, halves[0], halves[1])
+    };
+    let mirrored = |first: &Cell, second: &Cell| -> f64 {
+        images.iter().map(|images| images.softness() * images.mean_inverse_distance(first, second)).sum()
+    };
+    // Whole cells of the lattice see each other by the difference of their places alone, and each other's images by the difference
+    // across and both places along.
+    let is_level = images.iter().all(|images| images.is_level);
+    let mut direct_known = vec![f64::NAN; lattice.columns * lattice.rows];
+    let mut images_known = vec![f64::NAN; lattice.columns * lattice.rows * lattice.rows];
+    let look_up = |known: &mut f64, value: &dyn Fn() -> f64| {
+        if known.is_nan() {
+            *known = value();
+        }
+        *known
+    };
+    for i in 0..n {
+        for j in 0..=i {
+            let (first, second) = (&patch.cells[i], &patch.cells[j]);
+            let mut value = match (first.lattice, second.lattice) {
+                (Some(a), Some(b)) => {
+                    let [column, row] = [0, 1].map(|k: usize| a[k].abs_diff(b[k]) as usize);
+                    look_up(&mut direct_known[row * lattice.columns + column], &|| given(first, second))
+                }
+                _ => given(first, second),
+            };
+            if !images.is_empty() {
+                value += match (first.lattice, second.lattice) {
+                    (Some(a), Some(b)) if is_level => {
+                        let column = a[0].abs_diff(b[0]) as usize;
+                        // Cells are in the order of their rows, so the second's is never the later one.
+                        let [row, other] = [a, b].map(|place| (place[1] - lattice.first_row) as usize);
+                        let index = (row * lattice.rows + other) * lattice.columns + column;
+                        look_up(&mut images_known[index], &|| mirrored(first, second))
+                    }
+                    _ => mirrored(first, second),
+                };
+            }
+            block[i * n + j] += value;
+            if j < i {
+                block[j * n + i] += value;
+            }
+        }
+    }
+}
+
+/// The stretch of a patch's lattice that its whole cells take.
+struct Lattice {
+    columns: usize,
+    rows: usize,
+    first_row: i32,
+}
+
+impl Lattice {
+    fn of(cells: &[Cell]) -> Self {
+        let stretch = |axis: usize| {
+            let places = || cells.iter().filter_map(|cell| cell.lattice).map(|place| place[axis]);
+            match (places().min(), places().max()) {
+                (Some(first), Some(last)) => (first, last.abs_diff(first) as usize + 1),
+                _ => (0, 0),
+            }
+        };
+        let (_, columns) = stretch(0);
+        let (first_row, rows) = stretch(1);
+        Self { columns, rows, first_row }
+    }
+}

@@ -1,0 +1,263 @@
+//! Elimination of the unknowns of a mesh, part by part of its [`Dissection`], down to those that are kept.
+//!
+//! Loads and linear forms are carried along as if they were more unknowns to keep: where the stiffness is `K`, the loads `B` and the
+//! forms `C`, the matrix `[K B; B^T 0; C 0]` loses the unknowns that are not kept, and what remains is all that a condensed structure
+//! is made of, the responses to loads among it. No factor is stored, no response of the whole mesh is ever formed, and a load
+//! takes part only in what lies above the elements it acts on. (Duff and Reid, ACM Transactions on Mathematical Software 9, 1983.)
+//!
+//! Bits do not depend on the number of threads: what is done side by side is cut up the same way on any machine.
+
+use super::dissection::{Dissection, Part};
+use super::solve::SolveError;
+use super::sparse::SparseVector;
+use crate::dense::{add_product, add_product_lower, cholesky_in_place, divide_by_factor};
+use faer::Mat;
+use faer::sparse::SparseColMat;
+
+/// A pivot smaller than this share of its unknown's own stiffness leaves no digits: something can move freely.
+const SINGULAR: f64 = 1e-13;
+
+/// What is left of loads, forms and kept unknowns; `c` kept unknowns, `m` loads, `q` forms.
+#[derive(Clone, Debug)]
+pub struct Remainder {
+    /// Square, `c + m`: the stiffness left, the loads left on the kept unknowns (and their transpose), and, negative, the
+    /// displacements of the loads by the loads with the kept unknowns held. Lower triangle.
+    pub square: Mat<f64>,
+    /// `q` by `c + m`: the forms of the kept unknowns, and, negative, of the loads with the kept unknowns held.
+    pub forms: Mat<f64>,
+}
+
+/// What a part leaves to the one above it.
+struct Update {
+    /// Slots of the degrees of freedom and loads that the part was coupled to.
+    slots: Vec<usize>,
+    forms_at: Vec<usize>,
+    square: Mat<f64>,
+    forms: Mat<f64>,
+}
+
+/// Entries of sparse vectors by degree of freedom.
+struct ByDof {
+    starts: Vec<usize>,
+    /// Number of the vector, and its value.
+    entries: Vec<(usize, f64)>,
+}
+
+impl ByDof {
+    fn new(dofs: usize, vectors: &[SparseVector]) -> Self {
+        let mut starts = vec![0; dofs + 1];
+        for &(dof, _) in vectors.iter().flat_map(|vector| &vector.entries) {
+            starts[dof + 1] += 1;
+        }
+        for dof in 0..dofs {
+            starts[dof + 1] += starts[dof];
+        }
+        let mut entries = vec![(0, 0.0); starts[dofs]];
+        let mut next = starts.clone();
+        for (number, vector) in vectors.iter().enumerate() {
+            for &(dof, value) in &vector.entries {
+                entries[next[dof]] = (number, value);
+                next[dof] += 1;
+            }
+        }
+        Self { starts, entries }
+    }
+
+    fn at(&self, dof: usize) -> &[(usize, f64)] {
+        &self.entries[self.starts[dof]..self.starts[dof + 1]]
+    }
+}
+
+struct Elimination<'a, C> {
+    stiffness: &'a SparseColMat<usize, f64>,
+    dissection: &'a Dissection,
+    loads: ByDof,
+    forms: ByDof,
+    /// The slot of the first load: degrees of freedom come before, in the order of elimination.
+    first_load: usize,
+    checkpoint: C,
+}
+
+/// Eliminates all unknowns that the dissection does not keep. `checkpoint` is asked before each part.
+///
+/// # Errors
+/// What can move is not held, or the checkpoint's.
+pub fn eliminate<E: From<SolveError> + Send>(
+    stiffness: &SparseColMat<usize, f64>,
+    dissection: &Dissection,
+    loads: &[SparseVector],
+    forms: &[SparseVector],
+    checkpoint: impl Fn() -> Result<(), E> + Sync,
+) -> Result<Remainder, E> {
+    let dofs = stiffness.ncols();
+    let first_load = dissection.order.iter().flatten().count();
+    let eliminated: usize = dissection.parts.iter().map(|part| part.pivots.len()).sum();
+    let elimination = Elimination {
+        stiffness,
+        dissection,
+        loads: ByDof::new(dofs, loads),
+        forms: ByDof::new(dofs, forms),
+        first_load,
+        checkpoint,
+    };
+    let below = match dissection.parts.last().map(|top| top.below.as_slice()) {
+        Some(&[top]) => Some(elimination.part(top)?),
+        _ => None,
+    };
+    (elimination.checkpoint)()?;
+
+    let kept = first_load - eliminated;
+    let mut square = Mat::zeros(kept + loads.len(), kept + loads.len());
+    let mut left = Mat::zeros(forms.len(), kept + loads.len());
+    for (dof, slot) in dissection.order.iter().enumerate() {
+        let Some(column) = slot.and_then(|slot| slot.checked_sub(eliminated)) else { continue };
+        let entries = stiffness.row_idx_of_col(dof).zip(stiffness.val_of_col(dof));
+        for (row, value) in entries {
+            let row = dissection.order[row].and_then(|slot| slot.checked_sub(eliminated));
+            if let Some(row) = row.filter(|&row| row >= column) {
+                square[(row, column)] += value;
+            }
+        }
+        for &(load, value) in elimination.loads.at(dof) {
+            square[(kept + load, column)] += value;
+        }
+        for &(form, value) in elimination.forms.at(dof) {
+            left[(form, column)] += value;
+        }
+    }
+    if let Some(update) = below {
+        let places: Vec<usize> = update.slots.iter().map(|slot| slot - eliminated).collect();
+        for (from, &column) in places.iter().enumerate() {
+            for (row, &place) in places.iter().enumerate().skip(from) {
+                square[(place, column)] += update.square[(row, from)];
+            }
+            for (row, &form) in update.forms_at.iter().enumerate() {
+                left[(form, column)] += update.forms[(row, from)];
+            }
+        }
+    }
+    Ok(Remainder { square, forms: left })
+}
+
+impl<E: From<SolveError> + Send, C: Fn() -> Result<(), E> + Sync> Elimination<'_, C> {
+    /// Eliminates a part and all below.
+    fn part(&self, number: usize) -> Result<Update, E> {
+        let part = &self.dissection.parts[number];
+        let below = match *part.below.as_slice() {
+            [] => Vec::new(),
+            [only] => vec![self.part(only)?],
+            [first, second, ..] => {
+                let (first, second) = rayon::join(|| self.part(first), || self.part(second));
+                vec![first?, second?]
+            }
+        };
+        (self.checkpoint)()?;
+        self.front(part, below)
+    }
+
+    fn front(&self, part: &Part, below: Vec<Update>) -> Result<Update, E> {
+        let slot = |dof: usize| self.dissection.order[dof].unwrap_or(usize::MAX);
+        let count = part.pivots.len();
+        let mut slots: Vec<usize> = part.boundary.iter().map(|&dof| slot(dof)).collect();
+        let incident = |vectors: &ByDof| -> Vec<usize> {
+            part.pivots.iter().flat_map(|&dof| vectors.at(dof)).map(|&(number, _)| number).collect()
+        };
+        let mut loads: Vec<usize> =
+            incident(&self.loads).into_iter().map(|load| self.first_load + load).collect();
+        let mut forms_at = incident(&self.forms);
+        for update in &below {
+            let dofs = update.slots.partition_point(|&slot| slot < self.first_load);
+            loads.extend(&update.slots[dofs..]);
+            forms_at.extend(&update.forms_at);
+        }
+        for list in [&mut loads, &mut forms_at] {
+            list.sort_unstable();
+            list.dedup();
+        }
+        slots.extend(loads);
+        let (rest, forms) = (slots.len(), forms_at.len());
+
+        // Columns of the pivots: rows of the pivots, of what they are coupled to, of the forms.
+        let mut columns = Mat::<f64>::zeros(count + rest + forms, count);
+        let mut square = Mat::<f64>::zeros(rest, rest);
+        let mut left = Mat::<f64>::zeros(forms, rest);
+        let first = part.pivots.first().map_or(0, |&dof| slot(dof));
+        let find = |slot: usize| slots.binary_search(&slot).unwrap_or(usize::MAX);
+        let mut own = Vec::with_capacity(count);
+        for (column, &dof) in part.pivots.iter().enumerate() {
+            // The next row mostly is the next place too.
+            let mut guess = 0;
+            for (row, &value) in self.stiffness.row_idx_of_col(dof).zip(self.stiffness.val_of_col(dof)) {
+                let Some(slot) = self.dissection.order[row].filter(|&slot| slot >= first + column) else {
+                    continue;
+                };
+                let place = if slot < first + count {
+                    slot - first
+                } else {
+                    guess = if slots.get(guess) == Some(&slot) { guess } else { find(slot) } + 1;
+                    count + guess - 1
+                };
+                columns[(place, column)] += value;
+            }
+            own.push(columns[(column, column)]);
+            for &(load, value) in self.loads.at(dof) {
+                columns[(count + find(self.first_load + load), column)] += value;
+            }
+            for &(form, value) in self.forms.at(dof) {
+                if let Ok(place) = forms_at.binary_search(&form) {
+                    columns[(count + rest + place, column)] += value;
+                }
+            }
+        }
+        for update in below {
+            let mut places = Vec::with_capacity(update.slots.len());
+            let mut next = 0;
+            for &slot in &update.slots {
+                if slot < first + count {
+                    places.push(slot - first);
+                } else {
+                    next += slots[next..].partition_point(|&other| other < slot);
+                    places.push(count + next);
+                }
+            }
+            let forms: Vec<usize> =
+                update.forms_at.iter().map(|form| forms_at.partition_point(|other| other < form)).collect();
+            for (from, &place) in places.iter().enumerate() {
+                let values = update.square.col(from);
+                let of_forms = update.forms.col(from);
+                if place < count {
+                    let mut target = columns.col_mut(place);
+                    for (row, &to) in places.iter().enumerate().skip(from) {
+                        target[to] += values[row];
+                    }
+                    for (row, &to) in forms.iter().enumerate() {
+                        target[count + rest + to] += of_forms[row];
+                    }
+                } else {
+                    let mut target = square.col_mut(place - count);
+                    for (row, &to) in places.iter().enumerate().skip(from) {
+                        target[to - count] += values[row];
+                    }
+                    let mut target = left.col_mut(place - count);
+                    for (row, &to) in forms.iter().enumerate() {
+                        target[to] += of_forms[row];
+                    }
+                }
+            }
+        }
+
+        let (mut pivots, mut lower) = columns.as_mut().split_at_row_mut(count);
+        if !cholesky_in_place(pivots.as_mut()) {
+            return Err(SolveError::Singular.into());
+        }
+        let regular = |pivot: usize| pivots[(pivot, pivot)].powi(2) > SINGULAR * own[pivot];
+        if !(0..count).all(regular) {
+            return Err(SolveError::Singular.into());
+        }
+        divide_by_factor(lower.as_mut(), pivots.as_ref());
+        let (upper, lower) = lower.as_ref().split_at_row(rest);
+        add_product_lower(square.as_mut(), -1.0, upper, upper.transpose());
+        add_product(left.as_mut(), -1.0, lower, upper.transpose());
+        Ok(Update { slots, forms_at, square, forms: left })
+    }
+}

@@ -1,0 +1,198 @@
+//! Surfaces of revolution that deform by a Fourier series around and by polynomials along (report 2.7): what joins meshes that do not
+//! conform at webs, bores and seats.
+//!
+//! The report has six terms stand for the rigid-body motions of the surface and constrains these alone. Only two of them are
+//! motions by themselves: a translation along x is `u_r = cos t, u_t = -sin t`, and the report's `u_r = cos t` is half of that and half
+//! the strain `u_r = cos t, u_t = sin t`; a rotation about x is `u_r = -z sin t, u_t = -z cos t, u_z = R sin t`. Here the rigid-body motions
+//! are unknowns of their own, exact wherever the nodes lie, and every other term has its rigid part taken out, its mean translation and
+//! rotation over the surface. Both span the same displacements; holding the six holds the surface as a whole and nothing else.
+
+use crate::fe::quadrature::gauss_legendre;
+use nalgebra::{Matrix6, Vector6};
+use std::f64::consts::TAU;
+
+/// A surface of revolution with a straight generator: a cylinder, a cone, or a plane ring.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RevolutionSurface {
+    /// The middle of the axis, about which rotations turn, m.
+    pub center: [f64; 3],
+    /// Orthonormal, right-handed: the direction from which angles count, the one at a right angle, and the axis.
+    pub axes: [[f64; 3]; 3],
+    /// Radius and axial place relative to the center of both ends of the generator, m.
+    pub generator: [[f64; 2]; 2],
+}
+
+impl RevolutionSurface {
+    /// A cylinder about the z axis between two axial places, m.
+    pub fn cylinder(radius: f64, [from, to]: [f64; 2]) -> Self {
+        let middle = 0.5 * (from + to);
+        Self {
+            center: [0.0, 0.0, middle],
+            axes: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+            generator: [[radius, from - middle], [radius, to - middle]],
+        }
+    }
+
+    /// Radius and axial place at a coordinate along the generator, -1 to 1.
+    fn on_generator(&self, zeta: f64) -> [f64; 2] {
+        let [from, to] = self.generator;
+        [0, 1].map(|k| 0.5 * ((1.0 - zeta) * from[k] + (1.0 + zeta) * to[k]))
+    }
+
+    /// Half of the generator, as a vector.
+    fn half(&self) -> [f64; 2] {
+        [0, 1].map(|k| 0.5 * (self.generator[1][k] - self.generator[0][k]))
+    }
+}
+
+/// A direction at a point of a surface of revolution.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Component {
+    /// Away from the axis.
+    Radial,
+    /// Around it, counter-clockwise.
+    Tangential,
+    /// Along it.
+    Axial,
+}
+
+/// A term of the series: a component of the displacement, Legendre polynomial of a degree along the generator, cosine or sine around.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Term {
+    /// Which way it moves.
+    pub component: Component,
+    /// Degree of the polynomial along; those of the report, powers of z, span the same.
+    pub degree: u8,
+    /// Waves around.
+    pub harmonic: u16,
+    /// Sine instead of cosine.
+    pub sine: bool,
+}
+
+/// Displacements of a surface, up to some harmonic around and some degree along.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Series {
+    surface: RevolutionSurface,
+    terms: Vec<Term>,
+    /// Rigid part of each term: translations along and rotations about the axes.
+    rigid_parts: Vec<[f64; 6]>,
+}
+
+impl Series {
+    /// The series on a surface. `None` if the surface has no extent: a radius is negative, both are zero, or there is no generator along
+    /// which to have a degree above zero.
+    pub fn new(surface: RevolutionSurface, harmonics: u16, degree: u8) -> Option<Self> {
+        let [[r0, z0], [r1, z1]] = surface.generator;
+        let point = r0 == r1 && z0 == z1;
+        let sound = r0 >= 0.0 && r1 >= 0.0 && r0 + r1 > 0.0 && !(point && degree > 0);
+        if !sound {
+            return None;
+        }
+        // Whether the rigid-body motions are in the span of the terms; then a term of each is left out.
+        let tilted = harmonics > 0 && (degree > 0 || point);
+        let turned = degree > 0 || r0 == r1;
+        let kept = |term: &Term| match (term.component, term.degree, term.harmonic) {
+            (Component::Tangential, 0, 1) => false,
+            (Component::Axial, 0, 0) => false,
+            (Component::Tangential, 0, 0) => !turned,
+            (Component::Axial, 0, 1) => !tilted,
+            _ => true,
+        };
+        let mut terms = Vec::new();
+        for component in [Component::Radial, Component::Tangential, Component::Axial] {
+            for degree in 0..=degree {
+                for harmonic in 0..=harmonics {
+                    let both = if harmonic == 0 { &[false][..] } else { &[false, true] };
+                    terms.extend(both.iter().map(|&sine| Term { component, degree, harmonic, sine }));
+                }
+            }
+        }
+        terms.retain(kept);
+        let mut series = Self { surface, terms, rigid_parts: Vec::new() };
+        series.rigid_parts = series.project(usize::from(harmonics), usize::from(degree))?;
+        Some(series)
+    }
+
+    /// The terms; their unknowns follow on the six of the rigid-body motions.
+    pub fn terms(&self) -> &[Term] {
+        &self.terms
+    }
+
+    /// The surface.
+    pub fn surface(&self) -> &RevolutionSurface {
+        &self.surface
+    }
+
+    /// Displacement at a position, which should be on the surface, by a unit of each unknown: translations along the axes (m), rotations about
+    /// them through the center (rad), terms (m).
+    pub fn displacements(&self, position: [f64; 3]) -> Vec<[f64; 3]> {
+        let RevolutionSurface { center, axes, .. } = &self.surface;
+        let from_center = [0, 1, 2].map(|axis| position[axis] - center[axis]);
+        let local = axes.map(|axis| dot(axis, from_center));
+        let [half_r, half_z] = self.surface.half();
+        let [r, z] = self.surface.on_generator(0.0);
+        let (radius, angle) = (local[0].hypot(local[1]), local[1].atan2(local[0]));
+        let length = half_r * half_r + half_z * half_z;
+        let zeta =
+            if length > 0.0 { ((radius - r) * half_r + (local[2] - z) * half_z) / length } else { 0.0 };
+        let rigid = rigid_motions(local);
+        let mut all = rigid.to_vec();
+        all.extend(self.terms.iter().zip(&self.rigid_parts).map(|(term, parts)| {
+            let value = term.displacement(angle, zeta);
+            [0, 1, 2].map(|k| value[k] - (0..6).map(|mode| parts[mode] * rigid[mode][k]).sum::<f64>())
+        }));
+        let outward = |local: [f64; 3]| {
+            [0, 1, 2].map(|k| local[0] * axes[0][k] + local[1] * axes[1][k] + local[2] * axes[2][k])
+        };
+        all.into_iter().map(outward).collect()
+    }
+
+    /// Amounts of the six motions in each term that are nearest to it, in the mean square over the surface.
+    fn project(&self, harmonics: usize, degree: usize) -> Option<Vec<[f64; 6]>> {
+        let around = 2 * harmonics + 6;
+        let mut gram = Matrix6::zeros();
+        let mut products = vec![Vector6::zeros(); self.terms.len()];
+        for (zeta, weight) in gauss_legendre(degree + 3) {
+            let [radius, z] = self.surface.on_generator(zeta);
+            for step in 0..around {
+                let angle = TAU * step as f64 / around as f64;
+                let rigid = rigid_motions([radius * angle.cos(), radius * angle.sin(), z]);
+                gram += Matrix6::from_fn(|a, b| weight * radius * dot(rigid[a], rigid[b]));
+                for (sum, term) in products.iter_mut().zip(&self.terms) {
+                    let value = term.displacement(angle, zeta);
+                    *sum += Vector6::from_fn(|mode, _| weight * radius * dot(rigid[mode], value));
+                }
+            }
+        }
+        let factor = gram.cholesky()?;
+        Some(products.into_iter().map(|product| factor.solve(&product).into()).collect())
+    }
+}
+
+impl Term {
+    /// Displacement along the axes at an angle and a coordinate along the generator, -1 to 1.
+    fn displacement(&self, angle: f64, zeta: f64) -> [f64; 3] {
+        let (mut previous, mut value) = (0.0, 1.0);
+        for degree in 0..self.degree {
+            let k = f64::from(degree);
+            (previous, value) = (value, ((2.0 * k + 1.0) * zeta * value - k * previous) / (k + 1.0));
+        }
+        let phase = f64::from(self.harmonic) * angle;
+        let value = value * if self.sine { phase.sin() } else { phase.cos() };
+        let (sin, cos) = angle.sin_cos();
+        match self.component {
+            Component::Radial => [value * cos, value * sin, 0.0],
+            Component::Tangential => [-value * sin, value * cos, 0.0],
+            Component::Axial => [0.0, 0.0, value],
+        }
+    }
+}
+
+/// Displacements of unit translations along the axes and unit rotations about them, at a place relative to the center.
+pub(super) fn rigid_motions([x, y, z]: [f64; 3]) -> [[f64; 3]; 6] {
+    [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]]
+}
+
+fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}

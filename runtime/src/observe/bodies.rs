@@ -1,0 +1,153 @@
+//! What bodies feel: the forces of contact on them, what holds them, and how far they give.
+
+use super::{Equilibrium, Observable, Quantity};
+use crate::results::{Observed, Place};
+use crate::scene::BodyId;
+use crate::step::StepResult;
+use crate::system::System;
+use std::ops::Add;
+
+impl Equilibrium<'_> {
+    /// What contact does to a body's frame, see [`System::contact_force`].
+    pub fn contact_force(self, body: BodyId) -> [f64; 6] {
+        let mut total = [0.0; 6];
+        for (contact, side) in self.contacts_on(body) {
+            for (sum, part) in total.iter_mut().zip(contact.wrench(side)) {
+                *sum += part;
+            }
+        }
+        total
+    }
+
+    /// What holds a body, in the order of [`crate::scene::FREEDOMS`]: force (N) and moment about the frame's origin (N m), along
+    /// ground axes. With contact and external load it is in equilibrium, so it is zero along freedoms.
+    pub fn support(self, body: BodyId) -> [f64; 6] {
+        let (contact, load) =
+            (self.contact_force(body), self.system.scene.bodies[body.0].load.at(self.step.time));
+        let [fx, fy, fz] = load.force;
+        let [mx, my, mz] = load.moment;
+        let load = [fx, fy, fz, mx, my, mz];
+        // Not -(a + b): nothing that holds against nothing is 0, not -0.
+        std::array::from_fn(|component| 0.0 - contact[component] - load[component])
+    }
+}
+
+impl System<'_> {
+    /// What contact does to a body's frame, in the order of [`crate::scene::FREEDOMS`]: force (N) and moment about the
+    /// frame's origin (N m), along ground axes. Over all bodies forces, and moments about any one point, add up to zero.
+    ///
+    /// On a free freedom it balances the external load; what holds a held one bears it together with the load.
+    pub fn contact_force(&self, step: &StepResult, body: BodyId) -> [f64; 6] {
+        Equilibrium { system: self, step }.contact_force(body)
+    }
+}
+
+/// The force with which a body is held, along an axis of the ground (0 to 2). N.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SupportForce(pub BodyId, pub usize);
+
+impl Observable for SupportForce {
+    fn quantity(&self) -> Quantity {
+        Quantity::repeating("support_force", "N")
+    }
+
+    fn value(&self, at: &Equilibrium<'_>) -> Observed {
+        Observed::number(at.support(self.0)[self.1])
+    }
+}
+
+/// The moment with which a body is held, about its origin and along an axis of the ground (0 to 2). N m.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SupportMoment(pub BodyId, pub usize);
+
+impl Observable for SupportMoment {
+    fn quantity(&self) -> Quantity {
+        Quantity::repeating("support_moment", "N*m")
+    }
+
+    fn value(&self, at: &Equilibrium<'_>) -> Observed {
+        Observed::number(at.support(self.0)[3 + self.1])
+    }
+}
+
+/// How far a body's frame is from where its motion puts it, along an axis of the ground (0 to 2). m.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Displacement(pub BodyId, pub usize);
+
+impl Observable for Displacement {
+    fn quantity(&self) -> Quantity {
+        Quantity::repeating("displacement", "m")
+    }
+
+    fn value(&self, at: &Equilibrium<'_>) -> Observed {
+        Observed::number(at.deviation(self.0, self.1))
+    }
+}
+
+/// How far a body's frame is turned from where its motion puts it, about an axis of the ground (0 to 2). rad.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rotation(pub BodyId, pub usize);
+
+impl Observable for Rotation {
+    fn quantity(&self) -> Quantity {
+        Quantity::repeating("rotation", "rad")
+    }
+
+    fn value(&self, at: &Equilibrium<'_>) -> Observed {
+        Observed::number(at.deviation(self.0, 3 + self.1))
+    }
+}
+
+/// The normal forces on one tooth of a body, added up. N.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ToothLoad(pub BodyId, pub u32);
+
+impl Observable for ToothLoad {
+    fn quantity(&self) -> Quantity {
+        Quantity::passing("tooth_load", "N")
+    }
+
+    fn value(&self, at: &Equilibrium<'_>) -> Observed {
+        let on_tooth = at.contacts_on(self.0).filter(|(contact, side)| contact.teeth()[*side] == self.1);
+        Observed::number(on_tooth.map(|(contact, _)| contact.force()).fold(0.0, Add::add))
+    }
+}
+
+/// The smallest radius at which a body carries load; 0 without load. m.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LowestContact(pub BodyId);
+
+impl Observable for LowestContact {
+    fn quantity(&self) -> Quantity {
+        Quantity::repeating("lowest_contact", "m")
+    }
+
+    fn value(&self, at: &Equilibrium<'_>) -> Observed {
+        loaded_end(at, self.0, |radius, end| radius < end)
+    }
+}
+
+/// The largest radius at which a body carries load; 0 without load. m.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HighestContact(pub BodyId);
+
+impl Observable for HighestContact {
+    fn quantity(&self) -> Quantity {
+        Quantity::repeating("highest_contact", "m")
+    }
+
+    fn value(&self, at: &Equilibrium<'_>) -> Observed {
+        loaded_end(at, self.0, |radius, end| radius > end)
+    }
+}
+
+/// The loaded place of a body whose radius lies beyond that of all others.
+fn loaded_end(at: &Equilibrium<'_>, body: BodyId, beyond: impl Fn(f64, f64) -> bool) -> Observed {
+    let places = at.contacts_on(body).flat_map(|(contact, side)| contact.loaded(side));
+    let end: Option<Place> =
+        places.map(|(place, _)| place).reduce(|end, place| match beyond(place.radius, end.radius) {
+            true => place,
+            false => end,
+        });
+    Observed { value: end.as_ref().map_or(0.0, |end| end.radius), least: None, place: end }
+}

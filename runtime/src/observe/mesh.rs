@@ -1,0 +1,101 @@
+//! How a gear mesh passes on motion and load.
+
+use super::{Equilibrium, Observable, Quantity};
+use crate::results::Observed;
+use crate::scene::{BodyId, PairId};
+use crate::system::Freedom;
+use nalgebra::{DMatrix, DVector};
+use std::f64::consts::PI;
+
+const THETA_Z: usize = 5;
+
+/// Lag of the second gear: `sense (theta_1 N1/N2 + sign theta_2)`, angles counted from rigid unmodified contact. rad.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TransmissionError(pub PairId);
+
+impl Observable for TransmissionError {
+    fn quantity(&self) -> Quantity {
+        Quantity::repeating("transmission_error", "rad")
+    }
+
+    fn value(&self, at: &Equilibrium<'_>) -> Observed {
+        let Some((mesh, [first, second])) = at.mesh(self.0) else { return Observed::number(f64::NAN) };
+        let ratio = f64::from(mesh.teeth[0]) / f64::from(mesh.teeth[1]);
+        let turned = |body: BodyId| at.system.turned(body.0, at.time());
+        let kinematic = turned(first) * ratio + mesh.sign * turned(second);
+        // Angles are known up to whole turns, and a mesh repeats with every tooth of the second gear.
+        let pitch = 2.0 * PI / f64::from(mesh.teeth[1]);
+        let kinematic = kinematic - (kinematic / pitch).round() * pitch;
+        let deflection = at.deviation(first, THETA_Z) * ratio + mesh.sign * at.deviation(second, THETA_Z);
+        Observed::number(mesh.drive_sense * (kinematic + deflection))
+    }
+}
+
+/// The transmission error that the same position has as the load vanishes: of rigid teeth with their modifications and errors. rad.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct UnloadedTransmissionError(pub PairId);
+
+impl Observable for UnloadedTransmissionError {
+    fn quantity(&self) -> Quantity {
+        Quantity::repeating("unloaded_transmission_error", "rad")
+    }
+
+    fn value(&self, at: &Equilibrium<'_>) -> Observed {
+        let Ok(step) = at.system.touch(at.time()) else { return Observed::number(f64::NAN) };
+        TransmissionError(self.0).value(&Equilibrium { step: &step, ..*at })
+    }
+}
+
+/// Secant stiffness: the force along the line of action by how far the load has moved the mesh along it from where its teeth
+/// touch without load. Zero without load. N/m.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SecantStiffness(pub PairId);
+
+impl Observable for SecantStiffness {
+    fn quantity(&self) -> Quantity {
+        Quantity::repeating("secant_mesh_stiffness", "N/m")
+    }
+
+    fn value(&self, at: &Equilibrium<'_>) -> Observed {
+        let Some((mesh, _)) = at.mesh(self.0) else { return Observed::number(f64::NAN) };
+        let moment: f64 = at.contacts(self.0).map(|contact| contact.wrench(0)[THETA_Z]).sum();
+        let force = moment.abs() / mesh.base_radii[0];
+        let moved =
+            TransmissionError(self.0).value(at).value - UnloadedTransmissionError(self.0).value(at).value;
+        Observed::number(if force > 0.0 { force / (moved * mesh.base_radii[1]) } else { 0.0 })
+    }
+}
+
+/// Tangent stiffness: the inverse of how far the mesh gives along the line of action for a small added force, with
+/// the cells that carry load now. Zero without load. N/m.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MeshStiffness(pub PairId);
+
+impl Observable for MeshStiffness {
+    fn quantity(&self) -> Quantity {
+        Quantity::repeating("mesh_stiffness", "N/m")
+    }
+
+    fn value(&self, at: &Equilibrium<'_>) -> Observed {
+        let Some((mesh, [first, second])) = at.mesh(self.0) else { return Observed::number(f64::NAN) };
+        let (step, freedoms) = (at.step, &at.system.freedoms);
+        let (active, n, m) = (&step.active, step.problem.cells(), freedoms.len());
+        if active.is_empty() || m == 0 {
+            return Observed::number(0.0);
+        }
+        let compliance = DMatrix::from_fn(active.len(), active.len(), |i, j| {
+            step.problem.compliance[active[i] * n + active[j]]
+        });
+        let arms = DMatrix::from_fn(active.len(), m, |i, k| step.problem.arms[active[i] * m + k]);
+        let Some(factor) = compliance.cholesky() else { return Observed::number(f64::NAN) };
+        let stiffness = arms.transpose() * factor.solve(&arms);
+        // Work done by a unit force along the line of action on each freedom.
+        let along = DVector::from_fn(m, |k, _| match freedoms[k] {
+            Freedom { body, component: THETA_Z } if body == first.0 => mesh.base_radii[0],
+            Freedom { body, component: THETA_Z } if body == second.0 => mesh.sign * mesh.base_radii[1],
+            _ => 0.0,
+        });
+        let gives = stiffness.lu().solve(&along).map_or(f64::NAN, |motion| along.dot(&motion));
+        Observed::number(at.system.width() / gives)
+    }
+}

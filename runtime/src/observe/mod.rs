@@ -1,0 +1,108 @@
+//! What can be read off a solved position: one small item an observable.
+//!
+//! An observable says what it is ([`Quantity`]) and finds its value in a scene in [`Equilibrium`], which shows patches, loads
+//! and motions in newtons and metres whatever the model is made of. Who embeds the engine writes observables of their own in the
+//! same way.
+
+mod bodies;
+mod equilibrium;
+mod fields;
+mod loads;
+mod mesh;
+mod places;
+mod pressure;
+mod sliding;
+mod stress;
+
+pub use bodies::{
+    Displacement, HighestContact, LowestContact, Rotation, SupportForce, SupportMoment, ToothLoad,
+};
+pub use equilibrium::{Contact, Equilibrium, Slice};
+pub use fields::{ContactField, Fields, FilletField, FilletStress, PressedCell};
+pub use loads::{FaceLoadFactor, LoadShare, LoadedFace, MaxLineLoad, PairLoad, PairsInContact};
+pub use mesh::{MeshStiffness, SecantStiffness, TransmissionError, UnloadedTransmissionError};
+pub use places::{Coordinate, Maximum, PlaceOf};
+pub use pressure::{MaxContactPressure, MaxEdgePressure};
+pub use sliding::{Efficiency, FrictionLoss, MaxSlidingVelocity, SlidingVelocity};
+pub use stress::{MaxRootCompression, MaxRootStress, RootStressAt};
+
+use crate::results::Observed;
+use crate::scene::BodyId;
+use crate::step::StepResult;
+use crate::system::System;
+use std::any::Any;
+use std::fmt::Debug;
+
+/// What an observable measures.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Quantity {
+    /// As the library of gears calls it.
+    pub name: &'static str,
+    /// Of its value, in SI; `1` for pure numbers.
+    pub unit: &'static str,
+    /// How it goes on from one mesh cycle to the next.
+    pub course: Course,
+}
+
+/// How an observable goes on from one mesh cycle to the next, which says how it is summed up over one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Course {
+    /// Where the teeth of a gear are alike, every cycle has the same values: it has a mean over the closed cycle, and harmonics.
+    Repeats,
+    /// It follows one tooth or pair of teeth, which have gone on when the cycle ends.
+    Passes,
+}
+
+impl Quantity {
+    /// A quantity that every mesh cycle repeats.
+    pub const fn repeating(name: &'static str, unit: &'static str) -> Quantity {
+        Quantity { name, unit, course: Course::Repeats }
+    }
+
+    /// A quantity of one tooth or pair of teeth.
+    pub const fn passing(name: &'static str, unit: &'static str) -> Quantity {
+        Quantity { name, unit, course: Course::Passes }
+    }
+}
+
+/// A quantity of a solved position.
+///
+/// Two that are equal are observed once.
+pub trait Observable: Comparable + Debug + Send + Sync {
+    /// What it measures.
+    fn quantity(&self) -> Quantity;
+
+    /// Its value at a solved position.
+    fn value(&self, at: &Equilibrium<'_>) -> Observed;
+
+    /// The body whose stresses it needs: recovering them is planned for.
+    fn stresses_of(&self) -> Option<BodyId> {
+        None
+    }
+}
+
+/// Equality of things whose type is not known; everything that can be compared and copied about has it.
+pub trait Comparable: Any {
+    /// Whether the other one is of the same type and equal.
+    fn equals(&self, other: &dyn Any) -> bool;
+
+    /// Itself, to be compared with.
+    fn as_any(&self) -> &dyn Any;
+}
+
+impl<T: Any + PartialEq> Comparable for T {
+    fn equals(&self, other: &dyn Any) -> bool {
+        other.downcast_ref::<T>() == Some(self)
+    }
+
+    fn as_any(&self) -> &dyn Any {
+        self
+    }
+}
+
+impl System<'_> {
+    /// The value of an observable at a solved position.
+    pub fn value(&self, step: &StepResult, observable: &dyn Observable) -> Observed {
+        observable.value(&Equilibrium { system: self, step })
+    }
+}

@@ -1,0 +1,58 @@
+//! Friction of a patch: the force that drags the first body against its sliding, and the second along.
+
+use crate::contact::solid::sliding;
+use crate::motion::point_velocity;
+use crate::scene::{Scene, SurfacePair};
+use crate::system::System;
+
+/// Where the cells of a patch act and along which common normal, out of the first body, in ground coordinates.
+pub(super) struct Action {
+    pub normal: [f64; 3],
+    /// m
+    pub points: Vec<[f64; 3]>,
+}
+
+impl Action {
+    /// Per cell, the friction on the first body by a unit of normal force, along ground axes; empty of a pair without friction.
+    pub fn drag(&self, scene: &Scene, pair: &SurfacePair, time: f64) -> Vec<[f64; 3]> {
+        if pair.friction == 0.0 {
+            return Vec::new();
+        }
+        let motion = |side: usize| scene.bodies[pair.bodies[side].0].motion.as_ref();
+        let of = |&point: &[f64; 3]| {
+            let velocities = [0, 1].map(|side| point_velocity(motion(side), time, point));
+            sliding(self.normal, velocities)
+                .map_or([0.0; 3], |direction| direction.map(|d| -pair.friction * d))
+        };
+        self.points.iter().map(of).collect()
+    }
+
+    /// Generalised forces of that friction on the freedoms by a unit of normal force on each cell, row by row.
+    pub fn works(&self, system: &System, pair: &SurfacePair, time: f64, drag: &[[f64; 3]]) -> Vec<f64> {
+        let count = system.freedoms.len();
+        let mut works = vec![0.0; self.points.len() * count];
+        for (column, freedom) in system.freedoms.iter().enumerate() {
+            for side in (0..2).filter(|&side| pair.bodies[side].0 == freedom.body) {
+                let origin = system.origin(freedom.body, time);
+                for (row, (drag, point)) in drag.iter().zip(&self.points).enumerate() {
+                    works[row * count + column] += work(*drag, side, freedom.component, origin, *point);
+                }
+            }
+        }
+        works
+    }
+}
+
+/// Work of a drag on the body of a side by a component of its motion, in the order of [`crate::scene::FREEDOMS`]: turns are about axes
+/// through `origin`.
+pub(super) fn work(
+    [x, y, z]: [f64; 3],
+    side: usize,
+    component: usize,
+    origin: [f64; 3],
+    point: [f64; 3],
+) -> f64 {
+    let [a, b, c] = [0, 1, 2].map(|axis: usize| point[axis] - origin[axis]);
+    let on_first = [x, y, z, b * z - c * y, c * x - a * z, a * y - b * x][component];
+    if side == 0 { on_first } else { -on_first }
+}

@@ -1,0 +1,232 @@
+//! What of a position belongs to the plane: profiles that approach each other, grids along their common tangent.
+
+use super::drag::Action;
+use super::{Approach, Candidate, Patch, PatchGrid, Space};
+use crate::contact::approach::{self, PlacedProfile, closest_approach};
+use crate::contact::assembly::{self, compliance};
+use crate::contact::grid::{self, Grid, GridOptions, Width, assess, lay, pressures};
+use crate::contact::{ContactFrame, Placement};
+use crate::error::EngineError;
+use crate::profile::Profile;
+use crate::scene::SurfacePair;
+use crate::structure::{Chart, Structure};
+use crate::system::{Freedom, PlaneBodies, System, pose};
+use std::f64::consts::PI;
+use std::sync::Arc;
+
+pub(super) struct Plane<'a> {
+    pub(super) system: &'a System<'a>,
+    pub(super) bodies: &'a PlaneBodies,
+}
+
+/// Two profiles where they approach each other.
+pub(super) struct Site {
+    profiles: [Arc<dyn Profile>; 2],
+    placements: [Placement; 2],
+    approach: approach::Approach,
+}
+
+impl Site {
+    fn placed(&self, side: usize) -> PlacedProfile<'_> {
+        PlacedProfile { profile: self.profiles[side].as_ref(), placement: self.placements[side] }
+    }
+}
+
+impl Space for Plane<'_> {
+    type Site = Site;
+    type Grid = Grid;
+    /// Width, m.
+    type Size = f64;
+
+    fn candidates(&self, time: f64) -> Result<Vec<Candidate<Site>>, EngineError> {
+        let scene = self.system.scene;
+        let mut found = Vec::new();
+        for (index, pair) in scene.pairs.iter().enumerate() {
+            let bodies = pair.bodies.map(|body| body.0);
+            let placements = [self.placement(bodies[0], time)?, self.placement(bodies[1], time)?];
+            let structures = [0, 1].map(|side| self.bodies.structures[bodies[side]].clone());
+            let [Some(first), Some(second)] = structures else { continue };
+            let structures = [first, second];
+            let profiles = [0, 1].map(|side: usize| structures[side].profile(pair.surfaces[side]));
+            let near = [0, 1].map(|side: usize| {
+                let other = 1 - side;
+                let reach = scene.bodies[bodies[other]].prototype.enclosing_radius();
+                let body = (bodies[side], structures[side].as_ref(), profiles[side].as_ref());
+                self.teeth_near(body, placements[side], placements[other].origin(), reach)
+            });
+            let angle = pose(scene, bodies[0], time)?.angle + scene.bodies[bodies[0]].phase;
+            let nominal = pair.mesh.as_ref().filter(|_| !pair.grid.edges);
+            let on_path = |tooth: u32| nominal.is_none_or(|mesh| mesh.on_path(tooth, angle));
+            let touching = 0.5 * (profiles[0].length() + profiles[1].length());
+            for (first, first_place, first_middle) in &near[0] {
+                for (second, second_place, second_middle) in &near[1] {
+                    if distance(*first_middle, *second_middle) > 1.5 * touching || !on_path(*first) {
+                        continue;
+                    }
+                    let placements = [*first_place, *second_place];
+                    let placed = |side: usize| PlacedProfile {
+                        profile: profiles[side].as_ref(),
+                        placement: placements[side],
+                    };
+                    let approach = closest_approach(placed(0), placed(1), pair.grid.edges)
+                        .filter(|approach| self.faces(bodies, &placements, approach));
+                    if let Some(approach) = approach {
+                        let arms = self.arms_of(bodies, &approach.frame, time)?;
+                        found.push(Candidate {
+                            teeth: (index, [*first, *second]),
+                            length: profiles[0].length(),
+                            nearest: Approach { gap: approach.gap, arms },
+                            others: Vec::new(),
+                            site: Site { profiles: profiles.clone(), placements, approach },
+                        });
+                    }
+                }
+            }
+        }
+        Ok(found)
+    }
+
+    /// A surface gives by about q / E*.
+    fn force_of_overlap(&self, candidate: &Candidate<Site>, overlap: f64) -> f64 {
+        overlap * self.contact_modulus(self.pair(candidate).bodies.map(|body| body.0))
+    }
+
+    fn lay(&self, candidate: &Candidate<Site>, force: f64, width: Option<f64>) -> Grid {
+        let pair = self.pair(candidate);
+        let width = match width.or(pair.grid.width) {
+            Some(width) => Width::Total(width),
+            None => {
+                let contact_modulus = self.contact_modulus(pair.bodies.map(|body| body.0));
+                Width::Hertz { force, contact_modulus }
+            }
+        };
+        let options =
+            GridOptions { half_count: pair.grid.half_cells_in_plane(), width, search_edges: pair.grid.edges };
+        let site = &candidate.site;
+        lay(site.placed(0), site.placed(1), &site.approach, &options)
+    }
+
+    fn count(&self, grid: &Grid) -> usize {
+        grid.cells.len()
+    }
+
+    fn gaps(&self, grid: &Grid) -> Vec<f64> {
+        grid.cells.iter().map(|cell| cell.gap).collect()
+    }
+
+    /// All cells act along one line, see [`ContactFrame`].
+    fn arms(&self, candidate: &Candidate<Site>, grid: &Grid) -> Vec<f64> {
+        grid.cells.iter().flat_map(|_| candidate.nearest.arms.iter().copied()).collect()
+    }
+
+    fn action(&self, candidate: &Candidate<Site>, grid: &Grid) -> Action {
+        let ContactFrame { point: [x, y], normal: [along_x, along_y], .. } = candidate.site.approach.frame;
+        Action { normal: [along_x, along_y, 0.0], points: vec![[x, y, 0.0]; grid.cells.len()] }
+    }
+
+    fn compliance(&self, laid: &[(&Candidate<Site>, &Grid)]) -> Result<Vec<f64>, EngineError> {
+        let mut patches = Vec::with_capacity(laid.len());
+        for (candidate, grid) in laid {
+            let pair = self.pair(candidate);
+            let side = |side: usize| {
+                let body = pair.bodies[side].0;
+                let structure = self.bodies.structures[body].as_deref()?;
+                let chart = Chart { tooth: candidate.teeth.1[side], surface: pair.surfaces[side] };
+                Some(assembly::Side { body, structure, chart })
+            };
+            if let (Some(first), Some(second)) = (side(0), side(1)) {
+                patches.push(assembly::Patch { sides: [first, second], cells: &grid.cells });
+            }
+        }
+        Ok(compliance(&patches))
+    }
+
+    fn better_size(&self, candidate: &Candidate<Site>, grid: &Grid, forces: &[f64]) -> Option<f64> {
+        let open = self.pair(candidate).grid.width.is_none();
+        open.then(|| assess(grid, &pressures(&grid.cells, forces)).recommended_width).flatten()
+    }
+
+    fn judge(&self, candidate: &Candidate<Site>, grid: &Grid, forces: &[f64]) -> Option<String> {
+        let report = assess(grid, &pressures(&grid.cells, forces));
+        let better = report.recommended_width?;
+        Some(super::unsuitable(self.system.scene, self.pair(candidate), report.under_resolved, better))
+    }
+
+    fn patch(&self, candidate: &Candidate<Site>, laid: Option<(Grid, Vec<f64>)>) -> Patch {
+        let (pair, teeth) = candidate.teeth;
+        let surfaces = self.pair(candidate).surfaces;
+        let at_edge = laid.as_ref().is_some_and(|(grid, forces)| grid.at_edge(forces));
+        let (cells, forces) = laid.map(|(grid, forces)| (grid.cells, forces)).unwrap_or_default();
+        let grid = PatchGrid::Plane { frame: candidate.site.approach.frame, cells };
+        Patch { pair, teeth, surfaces, grid, forces, drag: Vec::new(), at_edge }
+    }
+}
+
+impl Plane<'_> {
+    fn pair(&self, candidate: &Candidate<Site>) -> &SurfacePair {
+        &self.system.scene.pairs[candidate.teeth.0]
+    }
+
+    /// Where a body's teeth coordinates lie at a time, with the body's phase.
+    fn placement(&self, body: usize, time: f64) -> Result<Placement, EngineError> {
+        let pose = pose(self.system.scene, body, time)?;
+        Ok(Placement::new(pose.angle + self.system.scene.bodies[body].phase, pose.origin))
+    }
+
+    /// Whether surfaces that approach like this belong together. Overlapping by half a pitch of either body's teeth, one
+    /// surface has passed the other: each belongs to the other's neighbour.
+    fn faces(&self, bodies: [usize; 2], placements: &[Placement; 2], approach: &approach::Approach) -> bool {
+        let half_pitch = |side: usize| {
+            let teeth =
+                self.bodies.structures[bodies[side]].as_ref().map_or(1, |structure| structure.teeth());
+            PI / f64::from(teeth) * distance(approach.frame.point, placements[side].origin())
+        };
+        approach.gap > -half_pitch(0).min(half_pitch(1))
+    }
+
+    /// Teeth of a body whose surface comes within `reach` of a point: index, placement, middle of the surface.
+    fn teeth_near(
+        &self,
+        (body, structure, profile): (usize, &dyn Structure, &dyn Profile),
+        placement: Placement,
+        point: [f64; 2],
+        reach: f64,
+    ) -> Vec<(u32, Placement, [f64; 2])> {
+        let middle = profile.at(0.5 * profile.length()).position;
+        (0..structure.teeth())
+            .map(|tooth| {
+                let angle = structure.tooth_angle(tooth) + self.system.pitch_error(body, tooth);
+                let placement = placement.turned_first(angle);
+                (tooth, placement, placement.point(middle))
+            })
+            .filter(|(_, _, middle)| distance(*middle, point) < reach + profile.length())
+            .collect()
+    }
+
+    /// Growth of the gap of a patch by each freedom, m per m or rad.
+    fn arms_of(&self, bodies: [usize; 2], frame: &ContactFrame, time: f64) -> Result<Vec<f64>, EngineError> {
+        let origins = [self.placement(bodies[0], time)?.origin(), self.placement(bodies[1], time)?.origin()];
+        let arm = |freedom: &Freedom| {
+            let sides = (0..2).filter(|&side| bodies[side] == freedom.body);
+            sides
+                .map(|side| match freedom.component {
+                    0 => frame.translation_arm(side, [1.0, 0.0]),
+                    1 => frame.translation_arm(side, [0.0, 1.0]),
+                    _ => frame.rotation_arm(side, origins[side]),
+                })
+                .sum()
+        };
+        Ok(self.system.freedoms.iter().map(arm).collect())
+    }
+
+    fn contact_modulus(&self, bodies: [usize; 2]) -> f64 {
+        match bodies.map(|body| self.bodies.structures[body].as_deref()) {
+            [Some(first), Some(second)] => grid::contact_modulus(first, second),
+            _ => f64::INFINITY,
+        }
+    }
+}
+
+fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
+    (a[0] - b[0]).hypot(a[1] - b[1])
+}

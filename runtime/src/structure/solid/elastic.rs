@@ -1,0 +1,501 @@
+//! An elastic body in space from finite elements, seen through its surfaces.
+//!
+//! As in the plane ([`crate::structure::ElasticStructure`]), the compliance of a surface is that of the half-space plus a smooth part, and
+//! the smooth part is the difference of what mesh and half-space answer to the same loads, seen by the same observers. Across a
+//! flank these are mollifiers, along it polynomials ([`super::axial`]): for each pair of polynomials the smooth part is a function of two
+//! places across, and behaves as in the plane. So the kink that curvature gives it where both meet, which the plane's module explains,
+//! is taken out of pairs of equal polynomials and put back in closed form: left in, it changed compliances between places
+//! of an involute near each other by up to 1e-3.
+//!
+//! The half-space has images of its loads in both side faces. With Poisson's ratio 0 a load that is uniform along the face then needs
+//! nothing else there: no stress acts across the face. Otherwise the faces bulge, and what this adds to the compliance is as sharp as the load's
+//! distance from the face; the polynomials see of it what they resolve.
+
+use super::Mirror;
+use super::axial::AxialModes;
+use super::half_space::ReciprocalMeans;
+use super::screw::Screw;
+use crate::fe::solid::{ABSENT, FacePoint, FaceSet, SolidModel, SurfaceStressRecovery};
+use crate::fe::{EdgeChain, SparseVector};
+use crate::interrupt::Interrupt;
+use crate::material::Plane;
+use crate::structure::answers::Turned;
+use crate::structure::condense::{Assembled, Condensed, Support, condense, match_cuts};
+use crate::structure::dense::mirror_lower;
+use crate::structure::elastic::{both_sides, response, starts};
+use crate::structure::kernel::{Mollifier, PairQuadrature, Sampled};
+use crate::structure::ring::RingFlexibility;
+use crate::structure::sampling::{SplitOptions, Stretch, sample};
+use crate::structure::spline::Spline;
+use crate::structure::{Hold, RingSource, StructureError};
+use crate::surface::Surface;
+use faer::{Mat, MatRef};
+use rayon::prelude::*;
+use std::f64::consts::{PI, TAU};
+use std::sync::Arc;
+
+/// A loadable surface of a solid mesh. Sets of faces are named as in [`crate::fe::solid::SolidMesh::faces`] and swept from chains of
+/// the section.
+#[derive(Clone)]
+pub struct SolidSurfaceSource {
+    /// The surface that the mesh was made of, screwed along the z axis or drawn along it: `u` is the arc length of the chain, `v` the axial coordinate.
+    pub surface: Arc<dyn Surface>,
+    /// Its faces, without a rounded edge of the body.
+    pub faces: String,
+    /// Rounding (m) of the sharp edges of the body at the start and the end of the chain; `None` where the body continues smoothly.
+    pub edges: [Option<f64>; 2],
+    /// Faces of a free surface beside this one on which stress is recovered: the fillet.
+    pub stress_faces: Option<String>,
+    /// Places of recovered stress on each edge of that chain and on each layer of elements, at least 1; along the face both ends are places too.
+    pub stress_places: [usize; 2],
+}
+
+/// How finely the compliance is known.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SolidSplitOptions {
+    /// Factor on the matching depth, 1 by default. Results must hardly depend on it: this is how that is shown.
+    pub matching_depth: f64,
+    /// Samples across each surface, at least 8.
+    pub samples: usize,
+    /// Polynomials along the face, at most: no more are taken than the mesh resolves.
+    pub axial_modes: usize,
+}
+
+impl Default for SolidSplitOptions {
+    fn default() -> Self {
+        Self { matching_depth: 1.0, samples: 14, axial_modes: 12 }
+    }
+}
+
+/// An elastic body in space. See the module.
+pub struct ElasticSolid {
+    pub(super) teeth: u32,
+    pub(super) surface_modulus: f64,
+    /// Displacement per angle between normals under a load along a line, m/(N/m).
+    pub(super) kink: f64,
+    pub(super) mirrors: [Mirror; 2],
+    pub(super) modes: AxialModes,
+    pub(super) surfaces: Vec<KnownSurface>,
+    /// By offset of the observing sector ahead of the loaded one.
+    pub(super) offsets: Vec<OffsetTables>,
+}
+
+/// What is known of a surface. Its tables go by a place across and a polynomial along: `polynomial * places + place`.
+pub(super) struct KnownSurface {
+    pub surface: Arc<dyn Surface>,
+    /// Over arc length: for everything but the surface's own compliance.
+    pub spline: Spline,
+    pub stretch: Stretch,
+    /// Over the stretched coordinate: for the surface's own compliance.
+    pub stretched: Spline,
+    /// Arc lengths of the chain. Beyond it, its ends stand in.
+    pub range: [f64; 2],
+    /// Spline coefficients of the angle by which the transverse normal has turned, positive where convex, rad.
+    pub turned: Vec<f64>,
+    /// Where stress is recovered, with the directions that its components refer to.
+    pub stress_positions: Vec<[f64; 3]>,
+}
+
+/// Coefficients between a loaded sector and one that is some places ahead of it.
+pub(super) struct OffsetTables {
+    /// `[observed][loaded]` surface. That of a surface to itself has for each polynomial two more places: what the spline adds beyond its
+    /// first and its last sample ([`super::answers`]).
+    pub compliance: Vec<Vec<Mat<f64>>>,
+    /// Stress on the sector ahead by loads on this one: `[observed][loaded]`, three rows a place, Pa/N.
+    pub stress_ahead: Vec<Vec<Mat<f64>>>,
+    /// Stress on this sector by loads on the one ahead.
+    pub stress_behind: Vec<Vec<Mat<f64>>>,
+}
+
+/// A surface with its loads and stress rows, before solution.
+struct Prepared {
+    known: KnownSurface,
+    mollifiers: Vec<Mollifier>,
+    means: ReciprocalMeans,
+    /// By polynomial, then mollifier.
+    loads: Vec<SparseVector>,
+    /// Three a place.
+    stress_rows: Vec<SparseVector>,
+}
+
+impl ElasticSolid {
+    /// A ring of equal sectors about the z axis. `model` is one sector, surfaces are those of one sector; `ring` names sets of faces.
+    ///
+    /// # Errors
+    /// Faces are missing, too coarse or not swept, cuts do not conform, the ring is not held, or the interrupt's.
+    pub fn ring(
+        model: &SolidModel,
+        ring: &RingSource<'_>,
+        surfaces: &[SolidSurfaceSource],
+        options: &SolidSplitOptions,
+        interrupt: &Interrupt,
+    ) -> Result<Self, StructureError> {
+        let nodes = |name: &str| Ok::<_, StructureError>(model.mesh.nodes_on(faces(model, name)?));
+        let (first, last, mut bore) = (nodes(ring.cuts[0])?, nodes(ring.cuts[1])?, nodes(ring.bore)?);
+        bore.extend(model.mesh.node_sets.get(ABSENT).into_iter().flatten());
+        bore.sort_unstable();
+        bore.dedup();
+        let sectors = ring.sectors.max(1);
+        let assembled = assembled(model, interrupt)?;
+        let cuts = match_cuts(&assembled.positions, &first, &last, &bore, TAU / f64::from(sectors))
+            .ok_or_else(|| StructureError::CutsDiffer { cuts: ring.cuts.map(String::from) })?;
+        let (modes, prepared) = prepare(model, surfaces, options, interrupt)?;
+        let (loads, rows) = gathered(&prepared);
+        let held = assembled.dofs_of(&bore);
+        let condensed = condense(&assembled, &Support::Held(&held), Some(&cuts), &loads, &rows, interrupt)?;
+        let flexibility = match &condensed.stiffness {
+            Some(stiffness) => Some(RingFlexibility::new(stiffness, sectors, ring.coupled, interrupt)?),
+            None => None,
+        };
+        Self::assemble(model, sectors, modes, prepared, &condensed, flexibility.as_ref(), interrupt)
+    }
+
+    /// A body of a single mesh. `hold` names a set of faces.
+    ///
+    /// # Errors
+    /// Faces are missing, too coarse or not swept, the mesh can deform without resistance, or the interrupt's.
+    pub fn single(
+        model: &SolidModel,
+        hold: Hold<'_>,
+        surfaces: &[SolidSurfaceSource],
+        options: &SolidSplitOptions,
+        interrupt: &Interrupt,
+    ) -> Result<Self, StructureError> {
+        let (modes, prepared) = prepare(model, surfaces, options, interrupt)?;
+        let (loads, rows) = gathered(&prepared);
+        let assembled = assembled(model, interrupt)?;
+        let condense = |support| condense(&assembled, &support, None, &loads, &rows, interrupt);
+        let condensed = match hold {
+            Hold::Free => {
+                let mass = model.mass();
+                condense(Support::Free { mass: &mass, motions: &model.rigid_body_modes() })?
+            }
+            Hold::Chain(name) => {
+                let mut nodes = model.mesh.nodes_on(faces(model, name)?);
+                nodes.extend(model.mesh.node_sets.get(ABSENT).into_iter().flatten());
+                condense(Support::Held(&assembled.dofs_of(&nodes)))?
+            }
+        };
+        Self::assemble(model, 1, modes, prepared, &condensed, None, interrupt)
+    }
+
+    fn assemble(
+        model: &SolidModel,
+        teeth: u32,
+        modes: AxialModes,
+        prepared: Vec<Prepared>,
+        condensed: &Condensed,
+        ring: Option<&RingFlexibility>,
+        interrupt: &Interrupt,
+    ) -> Result<Self, StructureError> {
+        let (young, ratio) = (model.material.youngs_modulus, model.material.poissons_ratio);
+        let mirror = |z: f64| Mirror { point: [0.0, 0.0, z], normal: [0.0, 0.0, 1.0] };
+        let mut structure = Self {
+            teeth,
+            surface_modulus: model.material.surface_modulus(Plane::Strain),
+            kink: 0.5 * (1.0 - 2.0 * ratio) * (1.0 + ratio) / young,
+            mirrors: modes.range().map(mirror),
+            modes,
+            surfaces: Vec::new(),
+            offsets: Vec::new(),
+        };
+        for offset in 0..=ring.map_or(0, RingFlexibility::window) {
+            let tables = structure.tables(offset, &prepared, condensed, ring, interrupt)?;
+            structure.offsets.push(tables);
+        }
+        structure.surfaces = prepared.into_iter().map(|prepared| prepared.known).collect();
+        Ok(structure)
+    }
+
+    /// Tables of one offset: the response of the mesh, less what is not smooth, as spline coefficients.
+    fn tables(
+        &self,
+        offset: u32,
+        prepared: &[Prepared],
+        condensed: &Condensed,
+        ring: Option<&RingFlexibility>,
+        interrupt: &Interrupt,
+    ) -> Result<OffsetTables, StructureError> {
+        let response = response(condensed, ring, offset, interrupt)?;
+        let count = self.modes.count();
+        let load_starts = starts(prepared.iter().map(|surface| surface.loads.len()));
+        let row_starts = starts(prepared.iter().map(|surface| surface.stress_rows.len()));
+        let all = 0..prepared.len();
+        let stress = |rows: &Mat<f64>| -> Vec<Vec<Mat<f64>>> {
+            let table = |p: usize, q: usize| {
+                let spline = &prepared[q].known.spline;
+                let places = spline.nodes().len();
+                let table = part(rows, [&row_starts, &load_starts], [p, q]);
+                let mut coefficients = Mat::zeros(table.nrows(), table.ncols());
+                for mode in 0..count {
+                    let values = table.subcols(mode * places, places).transpose();
+                    let target = coefficients.as_mut().subcols_mut(mode * places, places);
+                    target.transpose_mut().copy_from(spline.coefficients(values));
+                }
+                coefficients
+            };
+            all.clone().map(|p| all.clone().map(|q| table(p, q)).collect()).collect()
+        };
+        let compliance = |p: usize, q: usize| {
+            let table = part(&response.compliance, [&load_starts, &load_starts], [p, q]);
+            if offset == 0 && p == q {
+                return self.own_table(&prepared[p], table, interrupt);
+            }
+            let splines = [p, q].map(|side| &prepared[side].known.spline);
+            let places = splines.map(|spline| spline.nodes().len());
+            Ok(block_by_block(table, count, places, |_, block| both_sides(splines[0], splines[1], block)))
+        };
+        let row = |p: usize| all.clone().map(|q| compliance(p, q)).collect();
+        Ok(OffsetTables {
+            compliance: all.clone().map(row).collect::<Result<_, StructureError>>()?,
+            stress_ahead: stress(&response.stress_ahead),
+            stress_behind: stress(&response.stress_behind),
+        })
+    }
+
+    /// The mesh's answers on one surface less the half-space's and the kink's to the same loads.
+    fn own_table(
+        &self,
+        prepared: &Prepared,
+        answers: MatRef<'_, f64>,
+        interrupt: &Interrupt,
+    ) -> Result<Mat<f64>, StructureError> {
+        let known = &prepared.known;
+        let (places, count) = (prepared.mollifiers.len(), self.modes.count());
+        let quadrature = PairQuadrature::default();
+        let place = |s: f64| known.turned_at(s);
+        let turned: Vec<Sampled<Turned>> =
+            prepared.mollifiers.iter().map(|mollifier| quadrature.sampled(mollifier, place)).collect();
+        let curved = |a: Turned, b: Turned| self.curved_part(known, a, b);
+        let pairs: Vec<(usize, usize)> = (0..places).flat_map(|k| (0..=k).map(move |l| (k, l))).collect();
+        let taken_out = pairs
+            .par_iter()
+            .map(|&(k, l)| {
+                interrupt.check().map_err(StructureError::Interrupted)?;
+                let (observer, load) = (&prepared.mollifiers[k], &prepared.mollifiers[l]);
+                let kink = quadrature.mean(&turned[k], &turned[l], place, curved);
+                let mut means = prepared.means.between(observer, load);
+                for n in 0..count {
+                    for m in 0..count {
+                        means[(n, m)] /= PI * self.surface_modulus;
+                    }
+                    means[(n, n)] += kink;
+                }
+                Ok(means)
+            })
+            .collect::<Result<Vec<_>, StructureError>>()?;
+        let mut smooth = answers.to_owned();
+        for (&(k, l), means) in pairs.iter().zip(&taken_out) {
+            for n in 0..count {
+                for m in 0..count {
+                    smooth[(n * places + k, m * places + l)] -= means[(n, m)];
+                    if k != l {
+                        smooth[(m * places + l, n * places + k)] -= means[(n, m)];
+                    }
+                }
+            }
+        }
+        let spline = &known.stretched;
+        let mut coefficients = block_by_block(smooth.as_ref(), count, [places, places], |_, block| {
+            let inner = both_sides(spline, spline, block);
+            let mut extended = Mat::zeros(places + 2, places + 2);
+            for end in 0..2 {
+                let slopes = spline.slopes(end);
+                extended[(places + end, places + end)] = -slopes.sum(|i| slopes.sum(|j| inner[(i, j)]));
+            }
+            extended.as_mut().submatrix_mut(0, 0, places, places).copy_from(inner);
+            extended
+        });
+        mirror_lower(&mut coefficients);
+        Ok(coefficients)
+    }
+
+    /// What curvature adds to the half-space's answer to a load along a line and is not smooth where `a` and `b` meet, m/(N/m).
+    pub(super) fn curved_part(&self, surface: &KnownSurface, a: Turned, b: Turned) -> f64 {
+        // Convex is positive: the angle grows with the arc length.
+        let turn = if a.s >= b.s { a.angle - b.angle } else { b.angle - a.angle };
+        let distance = (a.s - b.s).abs() / (surface.range[1] - surface.range[0]);
+        let logarithmic = if distance > 0.0 { turn * turn * distance.ln() } else { 0.0 };
+        self.kink * turn + logarithmic / (PI * self.surface_modulus)
+    }
+}
+
+impl KnownSurface {
+    pub fn turned_at(&self, s: f64) -> Turned {
+        let s = s.clamp(self.range[0], self.range[1]);
+        Turned { s, angle: self.spline.weights(s).sum(|i| self.turned[i]) }
+    }
+
+    /// Places across that its tables have.
+    pub fn places(&self) -> usize {
+        self.spline.nodes().len()
+    }
+}
+
+/// The part of a matrix that belongs to a pair of surfaces.
+fn part<'a>(all: &'a Mat<f64>, starts: [&[usize]; 2], [p, q]: [usize; 2]) -> MatRef<'a, f64> {
+    let [rows, columns] = starts;
+    all.as_ref().submatrix(rows[p], columns[q], rows[p + 1] - rows[p], columns[q + 1] - columns[q])
+}
+
+/// Applies a map to the block of each pair of polynomials.
+fn block_by_block(
+    table: MatRef<'_, f64>,
+    count: usize,
+    [rows, columns]: [usize; 2],
+    map: impl Fn([usize; 2], MatRef<'_, f64>) -> Mat<f64>,
+) -> Mat<f64> {
+    let mut mapped = Mat::zeros(0, 0);
+    for n in 0..count {
+        for m in 0..count {
+            let block = map([n, m], table.submatrix(n * rows, m * columns, rows, columns));
+            let (height, width) = (block.nrows(), block.ncols());
+            if mapped.nrows() == 0 {
+                mapped = Mat::zeros(count * height, count * width);
+            }
+            mapped.as_mut().submatrix_mut(n * height, m * width, height, width).copy_from(block);
+        }
+    }
+    mapped
+}
+
+fn assembled(model: &SolidModel, interrupt: &Interrupt) -> Result<Assembled, StructureError> {
+    interrupt.check().map_err(StructureError::Interrupted)?;
+    Ok(Assembled { stiffness: model.stiffness(), dofs_per_node: 3, positions: model.mesh.nodes.clone() })
+}
+
+fn faces<'a>(model: &'a SolidModel, name: &str) -> Result<&'a FaceSet, StructureError> {
+    model.mesh.face_set(name).ok_or_else(|| StructureError::NoFaces { faces: name.into() })
+}
+
+fn gathered(prepared: &[Prepared]) -> (Vec<SparseVector>, Vec<SparseVector>) {
+    let loads = prepared.iter().flat_map(|surface| surface.loads.iter().cloned()).collect();
+    let rows = prepared.iter().flat_map(|surface| surface.stress_rows.iter().cloned()).collect();
+    (loads, rows)
+}
+
+fn prepare(
+    model: &SolidModel,
+    sources: &[SolidSurfaceSource],
+    options: &SolidSplitOptions,
+    interrupt: &Interrupt,
+) -> Result<(AxialModes, Vec<Prepared>), StructureError> {
+    let not_swept = || StructureError::NotSwept {
+        faces: sources.first().map_or_else(String::new, |source| source.faces.clone()),
+    };
+    let swept = model.mesh.swept.as_ref().ok_or_else(not_swept)?;
+    let recovery = SurfaceStressRecovery::new(model).ok_or_else(not_swept)?;
+    let layers = swept.stations.len() - 1;
+    let order = swept.orders.iter().copied().min().map_or(1, usize::from);
+    let modes = AxialModes::new(swept.z_range(), options.axial_modes.min(resolved(layers, order)).max(1));
+    let prepared = sources
+        .iter()
+        .map(|source| prepare_surface(model, &recovery, &modes, source, options, interrupt))
+        .collect::<Result<_, _>>()?;
+    Ok((modes, prepared))
+}
+
+/// Polynomials along the face that a mesh resolves: those that one layer of elements contains; of several layers one for each of
+/// their nodes but the first, which measured best.
+fn resolved(layers: usize, order: usize) -> usize {
+    (order + 1).max(layers * order)
+}
+
+fn prepare_surface(
+    model: &SolidModel,
+    recovery: &SurfaceStressRecovery<'_>,
+    modes: &AxialModes,
+    source: &SolidSurfaceSource,
+    options: &SolidSplitOptions,
+    interrupt: &Interrupt,
+) -> Result<Prepared, StructureError> {
+    let checkpoint = || interrupt.check().map_err(StructureError::Interrupted);
+    checkpoint()?;
+    let not_swept = |faces: &str| StructureError::NotSwept { faces: faces.into() };
+    let set = faces(model, &source.faces)?;
+    let (chart, swept) =
+        set.chart.as_ref().zip(model.mesh.swept.as_ref()).ok_or_else(|| not_swept(&source.faces))?;
+    let chain = EdgeChain { edges: chart.edges.clone(), measure: chart.measure };
+    let across =
+        SplitOptions { matching_depth: options.matching_depth, samples: options.samples, reshapable: false };
+    let samples = sample(&swept.section, &chain, source.edges, &across)
+        .ok_or_else(|| StructureError::Coarse { chain: source.faces.clone() })?;
+    let range = chain.range();
+    let screw = Screw::of(source.surface.as_ref(), range).ok_or_else(|| not_swept(&source.faces))?;
+    let smallest = samples.mollifiers.iter().map(|mollifier| mollifier.width).fold(f64::INFINITY, f64::min);
+
+    let by_mollifier = samples
+        .mollifiers
+        .par_iter()
+        .map(|mollifier| {
+            checkpoint()?;
+            let force = |s: f64, point: &FacePoint| point.normal.map(|part| -part * mollifier.value(s));
+            let rectangle = [mollifier.support(), modes.range()];
+            model
+                .face_loads_between(set, rectangle, |s, _, point| force(s, point), |z| modes.values(z))
+                .ok_or_else(|| not_swept(&source.faces))
+        })
+        .collect::<Result<Vec<_>, _>>()?;
+    let loads = (0..modes.count())
+        .flat_map(|mode| by_mollifier.iter().map(move |loads| loads[mode].clone()))
+        .collect();
+
+    let mut known = KnownSurface {
+        surface: source.surface.clone(),
+        stretched: Spline::new(samples.s.iter().map(|&s| samples.stretch.at(s)).collect()),
+        spline: Spline::new(samples.s),
+        stretch: samples.stretch,
+        range,
+        turned: Vec::new(),
+        stress_positions: Vec::new(),
+    };
+    known.turned = turned_coefficients(&known);
+    let mut stress_rows = Vec::new();
+    if let Some(name) = &source.stress_faces {
+        let free = faces(model, name)?;
+        let of_section = &free.chart.as_ref().ok_or_else(|| not_swept(name))?.edges;
+        let [per_edge, per_layer] = source.stress_places.map(|places| places.max(1));
+        let s = of_section.iter().flat_map(|edge| {
+            let step = (edge.s[1] - edge.s[0]) / per_edge as f64;
+            (0..per_edge).map(move |place| edge.s[0] + step * (place as f64 + 0.5))
+        });
+        let mut z = vec![swept.stations[0]];
+        for layer in swept.stations.windows(2) {
+            let step = (layer[1] - layer[0]) / per_layer as f64;
+            z.extend((1..=per_layer).map(|place| layer[0] + step * place as f64));
+        }
+        let places: Vec<[f64; 2]> = s.flat_map(|s| z.iter().map(move |&z| [s, z])).collect();
+        let found = places
+            .par_iter()
+            .map(|&[s, z]| checkpoint().map(|()| recovery.rows(free, s, z)))
+            .collect::<Result<Vec<_>, _>>()?;
+        for rows in found.into_iter().flatten() {
+            known.stress_positions.push(rows.point.position);
+            stress_rows.extend(rows.rows);
+        }
+    }
+    let means = ReciprocalMeans::new(screw, modes, [true; 2], smallest);
+    Ok(Prepared { known, mollifiers: samples.mollifiers, means, loads, stress_rows })
+}
+
+/// Spline coefficients of the angle by which the transverse normal has turned since the first sample, positive where convex.
+fn turned_coefficients(known: &KnownSurface) -> Vec<f64> {
+    let [_, [start, end]] = known.surface.range();
+    let middle = 0.5 * (start + end);
+    let mut angles = Vec::with_capacity(known.places());
+    let mut previous: Option<[f64; 2]> = None;
+    let mut angle = 0.0;
+    for &s in known.spline.nodes() {
+        let point = known.surface.at(s, middle);
+        let [x, y, _] = point.tangents[0];
+        if let Some([px, py]) = previous {
+            // With the material on the left of the tangent a convex curve turns left.
+            let left = y * point.normal[0] - x * point.normal[1];
+            angle += left.signum() * (px * y - py * x).atan2(px * x + py * y);
+        }
+        previous = Some([x, y]);
+        angles.push(angle);
+    }
+    let table = Mat::from_fn(angles.len(), 1, |i, _| angles[i]);
+    known.spline.coefficients(table.as_ref()).col(0).iter().copied().collect()
+}

@@ -1,0 +1,68 @@
+//! Bodies in space without a mesh: rigid ones, and half-spaces whatever their shape.
+
+use super::{Mirror, PointLoad, SolidStructure, SurfaceStress};
+use crate::structure::Chart;
+use crate::surface::Surface;
+use std::f64::consts::TAU;
+use std::sync::Arc;
+
+/// Surfaces of which each gives way as the half-space that touches it, and feels no load on another one: `R` is zero.
+///
+/// With an infinite modulus it is rigid. Its surfaces are repeated round the z axis like those of a gear.
+pub struct SimpleSolid {
+    surfaces: Vec<Arc<dyn Surface>>,
+    teeth: u32,
+    surface_modulus: f64,
+    mirrors: Vec<Mirror>,
+}
+
+impl SimpleSolid {
+    /// A body that does not deform. `surfaces` are those of tooth 0; `teeth` is at least 1.
+    pub fn rigid(surfaces: Vec<Arc<dyn Surface>>, teeth: u32) -> Self {
+        Self::half_space(surfaces, teeth, f64::INFINITY)
+    }
+
+    /// A body that deforms near the loads only. `surface_modulus` is `E' = E / (1 - nu²)` in Pa.
+    pub fn half_space(surfaces: Vec<Arc<dyn Surface>>, teeth: u32, surface_modulus: f64) -> Self {
+        Self { surfaces, teeth: teeth.max(1), surface_modulus, mirrors: Vec::new() }
+    }
+
+    /// The same between free side faces.
+    #[must_use]
+    pub fn between(mut self, mirrors: Vec<Mirror>) -> Self {
+        self.mirrors = mirrors;
+        self
+    }
+}
+
+impl SolidStructure for SimpleSolid {
+    fn surface(&self, surface: u32) -> Arc<dyn Surface> {
+        self.surfaces[surface as usize].clone()
+    }
+
+    fn tooth_angle(&self, tooth: u32) -> f64 {
+        TAU * f64::from(tooth % self.teeth) / f64::from(self.teeth)
+    }
+
+    fn teeth(&self) -> u32 {
+        self.teeth
+    }
+
+    fn surface_modulus(&self) -> f64 {
+        self.surface_modulus
+    }
+
+    fn mirrors(&self) -> &[Mirror] {
+        &self.mirrors
+    }
+
+    fn add_compliance(&self, _: Chart, _: &[[f64; 2]], _: Chart, _: &[[f64; 2]], _: &mut [f64]) {}
+
+    fn stresses(&self, _: u32, _: u32, _: &[PointLoad]) -> Vec<SurfaceStress> {
+        Vec::new()
+    }
+
+    fn bytes(&self) -> usize {
+        size_of_val(self.surfaces.as_slice()) + size_of_val(self.mirrors.as_slice())
+    }
+}

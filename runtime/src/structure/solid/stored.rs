@@ -1,0 +1,95 @@
+//! Bodies in space as bytes, to be kept from run to run: see [`crate::structure::stored`].
+
+use super::Mirror;
+use super::axial::AxialModes;
+use super::elastic::{ElasticSolid, KnownSurface, OffsetTables};
+use crate::structure::sampling::Stretch;
+use crate::structure::stored::{Tables, from_bytes, matrices, spline, tables, to_bytes};
+use crate::surface::Surface;
+use serde::{Deserialize, Serialize};
+use std::sync::Arc;
+
+/// An [`ElasticSolid`] without the surfaces that contact sees.
+#[derive(Serialize, Deserialize)]
+struct StoredSolid {
+    teeth: u32,
+    surface_modulus: f64,
+    kink: f64,
+    /// A point and the normal of each.
+    mirrors: [[[f64; 3]; 2]; 2],
+    modes: AxialModes,
+    surfaces: Vec<StoredSurface>,
+    /// Compliance, stress ahead, stress behind.
+    offsets: Vec<[Tables; 3]>,
+}
+
+#[derive(Serialize, Deserialize)]
+struct StoredSurface {
+    nodes: Vec<f64>,
+    stretch: Stretch,
+    stretched: Vec<f64>,
+    range: [f64; 2],
+    turned: Vec<f64>,
+    stress_positions: Vec<[f64; 3]>,
+}
+
+impl ElasticSolid {
+    pub(super) fn to_bytes(&self) -> Option<Vec<u8>> {
+        let surface = |known: &KnownSurface| StoredSurface {
+            nodes: known.spline.nodes().to_vec(),
+            stretch: known.stretch.clone(),
+            stretched: known.stretched.nodes().to_vec(),
+            range: known.range,
+            turned: known.turned.clone(),
+            stress_positions: known.stress_positions.clone(),
+        };
+        let offset = |offset: &OffsetTables| {
+            [&offset.compliance, &offset.stress_ahead, &offset.stress_behind].map(|list| tables(list))
+        };
+        to_bytes(&StoredSolid {
+            teeth: self.teeth,
+            surface_modulus: self.surface_modulus,
+            kink: self.kink,
+            mirrors: self.mirrors.map(|mirror| [mirror.point, mirror.normal]),
+            modes: self.modes.clone(),
+            surfaces: self.surfaces.iter().map(surface).collect(),
+            offsets: self.offsets.iter().map(offset).collect(),
+        })
+    }
+
+    /// The structure whose [`stored`](super::SolidStructure::stored) gave these bytes, with the surfaces that it was built with.
+    /// `None` if the bytes are of something else.
+    pub fn restored(bytes: &[u8], surfaces: Vec<Arc<dyn Surface>>) -> Option<Self> {
+        let stored: StoredSolid = from_bytes(bytes)?;
+        let known = |(stored, surface): (StoredSurface, Arc<dyn Surface>)| {
+            Some(KnownSurface {
+                surface,
+                spline: spline(stored.nodes)?,
+                stretch: stored.stretch,
+                stretched: spline(stored.stretched)?,
+                range: stored.range,
+                turned: stored.turned,
+                stress_positions: stored.stress_positions,
+            })
+        };
+        let offset = |[compliance, ahead, behind]: &[Tables; 3]| {
+            Some(OffsetTables {
+                compliance: matrices(compliance)?,
+                stress_ahead: matrices(ahead)?,
+                stress_behind: matrices(behind)?,
+            })
+        };
+        if stored.surfaces.len() != surfaces.len() {
+            return None;
+        }
+        Some(Self {
+            teeth: stored.teeth,
+            surface_modulus: stored.surface_modulus,
+            kink: stored.kink,
+            mirrors: stored.mirrors.map(|[point, normal]| Mirror { point, normal }),
+            modes: stored.modes,
+            surfaces: stored.surfaces.into_iter().zip(surfaces).map(known).collect::<Option<_>>()?,
+            offsets: stored.offsets.iter().map(offset).collect::<Option<_>>()?,
+        })
+    }
+}

@@ -1,0 +1,6 @@
+//! Bodies in space against the plane, direct solutions, and themselves.
+
+mod answers;
+mod bodies;
+mod plane;
+mod split;

@@ -1,0 +1,146 @@
+//! Tables of structures as bytes, to be kept from run to run. What contact sees of a surface is made anew by the prototype; what was
+//! condensed is taken from the bytes.
+
+use super::elastic::{ElasticStructure, OffsetTables, Surface};
+use super::sampling::Stretch;
+use super::spline::Spline;
+use crate::profile::Profile;
+use faer::{Mat, MatRef};
+use serde::de::DeserializeOwned;
+use serde::{Deserialize, Serialize};
+use std::sync::Arc;
+
+/// A matrix, column by column.
+#[derive(Serialize, Deserialize)]
+pub(super) struct Table {
+    rows: usize,
+    columns: usize,
+    values: Vec<f64>,
+}
+
+/// As structures hold them: by observed and loaded surface.
+pub(super) type Tables = Vec<Vec<Table>>;
+
+impl From<&Mat<f64>> for Table {
+    fn from(matrix: &Mat<f64>) -> Self {
+        let values = matrix.col_iter().flat_map(|column| column.iter().copied()).collect();
+        Self { rows: matrix.nrows(), columns: matrix.ncols(), values }
+    }
+}
+
+impl Table {
+    fn matrix(&self) -> Option<Mat<f64>> {
+        let fits = self.rows.checked_mul(self.columns) == Some(self.values.len());
+        fits.then(|| MatRef::from_column_major_slice(&self.values, self.rows, self.columns).to_owned())
+    }
+}
+
+pub(super) fn tables(matrices: &[Vec<Mat<f64>>]) -> Tables {
+    matrices.iter().map(|row| row.iter().map(Table::from).collect()).collect()
+}
+
+pub(super) fn matrices(tables: &[Vec<Table>]) -> Option<Vec<Vec<Mat<f64>>>> {
+    tables.iter().map(|row| row.iter().map(Table::matrix).collect()).collect()
+}
+
+/// A spline on nodes of bytes, which may be anything.
+pub(super) fn spline(nodes: Vec<f64>) -> Option<Spline> {
+    let sound = nodes.len() >= 4 && nodes.windows(2).all(|pair| pair[0] < pair[1]);
+    sound.then(|| Spline::new(nodes))
+}
+
+pub(super) fn to_bytes(content: &impl Serialize) -> Option<Vec<u8>> {
+    postcard::to_stdvec(content).ok()
+}
+
+/// `None` if the bytes are of something else.
+pub(super) fn from_bytes<T: DeserializeOwned>(bytes: &[u8]) -> Option<T> {
+    postcard::from_bytes(bytes).ok()
+}
+
+/// An [`ElasticStructure`] without the curves that contact sees.
+#[derive(Serialize, Deserialize)]
+struct StoredElastic {
+    teeth: u32,
+    surface_modulus: f64,
+    reference_length: f64,
+    kink: f64,
+    directions: usize,
+    surfaces: Vec<StoredSurface>,
+    /// Compliance, stress ahead, stress behind.
+    offsets: Vec<[Tables; 3]>,
+    twists: Vec<[f64; 2]>,
+}
+
+#[derive(Serialize, Deserialize)]
+struct StoredSurface {
+    nodes: Vec<f64>,
+    stretch: Stretch,
+    stretched: Vec<f64>,
+    range: [f64; 2],
+    turned: Vec<f64>,
+    stress_positions: Vec<[f64; 2]>,
+}
+
+impl ElasticStructure {
+    pub(super) fn to_bytes(&self) -> Option<Vec<u8>> {
+        let surface = |surface: &Surface| StoredSurface {
+            nodes: surface.spline.nodes().to_vec(),
+            stretch: surface.stretch.clone(),
+            stretched: surface.stretched.nodes().to_vec(),
+            range: surface.range,
+            turned: surface.turned.clone(),
+            stress_positions: surface.stress_positions.clone(),
+        };
+        let offset = |offset: &OffsetTables| {
+            [&offset.compliance, &offset.stress_ahead, &offset.stress_behind].map(|list| tables(list))
+        };
+        to_bytes(&StoredElastic {
+            teeth: self.teeth,
+            surface_modulus: self.surface_modulus,
+            reference_length: self.reference_length,
+            kink: self.kink,
+            directions: self.directions,
+            surfaces: self.surfaces.iter().map(surface).collect(),
+            offsets: self.offsets.iter().map(offset).collect(),
+            twists: self.twists.clone(),
+        })
+    }
+
+    /// The structure whose [`stored`](super::Structure::stored) gave these bytes, with the curves that it was built with. `None` if the bytes are of
+    /// something else.
+    pub fn restored(bytes: &[u8], profiles: &[Arc<dyn Profile>]) -> Option<Self> {
+        let stored: StoredElastic = from_bytes(bytes)?;
+        let surface = |(stored, profile): (StoredSurface, &Arc<dyn Profile>)| {
+            Some(Surface {
+                profile: profile.clone(),
+                spline: spline(stored.nodes)?,
+                stretch: stored.stretch,
+                stretched: spline(stored.stretched)?,
+                range: stored.range,
+                turned: stored.turned,
+                stress_positions: stored.stress_positions,
+            })
+        };
+        let offset = |[compliance, ahead, behind]: &[Tables; 3]| {
+            Some(OffsetTables {
+                compliance: matrices(compliance)?,
+                stress_ahead: matrices(ahead)?,
+                stress_behind: matrices(behind)?,
+            })
+        };
+        if stored.surfaces.len() != profiles.len() {
+            return None;
+        }
+        Some(Self {
+            teeth: stored.teeth,
+            surface_modulus: stored.surface_modulus,
+            reference_length: stored.reference_length,
+            kink: stored.kink,
+            surfaces: stored.surfaces.into_iter().zip(profiles).map(surface).collect::<Option<_>>()?,
+            directions: stored.directions,
+            offsets: stored.offsets.iter().map(offset).collect::<Option<_>>()?,
+            twists: stored.twists,
+        })
+    }
+}
