@@ -76,7 +76,7 @@ fn position(refinement: f64) -> f64 {
         for position in &positions {
             let step = system.solve(position.time).expect("equilibrium");
             for observable in &scene.observables {
-                black_box(system.value(&step, *observable));
+                black_box(system.value(&step, observable.as_ref()));
             }
         }
     });

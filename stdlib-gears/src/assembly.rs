@@ -3,9 +3,10 @@
 //! These are the very functions behind `body` and `mesh` of the language's library, so a pair built in Rust and one described in
 //! Calyx are the same scene, bit for bit.
 
-use crate::error::{GeometryError, Refusal};
-use crate::mesh_geometry::MeshGeometry;
-use crate::mounting::{Mounting, mount_external};
+use crate::error::{GeometryError, Refusal, sentence};
+use crate::gear::Gear;
+use crate::mesh_geometry::{MeshGeometry, Wound};
+use crate::mounting::{Mounting, mount};
 use crate::prototype::GearPrototype;
 use calyx_runtime::error::{EngineError, Subject};
 use calyx_runtime::motion::{Motion, PlanePose};
@@ -37,16 +38,20 @@ pub fn add_body(scene: &mut Scene, body: Body) -> Result<BodyId, Refusal> {
 pub struct MeshOptions {
     /// Search for contact of the tip edges beyond the nominal path of contact.
     pub tip_corner_contact: bool,
-    /// M: a contact grid has 2M + 1 cells.
-    pub half_cells: usize,
+    /// M: a contact grid has 2M + 1 cells across; `None` takes what suits the fidelity.
+    pub half_cells: Option<usize>,
+    /// N: in space a contact grid has 2N + 1 slices along the face.
+    pub half_slices: usize,
     /// Width of a contact grid, m; `None` takes it from the Hertz half-width.
     pub grid_width: Option<f64>,
+    /// Coefficient of friction.
+    pub friction: f64,
 }
 
 impl Default for MeshOptions {
     fn default() -> Self {
-        let GridOptions { half_cells, width, edges } = GridOptions::default();
-        MeshOptions { tip_corner_contact: edges, half_cells, grid_width: width }
+        let GridOptions { half_cells, half_slices, width, edges } = GridOptions::default();
+        MeshOptions { tip_corner_contact: edges, half_cells, half_slices, grid_width: width, friction: 0.0 }
     }
 }
 
@@ -82,6 +87,8 @@ pub fn mesh(
 pub struct Pairing {
     bodies: [BodyId; 2],
     poses: [PlanePose; 2],
+    /// Of the frames' origins along the axes, m.
+    axial: [f64; 2],
     /// rad/s
     speeds: [f64; 2],
 }
@@ -107,7 +114,8 @@ impl Pairing {
         let motion = |id: BodyId| scene.bodies[id.0].motion.as_ref();
         let poses = [PlanePose::of(motion(bodies[0]), 0.0)?, PlanePose::of(motion(bodies[1]), 0.0)?];
         let speeds = bodies.map(|id| PlanePose::angular_velocity(motion(id), 0.0));
-        Ok(Pairing { bodies, poses, speeds })
+        let axial = bodies.map(|id| axial_place(motion(id)));
+        Ok(Pairing { bodies, poses, axial, speeds })
     }
 
     /// Between the two axes, m.
@@ -116,10 +124,26 @@ impl Pairing {
         (second[0] - first[0]).hypot(second[1] - first[1])
     }
 
+    /// Width that both faces have in common, m; not positive if they pass each other.
+    fn common_width(&self, gears: [&GearPrototype; 2]) -> f64 {
+        let ends = [0, 1].map(|member: usize| {
+            let half = 0.5 * gears[member].face_width;
+            [self.axial[member] - half, self.axial[member] + half]
+        });
+        ends[0][1].min(ends[1][1]) - ends[0][0].max(ends[1][0])
+    }
+
     /// How the gears would touch, whether or not they can run; `None` where they cannot touch at all.
     pub fn geometry(&self, scene: &Scene) -> Option<MeshGeometry> {
         let [first, second] = self.bodies.map(|id| gear_of(scene, id));
-        MeshGeometry::external(&first?.gear, &second?.gear, self.center_distance()).ok()
+        let (prototypes, distance) = ([first?, second?], self.center_distance());
+        let first = prototypes[0].gear.external()?;
+        let geometry = match &prototypes[1].gear {
+            Gear::External(second) => MeshGeometry::external(first, second, distance),
+            Gear::Internal(second) => MeshGeometry::internal(first, second, distance),
+        };
+        let wound = Wound { first: prototypes[0].helix, width: self.common_width(prototypes).max(0.0) };
+        Some(geometry.ok()?.across(first, &wound))
     }
 
     /// Puts the gears in mesh: phases the second one and adds the pair of surfaces.
@@ -133,27 +157,116 @@ impl Pairing {
             let error = EngineError::new("E0653", "a body of the mesh carries no gear", "");
             return Err(error.into());
         };
-        let gears = [&driver.gear, &mate.gear];
-        let (geometry, warnings) = MeshGeometry::check_external(gears[0], gears[1], self.center_distance())?;
+        let width = self.common_width([driver, mate]);
+        let (geometry, warnings) = check(driver, mate, self.center_distance(), width)?;
+        let gears = [driver.form(), mate.form()];
         let phase_of_first = scene.bodies[first.0].phase;
-        let sense = drive_sense(scene, self.bodies, self.speeds[0])?;
+        let sense = drive_sense(scene, self.bodies, gears[1].sense(), self.speeds[0])?;
+        // The section of the first gear that lies at the middle of the second one's face.
+        let turned = driver.twist_per_length() * (self.axial[1] - self.axial[0]);
+        let first_angle = self.poses[0].angle + phase_of_first + turned;
         let mounting = Mounting {
-            first: PlanePose { angle: self.poses[0].angle + phase_of_first, ..self.poses[0] },
+            first: PlanePose { angle: first_angle, ..self.poses[0] },
             second: self.poses[1],
             angular_velocity: self.speeds,
             sense,
         };
-        let (phase, mesh) = mount_external(gears, &geometry, &mounting)?;
+        let (phase, mut mesh) = mount(gears, &geometry, &mounting)?;
+        mesh.roll_at_zero += sense * turned;
         scene.bodies[second.0].phase = phase;
         let surface = if sense > 0.0 { 0 } else { 1 };
+        // A ring touches on the sides of its teeth that look the other way.
+        let surfaces = [surface, if gears[1].internal { 1 - surface } else { surface }];
         let grid = GridOptions {
             half_cells: options.half_cells,
+            half_slices: options.half_slices,
             width: options.grid_width,
             edges: options.tip_corner_contact,
         };
-        let pair = SurfacePair { bodies: self.bodies, surfaces: [surface; 2], grid, mesh: Some(mesh) };
+        let pair =
+            SurfacePair { bodies: self.bodies, surfaces, grid, friction: options.friction, mesh: Some(mesh) };
         Ok(Meshed { pair: scene.add_pair(pair), geometry, warnings })
     }
+}
+
+/// The mesh of two gears, if they can run.
+fn check(
+    driver: &GearPrototype,
+    mate: &GearPrototype,
+    center_distance: f64,
+    width: f64,
+) -> Result<(MeshGeometry, Vec<GeometryError>), Vec<GeometryError>> {
+    let mut errors: Vec<GeometryError> = check_helices(driver, mate).err().into_iter().collect();
+    if width.is_nan() || width <= 0.0 {
+        errors.push(GeometryError::error(
+            "E0647",
+            "second",
+            sentence!["the faces of the gears pass each other along the axis by ", length -width],
+            sentence!["place the frames so that the middles of the faces, their origins, lie less than half of both face widths apart"],
+        ));
+    }
+    let wound = Wound { first: driver.helix, width };
+    let checked = match (&driver.gear, &mate.gear) {
+        (Gear::External(first), Gear::External(second)) => {
+            MeshGeometry::check_external(first, second, center_distance, &wound)
+        }
+        (Gear::External(first), Gear::Internal(second)) => {
+            MeshGeometry::check_internal(first, second, center_distance, &wound)
+        }
+        (Gear::Internal(_), _) => Err(vec![GeometryError::error(
+            "E0639",
+            "first",
+            sentence!["the first gear of a mesh has internal teeth"],
+            sentence![
+                "give the gear inside of the ring as `first`, and the ring as `second`; two rings cannot mesh"
+            ],
+        )]),
+    };
+    match checked {
+        Ok(mesh) if errors.is_empty() => Ok(mesh),
+        Ok(_) => Err(errors),
+        Err(more) => {
+            errors.extend(more);
+            Err(errors)
+        }
+    }
+}
+
+/// Teeth on parallel axes touch along their length only if both wind by the same angle along the line of action.
+fn check_helices(first: &GearPrototype, second: &GearPrototype) -> Result<(), GeometryError> {
+    let [own, other] = [first, second].map(|gear| gear.helix.signed_angle());
+    let internal = first.form().internal || second.form().internal;
+    let fitting = if internal { own } else { -own };
+    if (other - fitting).abs() <= SAME_HELIX {
+        return Ok(());
+    }
+    if (other + fitting).abs() <= SAME_HELIX {
+        let help = if internal {
+            sentence!["give an internal gear and the gear in it the same `hand`"]
+        } else {
+            sentence!["give one of two external gears `hand = \"left\"`, the other `hand = \"right\"`"]
+        };
+        let message = sentence![
+            "the first gear's teeth are ", text first.helix.hand().name(), "-handed and the second's ",
+            text second.helix.hand().name(), "-handed: they would cross"
+        ];
+        return Err(GeometryError::error("E0645", "second", message, help));
+    }
+    Err(GeometryError::error(
+        "E0646",
+        "second",
+        sentence!["the gears have different helix angles, ", angle own.abs(), " and ", angle other.abs()],
+        sentence!["give both the same `helix_angle`; crossed axes are not modelled"],
+    ))
+}
+
+/// Helix angles that differ by no more than this are equal, rad: a hundredth of the smallest tolerance.
+const SAME_HELIX: f64 = 1e-9;
+
+/// Where the middle of a body's face is along e3 at time 0, m.
+fn axial_place(motion: &dyn Motion) -> f64 {
+    let frame = motion.frame(0.0);
+    -(frame[2] * frame[9] + frame[5] * frame[10] + frame[8] * frame[11])
 }
 
 /// The gear that a body carries, if it does.
@@ -201,8 +314,9 @@ fn meet_once(scene: &Scene, ids: [BodyId; 2]) -> Result<(), EngineError> {
 }
 
 /// Which way the first body pushes: as its moment turns it, else against the second one's moment, else as it moves.
-fn drive_sense(scene: &Scene, bodies: [BodyId; 2], speed: f64) -> Result<f64, EngineError> {
-    for id in bodies {
+/// `sign` is -1 if the second gear is a ring.
+fn drive_sense(scene: &Scene, bodies: [BodyId; 2], sign: f64, speed: f64) -> Result<f64, EngineError> {
+    for (id, sign) in bodies.into_iter().zip([1.0, sign]) {
         let body = &scene.bodies[id.0];
         let moment = body.load.at(0.0).moment[2];
         if moment.is_nan() {
@@ -213,9 +327,10 @@ fn drive_sense(scene: &Scene, bodies: [BodyId; 2], speed: f64) -> Result<f64, En
             )
             .about(Subject::Body(id.0)));
         }
-        // External gears turn against each other, so a moment on the second one asks for the same surfaces.
+        // External gears turn against each other, so a moment on the second one asks for the same surfaces; a ring turns the same
+        // way, and what drives it drives the gear in it from the other side.
         if moment != 0.0 {
-            return Ok(moment.signum());
+            return Ok(sign * moment.signum());
         }
     }
     Ok(if speed == 0.0 { 1.0 } else { speed.signum() })

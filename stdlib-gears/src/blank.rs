@@ -4,19 +4,40 @@
 
 use crate::error::{GeometryError, Refusal, sentence};
 use crate::external::{ExternalGear, ExternalGearData, check_rim};
+use crate::helix::Helix;
 use crate::modification::Modification;
 use crate::prototype::GearPrototype;
 use crate::rack::Rack;
 use calyx_runtime::material::Material;
 use std::sync::Arc;
 
-/// A plain ring under the teeth, held at its inner radius. Radii in m.
+/// A ring under the teeth, or around those of an internal gear, held on its far side or by a web. Radii in m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rim {
     /// Where the toothed part ends and the ring begins.
     pub radius: f64,
-    /// Of the bore, where the body's frame holds it.
-    pub inner_radius: f64,
+    /// Of the bore, or of the outside of an internal gear, where the body's frame holds it.
+    pub held_radius: f64,
+    /// What stands between ring and bore, if the ring does not reach so far.
+    pub web: Option<Web>,
+}
+
+/// A disc thinner than the face that carries a ring. Lengths in m.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Web {
+    /// Where it begins on the ring's side without teeth.
+    pub rim_radius: f64,
+    /// Along the axis.
+    pub thickness: f64,
+    /// Of its middle from mid-face, along +z.
+    pub offset: f64,
+}
+
+impl Web {
+    /// Its ends along the axis, m from mid-face.
+    pub fn ends(&self) -> [f64; 2] {
+        [self.offset - 0.5 * self.thickness, self.offset + 0.5 * self.thickness]
+    }
 }
 
 impl Rim {
@@ -33,14 +54,81 @@ impl Rim {
                 sentence!["the body is held at the inner diameter"],
             ));
         }
-        Ok(Rim { radius: 0.5 * diameter, inner_radius: 0.5 * inner_diameter })
+        Ok(Rim { radius: 0.5 * diameter, held_radius: 0.5 * inner_diameter, web: None })
+    }
+
+    /// The ring on a web that ends at a bore, where the body's frame holds it; m. Whether the web lies within the face is checked with
+    /// the gear.
+    ///
+    /// # Errors
+    /// E0665: the ring's inner diameter does not lie between that of the bore and that of the teeth, or the web is not positively thick.
+    pub fn on_web(self, thickness: f64, offset: f64, bore_diameter: f64) -> Result<Rim, GeometryError> {
+        let rim_radius = self.held_radius;
+        let held_radius = 0.5 * bore_diameter;
+        if !(held_radius > 0.0 && held_radius < rim_radius && rim_radius < self.radius) {
+            return Err(GeometryError::error(
+                "E0665",
+                "bore_diameter",
+                sentence!["the web's bore must be positive and smaller than the inner diameter of the rim"],
+                sentence!["the body is held at the bore; a ring without a web is held at its inner diameter"],
+            ));
+        }
+        if !(thickness > 0.0 && thickness.is_finite() && offset.is_finite()) {
+            return Err(GeometryError::error(
+                "E0665",
+                "web_thickness",
+                sentence!["the web's thickness must be positive"],
+                sentence!["it is measured along the axis, and at most as large as the face width"],
+            ));
+        }
+        Ok(Rim { held_radius, web: Some(Web { rim_radius, thickness, offset }), ..self })
+    }
+
+    /// Where the ring ends on its side without teeth, m.
+    pub fn ring_radius(&self) -> f64 {
+        self.web.map_or(self.held_radius, |web| web.rim_radius)
+    }
+
+    /// Whether a web lies within the face.
+    pub(crate) fn check_web(&self, face_width: f64) -> Result<(), GeometryError> {
+        let Some(web) = self.web else { return Ok(()) };
+        let room = 0.5 * face_width * (1.0 + 1e-9);
+        let [start, end] = web.ends();
+        if start >= -room && end <= room {
+            return Ok(());
+        }
+        Err(GeometryError::error(
+            "E0644",
+            "rim",
+            sentence![
+                "the web reaches from ", length start, " to ", length end, " beside mid-face, but the face only from ",
+                length - 0.5 * face_width, " to ", length 0.5 * face_width
+            ],
+            sentence!["reduce `web_thickness` or `web_offset`, or enlarge `face_width`"],
+        ))
+    }
+
+    /// A ring around the teeth of an internal gear by its two diameters, m. Whether it lies around the teeth is checked with the gear.
+    ///
+    /// # Errors
+    /// E0665: the diameter is not positive or not the smaller.
+    pub fn outer(diameter: f64, outer_diameter: f64) -> Result<Rim, GeometryError> {
+        if !(diameter > 0.0 && outer_diameter > diameter && outer_diameter.is_finite()) {
+            return Err(GeometryError::error(
+                "E0665",
+                "outer_diameter",
+                sentence!["the rim's outer diameter must be larger than its diameter, and that positive"],
+                sentence!["an internal gear is held at the outer diameter"],
+            ));
+        }
+        Ok(Rim { radius: 0.5 * diameter, held_radius: 0.5 * outer_diameter, web: None })
     }
 }
 
 /// How thick teeth are.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Thickness {
-    /// Transverse, along the pitch circle, m.
+    /// Along the pitch circle, m: transverse, or in the normal section if the rack is given there.
     Circular(f64),
     /// By the profile shift coefficient, see [`Rack::thickness_of_shift`].
     ProfileShift(f64),
@@ -61,6 +149,8 @@ pub struct GearBlank {
     pub root_diameter: f64,
     /// Length of the teeth along the axis.
     pub face_width: f64,
+    /// How the teeth wind; straight ones by default.
+    pub helix: Helix,
     /// What it is made of.
     pub material: Material,
     /// What carries the teeth.
@@ -77,7 +167,7 @@ pub struct GearBlank {
 }
 
 impl GearBlank {
-    /// A gear of a standard tooth form: addendum one module, dedendum 1.25, no profile shift, of steel, ten modules wide, on a rim
+    /// A spur gear of a standard tooth form: addendum one module, dedendum 1.25, no profile shift, of steel, ten modules wide, on a rim
     /// of one and a half modules under the spaces. Everything is a field to be changed.
     pub fn standard(teeth: u32, rack: Rack) -> GearBlank {
         let module = rack.module;
@@ -89,10 +179,12 @@ impl GearBlank {
             outer_diameter: pitch_diameter + 2.0 * module,
             root_diameter,
             face_width: 10.0 * module,
+            helix: Helix::SPUR,
             material: Material::STEEL,
             rim: Rim {
                 radius: 0.5 * root_diameter - 0.5 * module,
-                inner_radius: 0.5 * root_diameter - 1.5 * module,
+                held_radius: 0.5 * root_diameter - 1.5 * module,
+                web: None,
             },
             thickness: Thickness::ProfileShift(0.0),
             tip_edge_radius: None,
@@ -147,37 +239,45 @@ impl GearBlank {
     ///
     /// # Errors
     /// Everything that is wrong with the gear, as far as it can be told at once: E0604 to E0621, E0640 to E0642 (blaming
-    /// `modifications`), E0668.
+    /// `modifications`), E0644, E0668.
     pub fn cut(self) -> Result<Arc<GearPrototype>, Refusal> {
-        if !(self.face_width > 0.0 && self.face_width.is_finite()) {
-            return Err(Refusal::from(GeometryError::error(
-                "E0668",
-                "face_width",
-                sentence!["the face width must be positive"],
-                sentence!["give the width of the toothed part along the axis"],
-            )));
-        }
+        check_face_width(self.face_width)?;
         let tooth_thickness = match self.thickness {
             Thickness::Circular(thickness) => thickness,
             Thickness::ProfileShift(shift) => self.rack.thickness_of_shift(shift),
         };
+        let tooth_thickness = self.rack.transverse_thickness(tooth_thickness, &self.helix);
         let gear = ExternalGear::new(ExternalGearData {
             teeth: self.teeth,
-            rack: self.rack,
+            rack: self.rack.transverse(&self.helix),
             tooth_thickness,
             outer_radius: 0.5 * self.outer_diameter,
             root_radius: 0.5 * self.root_diameter,
             tip_edge_radius: self.tip_edge_radius,
         })?;
-        check_rim(gear.root_radius, self.rim.radius, self.rim.inner_radius)?;
+        check_rim(gear.root_radius, self.rim.radius, self.rim.held_radius)?;
+        self.rim.check_web(self.face_width)?;
         let pitch_errors = self.pitch_errors.iter().map(|error| error / gear.pitch_radius).collect();
         let (material, rim, face_width) = (self.material, self.rim, self.face_width);
         let cut = GearPrototype::new(gear, self.modifications, material, rim, face_width, pitch_errors);
-        Ok(Arc::new(cut.map_err(of_modifications)?))
+        Ok(Arc::new(cut.map_err(of_modifications)?.along(self.helix)))
     }
 }
 
+/// A face must have a width.
+pub(crate) fn check_face_width(face_width: f64) -> Result<(), GeometryError> {
+    if face_width > 0.0 && face_width.is_finite() {
+        return Ok(());
+    }
+    Err(GeometryError::error(
+        "E0668",
+        "face_width",
+        sentence!["the face width must be positive"],
+        sentence!["give the width of the toothed part along the axis"],
+    ))
+}
+
 /// Findings about a relief are known only where it meets its gear, whose argument for it is `modifications`.
-fn of_modifications(errors: Vec<GeometryError>) -> Vec<GeometryError> {
+pub(crate) fn of_modifications(errors: Vec<GeometryError>) -> Vec<GeometryError> {
     errors.into_iter().map(|error| GeometryError { argument: "modifications", ..error }).collect()
 }

@@ -1,13 +1,16 @@
 //! What follows from the data of a gear and of a mesh, by the terms and symbols of ISO 1122-1 and ISO 21771: for people
 //! who read a model, in the order in which they would ask.
 //!
-//! Every value comes from the geometry that an analysis uses ([`ExternalGear`], [`MeshGeometry`]).
+//! Every value comes from the geometry that an analysis uses ([`Gear`], [`MeshGeometry`]).
 
 use crate::external::ExternalGear;
+use crate::gear::{Gear, ToothForm};
+use crate::helix::{Hand, Helix};
+use crate::internal::InternalGear;
 use crate::mesh_geometry::MeshGeometry;
 use crate::modification::Modification;
 use crate::prototype::GearPrototype;
-use crate::rack::Rack;
+use calyx_abi::math;
 
 /// Diameter in modules of the pins that the measurement over pins is given for (the usual 1.728 over diametral pitch).
 pub const PIN: f64 = 1.728;
@@ -71,8 +74,8 @@ impl Quantity {
         Quantity { note: note.into(), ..self }
     }
 
-    fn in_modules(self, rack: &Rack) -> Self {
-        let modules = self.value / rack.module;
+    fn in_modules(self, module: f64) -> Self {
+        let modules = self.value / module;
         if modules.abs() < 0.005 { self } else { self.note(format!("{modules:.2} modules")) }
     }
 
@@ -83,58 +86,120 @@ impl Quantity {
 
 /// Quantities of a gear.
 pub fn of_gear(prototype: &GearPrototype) -> Vec<Quantity> {
-    let gear = &prototype.gear;
-    let rack = &gear.rack;
+    let form = prototype.form();
     let [flank, _] = prototype.flanks();
+    let ToothForm { module, internal, .. } = form;
+    let tip = if internal { "tip (minor) diameter" } else { "tip (outside) diameter" };
+    let undercut = prototype.gear.external().is_some_and(|gear| gear.undercut);
     let mut all = vec![
-        Quantity::number("number of teeth", "z", f64::from(gear.teeth)),
-        Quantity::length("transverse module", "m_t", rack.module),
-        Quantity::new("diametral pitch", "P", Kind::Curvature, 1.0 / rack.module).further(),
-        Quantity::angle("pressure angle", "alpha_t", rack.pressure_angle).further(),
-        Quantity::length("reference (pitch) diameter", "d", 2.0 * gear.pitch_radius),
-        Quantity::length("base diameter", "d_b", 2.0 * gear.base_radius),
-        Quantity::length("tip (outside) diameter", "d_a", 2.0 * gear.outer_radius),
-        Quantity::length("tip form diameter", "d_Fa", 2.0 * gear.radius_at_roll(flank.edge_roll()))
+        Quantity::number("number of teeth", "z", f64::from(form.teeth)).note(if internal {
+            "internal"
+        } else {
+            ""
+        }),
+        Quantity::length("transverse module", "m_t", module),
+        Quantity::new("diametral pitch", "P", Kind::Curvature, 1.0 / module).further(),
+        Quantity::angle("pressure angle", "alpha_t", form.pressure_angle).further(),
+    ];
+    all.extend(of_helix(&prototype.helix, &form));
+    all.extend([
+        Quantity::length("reference (pitch) diameter", "d", 2.0 * form.pitch_radius),
+        Quantity::length("base diameter", "d_b", 2.0 * form.base_radius),
+        Quantity::length(tip, "d_a", 2.0 * form.tip_radius),
+        Quantity::length("tip form diameter", "d_Fa", 2.0 * form.radius_at_roll(flank.edge_roll()))
             .note("the rounded tip edge begins")
             .further(),
-        Quantity::length("root diameter", "d_f", 2.0 * gear.root_radius),
-        Quantity::length("root form diameter", "d_Ff", 2.0 * gear.form_radius).note(if gear.undercut {
+        Quantity::length("root diameter", "d_f", 2.0 * form.root_radius),
+        Quantity::length("root form diameter", "d_Ff", 2.0 * form.form_radius).note(if undercut {
             "the involute begins, undercut"
         } else {
             "the involute begins"
         }),
-        Quantity::angle("roll angle at the root form diameter", "xi_Ff", gear.form_roll).further(),
-        Quantity::angle("roll angle at the tip diameter", "xi_a", gear.tip_roll).further(),
-        Quantity::length("base pitch", "p_b", gear.base_pitch).further(),
-        Quantity::length("tooth thickness at the reference circle", "s_t", gear.tooth_thickness),
-        Quantity::length("tooth thickness at the tip", "s_a", gear.tip_thickness()).in_modules(rack),
-        Quantity::length("tooth depth", "h", gear.outer_radius - gear.root_radius).in_modules(rack).further(),
+        Quantity::angle("roll angle at the root form diameter", "xi_Ff", form.form_roll.abs()).further(),
+        Quantity::angle("roll angle at the tip diameter", "xi_a", form.tip_roll.abs()).further(),
+        Quantity::length("base pitch", "p_b", form.base_radius * form.pitch_angle()).further(),
+        Quantity::length("tooth thickness at the reference circle", "s_t", form.tooth_thickness),
+        Quantity::length("tooth thickness at the tip", "s_a", form.tip_thickness()).in_modules(module),
+        Quantity::length("tooth depth", "h", (form.tip_radius - form.root_radius).abs())
+            .in_modules(module)
+            .further(),
+    ]);
+    match &prototype.gear {
+        Gear::External(gear) => all.extend(of_external(gear)),
+        Gear::Internal(gear) => all.extend(of_internal(gear)),
+    }
+    for modification in &prototype.modifications {
+        if let Modification::TipRelief(relief) = modification {
+            let diameter = 2.0 * form.radius_at_roll(relief.start_roll);
+            all.push(Quantity::length("diameter at which the tip relief begins", "d_Ca", diameter).further());
+        }
+    }
+    all
+}
+
+/// What the helix adds; nothing for straight teeth.
+fn of_helix(helix: &Helix, form: &ToothForm) -> Vec<Quantity> {
+    if helix.is_spur() {
+        return Vec::new();
+    }
+    let cosine = math::cos(helix.angle());
+    let normal_pressure = math::atan(math::tan(form.pressure_angle) * cosine);
+    vec![
+        Quantity::angle("helix angle", "beta", helix.angle()).note(match helix.hand() {
+            Hand::Right => "right-handed",
+            Hand::Left => "left-handed",
+        }),
+        Quantity::angle("base helix angle", "beta_b", helix.base_angle(form.pressure_angle)).further(),
+        Quantity::length("lead", "p_z", helix.lead(form.pitch_radius)).further(),
+        Quantity::length("normal module", "m_n", form.module * cosine),
+        Quantity::angle("normal pressure angle", "alpha_n", normal_pressure).further(),
+    ]
+}
+
+fn of_external(gear: &ExternalGear) -> Vec<Quantity> {
+    let module = gear.rack.module;
+    let mut all = vec![
         Quantity::number("profile shift coefficient", "x", gear.profile_shift())
             .note("of its tooth thickness"),
         undercut_margin(gear),
         Quantity::number("teeth below which this depth is undercut", "z_min", gear.undercut_teeth())
             .further(),
-        Quantity::length("fillet radius at the root circle", "rho_f", gear.root_fillet_curvature_radius())
-            .in_modules(rack)
-            .further(),
+        fillet_radius(gear.root_fillet_curvature_radius(), module),
     ];
     if let Some((teeth, span)) = gear.usual_span() {
         all.push(
             Quantity::length("span measurement", "W_k", span).note(format!("over {teeth} teeth")).further(),
         );
     }
-    let pin = PIN * rack.module;
+    let pin = PIN * module;
     if gear.pin_touches_flanks(pin) {
         let over = Quantity::length("measurement over pins", "M_d", gear.over_pins(pin));
         all.push(over.note(format!("pins of {PIN} modules")).further());
     }
-    for modification in &prototype.modifications {
-        if let Modification::TipRelief(relief) = modification {
-            let diameter = 2.0 * gear.radius_at_roll(relief.start_roll);
-            all.push(Quantity::length("diameter at which the tip relief begins", "d_Ca", diameter).further());
-        }
+    all
+}
+
+fn of_internal(gear: &InternalGear) -> Vec<Quantity> {
+    let module = gear.shaper.module;
+    let mut all = vec![
+        Quantity::number("profile shift coefficient", "x", gear.profile_shift())
+            .note("of its tooth thickness, positive outwards"),
+        fillet_radius(gear.root_fillet_curvature_radius(), module),
+        Quantity::length("centre distance of the shaper", "a_0", gear.cutting_distance).further(),
+        Quantity::length("tooth thickness of the shaper", "s_0", gear.cutter_thickness)
+            .note("at its reference circle")
+            .further(),
+    ];
+    let pin = PIN * module;
+    if gear.pin_touches_flanks(pin) {
+        let between = Quantity::length("measurement between pins", "M_d", gear.between_pins(pin));
+        all.push(between.note(format!("pins of {PIN} modules")).further());
     }
     all
+}
+
+fn fillet_radius(radius: f64, module: f64) -> Quantity {
+    Quantity::length("fillet radius at the root circle", "rho_f", radius).in_modules(module).further()
 }
 
 fn undercut_margin(gear: &ExternalGear) -> Quantity {
@@ -146,24 +211,32 @@ fn undercut_margin(gear: &ExternalGear) -> Quantity {
     })
 }
 
-/// Quantities of a pair of external gears, the first of which the roll angles of `mesh` belong to.
-pub fn of_mesh(gears: [&ExternalGear; 2], mesh: &MeshGeometry) -> Vec<Quantity> {
+/// Quantities of a pair of gears, the first of which, an external one, the roll angles of `mesh` belong to.
+pub fn of_mesh(gears: [ToothForm; 2], mesh: &MeshGeometry) -> Vec<Quantity> {
     let [first, second] = gears;
     let distance = mesh.center_distance;
     let teeth = gears.map(|gear| f64::from(gear.teeth));
-    let reference = first.pitch_radius + second.pitch_radius;
+    let sign = second.sense();
+    let reference = first.pitch_radius + sign * second.pitch_radius;
     let mut all = vec![
         Quantity::length("centre distance", "a", distance),
-        Quantity::length("reference centre distance", "a_d", reference).further(),
+        Quantity::length("reference centre distance", "a_d", reference.abs()).further(),
         Quantity::angle("operating pressure angle", "alpha_wt", mesh.operating_pressure_angle),
         Quantity::number("transverse contact ratio", "epsilon_alpha", mesh.contact_ratio),
+    ];
+    if mesh.overlap_ratio > 0.0 {
+        all.push(Quantity::number("overlap ratio", "epsilon_beta", mesh.overlap_ratio));
+        all.push(Quantity::number("total contact ratio", "epsilon_gamma", mesh.total_contact_ratio()));
+    }
+    all.extend([
         Quantity::length("length of the path of contact", "g_alpha", mesh.line_of_action_length).further(),
         Quantity::number("gear ratio", "u", teeth[1] / teeth[0]).note("second over first"),
-        Quantity::length("circumferential backlash", "j_wt", mesh.backlash).in_modules(&first.rack),
+        Quantity::length("circumferential backlash", "j_wt", mesh.backlash).in_modules(first.module),
         Quantity::length("normal backlash", "j_bn", mesh.normal_backlash).further(),
-    ];
+    ]);
     if let Some(tight) = mesh.zero_backlash_center_distance {
-        all.push(Quantity::length("centre distance without backlash", "a_min", tight).further());
+        let symbol = if mesh.internal { "a_max" } else { "a_min" };
+        all.push(Quantity::length("centre distance without backlash", symbol, tight).further());
     }
     let points = mesh.first_roll;
     // In the order of the path on each member, from its root to its tip.
@@ -175,21 +248,21 @@ pub fn of_mesh(gears: [&ExternalGear; 2], mesh: &MeshGeometry) -> Vec<Quantity> 
     for (member, [start, lowest, highest]) in rolls.into_iter().enumerate() {
         let (gear, mate) = (gears[member], gears[1 - member]);
         let diameter = |roll: f64| 2.0 * gear.radius_at_roll(roll.max(0.0));
-        let operating = 2.0 * distance * teeth[member] / (teeth[0] + teeth[1]);
+        let operating = 2.0 * distance * teeth[member] / (sign * teeth[0] + teeth[1]);
         let mut own = vec![
             Quantity::length("operating pitch diameter", "d_w", operating).further(),
             Quantity::length("tip clearance at the root", "c", mesh.clearance(gear, mate))
-                .in_modules(&gear.rack),
+                .in_modules(gear.module),
             Quantity::length("start of active profile, diameter", "d_Nf", diameter(start)),
             Quantity::length(
                 "active profile above the fillet",
                 "c_F",
-                gear.radius_at_roll(start.max(0.0)) - gear.form_radius,
+                gear.sense() * (gear.radius_at_roll(start.max(0.0)) - gear.form_radius),
             )
             .further(),
         ];
         // Above two, there are always two pairs and more in contact.
-        if (1.0..2.0).contains(&mesh.contact_ratio) {
+        if (1.0..2.0).contains(&mesh.total_contact_ratio()) {
             own.push(Quantity::length(
                 "lowest single-tooth contact (LPSTC), diameter",
                 "d_LPSTC",

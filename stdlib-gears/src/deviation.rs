@@ -7,7 +7,7 @@
 //! costs about `J h²/30` near it.
 
 use crate::error::{GeometryError, sentence};
-use crate::external::ExternalGear;
+use crate::gear::ToothForm;
 use std::fmt;
 use std::sync::Arc;
 
@@ -59,12 +59,12 @@ impl Deviation {
     }
 
     /// Amounts on the flanks of a gear at equal steps of roll from the form circle to the tip circle, m.
-    pub(crate) fn samples(&self, gear: &ExternalGear) -> Vec<f64> {
+    pub(crate) fn samples(&self, gear: &ToothForm) -> Vec<f64> {
         let step = Self::step(gear);
-        (0..=SAMPLES).map(|sample| self.amount(gear.form_roll + step * sample as f64)).collect()
+        (0..=SAMPLES).map(|sample| self.amount((gear.form_roll + step * sample as f64).abs())).collect()
     }
 
-    fn step(gear: &ExternalGear) -> f64 {
+    fn step(gear: &ToothForm) -> f64 {
         (gear.tip_roll - gear.form_roll) / SAMPLES as f64
     }
 
@@ -72,7 +72,7 @@ impl Deviation {
     ///
     /// # Errors
     /// E0642: it is not a number somewhere, as large as half the tooth is thick, or takes an involute beyond its evolute.
-    pub(crate) fn sampled(&self, gear: &ExternalGear) -> Result<Option<Spline>, GeometryError> {
+    pub(crate) fn sampled(&self, gear: &ToothForm) -> Result<Option<Spline>, GeometryError> {
         let amounts = self.samples(gear);
         let step = Self::step(gear);
         for (sample, &amount) in amounts.iter().enumerate() {
@@ -81,9 +81,11 @@ impl Deviation {
         Ok(amounts.iter().any(|&amount| amount != 0.0).then(|| Spline::new(gear.form_roll, step, amounts)))
     }
 
-    fn check(&self, gear: &ExternalGear, roll: f64, amount: f64) -> Result<(), GeometryError> {
-        let radius_of_curvature = gear.base_radius * roll;
-        let half_tooth = 0.5 * gear.thickness_at(gear.radius_at_roll(roll));
+    fn check(&self, gear: &ToothForm, roll: f64, amount: f64) -> Result<(), GeometryError> {
+        // Only where the flank is convex can an amount be too large for its curvature.
+        let radius_of_curvature = if gear.internal { f64::INFINITY } else { gear.base_radius * roll };
+        let half_tooth = gear.half_angle_at_roll(roll) * gear.radius_at_roll(roll);
+        let roll = roll.abs();
         let message = if !amount.is_finite() {
             sentence!["a flank deviation is not a finite number at a roll angle of ", angle roll]
         } else if amount.abs() >= half_tooth {
@@ -99,8 +101,8 @@ impl Deviation {
         } else {
             return Ok(());
         };
-        let help = sentence!["give a finite amount in metres for every roll angle from ", angle gear.form_roll, " to ",
-            angle gear.tip_roll, "; usual amounts are some hundredths of a millimetre"];
+        let help = sentence!["give a finite amount in metres for every roll angle from ", angle gear.form_roll.abs(), " to ",
+            angle gear.tip_roll.abs(), "; usual amounts are some hundredths of a millimetre"];
         Err(GeometryError::error("E0642", "modifications", message, help))
     }
 }

@@ -182,6 +182,9 @@ macro_rules! sentence {
     (@ [$($part:expr,)*] number $value:expr $(, $($rest:tt)*)?) => {
         $crate::error::sentence!(@ [$($part,)* $crate::error::Part::Number($value),] $($($rest)*)?)
     };
+    (@ [$($part:expr,)*] text $value:expr $(, $($rest:tt)*)?) => {
+        $crate::error::sentence!(@ [$($part,)* $crate::error::Part::Text($value),] $($($rest)*)?)
+    };
     (@ [$($part:expr,)*] $text:literal $(, $($rest:tt)*)?) => {
         $crate::error::sentence!(@ [$($part,)* $crate::error::Part::Text($text),] $($($rest)*)?)
     };

@@ -1,7 +1,7 @@
 //! External gears as a rack cuts them: every radius, roll angle and thickness that follows from the data.
 
 use crate::error::{GeometryError, Severity, sentence};
-use crate::fillet::{RootFillet, RootGeneration, Side};
+use crate::fillet::{RackRoot, RootFillet, RootGeneration, Side};
 use crate::involute::{involute, involute_of_roll, radius_at_roll, roll_at_radius, roll_of_involute};
 use crate::rack::Rack;
 use crate::root_finding::solve_bracketed;
@@ -67,7 +67,7 @@ pub struct ExternalGear {
     pub rack_tip_centre_halfwidth: f64,
     /// What an engineer should know of this gear (severity [`Severity::Warning`]).
     pub warnings: Vec<GeometryError>,
-    pub(crate) generation: RootGeneration,
+    pub(crate) generation: RackRoot,
     pub(crate) form_inclination: f64,
 }
 
@@ -87,17 +87,19 @@ impl ExternalGear {
         let tip_centre_depth = pitch_radius - root_radius - rack.tip_radius;
         let halfwidth = 0.5 * (rack.pitch() - tooth_thickness)
             - tip_centre_depth * sine / cosine
-            - rack.tip_radius / cosine;
-        let generation = RootGeneration {
+            - rack.tip_support(rack.pressure_angle) / cosine;
+        let generation = RackRoot {
             teeth,
             pitch_radius,
             tip_centre_depth,
             tip_centre_halfwidth: halfwidth,
             tip_radius: rack.tip_radius,
+            tip_stretch: rack.tip_stretch,
         };
         // Length of the tangent to the base circle where the straight flank of the rack ends its work. Negative
         // where the line of action does not reach so far: then the rack's tip cuts into the involute.
-        let tangent = pitch_radius * sine - (tip_centre_depth + rack.tip_radius * sine) / sine;
+        let tangent =
+            pitch_radius * sine - (tip_centre_depth + rack.tip_touch_depth(rack.pressure_angle)) / sine;
         let mut gear = Self {
             teeth,
             rack,
@@ -128,7 +130,7 @@ impl ExternalGear {
         } else if gear.undercut {
             match gear.undercut_inclination() {
                 Some(inclination) => {
-                    let [x, y] = generation.at(inclination).position;
+                    let [x, y] = RootGeneration::Rack(generation).at(inclination).position;
                     gear.form_inclination = inclination;
                     gear.form_radius = x.hypot(y);
                     gear.form_roll = roll_at_radius(base_radius, gear.form_radius);
@@ -187,7 +189,7 @@ impl ExternalGear {
 
     /// Radius of curvature of the fillet where it meets the root circle, m.
     pub fn root_fillet_curvature_radius(&self) -> f64 {
-        self.generation.curvature_radius(FRAC_PI_2)
+        RootGeneration::Rack(self.generation).curvature_radius(FRAC_PI_2)
     }
 
     /// Radius of the circle through the centres of pins that rest in the spaces, m.
@@ -228,7 +230,7 @@ impl ExternalGear {
 
     /// Depth below the pitch circle to which the straight flank of the rack cuts, m.
     fn straight_depth(&self) -> f64 {
-        self.generation.tip_centre_depth + self.rack.tip_radius * math::sin(self.rack.pressure_angle)
+        self.generation.tip_centre_depth + self.rack.tip_touch_depth(self.rack.pressure_angle)
     }
 
     /// The profile shift, in modules, by which this gear lies above the beginning of undercut, if outer and root diameter
@@ -246,19 +248,20 @@ impl ExternalGear {
 
     /// The root of one side of a tooth, from the form circle to the middle of the space.
     pub fn root_fillet(&self, side: Side) -> RootFillet {
-        RootFillet::new(self.generation, self.form_inclination, side)
+        RootFillet::new(RootGeneration::Rack(self.generation), self.form_inclination, side)
     }
 
     /// Where the fillet of an undercut tooth crosses the involute: the inclination of its normal there.
     fn undercut_inclination(&self) -> Option<f64> {
+        let generation = RootGeneration::Rack(self.generation);
         // Positive where the fillet is outside the tooth that the two involutes enclose.
         let clearance = |inclination: f64| {
-            let [x, y] = self.generation.at(inclination).position;
+            let [x, y] = generation.at(inclination).position;
             let roll = roll_at_radius(self.base_radius, x.hypot(y));
             math::atan2(y, x) - self.half_angle_at_roll(roll)
         };
         let above_base = |inclination: f64| {
-            let [x, y] = self.generation.at(inclination).position;
+            let [x, y] = generation.at(inclination).position;
             x.hypot(y) - self.base_radius
         };
         let start = self.rack.pressure_angle;
@@ -271,7 +274,8 @@ impl ExternalGear {
         let (sine, cosine) = math::sincos(self.rack.pressure_angle);
         let dedendum = self.pitch_radius - self.root_radius;
         let land = 0.5 * (self.rack.pitch() - self.tooth_thickness) - dedendum * sine / cosine;
-        let largest = land * cosine / (1.0 - sine);
+        let per_radius = (self.rack.tip_stretch * cosine).hypot(sine);
+        let largest = land * cosine / (per_radius - sine);
         if largest <= 0.0 {
             return GeometryError::error(
                 "E0613",

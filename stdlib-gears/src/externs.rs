@@ -1,15 +1,11 @@
 //! The library's functions as programs call them: the Rust side of `gears.cx` and `prelude.cx`.
 
 use crate::assembly::{MeshOptions, Pairing, add_body};
-use crate::blank::{GearBlank, Rim, Thickness};
-use crate::deviation::Deviation;
 use crate::error::Severity;
-use crate::host::{Finding, Meeting, ModelHost, keep};
-use crate::modification::{Modification, ReliefShape, TipRelief};
-use crate::rack::Rack;
+use crate::host::{Asked, Finding, Meeting, ModelHost, keep};
 use calyx_abi::externs::{Handle, SymbolicNumber, SymbolicTransform};
 use calyx_abi::{Context, RuntimeError, SymbolicValue};
-use calyx_runtime::analysis::{AnalysisOptions, mesh_cycle, quasi_static};
+use calyx_runtime::analysis::{AnalysisOptions, Position, mesh_cycle, quasi_static};
 use calyx_runtime::error::{EngineError, Subject};
 use calyx_runtime::holding;
 use calyx_runtime::interrupt::Interrupt;
@@ -18,95 +14,13 @@ use calyx_runtime::material::Material;
 use calyx_runtime::motion::Motion;
 use calyx_runtime::plan::Plan;
 use calyx_runtime::results::OutputRequest;
-use calyx_runtime::scene::{Body, BodyId, FREEDOMS, Fidelity, Observable, PairId};
+use calyx_runtime::scene::{Body, BodyId, FREEDOMS, Fidelity, StructureOptions};
 use std::sync::Arc;
 
 calyx_abi::externs! {
     Pure fn calyx_gears_material(context, youngs_modulus: f64, poissons_ratio: f64, density: f64) -> Handle {
         let material = Material::new(youngs_modulus, poissons_ratio, density).map_err(engine)?;
         Ok(keep(&mut host(context)?.materials, material))
-    }
-
-    Pure fn calyx_gears_rack(
-        context, module: f64, diametral_pitch: f64, pressure_angle: f64, tip_radius: f64,
-    ) -> Handle {
-        let module = match (module != 0.0, diametral_pitch != 0.0) {
-            (true, false) => module,
-            (false, true) => 1.0 / diametral_pitch,
-            (true, true) => return Err(refusal("E0663", "diametral_pitch",
-                "the rack has both a module and a diametral pitch", "give one of them; they are each other's inverse")),
-            (false, false) => return Err(refusal("E0664", "module",
-                "the rack has neither a module nor a diametral pitch",
-                "give its size, like `module = 2.5 mm` or `diametral_pitch = 10 / inch`")),
-        };
-        let (place, host) = (context.place, host(context)?);
-        let rack = Rack::new(module, pressure_angle, tip_radius).map_err(|error| host.told(&error, place))?;
-        Ok(keep(&mut host.racks, rack))
-    }
-
-    Pure fn calyx_gears_simple_rim(context, diameter: f64, inner_diameter: f64) -> Handle {
-        let (place, host) = (context.place, host(context)?);
-        let rim = Rim::new(diameter, inner_diameter).map_err(|error| host.refused(error.into(), place))?;
-        Ok(keep(&mut host.rims, rim))
-    }
-
-    Pure fn calyx_gears_tip_relief(context, depth: f64, start_roll: f64, shape: String) -> Handle {
-        let shape = if shape == "linear" { ReliefShape::Linear } else { ReliefShape::Quadratic };
-        Ok(keep(&mut host(context)?.modifications, Modification::TipRelief(TipRelief { depth, start_roll, shape })))
-    }
-
-    Pure fn calyx_gears_lead_crown(context, depth: f64) -> Handle {
-        let (place, host) = (context.place, host(context)?);
-        let crown = Modification::lead_crown(depth).map_err(|error| host.refused(error.into(), place))?;
-        Ok(keep(&mut host.modifications, crown))
-    }
-
-    Pure fn calyx_gears_host_modification(context, name: String) -> Handle {
-        let (place, host) = (context.place, host(context)?);
-        let deviation = match host.provided.modifications.get(&name) {
-            Some(deviation) => deviation.clone(),
-            None => {
-                host.note_unprovided("name", "flank modification", "the flank stays as it is", &name, place);
-                Deviation::new(name, |_| 0.0)
-            }
-        };
-        Ok(keep(&mut host.modifications, deviation.into()))
-    }
-
-    Pure fn calyx_gears_external(
-        context, teeth: f64, rack: Handle, face_width: f64, outer_diameter: f64, root_diameter: f64,
-        material: Handle, rim: Handle, tooth_thickness: f64, profile_shift: f64, tip_edge_radius: f64,
-        modifications: Vec<Handle>, pitch_errors: Vec<f64>,
-    ) -> Handle {
-        if !(teeth.fract() == 0.0 && (3.0..=1e6).contains(&teeth)) {
-            return Err(refusal("E0667", "teeth", &format!("a gear cannot have {teeth} teeth"),
-                "give a whole number of at least 3"));
-        }
-        let (place, host) = (context.place, host(context)?);
-        let blank = GearBlank {
-            teeth: teeth as u32,
-            rack: *entry(&host.racks, rack)?,
-            outer_diameter,
-            root_diameter,
-            face_width,
-            material: *entry(&host.materials, material)?,
-            rim: *entry(&host.rims, rim)?,
-            thickness: if tooth_thickness > 0.0 {
-                Thickness::Circular(tooth_thickness)
-            } else {
-                Thickness::ProfileShift(profile_shift)
-            },
-            tip_edge_radius: (tip_edge_radius > 0.0).then_some(tip_edge_radius),
-            modifications: modifications
-                .into_iter()
-                .map(|handle| entry(&host.modifications, handle).cloned())
-                .collect::<Result<_, _>>()?,
-            pitch_errors,
-        };
-        let gear = blank.cut().map_err(|refusal| host.refused(refusal, place))?;
-        host.note(&gear.gear.warnings, place);
-        host.gear_places.push(place);
-        Ok(keep(&mut host.gears, gear))
     }
 
     Scene fn calyx_gears_body(
@@ -134,17 +48,22 @@ calyx_abi::externs! {
 
     Scene fn calyx_gears_mesh(
         context, first: Handle, second: Handle, tip_corner_contact: bool, cells: f64, grid_width: f64,
+        cells_along: f64, friction: f64,
     ) -> Handle {
-        if cells.fract() != 0.0 {
-            return Err(refusal("E0672", "cells", "the number of cells must be whole",
-                "it is half the number of cells of a grid; 24 is usual"));
+        for (argument, count) in [("cells", cells), ("cells_along", cells_along)] {
+            if count.fract() != 0.0 {
+                return Err(refusal("E0672", argument, "the number of cells must be whole",
+                    "it is half the number of cells of a grid; 24 across are usual in the plane, 10 across and 8 along in space"));
+            }
         }
         let (place, host) = (context.place, host(context)?);
         let ids = [BodyId(first.0 as usize), BodyId(second.0 as usize)];
         let options = MeshOptions {
             tip_corner_contact,
-            half_cells: cells as usize,
+            half_cells: (cells > 0.0).then_some(cells as usize),
+            half_slices: cells_along as usize,
             grid_width: (grid_width > 0.0).then_some(grid_width),
+            friction,
         };
         let pairing = Pairing::of(&host.scene, ids).map_err(|refusal| host.refused(refusal, place))?;
         // What can touch has a geometry, also where it cannot run.
@@ -168,31 +87,7 @@ calyx_abi::externs! {
     }
 
     Pure fn calyx_gears_base_radius(context, gear: Handle) -> f64 {
-        Ok(entry(&host(context)?.gears, gear)?.gear.base_radius)
-    }
-
-    Scene fn calyx_gears_transmission_error(context, mesh: Handle) -> Handle {
-        observe(context, Observable::TransmissionError(PairId(mesh.0 as usize)))
-    }
-
-    Scene fn calyx_gears_load_share(context, mesh: Handle) -> Handle {
-        observe(context, Observable::LoadShare(PairId(mesh.0 as usize)))
-    }
-
-    Scene fn calyx_gears_mesh_stiffness(context, mesh: Handle) -> Handle {
-        observe(context, Observable::MeshStiffness(PairId(mesh.0 as usize)))
-    }
-
-    Scene fn calyx_gears_max_contact_pressure(context, mesh: Handle) -> Handle {
-        observe(context, Observable::MaxContactPressure(PairId(mesh.0 as usize)))
-    }
-
-    Scene fn calyx_gears_max_edge_pressure(context, mesh: Handle) -> Handle {
-        observe(context, Observable::MaxEdgePressure(PairId(mesh.0 as usize)))
-    }
-
-    Scene fn calyx_gears_max_root_stress(context, body: Handle) -> Handle {
-        observe(context, Observable::MaxRootStress(BodyId(body.0 as usize)))
+        Ok(entry(&host(context)?.gears, gear)?.form().base_radius)
     }
 
     /// Registers an output of the model.
@@ -204,32 +99,46 @@ calyx_abi::externs! {
         Ok(())
     }
 
-    Effect fn calyx_std_analyze(context, method: String, over: Handle, fidelity: String) -> () {
+    /// A function of the scene, though it solves: checking plans the analysis, and stops there.
+    Scene fn calyx_std_analyze(
+        context, method: String, over: Handle, fidelity: String, face_elements: f64, displacement_order: f64,
+    ) -> () {
         if method != "quasi_static" {
             return Err(refusal("E0679", "method", &format!("there is no analysis called \"{method}\""),
                 "choose \"quasi_static\""));
         }
+        let fidelity = fidelity_named(&fidelity)?;
+        let face_elements = count_or_default("face_elements", face_elements)?;
+        let axial_order = count_or_default("displacement_order", displacement_order)?;
         let host = host(context)?;
-        if host.result.is_some() {
+        let asked = host.asked.is_some() && host.checking;
+        if asked || host.result.is_some() {
             return Err(RuntimeError::new("E0680", "the model has a second analysis, and a run holds the results of one",
                 "keep one `analyze`; run the model twice with different params instead"));
         }
-        analyze(host, over, &fidelity)
+        let structure = StructureOptions { face_elements, axial_order, ..host.analysis.structure };
+        structure.check().map_err(engine)?;
+        let options = AnalysisOptions { fidelity, structure, ..host.analysis.clone() };
+        let positions = entry(&host.positions, over)?.clone();
+        host.asked = Some(Asked { fidelity, structure });
+        if host.checking { Ok(()) } else { analyze(host, &positions, &options) }
     }
 }
 
 /// Plans and runs an analysis of the scene, and keeps its result.
-fn analyze(host: &mut ModelHost, over: Handle, fidelity: &str) -> Result<(), RuntimeError> {
-    let options = AnalysisOptions { fidelity: fidelity_named(fidelity)?, ..host.analysis.clone() };
-    let positions = entry(&host.positions, over)?.clone();
+fn analyze(
+    host: &mut ModelHost,
+    positions: &[Position],
+    options: &AnalysisOptions,
+) -> Result<(), RuntimeError> {
     check_unheld(host);
     let mut observer = host.observer.take();
     let mut unobserved = ();
     let result = quasi_static(
         &host.scene,
-        &positions,
+        positions,
         &host.outputs,
-        &options,
+        options,
         observer.as_mut().map_or(&mut unobserved, |observer| observer.as_mut()),
     );
     host.observer = observer;
@@ -238,12 +147,27 @@ fn analyze(host: &mut ModelHost, over: Handle, fidelity: &str) -> Result<(), Run
     Ok(())
 }
 
+/// A whole number, or `None` for 0, which leaves it to the fidelity.
+fn count_or_default(argument: &str, count: f64) -> Result<Option<usize>, RuntimeError> {
+    if count.fract() != 0.0 || count < 0.0 {
+        return Err(refusal(
+            "E0691",
+            argument,
+            &format!("`{argument}` cannot be {count}"),
+            "give a whole number, or 0 to leave it to the fidelity",
+        ));
+    }
+    Ok((count > 0.0).then_some(count as usize))
+}
+
 /// What `check` does in place of an analysis: everything short of solving.
 ///
 /// # Errors
 /// What the analysis would fail with before its first position is solved, or the interrupt's.
 pub fn check_plan(host: &ModelHost, interrupt: &Interrupt) -> Result<Plan, RuntimeError> {
-    let plan = Plan::new(&host.scene, Fidelity::Plane, host.analysis.structure);
+    let unasked = Asked { fidelity: Fidelity::Plane, structure: host.analysis.structure };
+    let Asked { fidelity, structure } = host.asked.unwrap_or(unasked);
+    let plan = Plan::new(&host.scene, fidelity, structure);
     // A mesh cycle begins where its first pair of teeth enters.
     let starts = host.scene.pairs.iter().filter_map(|pair| Some(pair.mesh.as_ref()?.start));
     let start = starts.fold(f64::INFINITY, f64::min);
@@ -273,7 +197,9 @@ pub fn check_unheld(host: &mut ModelHost) {
 
 fn fidelity_named(name: &str) -> Result<Fidelity, RuntimeError> {
     Fidelity::named(name).ok_or_else(|| {
-        refusal("E0674", "fidelity", &format!("there is no fidelity called \"{name}\""), "choose \"plane\"")
+        let known: Vec<String> = Fidelity::ALL.iter().map(|known| format!("\"{}\"", known.name())).collect();
+        let help = format!("choose one of {}", known.join(", "));
+        refusal("E0674", "fidelity", &format!("there is no fidelity called \"{name}\""), &help)
     })
 }
 
@@ -321,23 +247,19 @@ impl Motion for FrameMotion {
     }
 }
 
-fn observe(context: &mut Context, observable: Observable) -> Result<Handle, RuntimeError> {
-    Ok(Handle(host(context)?.scene.observe(observable).0 as u64))
-}
-
-fn host(context: &mut Context) -> Result<&mut ModelHost, RuntimeError> {
+pub(crate) fn host(context: &mut Context) -> Result<&mut ModelHost, RuntimeError> {
     context.host().ok_or_else(|| defect("the gear library was called without its state"))
 }
 
-fn entry<T>(table: &[T], handle: Handle) -> Result<&T, RuntimeError> {
+pub(crate) fn entry<T>(table: &[T], handle: Handle) -> Result<&T, RuntimeError> {
     table.get(handle.0 as usize).ok_or_else(|| defect("a handle refers to nothing"))
 }
 
-fn defect(message: &str) -> RuntimeError {
+pub(crate) fn defect(message: &str) -> RuntimeError {
     RuntimeError::new("E0799", message, "this is a defect of Calyx; please report it with the model")
 }
 
-fn refusal(code: &str, argument: &str, message: &str, help: &str) -> RuntimeError {
+pub(crate) fn refusal(code: &str, argument: &str, message: &str, help: &str) -> RuntimeError {
     RuntimeError::new(code, message, help).of_argument(argument)
 }
 

@@ -3,17 +3,19 @@
 //! With `u(b)` and `v(b)` the radial and the counter-clockwise unit vectors at angle `b`, the involute of the base
 //! circle `r` at roll angle `g` is `r u + r g v`, where `b = (half angle at the base) - g`; its tangent is `u` and its
 //! outward normal `v`. A modification of amount `a(g)` moves the point by `-a v`, so that
-//! `dP/dg = (r g - a) u - a' v`: tangent, normal and curvature follow exactly.
+//! `dP/dg = (r g - a) u - a' v`: tangent, normal and curvature follow exactly. On an internal gear the roll angle is negative
+//! ([`ToothForm`]): `u` then points against the flank's direction, `v` out of the material as before.
 
 use crate::deviation::Spline;
 use crate::error::GeometryError;
-use crate::external::ExternalGear;
 use crate::fillet::Side;
+use crate::gear::ToothForm;
 use crate::modification::{Modification, TipRelief};
 use crate::root_finding::solve_bracketed;
 use calyx_abi::math;
 use calyx_runtime::fe::quadrature::gauss_legendre;
 use calyx_runtime::profile::{Profile, ProfilePoint};
+use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 
 /// Parts in which the length of a flank with deviations is measured.
@@ -26,12 +28,16 @@ const DEVIATED_PARTS: usize = 16;
 #[derive(Clone, Debug)]
 pub struct Flank {
     side: Side,
+    /// +1, or -1 of an internal gear.
+    sense: f64,
     base_radius: f64,
     half_base_angle: f64,
     form_roll: f64,
     tip_roll: f64,
-    reliefs: Vec<TipRelief>,
+    reliefs: Vec<Relief>,
     deviations: Vec<Arc<Spline>>,
+    /// Material taken off per roll angle from the form circle.
+    slope: f64,
     /// Parts of the flank with smooth curvature, ascending; the first starts at the form circle.
     parts: Vec<Part>,
     edge: Edge,
@@ -40,11 +46,35 @@ pub struct Flank {
     quadrature: Vec<(f64, f64)>,
 }
 
+/// A relief of the tip, or of the root as that of the tip of the flank turned round.
+#[derive(Clone, Copy, Debug)]
+struct Relief {
+    relief: TipRelief,
+    at_root: bool,
+}
+
 #[derive(Clone, Copy, Debug)]
 struct Part {
     start_roll: f64,
     start_s: f64,
     modified: bool,
+}
+
+impl Relief {
+    fn amount(&self, roll: f64, form_roll: f64, tip_roll: f64) -> [f64; 3] {
+        if !self.at_root {
+            return self.relief.amount(roll, form_roll, tip_roll);
+        }
+        let [amount, slope, bend] = self.relief.amount(-roll, -tip_roll, -form_roll);
+        [amount, -slope, bend]
+    }
+
+    fn breaks(&self, form_roll: f64, tip_roll: f64) -> Vec<f64> {
+        if !self.at_root {
+            return self.relief.breaks(form_roll, tip_roll);
+        }
+        self.relief.breaks(-tip_roll, -form_roll).into_iter().rev().map(|roll| -roll).collect()
+    }
 }
 
 /// The rounded tip edge: an arc tangent to the flank and to the tip circle.
@@ -56,9 +86,10 @@ struct Edge {
     start_roll: f64,
     start_s: f64,
     end_s: f64,
-    /// Direction of the normal at the start; it turns clockwise.
+    /// Direction of the normal at the start; it turns clockwise, on an internal gear counter-clockwise.
     start_angle: f64,
-    end_angle: f64,
+    /// Polar angle at which it meets the tip circle.
+    end_polar: f64,
 }
 
 /// A unit vector at an angle, and the one a right angle farther.
@@ -74,22 +105,34 @@ fn combine(a: f64, u: [f64; 2], b: f64, v: [f64; 2]) -> [f64; 2] {
 impl Flank {
     /// A flank of a gear. Lead crowns are not seen in the plane; reliefs must lie on the flank.
     pub fn new(
-        gear: &ExternalGear,
+        gear: impl Into<ToothForm>,
         modifications: &[Modification],
         side: Side,
     ) -> Result<Self, Vec<GeometryError>> {
+        let form: ToothForm = gear.into();
         let (mut reliefs, mut deviations, mut errors) = (Vec::new(), Vec::new(), Vec::new());
+        let mut slope = 0.0;
         for modification in modifications {
+            let at_root = matches!(modification, Modification::RootRelief(_));
             match modification {
-                Modification::TipRelief(relief) if relief.depth != 0.0 => {
-                    errors.extend(relief.check(gear.form_roll, gear.tip_roll, gear.tip_thickness()).err());
-                    reliefs.push(*relief);
+                Modification::TipRelief(relief) | Modification::RootRelief(relief) if relief.depth != 0.0 => {
+                    errors.extend(relief.check(&form, at_root).err());
+                    let relief = TipRelief { start_roll: form.sense() * relief.start_roll, ..*relief };
+                    reliefs.push(Relief { relief: if at_root { relief.turned() } else { relief }, at_root });
                 }
-                Modification::Deviation(deviation) => match deviation.sampled(gear) {
-                    Ok(sampled) => deviations.extend(sampled.map(Arc::new)),
-                    Err(error) => errors.push(error),
-                },
-                Modification::TipRelief(_) | Modification::LeadCrown { .. } => {}
+                Modification::ProfileSlope(deviation) => {
+                    slope -= deviation / (form.tip_roll - form.form_roll);
+                }
+                _ => {}
+            }
+            let deviation = match modification {
+                Modification::Deviation(deviation) => Some(deviation.clone()),
+                _ => modification.at_mid_face(),
+            };
+            match deviation.map(|deviation| deviation.sampled(&form)) {
+                Some(Ok(sampled)) => deviations.extend(sampled.map(Arc::new)),
+                Some(Err(error)) => errors.push(error),
+                None => {}
             }
         }
         if !errors.is_empty() {
@@ -97,22 +140,24 @@ impl Flank {
         }
         let mut flank = Self {
             side,
-            base_radius: gear.base_radius,
-            half_base_angle: gear.half_base_angle,
-            form_roll: gear.form_roll,
-            tip_roll: gear.tip_roll,
+            sense: form.sense(),
+            base_radius: form.base_radius,
+            half_base_angle: form.half_base_angle,
+            form_roll: form.form_roll,
+            tip_roll: form.tip_roll,
             reliefs,
             deviations,
+            slope,
             parts: Vec::new(),
             edge: Edge {
                 centre: [0.0; 2],
-                radius: gear.tip_edge_radius,
-                tip_circle_radius: gear.outer_radius,
+                radius: form.tip_edge_radius,
+                tip_circle_radius: form.tip_radius,
                 start_roll: 0.0,
                 start_s: 0.0,
                 end_s: 0.0,
                 start_angle: 0.0,
-                end_angle: 0.0,
+                end_polar: 0.0,
             },
             breaks: Vec::new(),
             quadrature: gauss_legendre(16),
@@ -134,19 +179,20 @@ impl Flank {
             let point = self.on_curve(roll);
             combine(1.0, point.position, -radius, point.normal)
         };
+        let tip_centres = self.edge.tip_circle_radius - self.sense * radius;
         let beyond = |roll: f64| {
             let [x, y] = centre_at(roll);
-            x.hypot(y) - (self.edge.tip_circle_radius - radius)
+            self.sense * (x.hypot(y) - tip_centres)
         };
-        // A relieved flank meets the tip circle a little later than the involute does.
-        let last = self.tip_roll + 0.5 * (self.tip_roll - self.form_roll);
+        // A relieved flank meets the tip circle a little later than the involute does. An internal one may not reach its base circle.
+        let last = self.tip_roll + (0.5 * (self.tip_roll - self.form_roll)).min(0.9 * self.tip_roll.abs());
         let start_roll = solve_bracketed(beyond, self.form_roll, last);
         let centre = centre_at(start_roll);
         let normal = self.on_curve(start_roll).normal;
         self.edge.start_roll = start_roll;
         self.edge.centre = centre;
         self.edge.start_angle = math::atan2(normal[1], normal[0]);
-        self.edge.end_angle = math::atan2(centre[1], centre[0]);
+        self.edge.end_polar = math::atan2(centre[1], centre[0]);
     }
 
     /// Splits the flank where its curvature jumps, and a deviated one finely enough to measure its parts.
@@ -154,7 +200,7 @@ impl Flank {
         let end = self.edge.start_roll;
         let jumps = self.reliefs.iter().flat_map(|relief| relief.breaks(self.form_roll, self.tip_roll));
         let mut rolls: Vec<(f64, bool)> = jumps.map(|roll| (roll, true)).collect();
-        if !self.deviations.is_empty() {
+        if self.has_deviations() {
             let part = |k: usize| self.form_roll + (end - self.form_roll) * k as f64 / DEVIATED_PARTS as f64;
             rolls.extend((1..DEVIATED_PARTS).map(|k| (part(k), false)));
         }
@@ -169,7 +215,7 @@ impl Flank {
         let mut s = 0.0;
         for (index, &(start_roll, jumps)) in rolls.iter().enumerate() {
             let end = rolls.get(index + 1).map_or(end, |next| next.0);
-            let modified = !self.deviations.is_empty() || self.amount(0.5 * (start_roll + end))[0] != 0.0;
+            let modified = self.has_deviations() || self.amount(0.5 * (start_roll + end))[0] != 0.0;
             let part = Part { start_roll, start_s: s, modified };
             self.parts.push(part);
             if index > 0 && jumps {
@@ -179,13 +225,18 @@ impl Flank {
         }
         self.breaks.push(s);
         self.edge.start_s = s;
-        self.edge.end_s = s + self.edge.radius * (self.edge.start_angle - self.edge.end_angle);
+        let turned = match self.sense > 0.0 {
+            true => self.edge.start_angle - self.edge.end_polar,
+            // The normal ends against the radial direction.
+            false => (self.edge.end_polar + PI - self.edge.start_angle).rem_euclid(TAU),
+        };
+        self.edge.end_s = s + self.edge.radius * turned;
     }
 
     /// Material taken off at a roll angle (m), and its first and second derivatives by roll.
     fn amount(&self, roll: f64) -> [f64; 3] {
-        let mut total = [0.0; 3];
         let reliefs = self.reliefs.iter().map(|relief| relief.amount(roll, self.form_roll, self.tip_roll));
+        let mut total = [self.slope * (roll - self.form_roll), self.slope, 0.0];
         for amount in reliefs.chain(self.deviations.iter().map(|deviation| deviation.at(roll))) {
             for order in 0..3 {
                 total[order] += amount[order];
@@ -205,8 +256,8 @@ impl Flank {
         ProfilePoint {
             position: combine(self.base_radius, u, along, v),
             tangent: combine(along / speed, u, across / speed, v),
-            normal: combine(along / speed, v, -across / speed, u),
-            curvature: (1.0 - turn) / speed,
+            normal: combine(self.sense * along / speed, v, -self.sense * across / speed, u),
+            curvature: self.sense * (1.0 - turn) / speed,
         }
     }
 
@@ -220,7 +271,7 @@ impl Flank {
         let half = 0.5 * (roll - part.start_roll);
         if !part.modified {
             // The involute's arc length is r roll^2 / 2.
-            return part.start_s + self.base_radius * half * (roll + part.start_roll);
+            return part.start_s + self.sense * self.base_radius * half * (roll + part.start_roll);
         }
         let middle = part.start_roll + half;
         let integral: f64 =
@@ -238,15 +289,15 @@ impl Flank {
     /// Roll angle at an arc length, rad. On the edge and beyond, that of the involute at the same radius.
     pub fn roll_at(&self, s: f64) -> f64 {
         if s > self.edge.start_s {
-            return crate::involute::roll_at_radius(self.base_radius, self.radius_at(s));
+            return self.sense * crate::involute::roll_at_radius(self.base_radius, self.radius_at(s));
         }
         if s <= 0.0 {
             return self.form_roll;
         }
         let index = self.parts.partition_point(|part| part.start_s <= s).max(1) - 1;
         let part = self.parts[index];
-        let from_start = 2.0 * (s - part.start_s) / self.base_radius;
-        let unmodified = (part.start_roll * part.start_roll + from_start).sqrt();
+        let from_start = self.sense * 2.0 * (s - part.start_s) / self.base_radius;
+        let unmodified = self.sense * (part.start_roll * part.start_roll + from_start).max(0.0).sqrt();
         if !part.modified {
             return unmodified;
         }
@@ -255,7 +306,7 @@ impl Flank {
         for _ in 0..20 {
             let step = (self.s_in_part(part, roll) - s) / self.speed(roll);
             roll -= step;
-            if step.abs() <= 4.0 * f64::EPSILON * roll {
+            if step.abs() <= 4.0 * f64::EPSILON * roll.abs() {
                 break;
             }
         }
@@ -268,6 +319,17 @@ impl Flank {
         x.hypot(y)
     }
 
+    /// The point at a roll angle between the form circle and the edge, as [`Profile::at`] gives it at an arc length, and the length of
+    /// the flank per unit of roll there, m.
+    pub(crate) fn at_roll(&self, roll: f64) -> (ProfilePoint, f64) {
+        (self.side.place(self.on_curve(roll)), self.speed(roll))
+    }
+
+    /// Radius of the circle whose involute the flank is, m.
+    pub(crate) fn base_radius(&self) -> f64 {
+        self.base_radius
+    }
+
     /// Material taken off at an arc length, normal to the involute, m. (On the edge, that of the relief alone.)
     pub fn relief_at(&self, s: f64) -> f64 {
         self.amount(self.roll_at(s))[0]
@@ -275,7 +337,12 @@ impl Flank {
 
     /// Whether anything is taken off this flank.
     pub fn is_modified(&self) -> bool {
-        !self.reliefs.is_empty() || !self.deviations.is_empty()
+        !self.reliefs.is_empty() || self.has_deviations()
+    }
+
+    /// Whether anything is taken off that may reach all over the flank.
+    fn has_deviations(&self) -> bool {
+        !self.deviations.is_empty() || self.slope != 0.0
     }
 
     /// The largest amount taken off or put on between form and tip circle, m.
@@ -323,15 +390,24 @@ impl Profile for Flank {
         } else {
             let on_edge = s.min(edge.end_s) - edge.start_s;
             let beyond = (s - edge.end_s).max(0.0) / edge.tip_circle_radius;
-            let angle =
-                if beyond > 0.0 { edge.end_angle - beyond } else { edge.start_angle - on_edge / edge.radius };
-            let (normal, right) = directions(angle);
-            let (position, curvature) = if beyond > 0.0 {
-                (combine(edge.tip_circle_radius, normal, 0.0, right), 1.0 / edge.tip_circle_radius)
+            // Beyond, the tip circle, whose normal is radial: outwards, or inwards on an internal gear.
+            if beyond > 0.0 {
+                let (radial, left) = directions(edge.end_polar - beyond);
+                ProfilePoint {
+                    position: radial.map(|part| edge.tip_circle_radius * part),
+                    tangent: left.map(|part| -part),
+                    normal: radial.map(|part| self.sense * part),
+                    curvature: self.sense / edge.tip_circle_radius,
+                }
             } else {
-                (combine(1.0, edge.centre, edge.radius, normal), 1.0 / edge.radius)
-            };
-            ProfilePoint { position, tangent: [-right[0], -right[1]], normal, curvature }
+                let (normal, left) = directions(edge.start_angle - self.sense * on_edge / edge.radius);
+                ProfilePoint {
+                    position: combine(1.0, edge.centre, edge.radius, normal),
+                    tangent: left.map(|part| -self.sense * part),
+                    normal,
+                    curvature: 1.0 / edge.radius,
+                }
+            }
         };
         self.side.place(point)
     }

@@ -7,6 +7,7 @@ use crate::mesh_geometry::MeshGeometry;
 use crate::modification::Modification;
 use crate::prototype::GearPrototype;
 use crate::rack::Rack;
+use crate::shaper::Shaper;
 use crate::tables::Table;
 use calyx_abi::RuntimeError;
 use calyx_abi::externs::Handle;
@@ -15,7 +16,7 @@ use calyx_runtime::error::{EngineError, Subject};
 use calyx_runtime::load::Load;
 use calyx_runtime::material::Material;
 use calyx_runtime::results::{AnalysisResult, OutputRequest};
-use calyx_runtime::scene::Scene;
+use calyx_runtime::scene::{Fidelity, Scene, StructureOptions};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -64,6 +65,8 @@ pub struct ModelHost {
     pub materials: Vec<Material>,
     /// Racks.
     pub racks: Vec<Rack>,
+    /// Shapers.
+    pub shapers: Vec<Shaper>,
     /// Rims.
     pub rims: Vec<Rim>,
     /// Modifications of flanks.
@@ -94,6 +97,10 @@ pub struct ModelHost {
     pub observer: Option<Box<dyn Observer + Send>>,
     /// How an analysis is done, but for what the program says of it.
     pub analysis: AnalysisOptions,
+    /// The model is checked: an analysis is asked for, and not done.
+    pub checking: bool,
+    /// How the program wants the scene to be modelled, if it has asked for an analysis.
+    pub asked: Option<Asked>,
     /// What the last analysis yielded.
     pub result: Option<AnalysisResult>,
     /// Analyses that ended with an error, which the program may have caught.
@@ -186,6 +193,15 @@ impl ModelHost {
             .for_each(|other| self.note(std::slice::from_ref(other), place));
         self.told(first, place)
     }
+}
+
+/// How an analysis models bodies.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Asked {
+    /// By kind.
+    pub fidelity: Fidelity,
+    /// How finely.
+    pub structure: StructureOptions,
 }
 
 /// Two bodies whose gears meet.

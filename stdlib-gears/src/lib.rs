@@ -5,8 +5,9 @@
 //!
 //! | step | by |
 //! |---|---|
-//! | the tool | [`rack::Rack`] |
+//! | the tool | [`rack::Rack`], for internal gears [`shaper::Shaper`] |
 //! | what is said of a gear | [`blank::GearBlank`]: teeth, diameters, [`blank::Rim`], [`modification::Modification`]s, pitch errors |
+//! | what is said of an internal one | [`internal_blank::InternalBlank`] |
 //! | the gear, checked | [`blank::GearBlank::cut`] gives a [`prototype::GearPrototype`], which a body of the engine's [`Scene`] is made of |
 //! | bodies on their frames | [`assembly::add_body`] |
 //! | the mesh | [`assembly::mesh`]: which flanks drive, the phase, the cycle |
@@ -30,8 +31,9 @@
 //! use calyx_runtime::load::Wrench;
 //! use calyx_runtime::material::Material;
 //! use calyx_runtime::motion::SteadyRotation;
+//! use calyx_runtime::observe::{MaxRootStress, TransmissionError};
 //! use calyx_runtime::results::OutputRequest;
-//! use calyx_runtime::scene::{Body, Component, Observable, Scene};
+//! use calyx_runtime::scene::{Body, Component, Scene};
 //! use std::f64::consts::TAU;
 //!
 //! const INCH: f64 = 0.0254;
@@ -70,8 +72,8 @@
 //! assert!((meshed.geometry.contact_ratio - 1.6).abs() < 0.2);
 //!
 //! let outputs = [
-//!     OutputRequest::observing("transmission error", scene.observe(Observable::TransmissionError(meshed.pair))),
-//!     OutputRequest::observing("root stress", scene.observe(Observable::MaxRootStress(pinion))),
+//!     OutputRequest::observing("transmission error", scene.observe(TransmissionError(meshed.pair))),
+//!     OutputRequest::observing("root stress", scene.observe(MaxRootStress(pinion))),
 //! ];
 //! let cycle = scene.pairs[meshed.pair.0].mesh.as_ref().expect("gears are in mesh");
 //! let positions = mesh_cycle(cycle, 4);
@@ -90,7 +92,7 @@
 //!
 //! * Loads and flanks of your own: [`calyx_runtime::load::Load`] is a constant or a closure of time,
 //!   [`deviation::Deviation`] a closure of the roll angle.
-//! * Geometry without an analysis: [`external::ExternalGear`], [`mesh_geometry::MeshGeometry`], and [`derived`] for what follows from
+//! * Geometry without an analysis: [`external::ExternalGear`], [`internal::InternalGear`], [`mesh_geometry::MeshGeometry`], and [`derived`] for what follows from
 //!   both in the terms of ISO 21771.
 //! * What the engine makes of a scene: [`calyx_runtime`].
 //! * The language's library: [`library`] (its source), [`externs`] (its functions), [`host`] (what a running model keeps), [`tables`].
@@ -104,6 +106,7 @@
 
 pub mod assembly;
 pub mod blank;
+pub mod cutting;
 pub mod derived;
 pub mod deviation;
 pub mod error;
@@ -111,16 +114,27 @@ pub mod external;
 pub mod externs;
 pub mod fillet;
 pub mod flank;
+pub mod gear;
+pub mod gear_surface;
+pub mod helix;
 pub mod host;
 pub mod internal;
+pub mod internal_blank;
 pub mod involute;
 pub mod library;
+pub mod mesh_externs;
 pub mod mesh_geometry;
 pub mod modification;
 mod modified;
+pub mod modifying;
 pub mod mounting;
+pub mod observables;
 pub mod prototype;
 pub mod rack;
 mod root_finding;
 pub mod sector_mesh;
+pub mod shaper;
+pub mod solid_prototype;
 pub mod tables;
+pub mod tabulated;
+pub mod template;

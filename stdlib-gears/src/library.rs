@@ -22,7 +22,15 @@ pub const MODULES: &[LibraryModule] =
     &[LibraryModule { path: "gears", file: "<library>/gears.cx", text: include_str!("../calyx/gears.cx") }];
 
 /// The tables of functions that programs may call: the library's, and those of the language itself.
-const TABLES: &[&[Extern]] = &[crate::externs::EXTERNS, crate::tables::EXTERNS, standard::EXTERNS];
+const TABLES: &[&[Extern]] = &[
+    crate::externs::EXTERNS,
+    crate::cutting::EXTERNS,
+    crate::mesh_externs::EXTERNS,
+    crate::modifying::EXTERNS,
+    crate::observables::EXTERNS,
+    crate::tables::EXTERNS,
+    standard::EXTERNS,
+];
 
 /// What code must have been compiled against to run with this engine.
 pub const FINGERPRINT: Fingerprint = Fingerprint::of(TABLES);

@@ -2,8 +2,10 @@
 
 use crate::error::{GeometryError, sentence};
 use crate::external::ExternalGear;
-use crate::internal::InternalGear;
-use crate::involute::{involute, radius_at_roll, roll_at_radius, roll_of_involute};
+use crate::gear::ToothForm;
+use crate::helix::Helix;
+use crate::internal::{InternalGear, tip_margin};
+use crate::involute::{involute, radius_at_roll, roll_of_involute};
 use calyx_abi::math;
 use std::f64::consts::PI;
 
@@ -40,6 +42,15 @@ impl PathOfContact {
     }
 }
 
+/// How teeth wind over the face that two gears have in common.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Wound {
+    /// Helix of the first gear.
+    pub first: Helix,
+    /// m
+    pub width: f64,
+}
+
 /// A pair at a centre distance. SI units; angles in rad.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MeshGeometry {
@@ -53,6 +64,8 @@ pub struct MeshGeometry {
     pub line_of_action_length: f64,
     /// Length of the path of contact in base pitches.
     pub contact_ratio: f64,
+    /// How many pitches the teeth wind over the common width of the faces ([`MeshGeometry::across`]); 0 of straight ones.
+    pub overlap_ratio: f64,
     /// Base radii of the first and the second member.
     pub base_radius: [f64; 2],
     /// Roll angles of the first member.
@@ -145,18 +158,23 @@ impl MeshGeometry {
         })
     }
 
-    /// An external pinion in an internal gear.
+    /// An external pinion in an internal gear, with no judgement except that it can touch at all: see
+    /// [`MeshGeometry::check_internal`].
+    ///
+    /// # Errors
+    /// E0630 to E0632.
     pub fn internal(
         first: &ExternalGear,
         second: &InternalGear,
         center_distance: f64,
     ) -> Result<Self, GeometryError> {
         check_same_involutes(
-            [first.rack.module, second.module],
-            [first.rack.pressure_angle, second.pressure_angle],
+            [first.rack.module, second.shaper.module],
+            [first.rack.pressure_angle, second.shaper.pressure_angle],
         )?;
-        let base_radius = [first.base_radius, second.base_radius()];
+        let base_radius = [first.base_radius, second.base_radius];
         let difference = base_radius[1] - base_radius[0];
+        let standard = second.pitch_radius - first.pitch_radius;
         if center_distance.is_nan() || difference <= 0.0 || center_distance <= difference {
             return Err(GeometryError::error(
                 "E0631",
@@ -165,18 +183,29 @@ impl MeshGeometry {
                     "the axes are ", length center_distance, " apart, less than the base circles need (",
                     length difference, "): no line of action exists"
                 ],
-                sentence![
-                    "place the frames farther apart, near the standard distance of ",
-                    length second.pitch_radius() - first.pitch_radius
-                ],
+                sentence!["place the frames farther apart, near the standard distance of ", length standard],
             ));
         }
         let tangent_distance = ((center_distance - difference) * (center_distance + difference)).sqrt();
-        let second_tip = base_radius[1] * roll_at_radius(base_radius[1], second.minor_radius);
+        let undercut_start =
+            if first.undercut { base_radius[0] * first.form_roll } else { f64::NEG_INFINITY };
+        let start = (base_radius[1] * second.tip_roll - tangent_distance).max(undercut_start);
+        let end = base_radius[0] * first.tip_roll;
+        if end <= start {
+            return Err(GeometryError::error(
+                "E0632",
+                "second",
+                sentence![
+                    "the axes are ", length center_distance,
+                    " apart, and the tip circles leave nothing of the line of action: the teeth cannot touch"
+                ],
+                sentence!["place the frames near the standard distance of ", length standard],
+            ));
+        }
         let angle = math::atan2(tangent_distance, difference);
         // The pinion's tooth in the gear's space, on the operating pitch circles.
         let teeth = [f64::from(first.teeth), f64::from(second.teeth)];
-        let zero_involute = (teeth[1] * second.half_base_angle_of_space() - teeth[0] * first.half_base_angle)
+        let zero_involute = (teeth[1] * second.half_base_angle_of_space - teeth[0] * first.half_base_angle)
             / (teeth[1] - teeth[0]);
         let normal_backlash = 2.0 * difference * (zero_involute - involute(angle));
         Ok(Self {
@@ -185,13 +214,7 @@ impl MeshGeometry {
             internal: true,
             zero_backlash_center_distance: (zero_involute > 0.0)
                 .then(|| radius_at_roll(difference, roll_of_involute(zero_involute))),
-            ..Self::from_path(
-                base_radius,
-                first.base_pitch,
-                angle,
-                [second_tip - tangent_distance, base_radius[0] * first.tip_roll],
-                normal_backlash,
-            )
+            ..Self::from_path(base_radius, first.base_pitch, angle, [start, end], normal_backlash)
         })
     }
 
@@ -210,6 +233,7 @@ impl MeshGeometry {
             base_pitch,
             line_of_action_length: end - start,
             contact_ratio: (end - start) / base_pitch,
+            overlap_ratio: 0.0,
             base_radius,
             first_roll: PathOfContact {
                 start_of_active_profile: roll(start),
@@ -224,6 +248,18 @@ impl MeshGeometry {
             normal_backlash,
             zero_backlash_center_distance: None,
         }
+    }
+
+    /// The pair with teeth that wind along a helix.
+    #[must_use]
+    pub fn across(self, first: &ExternalGear, wound: &Wound) -> Self {
+        let twisted = wound.first.twist_per_length(first.pitch_radius).abs() * wound.width;
+        Self { overlap_ratio: twisted / first.pitch_angle(), ..self }
+    }
+
+    /// Transverse contact ratio plus overlap ratio.
+    pub fn total_contact_ratio(&self) -> f64 {
+        self.contact_ratio + self.overlap_ratio
     }
 
     /// Roll angle of the second member where the first has the given one.
@@ -242,78 +278,148 @@ impl MeshGeometry {
         radius_at_roll(self.base_radius[0], first_roll)
     }
 
-    /// Distance between the root circle of one member and the tip circle of its external mate, m.
-    pub fn clearance(&self, gear: &ExternalGear, mate: &ExternalGear) -> f64 {
-        self.center_distance - gear.root_radius - mate.outer_radius
+    /// Distance between the root circle of one member and the tip circle of its mate, where they are nearest, m.
+    pub fn clearance(&self, gear: impl Into<ToothForm>, mate: impl Into<ToothForm>) -> f64 {
+        let (gear, mate): (ToothForm, ToothForm) = (gear.into(), mate.into());
+        if gear.internal {
+            gear.root_radius - self.center_distance - mate.tip_radius
+        } else if mate.internal {
+            mate.tip_radius - self.center_distance - gear.root_radius
+        } else {
+            self.center_distance - gear.root_radius - mate.tip_radius
+        }
     }
 
     /// An external pair that can run: its geometry and warnings, or all that is wrong with it.
+    ///
+    /// # Errors
+    /// E0630 to E0634, E0636.
     pub fn check_external(
         first: &ExternalGear,
         second: &ExternalGear,
         center_distance: f64,
+        wound: &Wound,
     ) -> Result<(Self, Vec<GeometryError>), Vec<GeometryError>> {
         let mesh = Self::external(first, second, center_distance).map_err(|error| vec![error])?;
+        let mesh = mesh.across(first, wound);
+        let undercut = [first.undercut, second.undercut];
+        let (errors, warnings) = mesh.judge([first.into(), second.into()], undercut);
+        if errors.is_empty() { Ok((mesh, warnings)) } else { Err(errors) }
+    }
+
+    /// A pair of an external and an internal gear that can run: its geometry and warnings, or all that is wrong with it.
+    ///
+    /// # Errors
+    /// E0630 to E0634, E0636, E0638.
+    pub fn check_internal(
+        first: &ExternalGear,
+        second: &InternalGear,
+        center_distance: f64,
+        wound: &Wound,
+    ) -> Result<(Self, Vec<GeometryError>), Vec<GeometryError>> {
+        let mesh = Self::internal(first, second, center_distance).map_err(|error| vec![error])?;
+        let mesh = mesh.across(first, wound);
+        let (mut errors, warnings) = mesh.judge([first.into(), second.into()], [first.undercut, false]);
+        let margin = tip_margin(
+            [first.teeth, second.teeth],
+            [first.tip_roll, second.tip_roll],
+            [first.outer_radius, second.minor_radius],
+            center_distance,
+            mesh.operating_pressure_angle,
+        );
+        if let Some(margin) = margin.filter(|&margin| margin < 0.0) {
+            errors.push(GeometryError::error(
+                "E0638",
+                "second",
+                sentence![
+                    "the tips of the gear and of the ring run into each other by ", length -margin * second.minor_radius,
+                    " beside the mesh: with ", number f64::from(first.teeth), " and ", number f64::from(second.teeth),
+                    " teeth they are too nearly of one size"
+                ],
+                sentence!["use fewer teeth in the ring, reduce `outer_diameter` of the gear, or enlarge `minor_diameter` of the ring"],
+            ));
+        }
+        if errors.is_empty() { Ok((mesh, warnings)) } else { Err(errors) }
+    }
+
+    /// What two gears have against each other, and what an engineer should know of the pair. An undercut gear ends the path of contact
+    /// at its form circle, so that its mate's tips run free below.
+    fn judge(&self, gears: [ToothForm; 2], undercut: [bool; 2]) -> (Vec<GeometryError>, Vec<GeometryError>) {
         let (mut errors, mut warnings) = (Vec::new(), Vec::new());
-        if mesh.contact_ratio < 1.0 {
+        if self.total_contact_ratio() < 1.0 {
             errors.push(GeometryError::error(
                 "E0633",
                 "second",
                 sentence![
-                    "the contact ratio is ", number mesh.contact_ratio,
+                    "the contact ratio is ", number self.total_contact_ratio(),
                     ", below 1: a pair of teeth leaves contact before the next one has come"
                 ],
-                sentence!["place the axes closer together than ", length center_distance, ", or enlarge the outer diameters"],
+                if self.internal {
+                    sentence![
+                        "enlarge the outer diameter of the gear, or reduce the minor diameter of the ring"
+                    ]
+                } else {
+                    sentence![
+                        "place the axes closer together than ", length self.center_distance,
+                        ", or enlarge the outer diameters"
+                    ]
+                },
             ));
         }
-        let second_start = mesh.second_roll(mesh.first_roll.end_of_active_profile);
-        let reaches =
-            [("first", first, mesh.first_roll.start_of_active_profile), ("second", second, second_start)];
-        for (argument, gear, roll) in reaches {
-            if roll < gear.form_roll && !gear.undercut {
-                errors.push(fillet_interference(argument, gear, roll));
+        let second_start = gears[1].sense() * self.second_roll(self.first_roll.end_of_active_profile);
+        let starts = [self.first_roll.start_of_active_profile, second_start];
+        let members = ["first", "second"];
+        for member in [0, 1] {
+            if starts[member] < gears[member].form_roll && !undercut[member] {
+                errors.push(fillet_interference(members[member], &gears[member], starts[member]));
             }
         }
-        if mesh.normal_backlash < -ROUNDING_OF_DATA * mesh.base_pitch {
+        if self.normal_backlash < -ROUNDING_OF_DATA * self.base_pitch {
             warnings.push(GeometryError::warning(
                 "E0635",
                 "second",
                 sentence![
-                    "the backlash is negative, ", length mesh.backlash, ": the teeth are thicker than the spaces at a centre distance of ",
-                    length center_distance, ". Contact is searched on the driving flanks only"
+                    "the backlash is negative, ", length self.backlash, ": the teeth are thicker than the spaces at a centre distance of ",
+                    length self.center_distance, ". Contact is searched on the driving flanks only"
                 ],
-                match mesh.zero_backlash_center_distance {
-                    Some(distance) => sentence![
+                match (self.zero_backlash_center_distance, self.internal) {
+                    (Some(distance), false) => sentence![
                         "place the axes at least ", length distance, " apart, or reduce `tooth_thickness`"
                     ],
-                    None => sentence!["reduce `tooth_thickness`"],
+                    (Some(distance), true) => sentence![
+                        "place the axes at most ", length distance, " apart, or reduce `tooth_thickness`"
+                    ],
+                    (None, _) => sentence!["reduce `tooth_thickness`"],
                 },
             ));
         }
-        for (argument, gear, mate) in [("first", first, second), ("second", second, first)] {
-            let clearance = mesh.clearance(gear, mate);
-            if clearance < -ROUNDING_OF_DATA * gear.rack.module {
+        for member in [0, 1] {
+            let (gear, mate) = (gears[member], gears[1 - member]);
+            let clearance = self.clearance(gear, mate);
+            if clearance < -ROUNDING_OF_DATA * gear.module {
                 errors.push(GeometryError::error(
                     "E0636",
-                    argument,
+                    members[member],
                     sentence![
                         "the mate's tips reach ", length -clearance, " into the root circle of this gear (diameter ",
                         length 2.0 * gear.root_radius, ")"
                     ],
-                    sentence!["reduce `root_diameter` of this gear or `outer_diameter` of its mate, or place the axes farther apart"],
+                    sentence![
+                        "deepen this gear's spaces by its `root_diameter`, shorten the mate's teeth, or move the axes"
+                    ],
                 ));
-            } else if clearance < 0.05 * gear.rack.module {
+            } else if clearance < 0.05 * gear.module {
                 warnings.push(GeometryError::warning(
                     "E0637",
-                    argument,
+                    members[member],
                     sentence![
                         "the mate's tips clear the root circle of this gear by only ", length clearance.max(0.0)
                     ],
-                    sentence!["a clearance of ", length 0.25 * gear.rack.module, " (0.25 modules) is usual"],
+                    sentence!["a clearance of ", length 0.25 * gear.module, " (0.25 modules) is usual"],
                 ));
             }
         }
-        if errors.is_empty() { Ok((mesh, warnings)) } else { Err(errors) }
+        (errors, warnings)
     }
 }
 
@@ -334,17 +440,16 @@ fn check_same_involutes(module: [f64; 2], pressure_angle: [f64; 2]) -> Result<()
     ))
 }
 
-fn fillet_interference(argument: &'static str, gear: &ExternalGear, reach_roll: f64) -> GeometryError {
-    let reach = if reach_roll > 0.0 { gear.radius_at_roll(reach_roll) } else { gear.base_radius };
+fn fillet_interference(argument: &'static str, gear: &ToothForm, reach_roll: f64) -> GeometryError {
+    let below_base = !gear.internal && reach_roll <= 0.0;
+    let reach = if below_base { gear.base_radius } else { gear.radius_at_roll(reach_roll) };
     GeometryError::error(
         "E0634",
         argument,
         sentence![
-            "the mate's tips reach down to radius ", length reach, " on this gear, but its involute begins only at ",
+            "the mate's tips reach to radius ", length reach, " on this gear, but its involute begins only at ",
             length gear.form_radius, ": the tips would run into the fillets"
         ],
-        sentence![
-            "reduce `outer_diameter` of the mate, reduce `tip_radius` of this gear's rack, or place the axes farther apart"
-        ],
+        sentence!["shorten the mate's teeth, reduce `tip_radius` of this gear's tool, or move the axes"],
     )
 }

@@ -1,7 +1,15 @@
-//! Deliberate deviations of the flank from the involute. They take material off; amounts are normal to the flank.
+//! What flanks differ by from involutes wound along a helix: modifications that are wanted, deviations that are not.
+//!
+//! All are one thing: an amount of material taken off, `a(roll, z)`, measured along the normal of the involute in the transverse
+//! section, with `z` from mid-face. A *profile* part is the same all along the face: the plane flank ([`crate::flank::Flank`]) has it in full. A *lead*
+//! part ([`LeadModification`]) is the same at all heights: it turns sections about the axis. What depends on both ([`Topography`]) is
+//! split into the profile that it is in mid-face and the rest.
 
 use crate::deviation::Deviation;
 use crate::error::{GeometryError, sentence};
+use crate::gear::ToothForm;
+use crate::tabulated::{NaturalSpline, TensorSpline};
+use std::sync::Arc;
 
 /// How relief grows from its start to the tip circle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -16,7 +24,7 @@ pub enum ReliefShape {
 /// Half-width of the rounding of the start of a linear relief, as a part of the relief's range of roll.
 pub const LINEAR_BLEND: f64 = 0.05;
 
-/// Material taken off near the tip.
+/// Material taken off near the tip. As a root relief, near the form circle: "tip" then stands for that.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TipRelief {
     /// At the tip circle, m.
@@ -32,8 +40,20 @@ pub struct TipRelief {
 pub enum Modification {
     /// Material taken off near the tip.
     TipRelief(TipRelief),
+    /// Material taken off near the root, deepest at the form circle.
+    RootRelief(TipRelief),
     /// What a function of the program says.
     Deviation(Deviation),
+    /// Error of the slope of the profile: material that stands out at the tip circle, in proportion to the roll angle from none at the form
+    /// circle, m; negative where it is missing.
+    ProfileSlope(f64),
+    /// Error of the helix: distance along the base tangent by which the teeth lean too far over the face width, m; positive towards a right-handed
+    /// helix.
+    HelixSlope(f64),
+    /// Amounts by the distance from mid-face (m), the same at all heights.
+    LeadTable(Arc<NaturalSpline>),
+    /// Amounts by roll angle and distance from mid-face.
+    Topography(Arc<Topography>),
     /// A parabola along the face with this depth at both ends, m. A plane model cannot see it.
     LeadCrown {
         /// m
@@ -70,6 +90,73 @@ impl Modification {
         Ok(Modification::LeadCrown { depth })
     }
 
+    /// Amounts in a table by the roll angle, ascending (rad, m): a spline passes through them, which goes on straight beyond its ends.
+    ///
+    /// # Errors
+    /// E0643: this is no table.
+    pub fn profile_table(rolls: Vec<f64>, depths: Vec<f64>) -> Result<Modification, GeometryError> {
+        let spline = NaturalSpline::new("rolls", rolls, depths)?;
+        Ok(Deviation::new("a profile table", move |roll| spline.at(roll)[0]).into())
+    }
+
+    /// Amounts in a table by the distance from mid-face, ascending (m, m): a spline passes through them.
+    ///
+    /// # Errors
+    /// E0643: this is no table.
+    pub fn lead_table(places: Vec<f64>, depths: Vec<f64>) -> Result<Modification, GeometryError> {
+        Ok(Modification::LeadTable(Arc::new(NaturalSpline::new("places", places, depths)?)))
+    }
+
+    /// Amounts in a table by roll angle (rad) and distance from mid-face (m): for each roll angle one row along the face.
+    ///
+    /// # Errors
+    /// E0643: this is no table.
+    pub fn topography(
+        rolls: Vec<f64>,
+        places: Vec<f64>,
+        depths: Vec<f64>,
+    ) -> Result<Modification, GeometryError> {
+        let amounts = TensorSpline::new(["rolls", "places"], [rolls, places], depths)?;
+        Ok(Modification::Topography(Arc::new(Topography { amounts })))
+    }
+
+    /// What this is in the middle of the face as a function of the roll angle, if it depends on both.
+    pub(crate) fn at_mid_face(&self) -> Option<Deviation> {
+        match self {
+            Modification::Topography(topography) => Some(topography.at_mid_face()),
+            _ => None,
+        }
+    }
+
+    /// Whether a plane model, which has no direction along the face, leaves it out, wholly or in part.
+    pub(crate) fn varies_along_face(&self) -> Option<&'static str> {
+        match self {
+            Modification::LeadCrown { depth } if *depth > 0.0 => Some("lead_crown"),
+            Modification::HelixSlope(deviation) if *deviation != 0.0 => Some("helix_slope"),
+            Modification::LeadTable(_) => Some("lead_table"),
+            Modification::Topography(_) => Some("topography"),
+            _ => None,
+        }
+    }
+
+    /// Everything about it that a structure of these teeth may depend on.
+    pub(crate) fn numbers(&self, form: &ToothForm) -> Vec<f64> {
+        match self {
+            Modification::TipRelief(relief) | Modification::RootRelief(relief) => {
+                let linear = f64::from(u8::from(relief.shape == ReliefShape::Linear));
+                let root = f64::from(u8::from(matches!(self, Modification::RootRelief(_))));
+                vec![relief.depth, relief.start_roll, linear, root]
+            }
+            Modification::Deviation(deviation) => deviation.samples(form),
+            Modification::ProfileSlope(slope) => vec![*slope],
+            Modification::Topography(topography) => topography.at_mid_face().samples(form),
+            // Along the face, which a plane structure does not have.
+            Modification::LeadCrown { .. } | Modification::HelixSlope(_) | Modification::LeadTable(_) => {
+                Vec::new()
+            }
+        }
+    }
+
     /// A tip relief by its depth at the tip circle (m), the roll angle at which it begins (rad) and its shape. Whether it lies on the
     /// flank is checked with the gear.
     pub fn tip_relief(depth: f64, start_roll: f64, shape: ReliefShape) -> Modification {
@@ -77,19 +164,85 @@ impl Modification {
     }
 }
 
+/// Amounts that depend on the roll angle and on the place along the face.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Topography {
+    amounts: TensorSpline,
+}
+
+impl Topography {
+    /// Material taken off at a roll angle (rad, positive) and a distance from mid-face (m) *beyond* what is in mid-face, m, and its
+    /// derivatives by both.
+    pub fn beyond_mid_face(&self, roll: f64, z: f64) -> [f64; 3] {
+        let (here, middle) = (self.amounts.at(roll, z), self.amounts.at(roll, 0.0));
+        [here[0] - middle[0], here[1] - middle[1], here[2]]
+    }
+
+    /// The profile that it is in mid-face.
+    fn at_mid_face(&self) -> Deviation {
+        let middle = self.amounts.along_first(0.0);
+        Deviation::new("a topography", move |roll| middle.at(roll)[0])
+    }
+}
+
+/// What is taken off along the face alike at all heights of the flank.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct LeadModification {
+    /// A parabola that is zero in mid-face: its depth at both ends of the face, m.
+    pub crown: f64,
+    /// [`Modification::HelixSlope`], m.
+    pub helix_slope: f64,
+    /// Amounts by the distance from mid-face.
+    pub tables: Vec<Arc<NaturalSpline>>,
+}
+
+impl LeadModification {
+    /// The lead parts of modifications together.
+    pub fn of(modifications: &[Modification]) -> LeadModification {
+        let mut lead = LeadModification::default();
+        for modification in modifications {
+            match modification {
+                Modification::LeadCrown { depth } => lead.crown += depth,
+                Modification::HelixSlope(deviation) => lead.helix_slope += deviation,
+                Modification::LeadTable(table) => lead.tables.push(table.clone()),
+                _ => {}
+            }
+        }
+        lead
+    }
+
+    /// Amount (m) on both flanks at a distance from mid-face (m), and its derivative; `face_width` in m. Without the slope, which is of
+    /// opposite sense on the two.
+    pub fn amount(&self, z: f64, face_width: f64) -> [f64; 2] {
+        let part = 2.0 * z / face_width;
+        let crown = [self.crown * part * part, 4.0 * self.crown * part / face_width];
+        self.tables.iter().fold(crown, |[amount, slope], table| {
+            let [value, rate, _] = table.at(z);
+            [amount + value, slope + rate]
+        })
+    }
+}
+
 impl TipRelief {
-    /// Checks the relief against the flank it is for; rolls in rad.
-    pub fn check(&self, form_roll: f64, tip_roll: f64, tip_thickness: f64) -> Result<(), GeometryError> {
-        if !(form_roll..tip_roll).contains(&self.start_roll) {
+    /// The relief of one end of the flank as the other end's of the flank turned round, where roll angles have the other sign.
+    pub(crate) fn turned(self) -> TipRelief {
+        TipRelief { start_roll: -self.start_roll, ..self }
+    }
+
+    /// Checks the relief against the teeth it is for, at their tip or their root.
+    pub fn check(&self, form: &ToothForm, at_root: bool) -> Result<(), GeometryError> {
+        let end = if at_root { "root" } else { "tip" };
+        let (form_roll, tip_roll, tip_thickness) = (form.form_roll, form.tip_roll, form.tip_thickness());
+        if !(form_roll..tip_roll).contains(&(form.sense() * self.start_roll)) {
             return Err(GeometryError::error(
                 "E0640",
                 "start_roll",
                 sentence![
-                    "the tip relief starts at a roll angle of ", angle self.start_roll,
-                    ", but the involute runs from ", angle form_roll, " to ", angle tip_roll
+                    "the ", text end, " relief starts at a roll angle of ", angle self.start_roll,
+                    ", but the involute runs from ", angle form_roll.abs(), " to ", angle tip_roll.abs()
                 ],
                 sentence![
-                    "start the relief on the involute, usually near the highest point of single-tooth contact"
+                    "start the relief on the involute, usually near the last point of single-tooth contact towards that end"
                 ],
             ));
         }
@@ -98,7 +251,7 @@ impl TipRelief {
                 "E0641",
                 "depth",
                 sentence![
-                    "the tip relief is ", length self.depth, " deep, but must be between zero and half the tip thickness, ",
+                    "the ", text end, " relief is ", length self.depth, " deep, but must be between zero and half the tip thickness, ",
                     length 0.5 * tip_thickness
                 ],
                 sentence![

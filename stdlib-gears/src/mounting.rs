@@ -5,9 +5,12 @@
 //! where `g` is the roll angle of contact and `h` half the base angle of the tooth; on the line of action that is the
 //! angle `c - sense a` for the first gear and `c - sense a + pi` for the second, where `c` is the direction of the line of
 //! centres and `a` the operating pressure angle.
+//!
+//! Inside a ring both base tangent points lie in the direction `c - sense a + pi`, and the flank of the ring that touches is the one on the other
+//! side of the tooth, at `theta + 2 pi k / N - sense (h - g)` with the ring's negative roll angle.
 
 use crate::error::{GeometryError, sentence};
-use crate::external::ExternalGear;
+use crate::gear::ToothForm;
 use crate::mesh_geometry::MeshGeometry;
 use calyx_runtime::motion::PlanePose;
 use calyx_runtime::scene::{CharacteristicPoint, GearMesh};
@@ -26,12 +29,12 @@ pub struct Mounting {
     pub sense: f64,
 }
 
-/// The second gear's phase (rad, added to its angle) and the mesh of two external gears.
+/// The second gear's phase (rad, added to its angle) and the mesh of an external gear with another gear, which may be internal.
 ///
 /// # Errors
 /// The motions do not fit the numbers of teeth, or there is no motion.
-pub fn mount_external(
-    gears: [&ExternalGear; 2],
+pub fn mount(
+    gears: [ToothForm; 2],
     geometry: &MeshGeometry,
     mounting: &Mounting,
 ) -> Result<(f64, GearMesh), GeometryError> {
@@ -41,15 +44,23 @@ pub fn mount_external(
     let centres = [0, 1].map(|i| mounting.second.origin[i] - mounting.first.origin[i]);
     let line_of_centres = centres[1].atan2(centres[0]);
     let pressure_angle = geometry.operating_pressure_angle;
-    let speed = check_speeds(gears, mounting.angular_velocity)?;
+    // Where the first gear touches: towards the other's axis, or away from it inside of a ring.
+    let contact = if second.internal { line_of_centres + PI } else { line_of_centres };
+    let second_tooth_at = |first_roll: f64| {
+        let flank = second.half_base_angle - second.sense() * geometry.second_roll(first_roll);
+        if second.internal {
+            contact + sense * (flank - pressure_angle)
+        } else {
+            contact + PI - sense * (flank + pressure_angle)
+        }
+    };
+    let speed = check_speeds([first.teeth, second.teeth], second.sense(), mounting.angular_velocity)?;
 
     // Roll angle of the first gear's tooth 0, were it in contact: with the gear's angle at zero, and at time 0.
-    let roll_at_zero = first.half_base_angle + pressure_angle - sense * line_of_centres;
+    let roll_at_zero = first.half_base_angle + pressure_angle - sense * contact;
     let roll_of_zero = roll_at_zero + sense * mounting.first.angle;
     // Angle of the second gear's tooth that touches that one.
-    let opposite = line_of_centres
-        + PI
-        + sense * (geometry.second_roll(roll_of_zero) - second.half_base_angle - pressure_angle);
+    let opposite = second_tooth_at(roll_of_zero);
     let phase = nearest_to_zero(opposite - mounting.second.angle, second_pitch);
 
     let points = geometry.first_roll;
@@ -63,11 +74,10 @@ pub fn mount_external(
     let start = ((enters - roll_of_zero) / rate).rem_euclid(period);
     let tooth = (sense * (enters - rate * start - roll_of_zero) / pitch).round();
     let second_angle = mounting.second.angle + phase + mounting.angular_velocity[1] * start;
-    let second_place = line_of_centres
-        + PI
-        + sense * (geometry.second_roll(enters) - second.half_base_angle - pressure_angle);
-    let second_tooth = ((second_place - second_angle) / second_pitch).round();
+    let second_tooth = ((second_tooth_at(enters) - second_angle) / second_pitch).round();
 
+    // Ends of helical teeth come into contact before mid-face does, and leave it after.
+    let early = 0.5 * geometry.overlap_ratio * pitch;
     let leaves = geometry.contact_ratio.fract() * period;
     let names = if forward { ["SAP", "EAP", "LPSTC", "HPSTC"] } else { ["EAP", "SAP", "HPSTC", "LPSTC"] };
     let point = |index: usize, time, after| CharacteristicPoint { name: names[index], time, after };
@@ -77,22 +87,23 @@ pub fn mount_external(
         teeth: [first.teeth, second.teeth],
         base_radii: geometry.base_radius,
         drive_sense: sense,
-        sign: 1.0,
+        sign: second.sense(),
         entering: [index(tooth, first.teeth), index(second_tooth, second.teeth)],
         start,
         period,
         characteristic,
         roll: [enters, enters + step],
-        path: [points.start_of_active_profile, points.end_of_active_profile],
+        path: [points.start_of_active_profile - early, points.end_of_active_profile + early],
         roll_at_zero,
     };
     Ok((phase, mesh))
 }
 
-/// The first gear's speed, if both speeds fit the numbers of teeth.
-fn check_speeds(gears: [&ExternalGear; 2], speeds: [f64; 2]) -> Result<f64, GeometryError> {
+/// The first gear's speed, if both speeds fit the numbers of teeth; `sign` is -1 if the second gear is a ring.
+fn check_speeds(teeth: [u32; 2], sign: f64, speeds: [f64; 2]) -> Result<f64, GeometryError> {
     let [first, second] = speeds;
-    let fitting = -first * f64::from(gears[0].teeth) / f64::from(gears[1].teeth);
+    let teeth = teeth.map(f64::from);
+    let fitting = -sign * first * teeth[0] / teeth[1];
     if first == 0.0 {
         return Err(GeometryError::error(
             "E0650",
@@ -107,12 +118,18 @@ fn check_speeds(gears: [&ExternalGear; 2], speeds: [f64; 2]) -> Result<f64, Geom
             "second",
             sentence![
                 "the second gear turns ", number second / first, " times as fast as the first, but with ",
-                number f64::from(gears[0].teeth), " and ", number f64::from(gears[1].teeth), " teeth it must turn ",
+                number teeth[0], " and ", number teeth[1], " teeth it must turn ",
                 number fitting / first, " times"
             ],
-            sentence![
-                "let the second frame's angle be minus the first's times the first's teeth over the second's"
-            ],
+            if sign > 0.0 {
+                sentence![
+                    "let the second frame's angle be minus the first's times the first's teeth over the second's"
+                ]
+            } else {
+                sentence![
+                    "a ring turns the same way as the gear in it: let the second frame's angle be the first's times the first's teeth over the second's"
+                ]
+            },
         ));
     }
     Ok(first)

@@ -2,12 +2,13 @@
 
 use crate::blank::Rim;
 use crate::error::GeometryError;
-use crate::external::ExternalGear;
 use crate::fillet::Side;
 use crate::flank::Flank;
-use crate::modification::{Modification, ReliefShape, TipRelief};
+use crate::gear::{Gear, ToothForm};
+use crate::helix::Helix;
+use crate::modification::Modification;
 use crate::modified::reshaped;
-use crate::sector_mesh::{Refinement, sector_mesh};
+use crate::sector_mesh::{Refinement, TipEdge, sector_mesh};
 use calyx_runtime::cache::{Key, KeyWriter};
 use calyx_runtime::error::EngineError;
 use calyx_runtime::fe::{ElementOrder, PlaneModel};
@@ -15,11 +16,15 @@ use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::material::{Material, Plane};
 use calyx_runtime::profile::Profile;
 use calyx_runtime::scene::{Fidelity, Ignored, Prototype, StructureOptions};
+use calyx_runtime::structure::solid::{ElasticSolid, SolidStructure};
 use calyx_runtime::structure::{ElasticStructure, RingSource, SplitOptions, Structure, SurfaceSource};
+use calyx_runtime::surface::Surface;
 use std::sync::Arc;
 
+/// Of this library's source: what is kept of gears is kept for those that this very source meshes.
+const SOURCE: &str = env!("CALYX_SOURCE");
 /// Loaded teeth this far apart feel each other's load through the rim; more distant ones hardly do.
-const COUPLED_TEETH: u32 = 3;
+pub(crate) const COUPLED_TEETH: u32 = 3;
 /// Places of recovered stress on each element edge along a fillet.
 const STRESS_PLACES_PER_EDGE: usize = 4;
 /// Modifications up to this depth in modules do without a mesh of their own, so that structures are shared by all of them. Against a
@@ -34,10 +39,12 @@ const SHARP_EDGE_IN_MESH: f64 = 5e-3;
 /// Largest length of cubic elements per distance from the tip edge.
 const COARSEST_TIP_GROWTH: f64 = 0.4;
 
-/// An external gear on its rim.
+/// A gear on its rim.
 pub struct GearPrototype {
     /// Its teeth.
-    pub gear: ExternalGear,
+    pub gear: Gear,
+    /// How they wind: [`Self::gear`] is their transverse section.
+    pub helix: Helix,
     /// What is taken off its flanks.
     pub modifications: Vec<Modification>,
     /// What it is made of.
@@ -55,15 +62,54 @@ impl GearPrototype {
     /// # Errors
     /// The modifications do not fit the flanks.
     pub fn new(
-        gear: ExternalGear,
+        gear: impl Into<Gear>,
         modifications: Vec<Modification>,
         material: Material,
         rim: Rim,
         face_width: f64,
         pitch_errors: Vec<f64>,
     ) -> Result<Self, Vec<GeometryError>> {
-        let flanks = flanks(&gear, &modifications)?;
-        Ok(GearPrototype { gear, modifications, material, rim, face_width, pitch_errors, flanks })
+        let gear = gear.into();
+        let flanks = flanks(gear.form(), &modifications)?;
+        let helix = Helix::SPUR;
+        Ok(GearPrototype { gear, helix, modifications, material, rim, face_width, pitch_errors, flanks })
+    }
+
+    /// The gear with its teeth along a helix.
+    #[must_use]
+    pub fn along(self, helix: Helix) -> Self {
+        GearPrototype { helix, ..self }
+    }
+
+    /// Angle by which the transverse section turns counter-clockwise per length along z, rad/m.
+    pub fn twist_per_length(&self) -> f64 {
+        self.helix.twist_per_length(self.form().pitch_radius)
+    }
+
+    /// A key that has all of the gear's own data in it, with what it is of.
+    pub(crate) fn teeth_and_tool(&self, what: &str) -> KeyWriter {
+        let key = Key::of(what).text(SOURCE);
+        match &self.gear {
+            Gear::External(gear) => key
+                .flag(false)
+                .count(u64::from(gear.teeth))
+                .numbers(&[gear.rack.module, gear.rack.pressure_angle, gear.rack.tip_radius])
+                .numbers(&[gear.rack.tip_stretch, gear.tooth_thickness, gear.outer_radius])
+                .numbers(&[gear.root_radius, gear.tip_edge_radius]),
+            Gear::Internal(gear) => key
+                .flag(true)
+                .count(u64::from(gear.teeth))
+                .count(u64::from(gear.shaper.teeth))
+                .numbers(&[gear.shaper.module, gear.shaper.pressure_angle])
+                .numbers(&[gear.shaper.addendum, gear.shaper.tip_radius])
+                .numbers(&[gear.tooth_thickness, gear.minor_radius])
+                .numbers(&[gear.root_radius, gear.tip_edge_radius]),
+        }
+    }
+
+    /// What its teeth are in the transverse section.
+    pub fn form(&self) -> ToothForm {
+        self.gear.form()
     }
 
     /// The flanks contact sees: counter-clockwise and clockwise.
@@ -72,8 +118,8 @@ impl GearPrototype {
     }
 
     /// Roundings of the tip edge in m: of the curves that contact sees, and of the mesh.
-    fn roundings(&self, options: &StructureOptions) -> [f64; 2] {
-        let (module, own) = (self.gear.rack.module, self.gear.tip_edge_radius);
+    pub(crate) fn roundings(&self, options: &StructureOptions) -> [f64; 2] {
+        let ToothForm { module, tip_edge_radius: own, .. } = self.form();
         if options.sharp_edges {
             [SHARP_EDGE * module, own.min(SHARP_EDGE_IN_MESH * module)]
         } else {
@@ -82,19 +128,19 @@ impl GearPrototype {
     }
 
     /// Flanks with a rounding of the tip edge, m.
-    fn flanks_with(
+    pub(crate) fn flanks_with(
         &self,
         tip_edge_radius: f64,
         modifications: &[Modification],
     ) -> Result<[Arc<Flank>; 2], EngineError> {
-        flanks(&ExternalGear { tip_edge_radius, ..self.gear.clone() }, modifications)
+        flanks(ToothForm { tip_edge_radius, ..self.form() }, modifications)
             .map_err(|_| EngineError::new("E0677", "the flanks cannot run up to the tip circle", ""))
     }
 
     /// The modifications that the mesh follows: none if they are shallow enough for the mesh of the plain gear.
     fn meshed_modifications(&self) -> &[Modification] {
         let deepest = self.flanks.iter().map(|flank| flank.deepest()).fold(0.0, f64::max);
-        if deepest <= DEEPEST_SHARED * self.gear.rack.module { &[] } else { &self.modifications }
+        if deepest <= DEEPEST_SHARED * self.form().module { &[] } else { &self.modifications }
     }
 
     fn is_modified(&self) -> bool {
@@ -102,29 +148,38 @@ impl GearPrototype {
     }
 }
 
-fn flanks(
-    gear: &ExternalGear,
-    modifications: &[Modification],
-) -> Result<[Arc<Flank>; 2], Vec<GeometryError>> {
-    let flank = |side| Flank::new(gear, modifications, side).map(Arc::new);
+fn flanks(form: ToothForm, modifications: &[Modification]) -> Result<[Arc<Flank>; 2], Vec<GeometryError>> {
+    let flank = |side| Flank::new(form, modifications, side).map(Arc::new);
     Ok([flank(Side::CounterClockwise)?, flank(Side::Clockwise)?])
 }
 
-/// The default mesh, `factor` times as fine in every direction.
-fn refinement(factor: f64, order: usize) -> Refinement {
+/// A mesh `factor` times as fine in every direction, with elements of another order.
+pub(crate) fn refined(base: Refinement, factor: f64, order: usize) -> Refinement {
     let times = |count: usize| ((count as f64 * factor).round() as usize).max(1);
-    let base = Refinement::MEDIUM;
     Refinement {
         layers: times(base.layers),
         across: times(base.across),
         flank: base.flank / factor,
         fillet: times(base.fillet),
-        edge: times(base.edge),
+        edge: match base.edge {
+            TipEdge::Rounded(elements) => TipEdge::Rounded(times(elements)),
+            TipEdge::Corner(last) => TipEdge::Corner(last / factor),
+        },
         // Matching depths count nodes, and must stay well below the distance from the tip edge.
         tip_growth: (base.tip_growth / factor).min(COARSEST_TIP_GROWTH) * order as f64 / 3.0,
         rim_growth: base.rim_growth.powf(1.0 / factor),
         order: ElementOrder::full(order as u8),
     }
+}
+
+/// A mesh folds on itself.
+pub(crate) fn unmeshable(error: impl std::error::Error) -> EngineError {
+    EngineError::new(
+        "E0676",
+        format!("the gear cannot be meshed: {error}"),
+        "a rim thicker than a third of the module and a usual tooth form can; please report one that cannot",
+    )
+    .blame("rim")
 }
 
 impl Prototype for GearPrototype {
@@ -135,19 +190,21 @@ impl Prototype for GearPrototype {
     ) -> Result<Arc<dyn Structure>, EngineError> {
         options.check()?;
         interrupt.check()?;
-        let refinement = refinement(options.refinement, options.order);
+        if !self.helix.is_spur() {
+            return Err(EngineError::new(
+                "E0623",
+                "a plane model cannot hold the teeth of a helical gear, which touch along lines that cross the face",
+                "choose a fidelity in three dimensions, or a helix angle of 0 deg",
+            )
+            .blame("helix_angle"));
+        }
+        let refinement = refined(Refinement::MEDIUM, options.refinement, options.order);
         let [tip, meshed_tip] = self.roundings(options);
         let modifications = self.meshed_modifications();
         let contact = self.flanks_with(tip, modifications)?;
         let meshed = self.flanks_with(meshed_tip, modifications)?;
-        let mesh = sector_mesh(&self.gear, meshed, self.rim.inner_radius, &refinement).map_err(|error| {
-            EngineError::new(
-                "E0676",
-                format!("the gear cannot be meshed: {error}"),
-                "a rim thicker than a third of the module and a usual tooth form can; please report one that cannot",
-            )
-            .blame("rim")
-        })?;
+        let mesh =
+            sector_mesh(&self.gear, meshed, self.rim.ring_radius(), &refinement).map_err(unmeshable)?;
         interrupt.check()?;
         let model = PlaneModel::new(mesh, self.material, Plane::Strain);
         let surfaces: Vec<SurfaceSource> = contact
@@ -162,10 +219,10 @@ impl Prototype for GearPrototype {
             })
             .collect();
         let ring = RingSource {
-            sectors: self.gear.teeth,
+            sectors: self.gear.teeth(),
             cuts: ["cut_right", "cut_left"],
             bore: "bore",
-            coupled: COUPLED_TEETH.min(self.gear.teeth / 2),
+            coupled: COUPLED_TEETH.min(self.gear.teeth() / 2),
         };
         let split = SplitOptions {
             matching_depth: options.matching_depth,
@@ -196,35 +253,60 @@ impl Prototype for GearPrototype {
     /// All that [`Self::build`] reads. Neither the width of the face, which forces are per unit of, nor pitch errors, which
     /// move teeth without deforming them.
     fn key(&self, options: &StructureOptions) -> Option<Key> {
-        let ExternalGear { teeth, rack, tooth_thickness, outer_radius, root_radius, tip_edge_radius, .. } =
-            &self.gear;
-        let key = Key::of("gear on a rim")
-            .count(u64::from(*teeth))
-            .numbers(&[rack.module, rack.pressure_angle, rack.tip_radius])
-            .numbers(&[*tooth_thickness, *outer_radius, *root_radius, *tip_edge_radius])
-            .numbers(&[self.material.youngs_modulus, self.material.poissons_ratio, self.rim.inner_radius])
+        let key = self
+            .teeth_and_tool("gear on a rim")
+            .numbers(&[self.material.youngs_modulus, self.material.poissons_ratio, self.rim.ring_radius()])
             .numbers(&[options.refinement, options.matching_depth])
             .count(options.order as u64)
             .flag(options.stresses)
             .flag(options.sharp_edges)
             .flag(self.is_modified());
-        let with_modification = |key: KeyWriter, modification: &Modification| match modification {
-            Modification::TipRelief(TipRelief { depth, start_roll, shape }) => {
-                key.numbers(&[*depth, *start_roll]).flag(*shape == ReliefShape::Linear)
-            }
-            Modification::Deviation(deviation) => key.numbers(&deviation.samples(&self.gear)),
-            // Along the face, which a plane structure does not have.
-            Modification::LeadCrown { .. } => key,
-        };
+        let with_modification =
+            |key: KeyWriter, modification: &Modification| key.numbers(&modification.numbers(&self.form()));
         Some(self.meshed_modifications().iter().fold(key, with_modification).finish())
     }
 
+    fn restore(&self, options: &StructureOptions, stored: &[u8]) -> Option<Arc<dyn Structure>> {
+        let [tip, _] = self.roundings(options);
+        let flanks = self.flanks_with(tip, self.meshed_modifications()).ok()?;
+        let profiles = flanks.map(|flank| flank as Arc<dyn Profile>);
+        Some(Arc::new(ElasticStructure::restored(stored, &profiles)?))
+    }
+
+    fn build_solid(
+        &self,
+        options: &StructureOptions,
+        interrupt: &Interrupt,
+    ) -> Result<Arc<dyn SolidStructure>, EngineError> {
+        Ok(Arc::new(self.condensed_solid(options, interrupt)?))
+    }
+
+    fn restore_solid(&self, options: &StructureOptions, stored: &[u8]) -> Option<Arc<dyn SolidStructure>> {
+        let surfaces = self.plain_surfaces(options).ok()?.map(|surface| surface as Arc<dyn Surface>);
+        Some(Arc::new(ElasticSolid::restored(stored, surfaces.to_vec())?))
+    }
+
+    fn shape_solid(
+        &self,
+        shared: Arc<dyn SolidStructure>,
+        options: &StructureOptions,
+    ) -> Result<Arc<dyn SolidStructure>, EngineError> {
+        self.modified_solid(shared, options)
+    }
+
+    fn solid_key(&self, options: &StructureOptions) -> Option<Key> {
+        Some(self.solid_content(options))
+    }
+
     fn enclosing_radius(&self) -> f64 {
-        self.gear.outer_radius
+        // A ring is enclosed by what holds it.
+        self.form().tip_radius.max(self.rim.held_radius)
     }
 
     fn roll_angle(&self, radius: f64) -> Option<f64> {
-        (radius >= self.gear.form_radius).then(|| self.gear.roll_at_radius(radius))
+        let form = self.form();
+        let on_involute = form.sense() * (radius - form.form_radius) >= 0.0 && radius >= form.base_radius;
+        on_involute.then(|| form.roll_at_radius(radius).abs())
     }
 
     fn face_width(&self) -> f64 {
@@ -238,16 +320,19 @@ impl Prototype for GearPrototype {
     fn ignored(&self, fidelity: Fidelity) -> Vec<Ignored> {
         match fidelity {
             Fidelity::Plane => {
-                let crowned = self
-                    .modifications
-                    .iter()
-                    .any(|m| matches!(m, Modification::LeadCrown { depth } if *depth > 0.0));
-                let ignored = Ignored {
-                    input: "lead_crown".into(),
+                let unseen = self.modifications.iter().filter_map(Modification::varies_along_face);
+                let along_face = |input: &str| Ignored {
+                    input: input.into(),
                     reason: "a plane model has no direction along the face".into(),
                 };
-                if crowned { vec![ignored] } else { Vec::new() }
+                let web = self.rim.web.map(|_| Ignored {
+                    input: "web".into(),
+                    reason: "a plane model has no direction along the face: it is held where the web begins"
+                        .into(),
+                });
+                unseen.map(along_face).chain(web).collect()
             }
+            Fidelity::Solid(_) => Vec::new(),
         }
     }
 }

@@ -14,6 +14,9 @@
 //!     E..............|........|    core     |  | B4, B5
 //!              under tooth    D-------------T'-T   centreline
 //! ```
+//!
+//! An internal gear has the same parts, the bore being its outside: radii go the other way, and blocks that would be left-handed are
+//! turned over.
 
 mod boundary;
 mod divisions;
@@ -21,9 +24,9 @@ mod divisions;
 use boundary::Boundary;
 use divisions::{divisions, ends, growth, normalised, piecewise_linear};
 
-use crate::external::ExternalGear;
 use crate::fillet::Side as ToothSide;
 use crate::flank::Flank;
+use crate::gear::Gear;
 use calyx_abi::math;
 use calyx_runtime::fe::block::{graded, uniform};
 use calyx_runtime::fe::{Block, Curve, ElementOrder, MeshBuilder, MeshError, PlaneMesh, Side};
@@ -41,14 +44,34 @@ pub struct Refinement {
     pub flank: f64,
     /// Elements along the fillet.
     pub fillet: usize,
-    /// Elements over either half of the tip edge's arc.
-    pub edge: usize,
+    /// How the tip edge is meshed.
+    pub edge: TipEdge,
     /// Length of elements along the flank per distance from the tip edge.
     pub tip_growth: f64,
     /// Ratio of successive element depths into the rim.
     pub rim_growth: f64,
     /// Of displacements and coordinates.
     pub order: ElementOrder,
+}
+
+/// The mesh at the tip edge.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum TipEdge {
+    /// It follows the rounding, with so many elements over either half of the arc.
+    Rounded(usize),
+    /// It ends where the rounding begins, in a corner: the chips that the rounding leaves standing are no part of it. Beside the
+    /// corner, elements along the flank have this length, in modules.
+    Corner(f64),
+}
+
+impl TipEdge {
+    /// Elements over either half of the arc.
+    fn elements(self) -> usize {
+        match self {
+            TipEdge::Rounded(elements) => elements,
+            TipEdge::Corner(_) => 0,
+        }
+    }
 }
 
 impl Refinement {
@@ -58,7 +81,7 @@ impl Refinement {
         across: 3,
         flank: 0.3,
         fillet: 4,
-        edge: 1,
+        edge: TipEdge::Rounded(1),
         tip_growth: 0.4,
         rim_growth: 1.8,
         order: ElementOrder::CUBIC,
@@ -69,7 +92,7 @@ impl Refinement {
         across: 5,
         flank: 0.15,
         fillet: 10,
-        edge: 1,
+        edge: TipEdge::Rounded(1),
         tip_growth: 0.27,
         rim_growth: 1.5,
         order: ElementOrder::CUBIC,
@@ -80,7 +103,7 @@ impl Refinement {
         across: 6,
         flank: 0.09,
         fillet: 12,
-        edge: 2,
+        edge: TipEdge::Rounded(2),
         tip_growth: 0.2,
         rim_growth: 1.3,
         order: ElementOrder::CUBIC,
@@ -108,30 +131,49 @@ const OUTERMOST_LAYER: f64 = 0.4;
 const FILLET_GROWTH: f64 = 0.4;
 /// Length of the last element of the flank over that of the edge's.
 const FLANK_BESIDE_EDGE: f64 = 0.25;
+/// Depth of the elements of a web over the width of a sector, and the most of them.
+const WEB_DEPTH: f64 = 1.5;
+const DEEPEST_WEB: f64 = 6.0;
 /// Length of the first element of the tip land over that of the edge's.
 const LAND_GROWTH: f64 = 1.5;
 
 /// The mesh of tooth 0 and its sector. `flanks` are the counter-clockwise and the clockwise flank; `bore_radius` (m)
-/// is at least [`THINNEST_RIM`] modules below the root radius.
+/// is at least [`THINNEST_RIM`] modules below the root radius, or above that of an internal gear.
 ///
 /// Chains: `flank_0`, `flank_1` on the flank's profile from the form circle to the tip edge, `edge_0`, `edge_1` on it
-/// over the rounded edge; `fillet_0`, `fillet_1` on the
-/// profile of [`ExternalGear::root_fillet`] from the form circle to the root centre; `tip`, `bore`; `cut_left` at
+/// over the rounded edge, if the mesh has it; `fillet_0`, `fillet_1` on the
+/// profile of [`Gear::root_fillet`] from the form circle to the root centre; `tip`, `bore`; `cut_left` at
 /// half a pitch counter-clockwise and `cut_right` at half a pitch clockwise.
 ///
 /// # Errors
 /// A fold, if the tooth is of a shape this layout cannot follow.
 pub fn sector_mesh(
-    gear: &ExternalGear,
+    gear: &Gear,
     flanks: [Arc<Flank>; 2],
     bore_radius: f64,
+    refinement: &Refinement,
+) -> Result<PlaneMesh, MeshError> {
+    webbed_sector_mesh(gear, flanks, [bore_radius, bore_radius], refinement)
+}
+
+/// The same with a web: a rim down to the first radius, from there on a web to the second one (m), where then the chain `bore` is. Without
+/// a web, both are equal. Elements of the web are those beyond the first radius.
+///
+/// # Errors
+/// As [`sector_mesh`].
+pub fn webbed_sector_mesh(
+    gear: &Gear,
+    flanks: [Arc<Flank>; 2],
+    [rim_radius, bore_radius]: [f64; 2],
     refinement: &Refinement,
 ) -> Result<PlaneMesh, MeshError> {
     let mut builder = MeshBuilder::new();
     // Both halves are laid out on the counter-clockwise side: of the clockwise flank, the mirror image.
     for (side, flank) in [ToothSide::CounterClockwise, ToothSide::Clockwise].into_iter().zip(flanks) {
-        for half_block in Layout::new(gear, flank, bore_radius, refinement).blocks() {
-            builder.block(half_block.on(side));
+        let web_radius = (bore_radius != rim_radius).then_some(bore_radius);
+        let layout = Layout { web_radius, ..Layout::new(gear, flank, rim_radius, refinement) };
+        for half_block in layout.blocks() {
+            builder.block(half_block.on(side, gear.form().internal));
         }
     }
     builder.finish(refinement.order)
@@ -158,6 +200,8 @@ enum Name {
     Fillet,
     Tip,
     Bore,
+    /// The inside of a rim that has a web.
+    Rim,
     Cut,
 }
 
@@ -174,43 +218,35 @@ impl Name {
             (Name::Cut, ToothSide::Clockwise) => "cut_right",
             (Name::Tip, _) => "tip",
             (Name::Bore, _) => "bore",
+            (Name::Rim, _) => "rim",
         }
     }
 }
 
 impl HalfBlock {
-    /// The block, or its mirror image with left and right exchanged to stay right-handed.
-    fn on(self, side: ToothSide) -> Block {
+    /// The block, or its mirror image on the clockwise side; right-handed, for which left and right are exchanged where need be.
+    fn on(self, side: ToothSide, internal: bool) -> Block {
+        let mirrored = side == ToothSide::Clockwise;
+        let turned = mirrored != internal;
+        let placed = move |[x, y]: [f64; 2]| if mirrored { [x, -y] } else { [x, y] };
         let [bottom, right, top, left] = self.sides;
-        let mut block = match side {
-            ToothSide::CounterClockwise => Block::new(bottom, right, top, left).divided(self.u, self.v),
-            ToothSide::Clockwise => {
-                let mirrored = |curve: Curve| {
-                    Curve::new(move |t| {
-                        let [x, y] = curve.at(t);
-                        [x, -y]
-                    })
-                };
-                let back = |curve: Curve| mirrored(Curve::new(move |t| curve.at(1.0 - t)));
-                let u = self.u.iter().rev().map(|u| 1.0 - u).collect();
-                Block::new(back(bottom), mirrored(left), back(top), mirrored(right)).divided(u, self.v)
-            }
+        let curve = |curve: Curve| Curve::new(move |t| placed(curve.at(t)));
+        let back = |curve: Curve| Curve::new(move |t| placed(curve.at(1.0 - t)));
+        let mut block = if turned {
+            let u = self.u.iter().rev().map(|u| 1.0 - u).collect();
+            Block::new(back(bottom), curve(left), back(top), curve(right)).divided(u, self.v)
+        } else {
+            Block::new(curve(bottom), curve(right), curve(top), curve(left)).divided(self.u, self.v)
         };
         if let Some(mapping) = self.mapping {
-            block = match side {
-                ToothSide::CounterClockwise => block.mapped(move |u, v| mapping(u, v)),
-                ToothSide::Clockwise => block.mapped(move |u, v| {
-                    let [x, y] = mapping(1.0 - u, v);
-                    [x, -y]
-                }),
-            };
+            block = block.mapped(move |u, v| placed(mapping(if turned { 1.0 - u } else { u }, v)));
         }
         for (place, name, s) in self.names {
-            let (place, s) = match (side, place) {
-                (ToothSide::CounterClockwise, _) => (place, s),
-                (ToothSide::Clockwise, Side::Left) => (Side::Right, s),
-                (ToothSide::Clockwise, Side::Right) => (Side::Left, s),
-                (ToothSide::Clockwise, _) => (place, s.map(|[from, to]| [to, from])),
+            let (place, s) = match place {
+                _ if !turned => (place, s),
+                Side::Left => (Side::Right, s),
+                Side::Right => (Side::Left, s),
+                _ => (place, s.map(|[from, to]| [to, from])),
             };
             block = match s {
                 Some(s) => block.on_profile(place, name.on(side), s),
@@ -227,16 +263,21 @@ struct Layout {
     boundary: Arc<Boundary>,
     refinement: Refinement,
     module: f64,
-    /// Length of elements on the fillet and on the tip edge's arc, m.
+    /// Length of elements on the fillet, on the tip edge's arc, and of the flank's last one, m.
     fillet_size: f64,
     edge_size: f64,
+    last_size: f64,
     /// Divisions of the boundary by `p`: the ends of its parts, and the elements' ends in each.
     parts: Vec<(Part, Vec<f64>)>,
     tip_radius: f64,
     /// Polar angle at which the tip edge's arc meets the tip circle.
     tip_angle: f64,
     bore_radius: f64,
+    /// Where the web ends that is below the rim, m.
+    web_radius: Option<f64>,
     cut_angle: f64,
+    /// +1, or -1 of an internal gear.
+    sense: f64,
 }
 
 /// Parts of the boundary, with `p` ascending.
@@ -252,14 +293,19 @@ enum Part {
 }
 
 impl Layout {
-    fn new(gear: &ExternalGear, flank: Arc<Flank>, bore_radius: f64, refinement: &Refinement) -> Self {
-        let module = gear.rack.module;
+    fn new(gear: &Gear, flank: Arc<Flank>, bore_radius: f64, refinement: &Refinement) -> Self {
+        let teeth = gear.form();
+        let (module, sense) = (teeth.module, teeth.sense());
         let fillet = gear.root_fillet(ToothSide::CounterClockwise);
         let form = fillet.length();
         let [edge_start, edge_end] = flank.edge_range();
         let middle_of_fillet = form - fillet.at_turned_normal(0.5);
         let edge = form + edge_start;
-        let end = form + 0.5 * (edge_start + edge_end);
+        let rounding = match refinement.edge {
+            TipEdge::Rounded(_) => edge_end - edge_start,
+            TipEdge::Corner(_) => 0.0,
+        };
+        let end = edge + 0.5 * rounding;
         let mut boundary = Boundary {
             fillet_from: form - fillet.fillet_length(),
             fillet,
@@ -270,8 +316,9 @@ impl Layout {
             tip_start: 0.0,
             tip_end: end,
             tip_depth: 0.0,
+            sense,
         };
-        let rim = gear.root_radius - bore_radius;
+        let rim = sense * (teeth.root_radius - bore_radius);
         boundary.place_strip(module, rim);
 
         // A tiny root circle is not worth elements of its own: it joins the fillet.
@@ -287,26 +334,38 @@ impl Layout {
         } else {
             root.extend(divisions(0.0, middle_of_fillet, |_| fillet_size));
         }
-        let edge_size = (end - edge) / refinement.edge as f64;
-        let [x, y] = boundary.flank_at(edge_end).position;
+        let (edge_size, last_size) = match refinement.edge {
+            TipEdge::Rounded(elements) => {
+                let size = (end - edge) / elements as f64;
+                (size, FLANK_BESIDE_EDGE * size)
+            }
+            TipEdge::Corner(last) => (last * module, last * module),
+        };
+        let [x, y] = boundary.flank_at(edge_start + rounding).position;
         let mut layout = Self {
             boundary: Arc::new(boundary),
             refinement: *refinement,
             module,
             fillet_size,
             edge_size,
+            last_size,
             parts: Vec::new(),
             tip_radius: x.hypot(y),
             tip_angle: math::atan2(y, x),
             bore_radius,
-            cut_angle: 0.5 * gear.pitch_angle(),
+            web_radius: None,
+            cut_angle: 0.5 * teeth.pitch_angle(),
+            sense,
         };
         layout.parts = vec![
             (Part::Root, root),
             (Part::Fillet, divisions(middle_of_fillet, form, |_| fillet_size)),
             (Part::Flank, divisions(form, edge, |p| layout.size(p))),
-            (Part::Edge, uniform(refinement.edge).iter().map(|part| edge + part * (end - edge)).collect()),
         ];
+        if let TipEdge::Rounded(elements) = refinement.edge {
+            let at = uniform(elements).iter().map(|part| edge + part * (end - edge)).collect();
+            layout.parts.push((Part::Edge, at));
+        }
         layout
     }
 
@@ -339,8 +398,7 @@ impl Layout {
             return self.edge_size;
         }
         let from_fillet = (boundary.fillet_from - p).max(p - boundary.form).max(0.0);
-        let from_edge = FLANK_BESIDE_EDGE * self.edge_size
-            + self.refinement.tip_growth * (self.boundary.edge - p).max(0.0);
+        let from_edge = self.last_size + self.refinement.tip_growth * (self.boundary.edge - p).max(0.0);
         let largest = self.refinement.flank * self.module;
         from_edge.min(largest).min(self.fillet_size + FILLET_GROWTH * from_fillet)
     }
@@ -393,23 +451,26 @@ impl Layout {
         blocks
     }
 
+    /// Elements from the strip to the centreline and over half the tip edge's arc.
+    fn across(&self) -> usize {
+        self.refinement.edge.elements() + self.refinement.across
+    }
+
     /// Corners of the inner side of the tip's strip: below the tip edge, below its end, and on the centreline.
     fn tip_corners(&self) -> [[f64; 2]; 3] {
         let corner = self.boundary.inner(self.boundary.tip_end);
         // As deep below the middle of the tip as at its edge.
         let centre = [corner[0] + 0.5 * (self.tip_radius - self.tip_radius * math::cos(self.tip_angle)), 0.0];
-        let edge = self.refinement.edge as f64 / (self.refinement.edge + self.refinement.across) as f64;
+        let edge = self.refinement.edge.elements() as f64 / self.across() as f64;
         let between = [0, 1].map(|axis| (1.0 - edge) * corner[axis] + edge * centre[axis]);
         [corner, between, centre]
     }
 
-    /// The strip over the second half of the arc and along the tip circle.
-    fn tip(&self) -> [HalfBlock; 2] {
+    /// The strip over the second half of the arc, if the mesh has it, and along the tip circle.
+    fn tip(&self) -> Vec<HalfBlock> {
         let boundary = &self.boundary;
         let [corner, between, centre] = self.tip_corners();
         let [_, edge_end] = boundary.flank.edge_range();
-        let (from, to) = (boundary.tip_end, boundary.form + edge_end);
-        let middle_line = Curve::line(corner, boundary.outer(from).position);
         let on_circle = {
             let (sine, cosine) = math::sincos(self.tip_angle);
             [self.tip_radius * cosine, self.tip_radius * sine]
@@ -420,19 +481,23 @@ impl Layout {
         let smallest = LAND_GROWTH * self.edge_size / (self.tip_radius * self.tip_angle);
         let land =
             graded(across, math::pow(growth(across, smallest.min(1.0 / across as f64)), across as f64 - 1.0));
-        let arc = HalfBlock {
-            sides: [
-                Curve::line(corner, between),
-                Curve::line(between, on_circle),
-                self.outer(from, to),
-                middle_line,
-            ],
-            u: uniform(self.refinement.edge),
-            v: self.layers_at(boundary.tip_end),
-            mapping: None,
-            names: vec![(Side::Top, Name::Edge, Some([from - boundary.form, edge_end]))],
-        };
-        let land = HalfBlock {
+        let mut blocks = Vec::new();
+        if let TipEdge::Rounded(elements) = self.refinement.edge {
+            let (from, to) = (boundary.tip_end, boundary.form + edge_end);
+            blocks.push(HalfBlock {
+                sides: [
+                    Curve::line(corner, between),
+                    Curve::line(between, on_circle),
+                    self.outer(from, to),
+                    Curve::line(corner, boundary.outer(from).position),
+                ],
+                u: uniform(elements),
+                v: self.layers_at(boundary.tip_end),
+                mapping: None,
+                names: vec![(Side::Top, Name::Edge, Some([from - boundary.form, edge_end]))],
+            });
+        }
+        blocks.push(HalfBlock {
             sides: [
                 Curve::line(between, centre),
                 Curve::line(centre, [self.tip_radius, 0.0]),
@@ -443,20 +508,20 @@ impl Layout {
             v: self.layers_at(boundary.tip_end),
             mapping: None,
             names: vec![(Side::Top, Name::Tip, None)],
-        };
-        [arc, land]
+        });
+        blocks
     }
 
-    /// The core of the tooth and the two parts of the rim.
-    fn inside(&self) -> [HalfBlock; 3] {
+    /// The core of the tooth, the two parts of the rim, and those of the web if there is one.
+    fn inside(&self) -> Vec<HalfBlock> {
         let boundary = &self.boundary;
         let [corner, _, tip] = self.tip_corners();
         let knee_p = self.parts[1].1[0];
         let knee = boundary.inner(knee_p);
         let root = boundary.inner(0.0);
         let (knee_radius, knee_angle) = (knee[0].hypot(knee[1]), math::atan2(knee[1], knee[0]));
-        let depth = knee_radius - self.bore_radius;
-        let bottom = [knee[0] - (0.3 * knee[1]).min(0.3 * depth), 0.0];
+        let depth = self.sense * (knee_radius - self.bore_radius);
+        let bottom = [knee[0] - self.sense * (0.3 * knee[1]).min(0.3 * depth), 0.0];
         let on_bore = |angle: f64| {
             let (sine, cosine) = math::sincos(angle);
             [self.bore_radius * cosine, self.bore_radius * sine]
@@ -464,7 +529,7 @@ impl Layout {
         let foot_angle = 0.9 * knee_angle;
         let bore_arc = |from: f64, to: f64| Curve::arc([0.0; 2], self.bore_radius, from, to);
 
-        let across = self.refinement.edge + self.refinement.across;
+        let across = self.across();
         let along = self.parts[1..].iter().fold(Vec::new(), |mut all: Vec<f64>, (_, at)| {
             all.extend(if all.is_empty() { &at[..] } else { &at[1..] });
             all
@@ -481,6 +546,7 @@ impl Layout {
             mapping: None,
             names: Vec::new(),
         };
+        let beneath = if self.web_radius.is_some() { Name::Rim } else { Name::Bore };
         let into_rim = self.depths_of_rim(depth);
         let under_tooth = HalfBlock {
             sides: [
@@ -492,9 +558,8 @@ impl Layout {
             u: uniform(across),
             v: into_rim.clone(),
             mapping: None,
-            names: vec![(Side::Top, Name::Bore, None)],
+            names: vec![(Side::Top, beneath, None)],
         };
-        let root_at: Vec<f64> = self.parts[0].1.iter().rev().map(|p| knee_p - p).collect();
         let under_space = HalfBlock {
             sides: [
                 self.inner(knee_p, 0.0),
@@ -502,12 +567,51 @@ impl Layout {
                 bore_arc(foot_angle, self.cut_angle),
                 Curve::line(knee, on_bore(foot_angle)),
             ],
-            u: normalised(&root_at),
+            u: self.root_divisions(),
             v: into_rim,
             mapping: None,
-            names: vec![(Side::Top, Name::Bore, None), (Side::Right, Name::Cut, None)],
+            names: vec![(Side::Top, beneath, None), (Side::Right, Name::Cut, None)],
         };
-        [core, under_tooth, under_space]
+        let mut blocks = vec![core, under_tooth, under_space];
+        blocks.extend(self.web_radius.into_iter().flat_map(|web_radius| self.web(web_radius, foot_angle)));
+        blocks
+    }
+
+    /// The two parts of the web beneath those of the rim.
+    fn web(&self, web_radius: f64, foot_angle: f64) -> [HalfBlock; 2] {
+        let (rim_radius, cut_angle) = (self.bore_radius, self.cut_angle);
+        let part = |from: f64, to: f64, u: Vec<f64>, cut: bool| {
+            let at = |radius: f64, angle: f64| {
+                let (sine, cosine) = math::sincos(angle);
+                [radius * cosine, radius * sine]
+            };
+            let ray = |angle: f64| Curve::line(at(rim_radius, angle), at(web_radius, angle));
+            let arc = |radius: f64| Curve::arc([0.0; 2], radius, from, to);
+            // Of an even shape: as deep as a part of the sector is wide, but no more than bends a web.
+            let depth = math::log(rim_radius / web_radius).abs();
+            let count = (depth / (WEB_DEPTH * 2.0 * cut_angle)).ceil().clamp(1.0, DEEPEST_WEB);
+            let mut names = vec![(Side::Top, Name::Bore, None)];
+            if cut {
+                names.push((Side::Right, Name::Cut, None));
+            }
+            HalfBlock {
+                sides: [arc(rim_radius), ray(to), arc(web_radius), ray(from)],
+                u,
+                v: uniform(count as usize),
+                mapping: None,
+                names,
+            }
+        };
+        [
+            part(0.0, foot_angle, uniform(self.across()), false),
+            part(foot_angle, cut_angle, self.root_divisions(), true),
+        ]
+    }
+
+    /// Divisions of the blocks under the space, from the knee to the cut.
+    fn root_divisions(&self) -> Vec<f64> {
+        let knee_p = self.parts[1].1[0];
+        normalised(&self.parts[0].1.iter().rev().map(|p| knee_p - p).collect::<Vec<_>>())
     }
 
     /// The centreline of the core, divided like the inner side of the strip above it, so that elements of a thin tooth

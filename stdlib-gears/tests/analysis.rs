@@ -3,25 +3,37 @@
 
 mod common;
 
+use calyx_gears::external::ExternalGear;
+use calyx_gears::gear::Gear;
 use calyx_gears::modification::Modification;
 use calyx_gears::prototype::GearPrototype;
 use calyx_runtime::analysis::{AnalysisOptions, Position, Steps, mesh_cycle, quasi_static};
-use calyx_runtime::cache::{CacheCounts, OperatorCache};
+use calyx_runtime::cache::{CacheCounts, OperatorCache, Store};
 use calyx_runtime::error::EngineError;
 use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::load::Wrench;
 use calyx_runtime::plan::Plan;
 use calyx_runtime::resources::Resources;
 use calyx_runtime::results::{OutputRequest, StructureCounts};
-use calyx_runtime::scene::{Fidelity, ObservableId, Prototype, Scene, StructureOptions};
+use calyx_runtime::scene::{Fidelity, ObservableId, Prototype, Scene, StructureOptions, Template};
+use calyx_runtime::structure::Chart;
+use calyx_runtime::structure::solid::{PointLoad, SolidStructure};
 use calyx_runtime::system::System;
 use common::pair::{PLAIN, PairOptions, RELIEVED, TORQUE, pair};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, LazyLock, Mutex};
 
 /// As small as a mesh of a gear can be.
-const SMALLEST: StructureOptions =
-    StructureOptions { refinement: 0.5, order: 1, matching_depth: 1.0, stresses: true, sharp_edges: false };
+const SMALLEST: StructureOptions = StructureOptions {
+    refinement: 0.5,
+    order: 1,
+    template: Template::Medium,
+    face_elements: None,
+    axial_order: None,
+    matching_depth: 1.0,
+    stresses: true,
+    sharp_edges: false,
+};
 
 /// A pair of gears, where it is analysed, and everything observed as an output.
 struct Case {
@@ -206,6 +218,52 @@ fn going_on_behind_an_earlier_run_gives_the_result_of_one_that_was_not_interrupt
     }
 }
 
+/// Another process, which a cache of its own stands for, takes structures from disk, in the plane and in space.
+#[test]
+fn structures_from_disk_have_the_bits_of_those_made_anew() {
+    let folder = tempfile::tempdir().expect("a directory");
+    let store = || Store::new(folder.path(), 1 << 30);
+    let resources = || {
+        let cache = OperatorCache::new(usize::MAX).with_store(store());
+        Resources { cache: Some(Arc::new(cache)), ..Resources::default() }
+    };
+    for case in cases() {
+        let expected = case.bits(&options(Resources::default()));
+        for expected_counts in [None, Some(StructureCounts { built: 0, reused: 2 })] {
+            let options = options(resources());
+            let steps = case.steps(&options).expect("structures");
+            let counts = steps.system().structure_counts();
+            assert!(expected_counts.is_none_or(|expected| counts == expected), "{counts:?}");
+            assert_eq!(bits(steps).expect("it can be solved"), expected);
+        }
+    }
+    // Bytes that are something else, though sound as bytes, are no structure.
+    let prototype = &PLAIN[0].prototype;
+    assert!(prototype.restore(&SMALLEST, b"something else").is_none());
+    assert!(prototype.restore_solid(&SMALLEST, b"something else").is_none());
+
+    let options =
+        StructureOptions { face_elements: Some(1), axial_order: Some(1), ..StructureOptions::default() };
+    let made = prototype.build_solid(&options, &Interrupt::never()).expect("a structure");
+    let stored = made.stored().expect("it is worth keeping");
+    let again = prototype.restore_solid(&options, &stored).expect("it is whole");
+    assert_eq!(made.bytes(), again.bytes());
+    assert_eq!(again.stored().as_ref(), Some(&stored));
+    let [u, v] = made.surface(0).range();
+    let places: Vec<[f64; 2]> =
+        [0.1, 0.4, 0.8].map(|share| [u, v].map(|[from, to]| from + share * (to - from))).to_vec();
+    let [here, there] = [0, 1].map(|tooth| Chart { tooth, surface: 0 });
+    for loaded in [here, there] {
+        let answer = |structure: &dyn SolidStructure| {
+            let mut block = vec![0.0; 9];
+            structure.add_compliance(here, &places, loaded, &places, &mut block);
+            let load = PointLoad { chart: loaded, place: places[1], force: 100.0 };
+            format!("{block:?} {:?}", structure.stresses(0, 0, &[load]))
+        };
+        assert_eq!(answer(made.as_ref()), answer(again.as_ref()));
+    }
+}
+
 #[test]
 fn another_torque_needs_no_new_structure() {
     let cache = Arc::new(OperatorCache::new(usize::MAX));
@@ -289,16 +347,22 @@ fn what_a_structure_depends_on_is_in_its_key_and_nothing_else() {
     for (index, change) in irrelevant.iter().enumerate() {
         assert_eq!(again(change), key, "change {index}");
     }
+    fn external(gear: &mut GearPrototype) -> &mut ExternalGear {
+        match &mut gear.gear {
+            Gear::External(gear) => gear,
+            Gear::Internal(_) => unreachable!("the gear has external teeth"),
+        }
+    }
     let relevant: [&dyn Fn(&mut GearPrototype); 9] = [
-        &|gear| gear.gear.teeth += 1,
-        &|gear| gear.gear.outer_radius = gear.gear.outer_radius.next_up(),
-        &|gear| gear.gear.root_radius = gear.gear.root_radius.next_up(),
-        &|gear| gear.gear.tooth_thickness = gear.gear.tooth_thickness.next_up(),
-        &|gear| gear.gear.tip_edge_radius = gear.gear.tip_edge_radius.next_up(),
-        &|gear| gear.gear.rack.tip_radius = gear.gear.rack.tip_radius.next_up(),
+        &|gear| external(gear).teeth += 1,
+        &|gear| external(gear).outer_radius = external(gear).outer_radius.next_up(),
+        &|gear| external(gear).root_radius = external(gear).root_radius.next_up(),
+        &|gear| external(gear).tooth_thickness = external(gear).tooth_thickness.next_up(),
+        &|gear| external(gear).tip_edge_radius = external(gear).tip_edge_radius.next_up(),
+        &|gear| external(gear).rack.tip_radius = external(gear).rack.tip_radius.next_up(),
         &|gear| gear.material.poissons_ratio = gear.material.poissons_ratio.next_up(),
         &|gear| gear.material.youngs_modulus = gear.material.youngs_modulus.next_up(),
-        &|gear| gear.rim.inner_radius = gear.rim.inner_radius.next_up(),
+        &|gear| gear.rim.held_radius = gear.rim.held_radius.next_up(),
     ];
     let mut keys: Vec<_> = relevant.iter().map(|change| again(change)).collect();
     keys.extend([

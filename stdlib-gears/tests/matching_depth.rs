@@ -89,9 +89,9 @@ fn pressures_over_hertz(edges: bool, structure: StructureOptions, cycles: &[f64]
         let step = system.solve(mesh.start + cycle * mesh.period).expect("it is in equilibrium");
         for patch in step.patches.iter().filter(|patch| patch.force() > 0.0) {
             let of_cells = patch.pressures();
-            let Some(largest) = peak(&patch.cells, &of_cells) else { continue };
+            let Some(largest) = peak(patch.cells(), &of_cells) else { continue };
             // Involutes touch at the middle of the grid.
-            let middle = patch.cells.iter().min_by(|a, b| a.center().abs().total_cmp(&b.center().abs()));
+            let middle = patch.cells().iter().min_by(|a, b| a.center().abs().total_cmp(&b.center().abs()));
             let s = middle.expect("a loaded patch has cells").s;
             let curvature: f64 = (0..2).map(|side| profiles[side].at(s[side]).curvature).sum();
             let half_width = hertz_half_width(patch.force(), contact_modulus, curvature);
@@ -173,8 +173,8 @@ fn root_stress_is_that_of_a_fine_mesh() {
     for (tip_radius, thickness, expected) in rows {
         let gears = [(20, [0.7, 0.6]), (40, [1.7, 1.2])].map(|(teeth, rim)| {
             let gear = ExternalGear::new(chapter_5_data(teeth, tip_radius, thickness)).expect("a sound gear");
-            let [radius, inner_radius] = rim.map(|radius: f64| radius * INCH);
-            let rim = Rim { radius, inner_radius };
+            let [radius, held_radius] = rim.map(|radius: f64| radius * INCH);
+            let rim = Rim { radius, held_radius, web: None };
             Member::new(GearPrototype::new(gear, Vec::new(), steel(), rim, INCH, Vec::new()).expect("a gear"))
         });
         let (scene, mesh) = pair(&PairOptions::chapter_5(&gears));

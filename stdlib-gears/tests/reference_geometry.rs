@@ -2,9 +2,10 @@
 //! computed independently of this code to twelve digits and more.
 
 use calyx_gears::external::{ExternalGear, ExternalGearData};
-use calyx_gears::internal::InternalGear;
+use calyx_gears::internal::{InternalGear, InternalGearData};
 use calyx_gears::mesh_geometry::MeshGeometry;
 use calyx_gears::rack::Rack;
+use calyx_gears::shaper::Shaper;
 use serde_json::Value;
 
 /// Compares with a member of a JSON object and counts.
@@ -115,16 +116,20 @@ fn all_pairs_agree_with_the_closed_forms() {
     let pair = &pairs["internal_20_60_m4"];
     let (pinion, count) = compare_external("internal g1", &pair["g1"]);
     let ring = &pair["g2"];
-    let gear = InternalGear {
+    // The reference says nothing of root and cutter, which none of its numbers depends on.
+    let shaper = Shaper::new(20, 4.0, 20.0_f64.to_radians(), 5.0, 1.0).expect("a shaper");
+    let gear = InternalGear::new(InternalGearData {
         teeth: 60,
-        module: 4.0,
-        pressure_angle: 20.0_f64.to_radians(),
+        shaper,
         tooth_thickness: pair["g2"]["thickness_at_r"][0][1].as_f64().expect("a thickness"),
         minor_radius: number(ring, "minor_r"),
-    };
+        root_radius: 125.0,
+        tip_edge_radius: None,
+    })
+    .expect("a sound gear");
     let mut with = Comparison { name: "internal g2".to_owned(), object: ring, compared: 0 };
-    with.close("rp", gear.pitch_radius());
-    with.close("rb", gear.base_radius());
+    with.close("rp", gear.pitch_radius);
+    with.close("rb", gear.base_radius);
     with.close("tip_thickness", gear.thickness_at(gear.minor_radius));
     for row in ring["thickness_at_r"].as_array().expect("rows") {
         with.equal("thickness", &row[1], gear.thickness_at(row[0].as_f64().expect("a radius")));

@@ -50,7 +50,7 @@ fn check(name: &str, gear: &ExternalGear, rim: f64, refinement: &Refinement) {
             tip_edge_radius: Some(tip_edge_radius),
         })
         .expect("a sound gear");
-        let mesh = sector_mesh(gear, flanks(&edged), bore, refinement)
+        let mesh = sector_mesh(&gear.clone().into(), flanks(&edged), bore, refinement)
             .unwrap_or_else(|error| panic!("{name}, rim {} modules: {error}", rim / gear.rack.module));
         let worst = worst_distortion(&mesh);
         // Every element keeps a good part of its mean area everywhere.
@@ -129,7 +129,8 @@ fn small_large_shifted_and_undercut_gears_are_meshed() {
 fn cuts_are_turned_images_and_chains_lie_on_the_profiles() {
     let gear = chapter_5(20);
     let flanks = flanks(&gear);
-    let mesh = sector_mesh(&gear, flanks.clone(), 0.6 * INCH, &Refinement::MEDIUM).expect("a mesh");
+    let mesh =
+        sector_mesh(&gear.clone().into(), flanks.clone(), 0.6 * INCH, &Refinement::MEDIUM).expect("a mesh");
     let nodes = |name: &str| {
         let chain = mesh.chain(name).unwrap_or_else(|| panic!("a chain {name}"));
         mesh.chain_nodes(chain).into_iter().map(|node| mesh.nodes[node]).collect::<Vec<_>>()

@@ -29,7 +29,8 @@ impl Member {
         let gear = chapter_5(teeth);
         let flanks = [Side::CounterClockwise, Side::Clockwise]
             .map(|side| Arc::new(Flank::new(&gear, &[], side).expect("a flank")));
-        let mesh = sector_mesh(&gear, flanks.clone(), bore_radius * INCH, refinement).expect("a mesh");
+        let mesh = sector_mesh(&gear.clone().into(), flanks.clone(), bore_radius * INCH, refinement)
+            .expect("a mesh");
         let steel = Material { youngs_modulus: 3e7 * PSI, poissons_ratio: 0.3, density: 7850.0 };
         let model = PlaneModel::new(mesh, steel, Plane::Strain);
         let surfaces = [0, 1].map(|surface| SurfaceSource {

@@ -5,6 +5,7 @@ use crate::fillet::RootFillet;
 use crate::flank::Flank;
 use calyx_abi::math;
 use calyx_runtime::profile::{Profile, ProfilePoint};
+use std::f64::consts::TAU;
 use std::sync::Arc;
 
 /// The boundary of a half tooth by one coordinate `p` that grows from the root centre to the middle of the tip edge's
@@ -25,6 +26,8 @@ pub(super) struct Boundary {
     pub tip_start: f64,
     pub tip_end: f64,
     pub tip_depth: f64,
+    /// +1, or -1 of an internal gear, whose material lies outside.
+    pub sense: f64,
 }
 
 #[derive(Clone, Copy)]
@@ -58,7 +61,7 @@ impl Boundary {
         let depth = a.depth + part * (b.depth - a.depth);
         let (sine, cosine) = math::sincos(a.angle + part * (b.angle - a.angle));
         let into_tip = ((p - self.tip_start) / (self.tip_end - self.tip_start)).max(0.0);
-        [x - depth * cosine - self.tip_depth * into_tip * into_tip, y - depth * sine]
+        [x - depth * cosine - self.sense * self.tip_depth * into_tip * into_tip, y - depth * sine]
     }
 }
 
@@ -66,7 +69,12 @@ impl Boundary {
     /// Chooses thickness and direction of the strip.
     pub fn place_strip(&mut self, module: f64, rim: f64) {
         let (fillet_from, form, edge) = (self.fillet_from, self.form, self.edge);
-        let angle_of = |[x, y]: [f64; 2]| math::atan2(y, x);
+        // On an internal gear normals turn from the flank's to the one that points at the axis.
+        let internal = self.sense < 0.0;
+        let angle_of = |[x, y]: [f64; 2]| {
+            let angle = math::atan2(y, x);
+            if internal && angle < 0.0 { angle + TAU } else { angle }
+        };
         let below = angle_of(self.fillet.at(0.0).normal);
         let above = angle_of(self.flank_at(0.0).normal);
         // An undercut tooth has a corner at its form circle.
@@ -84,16 +92,18 @@ impl Boundary {
                 angle: angle_of(self.flank_at(p - form).normal),
             }
         };
-        let anchors = vec![
+        let mut anchors = vec![
             Anchor { p: 0.0, depth, angle: angle_of(self.outer(0.0).normal) },
             Anchor { p: fillet_from, depth, angle: angle_of(self.outer(fillet_from).normal) },
             Anchor { p: form, depth, angle: at_form },
             flank_anchor(0.25),
             flank_anchor(0.5),
             flank_anchor(1.0),
-            // Over the arc the strip keeps the flank's direction.
-            Anchor { p: self.tip_end, ..flank_anchor(1.0) },
         ];
+        if self.tip_end > edge {
+            // Over the arc the strip keeps the flank's direction.
+            anchors.push(Anchor { p: self.tip_end, ..flank_anchor(1.0) });
+        }
         self.anchors = anchors;
         self.tip_depth = tip_depth.min(0.06 * (edge - form));
         // Gently, as the flank of a small gear leans far over at its tip.

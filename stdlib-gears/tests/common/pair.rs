@@ -3,19 +3,24 @@
 use super::{INCH, chapter_5_data};
 use calyx_gears::blank::Rim;
 use calyx_gears::external::{ExternalGear, ExternalGearData};
+use calyx_gears::gear::{Gear, ToothForm};
 use calyx_gears::mesh_geometry::MeshGeometry;
 use calyx_gears::modification::{Modification, ReliefShape, TipRelief};
-use calyx_gears::mounting::{Mounting, mount_external};
+use calyx_gears::mounting::{Mounting, mount};
 use calyx_gears::prototype::GearPrototype;
 use calyx_runtime::error::EngineError;
 use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::load::Wrench;
 use calyx_runtime::material::Material;
 use calyx_runtime::motion::{PlanePose, SteadyRotation};
+use calyx_runtime::observe::{
+    LoadShare, MaxContactPressure, MaxEdgePressure, MaxRootStress, MeshStiffness, Observable,
+    TransmissionError,
+};
 use calyx_runtime::plan::Plan;
 use calyx_runtime::scene::{
-    Body, BodyId, Component, Fidelity, GearMesh, GridOptions, Ignored, Observable, PairId, Prototype, Scene,
-    StructureOptions, SurfacePair,
+    Body, BodyId, Component, Fidelity, GearMesh, GridOptions, Ignored, PairId, Prototype, Scene,
+    StructureOptions, SurfacePair, Template,
 };
 use calyx_runtime::step::StepResult;
 use calyx_runtime::structure::Structure;
@@ -50,13 +55,17 @@ impl Member {
 
     /// The same gear with one tooth out of its place, rad.
     pub fn with_pitch_error(&self, tooth: u32, error: f64) -> Self {
-        let mut pitch_errors = vec![0.0; self.gear().teeth as usize];
+        let mut pitch_errors = vec![0.0; self.form().teeth as usize];
         pitch_errors[tooth as usize] = error;
         Self { pitch_errors, ..self.clone() }
     }
 
     pub fn gear(&self) -> &ExternalGear {
-        &self.prototype.gear
+        self.prototype.gear.external().expect("an external gear")
+    }
+
+    pub fn form(&self) -> ToothForm {
+        self.prototype.form()
     }
 }
 
@@ -137,10 +146,10 @@ pub fn chapter_5_member(teeth: u32, relief: f64, scale: Scale) -> Member {
         })
     });
     let material = Material { youngs_modulus: modulus * steel().youngs_modulus, ..steel() };
-    let [radius, inner_radius] = rim.map(|radius| radius * INCH * length);
+    let [radius, held_radius] = rim.map(|radius| radius * INCH * length);
     let gear = ExternalGear::new(data).expect("a sound gear");
     let modifications = relief.into_iter().collect();
-    let rim = Rim { radius, inner_radius };
+    let rim = Rim { radius, held_radius, web: None };
     let face_width = INCH * length;
     Member::new(
         GearPrototype::new(gear, modifications, material, rim, face_width, Vec::new()).expect("a gear"),
@@ -151,7 +160,8 @@ pub fn chapter_5_member(teeth: u32, relief: f64, scale: Scale) -> Member {
 pub fn member(data: ExternalGearData, face_width: f64) -> Member {
     let rim = Rim {
         radius: data.root_radius - data.rack.module,
-        inner_radius: data.root_radius - 3.0 * data.rack.module,
+        held_radius: data.root_radius - 3.0 * data.rack.module,
+        web: None,
     };
     let gear = ExternalGear::new(data).expect("a sound gear");
     Member::new(GearPrototype::new(gear, Vec::new(), steel(), rim, face_width, Vec::new()).expect("a gear"))
@@ -203,33 +213,40 @@ impl PairOptions {
 }
 
 /// Everything observed of a pair, in the order of [`Values`].
-const OBSERVED: [Observable; 7] = [
-    Observable::TransmissionError(MESH),
-    Observable::LoadShare(MESH),
-    Observable::MeshStiffness(MESH),
-    Observable::MaxContactPressure(MESH),
-    Observable::MaxEdgePressure(MESH),
-    Observable::MaxRootStress(FIRST),
-    Observable::MaxRootStress(SECOND),
+const OBSERVED: [&dyn Observable; 7] = [
+    &TransmissionError(MESH),
+    &LoadShare(MESH),
+    &MeshStiffness(MESH),
+    &MaxContactPressure(MESH),
+    &MaxEdgePressure(MESH),
+    &MaxRootStress(FIRST),
+    &MaxRootStress(SECOND),
 ];
 
 /// The scene of a pair, everything observed, and its mesh.
 pub fn pair(options: &PairOptions) -> (Scene, GearMesh) {
-    let [first, second] = [0, 1].map(|i| options.gears[i].gear());
-    let geometry = MeshGeometry::external(first, second, options.center_distance).expect("they mesh");
+    let [first, second] = [0, 1].map(|i| options.gears[i].form());
+    let external = options.gears[0].gear();
+    let geometry = match &options.gears[1].prototype.gear {
+        Gear::External(second) => MeshGeometry::external(external, second, options.center_distance),
+        Gear::Internal(second) => MeshGeometry::internal(external, second, options.center_distance),
+    };
+    let geometry = geometry.expect("they mesh");
     let (sin, cos) = options.direction.sin_cos();
     let across = [cos, sin].map(|part| part * options.center_distance);
     let origins = [options.origin, [0, 1].map(|axis| options.origin[axis] + across[axis])];
-    let speeds = [options.speed, -options.speed * f64::from(first.teeth) / f64::from(second.teeth)];
+    let speeds =
+        [options.speed, -second.sense() * options.speed * f64::from(first.teeth) / f64::from(second.teeth)];
     // As in the language: the flanks that touch are those the moment presses on.
     let sense = if options.moment < 0.0 { -1.0 } else { 1.0 };
+    let sense = if options.loaded == 1 { sense * second.sense() } else { sense };
     let mounting = Mounting {
         first: PlanePose { origin: origins[0], angle: options.start },
         second: PlanePose { origin: origins[1], angle: 0.0 },
         angular_velocity: speeds,
         sense,
     };
-    let (phase, mesh) = mount_external([first, second], &geometry, &mounting).expect("they fit");
+    let (phase, mesh) = mount([first, second], &geometry, &mounting).expect("they fit");
 
     let mut scene = Scene::default();
     for side in 0..2 {
@@ -245,14 +262,20 @@ pub fn pair(options: &PairOptions) -> (Scene, GearMesh) {
     }
     let surface = if sense > 0.0 { 0 } else { 1 };
     scene.add_pair(SurfacePair {
+        friction: 0.0,
         bodies: [FIRST, SECOND],
-        surfaces: [surface; 2],
+        surfaces: [surface, if second.internal { 1 - surface } else { surface }],
         grid: GridOptions { width: options.grid_width, edges: options.edges, ..GridOptions::default() },
         mesh: Some(mesh.clone()),
     });
-    for observable in OBSERVED {
-        scene.observe(observable);
-    }
+    // In the order of `Values`.
+    scene.observe(TransmissionError(MESH));
+    scene.observe(LoadShare(MESH));
+    scene.observe(MeshStiffness(MESH));
+    scene.observe(MaxContactPressure(MESH));
+    scene.observe(MaxEdgePressure(MESH));
+    scene.observe(MaxRootStress(FIRST));
+    scene.observe(MaxRootStress(SECOND));
     (scene, mesh)
 }
 
@@ -299,8 +322,16 @@ impl Values {
 }
 
 /// A mesh that builds fast: for what must hold on any mesh.
-pub const COARSE: StructureOptions =
-    StructureOptions { refinement: 0.5, order: 2, matching_depth: 1.0, stresses: true, sharp_edges: false };
+pub const COARSE: StructureOptions = StructureOptions {
+    refinement: 0.5,
+    order: 2,
+    template: Template::Medium,
+    face_elements: None,
+    axial_order: None,
+    matching_depth: 1.0,
+    stresses: true,
+    sharp_edges: false,
+};
 
 /// The scene on a coarse mesh.
 pub fn system(scene: &Scene) -> System<'_> {

@@ -127,7 +127,7 @@ fn agrees_with_clarabel(step: &StepResult) {
     let objective = step.problem.objective(&own, &step.motion);
     let independent = step.problem.objective(&forces, &motion);
     assert!((independent / objective - 1.0).abs() < 1e-9, "{objective} {independent}");
-    let cells: Vec<_> = step.patches.iter().flat_map(|patch| patch.cells.iter().copied()).collect();
+    let cells: Vec<_> = step.patches.iter().flat_map(|patch| patch.cells().iter().copied()).collect();
     let pressures = |forces: &[f64]| -> Vec<f64> {
         cells.iter().zip(forces).map(|(cell, force)| force / cell.width()).collect()
     };
@@ -147,7 +147,7 @@ fn tangent_response(step: &StepResult, opened: usize, growth: f64) -> Vec<f64> {
         .patches
         .iter()
         .enumerate()
-        .flat_map(|(index, patch)| std::iter::repeat_n(index, patch.cells.len()))
+        .flat_map(|(index, patch)| std::iter::repeat_n(index, patch.cells().len()))
         .collect();
     // A dp + C dx = -de, C' dp = 0.
     let size = active.len() + m;

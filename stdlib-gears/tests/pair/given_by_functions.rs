@@ -61,7 +61,7 @@ fn a_function_equal_to_a_relief_is_that_relief() {
 
 /// A pinion with this modification beside the plain wheel.
 fn with(modification: Modification) -> [Member; 2] {
-    let rim = Rim { radius: 0.7 * INCH, inner_radius: 0.6 * INCH };
+    let rim = Rim { radius: 0.7 * INCH, held_radius: 0.6 * INCH, web: None };
     let gear = GearPrototype::new(chapter_5(20), vec![modification], steel(), rim, INCH, Vec::new());
     [Member::new(gear.expect("a gear")), PLAIN[1].clone()]
 }
@@ -128,7 +128,7 @@ fn blank() -> GearBlank {
     GearBlank::standard(20, data.rack)
         .diameters(2.0 * data.outer_radius, 2.0 * data.root_radius)
         .thickness(Thickness::Circular(data.tooth_thickness))
-        .rim(Rim { radius: 0.7 * INCH, inner_radius: 0.6 * INCH })
+        .rim(Rim { radius: 0.7 * INCH, held_radius: 0.6 * INCH, web: None })
 }
 
 #[test]

@@ -5,7 +5,10 @@ mod common;
 
 mod chapter_5;
 mod equilibrium;
+mod first_day;
+mod friction;
 mod given_by_functions;
+mod internal;
 mod invariance;
 mod other_pairs;
 mod sharing;

@@ -5,7 +5,8 @@ use calyx_gears::external::ExternalGearData;
 use calyx_gears::mesh_geometry::MeshGeometry;
 use calyx_gears::rack::Rack;
 use calyx_runtime::analysis::mesh_cycle;
-use calyx_runtime::scene::{Body, BodyId, Observable, PairId};
+use calyx_runtime::observe::TransmissionError;
+use calyx_runtime::scene::{Body, BodyId, PairId};
 
 struct Case {
     name: &'static str,
@@ -113,7 +114,7 @@ fn pairs_of_one_scene_do_not_disturb_each_other() {
     let alone = [&scene, &other].map(|scene| {
         let system = system(scene);
         let step = system.solve(time).expect("equilibrium");
-        system.value(&step, Observable::TransmissionError(MESH)).value
+        system.value(&step, &TransmissionError(MESH)).value
     });
     for (index, body) in other.bodies.into_iter().enumerate() {
         let prototype = scene.bodies[index].prototype.clone();
@@ -126,7 +127,7 @@ fn pairs_of_one_scene_do_not_disturb_each_other() {
     let system = system(&scene);
     let step = system.solve(time).expect("equilibrium");
     for (pair, alone) in alone.into_iter().enumerate() {
-        let together = system.value(&step, Observable::TransmissionError(PairId(pair))).value;
+        let together = system.value(&step, &TransmissionError(PairId(pair))).value;
         assert!((together / alone - 1.0).abs() < 1e-9, "{pair}: {together} {alone}");
     }
     assert!((alone[0] / alone[1] - 1.0).abs() > 1e-4, "the edges make a difference");

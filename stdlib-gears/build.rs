@@ -1,0 +1,32 @@
+//! Gives the library a name for its own source: structures kept on disk are those of one source, so that no change of a method needs to
+//! be remembered to be seen.
+
+use std::collections::BTreeSet;
+use std::hash::{DefaultHasher, Hash, Hasher};
+use std::path::{Path, PathBuf};
+use std::{fs, io};
+
+fn main() -> io::Result<()> {
+    println!("cargo::rerun-if-changed=src");
+    let mut files = BTreeSet::new();
+    collect(Path::new("src"), &mut files)?;
+    let mut hash = DefaultHasher::new();
+    for path in files {
+        path.hash(&mut hash);
+        fs::read(path)?.hash(&mut hash);
+    }
+    println!("cargo::rustc-env=CALYX_SOURCE={:016x}", hash.finish());
+    Ok(())
+}
+
+fn collect(directory: &Path, files: &mut BTreeSet<PathBuf>) -> io::Result<()> {
+    for entry in fs::read_dir(directory)? {
+        let path = entry?.path();
+        if path.is_dir() {
+            collect(&path, files)?;
+        } else {
+            files.insert(path);
+        }
+    }
+    Ok(())
+}

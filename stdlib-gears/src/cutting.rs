@@ -1,0 +1,172 @@
+//! Tools, rims and gears as programs make them: the Rust side of `rack`, `shaper`, `external` and `internal` of `gears.cx`.
+
+use crate::blank::{GearBlank, Rim, Thickness};
+use crate::error::Refusal;
+use crate::externs::{entry, host, refusal};
+use crate::helix::{Hand, Helix};
+use crate::host::{ModelHost, keep};
+use crate::internal_blank::InternalBlank;
+use crate::modification::Modification;
+use crate::prototype::GearPrototype;
+use crate::rack::{Plane, Rack};
+use crate::shaper::Shaper;
+use calyx_abi::RuntimeError;
+use calyx_abi::externs::Handle;
+use std::sync::Arc;
+
+calyx_abi::externs! {
+    Pure fn calyx_gears_rack(
+        context, module: f64, diametral_pitch: f64, pressure_angle: f64, tip_radius: f64, plane: String,
+    ) -> Handle {
+        let module = module_of("rack", module, diametral_pitch)?;
+        let (place, host) = (context.place, host(context)?);
+        let rack = Rack::new(module, pressure_angle, tip_radius).map_err(|error| host.told(&error, place))?;
+        let plane = Plane::named(&plane).unwrap_or_default();
+        Ok(keep(&mut host.racks, rack.in_plane(plane)))
+    }
+
+    Pure fn calyx_gears_shaper(
+        context, teeth: f64, module: f64, diametral_pitch: f64, pressure_angle: f64, tip_radius: f64, addendum: f64,
+    ) -> Handle {
+        let teeth = whole_teeth(teeth)?;
+        let module = module_of("shaper", module, diametral_pitch)?;
+        let addendum = if addendum == 0.0 { Shaper::USUAL_ADDENDUM * module } else { addendum };
+        let (place, host) = (context.place, host(context)?);
+        let shaper = Shaper::new(teeth, module, pressure_angle, addendum, tip_radius)
+            .map_err(|error| host.told(&error, place))?;
+        Ok(keep(&mut host.shapers, shaper))
+    }
+
+    Pure fn calyx_gears_simple_rim(context, diameter: f64, inner_diameter: f64) -> Handle {
+        let (place, host) = (context.place, host(context)?);
+        let rim = Rim::new(diameter, inner_diameter).map_err(|error| host.refused(error.into(), place))?;
+        Ok(keep(&mut host.rims, rim))
+    }
+
+    Pure fn calyx_gears_webbed_rim(
+        context, diameter: f64, inner_diameter: f64, bore_diameter: f64, web_thickness: f64, web_offset: f64,
+    ) -> Handle {
+        let (place, host) = (context.place, host(context)?);
+        let rim = Rim::new(diameter, inner_diameter)
+            .and_then(|rim| rim.on_web(web_thickness, web_offset, bore_diameter))
+            .map_err(|error| host.refused(error.into(), place))?;
+        Ok(keep(&mut host.rims, rim))
+    }
+
+    Pure fn calyx_gears_outer_rim(context, diameter: f64, outer_diameter: f64) -> Handle {
+        let (place, host) = (context.place, host(context)?);
+        let rim = Rim::outer(diameter, outer_diameter).map_err(|error| host.refused(error.into(), place))?;
+        Ok(keep(&mut host.rims, rim))
+    }
+
+    Pure fn calyx_gears_external(
+        context, teeth: f64, rack: Handle, face_width: f64, outer_diameter: f64, root_diameter: f64,
+        material: Handle, rim: Handle, tooth_thickness: f64, profile_shift: f64, tip_edge_radius: f64,
+        modifications: Vec<Handle>, pitch_errors: Vec<f64>, helix_angle: f64, hand: String,
+    ) -> Handle {
+        let teeth = whole_teeth(teeth)?;
+        let (place, host) = (context.place, host(context)?);
+        let blank = GearBlank {
+            teeth,
+            rack: *entry(&host.racks, rack)?,
+            outer_diameter,
+            root_diameter,
+            face_width,
+            helix: helix(host, helix_angle, &hand, place)?,
+            material: *entry(&host.materials, material)?,
+            rim: *entry(&host.rims, rim)?,
+            thickness: thickness(tooth_thickness, profile_shift),
+            tip_edge_radius: (tip_edge_radius > 0.0).then_some(tip_edge_radius),
+            modifications: modifications_of(host, modifications)?,
+            pitch_errors,
+        };
+        keep_gear(host, blank.cut(), place)
+    }
+
+    Pure fn calyx_gears_internal(
+        context, teeth: f64, shaper: Handle, face_width: f64, minor_diameter: f64, root_diameter: f64,
+        material: Handle, rim: Handle, tooth_thickness: f64, profile_shift: f64, tip_edge_radius: f64,
+        modifications: Vec<Handle>, pitch_errors: Vec<f64>, helix_angle: f64, hand: String,
+    ) -> Handle {
+        let teeth = whole_teeth(teeth)?;
+        let (place, host) = (context.place, host(context)?);
+        let blank = InternalBlank {
+            teeth,
+            shaper: *entry(&host.shapers, shaper)?,
+            minor_diameter,
+            root_diameter,
+            face_width,
+            helix: helix(host, helix_angle, &hand, place)?,
+            material: *entry(&host.materials, material)?,
+            rim: *entry(&host.rims, rim)?,
+            thickness: thickness(tooth_thickness, profile_shift),
+            tip_edge_radius: (tip_edge_radius > 0.0).then_some(tip_edge_radius),
+            modifications: modifications_of(host, modifications)?,
+            pitch_errors,
+        };
+        keep_gear(host, blank.cut(), place)
+    }
+}
+
+/// Where a call stands.
+type Place = (u32, u32, u32);
+
+/// A tool's size, given in one of two ways.
+fn module_of(tool: &str, module: f64, diametral_pitch: f64) -> Result<f64, RuntimeError> {
+    match (module != 0.0, diametral_pitch != 0.0) {
+        (true, false) => Ok(module),
+        (false, true) => Ok(1.0 / diametral_pitch),
+        (true, true) => Err(refusal(
+            "E0663",
+            "diametral_pitch",
+            &format!("the {tool} has both a module and a diametral pitch"),
+            "give one of them; they are each other's inverse",
+        )),
+        (false, false) => Err(refusal(
+            "E0664",
+            "module",
+            &format!("the {tool} has neither a module nor a diametral pitch"),
+            "give its size, like `module = 2.5 mm` or `diametral_pitch = 10 / inch`",
+        )),
+    }
+}
+
+fn whole_teeth(teeth: f64) -> Result<u32, RuntimeError> {
+    if teeth.fract() == 0.0 && (3.0..=1e6).contains(&teeth) {
+        return Ok(teeth as u32);
+    }
+    Err(refusal(
+        "E0667",
+        "teeth",
+        &format!("a gear cannot have {teeth} teeth"),
+        "give a whole number of at least 3",
+    ))
+}
+
+fn helix(host: &mut ModelHost, angle: f64, hand: &str, place: Place) -> Result<Helix, RuntimeError> {
+    let hand = Hand::named(hand).unwrap_or(Hand::Right);
+    Helix::new(angle, hand).map_err(|error| host.told(&error, place))
+}
+
+fn thickness(tooth_thickness: f64, profile_shift: f64) -> Thickness {
+    if tooth_thickness > 0.0 {
+        Thickness::Circular(tooth_thickness)
+    } else {
+        Thickness::ProfileShift(profile_shift)
+    }
+}
+
+fn modifications_of(host: &ModelHost, handles: Vec<Handle>) -> Result<Vec<Modification>, RuntimeError> {
+    handles.into_iter().map(|handle| entry(&host.modifications, handle).cloned()).collect()
+}
+
+fn keep_gear(
+    host: &mut ModelHost,
+    cut: Result<Arc<GearPrototype>, Refusal>,
+    place: Place,
+) -> Result<Handle, RuntimeError> {
+    let gear = cut.map_err(|refusal| host.refused(refusal, place))?;
+    host.note(gear.gear.warnings(), place);
+    host.gear_places.push(place);
+    Ok(keep(&mut host.gears, gear))
+}

@@ -1,0 +1,182 @@
+//! The true flank of a tooth in space: the transverse profile of [`Flank`] swept along the axis, turned by the helix.
+//!
+//! Sections across the axis carry profile modifications exactly as the plane flank does, with its tip edge. A modification along the
+//! face that does not depend on the profile takes an amount `h(v)` off an involute, measured in the transverse section like all
+//! amounts: that is the same involute turned by `h / (base radius)`, and tip edges turn with it. So with `F(u)` the modified profile
+//! and `T(angle)` a turn about the axis, the surface is
+//!
+//! `Q(u, v) = T(k v - side h(v) / r) F(u) + v e_z`,
+//!
+//! with tangents and normal in closed form. A topography is an offset along the section's normal from there. `u` is the arc length of the *plain* profile: places on the surface are places of
+//! the body without modifications, whose mesh serves all of them.
+
+use crate::fillet::Side;
+use crate::flank::Flank;
+use crate::modification::{LeadModification, Topography};
+use calyx_abi::math;
+use calyx_runtime::profile::{Profile, ProfilePoint};
+use calyx_runtime::surface::{Surface, SurfacePoint};
+use std::sync::Arc;
+
+/// Part of the flank's range of roll over which the tip edge of the modified profile is brought onto the plain one's.
+const STRETCHED: f64 = 0.15;
+
+/// The flank of tooth 0 in the gear's frame: `u` is arc length along its plain transverse profile from the form circle over the
+/// rounded tip edge, m; `v` the distance from mid-face along +z, m.
+#[derive(Clone, Debug)]
+pub struct GearSurface {
+    plain: Arc<Flank>,
+    modified: Arc<Flank>,
+    face_width: f64,
+    /// Counter-clockwise turn of sections per length along the axis, rad/m.
+    twist: f64,
+    lead: LeadModification,
+    topographies: Vec<Arc<Topography>>,
+    breaks: Vec<f64>,
+}
+
+/// A point of the transverse profile, and the length of the profile there per length of the plain one.
+struct Section {
+    point: ProfilePoint,
+    stretch: f64,
+}
+
+impl GearSurface {
+    /// A flank by its profile without and with modifications, equal in everything else. `twist` is the counter-clockwise turn of
+    /// sections per length along +z, rad/m: positive for a right-hand helix.
+    pub fn new(
+        plain: Arc<Flank>,
+        modified: Arc<Flank>,
+        face_width: f64,
+        twist: f64,
+        lead: LeadModification,
+    ) -> GearSurface {
+        let (topographies, breaks) = (Vec::new(), Vec::new());
+        // An error of the helix is one of the twist.
+        let twist = twist + lead.helix_slope / (face_width * plain.base_radius());
+        let mut surface = GearSurface { plain, modified, face_width, twist, lead, topographies, breaks };
+        surface.breaks = surface.modified.breaks().iter().map(|&s| surface.plain_length(s)).collect();
+        surface
+    }
+
+    /// The surface less what these take off beyond what they do in mid-face, which the modified profile has.
+    #[must_use]
+    pub fn with_topographies(self, topographies: Vec<Arc<Topography>>) -> GearSurface {
+        GearSurface { topographies, ..self }
+    }
+
+    /// What topographies take off at a place, m, and its derivatives by `u` and `v`. On the tip edge and below the form circle the roll angle goes on
+    /// in proportion to the length.
+    fn off(&self, u: f64, v: f64) -> [f64; 3] {
+        if self.topographies.is_empty() {
+            return [0.0; 3];
+        }
+        let on_flank = u.clamp(0.0, self.plain.edge_range()[0]);
+        let plain_roll = self.plain.roll_at(on_flank);
+        let per_length = 1.0 / self.plain.at_roll(plain_roll).1;
+        let roll = plain_roll + (u - on_flank) * per_length;
+        let sense = plain_roll.signum();
+        self.topographies.iter().fold([0.0; 3], |[amount, by_u, by_v], topography| {
+            let [off, by_roll, along] = topography.beyond_mid_face(roll.abs(), v);
+            [amount + off, by_u + sense * per_length * by_roll, by_v + along]
+        })
+    }
+
+    /// What the roll angle of the modified profile is ahead of the plain one's at the tip edge, and from which plain roll angle on it
+    /// gets ahead.
+    fn shift(&self) -> (f64, f64) {
+        let (plain, modified) = (self.plain.edge_roll(), self.modified.edge_roll());
+        (modified - plain, plain - STRETCHED * (plain - self.plain.form_roll()))
+    }
+
+    /// Roll angle on the modified profile for one on the plain profile, and its derivative.
+    fn modified_roll(&self, plain: f64) -> [f64; 2] {
+        let (ahead, from) = self.shift();
+        let range = self.plain.edge_roll() - from;
+        let part = ((plain - from) / range).max(0.0);
+        [plain + ahead * part * part, 1.0 + 2.0 * ahead * part / range]
+    }
+
+    /// Arc length of the plain profile that stands for one of the modified profile up to its tip edge.
+    fn plain_length(&self, s: f64) -> f64 {
+        if s >= self.modified.edge_range()[0] {
+            return self.plain.edge_range()[0];
+        }
+        let roll = self.modified.roll_at(s);
+        let mut plain = roll;
+        // Newton's method: the map differs from identity by less than a hundredth.
+        for _ in 0..8 {
+            let [at, slope] = self.modified_roll(plain);
+            plain -= (at - roll) / slope;
+        }
+        self.plain.s_at_roll(plain)
+    }
+
+    fn section(&self, u: f64) -> Section {
+        let ([plain_edge, plain_end], [edge, end]) = (self.plain.edge_range(), self.modified.edge_range());
+        if u > plain_end {
+            return Section { point: self.modified.at(end + (u - plain_end)), stretch: 1.0 };
+        }
+        if u > plain_edge {
+            let stretch = (end - edge) / (plain_end - plain_edge);
+            return Section { point: self.modified.at(edge + stretch * (u - plain_edge)), stretch };
+        }
+        let plain_roll = self.plain.roll_at(u.max(0.0));
+        let [roll, rate] = self.modified_roll(plain_roll);
+        let (point, speed) = self.modified.at_roll(roll);
+        let stretch = speed * rate / self.plain.at_roll(plain_roll).1;
+        if u >= 0.0 {
+            Section { point, stretch }
+        } else {
+            Section { point: self.modified.at(stretch * u), stretch }
+        }
+    }
+
+    /// Turn of the section at a place along the face, and its derivative.
+    fn turn(&self, v: f64) -> [f64; 2] {
+        let [amount, slope] = self.lead.amount(v, self.face_width);
+        let inwards = match self.plain.side() {
+            Side::CounterClockwise => -1.0 / self.plain.base_radius(),
+            Side::Clockwise => 1.0 / self.plain.base_radius(),
+        };
+        [self.twist * v + inwards * amount, self.twist + inwards * slope]
+    }
+}
+
+impl Surface for GearSurface {
+    fn range(&self) -> [[f64; 2]; 2] {
+        [[0.0, self.plain.length()], [-0.5 * self.face_width, 0.5 * self.face_width]]
+    }
+
+    fn at(&self, u: f64, v: f64) -> SurfacePoint {
+        let Section { point: ProfilePoint { position, tangent, normal, curvature }, stretch } =
+            self.section(u);
+        let [off, off_by_u, off_by_v] = self.off(u, v);
+        let [angle, rate] = self.turn(v);
+        let (sine, cosine) = math::sincos(angle);
+        let turned = |[x, y]: [f64; 2], z: f64| [cosine * x - sine * y, sine * x + cosine * y, z];
+        // In the section: the point and the tangents along the profile and along the face.
+        let [x, y] = [0, 1].map(|axis| position[axis] - off * normal[axis]);
+        let along = stretch * (1.0 - off * curvature);
+        let along_profile = [0, 1].map(|axis| along * tangent[axis] - off_by_u * normal[axis]);
+        let along_face = [-rate * y - off_by_v * normal[0], rate * x - off_by_v * normal[1]];
+        let own = [0, 1].map(|axis| along * normal[axis] + off_by_u * tangent[axis]);
+        let size = own[0].hypot(own[1]);
+        let normal = own.map(|part| part / size);
+        let lean = normal[0] * along_face[0] + normal[1] * along_face[1];
+        let length = 1.0_f64.hypot(lean);
+        SurfacePoint {
+            position: turned([x, y], v),
+            tangents: [turned(along_profile, 0.0), turned(along_face, 1.0)],
+            normal: turned(normal.map(|part| part / length), -lean / length),
+        }
+    }
+
+    fn breaks(&self) -> &[f64] {
+        &self.breaks
+    }
+
+    fn edge_from(&self) -> Option<f64> {
+        self.plain.edge_from()
+    }
+}

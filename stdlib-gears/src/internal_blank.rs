@@ -1,0 +1,97 @@
+//! Everything said of one internal gear before it stands anywhere.
+//!
+//! The library's `internal` of the language is [`InternalBlank::cut`] with arguments for fields.
+
+use crate::blank::{Rim, Thickness, check_face_width, of_modifications};
+use crate::error::Refusal;
+use crate::helix::Helix;
+use crate::internal::{InternalGear, InternalGearData, check_outer_rim};
+use crate::modification::Modification;
+use crate::prototype::GearPrototype;
+use crate::shaper::Shaper;
+use calyx_runtime::material::Material;
+use std::sync::Arc;
+
+/// What is given of an internal gear. Lengths in m.
+#[derive(Clone, Debug)]
+pub struct InternalBlank {
+    /// Number of teeth, more than the shaper's.
+    pub teeth: u32,
+    /// What generates the teeth.
+    pub shaper: Shaper,
+    /// Of the circle through the tips; usually 1.5 to 2 modules less than the pitch diameter.
+    pub minor_diameter: f64,
+    /// Of the circle on which the spaces end; usually 2.5 modules more than the pitch diameter.
+    pub root_diameter: f64,
+    /// Length of the teeth along the axis.
+    pub face_width: f64,
+    /// How the teeth wind; straight ones by default.
+    pub helix: Helix,
+    /// What it is made of.
+    pub material: Material,
+    /// What carries the teeth: a ring around them, see [`Rim::outer`].
+    pub rim: Rim,
+    /// How thick the teeth are.
+    pub thickness: Thickness,
+    /// Rounding of the tip edge; `None` for [`crate::external::DEFAULT_TIP_EDGE`] modules.
+    pub tip_edge_radius: Option<f64>,
+    /// What is taken off both flanks of every tooth.
+    pub modifications: Vec<Modification>,
+    /// Error of position of each tooth along the pitch circle, from tooth 0 on, counter-clockwise; teeth beyond the list have
+    /// none.
+    pub pitch_errors: Vec<f64>,
+}
+
+impl InternalBlank {
+    /// A ring of a standard tooth form: addendum 0.8 modules, dedendum 1.25, no profile shift, of steel, ten modules wide, in a rim of two
+    /// modules around the spaces. Everything is a field to be changed.
+    pub fn standard(teeth: u32, shaper: Shaper) -> InternalBlank {
+        let module = shaper.module;
+        let pitch_diameter = f64::from(teeth) * module;
+        let root_diameter = pitch_diameter + 2.5 * module;
+        InternalBlank {
+            teeth,
+            shaper,
+            minor_diameter: pitch_diameter - 1.6 * module,
+            root_diameter,
+            face_width: 10.0 * module,
+            helix: Helix::SPUR,
+            material: Material::STEEL,
+            rim: Rim {
+                radius: 0.5 * root_diameter + 0.5 * module,
+                held_radius: 0.5 * root_diameter + 2.0 * module,
+                web: None,
+            },
+            thickness: Thickness::ProfileShift(0.0),
+            tip_edge_radius: None,
+            modifications: Vec::new(),
+            pitch_errors: Vec::new(),
+        }
+    }
+
+    /// The gear, checked. Warnings about it stand in its [`InternalGear::warnings`].
+    ///
+    /// # Errors
+    /// Everything that is wrong with the gear, as far as it can be told at once: those of [`InternalGear::new`], E0620, E0621, E0640 to E0642
+    /// (blaming `modifications`), E0668.
+    pub fn cut(self) -> Result<Arc<GearPrototype>, Refusal> {
+        check_face_width(self.face_width)?;
+        let tooth_thickness = match self.thickness {
+            Thickness::Circular(thickness) => thickness,
+            Thickness::ProfileShift(shift) => self.shaper.thickness_of_shift(shift),
+        };
+        let gear = InternalGear::new(InternalGearData {
+            teeth: self.teeth,
+            shaper: self.shaper,
+            tooth_thickness,
+            minor_radius: 0.5 * self.minor_diameter,
+            root_radius: 0.5 * self.root_diameter,
+            tip_edge_radius: self.tip_edge_radius,
+        })?;
+        check_outer_rim(gear.root_radius, self.rim.radius, self.rim.held_radius)?;
+        let pitch_errors = self.pitch_errors.iter().map(|error| error / gear.pitch_radius).collect();
+        let (material, rim, face_width) = (self.material, self.rim, self.face_width);
+        let cut = GearPrototype::new(gear, self.modifications, material, rim, face_width, pitch_errors);
+        Ok(Arc::new(cut.map_err(of_modifications)?.along(self.helix)))
+    }
+}

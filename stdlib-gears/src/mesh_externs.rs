@@ -1,0 +1,48 @@
+//! What programs can ask of two gears in mesh before anything is loaded: the Rust side of the geometry of meshes in `gears.cx`.
+
+use crate::externs::{defect, entry, host};
+use crate::mesh_geometry::MeshGeometry;
+use calyx_abi::externs::Handle;
+use calyx_abi::{Context, RuntimeError};
+
+calyx_abi::externs! {
+    Pure fn calyx_gears_contact_ratio(context, mesh: Handle) -> f64 {
+        Ok(geometry(context, mesh)?.contact_ratio)
+    }
+
+    Pure fn calyx_gears_overlap_ratio(context, mesh: Handle) -> f64 {
+        Ok(geometry(context, mesh)?.overlap_ratio)
+    }
+
+    Pure fn calyx_gears_operating_pressure_angle(context, mesh: Handle) -> f64 {
+        Ok(geometry(context, mesh)?.operating_pressure_angle)
+    }
+
+    Pure fn calyx_gears_backlash(context, mesh: Handle) -> f64 {
+        Ok(geometry(context, mesh)?.backlash)
+    }
+
+    Pure fn calyx_gears_normal_backlash(context, mesh: Handle) -> f64 {
+        Ok(geometry(context, mesh)?.normal_backlash)
+    }
+
+    Pure fn calyx_gears_tip_clearance(context, mesh: Handle, root_of: String) -> f64 {
+        let geometry = geometry(context, mesh)?;
+        let host = host(context)?;
+        let bodies = entry(&host.scene.pairs, mesh)?.bodies;
+        let gear = |side: usize| {
+            let gear = host.body_gears.get(bodies[side].0).copied().unwrap_or_default();
+            Ok::<_, RuntimeError>(&entry(&host.gears, Handle(gear as u64))?.gear)
+        };
+        let [first, second] = [gear(0)?, gear(1)?];
+        Ok(if root_of == "first" { geometry.clearance(first, second) } else { geometry.clearance(second, first) })
+    }
+}
+
+/// How the gears of a mesh stand to each other.
+fn geometry(context: &mut Context, mesh: Handle) -> Result<MeshGeometry, RuntimeError> {
+    let host = host(context)?;
+    let bodies = entry(&host.scene.pairs, mesh)?.bodies.map(|body| body.0);
+    let meeting = host.meetings.iter().find(|meeting| meeting.bodies == bodies);
+    Ok(meeting.ok_or_else(|| defect("a mesh has no geometry"))?.geometry)
+}

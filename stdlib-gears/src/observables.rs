@@ -1,0 +1,205 @@
+//! What programs can ask of bodies and meshes at each position: the Rust side of the observables of `gears.cx`.
+
+use crate::externs::{entry, host, refusal};
+use calyx_abi::externs::Handle;
+use calyx_abi::{Context, RuntimeError};
+use calyx_runtime::observe::{
+    Coordinate, Displacement, Efficiency, FaceLoadFactor, FrictionLoss, HighestContact, LoadShare,
+    LoadedFace, LowestContact, MaxContactPressure, MaxEdgePressure, MaxLineLoad, MaxRootCompression,
+    MaxRootStress, MaxSlidingVelocity, Maximum, MeshStiffness, Observable, PairLoad, PairsInContact, PlaceOf,
+    RootStressAt, Rotation, SecantStiffness, SlidingVelocity, SupportForce, SupportMoment, ToothLoad,
+    TransmissionError, UnloadedTransmissionError,
+};
+use calyx_runtime::scene::{BodyId, PairId};
+
+calyx_abi::externs! {
+    Scene fn calyx_gears_transmission_error(context, mesh: Handle) -> Handle {
+        observe(context, TransmissionError(pair(mesh)))
+    }
+
+    Scene fn calyx_gears_unloaded_transmission_error(context, mesh: Handle) -> Handle {
+        observe(context, UnloadedTransmissionError(pair(mesh)))
+    }
+
+    Scene fn calyx_gears_load_share(context, mesh: Handle) -> Handle {
+        observe(context, LoadShare(pair(mesh)))
+    }
+
+    Scene fn calyx_gears_pair_load(context, mesh: Handle, pair: f64) -> Handle {
+        let pair = pair_number(pair)?;
+        observe(context, PairLoad(self::pair(mesh), pair))
+    }
+
+    Scene fn calyx_gears_tooth_load(context, body: Handle, tooth: f64) -> Handle {
+        let id = self::body(body);
+        let host = host(context)?;
+        let gear = host.body_gears.get(id.0).copied().unwrap_or_default();
+        let teeth = entry(&host.gears, Handle(gear as u64))?.gear.teeth();
+        if !(tooth.fract() == 0.0 && (0.0..f64::from(teeth)).contains(&tooth)) {
+            return Err(refusal("E0682", "tooth", &format!("there is no tooth {tooth}"),
+                &format!("teeth are counted counter-clockwise from 0 to {}", teeth - 1)));
+        }
+        observe(context, ToothLoad(id, tooth as u32))
+    }
+
+    Scene fn calyx_gears_pairs_in_contact(context, mesh: Handle) -> Handle {
+        observe(context, PairsInContact(pair(mesh)))
+    }
+
+    Scene fn calyx_gears_mesh_stiffness(context, mesh: Handle) -> Handle {
+        observe(context, MeshStiffness(pair(mesh)))
+    }
+
+    Scene fn calyx_gears_secant_mesh_stiffness(context, mesh: Handle) -> Handle {
+        observe(context, SecantStiffness(pair(mesh)))
+    }
+
+    Scene fn calyx_gears_max_contact_pressure(context, mesh: Handle) -> Handle {
+        observe(context, MaxContactPressure(pair(mesh)))
+    }
+
+    Scene fn calyx_gears_max_edge_pressure(context, mesh: Handle) -> Handle {
+        observe(context, MaxEdgePressure(pair(mesh)))
+    }
+
+    Scene fn calyx_gears_max_line_load(context, mesh: Handle) -> Handle {
+        observe(context, MaxLineLoad(pair(mesh)))
+    }
+
+    Scene fn calyx_gears_face_load_factor(context, mesh: Handle) -> Handle {
+        observe(context, FaceLoadFactor(pair(mesh)))
+    }
+
+    Scene fn calyx_gears_loaded_face(context, mesh: Handle) -> Handle {
+        observe(context, LoadedFace(pair(mesh)))
+    }
+
+    Scene fn calyx_gears_lowest_contact(context, body: Handle) -> Handle {
+        observe(context, LowestContact(self::body(body)))
+    }
+
+    Scene fn calyx_gears_highest_contact(context, body: Handle) -> Handle {
+        observe(context, HighestContact(self::body(body)))
+    }
+
+    Scene fn calyx_gears_sliding_velocity(context, mesh: Handle, pair: f64) -> Handle {
+        let pair = pair_number(pair)?;
+        observe(context, SlidingVelocity(self::pair(mesh), pair))
+    }
+
+    Scene fn calyx_gears_max_sliding_velocity(context, mesh: Handle) -> Handle {
+        observe(context, MaxSlidingVelocity(pair(mesh)))
+    }
+
+    Scene fn calyx_gears_friction_loss(context, mesh: Handle, coefficient: f64) -> Handle {
+        observe(context, FrictionLoss(pair(mesh), coefficient_of_friction(coefficient)?))
+    }
+
+    Scene fn calyx_gears_efficiency(context, mesh: Handle, coefficient: f64) -> Handle {
+        observe(context, Efficiency(pair(mesh), coefficient_of_friction(coefficient)?))
+    }
+
+    Scene fn calyx_gears_max_root_stress(context, body: Handle) -> Handle {
+        observe(context, MaxRootStress(self::body(body)))
+    }
+
+    Scene fn calyx_gears_max_root_compression(context, body: Handle) -> Handle {
+        observe(context, MaxRootCompression(self::body(body)))
+    }
+
+    Scene fn calyx_gears_root_stress_at(
+        context, body: Handle, radius: f64, axial: f64, direction: f64, side: String,
+    ) -> Handle {
+        let (body, loaded_side) = (self::body(body), side == "loaded");
+        observe(context, RootStressAt { body, radius, axial, loaded_side, direction })
+    }
+
+    Scene fn calyx_gears_tooth_at(context, body: Handle, of: String) -> Handle {
+        place(context, body, &of, Coordinate::Tooth)
+    }
+
+    Scene fn calyx_gears_roll_angle_at(context, body: Handle, of: String) -> Handle {
+        place(context, body, &of, Coordinate::RollAngle)
+    }
+
+    Scene fn calyx_gears_radius_at(context, body: Handle, of: String) -> Handle {
+        place(context, body, &of, Coordinate::Radius)
+    }
+
+    Scene fn calyx_gears_axial_at(context, body: Handle, of: String) -> Handle {
+        place(context, body, &of, Coordinate::Axial)
+    }
+
+    Scene fn calyx_gears_support_force(context, body: Handle, axis: String) -> Handle {
+        observe(context, SupportForce(self::body(body), axis_number(&axis)))
+    }
+
+    Scene fn calyx_gears_support_moment(context, body: Handle, axis: String) -> Handle {
+        observe(context, SupportMoment(self::body(body), axis_number(&axis)))
+    }
+
+    Scene fn calyx_gears_displacement(context, body: Handle, axis: String) -> Handle {
+        observe(context, Displacement(self::body(body), axis_number(&axis)))
+    }
+
+    Scene fn calyx_gears_rotation(context, body: Handle, axis: String) -> Handle {
+        observe(context, Rotation(self::body(body), axis_number(&axis)))
+    }
+}
+
+fn observe(context: &mut Context, observable: impl Observable) -> Result<Handle, RuntimeError> {
+    Ok(Handle(host(context)?.scene.observe(observable).0 as u64))
+}
+
+fn place(
+    context: &mut Context,
+    body: Handle,
+    of: &str,
+    coordinate: Coordinate,
+) -> Result<Handle, RuntimeError> {
+    let maximum = match of {
+        "max_root_stress" => Maximum::RootStress,
+        "max_root_compression" => Maximum::RootCompression,
+        "max_contact_pressure" => Maximum::ContactPressure,
+        "max_edge_pressure" => Maximum::EdgePressure,
+        _ => Maximum::LineLoad,
+    };
+    observe(context, PlaceOf { body: self::body(body), maximum, coordinate })
+}
+
+fn pair(mesh: Handle) -> PairId {
+    PairId(mesh.0 as usize)
+}
+
+fn body(body: Handle) -> BodyId {
+    BodyId(body.0 as usize)
+}
+
+/// Declared to be one of these.
+fn axis_number(axis: &str) -> usize {
+    ["x", "y", "z"].iter().position(|known| *known == axis).unwrap_or_default()
+}
+
+fn pair_number(pair: f64) -> Result<i32, RuntimeError> {
+    match pair.fract() == 0.0 && pair.abs() < 1e6 {
+        true => Ok(pair as i32),
+        false => Err(refusal(
+            "E0682",
+            "pair",
+            &format!("there is no pair of teeth {pair}"),
+            "0 is the pair that enters contact at the start of the cycle, 1 the next one, -1 the one before",
+        )),
+    }
+}
+
+fn coefficient_of_friction(coefficient: f64) -> Result<f64, RuntimeError> {
+    match coefficient.is_finite() && coefficient >= 0.0 {
+        true => Ok(coefficient),
+        false => Err(refusal(
+            "E0683",
+            "coefficient",
+            &format!("{coefficient} is not a coefficient of friction"),
+            "give a number from 0 on; 0.03 to 0.08 is usual for oiled gears",
+        )),
+    }
+}

@@ -1,0 +1,147 @@
+//! The chapter 5 pair in space: its parameters, the scene, and what is observed at roll angles of the pinion.
+
+use super::common::INCH;
+use calyx_gears::assembly::{MeshOptions, add_body, mesh};
+use calyx_gears::blank::{GearBlank, Rim, Thickness};
+use calyx_gears::modification::{Modification, ReliefShape};
+use calyx_gears::rack::Rack;
+use calyx_runtime::analysis::{AnalysisOptions, Position, quasi_static};
+use calyx_runtime::cache::OperatorCache;
+use calyx_runtime::load::Wrench;
+use calyx_runtime::material::Material;
+use calyx_runtime::motion::SteadyRotation;
+use calyx_runtime::observe::{MaxContactPressure, MaxRootStress, MeshStiffness, TransmissionError};
+use calyx_runtime::resources::Resources;
+use calyx_runtime::results::OutputRequest;
+use calyx_runtime::scene::{Body, Component, Fidelity, GearMesh, Scene, StructureOptions};
+use serde_json::Value;
+use std::borrow::Cow;
+use std::f64::consts::TAU;
+use std::sync::{Arc, LazyLock};
+
+pub const PSI: f64 = 6894.757293168361;
+const LBF: f64 = 4.4482216152605;
+
+/// Structures of all tests: some are used by several.
+static CACHE: LazyLock<Arc<OperatorCache>> = LazyLock::new(|| Arc::new(OperatorCache::new(1 << 30)));
+
+/// What varies of the pair. Inches.
+#[derive(Clone, Copy, Debug)]
+pub struct Pair {
+    pub tip_radius: f64,
+    pub thickness: f64,
+    /// Depth of the quadratic tip reliefs, and of the crowns.
+    pub relief: f64,
+    pub crown: f64,
+    pub poissons_ratio: f64,
+}
+
+/// As the report's tables have it.
+pub const CHAPTER_5: Pair =
+    Pair { tip_radius: 0.02, thickness: 0.15708, relief: 0.0005, crown: 0.0005, poissons_ratio: 0.3 };
+/// Without modifications.
+pub const PLAIN: Pair = Pair { relief: 0.0, crown: 0.0, ..CHAPTER_5 };
+
+/// What is observed at a position. Stresses and pressures in psi, transmission error in inches on the gear's base circle.
+#[derive(Clone, Copy, Debug)]
+pub struct Values {
+    pub transmission_error: f64,
+    pub mesh_stiffness: f64,
+    pub contact_pressure: f64,
+    pub root_stress: [f64; 2],
+}
+
+impl Pair {
+    fn scene(&self) -> (Scene, GearMesh, Vec<OutputRequest>) {
+        let steel = Material::new(3e7 * PSI, self.poissons_ratio, 7850.0).expect("steel");
+        let rack = Rack::new(0.1 * INCH, 20_f64.to_radians(), self.tip_radius * INCH).expect("a rack");
+        let gear = |teeth, [outer, root]: [f64; 2], rim: [f64; 2], relief_from: f64| {
+            let blank = GearBlank::standard(teeth, rack)
+                .diameters(outer * INCH, root * INCH)
+                .thickness(Thickness::Circular(self.thickness * INCH))
+                .face_width(INCH)
+                .material(steel)
+                .rim(Rim::new(rim[0] * INCH, rim[1] * INCH).expect("a rim"));
+            let relief = Modification::tip_relief(
+                self.relief * INCH,
+                relief_from.to_radians(),
+                ReliefShape::Quadratic,
+            );
+            let crown = Modification::lead_crown(self.crown * INCH).expect("a crown");
+            blank.modified(relief).modified(crown).cut().expect("a gear")
+        };
+        let pinion = gear(20, [2.18, 1.76], [1.40, 1.20], 27.25);
+        let wheel = gear(40, [4.18, 3.78], [3.40, 2.40], 19.60);
+        let speed = 0.05 * TAU;
+        let torque = 1000.0 * LBF * INCH;
+        let mut scene = Scene::default();
+        let turning = |origin, speed| SteadyRotation { origin, start: 0.0, speed };
+        let pinion = add_body(
+            &mut scene,
+            Body::new("pinion", pinion, turning([0.0; 2], speed))
+                .free_in(&[Component::ThetaZ])
+                .loaded(Wrench::of_moment([0.0, 0.0, torque])),
+        )
+        .expect("a body");
+        let wheel = add_body(&mut scene, Body::new("wheel", wheel, turning([3.0 * INCH, 0.0], -0.5 * speed)))
+            .expect("a body");
+        let options = MeshOptions { tip_corner_contact: false, ..MeshOptions::default() };
+        let pair = mesh(&mut scene, pinion, wheel, &options).expect("a mesh").pair;
+        let outputs = vec![
+            OutputRequest::observing("te", scene.observe(TransmissionError(pair))),
+            OutputRequest::observing("stiffness", scene.observe(MeshStiffness(pair))),
+            OutputRequest::observing("pressure", scene.observe(MaxContactPressure(pair))),
+            OutputRequest::observing("pinion", scene.observe(MaxRootStress(pinion))),
+            OutputRequest::observing("wheel", scene.observe(MaxRootStress(wheel))),
+        ];
+        let cycle = scene.pairs[pair.0].mesh.clone().expect("gears in mesh");
+        (scene, cycle, outputs)
+    }
+
+    /// Solves positions by the roll angle of the pinion's entering tooth, degrees.
+    pub fn solve(&self, fidelity: &str, structure: StructureOptions, rolls: &[f64]) -> Vec<Values> {
+        let (scene, cycle, outputs) = self.scene();
+        let position = |roll: &f64| {
+            let part = (roll.to_radians() - cycle.roll[0]) / (cycle.roll[1] - cycle.roll[0]);
+            Position {
+                time: cycle.start + part * cycle.period,
+                cycle: part,
+                roll: roll.to_radians(),
+                name: Cow::Borrowed(""),
+            }
+        };
+        let positions: Vec<Position> = rolls.iter().map(position).collect();
+        let options = AnalysisOptions {
+            fidelity: Fidelity::named(fidelity).expect("a fidelity"),
+            structure,
+            resources: Resources { cache: Some(CACHE.clone()), ..Resources::default() },
+            ..AnalysisOptions::default()
+        };
+        let result = quasi_static(&scene, &positions, &outputs, &options, &mut ()).expect("equilibrium");
+        let values = result.rows.iter().map(|row| {
+            let value = |output: usize| row.outputs[output].value;
+            Values {
+                transmission_error: value(0) * cycle.base_radii[1] / INCH,
+                mesh_stiffness: value(1),
+                contact_pressure: value(2) / PSI,
+                root_stress: [value(3) / PSI, value(4) / PSI],
+            }
+        });
+        values.collect()
+    }
+
+    /// The largest root stress of both members over the cycle, psi.
+    pub fn root_stress(&self, fidelity: &str, structure: StructureOptions) -> f64 {
+        let values = self.solve(fidelity, structure, &[AT_LOWEST, AT_HIGHEST]);
+        values.iter().flat_map(|v| v.root_stress).fold(0.0, f64::max)
+    }
+}
+
+/// Roll angles of the pinion at which the roots are stressed most: just after the leaving pair has left, of the gear, and just before
+/// the next one enters, of the pinion.
+pub const AT_LOWEST: f64 = 15.69;
+pub const AT_HIGHEST: f64 = 24.8;
+
+pub fn reference() -> Value {
+    serde_json::from_str(include_str!("../data/spur_pair_solid.json")).expect("sound data")
+}

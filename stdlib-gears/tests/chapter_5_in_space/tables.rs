@@ -1,0 +1,54 @@
+//! Tables 5.10 to 5.13 of the report: root stress by tip radius of the rack, by tooth thickness, by elements along the face and by
+//! their order. Its column of the finest template is not the converged one; what counts is the one before it.
+
+use crate::pair::{CHAPTER_5, Pair, reference};
+use calyx_runtime::scene::StructureOptions;
+
+/// By the first column of a table: the stress of its fineroot column, psi.
+fn fineroot(table: &str) -> Vec<[f64; 2]> {
+    let reference = reference();
+    let number = |row: &serde_json::Value, column: usize| row[column].as_f64().expect("a number");
+    reference[table].as_array().expect("rows").iter().map(|row| [number(row, 0), number(row, 2)]).collect()
+}
+
+/// Stresses of a table's rows, each within 3 % of the fineroot column.
+fn stresses(table: &str, pair: impl Fn(f64) -> Pair) -> Vec<f64> {
+    let row = |[value, expected]: [f64; 2]| {
+        let stress = pair(value).root_stress("medium", StructureOptions::default());
+        let error = stress / expected - 1.0;
+        assert!(error.abs() < 0.03, "{table}, {value}: {stress} for {expected}, {error:+.4}");
+        stress
+    };
+    fineroot(table).into_iter().map(row).collect()
+}
+
+#[test]
+fn root_stress_falls_with_the_tip_radius_as_in_table_5_10() {
+    let stresses = stresses("table_5.10_tip_radius", |tip_radius| Pair { tip_radius, ..CHAPTER_5 });
+    assert!(stresses.is_sorted_by(|a, b| a > b), "{stresses:?}");
+    let ratio = stresses[0] / stresses[stresses.len() - 1];
+    assert!((ratio - 1.29).abs() < 0.04, "{ratio}");
+}
+
+#[test]
+fn root_stress_falls_with_the_thickness_of_the_teeth_as_in_table_5_11() {
+    let stresses = stresses("table_5.11_tooth_thickness", |thickness| Pair { thickness, ..CHAPTER_5 });
+    assert!(stresses.is_sorted_by(|a, b| a > b), "{stresses:?}");
+}
+
+#[test]
+fn root_stress_is_flat_beyond_four_elements_of_order_three_along_the_face() {
+    let stress = |face_elements, axial_order| {
+        let options = StructureOptions {
+            face_elements: Some(face_elements),
+            axial_order: Some(axial_order),
+            ..StructureOptions::default()
+        };
+        CHAPTER_5.root_stress("medium", options)
+    };
+    let start = stress(4, 3);
+    for (elements, order) in [(6, 3), (4, 5)] {
+        let error = stress(elements, order) / start - 1.0;
+        assert!(error.abs() < 0.003, "{elements} elements of order {order}: {error:+.5}");
+    }
+}

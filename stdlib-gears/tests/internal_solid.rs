@@ -1,0 +1,87 @@
+//! A pinion in a ring in three dimensions, straight and helical: the same exact ratios as in the plane.
+
+use calyx_gears::assembly::{MeshOptions, add_body, mesh};
+use calyx_gears::blank::{GearBlank, Rim, Thickness};
+use calyx_gears::helix::{Hand, Helix};
+use calyx_gears::internal_blank::InternalBlank;
+use calyx_gears::rack::Rack;
+use calyx_gears::shaper::Shaper;
+use calyx_runtime::load::Wrench;
+use calyx_runtime::motion::SteadyRotation;
+use calyx_runtime::observe::{MaxContactPressure, MaxRootStress, TransmissionError};
+use calyx_runtime::plan::Plan;
+use calyx_runtime::scene::{Body, BodyId, Component, Fidelity, PairId, Scene, StructureOptions, Template};
+use calyx_runtime::system::System;
+
+const MODULE: f64 = 4e-3;
+const TORQUE: f64 = 200.0;
+const FIRST: BodyId = BodyId(0);
+const SECOND: BodyId = BodyId(1);
+
+/// 20 teeth in 60 of module 4 mm, 30 mm wide; the pinion is free to turn and pushed counter-clockwise or clockwise.
+fn scene(helix_angle: f64, moment: f64) -> Scene {
+    let pressure = 20.0_f64.to_radians();
+    let rack = Rack::new(MODULE, pressure, 0.3 * MODULE).expect("a rack");
+    let shaper = Shaper::new(25, MODULE, pressure, 1.25 * MODULE, 0.2 * MODULE).expect("a shaper");
+    let helix = Helix::new(helix_angle, Hand::Right).expect("a helix");
+    let thickness = Thickness::Circular(6.2e-3);
+    let pinion = GearBlank { helix, ..GearBlank::standard(20, rack) }
+        .diameters(86.4e-3, 70e-3)
+        .thickness(thickness)
+        .face_width(30e-3)
+        .rim(Rim::new(60e-3, 40e-3).expect("a rim"));
+    let ring = InternalBlank {
+        helix,
+        thickness,
+        face_width: 30e-3,
+        rim: Rim::outer(256e-3, 280e-3).expect("a rim"),
+        ..InternalBlank::standard(60, shaper)
+    };
+    let mut scene = Scene::default();
+    let turning = |distance, speed| SteadyRotation { origin: [distance, 0.0], start: 0.0, speed };
+    let pinion = Body::new("pinion", pinion.cut().expect("a gear"), turning(0.0, 1.0))
+        .free_in(&[Component::ThetaZ])
+        .loaded(Wrench::of_moment([0.0, 0.0, moment]));
+    let ring = Body::new("ring", ring.cut().expect("a ring"), turning(80e-3, 1.0 / 3.0));
+    let bodies = [add_body(&mut scene, pinion).expect("a body"), add_body(&mut scene, ring).expect("a body")];
+    let options = MeshOptions { tip_corner_contact: false, half_cells: Some(8), ..MeshOptions::default() };
+    mesh(&mut scene, bodies[0], bodies[1], &options).expect("they mesh");
+    scene.observe(MaxRootStress(FIRST));
+    scene.observe(MaxRootStress(SECOND));
+    scene
+}
+
+#[test]
+fn ratios_of_torques_and_axial_forces_are_exact() {
+    for (helix_angle, moment) in [(0.0, TORQUE), (0.3, TORQUE), (0.3, -TORQUE)] {
+        let scene = scene(helix_angle, moment);
+        let structure =
+            StructureOptions { face_elements: Some(2), axial_order: Some(2), ..StructureOptions::default() };
+        let plan = Plan::new(&scene, Fidelity::Solid(Template::Medium), structure).expect("a plan");
+        let system = System::new(&scene, &plan).expect("it can be built");
+        let cycle = scene.pairs[0].mesh.as_ref().expect("a mesh");
+        for part in [0.1, 0.7] {
+            let step = system.solve(cycle.start + part * cycle.period).expect("equilibrium");
+            let [pinion, ring] = [FIRST, SECOND].map(|body| system.contact_force(&step, body));
+            assert!((pinion[5] / -moment - 1.0).abs() < 1e-9, "{pinion:?}");
+            assert!(
+                (ring[5] / pinion[5] / -3.0 - 1.0).abs() < 1e-9,
+                "{helix_angle} {part}: {pinion:?} {ring:?}"
+            );
+            // What pushes the pinion's right-handed teeth round pushes them along the axis, too.
+            let axial = helix_angle.tan() * moment / 40e-3;
+            assert!((pinion[2] - axial).abs() < 1e-9 * (moment / 40e-3).abs(), "{} {axial}", pinion[2]);
+            let size = pinion[..3].iter().map(|part| part * part).sum::<f64>().sqrt();
+            for axis in 0..3 {
+                assert!((pinion[axis] + ring[axis]).abs() < 1e-10 * size, "{pinion:?} {ring:?}");
+            }
+            assert!(step.certificate.largest() <= 1e-10, "{:?}", step.certificate);
+            let value =
+                |observable: &dyn calyx_runtime::observe::Observable| system.value(&step, observable).value;
+            let error = value(&TransmissionError(PairId(0)));
+            assert!(error > 0.0, "the ring lags: {error}");
+            assert!(value(&MaxContactPressure(PairId(0))) > 1e8);
+            assert!(value(&MaxRootStress(FIRST)) > 0.0 && value(&MaxRootStress(SECOND)) > 0.0);
+        }
+    }
+}

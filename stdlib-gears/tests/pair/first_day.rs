@@ -1,0 +1,236 @@
+//! What an engineer asks of a pair on the first day, against closed forms and against what it is made of.
+
+use crate::CYCLE;
+use crate::common::pair::{FIRST, MESH, PLAIN, PairOptions, RELIEVED, SECOND, TORQUE, pair, system};
+use calyx_gears::mesh_geometry::MeshGeometry;
+use calyx_runtime::analysis::mesh_cycle;
+use calyx_runtime::observe::{
+    Coordinate, Displacement, Efficiency, FaceLoadFactor, FrictionLoss, HighestContact, LoadedFace,
+    LowestContact, MaxLineLoad, MaxRootCompression, MaxRootStress, MaxSlidingVelocity, Maximum, Observable,
+    PairLoad, PairsInContact, PlaceOf, RootStressAt, Rotation, SecantStiffness, SlidingVelocity,
+    SupportForce, SupportMoment, ToothLoad, TransmissionError, UnloadedTransmissionError,
+};
+use calyx_runtime::results::Observed;
+use calyx_runtime::scene::GearMesh;
+use calyx_runtime::step::StepResult;
+use calyx_runtime::system::System;
+
+/// The chapter 5 pair at parts of its mesh cycle.
+fn at_each(
+    options: &PairOptions,
+    mut test: impl FnMut(&MeshGeometry, &GearMesh, f64, &dyn Fn(&dyn Observable) -> Observed),
+) {
+    let [first, second] = options.gears.each_ref().map(|member| member.gear());
+    let geometry = MeshGeometry::external(first, second, options.center_distance).expect("they mesh");
+    let (scene, mesh) = pair(options);
+    let system: System<'_> = system(&scene);
+    for cycle in CYCLE {
+        let step: StepResult = system.solve(mesh.start + cycle * mesh.period).expect("equilibrium");
+        test(&geometry, &mesh, cycle, &|observable| system.value(&step, observable));
+    }
+}
+
+fn close(a: f64, b: f64, tolerance: f64) -> bool {
+    (a - b).abs() <= tolerance * a.abs().max(b.abs())
+}
+
+#[test]
+fn loads_of_pairs_and_teeth_add_up_to_that_of_the_mesh() {
+    for speed in [0.3, -0.3] {
+        at_each(&PairOptions { speed, ..PairOptions::chapter_5(&PLAIN) }, |_, mesh, cycle, value| {
+            let of_mesh = TORQUE / mesh.base_radii[0];
+            let pairs: Vec<f64> = (-2..=2).map(|pair| value(&PairLoad(MESH, pair)).value).collect();
+            assert!(close(pairs.iter().sum(), of_mesh, 1e-9), "cycle {cycle}: {pairs:?}");
+            // Two pairs up to 0.49 of the cycle and one then: that which enters at its start and the one before.
+            assert!(pairs[2] > 0.0 && (pairs[1] > 0.0) == (cycle < 0.49), "cycle {cycle}: {pairs:?}");
+            assert_eq!(value(&PairsInContact(MESH)).value, if cycle < 0.49 { 2.0 } else { 1.0 });
+            for (body, side) in [(FIRST, 0), (SECOND, 1)] {
+                let tooth = mesh.entering[side];
+                assert_eq!(value(&ToothLoad(body, tooth)).value, pairs[2]);
+            }
+            // A plane model spreads the load evenly over the face of an inch.
+            let largest = pairs.iter().copied().fold(0.0, f64::max);
+            assert!(close(value(&MaxLineLoad(MESH)).value, largest / 0.0254, 1e-12));
+            assert_eq!(value(&FaceLoadFactor(MESH)).value, 1.0);
+            assert_eq!(value(&LoadedFace(MESH)).value, 1.0);
+        });
+    }
+}
+
+#[test]
+fn what_holds_the_gears_leans_over_by_the_operating_pressure_angle() {
+    at_each(&PairOptions::chapter_5(&PLAIN), |geometry, _, cycle, value| {
+        let [x, y, z] = [0, 1, 2].map(|axis| value(&SupportForce(FIRST, axis)).value);
+        // The line of centres lies along x; the pinion pushes counter-clockwise and is pushed back and away.
+        assert!(close(x / y, geometry.operating_pressure_angle.tan(), 1e-9), "cycle {cycle}: {x} {y}");
+        assert_eq!(z, 0.0);
+        let on_second = [0, 1, 2].map(|axis| value(&SupportForce(SECOND, axis)).value);
+        assert!(close(on_second[0], -x, 1e-12) && close(on_second[1], -y, 1e-12));
+        assert!(close(y.abs(), TORQUE / (0.0254 * 1.0), 1e-9), "{y}");
+        // The pinion is free to turn, the gear is held.
+        assert!(value(&SupportMoment(FIRST, 2)).value.abs() < 1e-9 * TORQUE);
+        assert!(close(value(&SupportMoment(SECOND, 2)).value.abs(), 2.0 * TORQUE, 1e-9));
+        assert_eq!(value(&Displacement(FIRST, 0)).value, 0.0);
+        assert_eq!(value(&Rotation(SECOND, 2)).value, 0.0);
+        let turned = value(&Rotation(FIRST, 2)).value;
+        assert!(close(0.5 * turned, value(&TransmissionError(MESH)).value, 1e-9), "{turned}");
+    });
+}
+
+#[test]
+fn flanks_slide_by_the_sum_of_the_speeds_times_the_distance_from_the_pitch_point() {
+    for (speed, moment) in [(2.0, TORQUE), (-2.0, TORQUE), (-2.0, -TORQUE)] {
+        at_each(
+            &PairOptions { speed, moment, ..PairOptions::chapter_5(&PLAIN) },
+            |geometry, mesh, cycle, value| {
+                let sum = speed.abs() * 1.5;
+                let pitch_point = geometry.first_roll.pitch_point;
+                // The pair that has entered stands at the position's own roll angle; the ones before are pitches on.
+                let roll = mesh.roll[0] + cycle * (mesh.roll[1] - mesh.roll[0]);
+                // Contact runs from root to tip where the gear moves as it pushes.
+                let forward = if speed * moment > 0.0 { 1.0 } else { -1.0 };
+                let expected = |roll: f64| forward * sum * geometry.base_radius[0] * (roll - pitch_point);
+                let found = value(&SlidingVelocity(MESH, 0)).value;
+                assert!(close(found, expected(roll), 1e-6), "cycle {cycle}: {found} {}", expected(roll));
+                let before = roll + (mesh.roll[1] - mesh.roll[0]);
+                let found = value(&SlidingVelocity(MESH, -1)).value;
+                assert!(
+                    if cycle < 0.49 { close(found, expected(before), 1e-6) } else { found == 0.0 },
+                    "{found}"
+                );
+                let fastest = value(&MaxSlidingVelocity(MESH)).value;
+                assert!(close(fastest, found.abs().max(expected(roll).abs()), 1e-6));
+                // Loss: force times sliding over both pairs, and what of the power that leaves.
+                let loads = [0, -1].map(|pair| value(&PairLoad(MESH, pair)).value);
+                let loss = 0.05 * (loads[0] * expected(roll).abs() + loads[1] * expected(before).abs());
+                assert!(close(value(&FrictionLoss(MESH, 0.05)).value, loss, 1e-6));
+                let left = 1.0 - loss / (TORQUE * speed.abs());
+                assert!(close(value(&Efficiency(MESH, 0.05)).value, left, 1e-9), "cycle {cycle}");
+            },
+        );
+    }
+}
+
+/// Ohlendorf's degree of loss is for two pairs that carry half each. Elastic teeth share otherwise: a pair at its ends,
+/// where flanks slide fastest, carries less.
+#[test]
+fn the_loss_over_a_cycle_is_near_the_classical_degree_of_loss() {
+    let options = PairOptions::chapter_5(&PLAIN);
+    let (scene, mesh) = pair(&options);
+    let system = system(&scene);
+    let positions = mesh_cycle(&mesh, 16);
+    let [first, second] = options.gears.each_ref().map(|member| member.gear());
+    let geometry = MeshGeometry::external(first, second, options.center_distance).expect("they mesh");
+    let (mut found, mut halves, mut weight) = (0.0, 0.0, 0.0);
+    let part =
+        |roll: f64| geometry.base_radius[0] * (roll - geometry.first_roll.pitch_point) / geometry.base_pitch;
+    for (index, position) in positions.iter().enumerate() {
+        let before =
+            index.checked_sub(1).map_or(positions[positions.len() - 1].cycle - 1.0, |at| positions[at].cycle);
+        let after = positions.get(index + 1).map_or(1.0 + positions[0].cycle, |next| next.cycle);
+        let step = system.solve(position.time).expect("equilibrium");
+        let own = 0.5 * (after - before);
+        found += own * (1.0 - system.value(&step, &Efficiency(MESH, 1.0)).value);
+        // The same sum with both pairs carrying half.
+        let at = part(position.roll).abs();
+        let pairs = if system.value(&step, &PairsInContact(MESH)).value > 1.0 {
+            0.5 * (at + (part(position.roll) + 1.0).abs())
+        } else {
+            at
+        };
+        halves += own * pairs;
+        weight += own;
+    }
+    assert!((weight - 1.0).abs() < 1e-12);
+    let path = geometry.first_roll;
+    let [access, recess] = [-part(path.start_of_active_profile), part(path.end_of_active_profile)];
+    let degree = 1.0 - geometry.contact_ratio + access * access + recess * recess;
+    // H_v = pi (u + 1) / (z_1 u cos alpha_w) (1 - eps + eps_1^2 + eps_2^2), with sums of |x| of half the degree.
+    assert!(close(halves, 0.5 * degree, 0.01), "{halves} {}", 0.5 * degree);
+    let classical = std::f64::consts::PI * 1.5 / 20.0 / geometry.operating_pressure_angle.cos() * degree;
+    assert!(found < classical && found > 0.8 * classical, "{found} {classical}");
+}
+
+#[test]
+fn stiffness_is_force_by_what_the_load_moves() {
+    for gears in [&*PLAIN, &*RELIEVED] {
+        let reliefs = gears[0].prototype.modifications.len();
+        at_each(&PairOptions::chapter_5(gears), |_, mesh, cycle, value| {
+            let unloaded = value(&UnloadedTransmissionError(MESH)).value;
+            assert!(unloaded.abs() < if reliefs == 0 { 1e-9 } else { 1e-3 }, "cycle {cycle}: {unloaded}");
+            let moved = value(&TransmissionError(MESH)).value - unloaded;
+            let force = TORQUE / mesh.base_radii[0];
+            assert!(moved > 0.0);
+            let secant = value(&SecantStiffness(MESH)).value;
+            assert!(close(secant, force / (moved * mesh.base_radii[1]), 1e-9), "cycle {cycle}: {secant}");
+        });
+    }
+}
+
+#[test]
+fn places_are_those_of_the_maxima() {
+    at_each(&PairOptions::chapter_5(&PLAIN), |geometry, mesh, cycle, value| {
+        for body in [FIRST, SECOND] {
+            let place_of = |maximum, coordinate| value(&PlaceOf { body, maximum, coordinate }).value;
+            let stress = value(&MaxRootStress(body));
+            let place = stress.place.expect("a loaded body has a place of its largest stress");
+            assert_eq!(place_of(Maximum::RootStress, Coordinate::Radius), place.radius);
+            assert_eq!(place_of(Maximum::RootStress, Coordinate::Tooth), f64::from(place.tooth));
+            assert_eq!(place_of(Maximum::RootStress, Coordinate::Axial), 0.0);
+            // Tip edges carry nothing here.
+            assert_eq!(place_of(Maximum::EdgePressure, Coordinate::Tooth), -1.0);
+            let compression = value(&MaxRootCompression(body));
+            assert!(compression.value > stress.value, "cycle {cycle}: compression is the larger one");
+            // A gauge at the place of the largest stress, and one on the other side of the tooth.
+            let gauge =
+                RootStressAt { body, radius: place.radius, axial: 0.0, loaded_side: true, direction: 0.0 };
+            let gauge_value = value(&gauge);
+            assert!(close(gauge_value.value, stress.value, 1e-9));
+            assert!(gauge_value.least.is_some_and(|least| least < 0.0 && least > -stress.value));
+            let radius = compression.place.expect("it has a place").radius;
+            let least =
+                value(&RootStressAt { body, radius, axial: 0.0, loaded_side: false, direction: 0.0 }).least;
+            assert!(least.is_some_and(|least| close(-least, compression.value, 1e-9)), "{least:?}");
+        }
+        // Contact of the pinion at its roll angle and of the gear at the one that goes with it, within the width of contact.
+        let roll = |body| {
+            value(&PlaceOf { body, maximum: Maximum::LineLoad, coordinate: Coordinate::RollAngle }).value
+        };
+        let position = mesh.roll[0] + cycle * (mesh.roll[1] - mesh.roll[0]);
+        let nearest = [0.0, 1.0]
+            .map(|pitches| (position + pitches * (mesh.roll[1] - mesh.roll[0]) - roll(FIRST)).abs());
+        assert!(nearest[0].min(nearest[1]) < 0.02, "cycle {cycle}: {nearest:?}");
+        assert!((geometry.second_roll(roll(FIRST)) - roll(SECOND)).abs() < 0.01);
+        let ends = [value(&LowestContact(FIRST)).value, value(&HighestContact(FIRST)).value];
+        let active = [mesh.path[0], mesh.path[1]].map(|roll| geometry.first_radius(roll));
+        assert!(
+            ends[0] < ends[1] && ends[1] <= active[1] && ends[0] > 0.99 * active[0],
+            "{ends:?} {active:?}"
+        );
+    });
+}
+
+#[test]
+fn a_pair_without_load_has_no_places_and_loses_nothing() {
+    at_each(&PairOptions { moment: 0.0, ..PairOptions::chapter_5(&PLAIN) }, |_, _, _, value| {
+        let place =
+            |coordinate| value(&PlaceOf { body: FIRST, maximum: Maximum::ContactPressure, coordinate }).value;
+        assert_eq!(place(Coordinate::Tooth), -1.0);
+        assert_eq!(place(Coordinate::Radius), 0.0);
+        for observable in [
+            &PairsInContact(MESH) as &dyn Observable,
+            &MaxLineLoad(MESH),
+            &LoadedFace(MESH),
+            &SlidingVelocity(MESH, 0),
+            &FrictionLoss(MESH, 0.05),
+            &SecantStiffness(MESH),
+            &MaxRootCompression(FIRST),
+            &LowestContact(SECOND),
+            &RootStressAt { body: FIRST, radius: 0.023, axial: 0.0, loaded_side: true, direction: 0.0 },
+        ] {
+            assert_eq!(value(observable).value, 0.0, "{observable:?}");
+        }
+        assert_eq!(value(&Efficiency(MESH, 0.05)).value, 1.0);
+        assert_eq!(value(&FaceLoadFactor(MESH)).value, 1.0);
+    });
+}

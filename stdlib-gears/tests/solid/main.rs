@@ -1,0 +1,8 @@
+//! Pairs of gears in space, analysed.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod elastic;
+mod helical;
+mod pairs;

@@ -1,0 +1,142 @@
+//! Pairs as these tests need them: with the teeth's own finite elements, or as half-spaces behind the true flanks, which cost nothing to
+//! build and on which everything that is exact in contact must hold as well.
+
+use calyx_gears::assembly::{MeshOptions, add_body, mesh};
+use calyx_gears::blank::{GearBlank, Rim};
+use calyx_gears::helix::{Hand, Helix};
+use calyx_gears::prototype::GearPrototype;
+use calyx_gears::rack::Rack;
+use calyx_runtime::error::EngineError;
+use calyx_runtime::interrupt::Interrupt;
+use calyx_runtime::load::Wrench;
+use calyx_runtime::material::{Material, Plane};
+use calyx_runtime::motion::SteadyRotation;
+use calyx_runtime::plan::Plan;
+use calyx_runtime::scene::{
+    Body, BodyId, Component, Fidelity, GearMesh, PairId, Prototype, Scene, StructureOptions, Template,
+};
+use calyx_runtime::structure::Structure;
+use calyx_runtime::structure::solid::{Mirror, SimpleSolid, SolidStructure};
+use calyx_runtime::surface::Surface;
+use calyx_runtime::system::System;
+use std::f64::consts::TAU;
+use std::sync::Arc;
+
+pub const MODULE: f64 = 2.5e-3;
+pub const FIRST: BodyId = BodyId(0);
+pub const SECOND: BodyId = BodyId(1);
+pub const MESH: PairId = PairId(0);
+pub const TORQUE: f64 = 100.0;
+pub const TEETH: [u32; 2] = [20, 31];
+
+/// A gear whose flanks are backed by half-spaces between its side faces.
+struct Backed(Arc<GearPrototype>);
+
+impl Prototype for Backed {
+    fn build(&self, _: &StructureOptions, _: &Interrupt) -> Result<Arc<dyn Structure>, EngineError> {
+        Err(EngineError::new("E0678", "it has no section", ""))
+    }
+
+    fn build_solid(
+        &self,
+        options: &StructureOptions,
+        _: &Interrupt,
+    ) -> Result<Arc<dyn SolidStructure>, EngineError> {
+        let surfaces = self.0.surfaces(options)?.map(|surface| surface as Arc<dyn Surface>);
+        let face =
+            |end: f64| Mirror { point: [0.0, 0.0, 0.5 * end * self.0.face_width], normal: [0.0, 0.0, end] };
+        let modulus = Material::STEEL.surface_modulus(Plane::Strain);
+        let solid = SimpleSolid::half_space(surfaces.to_vec(), self.0.gear.teeth(), modulus);
+        Ok(Arc::new(solid.between(vec![face(-1.0), face(1.0)])))
+    }
+
+    fn enclosing_radius(&self) -> f64 {
+        self.0.enclosing_radius()
+    }
+
+    fn face_width(&self) -> f64 {
+        self.0.face_width
+    }
+}
+
+/// How a pair is built.
+#[derive(Clone)]
+pub struct Options {
+    /// Of the first gear, with its hand.
+    pub helix: Helix,
+    pub face_width: f64,
+    /// On the first gear's axis, N m.
+    pub torque: f64,
+    pub half_cells: [usize; 2],
+    /// Further freedoms of the first gear than about its axis.
+    pub free: Vec<Component>,
+    pub edges: bool,
+    /// Half-spaces instead of finite elements.
+    pub backed: bool,
+}
+
+impl Options {
+    pub fn spur() -> Options {
+        Options {
+            helix: Helix::SPUR,
+            face_width: 8.0 * MODULE,
+            torque: TORQUE,
+            half_cells: [6, 4],
+            free: Vec::new(),
+            edges: false,
+            backed: true,
+        }
+    }
+
+    pub fn helical(angle: f64, hand: Hand) -> Options {
+        Options { helix: Helix::new(angle, hand).expect("a helix"), ..Options::spur() }
+    }
+
+    pub fn scene(&self) -> (Scene, GearMesh) {
+        let rack = Rack::new(MODULE, 20_f64.to_radians(), 0.2 * MODULE).expect("a rack");
+        let other = Helix::new(self.helix.angle(), self.helix.hand().mirrored()).expect("a helix");
+        let gear = |teeth: u32, helix| {
+            let blank = GearBlank { helix, ..GearBlank::standard(teeth, rack) };
+            let root = 0.5 * blank.root_diameter;
+            let rim = Rim::new(2.0 * (root - 0.5 * MODULE), 2.0 * (root - 2.0 * MODULE)).expect("a rim");
+            blank.face_width(self.face_width).rim(rim).cut().expect("a gear")
+        };
+        let gears = [gear(TEETH[0], self.helix), gear(TEETH[1], other)];
+        let distance = 0.5 * MODULE * f64::from(TEETH[0] + TEETH[1]) * (1.0 + 1e-3);
+        let speed = TAU;
+        let mut scene = Scene::default();
+        let mut free = vec![Component::ThetaZ];
+        free.extend(&self.free);
+        let first = add_body(
+            &mut scene,
+            Body::new("first", gears[0].clone(), SteadyRotation { origin: [0.0; 2], start: 0.0, speed })
+                .free_in(&free)
+                .loaded(Wrench::of_moment([0.0, 0.0, if self.torque == 0.0 { 1.0 } else { self.torque }])),
+        )
+        .expect("a body");
+        let speed = -speed * f64::from(TEETH[0]) / f64::from(TEETH[1]);
+        let motion = SteadyRotation { origin: [distance, 0.0], start: 0.0, speed };
+        let second = add_body(&mut scene, Body::new("second", gears[1].clone(), motion)).expect("a body");
+        let options = MeshOptions {
+            tip_corner_contact: self.edges,
+            half_cells: Some(self.half_cells[0]),
+            half_slices: self.half_cells[1],
+            ..MeshOptions::default()
+        };
+        let meshed = mesh(&mut scene, first, second, &options).expect("they mesh");
+        scene.bodies[0].load = Arc::new(Wrench::of_moment([0.0, 0.0, self.torque]));
+        if self.backed {
+            for (body, gear) in scene.bodies.iter_mut().zip(gears) {
+                body.prototype = Arc::new(Backed(gear));
+            }
+        }
+        let mesh = scene.pairs[meshed.pair.0].mesh.clone().expect("gears are in mesh");
+        (scene, mesh)
+    }
+}
+
+/// The system of a scene in space.
+pub fn system(scene: &Scene, structure: StructureOptions) -> System<'_> {
+    let plan = Plan::new(scene, Fidelity::Solid(Template::Medium), structure).expect("a plan");
+    System::new(scene, &plan).expect("it can be built")
+}
