@@ -42,6 +42,7 @@ fn main() {
 
     let mut instance = module.instantiate();
     instance.set("steps", STEPS).expect("in range");
+    instance.set("fidelity", "plane").expect("in range");
     // The structures are built once; what follows takes them from the engine.
     instance.solve().expect("the example is solved");
     let text = std::fs::read_to_string(&path).expect("the example");
@@ -67,7 +68,7 @@ fn direct(text: &str) -> impl Fn() -> f64 {
     let program = module.as_program();
     let mut context = Context::new(Box::new(ModelHost::new(&module.description().units)));
     context.kernels = program.kernels();
-    let steps = [calyx::Given::value("steps", STEPS)];
+    let steps = [calyx::Given::value("steps", STEPS), calyx::Given::text("fidelity", "plane")];
     apply(program.as_ref(), &steps, &mut context).expect("params");
     program.main(&mut context).expect("it runs");
     let host = std::mem::take(context.host::<ModelHost>().expect("its host"));
@@ -80,8 +81,12 @@ fn direct(text: &str) -> impl Fn() -> f64 {
         let mut began = Instant::now();
         for (index, position) in positions.iter().enumerate() {
             let step = system.solve(position.time).expect("equilibrium");
-            let observed: Vec<_> =
-                host.scene.observables.iter().map(|&observable| system.value(&step, observable)).collect();
+            let observed: Vec<_> = host
+                .scene
+                .observables
+                .iter()
+                .map(|observable| system.value(&step, observable.as_ref()))
+                .collect();
             black_box(StepRow::new(position.clone(), &host.outputs, &observed, step.warnings.clone()));
             if index == 0 {
                 began = Instant::now();

@@ -11,6 +11,7 @@
 //! pair.set("torque", 500.0)?; // in the unit of its default
 //! pair.set("center_distance", (76.25, "mm"))?;
 //! pair.set("steps", 2)?;
+//! pair.set("fidelity", "plane")?; // in section, which takes a moment; in three dimensions it takes longer
 //! let mut run = pair.run()?;
 //! for step in &mut run {
 //!     let step = step?;
@@ -48,6 +49,7 @@
 //!     let mut pair = module.instantiate();
 //!     pair.set("torque", torque)?;
 //!     pair.set("steps", 2)?;
+//!     pair.set("fidelity", "plane")?;
 //!     Ok(pair.solve()?.summary_in("transmission_error", "urad")?.peak_to_peak)
 //! };
 //! let errors: Vec<f64> = std::thread::scope(|scope| {

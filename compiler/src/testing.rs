@@ -179,7 +179,8 @@ fn runs(kind: &StmtKind) -> bool {
 fn run(interpreted: &Interpreted, program: &Program, test: usize) -> (Vec<String>, Result<(), RuntimeError>) {
     let lines = Arc::new(Mutex::new(Vec::new()));
     let printed = lines.clone();
-    let mut context = Context::new(Box::new(ModelHost::new(&program.units)));
+    let host = ModelHost { checking: true, ..ModelHost::new(&program.units) };
+    let mut context = Context::new(Box::new(host));
     context.fuel = FUEL;
     context.limits.memory = Some(MEMORY);
     context.kernels = interpreted.kernels();

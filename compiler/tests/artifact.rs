@@ -55,7 +55,7 @@ fn same_answers(a: &Module, b: &Module) {
 fn a_loaded_model_gives_the_same_bits() {
     let model = Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples/spur_pair.cx");
     let module = compiled(check_file(&model).unwrap());
-    let set = [("steps", "2")];
+    let set = [("steps", "2"), ("fidelity", "plane")];
     let expected = outcome(&module, &set);
     assert!(expected.as_ref().is_ok_and(|(table, _)| table.lines().count() > 2), "{expected:?}");
     for cpu in [TargetCpu::Native, TargetCpu::Baseline] {

@@ -39,9 +39,16 @@ fn example() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples/spur_pair.cx")
 }
 
-/// The example after `old => new` on each line of `edits`.
-fn edited(edits: &[&str]) -> String {
+/// The example with its bodies in section: what is tested here is told alike of models in space, which take longer.
+fn in_section() -> String {
     let text = std::fs::read_to_string(example()).expect("the example is there");
+    assert!(text.contains("param fidelity = \"medium\""));
+    text.replace("param fidelity = \"medium\"", "param fidelity = \"plane\"")
+}
+
+/// The example in section after `old => new` on each line of `edits`.
+fn edited(edits: &[&str]) -> String {
+    let text = in_section();
     edits.iter().fold(text, |text, edit| {
         let edit = edit.replace("\\n", "\n");
         let (old, new) = edit.split_once(" => ").expect("`old => new`");
@@ -131,6 +138,7 @@ fn calyx_reads(
     let mut child = Command::new(env!("CARGO_BIN_EXE_calyx"))
         .current_dir(directory)
         .args(arguments)
+        .env("CALYX_CACHE", "off")
         .envs(variables.iter().map(|(name, value)| (name, value)))
         .stdin(Stdio::piped())
         .stdout(Stdio::piped())
@@ -343,7 +351,7 @@ fn number(value: &Value) -> f64 {
 /// Runs the example with few positions; returns run.json, what was written to standard error, and the directory.
 fn run_example(arguments: &[&str]) -> (Value, String, tempfile::TempDir) {
     let directory = tempfile::tempdir().unwrap();
-    std::fs::copy(example(), directory.path().join("pair.cx")).unwrap();
+    std::fs::write(directory.path().join("pair.cx"), in_section()).unwrap();
     let mut all = vec!["run".to_owned(), "pair.cx".into(), "--set".into(), "steps=2".into()];
     all.extend(arguments.iter().map(|argument| (*argument).to_owned()));
     let output = calyx(directory.path(), &all);
@@ -383,7 +391,9 @@ fn the_run_directory_of_the_example_is_complete() {
             "lead_crown",
             "tip_corner_contact",
             "steps",
-            "fidelity"
+            "fidelity",
+            "face_elements",
+            "displacement_order"
         ]
     );
     assert_eq!(run["params"]["tip_radius"]["value"], 0.5e-3);
@@ -473,6 +483,28 @@ fn quiet_is_quiet_and_what_is_zero_is_not_ignored() {
     assert!(!directory.path().join("pair.cx.run/run.json").exists());
 }
 
+/// What a run condensed is there for the next one, unless it is not to be; the results have the same bits.
+#[test]
+fn a_second_run_condenses_nothing() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    std::fs::write(folder.path().join("pair.cx"), in_section()).expect("writable");
+    let run = |out: &str, more: &[&str]| {
+        let arguments = ["run", "pair.cx", "--quiet", "--set", "steps=2", "--out", out];
+        let arguments: Vec<String> = arguments.iter().chain(more).map(|&word| word.to_owned()).collect();
+        assert_eq!(calyx(folder.path(), &arguments).status.code(), Some(0));
+        let timing = json(folder.path().join(out).join("timing.json"));
+        let rows = std::fs::read_to_string(folder.path().join(out).join("steps.csv")).expect("rows");
+        (timing["structures"].clone(), rows)
+    };
+    let (built, expected) = run("first", &["--cache", "kept"]);
+    assert_eq!(built, serde_json::json!({ "built": 2, "reused": 0 }));
+    assert_eq!(
+        run("second", &["--cache", "kept"]),
+        (serde_json::json!({ "built": 0, "reused": 2 }), expected.clone())
+    );
+    assert_eq!(run("third", &["--no-cache"]), (built, expected));
+}
+
 /// The first Ctrl-C ends the run like any other error of the model.
 #[cfg(unix)]
 #[test]
@@ -506,9 +538,9 @@ fn an_interrupt_ends_the_run() {
 fn a_run_that_is_ended_keeps_what_it_solved() {
     use std::io::{BufRead, BufReader, Read};
     let folder = tempfile::tempdir().expect("a temporary folder");
-    std::fs::copy(example(), folder.path().join("pair.cx")).expect("writable");
+    std::fs::write(folder.path().join("pair.cx"), in_section()).expect("writable");
     let mut run = Command::new(env!("CARGO_BIN_EXE_calyx"))
-        .args(["run", "pair.cx", "--quiet", "--progress", "json", "--set", "steps=5000"])
+        .args(["run", "pair.cx", "--quiet", "--no-cache", "--progress", "json", "--set", "steps=5000"])
         .current_dir(folder.path())
         .stdout(Stdio::null())
         .stderr(Stdio::piped())

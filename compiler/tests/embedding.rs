@@ -22,6 +22,7 @@ static PAIR: LazyLock<Module> = LazyLock::new(|| {
 fn pair() -> Instance {
     let mut pair = PAIR.instantiate();
     pair.set("steps", 2).unwrap();
+    pair.set("fidelity", "plane").unwrap();
     pair
 }
 
@@ -70,9 +71,10 @@ fn fifty_instances_at_once_give_the_bits_of_one_after_another() {
     });
     assert_eq!(serial, at_once);
     // Whatever an engine shares and however many threads it has.
-    let alone = Engine::new(EngineConfig { threads: 1, kept: 0 });
+    let alone = Engine::new(EngineConfig { threads: 1, kept: 0, ..EngineConfig::default() });
     let mut instance = Instance::new(&alone, PAIR.as_program());
     instance.set("steps", 2).unwrap();
+    instance.set("fidelity", "plane").unwrap();
     instance.set_si(torque, number_of(&pair(), "torque")).unwrap();
     assert_eq!(bits(instance.solve().unwrap().steps()), bits(pair().solve().unwrap().steps()));
     assert_eq!(alone.kept().structures, 0);
@@ -104,7 +106,7 @@ fn stepping_solving_and_the_run_directory_are_one() {
     assert_eq!(bits(few.finish().unwrap().steps()), expected);
 
     let directory = tempfile::tempdir().unwrap();
-    let given = vec![calyx::Given::text("steps", "2")];
+    let given = vec![calyx::Given::text("steps", "2"), calyx::Given::text("fidelity", "plane")];
     let options =
         RunOptions { directory: directory.path().into(), given, quiet: true, ..RunOptions::default() };
     run(PAIR.as_program(), &options).unwrap();

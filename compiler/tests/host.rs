@@ -114,6 +114,7 @@ fn spur_pair(engine: &Engine, replaced: &[(&str, &str)], host: &Host) -> calyx::
     let module = Module::from_text(engine, "spur_pair.cx", &text).unwrap_or_else(|error| panic!("{error}"));
     let mut instance = module.instantiate();
     instance.set("steps", 2).unwrap();
+    instance.set("fidelity", "plane").unwrap();
     instance.set_host(host).unwrap();
     instance.solve().unwrap_or_else(|error| panic!("{error}"))
 }

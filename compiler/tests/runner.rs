@@ -3,6 +3,7 @@
 #![cfg(unix)]
 
 use serde_json::Value;
+use std::collections::BTreeMap;
 use std::fs;
 use std::io::{BufRead, BufReader};
 use std::path::{Path, PathBuf};
@@ -26,12 +27,19 @@ fn build(model: &Path) -> PathBuf {
 }
 
 /// The spur pair and its executable.
+/// The example with its bodies in section: what is tested here is the same of models in space, which take longer.
+fn in_section() -> String {
+    let text = fs::read_to_string(example()).expect("the example is there");
+    assert!(text.contains("param fidelity = \"medium\""));
+    text.replace("param fidelity = \"medium\"", "param fidelity = \"plane\"")
+}
+
 fn pair() -> &'static (tempfile::TempDir, PathBuf) {
     static PAIR: OnceLock<(tempfile::TempDir, PathBuf)> = OnceLock::new();
     PAIR.get_or_init(|| {
         let directory = tempfile::tempdir().expect("a directory");
         let model = directory.path().join("pair.cx");
-        fs::copy(example(), &model).expect("writable");
+        fs::write(&model, in_section()).expect("writable");
         let executable = build(&model);
         (directory, executable)
     })
@@ -56,7 +64,7 @@ impl Way {
         } else {
             command.env_clear();
         }
-        command.args(["--out", "results"]).args(arguments).current_dir(directory);
+        command.args(["--out", "results"]).args(arguments).env("CALYX_CACHE", "off").current_dir(directory);
         command
     }
 }
@@ -89,18 +97,21 @@ fn end_after(command: &mut Command, positions: u64, signal: &str) {
     run.wait().expect("it ends");
 }
 
-/// Final files of a run; how long it took is its own.
-fn results(directory: &Path) -> [String; 2] {
-    let names: Vec<_> = fs::read_dir(directory.join("results"))
-        .expect("results")
-        .map(|entry| entry.unwrap().file_name())
-        .collect();
-    assert_eq!(names.len(), 3, "{names:?}");
-    ["run.json", "steps.csv"]
-        .map(|name| fs::read_to_string(directory.join("results").join(name)).expect(name))
+/// Final files of a run, by name; how long it took is its own.
+fn results(directory: &Path) -> BTreeMap<String, String> {
+    let mut all = BTreeMap::new();
+    let folders = [directory.join("results"), directory.join("results/vtu")];
+    let entries = folders.iter().filter_map(|folder| fs::read_dir(folder).ok()).flatten();
+    for path in entries.map(|entry| entry.unwrap().path()).filter(|path| path.is_file()) {
+        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        all.insert(name, fs::read_to_string(&path).expect("text"));
+    }
+    assert!(all.contains_key("run.json") && all.remove("timing.json").is_some(), "{:?}", all.keys());
+    assert!(!all.contains_key("journal.jsonl"), "a finished run leaves no journal");
+    all
 }
 
-const SET: [&str; 3] = ["--quiet", "--set", "steps=5"];
+const SET: [&str; 5] = ["--quiet", "--set", "steps=5", "--fields", "--vtu"];
 
 #[test]
 fn a_killed_run_goes_on_and_writes_the_same_bytes() {
@@ -108,8 +119,10 @@ fn a_killed_run_goes_on_and_writes_the_same_bytes() {
     let (status, _, err) = said(&mut Way::CalyxRun.command(whole.path(), &SET));
     assert_eq!(status, Some(0), "{err}");
     let expected = results(whole.path());
-    let count = expected[1].lines().count() as u64 - 1;
-    assert!(count > 6, "{}", expected[1]);
+    let count = expected["steps.csv"].lines().count() as u64 - 1;
+    assert!(count > 6, "{}", expected["steps.csv"]);
+    // Run and steps, four tables, two pictures of every position and their lists.
+    assert_eq!(expected.len() as u64, 2 + 4 + 2 * count + 2, "{:?}", expected.keys());
     let moments = [
         (Way::CalyxRun, 0),
         (Way::CalyxRun, 1),
@@ -199,7 +212,8 @@ impl Standing {
 
     fn run(&self, arguments: &[&str]) -> (Option<i32>, String, String) {
         let elsewhere = self.folder.path().join("elsewhere");
-        said(Command::new(&self.executable).args(arguments).env_clear().current_dir(elsewhere))
+        let mut command = Command::new(&self.executable);
+        said(command.args(arguments).env_clear().env("CALYX_CACHE", "off").current_dir(elsewhere))
     }
 }
 
@@ -312,7 +326,7 @@ fn an_executable_explains_itself() {
 /// What checking would have said is placed as checking places it, and NaN says who finds its source.
 #[test]
 fn an_executable_places_what_it_says() {
-    let spur_pair = fs::read_to_string(example()).unwrap();
+    let spur_pair = in_section();
     let old = "output load_share := gears.load_share(mesh);";
     assert!(spur_pair.contains(old) && spur_pair.contains("free = [\"theta_z\"]"));
     let model = spur_pair

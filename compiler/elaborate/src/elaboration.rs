@@ -125,7 +125,8 @@ fn elaborate_with(
         Err(found) => return Ok(unrunnable(found)),
     };
     go_on(cancel)?;
-    let mut context = Context::new(Box::new(ModelHost::new(&interpreted.description().units)));
+    let host = ModelHost { checking: true, ..ModelHost::new(&interpreted.description().units) };
+    let mut context = Context::new(Box::new(host));
     context.cancel = cancel.clone();
     context.fuel = FUEL;
     context.limits.memory = Some(MEMORY);

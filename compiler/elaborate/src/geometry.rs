@@ -141,7 +141,7 @@ fn mesh(host: &ModelHost, meeting: &Meeting) -> Option<(MeshGeometry, [usize; 2]
     let mesh = MeshGeometry {
         bodies: [name(first)?, name(second)?],
         gears: numbers.map(span),
-        quantities: of_mesh(gears.map(|gear| &gear.gear), &meeting.geometry),
+        quantities: of_mesh(gears.map(|gear| gear.form()), &meeting.geometry),
     };
     Some((mesh, numbers))
 }

@@ -112,7 +112,8 @@ fn retrace<R>(
 }
 
 fn context(interpreted: &Interpreted) -> Context {
-    let mut context = Context::new(Box::new(ModelHost::new(&interpreted.description().units)));
+    let host = ModelHost { checking: true, ..ModelHost::new(&interpreted.description().units) };
+    let mut context = Context::new(Box::new(host));
     context.kernels = interpreted.kernels();
     context.print = Box::new(|_| {});
     context

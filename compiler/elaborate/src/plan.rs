@@ -7,7 +7,7 @@ use calyx_lang::dimension::Dimension;
 use calyx_lang::units::UnitSystem;
 use calyx_runtime::load::Wrench;
 use calyx_runtime::plan::Plan;
-use calyx_runtime::scene::{Body, FREEDOMS};
+use calyx_runtime::scene::{Body, FREEDOMS, Fidelity};
 use std::fmt::Write;
 
 /// The plan of a scene, in the words of its model. Nothing has been solved.
@@ -61,7 +61,7 @@ impl Planned {
                 name: body.name.clone(),
                 gear: gear(index).map_or_else(String::new, |blank| {
                     let width = rounded(blank.face_width / metres);
-                    format!("{} teeth, face width {width} {name}", blank.gear.teeth)
+                    format!("{} teeth, face width {width} {name}", blank.gear.teeth())
                 }),
                 free: free(body, &description.units),
                 left_out: planned.left_out,
@@ -74,7 +74,12 @@ impl Planned {
             PlannedMesh {
                 bodies: numbers
                     .map(|body| scene.bodies.get(body).map_or_else(String::new, |b| b.name.clone())),
-                cells: 2 * pair.grid.half_cells + 1,
+                cells: match plan.fidelity {
+                    Fidelity::Plane => 2 * pair.grid.half_cells_in_plane() + 1,
+                    Fidelity::Solid(_) => {
+                        (2 * pair.grid.half_cells_in_space() + 1) * (2 * pair.grid.half_slices + 1)
+                    }
+                },
                 edges: pair.grid.edges,
                 contact_ratio: meeting.map(|meeting| meeting.geometry.contact_ratio),
             }
@@ -128,7 +133,9 @@ impl Planned {
                 "fidelity \"plane\": one transverse section in plane strain, the same all along the face"
                     .into()
             }
-            other => format!("fidelity \"{other}\""),
+            other => format!(
+                "fidelity \"{other}\": finite elements in three dimensions, contact of surfaces on grids along and across the face"
+            ),
         }
     }
 

@@ -14,7 +14,7 @@ fn planned(text: &str, set: &[(&str, &str)]) -> Option<Planned> {
 #[test]
 fn the_plan_says_what_how_and_why() {
     assert_eq!(
-        planned(PAIR, &[]).expect("a plan").text(),
+        planned(PAIR, &[("fidelity", "plane")]).expect("a plan").text(),
         "How
   fidelity \"plane\": one transverse section in plane strain, the same all along the face
 
