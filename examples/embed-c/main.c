@@ -37,6 +37,7 @@ int main(int argc, char **argv)
 
     check(pair, calyx_set_in(pair, "torque", 100, "N*m"));
     check(pair, calyx_set(pair, "steps", steps));
+    check(pair, calyx_set_text(pair, "fidelity", "plane"));
     check(pair, calyx_set_bool(pair, "tip_corner_contact", 0));
 
     printf("roll angle   load share   transmission error   root stress of the pinion\n");

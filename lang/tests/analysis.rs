@@ -145,10 +145,11 @@ fn calls_of_the_library_are_described() {
         if member.kind == NameKind::Extern {
             let callable = database.callable(&place).expect("callable");
             assert!(callable.doc.is_some() && callable.result.is_some(), "{callable:?}");
-            // The one argument of an observation speaks for itself.
+            // What is observed speaks for itself.
             let several = callable.parameters.len() > 1;
             for parameter in &callable.parameters {
-                let told = !several || parameter.doc.is_some() || *parameter.name == *"mesh";
+                let plain = ["mesh", "body"].contains(&&*parameter.name) || !parameter.choices.is_empty();
+                let told = !several || parameter.doc.is_some() || plain;
                 assert!(told && !parameter.ty.is_empty(), "{} {parameter:?}", callable.name);
             }
         }

@@ -208,7 +208,7 @@ fn the_example_becomes_a_program() {
     let problems: Vec<_> = checked.diagnostics.iter().map(|d| describe(d, &text)).collect();
     assert!(problems.is_empty(), "{}", problems.join("\n"));
     let program = checked.program.expect("a program");
-    assert_eq!((program.params.len(), program.outputs.len(), program.sites.len()), (11, 8, 10));
+    assert_eq!((program.params.len(), program.outputs.len(), program.sites.len()), (13, 8, 10));
     let orders: Vec<u8> = program.sites.iter().map(|site| site.order).collect();
     assert_eq!(orders, [2, 2, 0, 0, 0, 0, 0, 0, 0, 0], "two frames, eight outputs");
     let torque = &program.params[0];

@@ -21,9 +21,12 @@ fn every_example_checks_without_a_word_and_runs() {
         for (name, doc) in named.chain(description.outputs.iter().map(|output| (&output.name, &output.doc))) {
             assert!(!doc.is_empty(), "{}: `{name}` has a doc comment", path.display());
         }
-        // Few positions, where the example lets them be chosen.
-        let steps = description.params.iter().any(|param| param.name == "steps");
-        let given = if steps { vec![Given::text("steps", "2")] } else { Vec::new() };
+        let has = |name: &str| description.params.iter().any(|param| param.name == name);
+        // Few positions and small meshes, where the example lets them be chosen.
+        let small = [("steps", "2"), ("face_elements", "2"), ("displacement_order", "2")];
+        let given =
+            small.iter().filter(|(name, _)| has(name)).map(|(name, value)| Given::text(*name, *value));
+        let given = given.collect();
         let directory = tempfile::tempdir().expect("a directory");
         let options =
             RunOptions { directory: directory.path().into(), given, quiet: true, ..RunOptions::default() };

@@ -13,8 +13,11 @@ use calyx_runtime::analysis::{AnalysisOptions, mesh_cycle, quasi_static};
 use calyx_runtime::load::Wrench;
 use calyx_runtime::material::Material;
 use calyx_runtime::motion::SteadyRotation;
+use calyx_runtime::observe::{
+    LoadShare, MaxContactPressure, MaxEdgePressure, MaxRootStress, MeshStiffness, TransmissionError,
+};
 use calyx_runtime::results::{OutputRequest, StepRow};
-use calyx_runtime::scene::{Body, Component, Observable, PairId, Scene};
+use calyx_runtime::scene::{Body, Component, PairId, Scene};
 use calyx_tests::root;
 
 /// Positions of the cycle, uniform ones.
@@ -68,17 +71,13 @@ fn built_in_rust() -> Result<(Scene, PairId), Refusal> {
     let pinion = add_body(&mut scene, pinion)?;
     let wheel = add_body(&mut scene, Body::new("gear", wheel, turning(3.0 * inch, -speed * 20.0 / 40.0)))?;
     let meshed = mesh(&mut scene, pinion, wheel, &MeshOptions::default())?;
-    for observable in [
-        Observable::TransmissionError(meshed.pair),
-        Observable::LoadShare(meshed.pair),
-        Observable::MeshStiffness(meshed.pair),
-        Observable::MaxContactPressure(meshed.pair),
-        Observable::MaxEdgePressure(meshed.pair),
-        Observable::MaxRootStress(pinion),
-        Observable::MaxRootStress(wheel),
-    ] {
-        scene.observe(observable);
-    }
+    scene.observe(TransmissionError(meshed.pair));
+    scene.observe(LoadShare(meshed.pair));
+    scene.observe(MeshStiffness(meshed.pair));
+    scene.observe(MaxContactPressure(meshed.pair));
+    scene.observe(MaxEdgePressure(meshed.pair));
+    scene.observe(MaxRootStress(pinion));
+    scene.observe(MaxRootStress(wheel));
     Ok((scene, meshed.pair))
 }
 
@@ -90,7 +89,12 @@ fn described_in_calyx() -> Context {
     let interpreted = Interpreted::new(&program, Purity::Effect).unwrap();
     let mut context = Context::new(Box::new(ModelHost::default()));
     context.kernels = interpreted.kernels();
-    apply(&interpreted, &[Given::text("steps", STEPS.to_string())], &mut context).unwrap();
+    apply(
+        &interpreted,
+        &[Given::text("steps", STEPS.to_string()), Given::text("fidelity", "plane")],
+        &mut context,
+    )
+    .unwrap();
     interpreted.main(&mut context).unwrap();
     context
 }

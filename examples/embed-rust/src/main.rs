@@ -40,6 +40,8 @@ impl Pair {
         let at = |&torque: &f64| {
             let mut pair = self.module.instantiate();
             pair.set("steps", self.positions)?;
+            // In section: hundreds of pairs are solved.
+            pair.set("fidelity", "plane")?;
             pair.set(self.torque, torque)?;
             for (param, value) in self.relief.into_iter().zip([1e-3 * relief[0], relief[1], relief[2]]) {
                 pair.set(param, value)?;
