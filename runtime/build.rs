@@ -1,5 +1,5 @@
-//! Gives the engine a name for its own source: structures kept on disk are those of one source, so that no change of a method needs to
-//! be remembered to be seen.
+//! Gives a crate a name for its own source: structures kept on disk are those of one source, so that no change of a method needs to
+//! be remembered to be seen. The engine's crate and that of the gears have it.
 
 use std::collections::BTreeSet;
 use std::hash::{DefaultHasher, Hash, Hasher};

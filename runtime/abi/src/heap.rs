@@ -5,7 +5,7 @@
 
 use crate::call::{Repr, Slot};
 use crate::error::{Call, RuntimeError};
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap, HashSet};
 use std::sync::Arc;
 
 /// Index into the [`Heap`].
@@ -66,6 +66,19 @@ impl SymbolicValue {
     pub fn evaluate(&self, time: f64, params: &[f64], observed: &dyn Fn(usize) -> f64) -> Option<Vec<f64>> {
         let inputs = self.inputs(time, params, observed)?;
         Some(self.outputs(&inputs))
+    }
+
+    /// Indices of the observables that it depends on, itself or through the expressions that it captured.
+    pub fn observes(&self) -> BTreeSet<usize> {
+        let (mut found, mut seen) = (BTreeSet::new(), HashSet::new());
+        let mut rest = vec![self];
+        while let Some(value) = rest.pop() {
+            let positions = value.observables.iter();
+            found.extend(positions.filter_map(|&at| value.captured.get(at)).map(|&index| index as usize));
+            let parts = value.parts.iter().map(|(_, part)| part.as_ref());
+            rest.extend(parts.filter(|&part| seen.insert(std::ptr::from_ref(part))));
+        }
+        found
     }
 
     /// The kernel's inputs: time, params, then what was captured, an expression by what its own kernel gives.
