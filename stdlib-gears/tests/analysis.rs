@@ -17,7 +17,7 @@ use calyx_runtime::resources::Resources;
 use calyx_runtime::results::{OutputRequest, StructureCounts};
 use calyx_runtime::scene::{Fidelity, ObservableId, Prototype, Scene, StructureOptions, Template};
 use calyx_runtime::structure::Chart;
-use calyx_runtime::structure::solid::{PointLoad, SolidStructure};
+use calyx_runtime::structure::solid::{SolidStructure, Spot, SpotLoad};
 use calyx_runtime::system::System;
 use common::pair::{PLAIN, PairOptions, RELIEVED, TORQUE, pair};
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -250,14 +250,14 @@ fn structures_from_disk_have_the_bits_of_those_made_anew() {
     assert_eq!(made.bytes(), again.bytes());
     assert_eq!(again.stored().as_ref(), Some(&stored));
     let [u, v] = made.surface(0).range();
-    let places: Vec<[f64; 2]> =
-        [0.1, 0.4, 0.8].map(|share| [u, v].map(|[from, to]| from + share * (to - from))).to_vec();
+    let place = |share: f64| [u, v].map(|[from, to]| from + share * (to - from));
+    let places = [0.1, 0.4, 0.8].map(|share| Spot { place: place(share), length: 1e-3 });
     let [here, there] = [0, 1].map(|tooth| Chart { tooth, surface: 0 });
     for loaded in [here, there] {
         let answer = |structure: &dyn SolidStructure| {
             let mut block = vec![0.0; 9];
             structure.add_compliance(here, &places, loaded, &places, &mut block);
-            let load = PointLoad { chart: loaded, place: places[1], force: 100.0 };
+            let load = SpotLoad { chart: loaded, spot: places[1], force: 100.0 };
             format!("{block:?} {:?}", structure.stresses(0, 0, &[load]))
         };
         assert_eq!(answer(made.as_ref()), answer(again.as_ref()));

@@ -6,7 +6,7 @@ use crate::motion::point_velocity;
 use crate::results::Place;
 use crate::scene::{BodyId, GearMesh, PairId};
 use crate::step::{Patch, PatchGrid, StepResult};
-use crate::structure::solid::PointLoad;
+use crate::structure::solid::SpotLoad;
 use crate::structure::{Chart, SurfaceLoad};
 use crate::system::{Bodies, Freedom, System};
 use std::ops::Range;
@@ -81,13 +81,13 @@ impl<'a> Equilibrium<'a> {
     }
 
     /// The cell forces on a body in space, on its own surfaces.
-    pub(crate) fn point_loads(self, body: BodyId) -> Vec<PointLoad> {
+    pub(crate) fn spot_loads(self, body: BodyId) -> Vec<SpotLoad> {
         let mut loads = Vec::new();
         for (Contact { patch, .. }, side) in self.contacts_on(body) {
             let PatchGrid::Solid(grid) = &patch.grid else { continue };
             let chart = Chart { tooth: patch.teeth[side], surface: patch.surfaces[side] };
             let loaded = grid.cells.iter().zip(&patch.forces).filter(|(_, force)| **force > 0.0);
-            loads.extend(loaded.map(|(cell, &force)| PointLoad { chart, place: cell.places[side], force }));
+            loads.extend(loaded.map(|(cell, &force)| SpotLoad { chart, spot: cell.spot(side), force }));
         }
         loads
     }

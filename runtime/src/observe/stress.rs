@@ -65,7 +65,7 @@ fn stresses(at: &Equilibrium<'_>, body: BodyId, of: Fillets) -> Option<Vec<RootS
         }
         Bodies::Solid(bodies) => {
             let structure = bodies.structures.get(body.0)?.as_ref()?;
-            let loads = at.point_loads(body);
+            let loads = at.spot_loads(body);
             let charts = loads.iter().map(|load| load.chart);
             for (tooth, surface) in of.near(charts, structure.teeth()) {
                 let recovered = structure.stresses(tooth, surface, &loads);

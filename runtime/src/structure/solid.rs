@@ -22,13 +22,30 @@ use super::Chart;
 use crate::surface::Surface;
 use std::sync::Arc;
 
+/// A place on a surface, with the stretch of the face over which a force there is spread and a displacement there averaged, evenly. Points
+/// that stand for cells side by side would see polynomials along the face that the cells' pressures do not have.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Spot {
+    /// Coordinates on the surface: across it, and of the middle of the stretch along the face, m.
+    pub place: [f64; 2],
+    /// Length of the stretch, along the second coordinate, m; 0 for a point.
+    pub length: f64,
+}
+
+impl From<[f64; 2]> for Spot {
+    /// A point.
+    fn from(place: [f64; 2]) -> Self {
+        Self { place, length: 0.0 }
+    }
+}
+
 /// A normal force on a surface: positive presses into the material.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PointLoad {
+pub struct SpotLoad {
     /// Which surface of which tooth.
     pub chart: Chart,
-    /// Coordinates on the chart's surface.
-    pub place: [f64; 2],
+    /// Where on the chart's surface.
+    pub spot: Spot,
     /// N
     pub force: f64,
 }
@@ -91,21 +108,21 @@ pub trait SolidStructure: Send + Sync {
     /// Planes in which `G` has images.
     fn mirrors(&self) -> &[Mirror];
 
-    /// Adds `R` to `block`, row-major, `observers.len()` rows by `loads.len()` columns: inward normal displacement at points of
-    /// `observe` per unit inward normal force at points of `load`, m/N. Symmetric: exchanging loads and observers
+    /// Adds `R` to `block`, row-major, `observers.len()` rows by `loads.len()` columns: inward normal displacement at spots of
+    /// `observe` per unit inward normal force at spots of `load`, m/N. Symmetric: exchanging loads and observers
     /// transposes it, bit for bit.
     fn add_compliance(
         &self,
         observe: Chart,
-        observers: &[[f64; 2]],
+        observers: &[Spot],
         load: Chart,
-        loads: &[[f64; 2]],
+        loads: &[Spot],
         block: &mut [f64],
     );
 
     /// Principal stresses at each point where stress is recovered beside a surface of a tooth, for the given loads. Empty if the
     /// structure recovers none.
-    fn stresses(&self, tooth: u32, surface: u32, loads: &[PointLoad]) -> Vec<SurfaceStress>;
+    fn stresses(&self, tooth: u32, surface: u32, loads: &[SpotLoad]) -> Vec<SurfaceStress>;
 
     /// Memory that the structure takes, in bytes, to the nearest few percent: what a cache counts.
     fn bytes(&self) -> usize;
@@ -155,15 +172,15 @@ impl SolidStructure for Reshaped {
     fn add_compliance(
         &self,
         observe: Chart,
-        observers: &[[f64; 2]],
+        observers: &[Spot],
         load: Chart,
-        loads: &[[f64; 2]],
+        loads: &[Spot],
         block: &mut [f64],
     ) {
         self.shared.add_compliance(observe, observers, load, loads, block);
     }
 
-    fn stresses(&self, tooth: u32, surface: u32, loads: &[PointLoad]) -> Vec<SurfaceStress> {
+    fn stresses(&self, tooth: u32, surface: u32, loads: &[SpotLoad]) -> Vec<SurfaceStress> {
         self.shared.stresses(tooth, surface, loads)
     }
 

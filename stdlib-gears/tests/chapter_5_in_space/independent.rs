@@ -46,13 +46,13 @@ fn without_transverse_contraction_a_spur_pair_in_space_is_the_plane_one() {
     let largest =
         |values: &[Values], member: usize| values.iter().map(|v| v.root_stress[member]).fold(0.0, f64::max);
     for (member, name) in ["pinion", "gear"].into_iter().enumerate() {
-        // Sections differ: within 1 %, twice what is wished for.
-        near(name, largest(&space, member), largest(&plane, member), 0.012);
+        // Meshes differ: each is within 0.3 % of its limit.
+        near(name, largest(&space, member), largest(&plane, member), 0.005);
     }
     for (plane, space) in plane.iter().zip(&space) {
-        near("transmission error", space.transmission_error, plane.transmission_error, 0.01);
-        near("mesh stiffness", space.mesh_stiffness, plane.mesh_stiffness, 0.01);
-        // The largest along the face: it would show what free side faces do wrong.
-        near("pressure", space.contact_pressure, plane.contact_pressure, 0.02);
+        near("transmission error", space.transmission_error, plane.transmission_error, 0.002);
+        near("mesh stiffness", space.mesh_stiffness, plane.mesh_stiffness, 0.006);
+        // The largest along the face: it would show what free side faces do wrong, and loads that polynomials along the face get wrong.
+        near("pressure", space.contact_pressure, plane.contact_pressure, 0.005);
     }
 }

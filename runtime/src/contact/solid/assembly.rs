@@ -83,13 +83,13 @@ fn structural(observing: &Patch, loaded: &Patch) -> Vec<f64> {
             if observer.body != load.body {
                 continue;
             }
-            let places =
-                |patch: &Patch, side: usize| patch.cells.iter().map(|c| c.places[side]).collect::<Vec<_>>();
+            let spots =
+                |patch: &Patch, side: usize| patch.cells.iter().map(|c| c.spot(side)).collect::<Vec<_>>();
             observer.structure.add_compliance(
                 observer.chart,
-                &places(observing, a),
+                &spots(observing, a),
                 load.chart,
-                &places(loaded, b),
+                &spots(loaded, b),
                 &mut block,
             );
         }

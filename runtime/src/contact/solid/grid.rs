@@ -12,7 +12,7 @@ use super::sheet::Sheet;
 use super::vector::{Vector, dot};
 use crate::contact::grid::{Edge, MARGIN, cell_bounds};
 use crate::contact::pressure::hertz_half_width;
-use crate::structure::solid::SolidStructure;
+use crate::structure::solid::{SolidStructure, Spot};
 use std::ops::Range;
 
 /// A cell of a patch: a rectangle of the tangent plane under uniform pressure.
@@ -24,6 +24,8 @@ pub struct Cell {
     pub size: [f64; 2],
     /// Per side: coordinates of the surface over its centre.
     pub places: [[f64; 2]; 2],
+    /// Per side: how long it is along the body's axis, m.
+    pub axial: [f64; 2],
     /// Average separation of the undeformed surfaces along the frame's normal, m; negative where they overlap.
     pub gap: f64,
     /// Where its force acts, along the frame's normal, m: the ridge's point beside it. The cell's own offset from the ridge is left out
@@ -39,6 +41,11 @@ impl Cell {
     /// m²
     pub fn area(&self) -> f64 {
         self.size[0] * self.size[1]
+    }
+
+    /// What the body on a side sees of it.
+    pub fn spot(&self, side: usize) -> Spot {
+        Spot { place: self.places[side], length: self.axial[side] }
     }
 
     /// Its ends across (axis 0) or along (1), m.
@@ -435,8 +442,9 @@ impl Layer<'_> {
             false => closest_across(&self.sheets, center[1], places)?.at()[0],
         };
         let edge = (0..2).any(|side| self.placed[side].on_edge(places[side]));
+        let axial = self.placed.map(|placed| size[1] * dot(self.frame.along, placed.pose.axis()).abs());
         let point = self.frame.at([self.snapped(ridge), center[1]]);
-        Some((Cell { center, size, places, gap, point, edge, lattice }, places))
+        Some((Cell { center, size, places, axial, gap, point, edge, lattice }, places))
     }
 
     /// Ends along the ridge of a cell at `x` of a slice: its faces' where they are near; `None` where its neighbour takes it in.

@@ -27,6 +27,11 @@ impl Pose {
         self.rotation.map(|row| dot(row, direction))
     }
 
+    /// The image of the z axis, about which bodies turn.
+    pub fn axis(&self) -> Vector {
+        self.rotation.map(|row| row[2])
+    }
+
     /// The placement of a part that is first turned by `angle` (rad) about the z axis of the coordinates placed here, like a tooth
     /// of its gear.
     pub fn turned_first(&self, angle: f64) -> Pose {

@@ -1,11 +1,11 @@
 //! What a condensed body in space answers: compliances between points of its surfaces, and stresses, off its tables.
 //!
-//! A point is a column of weights on the tables' places and polynomials, so that the compliances between many points are two products of
-//! matrices. Exchanging loads and observers gives the same bits, because it gives the same products: of two orientations always the same
+//! A spot is a column of weights on the tables' places and polynomials, these averaged along it, so that the compliances between many spots
+//! are two products of matrices. Exchanging loads and observers gives the same bits, because it gives the same products: of two orientations always the same
 //! one is computed.
 
 use super::elastic::{ElasticSolid, KnownSurface};
-use super::{Mirror, PointLoad, SolidStructure, SurfaceStress};
+use super::{Mirror, SolidStructure, Spot, SpotLoad, SurfaceStress};
 use crate::structure::Chart;
 use crate::structure::answers::Turned;
 use crate::structure::dense::{mirror_lower, product};
@@ -33,13 +33,13 @@ impl ElasticSolid {
     /// A column a point, by `table_places` places for each polynomial.
     fn columns(
         &self,
-        points: &[[f64; 2]],
+        points: &[Spot],
         table_places: usize,
         fill: impl Fn(f64, &mut dyn FnMut(usize, f64)),
     ) -> Mat<f64> {
         let mut columns = Mat::zeros(self.modes.count() * table_places, points.len());
-        for (column, &[u, v]) in points.iter().enumerate() {
-            let modes = self.modes.values(v);
+        for (column, &Spot { place: [u, v], length }) in points.iter().enumerate() {
+            let modes = self.modes.means(v, length);
             fill(u, &mut |place, weight| {
                 for (mode, value) in modes.iter().enumerate() {
                     columns[(mode * table_places + place, column)] = weight * value;
@@ -50,7 +50,7 @@ impl ElasticSolid {
     }
 
     /// Weights on the table of a surface to other surfaces.
-    fn weights(&self, known: &KnownSurface, points: &[[f64; 2]]) -> Mat<f64> {
+    fn weights(&self, known: &KnownSurface, points: &[Spot]) -> Mat<f64> {
         self.columns(points, known.places(), |u, put| {
             known.spline.weights(u.clamp(known.range[0], known.range[1])).each(put);
         })
@@ -60,15 +60,15 @@ impl ElasticSolid {
     /// should not: towards a free edge the compliance of a point grows with the logarithm of the distance, whatever that of its
     /// neighbours. The two more places of each polynomial take it away again. Higher polynomials stay what they are at the outermost
     /// samples: a slope of theirs is not known well enough, and a wrong one outweighs the half-space under a narrow cell.
-    fn own_weights(&self, known: &KnownSurface, points: &[[f64; 2]]) -> Mat<f64> {
+    fn own_weights(&self, known: &KnownSurface, points: &[Spot]) -> Mat<f64> {
         let places = known.places() + 2;
         let samples = known.stretched.nodes();
         let [first, last] = [samples[0], samples[samples.len() - 1]];
         let mut columns = Mat::zeros(self.modes.count() * places, points.len());
-        for (column, &[u, v]) in points.iter().enumerate() {
+        for (column, &Spot { place: [u, v], length }) in points.iter().enumerate() {
             let t = known.stretch.at(u.clamp(known.range[0], known.range[1]));
             let beyond = known.stretched.beyond(t);
-            for (mode, value) in self.modes.values(v).iter().enumerate() {
+            for (mode, value) in self.modes.means(v, length).iter().enumerate() {
                 let continued = mode < CONTINUED;
                 let at = if continued { t } else { t.clamp(first, last) };
                 known.stretched.weights(at).each(&mut |place, weight| {
@@ -88,8 +88,8 @@ impl ElasticSolid {
         &self,
         known: &KnownSurface,
         table: &Mat<f64>,
-        first: &[[f64; 2]],
-        second: &[[f64; 2]],
+        first: &[Spot],
+        second: &[Spot],
     ) -> Mat<f64> {
         let columns = [first, second].map(|points| self.own_weights(known, points));
         let mut block =
@@ -97,8 +97,9 @@ impl ElasticSolid {
         // A load at a place, as the polynomials see it, is this along the line through it.
         let along = [first, second].map(|points| self.columns(points, 1, |_, put| put(0, 1.0)));
         let lines = product(along[0].transpose(), along[1].as_ref());
-        let turned =
-            |points: &[[f64; 2]]| points.iter().map(|&[u, _]| known.turned_at(u)).collect::<Vec<Turned>>();
+        let turned = |points: &[Spot]| {
+            points.iter().map(|spot| known.turned_at(spot.place[0])).collect::<Vec<Turned>>()
+        };
         let (first, second) = (turned(first), turned(second));
         for (column, &b) in second.iter().enumerate() {
             for (row, &a) in first.iter().enumerate() {
@@ -117,9 +118,11 @@ impl Weights {
     }
 }
 
-/// An order of lists of points.
-fn compare(a: &[[f64; 2]], b: &[[f64; 2]]) -> Ordering {
-    let values = |points: &[[f64; 2]]| points.iter().flatten().copied().collect::<Vec<f64>>();
+/// An order of lists of spots.
+fn compare(a: &[Spot], b: &[Spot]) -> Ordering {
+    let values = |points: &[Spot]| {
+        points.iter().flat_map(|spot| [spot.place[0], spot.place[1], spot.length]).collect::<Vec<f64>>()
+    };
     let (a, b) = (values(a), values(b));
     let by_value = || a.iter().zip(&b).map(|(a, b)| a.total_cmp(b)).find(|order| order.is_ne());
     a.len().cmp(&b.len()).then_with(|| by_value().unwrap_or(Ordering::Equal))
@@ -149,9 +152,9 @@ impl SolidStructure for ElasticSolid {
     fn add_compliance(
         &self,
         observe: Chart,
-        observers: &[[f64; 2]],
+        observers: &[Spot],
         load: Chart,
-        loads: &[[f64; 2]],
+        loads: &[Spot],
         block: &mut [f64],
     ) {
         let (Some(observed), Some(loaded)) = (self.known(observe), self.known(load)) else { return };
@@ -195,16 +198,16 @@ impl SolidStructure for ElasticSolid {
         }
     }
 
-    fn stresses(&self, tooth: u32, surface: u32, loads: &[PointLoad]) -> Vec<SurfaceStress> {
+    fn stresses(&self, tooth: u32, surface: u32, loads: &[SpotLoad]) -> Vec<SurfaceStress> {
         let Some(observed) = self.surfaces.get(surface as usize) else { return Vec::new() };
         let mut components = Mat::<f64>::zeros(3 * observed.stress_positions.len(), 1);
-        let mut by_chart = BTreeMap::<Chart, (Vec<[f64; 2]>, Vec<f64>)>::new();
+        let mut by_chart = BTreeMap::<Chart, (Vec<Spot>, Vec<f64>)>::new();
         for load in loads {
-            let (places, forces) = by_chart.entry(load.chart).or_default();
-            places.push(load.place);
+            let (spots, forces) = by_chart.entry(load.chart).or_default();
+            spots.push(load.spot);
             forces.push(load.force);
         }
-        for (chart, (places, forces)) in &by_chart {
+        for (chart, (spots, forces)) in &by_chart {
             let Some(loaded) = self.known(*chart) else { continue };
             let ahead = self.places_ahead(chart.tooth, tooth);
             let behind = self.places_ahead(tooth, chart.tooth);
@@ -213,7 +216,7 @@ impl SolidStructure for ElasticSolid {
             let table = &tables[surface as usize][chart.surface as usize];
             let forces = MatRef::from_column_major_slice(forces, forces.len(), 1);
             components +=
-                product(table.as_ref(), product(self.weights(loaded, places).as_ref(), forces).as_ref());
+                product(table.as_ref(), product(self.weights(loaded, spots).as_ref(), forces).as_ref());
         }
         let (sin, cos) = self.tooth_angle(tooth).sin_cos();
         let stress = |(place, &[x, y, z]): (usize, &[f64; 3])| {

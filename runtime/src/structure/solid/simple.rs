@@ -1,6 +1,6 @@
 //! Bodies in space without a mesh: rigid ones, and half-spaces whatever their shape.
 
-use super::{Mirror, PointLoad, SolidStructure, SurfaceStress};
+use super::{Mirror, SolidStructure, Spot, SpotLoad, SurfaceStress};
 use crate::structure::Chart;
 use crate::surface::Surface;
 use std::f64::consts::TAU;
@@ -56,9 +56,9 @@ impl SolidStructure for SimpleSolid {
         &self.mirrors
     }
 
-    fn add_compliance(&self, _: Chart, _: &[[f64; 2]], _: Chart, _: &[[f64; 2]], _: &mut [f64]) {}
+    fn add_compliance(&self, _: Chart, _: &[Spot], _: Chart, _: &[Spot], _: &mut [f64]) {}
 
-    fn stresses(&self, _: u32, _: u32, _: &[PointLoad]) -> Vec<SurfaceStress> {
+    fn stresses(&self, _: u32, _: u32, _: &[SpotLoad]) -> Vec<SurfaceStress> {
         Vec::new()
     }
 

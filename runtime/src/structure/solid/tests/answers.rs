@@ -2,7 +2,7 @@
 
 use super::bodies::{Ring, TEETH};
 use crate::structure::Chart;
-use crate::structure::solid::{ElasticSolid, PointLoad, SolidSplitOptions, SolidStructure};
+use crate::structure::solid::{ElasticSolid, SolidSplitOptions, SolidStructure, Spot, SpotLoad};
 use crate::structure::tests::bodies::COARSE;
 
 fn small() -> ElasticSolid {
@@ -10,18 +10,22 @@ fn small() -> ElasticSolid {
     ring.structure(&SolidSplitOptions { samples: 8, ..SolidSplitOptions::default() })
 }
 
-/// Points within the samples, beyond them and beyond the surface.
-fn points(structure: &ElasticSolid, shares: &[[f64; 2]]) -> Vec<[f64; 2]> {
+/// Points and stretches within the samples, beyond them and beyond the surface.
+fn spots(structure: &ElasticSolid, shares: &[[f64; 2]]) -> Vec<Spot> {
     let [[_, length], [_, end]] = structure.surface(0).range();
-    shares.iter().map(|[u, v]| [u * length, v * end]).collect()
+    let spot = |(index, [u, v]): (usize, &[f64; 2])| Spot {
+        place: [u * length, v * end],
+        length: (index % 2) as f64 * 0.1 * end,
+    };
+    shares.iter().enumerate().map(spot).collect()
 }
 
 fn block(
     structure: &ElasticSolid,
     observe: Chart,
-    observers: &[[f64; 2]],
+    observers: &[Spot],
     load: Chart,
-    loads: &[[f64; 2]],
+    loads: &[Spot],
 ) -> Vec<f64> {
     let mut block = vec![0.0; observers.len() * loads.len()];
     structure.add_compliance(observe, observers, load, loads, &mut block);
@@ -31,8 +35,8 @@ fn block(
 #[test]
 fn exchanging_load_and_observer_transposes_to_the_bit_and_turning_renumbers() {
     let structure = small();
-    let some = points(&structure, &[[0.9, 0.1], [0.1, -0.9], [0.33, 1.1], [0.999, 0.4], [0.5, 0.0]]);
-    let others = points(&structure, &[[0.2, 0.5], [0.77, -0.3], [0.5, 0.0], [1.01, -1.0]]);
+    let some = spots(&structure, &[[0.9, 0.1], [0.1, -0.9], [0.33, 1.1], [0.999, 0.4], [0.5, 0.0]]);
+    let others = spots(&structure, &[[0.2, 0.5], [0.77, -0.3], [0.5, 0.0], [1.01, -1.0]]);
     let charts = || (0..TEETH).flat_map(|tooth| [0, 1].map(|surface| Chart { tooth, surface }));
     for a in charts() {
         for b in charts() {
@@ -52,7 +56,7 @@ fn exchanging_load_and_observer_transposes_to_the_bit_and_turning_renumbers() {
     for (from, to) in [(0, 1), (1, 0), (0, 2), (2, 0), (3, 3)] {
         let turned = |by: u32| block(&structure, chart(from + by, 0), &some, chart(to + by, 1), &others);
         assert_eq!(turned(0), turned(4));
-        let load = |by: u32| PointLoad { chart: chart(from + by, 0), place: some[0], force: 3.0 };
+        let load = |by: u32| SpotLoad { chart: chart(from + by, 0), spot: some[0], force: 3.0 };
         let principal = |by: u32| {
             let stresses = structure.stresses((to + by) % TEETH, 0, &[load(by)]);
             stresses.into_iter().map(|stress| stress.principal()).collect::<Vec<_>>()
@@ -65,10 +69,10 @@ fn exchanging_load_and_observer_transposes_to_the_bit_and_turning_renumbers() {
 #[test]
 fn stresses_add_up() {
     let structure = small();
-    let place = points(&structure, &[[0.6, 0.2], [0.4, -0.5]]);
+    let place = spots(&structure, &[[0.6, 0.2], [0.4, -0.5]]);
     let chart = |tooth| Chart { tooth, surface: 0 };
-    let load = |tooth, place, force| PointLoad { chart: chart(tooth), place, force };
-    let at = |loads: &[PointLoad]| structure.stresses(1, 1, loads);
+    let load = |tooth, place, force| SpotLoad { chart: chart(tooth), spot: place, force };
+    let at = |loads: &[SpotLoad]| structure.stresses(1, 1, loads);
     let twice = at(&[load(1, place[0], 1.0), load(0, place[1], 2.0), load(1, place[0], 1.0)]);
     let once = at(&[load(1, place[0], 2.0), load(0, place[1], 2.0)]);
     for (a, b) in twice.iter().zip(&once) {
@@ -83,7 +87,7 @@ fn the_number_of_threads_changes_no_bit_and_memory_is_told() {
     let of = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
         let structure = pool.install(small);
-        let some = points(&structure, &[[0.9, 0.1], [0.1, -0.9], [0.3, 0.3]]);
+        let some = spots(&structure, &[[0.9, 0.1], [0.1, -0.9], [0.3, 0.3]]);
         let [observe, load] = [3, 2].map(|tooth| Chart { tooth, surface: 1 });
         let mut all = block(&structure, observe, &some, load, &some);
         all.extend(block(&structure, load, &some, load, &some));

@@ -13,7 +13,7 @@ use crate::structure::ring::RingFlexibility;
 use crate::structure::solid::axial::AxialModes;
 use crate::structure::solid::half_space::ReciprocalMeans;
 use crate::structure::solid::screw::Screw;
-use crate::structure::solid::{ElasticSolid, PointLoad, SolidSplitOptions, SolidStructure};
+use crate::structure::solid::{ElasticSolid, SolidSplitOptions, SolidStructure, Spot, SpotLoad};
 use crate::structure::tests::bodies::Divisions;
 use std::f64::consts::{PI, TAU};
 
@@ -69,7 +69,8 @@ fn patches(ring: &Ring, length: f64) -> Vec<Patch> {
 fn smooth_mean(structure: &ElasticSolid, observed: (u32, &Patch), loaded: (u32, &Patch)) -> f64 {
     let [observer, load] = [observed, loaded].map(|(tooth, patch)| Chart { tooth, surface: patch.surface });
     let (rows, columns) = (observed.1.points(), loaded.1.points());
-    let places = |points: &[([f64; 2], f64)]| points.iter().map(|point| point.0).collect::<Vec<_>>();
+    let places =
+        |points: &[([f64; 2], f64)]| points.iter().map(|point| Spot::from(point.0)).collect::<Vec<_>>();
     let mut block = vec![0.0; rows.len() * columns.len()];
     structure.add_compliance(observer, &places(&rows), load, &places(&columns), &mut block);
     let mut mean = 0.0;
@@ -205,8 +206,11 @@ fn stress_map_agrees_with_direct_solution() {
     for offset in 0..=1 {
         for (column, patch) in patches.iter().enumerate() {
             let chart = Chart { tooth: 5, surface: patch.surface };
-            let loads: Vec<PointLoad> =
-                patch.points().into_iter().map(|(place, force)| PointLoad { chart, place, force }).collect();
+            let loads: Vec<SpotLoad> = patch
+                .points()
+                .into_iter()
+                .map(|(place, force)| SpotLoad { chart, spot: place.into(), force })
+                .collect();
             let stress = structure.stresses(5 + offset, 0, &loads);
             let cuts = &condensed.rows_cuts * (flexibility.at(offset) * condensed.on_cuts.col(column));
             let own = condensed.rows_own.col(column);
