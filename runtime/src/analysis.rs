@@ -241,6 +241,7 @@ impl<'s> Steps<'s> {
         let rows: Vec<StepRow> = self.solved.into_iter().map(|solved| solved.row).collect();
         let summaries = summarize(&rows, self.outputs, &self.system.scene.observables);
         self.timing.add("positions", self.solving);
+        self.timing.memory = self.resources.interrupt.most_asked();
         Ok(AnalysisResult { plan: self.plan, rows, summaries, certificate, timing: self.timing })
     }
 

@@ -203,6 +203,8 @@ pub struct Timing {
     pub stages: Vec<(&'static str, Duration)>,
     /// How many were built, how many reused.
     pub structures: StructureCounts,
+    /// The most memory that was asked for at once, bytes: to condense a structure, or for the matrices of a position.
+    pub memory: u64,
 }
 
 impl Timing {

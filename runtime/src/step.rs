@@ -43,6 +43,9 @@ pub struct StepResult {
 const SEARCH_DEPTH: f64 = 0.01;
 /// A patch whose arm on a freedom is below this part of the longest there is leaves the load on it to others.
 const WORTH_LOADING: f64 = 0.1;
+/// Matrices of all cells by all cells that a position has at once, at most: what its compliance is put together from, itself, and the
+/// factor of its loaded cells.
+const MATRICES: u64 = 4;
 /// How often the sizes of grids may be mended at a position.
 const REGRIDS: usize = 3;
 
@@ -337,6 +340,8 @@ impl<S: Space> Solver<'_, S> {
     ) -> Result<ContactProblem, EngineError> {
         let laid: Vec<(&Candidate<S::Site>, &S::Grid)> = candidates.iter().copied().zip(grids).collect();
         let freedoms = self.system.freedoms.len();
+        let cells: usize = grids.iter().map(|grid| self.space.count(grid)).sum();
+        self.system.interrupt.room_for(MATRICES * (cells * cells * size_of::<f64>()) as u64)?;
         Ok(ContactProblem {
             compliance: self.space.compliance(&laid)?,
             arms: laid.iter().flat_map(|(candidate, grid)| self.space.arms(candidate, grid)).collect(),

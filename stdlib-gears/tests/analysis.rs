@@ -169,6 +169,37 @@ fn the_number_of_threads_changes_no_bit() {
     assert_eq!(one, eight);
 }
 
+/// Structures made on any number of threads, or taken from disk, and positions solved on as many.
+#[test]
+fn the_number_of_threads_changes_no_bit_in_space() {
+    let folder = tempfile::tempdir().expect("a directory");
+    let bits_on = |threads: usize, kept: bool| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
+        let store = || OperatorCache::new(usize::MAX).with_store(Store::new(folder.path(), 1 << 30));
+        let cache = kept.then(|| Arc::new(store()));
+        let options = AnalysisOptions {
+            fidelity: Fidelity::Solid(Template::Medium),
+            structure: StructureOptions {
+                face_elements: Some(2),
+                axial_order: Some(2),
+                ..StructureOptions::default()
+            },
+            resources: Resources { pool: Some(Arc::new(pool)), cache, ..Resources::default() },
+            ..AnalysisOptions::default()
+        };
+        let steps = EDGES.steps(&options).expect("structures");
+        let counts = steps.system().structure_counts();
+        (bits(steps).expect("it can be solved"), counts.built)
+    };
+    let (one, built) = bits_on(1, true);
+    assert_eq!(built, 2);
+    for (threads, kept) in [(2, false), (8, false), (1, true), (8, true)] {
+        let (again, built) = bits_on(threads, kept);
+        assert_eq!(built, if kept { 0 } else { 2 });
+        assert_eq!(again, one, "{threads} threads");
+    }
+}
+
 #[test]
 fn each_position_alone_has_the_bits_it_has_in_its_row() {
     for case in cases() {

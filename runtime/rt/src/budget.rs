@@ -41,8 +41,18 @@ fn quantity(text: &str, units: &[(&str, f64)]) -> Result<f64, String> {
 
 /// Bytes of memory that this process takes, where the system tells.
 pub fn taken() -> Option<u64> {
-    let status = std::fs::read_to_string("/proc/self/status").ok()?;
-    let line = status.lines().find_map(|line| line.strip_prefix("VmRSS:"))?;
+    told("/proc/self/status", "VmRSS:")
+}
+
+/// Bytes of memory that the machine can still give, where the system tells.
+pub fn available() -> Option<u64> {
+    told("/proc/meminfo", "MemAvailable:")
+}
+
+/// What the system says in a file, in kilobytes, under a name.
+fn told(file: &str, name: &str) -> Option<u64> {
+    let said = std::fs::read_to_string(file).ok()?;
+    let line = said.lines().find_map(|line| line.strip_prefix(name))?;
     let kilobytes: u64 = line.trim().strip_suffix("kB")?.trim().parse().ok()?;
     Some(kilobytes * 1024)
 }

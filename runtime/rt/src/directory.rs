@@ -347,8 +347,9 @@ fn timing_json(analysis: Option<&Timing>, around: &Stages) -> Value {
     let before: Duration = around.before.iter().map(|(_, time)| *time).sum();
     let mut timing =
         json!({ "unit": "s", "total": (before + around.program).as_secs_f64(), "stages": stages });
-    if let Some(Timing { structures: StructureCounts { built, reused }, .. }) = analysis {
+    if let Some(Timing { structures: StructureCounts { built, reused }, memory, .. }) = analysis {
         timing["structures"] = json!({ "built": built, "reused": reused });
+        timing["memory"] = json!({ "unit": "byte", "asked": memory });
     }
     timing
 }

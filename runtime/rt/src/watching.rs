@@ -29,9 +29,10 @@ impl Watcher {
     }
 }
 
-/// What an analysis asks whether to go on: no, if it was cancelled or has used up its time or memory.
+/// What an analysis asks whether to go on: no, if it was cancelled, has used up its time, or would take more memory than it may or
+/// than there is.
 pub fn interrupt(cancel: Cancel, limits: Limits) -> Interrupt {
-    Interrupt::new(move || {
+    Interrupt::counting(move |wanted| {
         if cancel.is_cancelled() {
             return Err(cancelled());
         }
@@ -39,8 +40,32 @@ pub fn interrupt(cancel: Cancel, limits: Limits) -> Interrupt {
         limits
             .check_time()
             .and_then(|()| limits.check_memory(taken))
-            .map_err(|error| EngineError::new(codes::EXHAUSTED, error.message, error.help))
+            .map_err(|error| EngineError::new(codes::EXHAUSTED, error.message, error.help))?;
+        match room(limits, taken) {
+            Some((room, whose)) if wanted > room => Err(too_large(wanted, room, whose)),
+            _ => Ok(()),
+        }
     })
+}
+
+/// Bytes that may still be taken, and what says so.
+fn room(limits: Limits, taken: u64) -> Option<(u64, &'static str)> {
+    let of_run = limits.memory.map(|limit| (limit.saturating_sub(taken), "its memory limit leaves"));
+    let of_machine = budget::available().map(|left| (left, "this machine has"));
+    of_run.into_iter().chain(of_machine).min_by_key(|(room, _)| *room)
+}
+
+fn too_large(wanted: u64, room: u64, whose: &str) -> EngineError {
+    let megabytes = |bytes: u64| (bytes as f64 * 1e-6).round();
+    EngineError::new(
+        codes::EXHAUSTED,
+        format!(
+            "the analysis needs {} MB for its next step, and {whose} {} MB",
+            megabytes(wanted),
+            megabytes(room)
+        ),
+        "take a coarser fidelity, fewer elements along the face or fewer contact cells, or give it more memory",
+    )
 }
 
 fn cancelled() -> EngineError {

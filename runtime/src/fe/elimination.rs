@@ -68,6 +68,52 @@ impl ByDof {
     }
 }
 
+/// What a part and those below it need.
+struct Need {
+    /// Numbers, at most at any time and at any number of threads.
+    peak: u64,
+    /// Numbers of its update.
+    left: u64,
+    loads: Vec<usize>,
+    forms: Vec<usize>,
+}
+
+impl Need {
+    /// `pivots` by `rest` unknowns and loads by `forms`, after what `below` needed.
+    fn numbers([pivots, rest, forms]: [usize; 3], below: &[Need]) -> [u64; 2] {
+        let [pivots, rest, forms] = [pivots, rest, forms].map(|count| count as u64);
+        let left = (rest + forms) * rest;
+        let front = (pivots + rest + forms) * pivots + left;
+        let sum = |of: fn(&Need) -> u64| below.iter().map(of).sum::<u64>();
+        [sum(|need| need.peak).max(sum(|need| need.left) + front), left]
+    }
+}
+
+/// Memory that [`eliminate`] takes at most beside what it is given, bytes.
+pub fn memory(dissection: &Dissection, loads: &[SparseVector], forms: &[SparseVector]) -> u64 {
+    let [of_loads, of_forms] = [loads, forms].map(|vectors| ByDof::new(dissection.order.len(), vectors));
+    let mut needs: Vec<Option<Need>> = Vec::with_capacity(dissection.parts.len());
+    for part in &dissection.parts {
+        let below: Vec<Need> = part.below.iter().filter_map(|&part| needs[part].take()).collect();
+        let all = |vectors: &ByDof, inherited: fn(&Need) -> &[usize]| {
+            let own = part.pivots.iter().flat_map(|&dof| vectors.at(dof)).map(|&(number, _)| number);
+            let mut all: Vec<usize> = own.chain(below.iter().flat_map(inherited).copied()).collect();
+            all.sort_unstable();
+            all.dedup();
+            all
+        };
+        let (loads, forms) = (all(&of_loads, |need| &need.loads), all(&of_forms, |need| &need.forms));
+        let sizes = [part.pivots.len(), part.boundary.len() + loads.len(), forms.len()];
+        let [peak, left] = Need::numbers(sizes, &below);
+        needs.push(Some(Need { peak, left, loads, forms }));
+    }
+    let top: Vec<Need> = needs.pop().into_iter().flatten().collect();
+    let eliminated: usize = dissection.parts.iter().map(|part| part.pivots.len()).sum();
+    let kept = dissection.order.iter().flatten().count() - eliminated;
+    let [peak, _] = Need::numbers([0, kept + loads.len(), forms.len()], &top);
+    peak * size_of::<f64>() as u64
+}
+
 struct Elimination<'a, C> {
     stiffness: &'a SparseColMat<usize, f64>,
     dissection: &'a Dissection,

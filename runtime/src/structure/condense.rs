@@ -7,7 +7,7 @@ use super::StructureError;
 use super::dense::{add_product, cholesky, product, solve};
 use super::ring::CutStiffness;
 use crate::fe::dissection::Dissection;
-use crate::fe::elimination::eliminate;
+use crate::fe::elimination::{eliminate, memory};
 use crate::fe::{PlaneModel, SparseVector};
 use crate::interrupt::Interrupt;
 use faer::sparse::SparseColMat;
@@ -95,6 +95,7 @@ pub(super) fn condense(
     let dissection = Dissection::new(&model.stiffness, &model.positions, &held, &kept);
     let balancing = inertia.as_ref().map_or_else(Vec::new, |inertia| inertia.forces.clone());
     let all_loads = [loads, &balancing].concat();
+    interrupt.room_for(memory(&dissection, &all_loads, rows)).map_err(StructureError::Interrupted)?;
     let left = eliminate(&model.stiffness, &dissection, &all_loads, rows, checkpoint)?;
     checkpoint()?;
 

@@ -4,6 +4,7 @@ use super::common::INCH;
 use calyx_gears::assembly::{MeshOptions, add_body, mesh};
 use calyx_gears::blank::{GearBlank, Rim, Thickness};
 use calyx_gears::modification::{Modification, ReliefShape};
+use calyx_gears::prototype::GearPrototype;
 use calyx_gears::rack::Rack;
 use calyx_runtime::analysis::{AnalysisOptions, Position, quasi_static};
 use calyx_runtime::cache::OperatorCache;
@@ -52,26 +53,29 @@ pub struct Values {
 }
 
 impl Pair {
-    fn scene(&self) -> (Scene, GearMesh, Vec<OutputRequest>) {
+    /// The pinion (0) or the wheel.
+    pub fn gear(&self, number: usize) -> Arc<GearPrototype> {
         let steel = Material::new(3e7 * PSI, self.poissons_ratio, 7850.0).expect("steel");
         let rack = Rack::new(0.1 * INCH, 20_f64.to_radians(), self.tip_radius * INCH).expect("a rack");
-        let gear = |teeth, [outer, root]: [f64; 2], rim: [f64; 2], relief_from: f64| {
-            let blank = GearBlank::standard(teeth, rack)
-                .diameters(outer * INCH, root * INCH)
-                .thickness(Thickness::Circular(self.thickness * INCH))
-                .face_width(INCH)
-                .material(steel)
-                .rim(Rim::new(rim[0] * INCH, rim[1] * INCH).expect("a rim"));
-            let relief = Modification::tip_relief(
-                self.relief * INCH,
-                relief_from.to_radians(),
-                ReliefShape::Quadratic,
-            );
-            let crown = Modification::lead_crown(self.crown * INCH).expect("a crown");
-            blank.modified(relief).modified(crown).cut().expect("a gear")
+        let (teeth, [outer, root], rim, relief_from) = match number {
+            0 => (20, [2.18, 1.76], [1.40, 1.20], 27.25_f64),
+            _ => (40, [4.18, 3.78], [3.40, 2.40], 19.60),
         };
-        let pinion = gear(20, [2.18, 1.76], [1.40, 1.20], 27.25);
-        let wheel = gear(40, [4.18, 3.78], [3.40, 2.40], 19.60);
+        let blank = GearBlank::standard(teeth, rack)
+            .diameters(outer * INCH, root * INCH)
+            .thickness(Thickness::Circular(self.thickness * INCH))
+            .face_width(INCH)
+            .material(steel)
+            .rim(Rim::new(rim[0] * INCH, rim[1] * INCH).expect("a rim"));
+        let relief =
+            Modification::tip_relief(self.relief * INCH, relief_from.to_radians(), ReliefShape::Quadratic);
+        let crown = Modification::lead_crown(self.crown * INCH).expect("a crown");
+        blank.modified(relief).modified(crown).cut().expect("a gear")
+    }
+
+    /// Both, contact on the nominal path only, with their mesh and what is observed of it.
+    pub fn scene(&self) -> (Scene, GearMesh, Vec<OutputRequest>) {
+        let [pinion, wheel] = [0, 1].map(|number| self.gear(number));
         let speed = 0.05 * TAU;
         let torque = 1000.0 * LBF * INCH;
         let mut scene = Scene::default();

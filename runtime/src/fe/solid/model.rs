@@ -65,6 +65,14 @@ impl SolidModel {
         })
     }
 
+    /// Memory that making the stiffness takes at most, bytes: as if no two elements shared a node.
+    pub fn stiffness_memory(&self) -> u64 {
+        let entries = |element: &SolidElement| (3 * element.nodes.len() as u64).pow(2);
+        let all: u64 = self.mesh.elements.iter().map(entries).sum();
+        // Values and where they are.
+        all * (size_of::<f64>() + size_of::<usize>()) as u64
+    }
+
     /// Consistent mass in kg, each axis coupled with itself only; symmetric bit for bit, both triangles stored.
     pub fn mass(&self) -> SparseColMat<usize, f64> {
         // The volume of the map is of degree 3 a - 1 in each coordinate of a hexahedron, of 3 a - 3 altogether in a tetrahedron.

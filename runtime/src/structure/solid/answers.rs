@@ -1,24 +1,21 @@
 //! What a condensed body in space answers: compliances between points of its surfaces, and stresses, off its tables.
 //!
-//! A spot is a column of weights on the tables' places and polynomials, these averaged along it, so that the compliances between many spots
-//! are two products of matrices. Exchanging loads and observers gives the same bits, because it gives the same products: of two orientations always the same
+//! A spot is a column of weights on the tables' places and polynomials ([`super::points`]), these averaged along it, and a compliance a product of two of them and
+//! a table. Exchanging loads and observers gives the same bits, because it gives the same products: of two orientations always the same
 //! one is computed.
 
 use super::elastic::{ElasticSolid, KnownSurface};
+use super::points::{Across, Points};
 use super::{Mirror, SolidStructure, Spot, SpotLoad, SurfaceStress};
 use crate::structure::Chart;
 use crate::structure::answers::Turned;
 use crate::structure::dense::{mirror_lower, product};
-use crate::structure::spline::Weights;
 use crate::surface::Surface;
-use faer::{Mat, MatRef};
+use faer::Mat;
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 use std::sync::Arc;
-
-/// Polynomials along the face, the slowest ones, that are continued towards edges beyond the samples.
-const CONTINUED: usize = 3;
 
 impl ElasticSolid {
     /// Places ahead, going round, from one tooth to another.
@@ -30,91 +27,51 @@ impl ElasticSolid {
         self.surfaces.get(chart.surface as usize)
     }
 
-    /// A column a point, by `table_places` places for each polynomial.
-    fn columns(
-        &self,
-        points: &[Spot],
-        table_places: usize,
-        fill: impl Fn(f64, &mut dyn FnMut(usize, f64)),
-    ) -> Mat<f64> {
-        let mut columns = Mat::zeros(self.modes.count() * table_places, points.len());
-        for (column, &Spot { place: [u, v], length }) in points.iter().enumerate() {
-            let modes = self.modes.means(v, length);
-            fill(u, &mut |place, weight| {
-                for (mode, value) in modes.iter().enumerate() {
-                    columns[(mode * table_places + place, column)] = weight * value;
-                }
-            });
-        }
-        columns
+    /// Points on the table of a surface to other surfaces.
+    fn points(&self, known: &KnownSurface, spots: &[Spot]) -> Points {
+        let across = |u: f64| {
+            let splines = known.spline.weights(u.clamp(known.range[0], known.range[1]));
+            Across { splines, more: None }
+        };
+        Points::new(&self.modes, known.places(), spots, across)
     }
 
-    /// Weights on the table of a surface to other surfaces.
-    fn weights(&self, known: &KnownSurface, points: &[Spot]) -> Mat<f64> {
-        self.columns(points, known.places(), |u, put| {
-            known.spline.weights(u.clamp(known.range[0], known.range[1])).each(put);
-        })
-    }
-
-    /// Weights on the table of a surface to itself. Continuing it straight in both variables beyond the samples would add at its corner what it
-    /// should not: towards a free edge the compliance of a point grows with the logarithm of the distance, whatever that of its
-    /// neighbours. The two more places of each polynomial take it away again. Higher polynomials stay what they are at the outermost
-    /// samples: a slope of theirs is not known well enough, and a wrong one outweighs the half-space under a narrow cell.
-    fn own_weights(&self, known: &KnownSurface, points: &[Spot]) -> Mat<f64> {
-        let places = known.places() + 2;
-        let samples = known.stretched.nodes();
-        let [first, last] = [samples[0], samples[samples.len() - 1]];
-        let mut columns = Mat::zeros(self.modes.count() * places, points.len());
-        for (column, &Spot { place: [u, v], length }) in points.iter().enumerate() {
+    /// Points on the table of a surface to itself, which has two more places for each polynomial: what a point beyond the samples at
+    /// either end adds to that of the outermost one.
+    fn own_points(&self, known: &KnownSurface, spots: &[Spot]) -> Points {
+        let across = |u: f64| {
             let t = known.stretch.at(u.clamp(known.range[0], known.range[1]));
             let beyond = known.stretched.beyond(t);
-            for (mode, value) in self.modes.means(v, length).iter().enumerate() {
-                let continued = mode < CONTINUED;
-                let at = if continued { t } else { t.clamp(first, last) };
-                known.stretched.weights(at).each(&mut |place, weight| {
-                    columns[(mode * places + place, column)] = weight * value;
-                });
-                if continued && beyond != 0.0 {
-                    let place = known.places() + usize::from(beyond > 0.0);
-                    columns[(mode * places + place, column)] = beyond.abs() * value;
-                }
-            }
-        }
-        columns
+            let more = (beyond != 0.0).then(|| (known.places() + usize::from(beyond > 0.0), beyond));
+            Across { splines: known.stretched.weights(t - beyond), more }
+        };
+        Points::new(&self.modes, known.places() + 2, spots, across)
     }
 
-    /// Compliances within one surface, `first` by `second`.
+    /// Compliances within one surface: a row an observer of `second`, a column one of `first`. If both are the same points, those below
+    /// the diagonal.
     fn own_compliance(
         &self,
         known: &KnownSurface,
         table: &Mat<f64>,
-        first: &[Spot],
-        second: &[Spot],
+        [first, second]: [&[Spot]; 2],
+        equal: bool,
     ) -> Mat<f64> {
-        let columns = [first, second].map(|points| self.own_weights(known, points));
-        let mut block =
-            product(columns[0].transpose(), product(table.as_ref(), columns[1].as_ref()).as_ref());
+        let columns = [first, second].map(|points| self.own_points(known, points));
+        let mut block = columns[0].seen(columns[1].columns(table.as_ref()).as_ref());
         // A load at a place, as the polynomials see it, is this along the line through it.
-        let along = [first, second].map(|points| self.columns(points, 1, |_, put| put(0, 1.0)));
-        let lines = product(along[0].transpose(), along[1].as_ref());
+        let lines = columns[0].lines(&columns[1]);
         let turned = |points: &[Spot]| {
             points.iter().map(|spot| known.turned_at(spot.place[0])).collect::<Vec<Turned>>()
         };
         let (first, second) = (turned(first), turned(second));
-        for (column, &b) in second.iter().enumerate() {
-            for (row, &a) in first.iter().enumerate() {
-                block[(row, column)] += lines[(row, column)] * self.curved_part(known, a, b);
+        for (column, &a) in first.iter().enumerate() {
+            let from = if equal { column } else { 0 };
+            for (row, &b) in second.iter().enumerate().skip(from) {
+                block[(row, column)] += lines(column, row) * self.curved_part(known, a, b);
             }
         }
         block
-    }
-}
-
-impl Weights {
-    fn each(&self, put: &mut dyn FnMut(usize, f64)) {
-        for (k, &value) in self.values.iter().enumerate() {
-            put(self.first + k, value);
-        }
     }
 }
 
@@ -180,20 +137,20 @@ impl SolidStructure for ElasticSolid {
             ((load, loads), (observe, observers))
         };
         let table = &tables.compliance[first.surface as usize][second.surface as usize];
+        // Columns are the first's.
         let mut values = if same {
-            self.own_compliance(observed, table, first_points, second_points)
+            self.own_compliance(observed, table, [first_points, second_points], order.is_eq())
         } else {
             let (first, second) = if forward { (observed, loaded) } else { (loaded, observed) };
-            let [rows, columns] = [(first, first_points), (second, second_points)]
-                .map(|(known, points)| self.weights(known, points));
-            product(rows.transpose(), product(table.as_ref(), columns.as_ref()).as_ref())
+            let columns = self.points(second, second_points).columns(table.as_ref());
+            self.points(first, first_points).seen(columns.as_ref())
         };
         if same && order.is_eq() {
             mirror_lower(&mut values);
         }
         for (row, target) in block.chunks_exact_mut(loads.len().max(1)).enumerate() {
             for (column, target) in target.iter_mut().enumerate() {
-                *target += if forward { values[(row, column)] } else { values[(column, row)] };
+                *target += if forward { values[(column, row)] } else { values[(row, column)] };
             }
         }
     }
@@ -214,9 +171,7 @@ impl SolidStructure for ElasticSolid {
             let Some(tables) = self.offsets.get(ahead.min(behind) as usize) else { continue };
             let tables = if ahead <= behind { &tables.stress_ahead } else { &tables.stress_behind };
             let table = &tables[surface as usize][chart.surface as usize];
-            let forces = MatRef::from_column_major_slice(forces, forces.len(), 1);
-            components +=
-                product(table.as_ref(), product(self.weights(loaded, spots).as_ref(), forces).as_ref());
+            components += product(table.as_ref(), self.points(loaded, spots).loads(forces).as_ref());
         }
         let (sin, cos) = self.tooth_angle(tooth).sin_cos();
         let stress = |(place, &[x, y, z]): (usize, &[f64; 3])| {

@@ -14,17 +14,18 @@
 use super::Mirror;
 use super::axial::AxialModes;
 use super::half_space::ReciprocalMeans;
+use super::halves::{Mirrored, images_of};
+use super::responses::{Exchange, Responses, Sector};
 use super::screw::Screw;
 use crate::fe::solid::{ABSENT, FacePoint, FaceSet, SolidModel, SurfaceStressRecovery};
 use crate::fe::{EdgeChain, SparseVector};
 use crate::interrupt::Interrupt;
 use crate::material::Plane;
 use crate::structure::answers::Turned;
-use crate::structure::condense::{Assembled, Condensed, Support, condense, match_cuts};
+use crate::structure::condense::{Assembled, Support, condense, match_cuts};
 use crate::structure::dense::mirror_lower;
-use crate::structure::elastic::{both_sides, response, starts};
+use crate::structure::elastic::{both_sides, starts};
 use crate::structure::kernel::{Mollifier, PairQuadrature, Sampled};
-use crate::structure::ring::RingFlexibility;
 use crate::structure::sampling::{SplitOptions, Stretch, sample};
 use crate::structure::spline::Spline;
 use crate::structure::{Hold, RingSource, StructureError};
@@ -49,6 +50,9 @@ pub struct SolidSurfaceSource {
     /// Places of recovered stress on each edge of that chain and on each layer of elements, at least 1; along the face both ends are places too.
     pub stress_places: [usize; 2],
 }
+
+/// Polynomials along the face, the slowest ones, that are continued towards edges beyond the samples.
+const CONTINUED: usize = 3;
 
 /// How finely the compliance is known.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -98,8 +102,8 @@ pub(super) struct KnownSurface {
 
 /// Coefficients between a loaded sector and one that is some places ahead of it.
 pub(super) struct OffsetTables {
-    /// `[observed][loaded]` surface. That of a surface to itself has for each polynomial two more places: what the spline adds beyond its
-    /// first and its last sample ([`super::answers`]).
+    /// `[observed][loaded]` surface. That of a surface to itself has for each polynomial two more places: what a point beyond the first or
+    /// the last sample adds ([`continued`]).
     pub compliance: Vec<Vec<Mat<f64>>>,
     /// Stress on the sector ahead by loads on this one: `[observed][loaded]`, three rows a place, Pa/N.
     pub stress_ahead: Vec<Vec<Mat<f64>>>,
@@ -130,6 +134,18 @@ impl ElasticSolid {
         options: &SolidSplitOptions,
         interrupt: &Interrupt,
     ) -> Result<Self, StructureError> {
+        Self::ring_by(Mirrored::of(&model.mesh).as_ref(), model, ring, surfaces, options, interrupt)
+    }
+
+    /// The same by halves, if the mirror is given.
+    pub(super) fn ring_by(
+        mirrored: Option<&Mirrored>,
+        model: &SolidModel,
+        ring: &RingSource<'_>,
+        surfaces: &[SolidSurfaceSource],
+        options: &SolidSplitOptions,
+        interrupt: &Interrupt,
+    ) -> Result<Self, StructureError> {
         let nodes = |name: &str| Ok::<_, StructureError>(model.mesh.nodes_on(faces(model, name)?));
         let (first, last, mut bore) = (nodes(ring.cuts[0])?, nodes(ring.cuts[1])?, nodes(ring.bore)?);
         bore.extend(model.mesh.node_sets.get(ABSENT).into_iter().flatten());
@@ -140,14 +156,10 @@ impl ElasticSolid {
         let cuts = match_cuts(&assembled.positions, &first, &last, &bore, TAU / f64::from(sectors))
             .ok_or_else(|| StructureError::CutsDiffer { cuts: ring.cuts.map(String::from) })?;
         let (modes, prepared) = prepare(model, surfaces, options, interrupt)?;
-        let (loads, rows) = gathered(&prepared);
-        let held = assembled.dofs_of(&bore);
-        let condensed = condense(&assembled, &Support::Held(&held), Some(&cuts), &loads, &rows, interrupt)?;
-        let flexibility = match &condensed.stiffness {
-            Some(stiffness) => Some(RingFlexibility::new(stiffness, sectors, ring.coupled, interrupt)?),
-            None => None,
-        };
-        Self::assemble(model, sectors, modes, prepared, &condensed, flexibility.as_ref(), interrupt)
+        let exchange = gathered(&modes, &prepared);
+        let sector = Sector { assembled, cuts, held: bore, sectors, coupled: ring.coupled };
+        let responses = Responses::of_ring(sector, mirrored, &exchange, interrupt)?;
+        Self::assemble(model, sectors, modes, prepared, &responses, interrupt)
     }
 
     /// A body of a single mesh. `hold` names a set of faces.
@@ -162,9 +174,10 @@ impl ElasticSolid {
         interrupt: &Interrupt,
     ) -> Result<Self, StructureError> {
         let (modes, prepared) = prepare(model, surfaces, options, interrupt)?;
-        let (loads, rows) = gathered(&prepared);
+        let exchange = gathered(&modes, &prepared);
         let assembled = assembled(model, interrupt)?;
-        let condense = |support| condense(&assembled, &support, None, &loads, &rows, interrupt);
+        let condense =
+            |support| condense(&assembled, &support, None, &exchange.loads, &exchange.rows, interrupt);
         let condensed = match hold {
             Hold::Free => {
                 let mass = model.mass();
@@ -176,7 +189,7 @@ impl ElasticSolid {
                 condense(Support::Held(&assembled.dofs_of(&nodes)))?
             }
         };
-        Self::assemble(model, 1, modes, prepared, &condensed, None, interrupt)
+        Self::assemble(model, 1, modes, prepared, &Responses::of_body(condensed, &exchange), interrupt)
     }
 
     fn assemble(
@@ -184,8 +197,7 @@ impl ElasticSolid {
         teeth: u32,
         modes: AxialModes,
         prepared: Vec<Prepared>,
-        condensed: &Condensed,
-        ring: Option<&RingFlexibility>,
+        responses: &Responses,
         interrupt: &Interrupt,
     ) -> Result<Self, StructureError> {
         let (young, ratio) = (model.material.youngs_modulus, model.material.poissons_ratio);
@@ -199,8 +211,8 @@ impl ElasticSolid {
             surfaces: Vec::new(),
             offsets: Vec::new(),
         };
-        for offset in 0..=ring.map_or(0, RingFlexibility::window) {
-            let tables = structure.tables(offset, &prepared, condensed, ring, interrupt)?;
+        for offset in 0..=responses.window() {
+            let tables = structure.tables(offset, &prepared, responses, interrupt)?;
             structure.offsets.push(tables);
         }
         structure.surfaces = prepared.into_iter().map(|prepared| prepared.known).collect();
@@ -212,11 +224,10 @@ impl ElasticSolid {
         &self,
         offset: u32,
         prepared: &[Prepared],
-        condensed: &Condensed,
-        ring: Option<&RingFlexibility>,
+        responses: &Responses,
         interrupt: &Interrupt,
     ) -> Result<OffsetTables, StructureError> {
-        let response = response(condensed, ring, offset, interrupt)?;
+        let response = responses.at(offset, interrupt)?;
         let count = self.modes.count();
         let load_starts = starts(prepared.iter().map(|surface| surface.loads.len()));
         let row_starts = starts(prepared.iter().map(|surface| surface.stress_rows.len()));
@@ -296,15 +307,8 @@ impl ElasticSolid {
             }
         }
         let spline = &known.stretched;
-        let mut coefficients = block_by_block(smooth.as_ref(), count, [places, places], |_, block| {
-            let inner = both_sides(spline, spline, block);
-            let mut extended = Mat::zeros(places + 2, places + 2);
-            for end in 0..2 {
-                let slopes = spline.slopes(end);
-                extended[(places + end, places + end)] = -slopes.sum(|i| slopes.sum(|j| inner[(i, j)]));
-            }
-            extended.as_mut().submatrix_mut(0, 0, places, places).copy_from(inner);
-            extended
+        let mut coefficients = block_by_block(smooth.as_ref(), count, [places, places], |modes, block| {
+            continued(spline, both_sides(spline, spline, block).as_ref(), modes)
         });
         mirror_lower(&mut coefficients);
         Ok(coefficients)
@@ -330,6 +334,36 @@ impl KnownSurface {
     pub fn places(&self) -> usize {
         self.spline.nodes().len()
     }
+}
+
+/// Coefficients of a surface to itself for a pair of polynomials, with two more places: what a point beyond the first or the last sample
+/// adds to that of the sample, by its distance.
+///
+/// That is the straight continuation, but not of both points beyond the same end: it would add at the table's corner what it should
+/// not, for towards a free edge the compliance of a point grows with the logarithm of the distance, whatever that of its neighbours.
+/// Higher polynomials stay what they are at the outermost samples: a slope of theirs is not known well enough, and a wrong one
+/// outweighs the half-space under a narrow cell.
+fn continued(spline: &Spline, inner: MatRef<'_, f64>, modes: [usize; 2]) -> Mat<f64> {
+    let places = inner.nrows();
+    let [rows_go_on, columns_go_on] = modes.map(|mode| mode < CONTINUED);
+    let slopes = [0, 1].map(|end| spline.slopes(end));
+    let mut all = Mat::zeros(places + 2, places + 2);
+    all.as_mut().submatrix_mut(0, 0, places, places).copy_from(inner);
+    for end in 0..2 {
+        for other in 0..places {
+            if rows_go_on {
+                all[(places + end, other)] = slopes[end].sum(|i| inner[(i, other)]);
+            }
+            if columns_go_on {
+                all[(other, places + end)] = slopes[end].sum(|j| inner[(other, j)]);
+            }
+        }
+        if rows_go_on && columns_go_on {
+            all[(places + end, places + 1 - end)] =
+                slopes[end].sum(|i| slopes[1 - end].sum(|j| inner[(i, j)]));
+        }
+    }
+    all
 }
 
 /// The part of a matrix that belongs to a pair of surfaces.
@@ -360,7 +394,7 @@ fn block_by_block(
 }
 
 fn assembled(model: &SolidModel, interrupt: &Interrupt) -> Result<Assembled, StructureError> {
-    interrupt.check().map_err(StructureError::Interrupted)?;
+    interrupt.room_for(model.stiffness_memory()).map_err(StructureError::Interrupted)?;
     Ok(Assembled { stiffness: model.stiffness(), dofs_per_node: 3, positions: model.mesh.nodes.clone() })
 }
 
@@ -368,10 +402,25 @@ fn faces<'a>(model: &'a SolidModel, name: &str) -> Result<&'a FaceSet, Structure
     model.mesh.face_set(name).ok_or_else(|| StructureError::NoFaces { faces: name.into() })
 }
 
-fn gathered(prepared: &[Prepared]) -> (Vec<SparseVector>, Vec<SparseVector>) {
+fn gathered(modes: &AxialModes, prepared: &[Prepared]) -> Exchange {
     let loads = prepared.iter().flat_map(|surface| surface.loads.iter().cloned()).collect();
+    // Of polynomials along the face every other one is odd.
+    let is_odd = |surface: &Prepared| {
+        let places = surface.mollifiers.len();
+        (0..surface.loads.len()).map(move |load| load / places % 2 == 1).collect::<Vec<_>>()
+    };
+    let odd = prepared.iter().flat_map(is_odd).collect();
     let rows = prepared.iter().flat_map(|surface| surface.stress_rows.iter().cloned()).collect();
-    (loads, rows)
+    let mut images = Vec::new();
+    for surface in prepared {
+        let first = images.len();
+        for image in images_of(&surface.known.stress_positions, modes.range()) {
+            // The mirror turns shear into its opposite.
+            let rows = [1.0, 1.0, -1.0].into_iter().enumerate();
+            images.extend(rows.map(|(row, sign)| Some((first + 3 * image? + row, sign))));
+        }
+    }
+    Exchange { loads, odd, rows, images }
 }
 
 fn prepare(

@@ -2,5 +2,6 @@
 
 mod answers;
 mod bodies;
+mod halves;
 mod plane;
 mod split;

@@ -1,0 +1,145 @@
+//! What the mesh of a body answers to all loads: as one problem, or as one for each half of a body that is its own mirror image.
+
+use super::halves::Mirrored;
+use crate::fe::SparseVector;
+use crate::interrupt::Interrupt;
+use crate::structure::StructureError;
+use crate::structure::condense::{Assembled, Condensed, Cuts, Support, condense};
+use crate::structure::elastic::{Response, response};
+use crate::structure::ring::RingFlexibility;
+use faer::Mat;
+use rayon::prelude::*;
+
+/// A sector of a ring, before it is condensed.
+pub(super) struct Sector {
+    pub assembled: Assembled,
+    pub cuts: Cuts,
+    /// Nodes that do not move.
+    pub held: Vec<usize>,
+    pub sectors: u32,
+    /// Sectors beside a loaded one that are known.
+    pub coupled: u32,
+}
+
+/// Loads of a body and forms of its displacements.
+pub(super) struct Exchange {
+    pub loads: Vec<SparseVector>,
+    /// Of each load: whether the mirror turns it into its opposite.
+    pub odd: Vec<bool>,
+    pub rows: Vec<SparseVector>,
+    /// Of each row, if it has one: the row of the mirrored place, and the sign that the mirror gives it.
+    pub images: Vec<Option<(usize, f64)>>,
+}
+
+/// The answers of a body, of which parts do not know of each other.
+pub(super) struct Responses {
+    loads: usize,
+    rows: usize,
+    parts: Vec<Part>,
+}
+
+struct Part {
+    condensed: Condensed,
+    ring: Option<RingFlexibility>,
+    /// Numbers of its loads among all.
+    loads: Vec<usize>,
+    /// Of each of all rows: its number in this part and a sign; `None` if it is zero there.
+    rows: Vec<Option<(usize, f64)>>,
+}
+
+impl Part {
+    fn whole(condensed: Condensed, ring: Option<RingFlexibility>, exchange: &Exchange) -> Self {
+        let rows = (0..exchange.rows.len()).map(|row| Some((row, 1.0))).collect();
+        Self { condensed, ring, loads: (0..exchange.loads.len()).collect(), rows }
+    }
+}
+
+impl Responses {
+    /// Of a body that was condensed in one piece.
+    pub fn of_body(condensed: Condensed, exchange: &Exchange) -> Self {
+        Self::of(vec![Part::whole(condensed, None, exchange)], exchange)
+    }
+
+    /// Of a ring of sectors: by halves, if `mirrored` is given.
+    pub fn of_ring(
+        sector: Sector,
+        mirrored: Option<&Mirrored>,
+        exchange: &Exchange,
+        interrupt: &Interrupt,
+    ) -> Result<Self, StructureError> {
+        let joined = |condensed: &Condensed| {
+            let stiffness = condensed.stiffness.as_ref();
+            let ring = |cut| RingFlexibility::new(cut, sector.sectors, sector.coupled, interrupt);
+            stiffness.map(ring).transpose()
+        };
+        let Some(mirrored) = mirrored else {
+            let held = sector.assembled.dofs_of(&sector.held);
+            let (loads, rows) = (&exchange.loads, &exchange.rows);
+            let condensed = condense(
+                &sector.assembled,
+                &Support::Held(&held),
+                Some(&sector.cuts),
+                loads,
+                rows,
+                interrupt,
+            )?;
+            let ring = joined(&condensed)?;
+            return Ok(Self::of(vec![Part::whole(condensed, ring, exchange)], exchange));
+        };
+        let of_half = |odd: bool| {
+            let half = mirrored.half(odd, &sector, exchange);
+            let support = Support::Held(&half.held);
+            let condensed = condense(
+                &half.assembled,
+                &support,
+                Some(&half.cuts),
+                &half.loads.vectors,
+                &half.rows.vectors,
+                interrupt,
+            )?;
+            let ring = joined(&condensed)?;
+            Ok(Part { condensed, ring, loads: half.loads.numbers, rows: half.rows.numbers })
+        };
+        let parts = [false, true].into_par_iter().map(of_half).collect::<Result<_, StructureError>>()?;
+        Ok(Self::of(parts, exchange))
+    }
+
+    fn of(parts: Vec<Part>, exchange: &Exchange) -> Self {
+        Self { loads: exchange.loads.len(), rows: exchange.rows.len(), parts }
+    }
+
+    /// The farthest sector from a loaded one whose answers are known.
+    pub fn window(&self) -> u32 {
+        self.parts
+            .iter()
+            .filter_map(|part| part.ring.as_ref())
+            .map(RingFlexibility::window)
+            .min()
+            .unwrap_or(0)
+    }
+
+    /// Answers of the sector some places ahead of a loaded one.
+    pub fn at(&self, offset: u32, interrupt: &Interrupt) -> Result<Response, StructureError> {
+        let own = |part: &Part| response(&part.condensed, part.ring.as_ref(), offset, interrupt);
+        let mut all = Response {
+            compliance: Mat::zeros(self.loads, self.loads),
+            stress_ahead: Mat::zeros(self.rows, self.loads),
+            stress_behind: Mat::zeros(self.rows, self.loads),
+        };
+        for part in &self.parts {
+            let own = own(part)?;
+            for (column, &load) in part.loads.iter().enumerate() {
+                for (row, &observer) in part.loads.iter().enumerate() {
+                    all.compliance[(observer, load)] = own.compliance[(row, column)];
+                }
+                for (row, place) in part.rows.iter().enumerate() {
+                    if let Some((place, sign)) = *place {
+                        all.stress_ahead[(row, load)] = sign * own.stress_ahead[(place, column)];
+                        all.stress_behind[(row, load)] = sign * own.stress_behind[(place, column)];
+                    }
+                }
+            }
+        }
+        Ok(all)
+    }
+}
