@@ -38,6 +38,8 @@ struct Update {
 
 /// Entries of sparse vectors by degree of freedom.
 struct ByDof {
+    /// Of the vectors.
+    count: usize,
     starts: Vec<usize>,
     /// Number of the vector, and its value.
     entries: Vec<(usize, f64)>,
@@ -60,7 +62,15 @@ impl ByDof {
                 next[dof] += 1;
             }
         }
-        Self { starts, entries }
+        Self { count: vectors.len(), starts, entries }
+    }
+
+    /// Numbers, ascending, of the vectors that have an entry at any of these degrees of freedom, and of others.
+    fn present(&self, dofs: &[usize], others: impl Iterator<Item = usize>) -> Vec<usize> {
+        let mut seen = vec![false; self.count];
+        let own = dofs.iter().flat_map(|&dof| self.at(dof)).map(|&(number, _)| number);
+        others.chain(own).for_each(|number| seen[number] = true);
+        (0..self.count).filter(|&number| seen[number]).collect()
     }
 
     fn at(&self, dof: usize) -> &[(usize, f64)] {
@@ -96,11 +106,7 @@ pub fn memory(dissection: &Dissection, loads: &[SparseVector], forms: &[SparseVe
     for part in &dissection.parts {
         let below: Vec<Need> = part.below.iter().filter_map(|&part| needs[part].take()).collect();
         let all = |vectors: &ByDof, inherited: fn(&Need) -> &[usize]| {
-            let own = part.pivots.iter().flat_map(|&dof| vectors.at(dof)).map(|&(number, _)| number);
-            let mut all: Vec<usize> = own.chain(below.iter().flat_map(inherited).copied()).collect();
-            all.sort_unstable();
-            all.dedup();
-            all
+            vectors.present(&part.pivots, below.iter().flat_map(inherited).copied())
         };
         let (loads, forms) = (all(&of_loads, |need| &need.loads), all(&of_forms, |need| &need.forms));
         let sizes = [part.pivots.len(), part.boundary.len() + loads.len(), forms.len()];
@@ -205,22 +211,14 @@ impl<E: From<SolveError> + Send, C: Fn() -> Result<(), E> + Sync> Elimination<'_
         let slot = |dof: usize| self.dissection.order[dof].unwrap_or(usize::MAX);
         let count = part.pivots.len();
         let mut slots: Vec<usize> = part.boundary.iter().map(|&dof| slot(dof)).collect();
-        let incident = |vectors: &ByDof| -> Vec<usize> {
-            part.pivots.iter().flat_map(|&dof| vectors.at(dof)).map(|&(number, _)| number).collect()
-        };
-        let mut loads: Vec<usize> =
-            incident(&self.loads).into_iter().map(|load| self.first_load + load).collect();
-        let mut forms_at = incident(&self.forms);
-        for update in &below {
+        let loads_below = below.iter().flat_map(|update| {
             let dofs = update.slots.partition_point(|&slot| slot < self.first_load);
-            loads.extend(&update.slots[dofs..]);
-            forms_at.extend(&update.forms_at);
-        }
-        for list in [&mut loads, &mut forms_at] {
-            list.sort_unstable();
-            list.dedup();
-        }
-        slots.extend(loads);
+            update.slots[dofs..].iter().map(|slot| slot - self.first_load)
+        });
+        let loads = self.loads.present(&part.pivots, loads_below);
+        let forms_below = below.iter().flat_map(|update| update.forms_at.iter().copied());
+        let forms_at = self.forms.present(&part.pivots, forms_below);
+        slots.extend(loads.into_iter().map(|load| self.first_load + load));
         let (rest, forms) = (slots.len(), forms_at.len());
 
         // Columns of the pivots: rows of the pivots, of what they are coupled to, of the forms.

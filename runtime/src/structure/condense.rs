@@ -99,14 +99,28 @@ pub(super) fn condense(
     let left = eliminate(&model.stiffness, &dissection, &all_loads, rows, checkpoint)?;
     checkpoint()?;
 
-    let (c, m, q) = (kept.len() * model.dofs_per_node, loads.len(), rows.len());
+    let (m, q) = (loads.len(), rows.len());
     let square = left.square.as_ref();
-    let mut on_cuts = square.submatrix(c, 0, m, c).to_owned();
-    let mut rows_cuts = left.forms.as_ref().submatrix(0, 0, q, c).to_owned();
+    // What is held on a cut was left out.
+    let mut moving = 0;
+    let places: Vec<Option<usize>> = model
+        .dofs_of(&kept)
+        .into_iter()
+        .map(|dof| {
+            dissection.order[dof]?;
+            moving += 1;
+            Some(moving - 1)
+        })
+        .collect();
+    let c = places.len();
+    let mut on_cuts =
+        Mat::from_fn(m, c, |load, dof| places[dof].map_or(0.0, |place| square[(moving + load, place)]));
+    let mut rows_cuts =
+        Mat::from_fn(q, c, |row, dof| places[dof].map_or(0.0, |place| left.forms[(row, place)]));
     let mut own = Mat::from_fn(all_loads.len(), all_loads.len(), |row, column| {
-        -square[(c + row.max(column), c + row.min(column))]
+        -square[(moving + row.max(column), moving + row.min(column))]
     });
-    let mut rows_own = Mat::from_fn(q, all_loads.len(), |row, column| -left.forms[(row, c + column)]);
+    let mut rows_own = Mat::from_fn(q, all_loads.len(), |row, column| -left.forms[(row, moving + column)]);
     if let Some(inertia) = inertia {
         let shares = inertia.balancing(loads);
         // Both ways alike, and summed so that symmetry remains to the bit.
@@ -116,7 +130,12 @@ pub(super) fn condense(
         rows_own = of_loads;
     }
     let stiffness = cuts.map(|cuts| {
-        let mut matrix = Mat::from_fn(c, c, |row, column| square[(row.max(column), row.min(column))]);
+        // It is given a spring of its own, coupled to nothing, so that every node of a cut has as many unknowns.
+        let mut matrix = Mat::from_fn(c, c, |row, column| match (places[row], places[column]) {
+            (Some(row), Some(column)) => square[(row.max(column), row.min(column))],
+            _ if row == column => square[(0, 0)],
+            _ => 0.0,
+        });
         for _ in 0..2 {
             turn_last_cut(&mut matrix, model.dofs_per_node, cuts.angle);
             matrix = matrix.transpose().to_owned();

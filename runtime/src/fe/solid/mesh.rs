@@ -112,6 +112,14 @@ impl SolidMesh {
         3 * self.nodes.len()
     }
 
+    /// Memory that a stiffness takes at most, bytes: as if no two elements shared a node.
+    pub fn stiffness_memory(&self) -> u64 {
+        let entries = |element: &SolidElement| (3 * element.nodes.len() as u64).pow(2);
+        let all: u64 = self.elements.iter().map(entries).sum();
+        // Values and where they are.
+        all * (size_of::<f64>() + size_of::<usize>()) as u64
+    }
+
     /// The set of faces of that name, if there is one.
     pub fn face_set(&self, name: &str) -> Option<&FaceSet> {
         self.faces.get(name)

@@ -52,6 +52,17 @@ impl SolidModel {
 
     /// Stiffness in N/m; symmetric bit for bit, both triangles stored.
     pub fn stiffness(&self) -> SparseColMat<usize, f64> {
+        self.reduced_stiffness(&self.mesh, |_, matrix| matrix)
+    }
+
+    /// The stiffness of fewer nodes, of which the others follow: `mesh` has those nodes, and for each of its elements, which are the first
+    /// ones of this model, those that it depends on. `reduced` makes the matrix of their nodes of an element's own: for each
+    /// column node those of its row nodes, for each pair the column-major 3 by 3 block.
+    pub(crate) fn reduced_stiffness(
+        &self,
+        mesh: &SolidMesh,
+        reduced: impl Fn(usize, Vec<f64>) -> Vec<f64> + Sync,
+    ) -> SparseColMat<usize, f64> {
         // Exact for constant strain on bent elements, where a gradient times the volume of the map is of degree p + 2 a - 1; on straight
         // ones for all strains.
         let enough = |p: u8, a: u8| (p + 1).max((p + 2 * a).div_ceil(2));
@@ -59,18 +70,10 @@ impl SolidModel {
             let ([p, q], [a, b]) = (displacement.highest(), coordinate.highest());
             [enough(p, a), enough(q, b)]
         });
-        assemble(&self.mesh, Coupling::Full, |index| {
+        assemble(mesh, Coupling::Full, |index| {
             let element = &self.mesh.elements[index];
-            self.element_stiffness(element, &tables[&element.kinds()])
+            reduced(index, self.element_stiffness(element, &tables[&element.kinds()]))
         })
-    }
-
-    /// Memory that making the stiffness takes at most, bytes: as if no two elements shared a node.
-    pub fn stiffness_memory(&self) -> u64 {
-        let entries = |element: &SolidElement| (3 * element.nodes.len() as u64).pow(2);
-        let all: u64 = self.mesh.elements.iter().map(entries).sum();
-        // Values and where they are.
-        all * (size_of::<f64>() + size_of::<usize>()) as u64
     }
 
     /// Consistent mass in kg, each axis coupled with itself only; symmetric bit for bit, both triangles stored.

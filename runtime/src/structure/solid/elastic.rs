@@ -15,14 +15,14 @@ use super::Mirror;
 use super::axial::AxialModes;
 use super::half_space::ReciprocalMeans;
 use super::halves::{Mirrored, images_of};
-use super::responses::{Exchange, Responses, Sector};
+use super::responses::{Exchange, Responses, Sector, whole};
 use super::screw::Screw;
 use crate::fe::solid::{ABSENT, FacePoint, FaceSet, SolidModel, SurfaceStressRecovery};
 use crate::fe::{EdgeChain, SparseVector};
 use crate::interrupt::Interrupt;
 use crate::material::Plane;
 use crate::structure::answers::Turned;
-use crate::structure::condense::{Assembled, Support, condense, match_cuts};
+use crate::structure::condense::{Support, condense, match_cuts};
 use crate::structure::dense::mirror_lower;
 use crate::structure::elastic::{both_sides, starts};
 use crate::structure::kernel::{Mollifier, PairQuadrature, Sampled};
@@ -152,13 +152,12 @@ impl ElasticSolid {
         bore.sort_unstable();
         bore.dedup();
         let sectors = ring.sectors.max(1);
-        let assembled = assembled(model, interrupt)?;
-        let cuts = match_cuts(&assembled.positions, &first, &last, &bore, TAU / f64::from(sectors))
+        let cuts = match_cuts(&model.mesh.nodes, &first, &last, &bore, TAU / f64::from(sectors))
             .ok_or_else(|| StructureError::CutsDiffer { cuts: ring.cuts.map(String::from) })?;
         let (modes, prepared) = prepare(model, surfaces, options, interrupt)?;
         let exchange = gathered(&modes, &prepared);
-        let sector = Sector { assembled, cuts, held: bore, sectors, coupled: ring.coupled };
-        let responses = Responses::of_ring(sector, mirrored, &exchange, interrupt)?;
+        let sector = Sector { cuts, held: bore, sectors, coupled: ring.coupled };
+        let responses = Responses::of_ring(model, &sector, mirrored, &exchange, interrupt)?;
         Self::assemble(model, sectors, modes, prepared, &responses, interrupt)
     }
 
@@ -175,7 +174,7 @@ impl ElasticSolid {
     ) -> Result<Self, StructureError> {
         let (modes, prepared) = prepare(model, surfaces, options, interrupt)?;
         let exchange = gathered(&modes, &prepared);
-        let assembled = assembled(model, interrupt)?;
+        let assembled = whole(model, interrupt)?;
         let condense =
             |support| condense(&assembled, &support, None, &exchange.loads, &exchange.rows, interrupt);
         let condensed = match hold {
@@ -391,11 +390,6 @@ fn block_by_block(
         }
     }
     mapped
-}
-
-fn assembled(model: &SolidModel, interrupt: &Interrupt) -> Result<Assembled, StructureError> {
-    interrupt.room_for(model.stiffness_memory()).map_err(StructureError::Interrupted)?;
-    Ok(Assembled { stiffness: model.stiffness(), dofs_per_node: 3, positions: model.mesh.nodes.clone() })
 }
 
 fn faces<'a>(model: &'a SolidModel, name: &str) -> Result<&'a FaceSet, StructureError> {

@@ -6,10 +6,11 @@
 
 use super::responses::{Exchange, Sector};
 use crate::fe::SparseVector;
-use crate::fe::solid::SolidMesh;
+use crate::fe::solid::{SolidElement, SolidMesh, SolidModel};
+use crate::interrupt::Interrupt;
+use crate::structure::StructureError;
 use crate::structure::condense::{Assembled, Cuts};
-use faer::sparse::{SparseColMat, SymbolicSparseColMat};
-use std::collections::BTreeSet;
+use std::sync::Arc;
 
 /// How far a node may be from the mirror image of its like, relative to the face width: rounding.
 const SAME: f64 = 1e-11;
@@ -24,11 +25,12 @@ pub(super) struct Mirrored {
     half: Vec<usize>,
     /// By node: the place in `half` of the node itself or of its image.
     place: Vec<usize>,
+    /// Elements of the section, and layers of them.
+    elements: [usize; 2],
 }
 
 /// A half, to be condensed: degrees of freedom are those of its own nodes.
 pub(super) struct Half {
-    pub assembled: Assembled,
     pub cuts: Cuts,
     /// Degrees of freedom that do not move.
     pub held: Vec<usize>,
@@ -46,13 +48,25 @@ pub(super) struct Kept<N> {
 #[derive(Clone, Copy)]
 struct Signs([f64; 3]);
 
+impl Signs {
+    fn of(odd: bool) -> Self {
+        Self(if odd { [-1.0, -1.0, 1.0] } else { [1.0, 1.0, -1.0] })
+    }
+}
+
 impl Mirrored {
     /// `None` if the mesh is not its own mirror image, node by node.
     pub fn of(mesh: &SolidMesh) -> Option<Self> {
         let swept = mesh.swept.as_ref()?;
         let [start, end] = swept.z_range();
         let near = |a: f64, b: f64| (a - b).abs() <= SAME * (end - start);
-        let mut mirrored = Self { image: vec![0; mesh.nodes.len()], half: Vec::new(), place: Vec::new() };
+        let (count, layers) = (swept.section.elements.len(), swept.stations.len() - 1);
+        let mut mirrored = Self {
+            image: vec![0; mesh.nodes.len()],
+            half: Vec::new(),
+            place: Vec::new(),
+            elements: [count, layers],
+        };
         for axode in swept.axode_starts.windows(2) {
             for node in axode[0]..axode[1] {
                 let image = axode[0] + axode[1] - 1 - node;
@@ -63,7 +77,6 @@ impl Mirrored {
                 mirrored.image[node] = image;
             }
         }
-        let (count, layers) = (swept.section.elements.len(), swept.stations.len() - 1);
         let image = |element: usize| (layers - 1 - element / count) * count + element % count;
         if !mesh.absent.iter().all(|&element| mesh.absent.contains(&image(element))) {
             return None;
@@ -86,9 +99,69 @@ impl Mirrored {
         node <= self.image[node]
     }
 
-    /// The problem of the displacements that the mirror leaves as they are, or of those that it turns into their `odd` opposite.
+    /// Equations of the displacements that the mirror leaves as they are, and of those that it turns into their opposite. They are the
+    /// same where no element lies on both sides of the mirror, but for what is held.
+    pub fn equations(
+        &self,
+        model: &SolidModel,
+        interrupt: &Interrupt,
+    ) -> Result<[Arc<Assembled>; 2], StructureError> {
+        let [count, layers] = self.elements;
+        let whole = layers / 2 * count;
+        let of_half = |element: &SolidElement| {
+            let own = element.nodes.iter().filter(|&&node| self.is_first(node));
+            SolidElement { nodes: own.map(|&node| self.place[node]).collect(), ..element.clone() }
+        };
+        let elements: Vec<SolidElement> =
+            model.mesh.elements[..layers.div_ceil(2) * count].iter().map(of_half).collect();
+        let half = SolidMesh {
+            nodes: self.half.iter().map(|&node| model.mesh.nodes[node]).collect(),
+            absent: model.mesh.absent.range(..elements.len()).copied().collect(),
+            elements,
+            ..SolidMesh::default()
+        };
+        let assembled = |odd: bool| {
+            interrupt.room_for(half.stiffness_memory()).map_err(StructureError::Interrupted)?;
+            let signs = Signs::of(odd);
+            let stiffness = model.reduced_stiffness(&half, |index, matrix| {
+                if index < whole {
+                    // Its image does the same work again.
+                    return matrix.into_iter().map(|value| 2.0 * value).collect();
+                }
+                self.element(&model.mesh.elements[index].nodes, &half.elements[index].nodes, &matrix, signs)
+            });
+            Ok::<_, StructureError>(Arc::new(Assembled {
+                stiffness,
+                dofs_per_node: 3,
+                positions: half.nodes.clone(),
+            }))
+        };
+        let even = assembled(false)?;
+        let odd = if layers % 2 == 0 { even.clone() } else { assembled(true)? };
+        Ok([even, odd])
+    }
+
+    /// The matrix of an element on the mirror, by those of its `nodes` that are of the half, in `own` numbers.
+    fn element(&self, nodes: &[usize], own: &[usize], matrix: &[f64], signs: Signs) -> Vec<f64> {
+        let at = |node: usize| own.iter().position(|&place| place == self.place[node]).unwrap_or(0);
+        let sign = |node: usize, axis: usize| if self.is_first(node) { 1.0 } else { signs.0[axis] };
+        let mut reduced = vec![0.0; 9 * own.len() * own.len()];
+        let mut blocks = matrix.chunks_exact(9);
+        for &column in nodes {
+            for &row in nodes {
+                let Some(block) = blocks.next() else { return reduced };
+                let first = 9 * (at(column) * own.len() + at(row));
+                for (entry, value) in block.iter().enumerate() {
+                    reduced[first + entry] += sign(column, entry / 3) * sign(row, entry % 3) * value;
+                }
+            }
+        }
+        reduced
+    }
+
+    /// What of a sector and its loads belongs to displacements that the mirror leaves as they are, or turns into their `odd` opposite.
     pub fn half(&self, odd: bool, sector: &Sector, exchange: &Exchange) -> Half {
-        let signs = Signs(if odd { [-1.0, -1.0, 1.0] } else { [1.0, 1.0, -1.0] });
+        let signs = Signs::of(odd);
         let of_half = |nodes: &[usize]| -> Vec<usize> {
             nodes.iter().filter(|&&node| self.is_first(node)).map(|&node| self.place[node]).collect()
         };
@@ -97,28 +170,17 @@ impl Mirrored {
             last: of_half(&sector.cuts.last),
             angle: sector.cuts.angle,
         };
-        let on_cuts: BTreeSet<usize> = cuts.first.iter().chain(&cuts.last).copied().collect();
         let held_nodes = of_half(&sector.held).into_iter().flat_map(|place| 3 * place..3 * place + 3);
-        let still = (0..3 * self.half.len())
-            .filter(|dof| self.is_still(self.half[dof / 3], dof % 3, signs) && !on_cuts.contains(&(dof / 3)));
+        let dofs = 0..3 * self.half.len();
+        let still = dofs.filter(|dof| self.is_still(self.half[dof / 3], dof % 3, signs));
         let mut held: Vec<usize> = held_nodes.chain(still).collect();
         held.sort_unstable();
         held.dedup();
-        let assembled = Assembled {
-            stiffness: self.stiffness(&sector.assembled.stiffness, signs),
-            dofs_per_node: 3,
-            positions: self.half.iter().map(|&node| sector.assembled.positions[node]).collect(),
-        };
         let numbers: Vec<usize> =
             (0..exchange.loads.len()).filter(|&load| exchange.odd[load] == odd).collect();
         let vectors = numbers.iter().map(|&load| self.folded(&exchange.loads[load], signs)).collect();
-        Half {
-            assembled,
-            cuts,
-            held,
-            loads: Kept { vectors, numbers },
-            rows: self.rows(exchange, signs, if odd { -1.0 } else { 1.0 }),
-        }
+        let rows = self.rows(exchange, signs, if odd { -1.0 } else { 1.0 });
+        Half { cuts, held, loads: Kept { vectors, numbers }, rows }
     }
 
     /// Whether a node moves along an axis in none of these displacements: it is its own image.
@@ -167,43 +229,6 @@ impl Mirrored {
             }));
         }
         kept
-    }
-
-    /// Stiffness of the half: of the displacements of the whole that belong to its own. What is still has a spring of its own, so that
-    /// cuts of every kind have three degrees of freedom a node.
-    fn stiffness(&self, whole: &SparseColMat<usize, f64>, signs: Signs) -> SparseColMat<usize, f64> {
-        let size = 3 * self.half.len();
-        let (mut starts, mut rows, mut values) = (vec![0], Vec::new(), Vec::new());
-        let mut sums = vec![0.0; size];
-        for &node in &self.half {
-            // All three columns have the same rows.
-            let around = whole.row_idx_of_col(3 * node).map(|row| self.place[row / 3]);
-            let mut around: Vec<usize> = around.collect();
-            around.sort_unstable();
-            around.dedup();
-            // Forces on the node's image do the same work again.
-            let twice = if self.on_mirror(node) { 1.0 } else { 2.0 };
-            for axis in 0..3 {
-                let column = 3 * node + axis;
-                for (row, value) in whole.row_idx_of_col(column).zip(whole.val_of_col(column)) {
-                    match self.seen(row, signs) {
-                        _ if self.is_still(node, axis, signs) => {
-                            if row == column {
-                                sums[3 * self.place[node] + axis] = *value;
-                            }
-                        }
-                        Some((own, sign)) => sums[own] += twice * sign * value,
-                        None => {}
-                    }
-                }
-                for own in around.iter().flat_map(|&place| 3 * place..3 * place + 3) {
-                    rows.push(own);
-                    values.push(std::mem::take(&mut sums[own]));
-                }
-                starts.push(rows.len());
-            }
-        }
-        SparseColMat::new(SymbolicSparseColMat::new_checked(size, size, starts, None, rows), values)
     }
 }
 

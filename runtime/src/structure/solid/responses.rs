@@ -2,6 +2,7 @@
 
 use super::halves::Mirrored;
 use crate::fe::SparseVector;
+use crate::fe::solid::SolidModel;
 use crate::interrupt::Interrupt;
 use crate::structure::StructureError;
 use crate::structure::condense::{Assembled, Condensed, Cuts, Support, condense};
@@ -9,10 +10,10 @@ use crate::structure::elastic::{Response, response};
 use crate::structure::ring::RingFlexibility;
 use faer::Mat;
 use rayon::prelude::*;
+use std::sync::Arc;
 
 /// A sector of a ring, before it is condensed.
 pub(super) struct Sector {
-    pub assembled: Assembled,
     pub cuts: Cuts,
     /// Nodes that do not move.
     pub held: Vec<usize>,
@@ -29,6 +30,12 @@ pub(super) struct Exchange {
     pub rows: Vec<SparseVector>,
     /// Of each row, if it has one: the row of the mirrored place, and the sign that the mirror gives it.
     pub images: Vec<Option<(usize, f64)>>,
+}
+
+/// The equations of a whole mesh.
+pub(super) fn whole(model: &SolidModel, interrupt: &Interrupt) -> Result<Assembled, StructureError> {
+    interrupt.room_for(model.mesh.stiffness_memory()).map_err(StructureError::Interrupted)?;
+    Ok(Assembled { stiffness: model.stiffness(), dofs_per_node: 3, positions: model.mesh.nodes.clone() })
 }
 
 /// The answers of a body, of which parts do not know of each other.
@@ -62,45 +69,41 @@ impl Responses {
 
     /// Of a ring of sectors: by halves, if `mirrored` is given.
     pub fn of_ring(
-        sector: Sector,
+        model: &SolidModel,
+        sector: &Sector,
         mirrored: Option<&Mirrored>,
         exchange: &Exchange,
         interrupt: &Interrupt,
     ) -> Result<Self, StructureError> {
-        let joined = |condensed: &Condensed| {
-            let stiffness = condensed.stiffness.as_ref();
+        let condensed = |assembled: &Assembled,
+                         held: &[usize],
+                         cuts: &Cuts,
+                         loads: &[SparseVector],
+                         rows: &[SparseVector]| {
+            let condensed = condense(assembled, &Support::Held(held), Some(cuts), loads, rows, interrupt)?;
             let ring = |cut| RingFlexibility::new(cut, sector.sectors, sector.coupled, interrupt);
-            stiffness.map(ring).transpose()
+            let ring = condensed.stiffness.as_ref().map(ring).transpose()?;
+            Ok::<_, StructureError>((condensed, ring))
         };
         let Some(mirrored) = mirrored else {
-            let held = sector.assembled.dofs_of(&sector.held);
-            let (loads, rows) = (&exchange.loads, &exchange.rows);
-            let condensed = condense(
-                &sector.assembled,
-                &Support::Held(&held),
-                Some(&sector.cuts),
-                loads,
-                rows,
-                interrupt,
-            )?;
-            let ring = joined(&condensed)?;
+            let assembled = whole(model, interrupt)?;
+            let held = assembled.dofs_of(&sector.held);
+            let (condensed, ring) =
+                condensed(&assembled, &held, &sector.cuts, &exchange.loads, &exchange.rows)?;
             return Ok(Self::of(vec![Part::whole(condensed, ring, exchange)], exchange));
         };
-        let of_half = |odd: bool| {
-            let half = mirrored.half(odd, &sector, exchange);
-            let support = Support::Held(&half.held);
-            let condensed = condense(
-                &half.assembled,
-                &support,
-                Some(&half.cuts),
-                &half.loads.vectors,
-                &half.rows.vectors,
-                interrupt,
-            )?;
-            let ring = joined(&condensed)?;
+        let equations = mirrored.equations(model, interrupt)?;
+        let of_half = |(assembled, odd): (Arc<Assembled>, bool)| {
+            let half = mirrored.half(odd, sector, exchange);
+            let (loads, rows) = (&half.loads.vectors, &half.rows.vectors);
+            let (condensed, ring) = condensed(&assembled, &half.held, &half.cuts, loads, rows)?;
             Ok(Part { condensed, ring, loads: half.loads.numbers, rows: half.rows.numbers })
         };
-        let parts = [false, true].into_par_iter().map(of_half).collect::<Result<_, StructureError>>()?;
+        let parts = equations
+            .into_par_iter()
+            .zip([false, true])
+            .map(of_half)
+            .collect::<Result<_, StructureError>>()?;
         Ok(Self::of(parts, exchange))
     }
 

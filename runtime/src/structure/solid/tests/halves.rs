@@ -23,8 +23,8 @@ fn largest_difference(one: &[Vec<Mat<f64>>], other: &[Vec<Mat<f64>>]) -> f64 {
 #[test]
 fn halves_are_the_whole() {
     // With nodes on the mirror and without.
-    for layers in [2, 3] {
-        let ring = Ring { axial_order: if layers == 3 { 3 } else { 2 }, ..ring(layers, 0.0) };
+    for (layers, axial_order) in [(2, 2), (3, 3), (3, 2)] {
+        let ring = Ring { axial_order, ..ring(layers, 0.0) };
         let (model, surfaces) = ring.sector();
         let mirrored = Mirrored::of(&model.mesh);
         assert!(mirrored.is_some());
