@@ -16,7 +16,7 @@ use calyx_runtime::fe::elimination::eliminate;
 use calyx_runtime::fe::solid::SolidModel;
 use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::plan::Plan;
-use calyx_runtime::scene::{Fidelity, Prototype, Scene, StructureOptions};
+use calyx_runtime::scene::{Fidelity, Scene, StructureOptions};
 use calyx_runtime::step::StepResult;
 use calyx_runtime::structure::Chart;
 use calyx_runtime::structure::solid::SolidStructure;

@@ -201,6 +201,23 @@ fn the_number_of_threads_changes_no_bit_in_space() {
 }
 
 #[test]
+fn memory_is_asked_for_before_it_is_taken() {
+    let within = |limit: u64| {
+        let refused = || EngineError::new("E0707", "it is too much", "");
+        let interrupt =
+            Interrupt::counting(move |bytes| if bytes <= limit { Ok(()) } else { Err(refused()) });
+        let options = options(Resources { interrupt: interrupt.clone(), ..Resources::default() });
+        let ended = EDGES.steps(&options).and_then(Steps::finish);
+        (ended.map(|result| result.timing.memory).map_err(|error| error.code), interrupt.most_asked())
+    };
+    let (told, most) = within(u64::MAX);
+    assert_eq!(told, Ok(most));
+    assert!(most > 1 << 17, "{most}");
+    assert_eq!(within(most), (Ok(most), most));
+    assert_eq!(within(most - 1).0, Err("E0707"));
+}
+
+#[test]
 fn each_position_alone_has_the_bits_it_has_in_its_row() {
     for case in cases() {
         let plan = Plan::new(&case.scene, Fidelity::Plane, SMALLEST).expect("a plan");

@@ -29,6 +29,9 @@ impl Watcher {
     }
 }
 
+/// Bytes for which the system is asked what it has left.
+const WORTH_ASKING: u64 = 1 << 22;
+
 /// What an analysis asks whether to go on: no, if it was cancelled, has used up its time, or would take more memory than it may or
 /// than there is.
 pub fn interrupt(cancel: Cancel, limits: Limits) -> Interrupt {
@@ -41,6 +44,9 @@ pub fn interrupt(cancel: Cancel, limits: Limits) -> Interrupt {
             .check_time()
             .and_then(|()| limits.check_memory(taken))
             .map_err(|error| EngineError::new(codes::EXHAUSTED, error.message, error.help))?;
+        if wanted < WORTH_ASKING {
+            return Ok(());
+        }
         match room(limits, taken) {
             Some((room, whose)) if wanted > room => Err(too_large(wanted, room, whose)),
             _ => Ok(()),
