@@ -10,7 +10,7 @@ use crate::error::{EngineError, Subject};
 use crate::interrupt::Interrupt;
 use crate::plan::Plan;
 use crate::scene::{FREEDOMS, Fidelity, Scene, SurfacePair};
-use crate::system::{Freedom, loads_on, number_freedoms, pose};
+use crate::system::{Freedom, loads_on, number_freedoms, solid_pose};
 
 /// Checks that nominal contact holds every free motion of the planned bodies under the loads of a time (s), that of the first
 /// position to solve.
@@ -60,7 +60,7 @@ fn nominal_arms(
     let Some(mesh) = &pair.mesh else { return Ok(None) };
     let bodies = pair.bodies.map(|body| body.0);
     let [first, second] =
-        [pose(scene, bodies[0], mesh.start)?.origin, pose(scene, bodies[1], mesh.start)?.origin];
+        [solid_pose(scene, bodies[0], mesh.start)?.origin, solid_pose(scene, bodies[1], mesh.start)?.origin];
     let across = [second[0] - first[0], second[1] - first[1]];
     let [radius, mate] = mesh.base_radii;
     let cosine = (radius + mesh.sign * mate).abs() / across[0].hypot(across[1]);

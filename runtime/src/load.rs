@@ -25,12 +25,11 @@ impl Wrench {
         Wrench { moment, ..Wrench::NONE }
     }
 
-    /// The component that does work on a freedom, by its index in [`crate::scene::FREEDOMS`]; N or N m.
-    pub(crate) fn component(&self, freedom: usize) -> f64 {
-        match freedom {
-            component @ 0..3 => self.force[component],
-            component => self.moment[component - 3],
-        }
+    /// What does work on a body's freedoms, in the order of [`crate::scene::FREEDOMS`], where they count along `axes`; N and N m.
+    pub(crate) fn along(&self, axes: &[[f64; 3]; 3]) -> [f64; 6] {
+        let of = |[x, y, z]: [f64; 3]| axes.map(|axis| x * axis[0] + y * axis[1] + z * axis[2]);
+        let ([a, b, c], [d, e, f]) = (of(self.force), of(self.moment));
+        [a, b, c, d, e, f]
     }
 }
 

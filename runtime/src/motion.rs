@@ -3,6 +3,7 @@
 use crate::contact::solid::Pose;
 use crate::error::EngineError;
 use calyx_abi::math;
+use std::sync::Arc;
 
 /// A prescribed motion. `frame` takes ground coordinates into the body's frame: `x' = R x + t`.
 pub trait Motion: Send + Sync {
@@ -46,6 +47,46 @@ impl Motion for SteadyRotation {
     }
 }
 
+/// A motion that is put elsewhere as a whole: with its axis tilted, say.
+pub struct Placed {
+    /// What is put elsewhere.
+    pub motion: Arc<dyn Motion>,
+    /// Where to.
+    pub pose: Pose,
+}
+
+impl Placed {
+    /// Of a motion that is turned by `rotation` (a matrix, row by row) about a point (m).
+    pub fn turned_about(motion: Arc<dyn Motion>, rotation: [[f64; 3]; 3], point: [f64; 3]) -> Placed {
+        let turned = Pose { rotation, origin: [0.0; 3] }.point(point);
+        Placed { motion, pose: Pose { rotation, origin: [0, 1, 2].map(|k| point[k] - turned[k]) } }
+    }
+
+    /// A frame, or its rate, as it is there: the place is constant, so both change in the same way.
+    fn put(&self, f: [f64; 12]) -> [f64; 12] {
+        let Pose { rotation: q, origin } = self.pose;
+        // Ground is brought back to where the motion was told: x' = R Q^T (x - p) + t.
+        let r: [f64; 9] = std::array::from_fn(|k| {
+            let (row, column) = (k / 3, k % 3);
+            (0..3).map(|j| f[3 * row + j] * q[column][j]).sum()
+        });
+        let t: [f64; 3] = std::array::from_fn(|row| {
+            f[9 + row] - (0..3).map(|column| r[3 * row + column] * origin[column]).sum::<f64>()
+        });
+        [r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8], t[0], t[1], t[2]]
+    }
+}
+
+impl Motion for Placed {
+    fn frame(&self, time: f64) -> [f64; 12] {
+        self.put(self.motion.frame(time))
+    }
+
+    fn rate(&self, time: f64) -> [f64; 12] {
+        self.put(self.motion.rate(time))
+    }
+}
+
 /// Velocity of the point of a moving body that is at a point in ground coordinates (m) at a time (s), m/s.
 pub fn point_velocity(motion: &dyn Motion, time: f64, point: [f64; 3]) -> [f64; 3] {
     let (f, r) = (motion.frame(time), motion.rate(time));
@@ -71,24 +112,37 @@ impl PlanePose {
         let f = finite_frame(motion, time)?;
         let tilt = (f[8] - 1.0).abs() + f[2].abs() + f[5].abs() + f[6].abs() + f[7].abs();
         if tilt > 1e-9 {
-            return Err(EngineError::new(
-                "E0610",
-                "a plane model needs every body to turn about an axis parallel to e3",
-                "let the frame use rotations about e3 (an axis of unit length) and translations in the plane only",
-            )
-            .blame("frame"));
+            return Err(out_of_plane());
         }
         // x' = R x + t: the origin is where x' = 0, so x = -R^T t.
         let origin = [-(f[0] * f[9] + f[3] * f[10]), -(f[1] * f[9] + f[4] * f[10])];
         Ok(PlanePose { origin, angle: f[1].atan2(f[0]) })
     }
+}
 
-    /// Angular velocity of `motion` about e3, rad/s.
-    pub fn angular_velocity(motion: &dyn Motion, time: f64) -> f64 {
-        let (f, r) = (motion.frame(time), motion.rate(time));
-        // With R = [c s; -s c]: dR/dt R^T has the angular velocity in its upper right corner.
-        r[0] * f[3] + r[1] * f[4]
+/// Whether a plane model can have a body that moves like this: its axis is parallel to e3, and stays so.
+///
+/// # Errors
+/// E0610: it does not; E0710: the frame is not a number at time 0.
+pub fn check_in_plane(motion: &dyn Motion) -> Result<(), EngineError> {
+    PlanePose::of(motion, 0.0)?;
+    // A frame that is upright at time 0 may tilt later. Row and column of e3 in the rotation: its rate is perpendicular to it, so
+    // these four hold all tilting.
+    let rate = motion.rate(0.0);
+    let fastest = rate[..9].iter().fold(0.0, |most: f64, entry| most.max(entry.abs()));
+    match [2, 5, 6, 7].iter().any(|&entry| rate[entry].abs() > 1e-9 * fastest) {
+        true => Err(out_of_plane()),
+        false => Ok(()),
     }
+}
+
+fn out_of_plane() -> EngineError {
+    EngineError::new(
+        "E0610",
+        "a plane model needs every body to turn about an axis parallel to e3",
+        "choose a fidelity in space, such as \"medium\", for misaligned axes; else let the frame use rotations about e3 (an axis of unit length) and translations in the plane only",
+    )
+    .blame("frame")
 }
 
 fn finite_frame(motion: &dyn Motion, time: f64) -> Result<[f64; 12], EngineError> {
@@ -116,12 +170,61 @@ pub fn pose_in_space(motion: &dyn Motion, time: f64) -> Result<Pose, EngineError
     Ok(Pose { rotation, origin })
 }
 
-/// Angle (rad) about the body's own z axis between two of its poses, whose axes are parallel to each other.
-pub fn turned_between(before: &Pose, after: &Pose) -> f64 {
-    let column = |pose: &Pose, axis: usize| pose.rotation.map(|row| row[axis]);
-    let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-    let x = column(after, 0);
-    dot(x, column(before, 1)).atan2(dot(x, column(before, 0)))
+/// How a body stands in space: the direction of its axis, and how far it is turned about it.
+///
+/// Its turn and the axes along which its freedoms count are told apart from its tilt in one way: the ground axes are swung with the
+/// body's axis, the shortest way from e3, and the body is turned from there. So the turn of a gear on a tilted shaft, or of one
+/// that wobbles on a straight one, grows exactly as the shaft turns.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stance {
+    /// The ground axes swung with the body's axis, which is the last of them: unit vectors.
+    pub axes: [[f64; 3]; 3],
+    /// Turn about the last of them, rad.
+    pub angle: f64,
+}
+
+impl Stance {
+    /// Of a body that stands at a pose.
+    pub fn of(pose: &Pose) -> Stance {
+        let [[xx, xy, xz], [yx, yy, yz], [_, _, zz]] = pose.rotation;
+        Stance { axes: swung([xz, yz, zz]), angle: (yx - xy).atan2(xx + yy) }
+    }
+
+    /// The body's axis.
+    pub fn axis(&self) -> [f64; 3] {
+        self.axes[2]
+    }
+
+    /// Angle of the axis to e3, rad.
+    pub fn tilt(&self) -> f64 {
+        let [x, y, z] = self.axis();
+        x.hypot(y).atan2(z)
+    }
+}
+
+/// The ground axes turned together, the shortest way, so that e3 becomes `axis` (unit vector).
+pub fn swung([x, y, z]: [f64; 3]) -> [[f64; 3]; 3] {
+    let by = (1.0 + z).recip();
+    let mixed = -x * y * by;
+    [[1.0 - x * x * by, mixed, -x], [mixed, 1.0 - y * y * by, -y], [x, y, z]]
+}
+
+/// Angular velocity of a motion along ground axes, rad/s.
+pub fn angular_velocity(motion: &dyn Motion, time: f64) -> [f64; 3] {
+    let (f, r) = (motion.frame(time), motion.rate(time));
+    // With x' = R x the velocity field is -R^T dR/dt x; its antisymmetric matrix holds the angular velocity.
+    let entry = |row: usize, column: usize| -> f64 {
+        (0..3).map(|k| r[3 * k + row] * f[3 * k + column]).sum()
+    };
+    [entry(2, 1), entry(0, 2), entry(1, 0)]
+}
+
+/// Rate of a body's [`Stance::angle`], rad/s.
+pub fn turning_speed(motion: &dyn Motion, time: f64) -> Result<f64, EngineError> {
+    let [x, y, z] = Stance::of(&pose_in_space(motion, time)?).axis();
+    let [along_x, along_y, along_z] = angular_velocity(motion, time);
+    // Of a steady axis all of it; of one that goes around e3 as fast as the body turns, too.
+    Ok((along_x * x + along_y * y + along_z * (1.0 + z)) / (1.0 + z))
 }
 
 #[cfg(test)]
@@ -134,7 +237,80 @@ mod tests {
         let pose = PlanePose::of(&motion, 0.1).unwrap();
         assert!((pose.angle - 0.2).abs() < 1e-15);
         assert!((pose.origin[0] - 0.3).abs() < 1e-15 && (pose.origin[1] + 0.2).abs() < 1e-15);
-        assert!((PlanePose::angular_velocity(&motion, 0.1) + 2.0).abs() < 1e-14);
+        let [x, y, z] = angular_velocity(&motion, 0.1);
+        assert!((z + 2.0).abs() < 1e-14 && x == 0.0 && y == 0.0);
+        assert!((turning_speed(&motion, 0.1).unwrap() + 2.0).abs() < 1e-14);
+    }
+
+    /// A frame turned about x by `tilt`, before or after it turns about z by `angle`.
+    struct Leaning {
+        tilt: f64,
+        speed: f64,
+        wobbles: bool,
+    }
+
+    impl Motion for Leaning {
+        fn frame(&self, time: f64) -> [f64; 12] {
+            let ((s, c), (st, ct)) = ((self.speed * time).sin_cos(), self.tilt.sin_cos());
+            // Ground to body: turn after tilt, or tilt after turn.
+            let r = if self.wobbles {
+                [c, s, 0.0, -ct * s, ct * c, st, st * s, -st * c, ct]
+            } else {
+                [c, s * ct, s * st, -s, c * ct, c * st, 0.0, -st, ct]
+            };
+            [r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8], 0.0, 0.0, 0.0]
+        }
+        fn rate(&self, time: f64) -> [f64; 12] {
+            let step = 1e-6;
+            let (before, after) = (self.frame(time - step), self.frame(time + step));
+            std::array::from_fn(|k| (after[k] - before[k]) / (2.0 * step))
+        }
+    }
+
+    #[test]
+    fn a_tilted_body_turns_about_its_own_axis() {
+        for wobbles in [false, true] {
+            let motion = Leaning { tilt: 0.05, speed: 3.0, wobbles };
+            for time in [0.0, 0.2, 0.7] {
+                let stance = Stance::of(&pose_in_space(&motion, time).unwrap());
+                assert!((stance.angle - 3.0 * time).abs() < 1e-14, "{}", stance.angle);
+                assert!((stance.tilt() - 0.05).abs() < 1e-14);
+                assert!((turning_speed(&motion, time).unwrap() - 3.0).abs() < 1e-9);
+                for (i, one) in stance.axes.iter().enumerate() {
+                    for (j, other) in stance.axes.iter().enumerate() {
+                        let dot: f64 = (0..3).map(|k| one[k] * other[k]).sum();
+                        assert!((dot - if i == j { 1.0 } else { 0.0 }).abs() < 1e-15);
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_motion_put_elsewhere_moves_as_it_did_there() {
+        let still = SteadyRotation { origin: [0.3, -0.2], start: 0.4, speed: -2.0 };
+        let rotation = swung([0.6 * 0.05_f64.sin(), 0.8 * 0.05_f64.sin(), 0.05_f64.cos()]);
+        // Rows of `swung` are images of axes: the matrix that takes them there is its transpose.
+        let rotation: [[f64; 3]; 3] = [0, 1, 2].map(|i| [0, 1, 2].map(|j: usize| rotation[j][i]));
+        let placed = Placed::turned_about(Arc::new(still), rotation, [0.1, 0.2, 0.3]);
+        let (at, there) = (pose_in_space(&still, 0.7).unwrap(), pose_in_space(&placed, 0.7).unwrap());
+        let expected = placed.pose.point(at.point([0.01, 0.02, 0.03]));
+        let found = there.point([0.01, 0.02, 0.03]);
+        assert!((0..3).all(|k| (found[k] - expected[k]).abs() < 1e-15), "{found:?} {expected:?}");
+        assert_eq!(placed.pose.point([0.1, 0.2, 0.3]), [0.1, 0.2, 0.3]);
+        let velocity = placed.pose.direction(point_velocity(&still, 0.7, at.point([0.01, 0.02, 0.03])));
+        let found = point_velocity(&placed, 0.7, found);
+        assert!((0..3).all(|k| (found[k] - velocity[k]).abs() < 1e-14), "{found:?} {velocity:?}");
+    }
+
+    #[test]
+    fn axes_swing_no_further_than_their_z() {
+        // The shortest way leaves the direction about which it turns where it is.
+        let axis = [0.03_f64.sin() * 0.6, 0.03_f64.sin() * 0.8, 0.03_f64.cos()];
+        let [x, y, _] = swung(axis);
+        let across: [f64; 3] = std::array::from_fn(|k| 0.8 * x[k] - 0.6 * y[k]);
+        let error = [across[0] - 0.8, across[1] + 0.6, across[2]].map(f64::abs);
+        assert!(error.iter().all(|error| *error < 1e-15), "{error:?}");
     }
 
     #[test]

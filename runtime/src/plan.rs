@@ -2,6 +2,7 @@
 
 use crate::cache::Key;
 use crate::error::{EngineError, Subject};
+use crate::motion::check_in_plane;
 use crate::scene::{BodyId, FREEDOMS, Fidelity, Ignored, Prototype, Scene, StructureOptions};
 use std::sync::Arc;
 
@@ -47,6 +48,7 @@ impl Plan {
             }
             if fidelity == Fidelity::Plane && !left_out {
                 refuse_motion_out_of_plane(&body.name, body.free)
+                    .and_then(|()| check_in_plane(body.motion.as_ref()))
                     .map_err(|error| error.about(Subject::Body(index)))?;
             }
             bodies.push(BodyPlan {

@@ -4,8 +4,7 @@ use crate::building::{Structures, build_structures};
 use crate::contact::solid::Pose;
 use crate::error::{EngineError, Subject};
 use crate::interrupt::Interrupt;
-use crate::load::Wrench;
-use crate::motion::{PlanePose, pose_in_space, turned_between};
+use crate::motion::{PlanePose, Stance, pose_in_space};
 use crate::plan::Plan;
 use crate::resources::Resources;
 use crate::results::StructureCounts;
@@ -81,8 +80,8 @@ pub(crate) struct PlaneBodies {
 /// Bodies in space.
 pub(crate) struct SolidBodies {
     pub(crate) structures: Vec<Option<Arc<dyn SolidStructure>>>,
-    /// Poses at time 0.
-    initial: Vec<Pose>,
+    /// Turned so far at time 0, rad.
+    initial: Vec<f64>,
 }
 
 impl<'s> System<'s> {
@@ -117,7 +116,8 @@ impl<'s> System<'s> {
                 Bodies::Plane(PlaneBodies { structures: Vec::new(), face_width, initial })
             }
             Fidelity::Solid(_) => {
-                let initial = all.map(|body| solid_pose(scene, body, 0.0)).collect::<Result<_, _>>()?;
+                let angle = |body| solid_pose(scene, body, 0.0).map(|pose| Stance::of(&pose).angle);
+                let initial = all.map(angle).collect::<Result<_, _>>()?;
                 Bodies::Solid(SolidBodies { structures: Vec::new(), initial })
             }
         };
@@ -159,7 +159,15 @@ impl<'s> System<'s> {
                 pose(self.scene, body, time).map_or(f64::NAN, |pose| pose.angle - bodies.initial[body].angle)
             }
             Bodies::Solid(bodies) => solid_pose(self.scene, body, time)
-                .map_or(f64::NAN, |pose| turned_between(&bodies.initial[body], &pose)),
+                .map_or(f64::NAN, |pose| Stance::of(&pose).angle - bodies.initial[body]),
+        }
+    }
+
+    /// The directions along and about which a body's freedoms count: those of the ground, swung with the body's axis.
+    pub(crate) fn axes(&self, body: usize, time: f64) -> [[f64; 3]; 3] {
+        match &self.bodies {
+            Bodies::Plane(_) => Pose::IDENTITY.rotation,
+            Bodies::Solid(_) => axes(self.scene, body, time),
         }
     }
 
@@ -191,6 +199,11 @@ pub(crate) fn solid_pose(scene: &Scene, body: usize, time: f64) -> Result<Pose, 
     pose_in_space(scene.bodies[body].motion.as_ref(), time).map_err(|error| error.about(Subject::Body(body)))
 }
 
+/// The ground axes swung with a body's axis; not numbers where its motion is none.
+fn axes(scene: &Scene, body: usize, time: f64) -> [[f64; 3]; 3] {
+    solid_pose(scene, body, time).map_or([[f64::NAN; 3]; 3], |pose| Stance::of(&pose).axes)
+}
+
 /// Free components of the bodies that are modelled, in order.
 pub(crate) fn number_freedoms(scene: &Scene, plan: &Plan) -> Vec<Freedom> {
     let bodies = scene.bodies.iter().zip(&plan.bodies).enumerate().filter(|(_, (_, plan))| !plan.left_out);
@@ -207,15 +220,15 @@ pub(crate) fn number_freedoms(scene: &Scene, plan: &Plan) -> Vec<Freedom> {
 /// E0723 if a load is not a number there.
 pub(crate) fn loads_on(scene: &Scene, freedoms: &[Freedom], time: f64) -> Result<Vec<f64>, EngineError> {
     let mut loads = Vec::with_capacity(freedoms.len());
-    let mut latest: Option<(usize, Wrench)> = None;
+    let mut latest: Option<(usize, [f64; 6])> = None;
     for freedom in freedoms {
         // A load is asked once a position, however many components of its body are free.
-        let wrench = match latest {
-            Some((body, wrench)) if body == freedom.body => wrench,
-            _ => scene.bodies[freedom.body].load.at(time),
+        let along = match latest {
+            Some((body, along)) if body == freedom.body => along,
+            _ => scene.bodies[freedom.body].load.at(time).along(&axes(scene, freedom.body, time)),
         };
-        latest = Some((freedom.body, wrench));
-        let load = wrench.component(freedom.component);
+        latest = Some((freedom.body, along));
+        let load = along[freedom.component];
         if !load.is_finite() {
             let body = &scene.bodies[freedom.body].name;
             return Err(EngineError::new(

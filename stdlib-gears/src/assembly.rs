@@ -3,24 +3,25 @@
 //! These are the very functions behind `body` and `mesh` of the language's library, so a pair built in Rust and one described in
 //! Calyx are the same scene, bit for bit.
 
+use crate::axes::{Axes, turns_about_e3};
 use crate::error::{GeometryError, Refusal, sentence};
 use crate::gear::Gear;
 use crate::mesh_geometry::{MeshGeometry, Wound};
 use crate::mounting::{Mounting, mount};
 use crate::prototype::GearPrototype;
 use calyx_runtime::error::{EngineError, Subject};
-use calyx_runtime::motion::{Motion, PlanePose};
+use calyx_runtime::motion::{PlanePose, pose_in_space, turning_speed};
 use calyx_runtime::scene::{Body, BodyId, GridOptions, PairId, Scene, SurfacePair};
 use std::any::Any;
+use std::sync::Arc;
 
 /// Adds a body to a scene.
 ///
 /// # Errors
-/// E0610: its frame tilts out of the plane; E0671: the scene has a body of that name; E0710: its frame is not a number at time 0;
-/// E0723: nor is its load.
+/// E0610: it turns about another axis than e3, and not for a misalignment; E0671: the scene has a body of that name; E0710: its
+/// frame is not a number at time 0; E0723: nor is its load.
 pub fn add_body(scene: &mut Scene, body: Body) -> Result<BodyId, Refusal> {
-    PlanePose::of(body.motion.as_ref(), 0.0)?;
-    turns_in_the_plane(body.motion.as_ref())?;
+    turns_about_e3(body.motion.as_ref())?;
     if scene.bodies.iter().any(|other| other.name == body.name) {
         return Err(EngineError::new(
             "E0671",
@@ -46,12 +47,30 @@ pub struct MeshOptions {
     pub grid_width: Option<f64>,
     /// Coefficient of friction.
     pub friction: f64,
+    /// Tilts the second gear.
+    pub misalignment: Misalignment,
+}
+
+/// How the second gear's axis stands off parallel to the first one's, by two angles (rad): about the middle of the common face.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Misalignment {
+    /// In the plane of action; positive brings the flanks that drive together at the end of the face towards +e3.
+    pub in_action: f64,
+    /// In the plane at right angles to it, which hardly matters to contact; positive brings the axes together at that end.
+    pub off_action: f64,
 }
 
 impl Default for MeshOptions {
     fn default() -> Self {
         let GridOptions { half_cells, half_slices, width, edges } = GridOptions::default();
-        MeshOptions { tip_corner_contact: edges, half_cells, half_slices, grid_width: width, friction: 0.0 }
+        MeshOptions {
+            tip_corner_contact: edges,
+            half_cells,
+            half_slices,
+            grid_width: width,
+            friction: 0.0,
+            misalignment: Misalignment::default(),
+        }
     }
 }
 
@@ -86,9 +105,7 @@ pub fn mesh(
 #[derive(Clone, Debug)]
 pub struct Pairing {
     bodies: [BodyId; 2],
-    poses: [PlanePose; 2],
-    /// Of the frames' origins along the axes, m.
-    axial: [f64; 2],
+    axes: Axes,
     /// rad/s
     speeds: [f64; 2],
 }
@@ -97,11 +114,12 @@ impl Pairing {
     /// Looks at two bodies of a scene.
     ///
     /// # Errors
-    /// E0652: they are one body, or in mesh already; E0653: one of them is not of the scene or carries no gear; E0710: a frame is
-    /// not a number.
+    /// E0648: their axes cross; E0652: they are one body, or in mesh already; E0653: one of them is not of the scene or carries no
+    /// gear; E0710: a frame is not a number.
     pub fn of(scene: &Scene, bodies: [BodyId; 2]) -> Result<Pairing, Refusal> {
-        for (id, argument) in bodies.into_iter().zip(["first", "second"]) {
-            gear_of(scene, id).ok_or_else(|| {
+        let mut half_widths = [0.0; 2];
+        for ((id, argument), half) in bodies.into_iter().zip(["first", "second"]).zip(&mut half_widths) {
+            let gear = gear_of(scene, id).ok_or_else(|| {
                 EngineError::new(
                     "E0653",
                     format!("body {} of the scene carries no gear", id.0),
@@ -109,28 +127,20 @@ impl Pairing {
                 )
                 .blame(argument)
             })?;
+            *half = 0.5 * gear.face_width;
         }
         meet_once(scene, bodies)?;
         let motion = |id: BodyId| scene.bodies[id.0].motion.as_ref();
-        let poses = [PlanePose::of(motion(bodies[0]), 0.0)?, PlanePose::of(motion(bodies[1]), 0.0)?];
-        let speeds = bodies.map(|id| PlanePose::angular_velocity(motion(id), 0.0));
-        let axial = bodies.map(|id| axial_place(motion(id)));
-        Ok(Pairing { bodies, poses, axial, speeds })
+        let poses =
+            [pose_in_space(motion(bodies[0]), 0.0)?, pose_in_space(motion(bodies[1]), 0.0)?];
+        let speeds = [turning_speed(motion(bodies[0]), 0.0)?, turning_speed(motion(bodies[1]), 0.0)?];
+        Ok(Pairing { bodies, axes: Axes::of(&poses, half_widths)?, speeds })
     }
 
-    /// Between the two axes, m.
+    /// Between the two axes at the middle of the common face, m.
     pub fn center_distance(&self) -> f64 {
-        let [first, second] = self.poses.map(|pose| pose.origin);
+        let [first, second] = self.axes.sections.map(|section| section.origin);
         (second[0] - first[0]).hypot(second[1] - first[1])
-    }
-
-    /// Width that both faces have in common, m; not positive if they pass each other.
-    fn common_width(&self, gears: [&GearPrototype; 2]) -> f64 {
-        let ends = [0, 1].map(|member: usize| {
-            let half = 0.5 * gears[member].face_width;
-            [self.axial[member] - half, self.axial[member] + half]
-        });
-        ends[0][1].min(ends[1][1]) - ends[0][0].max(ends[1][0])
     }
 
     /// How the gears would touch, whether or not they can run; `None` where they cannot touch at all.
@@ -142,7 +152,7 @@ impl Pairing {
             Gear::External(second) => MeshGeometry::external(first, second, distance),
             Gear::Internal(second) => MeshGeometry::internal(first, second, distance),
         };
-        let wound = Wound { first: prototypes[0].helix, width: self.common_width(prototypes).max(0.0) };
+        let wound = Wound { first: prototypes[0].helix, width: self.axes.common_width.max(0.0) };
         Some(geometry.ok()?.across(first, &wound))
     }
 
@@ -157,23 +167,27 @@ impl Pairing {
             let error = EngineError::new("E0653", "a body of the mesh carries no gear", "");
             return Err(error.into());
         };
-        let width = self.common_width([driver, mate]);
-        let (geometry, warnings) = check(driver, mate, self.center_distance(), width)?;
+        let (geometry, warnings) = check(driver, mate, self.center_distance(), self.axes.common_width)?;
         let gears = [driver.form(), mate.form()];
         let phase_of_first = scene.bodies[first.0].phase;
         let sense = drive_sense(scene, self.bodies, gears[1].sense(), self.speeds[0])?;
-        // The section of the first gear that lies at the middle of the second one's face.
-        let turned = driver.twist_per_length() * (self.axial[1] - self.axial[0]);
-        let first_angle = self.poses[0].angle + phase_of_first + turned;
-        let mounting = Mounting {
-            first: PlanePose { angle: first_angle, ..self.poses[0] },
-            second: self.poses[1],
-            angular_velocity: self.speeds,
-            sense,
-        };
+        // Teeth are phased where they are at the middle of the common face.
+        let twists = [driver.twist_per_length(), mate.twist_per_length()];
+        let [first_section, second_section] = [0, 1].map(|member| {
+            let section = self.axes.sections[member];
+            PlanePose { angle: section.angle + twists[member] * self.axes.along[member], ..section }
+        });
+        let first_section = PlanePose { angle: first_section.angle + phase_of_first, ..first_section };
+        let mounting =
+            Mounting { first: first_section, second: second_section, angular_velocity: self.speeds, sense };
         let (phase, mut mesh) = mount(gears, &geometry, &mounting)?;
-        mesh.roll_at_zero += sense * turned;
-        scene.bodies[second.0].phase = phase;
+        // Where the body's own angle is zero, rather than that of its section.
+        mesh.roll_at_zero += sense * (first_section.angle - phase_of_first - self.axes.angles[0]);
+        let body = &mut scene.bodies[second.0];
+        body.phase = phase;
+        if options.misalignment != Misalignment::default() {
+            body.motion = Arc::new(self.axes.misaligned(body.motion.clone(), &geometry, sense, options.misalignment));
+        }
         let surface = if sense > 0.0 { 0 } else { 1 };
         // A ring touches on the sides of its teeth that look the other way.
         let surfaces = [surface, if gears[1].internal { 1 - surface } else { surface }];
@@ -263,32 +277,10 @@ fn check_helices(first: &GearPrototype, second: &GearPrototype) -> Result<(), Ge
 /// Helix angles that differ by no more than this are equal, rad: a hundredth of the smallest tolerance.
 const SAME_HELIX: f64 = 1e-9;
 
-/// Where the middle of a body's face is along e3 at time 0, m.
-fn axial_place(motion: &dyn Motion) -> f64 {
-    let frame = motion.frame(0.0);
-    -(frame[2] * frame[9] + frame[5] * frame[10] + frame[8] * frame[11])
-}
-
 /// The gear that a body carries, if it does.
 pub fn gear_of(scene: &Scene, body: BodyId) -> Option<&GearPrototype> {
     let prototype: &dyn Any = scene.bodies.get(body.0)?.prototype.as_ref();
     prototype.downcast_ref()
-}
-
-/// A frame that is upright at Time = 0 may tilt later.
-fn turns_in_the_plane(motion: &dyn Motion) -> Result<(), EngineError> {
-    let rate = motion.rate(0.0);
-    // Row and column of e3 in the rotation: its rate is perpendicular to it, so these four hold all tilting.
-    let fastest = rate[..9].iter().fold(0.0, |most: f64, entry| most.max(entry.abs()));
-    if [2, 5, 6, 7].iter().any(|&entry| rate[entry].abs() > 1e-9 * fastest) {
-        return Err(EngineError::new(
-            "E0610",
-            "a plane model needs every body to turn about an axis parallel to e3",
-            "let the frame use rotations about e3 and translations in the plane only",
-        )
-        .blame("frame"));
-    }
-    Ok(())
 }
 
 /// Two meshes of the same bodies would share one load in no determined way.

@@ -1,6 +1,6 @@
 //! The library's functions as programs call them: the Rust side of `gears.cx` and `prelude.cx`.
 
-use crate::assembly::{MeshOptions, Pairing, add_body};
+use crate::assembly::{MeshOptions, Misalignment, Pairing, add_body};
 use crate::error::Severity;
 use crate::host::{Asked, Finding, Meeting, ModelHost, keep};
 use calyx_abi::externs::{Handle, SymbolicNumber, SymbolicTransform};
@@ -48,7 +48,7 @@ calyx_abi::externs! {
 
     Scene fn calyx_gears_mesh(
         context, first: Handle, second: Handle, tip_corner_contact: bool, cells: f64, grid_width: f64,
-        cells_along: f64, friction: f64,
+        cells_along: f64, friction: f64, misalignment: f64, misalignment_off_action: f64,
     ) -> Handle {
         for (argument, count) in [("cells", cells), ("cells_along", cells_along)] {
             if count.fract() != 0.0 {
@@ -64,6 +64,7 @@ calyx_abi::externs! {
             half_slices: cells_along as usize,
             grid_width: (grid_width > 0.0).then_some(grid_width),
             friction,
+            misalignment: Misalignment { in_action: misalignment, off_action: misalignment_off_action },
         };
         let pairing = Pairing::of(&host.scene, ids).map_err(|refusal| host.refused(refusal, place))?;
         // What can touch has a geometry, also where it cannot run.

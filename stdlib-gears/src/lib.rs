@@ -105,6 +105,7 @@
 #![warn(missing_docs)]
 
 pub mod assembly;
+mod axes;
 pub mod blank;
 pub mod cutting;
 pub mod derived;

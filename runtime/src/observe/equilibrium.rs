@@ -172,6 +172,13 @@ impl Contact<'_> {
         self.patch.wrench(side, origin, self.at.system.width())
     }
 
+    /// The moment that the patch puts on the body on one of its sides, about the body's own axis, N m.
+    pub fn torque(&self, side: usize) -> f64 {
+        let [.., x, y, z] = self.wrench(side);
+        let axis = self.at.system.axes(self.bodies()[side].0, self.at.time())[2];
+        x * axis[0] + y * axis[1] + z * axis[2]
+    }
+
     /// The pieces of the patch along the line of contact, those without load among them; none where nothing is pressed.
     pub fn slices(&self) -> Vec<Slice> {
         match &self.patch.grid {

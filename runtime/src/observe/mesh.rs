@@ -58,7 +58,7 @@ impl Observable for SecantStiffness {
 
     fn value(&self, at: &Equilibrium<'_>) -> Observed {
         let Some((mesh, _)) = at.mesh(self.0) else { return Observed::number(f64::NAN) };
-        let moment: f64 = at.contacts(self.0).map(|contact| contact.wrench(0)[THETA_Z]).sum();
+        let moment: f64 = at.contacts(self.0).map(|contact| contact.torque(0)).sum();
         let force = moment.abs() / mesh.base_radii[0];
         let moved =
             TransmissionError(self.0).value(at).value - UnloadedTransmissionError(self.0).value(at).value;

@@ -33,9 +33,9 @@ impl Action {
         let mut works = vec![0.0; self.points.len() * count];
         for (column, freedom) in system.freedoms.iter().enumerate() {
             for side in (0..2).filter(|&side| pair.bodies[side].0 == freedom.body) {
-                let origin = system.origin(freedom.body, time);
+                let (origin, axes) = (system.origin(freedom.body, time), system.axes(freedom.body, time));
                 for (row, (drag, point)) in drag.iter().zip(&self.points).enumerate() {
-                    works[row * count + column] += work(*drag, side, freedom.component, origin, *point);
+                    works[row * count + column] += work(*drag, side, freedom.component, &axes, origin, *point);
                 }
             }
         }
@@ -43,16 +43,20 @@ impl Action {
     }
 }
 
-/// Work of a drag on the body of a side by a component of its motion, in the order of [`crate::scene::FREEDOMS`]: turns are about axes
-/// through `origin`.
+/// Work of a drag on the body of a side by a component of its motion, in the order of [`crate::scene::FREEDOMS`]: shifts are along `axes`,
+/// turns about them through `origin`.
 pub(super) fn work(
-    [x, y, z]: [f64; 3],
+    drag: [f64; 3],
     side: usize,
     component: usize,
+    axes: &[[f64; 3]; 3],
     origin: [f64; 3],
     point: [f64; 3],
 ) -> f64 {
+    let [x, y, z] = drag;
     let [a, b, c] = [0, 1, 2].map(|axis: usize| point[axis] - origin[axis]);
-    let on_first = [x, y, z, b * z - c * y, c * x - a * z, a * y - b * x][component];
+    let vector = if component < 3 { drag } else { [b * z - c * y, c * x - a * z, a * y - b * x] };
+    let axis = axes[component % 3];
+    let on_first = axis[0] * vector[0] + axis[1] * vector[1] + axis[2] * vector[2];
     if side == 0 { on_first } else { -on_first }
 }

@@ -108,7 +108,7 @@ impl Patch {
                 for (cell, &force) in grid.cells.iter().zip(&self.forces).filter(|(_, force)| **force != 0.0)
                 {
                     for (component, sum) in wrench.iter_mut().enumerate() {
-                        *sum += force * solid_arm(&grid.frame, side, component, origin, cell.point);
+                        *sum += force * solid_arm(&grid.frame, side, component, &GROUND, origin, cell.point);
                     }
                 }
                 wrench
@@ -116,24 +116,27 @@ impl Patch {
         };
         for (cell, (drag, &force)) in self.drag.iter().zip(&self.forces).enumerate() {
             for (component, sum) in wrench.iter_mut().enumerate() {
-                *sum += width * force * drag::work(*drag, side, component, origin, self.point(cell));
+                *sum += width * force * drag::work(*drag, side, component, &GROUND, origin, self.point(cell));
             }
         }
         wrench
     }
 }
 
-/// Growth of the gap at `point` by a component of a body's motion, in the order of [`crate::scene::FREEDOMS`]: m per m, or m per rad
-/// about an axis through `origin`.
+/// The axes of the ground.
+const GROUND: [[f64; 3]; 3] = solid::Pose::IDENTITY.rotation;
+
+/// Growth of the gap at `point` by a component of a body's motion, in the order of [`crate::scene::FREEDOMS`], along `axes`: m per m, or
+/// m per rad about one of them through `origin`.
 pub(super) fn solid_arm(
     frame: &solid::PatchFrame,
     side: usize,
     component: usize,
+    axes: &[[f64; 3]; 3],
     origin: [f64; 3],
     point: [f64; 3],
 ) -> f64 {
-    let mut axis = [0.0; 3];
-    axis[component % 3] = 1.0;
+    let axis = axes[component % 3];
     if component < 3 {
         frame.translation_arm(side, axis)
     } else {

@@ -9,6 +9,7 @@ use crate::contact::solid::{
     find_ridge, first_guess, lay, pressures,
 };
 use crate::error::EngineError;
+use crate::motion::Stance;
 use crate::scene::SurfacePair;
 use crate::structure::Chart;
 use crate::structure::solid::SolidStructure;
@@ -29,6 +30,8 @@ pub(super) struct Site {
     poses: [Pose; 2],
     /// Of the bodies' frames.
     origins: [[f64; 3]; 2],
+    /// Along which the freedoms of either body count.
+    axes: [[[f64; 3]; 3]; 2],
     ridge: Ridge,
 }
 
@@ -67,8 +70,8 @@ impl Space for Solid<'_> {
                 (0..structures[side].teeth()).map(place).collect::<Vec<_>>()
             });
             let nominal = pair.mesh.as_ref().filter(|_| !pair.grid.edges);
-            let [[cosine, ..], [sine, ..], _] = frames[0].rotation;
-            let angle = sine.atan2(cosine) + scene.bodies[bodies[0]].phase;
+            let stances = [0, 1].map(|side: usize| Stance::of(&frames[side]));
+            let angle = stances[0].angle + scene.bodies[bodies[0]].phase;
             let turns = turns_along(surfaces[0].as_ref());
             let on_path = |tooth: u32| {
                 nominal.is_none_or(|mesh| turns.iter().any(|turn| mesh.on_path(tooth, angle + turn)))
@@ -88,16 +91,17 @@ impl Space for Solid<'_> {
                         .filter(|ridge| faces(ridge, &poses, structures));
                     if let Some(ridge) = ridge {
                         let origins = frames.map(|frame| frame.origin);
+                        let axes = stances.map(|stance| stance.axes);
                         let at = |gap, point| Approach {
                             gap,
-                            arms: self.arms_at(bodies, origins, &ridge.frame, point),
+                            arms: self.arms_at(bodies, (origins, axes), &ridge.frame, point),
                         };
                         found.push(Candidate {
                             teeth: (index, [*first, *second]),
                             length: shapes[0].across,
                             nearest: at(ridge.gap, ridge.frame.point),
                             others: ridge.points.iter().map(|p| at(p.gap, ridge.frame.at(p.at))).collect(),
-                            site: Site { surfaces: surfaces.clone(), poses, origins, ridge },
+                            site: Site { surfaces: surfaces.clone(), poses, origins, axes, ridge },
                         });
                     }
                 }
@@ -138,7 +142,8 @@ impl Space for Solid<'_> {
     /// Every cell acts along the patch's normal through the point of the ridge beside it.
     fn arms(&self, candidate: &Candidate<Site>, grid: &Grid) -> Vec<f64> {
         let bodies = self.pair(candidate).bodies.map(|body| body.0);
-        let of = |cell: &solid::Cell| self.arms_at(bodies, candidate.site.origins, &grid.frame, cell.point);
+        let at = (candidate.site.origins, candidate.site.axes);
+        let of = |cell: &solid::Cell| self.arms_at(bodies, at, &grid.frame, cell.point);
         grid.cells.iter().flat_map(of).collect()
     }
 
@@ -221,13 +226,15 @@ impl Solid<'_> {
     fn arms_at(
         &self,
         bodies: [usize; 2],
-        origins: [[f64; 3]; 2],
+        (origins, axes): ([[f64; 3]; 2], [[[f64; 3]; 3]; 2]),
         frame: &PatchFrame,
         point: [f64; 3],
     ) -> Vec<f64> {
         let arm = |freedom: &Freedom| {
-            let sides = (0..2).filter(|&side| bodies[side] == freedom.body);
-            sides.map(|side| solid_arm(frame, side, freedom.component, origins[side], point)).sum()
+            let of = |side: usize| {
+                solid_arm(frame, side, freedom.component, &axes[side], origins[side], point)
+            };
+            (0..2).filter(|&side| bodies[side] == freedom.body).map(of).sum()
         };
         self.system.freedoms.iter().map(arm).collect()
     }

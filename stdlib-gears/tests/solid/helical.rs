@@ -9,10 +9,10 @@ use calyx_runtime::system::System;
 
 const ANGLE: f64 = 0.35;
 /// Parts of the mesh cycle.
-const CYCLE: [f64; 3] = [0.1, 0.45, 0.8];
+pub const CYCLE: [f64; 3] = [0.1, 0.45, 0.8];
 
 /// Solves at parts of the cycle.
-fn solved(options: &Options, parts: &[f64], mut look: impl FnMut(&Scene, &System<'_>, &StepResult)) {
+pub fn solved(options: &Options, parts: &[f64], mut look: impl FnMut(&Scene, &System<'_>, &StepResult)) {
     let (scene, mesh) = options.scene();
     let system = system(&scene, StructureOptions::default());
     for part in parts {
@@ -62,7 +62,7 @@ fn the_other_hand_is_the_mirror_image() {
 }
 
 /// Force and moment about the origin of ground that contact puts on all bodies together.
-fn total(system: &System<'_>, step: &StepResult, origins: &[[f64; 3]]) -> [f64; 6] {
+pub fn total(system: &System<'_>, step: &StepResult, origins: &[[f64; 3]]) -> [f64; 6] {
     let mut total = [0.0; 6];
     for (body, [x, y, z]) in [FIRST, SECOND].into_iter().zip(origins) {
         let [fx, fy, fz, mx, my, mz] = system.contact_force(step, body);

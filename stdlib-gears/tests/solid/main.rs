@@ -5,4 +5,6 @@ mod common;
 
 mod elastic;
 mod helical;
+mod misaligned;
 mod pairs;
+mod runout;

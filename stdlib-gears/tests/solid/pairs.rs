@@ -1,7 +1,7 @@
 //! Pairs as these tests need them: with the teeth's own finite elements, or as half-spaces behind the true flanks, which cost nothing to
 //! build and on which everything that is exact in contact must hold as well.
 
-use calyx_gears::assembly::{MeshOptions, add_body, mesh};
+use calyx_gears::assembly::{MeshOptions, Misalignment, add_body, mesh};
 use calyx_gears::blank::{GearBlank, Rim};
 use calyx_gears::helix::{Hand, Helix};
 use calyx_gears::prototype::GearPrototype;
@@ -10,7 +10,8 @@ use calyx_runtime::error::EngineError;
 use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::load::Wrench;
 use calyx_runtime::material::{Material, Plane};
-use calyx_runtime::motion::SteadyRotation;
+use calyx_runtime::contact::solid::Pose;
+use calyx_runtime::motion::{Motion, Placed, SteadyRotation};
 use calyx_runtime::plan::Plan;
 use calyx_runtime::scene::{
     Body, BodyId, Component, Fidelity, GearMesh, PairId, Prototype, Scene, StructureOptions, Template,
@@ -59,6 +60,25 @@ impl Prototype for Backed {
     }
 }
 
+/// A gear that does not sit on the middle of its shaft.
+struct Eccentric {
+    shaft: SteadyRotation,
+    /// Of the gear's axis, m: along its x axis.
+    by: f64,
+}
+
+impl Motion for Eccentric {
+    fn frame(&self, time: f64) -> [f64; 12] {
+        let mut frame = self.shaft.frame(time);
+        frame[9] -= self.by;
+        frame
+    }
+
+    fn rate(&self, time: f64) -> [f64; 12] {
+        self.shaft.rate(time)
+    }
+}
+
 /// How a pair is built.
 #[derive(Clone)]
 pub struct Options {
@@ -73,6 +93,13 @@ pub struct Options {
     pub edges: bool,
     /// Half-spaces instead of finite elements.
     pub backed: bool,
+    pub misalignment: Misalignment,
+    /// Where the whole pair is put, with its load.
+    pub place: Pose,
+    /// How far each gear's axis is from that of its shaft, m: along the gear's x axis.
+    pub eccentricity: [f64; 2],
+    /// How much farther apart than at the standard distance the axes are, relative to it.
+    pub apart: f64,
 }
 
 impl Options {
@@ -85,6 +112,10 @@ impl Options {
             free: Vec::new(),
             edges: false,
             backed: true,
+            misalignment: Misalignment::default(),
+            place: Pose::IDENTITY,
+            eccentricity: [0.0; 2],
+            apart: 1e-3,
         }
     }
 
@@ -102,29 +133,35 @@ impl Options {
             blank.face_width(self.face_width).rim(rim).cut().expect("a gear")
         };
         let gears = [gear(TEETH[0], self.helix), gear(TEETH[1], other)];
-        let distance = 0.5 * MODULE * f64::from(TEETH[0] + TEETH[1]) * (1.0 + 1e-3);
-        let speed = TAU;
+        let distance = 0.5 * MODULE * f64::from(TEETH[0] + TEETH[1]) * (1.0 + self.apart);
+        let speeds = [TAU, -TAU * f64::from(TEETH[0]) / f64::from(TEETH[1])];
+        let motion = |member: usize| {
+            let origin = [[0.0, distance][member], 0.0];
+            let shaft = SteadyRotation { origin, start: 0.0, speed: speeds[member] };
+            let gear = Eccentric { shaft, by: self.eccentricity[member] };
+            Placed { motion: Arc::new(gear), pose: self.place }
+        };
+        let moment = |torque: f64| Wrench::of_moment(self.place.direction([0.0, 0.0, torque]));
         let mut scene = Scene::default();
         let mut free = vec![Component::ThetaZ];
         free.extend(&self.free);
         let first = add_body(
             &mut scene,
-            Body::new("first", gears[0].clone(), SteadyRotation { origin: [0.0; 2], start: 0.0, speed })
+            Body::new("first", gears[0].clone(), motion(0))
                 .free_in(&free)
-                .loaded(Wrench::of_moment([0.0, 0.0, if self.torque == 0.0 { 1.0 } else { self.torque }])),
+                .loaded(moment(if self.torque == 0.0 { 1.0 } else { self.torque })),
         )
         .expect("a body");
-        let speed = -speed * f64::from(TEETH[0]) / f64::from(TEETH[1]);
-        let motion = SteadyRotation { origin: [distance, 0.0], start: 0.0, speed };
-        let second = add_body(&mut scene, Body::new("second", gears[1].clone(), motion)).expect("a body");
+        let second = add_body(&mut scene, Body::new("second", gears[1].clone(), motion(1))).expect("a body");
         let options = MeshOptions {
             tip_corner_contact: self.edges,
             half_cells: Some(self.half_cells[0]),
             half_slices: self.half_cells[1],
+            misalignment: self.misalignment,
             ..MeshOptions::default()
         };
         let meshed = mesh(&mut scene, first, second, &options).expect("they mesh");
-        scene.bodies[0].load = Arc::new(Wrench::of_moment([0.0, 0.0, self.torque]));
+        scene.bodies[0].load = Arc::new(moment(self.torque));
         if self.backed {
             for (body, gear) in scene.bodies.iter_mut().zip(gears) {
                 body.prototype = Arc::new(Backed(gear));

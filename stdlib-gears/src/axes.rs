@@ -1,0 +1,170 @@
+//! Axes of gears, which are parallel but for misalignment: how two of them stand to each other where their faces meet.
+//!
+//! A mesh is made for parallel axes. Of two that are not quite, the nominal mesh is that of the sections of both gears by one plane: at
+//! right angles to the mean of the axes, at the middle of the face that the gears have in common.
+
+use crate::assembly::Misalignment;
+use crate::mesh_geometry::MeshGeometry;
+use calyx_runtime::contact::solid::Pose;
+use calyx_runtime::error::EngineError;
+use calyx_runtime::motion::{Motion, Placed, PlanePose, Stance, angular_velocity, pose_in_space, swung};
+use std::f64::consts::{FRAC_PI_2, PI};
+use std::sync::Arc;
+
+/// How far a body's axis may lean from e3, rad.
+const LARGEST_LEAN: f64 = 5.0 * DEGREE;
+/// How far the axes of two gears in mesh may be from parallel, rad: beyond, gears are made for crossed axes.
+const LARGEST_MISALIGNMENT: f64 = 3.0 * DEGREE;
+const DEGREE: f64 = PI / 180.0;
+
+/// The axes of two gears that are to be in mesh, at time 0.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Axes {
+    /// Where the sections of both gears stand in their common plane, and how they are turned in it.
+    pub sections: [PlanePose; 2],
+    /// From the middle of each gear's face to the section, along the gear's axis, m.
+    pub along: [f64; 2],
+    /// Turn of each body about its own axis ([`Stance::angle`]), rad.
+    pub angles: [f64; 2],
+    /// Width that both faces have in common, m; not positive if they pass each other.
+    pub common_width: f64,
+    /// Where the second axis meets the plane of the sections, in ground coordinates, m.
+    pivot: [f64; 3],
+    /// Directions of the plane of the sections, and the mean of the axes.
+    directions: [[f64; 3]; 3],
+}
+
+impl Axes {
+    /// Of two gears at poses, whose faces reach to both sides of the origin by half their width (m).
+    ///
+    /// # Errors
+    /// E0648: they are not parallel, and not for a misalignment.
+    pub fn of(poses: &[Pose; 2], half_widths: [f64; 2]) -> Result<Axes, EngineError> {
+        let stances = [0, 1].map(|member: usize| Stance::of(&poses[member]));
+        let [first, second] = stances.map(|stance| stance.axis());
+        let angle = length(cross(first, second)).atan2(dot(first, second));
+        if angle > LARGEST_MISALIGNMENT {
+            return Err(EngineError::new(
+                "E0648",
+                format!(
+                    "the axes of the two gears are {} deg from parallel, which is no misalignment any more",
+                    shown(angle / DEGREE)
+                ),
+                format!(
+                    "let both axes be parallel but for at most {} deg; gears on crossed axes are not modelled",
+                    shown(LARGEST_MISALIGNMENT / DEGREE)
+                ),
+            )
+            .blame("second"));
+        }
+        let sum = [0, 1, 2].map(|k| first[k] + second[k]);
+        let size = length(sum);
+        let [x, y, normal] = swung(sum.map(|part| part / size));
+        let places = [0, 1].map(|member: usize| dot(poses[member].origin, normal));
+        let low = (places[0] - half_widths[0]).max(places[1] - half_widths[1]);
+        let high = (places[0] + half_widths[0]).min(places[1] + half_widths[1]);
+        // Faces of one width side by side have their middle where they are, to the bit.
+        let middle = if places[0] == places[1] { places[0] } else { 0.5 * (low + high) };
+        let along = [0, 1].map(|member: usize| (middle - places[member]) / dot(stances[member].axis(), normal));
+        let points = [0, 1].map(|member: usize| {
+            let (origin, axis) = (poses[member].origin, stances[member].axis());
+            [0, 1, 2].map(|k: usize| origin[k] + axis[k] * along[member])
+        });
+        let sections = [0, 1].map(|member: usize| {
+            let at = points[member];
+            // The turn about the mean of the axes.
+            let seen = Pose { rotation: [x, y, normal].map(|row| seen_along(row, &poses[member])), ..poses[member] };
+            PlanePose { origin: [dot(at, x), dot(at, y)], angle: Stance::of(&seen).angle }
+        });
+        Ok(Axes {
+            sections,
+            along,
+            angles: stances.map(|stance| stance.angle),
+            common_width: high - low,
+            pivot: points[1],
+            directions: [x, y, normal],
+        })
+    }
+
+    /// The second gear's motion with its axis tilted, where the first one drives with a sense (+1 counter-clockwise).
+    pub fn misaligned(
+        &self,
+        motion: Arc<dyn Motion>,
+        geometry: &MeshGeometry,
+        sense: f64,
+        misalignment: Misalignment,
+    ) -> Placed {
+        let [first, second] = self.sections.map(|section| section.origin);
+        let centres = (second[1] - first[1]).atan2(second[0] - first[0]);
+        // Along the line of action, out of the first gear: a quarter turn on from where it touches the base circle, see `mounting`.
+        let contact = if geometry.internal { centres + PI } else { centres };
+        let action = contact + sense * (FRAC_PI_2 - geometry.operating_pressure_angle);
+        // At a right angle to it, towards the first axis.
+        let off = contact + PI - sense * geometry.operating_pressure_angle;
+        let off = if geometry.internal { off + PI } else { off };
+        let Misalignment { in_action, off_action } = misalignment;
+        let [x, y] = [0, 1].map(|k: usize| {
+            let of = |angle: f64| [angle.cos(), angle.sin()][k];
+            off_action * of(off) - in_action * of(action)
+        });
+        // Where the axis goes for a unit of length along it, and the turn that takes it there.
+        let lean = x.hypot(y);
+        let tip = [x, y].map(|part| if lean > 0.0 { part / lean * lean.sin() } else { 0.0 });
+        let [swung_x, swung_y, swung_z] = swung([tip[0], tip[1], lean.cos()]);
+        let d = self.directions;
+        // The same turn about ground axes: from the plane of the sections, swung, and back.
+        let rotation = [0, 1, 2].map(|row: usize| {
+            [0, 1, 2].map(|column: usize| {
+                let swung = [swung_x, swung_y, swung_z];
+                (0..3).map(|k| (0..3).map(|l| d[l][row] * swung[k][l]).sum::<f64>() * d[k][column]).sum()
+            })
+        });
+        Placed::turned_about(motion, rotation, self.pivot)
+    }
+}
+
+/// Whether a body turns about e3, but for a misalignment.
+///
+/// # Errors
+/// E0610: it does not; E0710: its frame is not a number at time 0.
+pub(crate) fn turns_about_e3(motion: &dyn Motion) -> Result<(), EngineError> {
+    let lean = Stance::of(&pose_in_space(motion, 0.0)?).tilt();
+    let [x, y, z] = angular_velocity(motion, 0.0);
+    // A frame that is upright at time 0 may fall over later.
+    let falls = x.hypot(y).atan2(z.abs());
+    if lean <= LARGEST_LEAN && falls <= LARGEST_LEAN {
+        return Ok(());
+    }
+    Err(EngineError::new(
+        "E0610",
+        format!("the body turns about an axis that leans {} deg from e3", shown(lean.max(falls) / DEGREE)),
+        format!(
+            "let the frame use rotations about e3 (an axis of unit length) and translations; an axis that is misaligned leans by at most {} deg",
+            shown(LARGEST_LEAN / DEGREE)
+        ),
+    )
+    .blame("frame"))
+}
+
+/// To three digits.
+fn shown(number: f64) -> f64 {
+    format!("{number:.2e}").parse().unwrap_or(number)
+}
+
+/// A row of the matrix that turns coordinates of a body into those along some direction.
+fn seen_along(direction: [f64; 3], pose: &Pose) -> [f64; 3] {
+    let [a, b, c] = pose.rotation;
+    std::array::from_fn(|k| direction[0] * a[k] + direction[1] * b[k] + direction[2] * c[k])
+}
+
+fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+fn length(a: [f64; 3]) -> f64 {
+    dot(a, a).sqrt()
+}

@@ -1,0 +1,218 @@
+//! Axes that are not quite parallel: load that moves to one end of the face, and what must not change.
+
+use crate::helical::{CYCLE, solved, total};
+use crate::pairs::{FIRST, MESH, MODULE, Options, SECOND, TEETH, TORQUE, system};
+use calyx_gears::assembly::Misalignment;
+use calyx_gears::helix::Hand;
+use calyx_runtime::contact::solid::Pose;
+use calyx_runtime::motion::swung;
+use calyx_runtime::observe::{
+    Equilibrium, FaceLoadFactor, LoadedFace, MaxContactPressure, MeshStiffness, Observable, TransmissionError,
+};
+use calyx_runtime::scene::StructureOptions;
+use calyx_runtime::step::StepResult;
+use calyx_runtime::system::System;
+
+const BASE_RADIUS: f64 = 0.5 * MODULE * TEETH[0] as f64 * 0.939_692_620_785_908_4;
+
+fn in_action(angle: f64) -> Misalignment {
+    Misalignment { in_action: angle, off_action: 0.0 }
+}
+
+fn value(system: &System<'_>, step: &StepResult, observable: &dyn Observable) -> f64 {
+    system.value(step, observable).value
+}
+
+/// Where along the face the load acts, m from its middle: its force and the moments about the axes across, on the second gear, tell.
+fn centroid(system: &System<'_>, step: &StepResult) -> f64 {
+    let at = Equilibrium::new(system, step);
+    let (mut force, mut moment) = (0.0, 0.0);
+    for slice in at.contacts(MESH).flat_map(|contact| contact.slices()) {
+        force += slice.force;
+        moment += slice.force * slice.point[2];
+    }
+    moment / force
+}
+
+#[test]
+fn a_pair_that_leans_as_a_whole_has_the_same_results() {
+    let axis = [0.6 * 0.06_f64.sin(), -0.8 * 0.06_f64.sin(), 0.06_f64.cos()];
+    // Rows of `swung` are images of axes.
+    let rotation = [0, 1, 2].map(|i| [0, 1, 2].map(|j: usize| swung(axis)[j][i]));
+    let place = Pose { rotation, origin: [0.3, -0.2, 0.1] };
+    for options in [Options::spur(), Options::helical(0.35, Hand::Right)] {
+        let options = Options { misalignment: in_action(1e-4), ..options };
+        let all = |options: Options| {
+            let mut all = Vec::new();
+            solved(&options, &CYCLE, |_, system, step| {
+                let observed: [&dyn Observable; 4] = [
+                    &TransmissionError(MESH),
+                    &MaxContactPressure(MESH),
+                    &FaceLoadFactor(MESH),
+                    &MeshStiffness(MESH),
+                ];
+                all.push(observed.map(|observable| value(system, step, observable)));
+            });
+            all
+        };
+        let (here, there) = (all(options.clone()), all(Options { place, ..options }));
+        for (one, other) in here.iter().flatten().zip(there.iter().flatten()) {
+            assert!((one / other - 1.0).abs() < 1e-9, "{here:?} {there:?}");
+        }
+    }
+}
+
+#[test]
+fn a_misalignment_of_nothing_changes_nothing() {
+    let errors = |place: Pose| {
+        let mut errors = Vec::new();
+        solved(&Options { place, ..Options::spur() }, &CYCLE, |_, system, step| {
+            errors.push(value(system, step, &TransmissionError(MESH)).to_bits());
+        });
+        errors
+    };
+    // Turned and brought back: the matrix has entries that only rounding keeps from being none.
+    let almost = Pose { rotation: swung([1e-17, -1e-17, 1.0]), ..Pose::IDENTITY };
+    let (aligned, close) = (errors(Pose::IDENTITY), errors(almost));
+    for (one, other) in aligned.into_iter().zip(close).map(|(a, b)| (f64::from_bits(a), f64::from_bits(b))) {
+        assert!((one - other).abs() < 1e-12 * one.abs(), "{one} {other}");
+    }
+}
+
+/// The load moves towards the end where the flanks come together; opposite misalignments are mirror images.
+#[test]
+fn opposite_misalignments_are_mirror_images() {
+    let of = |angle: f64| {
+        let mut all = Vec::new();
+        solved(&Options { misalignment: in_action(angle), ..Options::spur() }, &CYCLE, |_, system, step| {
+            all.push([
+                centroid(system, step),
+                value(system, step, &TransmissionError(MESH)),
+                value(system, step, &FaceLoadFactor(MESH)),
+                value(system, step, &MaxContactPressure(MESH)),
+            ]);
+        });
+        all
+    };
+    let (towards, away) = (of(3e-4), of(-3e-4));
+    for (one, other) in towards.iter().zip(&away) {
+        assert!(one[0] > 0.5 * MODULE, "{one:?}");
+        assert!((one[0] + other[0]).abs() < 1e-8 * one[0], "{one:?} {other:?}");
+        for k in 1..4 {
+            assert!((one[k] / other[k] - 1.0).abs() < 1e-8, "{k}: {one:?} {other:?}");
+        }
+    }
+}
+
+/// A tilt in the plane at right angles to the plane of action moves flanks along each other: to first order nothing happens.
+#[test]
+fn a_tilt_off_the_plane_of_action_hardly_matters() {
+    let shift = |misalignment| {
+        let mut shifts = Vec::new();
+        solved(&Options { misalignment, ..Options::spur() }, &CYCLE, |_, system, step| {
+            shifts.push(centroid(system, step));
+        });
+        shifts
+    };
+    let angle = 2e-4;
+    let (full, none) = (shift(in_action(angle)), shift(Misalignment { in_action: 0.0, off_action: angle }));
+    for (full, none) in full.iter().zip(&none) {
+        assert!(none.abs() < 1e-2 * full, "{full} {none}");
+    }
+}
+
+/// Rigid teeth that are misaligned touch at one end of the face, half of the face times the angle before they would in the middle.
+#[test]
+fn without_load_misaligned_teeth_touch_at_one_end() {
+    let angle = 1e-3;
+    let options = Options { misalignment: in_action(angle), torque: 0.0, ..Options::spur() };
+    let second_base_radius = BASE_RADIUS * f64::from(TEETH[1]) / f64::from(TEETH[0]);
+    let expected = -angle * 0.5 * options.face_width / second_base_radius;
+    solved(&options, &CYCLE, |_, system, step| {
+        let error = value(system, step, &TransmissionError(MESH));
+        assert!((error.abs() / expected.abs() - 1.0).abs() < 2e-3, "{error} {expected}");
+    });
+}
+
+/// Teeth that touch at one end only: edge loads are finite, and all forces are in equilibrium.
+#[test]
+fn teeth_that_touch_at_one_end_are_in_equilibrium() {
+    for options in [Options::spur(), Options::helical(0.35, Hand::Left)] {
+        let options = Options { misalignment: in_action(4e-3), torque: 0.3 * TORQUE, ..options };
+        let distance = 0.5 * MODULE * f64::from(TEETH[0] + TEETH[1]) * (1.0 + options.apart);
+        solved(&options, &CYCLE, |_, system, step| {
+            assert!(value(system, step, &LoadedFace(MESH)) < 0.8);
+            let pressure = value(system, step, &MaxContactPressure(MESH));
+            let edge = value(system, step, &calyx_runtime::observe::MaxEdgePressure(MESH));
+            let largest = pressure.max(edge);
+            assert!((0.5e9..2e10).contains(&largest), "{largest}");
+            let moment = system.contact_force(step, FIRST)[5];
+            assert!((moment / (0.3 * TORQUE) + 1.0).abs() < 1e-10, "{moment}");
+            let total = total(system, step, &[[0.0; 3], [distance, 0.0, 0.0]]);
+            let force = TORQUE / (0.5 * MODULE * f64::from(TEETH[0]));
+            assert!(total.iter().all(|part| part.abs() <= 1e-10 * force), "{total:?}");
+            // About its own axis the second gear bears the first one's moment by the ratio of the teeth, but for the angle's square.
+            let other = system.contact_force(step, SECOND)[5];
+            let ratio = other / moment * f64::from(TEETH[0]) / f64::from(TEETH[1]);
+            assert!((ratio - 1.0).abs() < 1e-2, "{ratio}");
+        });
+    }
+}
+
+/// With a stiffness c by width of face b, force F and angle f in the plane of action the load is linear along the face as long as all of it
+/// carries: its centre is off the middle by c f b³ / 12 F, and K_Hbeta = 1 + c f b² / 2 F (ISO 6336-1, stiff bodies under the teeth). Here the
+/// slices of a tooth support each other, which evens out.
+#[test]
+fn the_load_moves_as_that_of_a_uniform_stiffness() {
+    let structure = StructureOptions {
+        refinement: 0.5,
+        order: 2,
+        face_elements: Some(2),
+        axial_order: Some(4),
+        ..StructureOptions::default()
+    };
+    let aligned = Options { backed: false, half_cells: [6, 8], ..Options::spur() };
+    let part = 0.8;
+    let solve = |misalignment| {
+        let (scene, mesh) = Options { misalignment, ..aligned.clone() }.scene();
+        let system = system(&scene, structure);
+        let step = system.solve(mesh.start + part * mesh.period).expect("it can be solved");
+        assert!(step.certificate.largest() <= 1e-11, "{:?}", step.certificate);
+        [centroid(&system, &step), value(&system, &step, &FaceLoadFactor(MESH)), value(&system, &step, &MeshStiffness(MESH))]
+    };
+    let angle = 1e-4;
+    let ([middle, even, stiffness], [shift, factor, _]) = (solve(in_action(0.0)), solve(in_action(angle)));
+    let (force, face) = (TORQUE / BASE_RADIUS, aligned.face_width);
+    let by_load = stiffness / face * angle * face * face / force;
+    let (expected_shift, expected_factor) = (by_load * face / 12.0, 1.0 + 0.5 * by_load);
+    println!("{middle:e} {even} {by_load}: shift {shift:e} of {expected_shift:e}, factor {factor} of {expected_factor}");
+    assert!(middle.abs() < 1e-6 * face, "{middle}");
+    assert!((shift / expected_shift - 1.0).abs() < 0.2, "{shift} {expected_shift}");
+    assert!(((factor / even - 1.0) / (expected_factor - 1.0) - 1.0).abs() < 0.3, "{factor} {even} {expected_factor}");
+}
+
+#[test]
+fn debug_frames() {
+    let axis = [0.6 * 0.06_f64.sin(), -0.8 * 0.06_f64.sin(), 0.06_f64.cos()];
+    let rotation = [0, 1, 2].map(|i| [0, 1, 2].map(|j: usize| swung(axis)[j][i]));
+    let place = Pose { rotation, origin: [0.3, -0.2, 0.1] };
+    for angle in [0.0, 1e-4] {
+    for place in [Pose::IDENTITY, place] {
+        let options = Options { misalignment: in_action(angle), place, ..Options::helical(0.35, Hand::Right) };
+        solved(&options, &[0.45], |_, system, step| {
+            println!("{angle} TE {}", value(system, step, &TransmissionError(MESH)));
+            for patch in &step.patches {
+                let grid = patch.solid().unwrap();
+                let back = |v: [f64; 3]| [0, 1, 2].map(|k: usize| (0..3).map(|j| place.rotation[j][k] * v[j]).sum::<f64>());
+                let p = back([0, 1, 2].map(|k| grid.frame.point[k] - place.origin[k]));
+                println!("{:?} force {} point {:?} normal {:?} along {:?} extent {:?} cells {}", patch.teeth, patch.force(), p, back(grid.frame.normal), back(grid.frame.along), grid.extent, grid.cells.len());
+                for slice in &grid.slices {
+                    let c = &grid.cells[slice.cells.start + slice.cells.len() / 2];
+                    let f: f64 = slice.cells.clone().map(|k| patch.forces[k]).sum();
+                    println!("   at {:?} gap {:e} size {:?} f {}", c.center, c.gap, c.size, f);
+                }
+            }
+        });
+    }
+    }
+}
