@@ -213,9 +213,8 @@ pub fn swung([x, y, z]: [f64; 3]) -> [[f64; 3]; 3] {
 pub fn angular_velocity(motion: &dyn Motion, time: f64) -> [f64; 3] {
     let (f, r) = (motion.frame(time), motion.rate(time));
     // With x' = R x the velocity field is -R^T dR/dt x; its antisymmetric matrix holds the angular velocity.
-    let entry = |row: usize, column: usize| -> f64 {
-        (0..3).map(|k| r[3 * k + row] * f[3 * k + column]).sum()
-    };
+    let entry =
+        |row: usize, column: usize| -> f64 { (0..3).map(|k| r[3 * k + row] * f[3 * k + column]).sum() };
     [entry(2, 1), entry(0, 2), entry(1, 0)]
 }
 

@@ -131,8 +131,7 @@ impl Pairing {
         }
         meet_once(scene, bodies)?;
         let motion = |id: BodyId| scene.bodies[id.0].motion.as_ref();
-        let poses =
-            [pose_in_space(motion(bodies[0]), 0.0)?, pose_in_space(motion(bodies[1]), 0.0)?];
+        let poses = [pose_in_space(motion(bodies[0]), 0.0)?, pose_in_space(motion(bodies[1]), 0.0)?];
         let speeds = [turning_speed(motion(bodies[0]), 0.0)?, turning_speed(motion(bodies[1]), 0.0)?];
         Ok(Pairing { bodies, axes: Axes::of(&poses, half_widths)?, speeds })
     }
@@ -186,7 +185,8 @@ impl Pairing {
         let body = &mut scene.bodies[second.0];
         body.phase = phase;
         if options.misalignment != Misalignment::default() {
-            body.motion = Arc::new(self.axes.misaligned(body.motion.clone(), &geometry, sense, options.misalignment));
+            body.motion =
+                Arc::new(self.axes.misaligned(body.motion.clone(), &geometry, sense, options.misalignment));
         }
         let surface = if sense > 0.0 { 0 } else { 1 };
         // A ring touches on the sides of its teeth that look the other way.

@@ -65,7 +65,8 @@ impl Axes {
         let high = (places[0] + half_widths[0]).min(places[1] + half_widths[1]);
         // Faces of one width side by side have their middle where they are, to the bit.
         let middle = if places[0] == places[1] { places[0] } else { 0.5 * (low + high) };
-        let along = [0, 1].map(|member: usize| (middle - places[member]) / dot(stances[member].axis(), normal));
+        let along =
+            [0, 1].map(|member: usize| (middle - places[member]) / dot(stances[member].axis(), normal));
         let points = [0, 1].map(|member: usize| {
             let (origin, axis) = (poses[member].origin, stances[member].axis());
             [0, 1, 2].map(|k: usize| origin[k] + axis[k] * along[member])
@@ -73,7 +74,8 @@ impl Axes {
         let sections = [0, 1].map(|member: usize| {
             let at = points[member];
             // The turn about the mean of the axes.
-            let seen = Pose { rotation: [x, y, normal].map(|row| seen_along(row, &poses[member])), ..poses[member] };
+            let seen =
+                Pose { rotation: [x, y, normal].map(|row| seen_along(row, &poses[member])), ..poses[member] };
             PlanePose { origin: [dot(at, x), dot(at, y)], angle: Stance::of(&seen).angle }
         });
         Ok(Axes {

@@ -198,6 +198,15 @@ impl Contact<'_> {
         }
     }
 
+    /// Length of the line of contact, m: of its pieces, and of what lies beyond them without load. The width of a plane model.
+    pub fn line_length(&self) -> f64 {
+        let beyond = match &self.patch.grid {
+            PatchGrid::Plane { .. } => 0.0,
+            PatchGrid::Solid(grid) => (grid.line - grid.extent[1]).max(0.0),
+        };
+        self.slices().iter().map(|slice| slice.length).sum::<f64>() + beyond
+    }
+
     /// Cells beside each other across a patch in space, of which the one with the largest force says where they are. `None` of none.
     fn slice(&self, grid: &Grid, cells: &Range<usize>) -> Option<Slice> {
         let force = |cell: usize| self.patch.forces[cell];

@@ -111,7 +111,8 @@ impl Observable for FaceLoadFactor {
     }
 
     fn value(&self, at: &Equilibrium<'_>) -> Observed {
-        Observed::number(most_loaded(at, self.0).map_or(1.0, |slices| face_load_factor(&slices)))
+        let factor = |contact: Contact<'_>| face_load_factor(&contact.slices(), contact.line_length());
+        Observed::number(most_loaded(at, self.0).map_or(1.0, factor))
     }
 }
 
@@ -125,23 +126,23 @@ impl Observable for LoadedFace {
     }
 
     fn value(&self, at: &Equilibrium<'_>) -> Observed {
-        let length = |slices: &[Slice], loaded: bool| -> f64 {
-            slices.iter().filter(|slice| !loaded || slice.force > 0.0).map(|slice| slice.length).sum()
+        let loaded = |contact: &Contact<'_>| -> f64 {
+            contact.slices().iter().filter(|slice| slice.force > 0.0).map(|slice| slice.length).sum()
         };
-        let part = most_loaded(at, self.0).map(|slices| length(&slices, true) / length(&slices, false));
+        let part = most_loaded(at, self.0).map(|contact| loaded(&contact) / contact.line_length());
         Observed::number(part.unwrap_or(0.0))
     }
 }
 
-/// The slices of the patch with the largest force; `None` without load.
-fn most_loaded(at: &Equilibrium<'_>, pair: PairId) -> Option<Vec<Slice>> {
+/// The patch with the largest force; `None` without load.
+fn most_loaded<'a>(at: &Equilibrium<'a>, pair: PairId) -> Option<Contact<'a>> {
     let loaded = at.contacts(pair).filter(|contact| contact.force() > 0.0);
-    loaded.max_by(|a, b| a.force().total_cmp(&b.force())).map(|contact| contact.slices())
+    loaded.max_by(|a, b| a.force().total_cmp(&b.force()))
 }
 
-/// Largest by mean line load of the slices of one line of contact.
-fn face_load_factor(slices: &[Slice]) -> f64 {
-    let (force, length) = slices.iter().fold((0.0, 0.0), |(f, l), slice| (f + slice.force, l + slice.length));
+/// Largest by mean line load of the slices of one line of contact of some length, m.
+fn face_load_factor(slices: &[Slice], length: f64) -> f64 {
+    let force: f64 = slices.iter().map(|slice| slice.force).sum();
     let largest = slices.iter().map(Slice::line_load).fold(0.0, f64::max);
     largest * length / force
 }
@@ -176,7 +177,7 @@ mod tests {
             let misaligned = misaligned(stiffness, slope, face, force);
             let by_load = stiffness * slope * face * face / force;
             let expected = if by_load <= 2.0 { 1.0 + 0.5 * by_load } else { (2.0 * by_load).sqrt() };
-            let found = face_load_factor(&misaligned);
+            let found = face_load_factor(&misaligned, face);
             assert!((found / expected - 1.0).abs() < 1e-3, "slope {slope}: {found} {expected}");
         }
     }

@@ -35,7 +35,8 @@ impl Action {
             for side in (0..2).filter(|&side| pair.bodies[side].0 == freedom.body) {
                 let (origin, axes) = (system.origin(freedom.body, time), system.axes(freedom.body, time));
                 for (row, (drag, point)) in drag.iter().zip(&self.points).enumerate() {
-                    works[row * count + column] += work(*drag, side, freedom.component, &axes, origin, *point);
+                    works[row * count + column] +=
+                        work(*drag, side, freedom.component, &axes, origin, *point);
                 }
             }
         }

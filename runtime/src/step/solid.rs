@@ -202,6 +202,7 @@ impl Space for Solid<'_> {
             cells: Vec::new(),
             slices: Vec::new(),
             extent: [0.0; 2],
+            line: 0.0,
             half_counts: [0; 2],
             surface_ends: [false; 2],
         };
@@ -231,9 +232,8 @@ impl Solid<'_> {
         point: [f64; 3],
     ) -> Vec<f64> {
         let arm = |freedom: &Freedom| {
-            let of = |side: usize| {
-                solid_arm(frame, side, freedom.component, &axes[side], origins[side], point)
-            };
+            let of =
+                |side: usize| solid_arm(frame, side, freedom.component, &axes[side], origins[side], point);
             (0..2).filter(|&side| bodies[side] == freedom.body).map(of).sum()
         };
         self.system.freedoms.iter().map(arm).collect()

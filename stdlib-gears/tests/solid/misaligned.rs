@@ -23,7 +23,7 @@ fn value(system: &System<'_>, step: &StepResult, observable: &dyn Observable) ->
     system.value(step, observable).value
 }
 
-/// Where along the face the load acts, m from its middle: its force and the moments about the axes across, on the second gear, tell.
+/// Where along the face the load acts, m from its middle.
 fn centroid(system: &System<'_>, step: &StepResult) -> f64 {
     let at = Equilibrium::new(system, step);
     let (mut force, mut moment) = (0.0, 0.0);
@@ -40,24 +40,30 @@ fn a_pair_that_leans_as_a_whole_has_the_same_results() {
     // Rows of `swung` are images of axes.
     let rotation = [0, 1, 2].map(|i| [0, 1, 2].map(|j: usize| swung(axis)[j][i]));
     let place = Pose { rotation, origin: [0.3, -0.2, 0.1] };
-    for options in [Options::spur(), Options::helical(0.35, Hand::Right)] {
+    let edges = |options: Options| Options { edges: true, ..options };
+    let helical = || Options::helical(0.35, Hand::Right);
+    for options in [Options::spur(), helical(), edges(Options::spur()), edges(helical())] {
         let options = Options { misalignment: in_action(1e-4), ..options };
         let all = |options: Options| {
             let mut all = Vec::new();
             solved(&options, &CYCLE, |_, system, step| {
                 let observed: [&dyn Observable; 4] = [
                     &TransmissionError(MESH),
-                    &MaxContactPressure(MESH),
                     &FaceLoadFactor(MESH),
                     &MeshStiffness(MESH),
+                    &MaxContactPressure(MESH),
                 ];
                 all.push(observed.map(|observable| value(system, step, observable)));
             });
             all
         };
         let (here, there) = (all(options.clone()), all(Options { place, ..options }));
-        for (one, other) in here.iter().flatten().zip(there.iter().flatten()) {
-            assert!((one / other - 1.0).abs() < 1e-9, "{here:?} {there:?}");
+        for (one, other) in here.iter().zip(&there) {
+            for k in 0..4 {
+                // The peak of pressure is that of a few cells, which rounding cuts off where faces end.
+                let tolerance = [1e-9, 1e-9, 1e-8, 1e-6][k];
+                assert!((one[k] / other[k] - 1.0).abs() < tolerance, "{k}: {here:?} {there:?}");
+            }
         }
     }
 }
@@ -141,7 +147,8 @@ fn teeth_that_touch_at_one_end_are_in_equilibrium() {
         let options = Options { misalignment: in_action(4e-3), torque: 0.3 * TORQUE, ..options };
         let distance = 0.5 * MODULE * f64::from(TEETH[0] + TEETH[1]) * (1.0 + options.apart);
         solved(&options, &CYCLE, |_, system, step| {
-            assert!(value(system, step, &LoadedFace(MESH)) < 0.8);
+            let loaded = value(system, step, &LoadedFace(MESH));
+            assert!((0.02..0.9).contains(&loaded), "{loaded}");
             let pressure = value(system, step, &MaxContactPressure(MESH));
             let edge = value(system, step, &calyx_runtime::observe::MaxEdgePressure(MESH));
             let largest = pressure.max(edge);
@@ -161,7 +168,7 @@ fn teeth_that_touch_at_one_end_are_in_equilibrium() {
 
 /// With a stiffness c by width of face b, force F and angle f in the plane of action the load is linear along the face as long as all of it
 /// carries: its centre is off the middle by c f b³ / 12 F, and K_Hbeta = 1 + c f b² / 2 F (ISO 6336-1, stiff bodies under the teeth). Here the
-/// slices of a tooth support each other, which evens out.
+/// mesh stiffness is that of teeth and rims under an even load, which bend less under one that is not: the shift is 16 % larger.
 #[test]
 fn the_load_moves_as_that_of_a_uniform_stiffness() {
     let structure = StructureOptions {
@@ -178,41 +185,21 @@ fn the_load_moves_as_that_of_a_uniform_stiffness() {
         let system = system(&scene, structure);
         let step = system.solve(mesh.start + part * mesh.period).expect("it can be solved");
         assert!(step.certificate.largest() <= 1e-11, "{:?}", step.certificate);
-        [centroid(&system, &step), value(&system, &step, &FaceLoadFactor(MESH)), value(&system, &step, &MeshStiffness(MESH))]
+        [
+            centroid(&system, &step),
+            value(&system, &step, &FaceLoadFactor(MESH)),
+            value(&system, &step, &MeshStiffness(MESH)),
+        ]
     };
     let angle = 1e-4;
     let ([middle, even, stiffness], [shift, factor, _]) = (solve(in_action(0.0)), solve(in_action(angle)));
     let (force, face) = (TORQUE / BASE_RADIUS, aligned.face_width);
     let by_load = stiffness / face * angle * face * face / force;
     let (expected_shift, expected_factor) = (by_load * face / 12.0, 1.0 + 0.5 * by_load);
-    println!("{middle:e} {even} {by_load}: shift {shift:e} of {expected_shift:e}, factor {factor} of {expected_factor}");
     assert!(middle.abs() < 1e-6 * face, "{middle}");
     assert!((shift / expected_shift - 1.0).abs() < 0.2, "{shift} {expected_shift}");
-    assert!(((factor / even - 1.0) / (expected_factor - 1.0) - 1.0).abs() < 0.3, "{factor} {even} {expected_factor}");
-}
-
-#[test]
-fn debug_frames() {
-    let axis = [0.6 * 0.06_f64.sin(), -0.8 * 0.06_f64.sin(), 0.06_f64.cos()];
-    let rotation = [0, 1, 2].map(|i| [0, 1, 2].map(|j: usize| swung(axis)[j][i]));
-    let place = Pose { rotation, origin: [0.3, -0.2, 0.1] };
-    for angle in [0.0, 1e-4] {
-    for place in [Pose::IDENTITY, place] {
-        let options = Options { misalignment: in_action(angle), place, ..Options::helical(0.35, Hand::Right) };
-        solved(&options, &[0.45], |_, system, step| {
-            println!("{angle} TE {}", value(system, step, &TransmissionError(MESH)));
-            for patch in &step.patches {
-                let grid = patch.solid().unwrap();
-                let back = |v: [f64; 3]| [0, 1, 2].map(|k: usize| (0..3).map(|j| place.rotation[j][k] * v[j]).sum::<f64>());
-                let p = back([0, 1, 2].map(|k| grid.frame.point[k] - place.origin[k]));
-                println!("{:?} force {} point {:?} normal {:?} along {:?} extent {:?} cells {}", patch.teeth, patch.force(), p, back(grid.frame.normal), back(grid.frame.along), grid.extent, grid.cells.len());
-                for slice in &grid.slices {
-                    let c = &grid.cells[slice.cells.start + slice.cells.len() / 2];
-                    let f: f64 = slice.cells.clone().map(|k| patch.forces[k]).sum();
-                    println!("   at {:?} gap {:e} size {:?} f {}", c.center, c.gap, c.size, f);
-                }
-            }
-        });
-    }
-    }
+    assert!(
+        ((factor / even - 1.0) / (expected_factor - 1.0) - 1.0).abs() < 0.3,
+        "{factor} {even} {expected_factor}"
+    );
 }

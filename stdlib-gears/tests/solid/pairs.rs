@@ -6,11 +6,11 @@ use calyx_gears::blank::{GearBlank, Rim};
 use calyx_gears::helix::{Hand, Helix};
 use calyx_gears::prototype::GearPrototype;
 use calyx_gears::rack::Rack;
+use calyx_runtime::contact::solid::Pose;
 use calyx_runtime::error::EngineError;
 use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::load::Wrench;
 use calyx_runtime::material::{Material, Plane};
-use calyx_runtime::contact::solid::Pose;
 use calyx_runtime::motion::{Motion, Placed, SteadyRotation};
 use calyx_runtime::plan::Plan;
 use calyx_runtime::scene::{

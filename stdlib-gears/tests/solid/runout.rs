@@ -13,11 +13,9 @@ const COS: f64 = 0.939_692_620_785_908_4;
 #[test]
 fn runout_is_a_harmonic_of_the_transmission_error_once_a_turn() {
     let e = 5e-6;
-    for (options, member) in [
-        (Options::spur(), 0),
-        (Options::spur(), 1),
-        (Options::helical(0.35, Hand::Right), 1),
-    ] {
+    for (options, member) in
+        [(Options::spur(), 0), (Options::spur(), 1), (Options::helical(0.35, Hand::Right), 1)]
+    {
         let mut eccentricity = [0.0; 2];
         eccentricity[member] = e;
         let options = Options { eccentricity, torque: 0.0, ..options };
@@ -80,7 +78,8 @@ fn a_wrong_centre_distance_leaves_involutes_their_ratio() {
                 assert!((ratio - 1.0).abs() < 1e-9, "{apart}: {ratio}");
             });
             solved(&Options { torque: 0.0, ..options }, &CYCLE, |_, system, step| {
-                let error = TransmissionError(MESH).value(&calyx_runtime::observe::Equilibrium::new(system, step));
+                let error =
+                    TransmissionError(MESH).value(&calyx_runtime::observe::Equilibrium::new(system, step));
                 assert!(error.value.abs() < 1e-12, "{apart}: {}", error.value);
             });
         }

@@ -95,6 +95,8 @@ pub struct Grid {
     pub slices: Vec<Slice>,
     /// Width across and length along, m, as asked for or chosen.
     pub extent: [f64; 2],
+    /// Length of the ridge from end to end, beyond the grid too, m.
+    pub line: f64,
     /// M and N.
     pub half_counts: [usize; 2],
     /// Whether the grid ends at low and at high y because a surface does.
@@ -107,6 +109,8 @@ const LEAST_PART: f64 = 0.4;
 const SHARPEST_EDGE: f64 = 1e-5;
 /// Curvature just beside an edge's start is taken over this part of the surface's extent.
 const BESIDE: f64 = 1e-6;
+/// Nearer than this part of a surface's range to its edge, its curvature is taken on the flank alone.
+const NEAR_EDGE: f64 = 2e-4;
 /// Depth of the patch at rest, beside that of a long one that shares its force equally, force / (E* length): the least gap and this
 /// bound the ridge's loaded part. Such that a round contact gets [`MARGIN`] times its length.
 const DEPTH: f64 = 1.65;
@@ -131,7 +135,10 @@ pub fn lay(first: PlacedSurface, second: PlacedSurface, ridge: &Ridge, options: 
     });
     let half_counts = [options.half_count, options.half_slices];
     let extent = [width, y[1] - y[0]];
-    let mut grid = Grid { frame, cells: Vec::new(), slices: Vec::new(), extent, half_counts, surface_ends };
+    let [low, high] = ridge.extent();
+    let line = high - low;
+    let mut grid =
+        Grid { frame, cells: Vec::new(), slices: Vec::new(), extent, line, half_counts, surface_ends };
     if !(extent.iter().all(|size| size.is_finite() && *size > 0.0)) {
         return grid;
     }
@@ -200,7 +207,13 @@ fn length_along(ridge: &Ridge, options: &GridOptions) -> ([f64; 2], [bool; 2]) {
 
 /// Sum of both surfaces' curvatures across at the closest approach, each on its flank proper, 1/m.
 fn flank_curvature(sheets: &[Sheet; 2], ridge: &Ridge) -> f64 {
-    if ridge.on_edge == [false; 2]
+    // Differences taken beside an edge would see its curvature.
+    let beside_edge = |side: usize| {
+        let surface = sheets[side].placed.surface;
+        let [[first, last], _] = surface.range();
+        surface.edge_from().is_some_and(|start| ridge.places[side][0] + NEAR_EDGE * (last - first) > start)
+    };
+    if !(0..2).any(beside_edge)
         && !ridge.at_end
         && let Some([[across, _], _]) = relative_curvature(sheets, ridge.places)
     {

@@ -73,6 +73,8 @@ const ROUNDS: usize = 12;
 const SAME_GAP: f64 = 1e-12;
 /// The ridge's direction is taken where the gap is within this part of the patch's length of the least.
 const DIRECTION_DEPTH: f64 = 1e-3;
+/// Of a flank and its edge that meet at the least gap, the other one's direction is taken where it is near over so many times the length.
+const PASSES_INTO: f64 = 4.0;
 /// Frame and ridge agree when the next frame would be shifted (relative to the patch's length) and turned by less than this.
 const SETTLED: f64 = 1e-14;
 /// Principal curvatures that differ by less than this part of their sum are the same.
@@ -361,7 +363,9 @@ impl<'a> Search<'a> {
         };
         let middle = scaled(plus(first.position, second.position), 0.5);
         let upright = PatchFrame::new(middle, normal, frame.across);
-        match stations.direction(|closest| self.point(closest).on_edge || closest.end.is_some()) {
+        // Where edges are not searched, surfaces end where these begin, and rounding may say that the last place is on one.
+        let on_edge = |closest: &Closest| self.search_edges && self.point(closest).on_edge;
+        match stations.direction(|closest| on_edge(closest) || closest.end.is_some()) {
             Some(angle) => upright.turned(-angle),
             None => self.along_valley(upright, places),
         }
@@ -374,15 +378,22 @@ impl Stations {
     }
 
     /// Angle from y to the ridge, towards x, rad: through the farthest places to either side that are like the least gap's and about
-    /// as near. `None` if there is only one such place.
+    /// as near. A least gap where a flank passes into its edge, as of misaligned teeth, belongs to the one along which the bodies are
+    /// near. `None` if there is only one such place.
     fn direction(&self, special: impl Fn(&Closest) -> bool) -> Option<f64> {
         let kind = special(&self.least);
         let depth = DIRECTION_DEPTH * self.reach();
-        let like = |closest: &&Closest| special(closest) == kind && closest.gap() <= self.least.gap() + depth;
         let y = self.least.at()[1];
-        let above = self.found.iter().filter(|c| c.at()[1] > y).take_while(like).last();
-        let below = self.found.iter().rev().filter(|c| c.at()[1] < y).take_while(like).last();
-        let [from, to] = [below.unwrap_or(&self.least).at(), above.unwrap_or(&self.least).at()];
+        let stretch = |kind: bool| {
+            let like =
+                |closest: &&Closest| special(closest) == kind && closest.gap() <= self.least.gap() + depth;
+            let above = self.found.iter().filter(|c| c.at()[1] > y).take_while(like).last();
+            let below = self.found.iter().rev().filter(|c| c.at()[1] < y).take_while(like).last();
+            [below.unwrap_or(&self.least).at(), above.unwrap_or(&self.least).at()]
+        };
+        let length = |[from, to]: [[f64; 2]; 2]| to[1] - from[1];
+        let (own, other) = (stretch(kind), stretch(!kind));
+        let [from, to] = if length(other) > PASSES_INTO * length(own) { other } else { own };
         (to[1] > from[1]).then(|| (to[0] - from[0]).atan2(to[1] - from[1]))
     }
 }
