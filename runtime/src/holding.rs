@@ -11,6 +11,7 @@ use crate::interrupt::Interrupt;
 use crate::plan::Plan;
 use crate::scene::{FREEDOMS, Fidelity, Scene, SurfacePair};
 use crate::system::{Freedom, loads_on, number_freedoms, solid_pose};
+use std::f64::consts::PI;
 
 /// Checks that nominal contact holds every free motion of the planned bodies under the loads of a time (s), that of the first
 /// position to solve.
@@ -68,9 +69,10 @@ fn nominal_arms(
         return Ok(None);
     }
     // A gear that pushes counter-clockwise presses its mate onwards at a right angle to the line of centres, less the
-    // pressure angle outwards.
+    // pressure angle outwards. Inside of a ring the teeth touch on the side away from its axis.
     let sense = mesh.drive_sense;
-    let angle = across[1].atan2(across[0]) + sense * cosine.asin();
+    let contact = across[1].atan2(across[0]) + if mesh.sign < 0.0 { PI } else { 0.0 };
+    let angle = contact + sense * cosine.asin();
     let normal = [angle.cos(), angle.sin()];
     let arm = |freedom: &Freedom| {
         let (side, turn) = match freedom.body {
@@ -91,7 +93,8 @@ fn nominal_arms(
 pub(crate) fn drive_direction(scene: &Scene, freedoms: &[Freedom]) -> Vec<f64> {
     let mut direction = vec![0.0; freedoms.len()];
     for pair in &scene.pairs {
-        let Some(mesh) = &pair.mesh else { continue };
+        // Back sides drive no mesh.
+        let Some(mesh) = pair.mesh.as_ref().filter(|_| pair.front.is_none()) else { continue };
         for (side, sign) in [(0, 1.0), (1, mesh.sign)] {
             let turn = Freedom { body: pair.bodies[side].0, component: 5 };
             if let Some(at) = freedoms.iter().position(|freedom| *freedom == turn) {
@@ -117,7 +120,7 @@ pub(crate) fn explain(scene: &Scene, freedoms: &[Freedom], error: &ContactError)
             EngineError::new(
                 "E0714",
                 format!("no contact can hold the load: it drives {}", named(motion)),
-                "hold such a freedom (take it out of `free`), or check the sign of the load and that the teeth are in mesh",
+                "hold such a freedom (take it out of `free`), or check the sign of the load and that the teeth are in mesh; a load that reverses needs `back_side_contact = TRUE` in `gears.mesh`",
             ),
             motion,
         ),

@@ -209,6 +209,36 @@ pub fn swung([x, y, z]: [f64; 3]) -> [[f64; 3]; 3] {
     [[1.0 - x * x * by, mixed, -x], [mixed, 1.0 - y * y * by, -y], [x, y, z]]
 }
 
+/// A pose moved along and turned about its body's own axes ([`Stance::axes`]), by as much as its freedoms say: m and rad.
+pub fn moved_by(pose: &Pose, by: [f64; 6]) -> Pose {
+    let axes = Stance::of(pose).axes;
+    let along =
+        |[x, y, z]: [f64; 3]| [0, 1, 2].map(|k: usize| x * axes[0][k] + y * axes[1][k] + z * axes[2][k]);
+    let [ux, uy, uz, tx, ty, tz] = by;
+    let shift = along([ux, uy, uz]);
+    let origin = [0, 1, 2].map(|k: usize| pose.origin[k] + shift[k]);
+    // Its own turn first, whole; then the small tilt, which carries its axis along.
+    let turned = pose.turned_first(tz);
+    let lean = tx.hypot(ty);
+    if lean == 0.0 {
+        return Pose { origin, ..turned };
+    }
+    let (sine, cosine) = lean.sin_cos();
+    let axis = along([tx / lean, ty / lean, 0.0]);
+    let tilted = |[x, y, z]: [f64; 3]| {
+        let [a, b, c] = axis;
+        let cross = [b * z - c * y, c * x - a * z, a * y - b * x];
+        let on = (a * x + b * y + c * z) * (1.0 - cosine);
+        [
+            x * cosine + cross[0] * sine + a * on,
+            y * cosine + cross[1] * sine + b * on,
+            z * cosine + cross[2] * sine + c * on,
+        ]
+    };
+    let columns = [0, 1, 2].map(|column: usize| tilted(turned.rotation.map(|row| row[column])));
+    Pose { rotation: [0, 1, 2].map(|row: usize| columns.map(|column| column[row])), origin }
+}
+
 /// Angular velocity of a motion along ground axes, rad/s.
 pub fn angular_velocity(motion: &dyn Motion, time: f64) -> [f64; 3] {
     let (f, r) = (motion.frame(time), motion.rate(time));

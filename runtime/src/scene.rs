@@ -346,12 +346,14 @@ pub struct SurfacePair {
     pub friction: f64,
     /// Present when the two bodies are gears in mesh.
     pub mesh: Option<GearMesh>,
+    /// Of the surfaces on the back sides of teeth, the pair of those that drive: both are one mesh, with one transmission error.
+    pub front: Option<PairId>,
 }
 
 impl SurfacePair {
     /// Two surfaces that are no gears', with the default grid and without friction.
     pub fn new(bodies: [BodyId; 2], surfaces: [u32; 2]) -> SurfacePair {
-        SurfacePair { bodies, surfaces, grid: GridOptions::default(), friction: 0.0, mesh: None }
+        SurfacePair { bodies, surfaces, grid: GridOptions::default(), friction: 0.0, mesh: None, front: None }
     }
 }
 

@@ -28,6 +28,9 @@ pub struct StepResult {
     pub patches: Vec<Patch>,
     /// Deviation of every freedom from its prescribed motion, m or rad.
     pub motion: Vec<f64>,
+    /// The part of it that bodies go, rigid, before teeth touch: contact was laid out there. Nothing but where teeth may touch on both
+    /// sides, with backlash between.
+    pub start: Vec<f64>,
     /// What was solved.
     pub problem: ContactProblem,
     /// Cells that carry load, by index in the problem.
@@ -48,6 +51,8 @@ const WORTH_LOADING: f64 = 0.1;
 const MATRICES: u64 = 4;
 /// How often the sizes of grids may be mended at a position.
 const REGRIDS: usize = 3;
+/// How often bodies that go through backlash are moved to where their teeth touch: involutes are there at once.
+const STARTS: usize = 3;
 
 /// A pair of teeth that could touch: what is known before anything is solved.
 struct Candidate<S> {
@@ -96,8 +101,9 @@ trait Space {
     /// How large a grid is.
     type Size: Copy;
 
-    /// Every pair of teeth near enough to face each other, in a fixed order.
-    fn candidates(&self, time: f64) -> Result<Vec<Candidate<Self::Site>>, EngineError>;
+    /// Every pair of teeth near enough to face each other, in a fixed order, where bodies are off their prescribed motions by
+    /// `moved`, m or rad by freedom.
+    fn candidates(&self, time: f64, moved: &[f64]) -> Result<Vec<Candidate<Self::Site>>, EngineError>;
 
     /// The order of the force that presses surfaces flat that overlap by so much (m), in the unit of loads.
     fn force_of_overlap(&self, candidate: &Candidate<Self::Site>, overlap: f64) -> f64;
@@ -148,7 +154,8 @@ impl System<'_> {
     /// # Errors
     /// A load is not a number, nothing holds it, the problem is degenerate, or the interrupt's.
     pub fn solve(&self, time: f64) -> Result<StepResult, EngineError> {
-        self.solve_under(time, self.load_at(time)?)
+        let load = self.load_at(time)?;
+        self.solve_under(time, &load, &load)
     }
 
     /// The scene at a time (s) where its surfaces touch as the load vanishes.
@@ -156,16 +163,19 @@ impl System<'_> {
     /// # Errors
     /// As [`System::solve`].
     pub(crate) fn touch(&self, time: f64) -> Result<StepResult, EngineError> {
-        self.solve_under(time, vec![0.0; self.freedoms.len()])
+        self.solve_under(time, &vec![0.0; self.freedoms.len()], &self.load_at(time)?)
     }
 
-    fn solve_under(&self, time: f64, load: Vec<f64>) -> Result<StepResult, EngineError> {
+    /// Under a load, which may be the limit of one in a direction.
+    fn solve_under(&self, time: f64, load: &[f64], direction: &[f64]) -> Result<StepResult, EngineError> {
         match &self.bodies {
             Bodies::Plane(bodies) => {
-                Solver { system: self, space: &plane::Plane { system: self, bodies } }.solve(time, &load)
+                let space = &plane::Plane { system: self, bodies };
+                Solver { system: self, space, direction }.solve(time, load)
             }
             Bodies::Solid(bodies) => {
-                Solver { system: self, space: &solid::Solid { system: self, bodies } }.solve(time, &load)
+                let space = &solid::Solid { system: self, bodies };
+                Solver { system: self, space, direction }.solve(time, load)
             }
         }
     }
@@ -175,11 +185,14 @@ impl System<'_> {
 struct Solver<'a, S> {
     system: &'a System<'a>,
     space: &'a S,
+    /// A load that the load is, or is the limit of.
+    direction: &'a [f64],
 }
 
 impl<S: Space> Solver<'_, S> {
     fn solve(&self, time: f64, load: &[f64]) -> Result<StepResult, EngineError> {
-        let candidates = self.space.candidates(time)?;
+        let start = self.start(time)?;
+        let candidates = self.space.candidates(time, &start)?;
         let near = |candidate: &Candidate<S::Site>| candidate.nearest.gap < SEARCH_DEPTH * candidate.length;
         let mut chosen: Vec<bool> = candidates.iter().map(near).collect();
         loop {
@@ -195,9 +208,48 @@ impl<S: Space> Solver<'_, S> {
                 }
             }
             if !closed {
-                return Ok(step);
+                let motion = step.motion.iter().zip(&start).map(|(moved, start)| start + moved).collect();
+                return Ok(StepResult { motion, start, ..step });
             }
         }
+    }
+
+    /// Whether teeth may touch on both sides.
+    fn both_sides(&self) -> bool {
+        self.system.scene.pairs.iter().any(|pair| pair.front.is_some())
+    }
+
+    /// The load whose limit bodies come to rest under: with one flank of each tooth it is the one that the mesh is made for.
+    fn limit_direction(&self) -> Vec<f64> {
+        match self.both_sides() && self.direction.iter().any(|&load| load != 0.0) {
+            true => self.direction.to_vec(),
+            false => holding::drive_direction(self.system.scene, &self.system.freedoms),
+        }
+    }
+
+    /// How far bodies go, rigid, before teeth touch where the load presses them: nothing, unless they may touch on both sides. Contact
+    /// is laid out there, for it is geometry of the first order only, and backlash is much wider than what teeth give.
+    fn start(&self, time: f64) -> Result<Vec<f64>, EngineError> {
+        let freedoms = self.system.freedoms.len();
+        let nowhere = vec![0.0; freedoms];
+        if freedoms == 0 || !self.both_sides() {
+            return Ok(nowhere);
+        }
+        let direction = self.limit_direction();
+        let mut start = nowhere.clone();
+        for _ in 0..STARTS {
+            let candidates = self.space.candidates(time, &start)?;
+            let approaches = || candidates.iter().flat_map(|candidate| candidate.approaches());
+            let gaps: Vec<f64> = approaches().map(|approach| approach.gap).collect();
+            let arms: Vec<f64> = approaches().flat_map(|approach| approach.arms.iter().copied()).collect();
+            match rigid_limit(&gaps, &arms, &direction, &self.system.interrupt) {
+                Ok(limit) => start.iter_mut().zip(&limit.motion).for_each(|(start, more)| *start += more),
+                Err(error @ ContactError::Interrupted(_)) => return Err(self.explain(&error)),
+                // A tight mesh overlaps in every position. What nothing holds, the contact problem says.
+                Err(_) => return Ok(nowhere),
+            }
+        }
+        Ok(start)
     }
 
     fn solve_candidates(
@@ -209,8 +261,11 @@ impl<S: Space> Solver<'_, S> {
         // Bodies that are all held where they overlap press on each other without any load.
         let pressed =
             self.system.freedoms.is_empty() && candidates.iter().any(|candidate| candidate.overlaps());
-        if !pressed && load.iter().all(|&load| load == 0.0) {
-            return self.touch_without_load(time, load, candidates);
+        if !pressed
+            && load.iter().all(|&load| load == 0.0)
+            && let Some(step) = self.touch_without_load(time, load, candidates)?
+        {
+            return Ok(step);
         }
         let mut sizes = vec![None; candidates.len()];
         let largest_forces = self.largest_forces(load, candidates);
@@ -251,6 +306,7 @@ impl<S: Space> Solver<'_, S> {
             time,
             patches,
             motion: solution.motion,
+            start: Vec::new(),
             problem,
             active: solution.active,
             certificate: solution.certificate,
@@ -258,23 +314,26 @@ impl<S: Space> Solver<'_, S> {
         })
     }
 
-    /// Where bodies come to rest as the load vanishes: rigid contact at the closest approaches.
+    /// Where bodies come to rest as the load vanishes: rigid contact at the closest approaches. `None` of a tight mesh, whose teeth press on
+    /// each other on both sides without any load.
     fn touch_without_load(
         &self,
         time: f64,
         load: &[f64],
         candidates: &[&Candidate<S::Site>],
-    ) -> Result<StepResult, EngineError> {
-        let System { scene, freedoms, interrupt, .. } = self.system;
+    ) -> Result<Option<StepResult>, EngineError> {
+        let System { freedoms, interrupt, .. } = self.system;
         let approaches = || candidates.iter().flat_map(|candidate| candidate.approaches());
         let gaps: Vec<f64> = approaches().map(|approach| approach.gap).collect();
         let arms: Vec<f64> = approaches().flat_map(|approach| approach.arms.iter().copied()).collect();
         let motion = if freedoms.is_empty() {
             Vec::new()
         } else {
-            let drive = holding::drive_direction(scene, freedoms);
-            let limit = rigid_limit(&gaps, &arms, &drive, interrupt);
-            limit.map_err(|error| self.explain(&error))?.motion
+            match rigid_limit(&gaps, &arms, &self.limit_direction(), interrupt) {
+                Ok(limit) => limit.motion,
+                Err(ContactError::Jammed) if self.both_sides() => return Ok(None),
+                Err(error) => return Err(self.explain(&error)),
+            }
         };
         let patches = candidates.iter().map(|candidate| self.space.patch(candidate, None)).collect();
         let problem = ContactProblem {
@@ -285,7 +344,8 @@ impl<S: Space> Solver<'_, S> {
             load: load.to_vec(),
         };
         let (active, certificate, warnings) = (Vec::new(), Certificate::default(), Vec::new());
-        Ok(StepResult { time, patches, motion, problem, active, certificate, warnings })
+        let start = Vec::new();
+        Ok(Some(StepResult { time, patches, motion, start, problem, active, certificate, warnings }))
     }
 
     /// For each patch whose size was left open and turns out to be unsuitable, a better one.

@@ -163,6 +163,17 @@ impl<'s> System<'s> {
         }
     }
 
+    /// The deviations of a body from its prescribed motion that are among those of all freedoms, in the order of
+    /// [`crate::scene::FREEDOMS`]; m and rad.
+    pub(crate) fn moved(&self, body: usize, motion: &[f64]) -> [f64; 6] {
+        let mut by = [0.0; 6];
+        for (freedom, &moved) in self.freedoms.iter().zip(motion).filter(|(freedom, _)| freedom.body == body)
+        {
+            by[freedom.component] = moved;
+        }
+        by
+    }
+
     /// The directions along and about which a body's freedoms count: those of the ground, swung with the body's axis.
     pub(crate) fn axes(&self, body: usize, time: f64) -> [[f64; 3]; 3] {
         match &self.bodies {

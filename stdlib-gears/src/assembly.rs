@@ -7,7 +7,7 @@ use crate::axes::{Axes, turns_about_e3};
 use crate::error::{GeometryError, Refusal, sentence};
 use crate::gear::Gear;
 use crate::mesh_geometry::{MeshGeometry, Wound};
-use crate::mounting::{Mounting, mount};
+use crate::mounting::{Mounting, mount, mount_back_sides};
 use crate::prototype::GearPrototype;
 use calyx_runtime::error::{EngineError, Subject};
 use calyx_runtime::motion::{PlanePose, pose_in_space, turning_speed};
@@ -49,6 +49,8 @@ pub struct MeshOptions {
     pub friction: f64,
     /// Tilts the second gear.
     pub misalignment: Misalignment,
+    /// Search for contact on the back sides of the teeth too.
+    pub back_side_contact: bool,
 }
 
 /// How the second gear's axis stands off parallel to the first one's, by two angles (rad): about the middle of the common face.
@@ -70,6 +72,7 @@ impl Default for MeshOptions {
             grid_width: width,
             friction: 0.0,
             misalignment: Misalignment::default(),
+            back_side_contact: false,
         }
     }
 }
@@ -79,6 +82,8 @@ impl Default for MeshOptions {
 pub struct Meshed {
     /// Their pair of surfaces in the scene: what observables refer to. Its [`SurfacePair::mesh`] knows the cycle.
     pub pair: PairId,
+    /// The pair of the back sides of their teeth, where those may touch too.
+    pub back: Option<PairId>,
     /// Path of contact, contact ratio, backlash.
     pub geometry: MeshGeometry,
     /// What an engineer should know of the pair.
@@ -166,7 +171,7 @@ impl Pairing {
             let error = EngineError::new("E0653", "a body of the mesh carries no gear", "");
             return Err(error.into());
         };
-        let (geometry, warnings) = check(driver, mate, self.center_distance(), self.axes.common_width)?;
+        let (geometry, mut warnings) = check(driver, mate, self.center_distance(), self.axes.common_width)?;
         let gears = [driver.form(), mate.form()];
         let phase_of_first = scene.bodies[first.0].phase;
         let sense = drive_sense(scene, self.bodies, gears[1].sense(), self.speeds[0])?;
@@ -181,7 +186,8 @@ impl Pairing {
             Mounting { first: first_section, second: second_section, angular_velocity: self.speeds, sense };
         let (phase, mut mesh) = mount(gears, &geometry, &mounting)?;
         // Where the body's own angle is zero, rather than that of its section.
-        mesh.roll_at_zero += sense * (first_section.angle - phase_of_first - self.axes.angles[0]);
+        let off_section = first_section.angle - phase_of_first - self.axes.angles[0];
+        mesh.roll_at_zero += sense * off_section;
         let body = &mut scene.bodies[second.0];
         body.phase = phase;
         if options.misalignment != Misalignment::default() {
@@ -191,15 +197,36 @@ impl Pairing {
         let surface = if sense > 0.0 { 0 } else { 1 };
         // A ring touches on the sides of its teeth that look the other way.
         let surfaces = [surface, if gears[1].internal { 1 - surface } else { surface }];
+        let back = match options.back_side_contact {
+            true => Some(mount_back_sides(gears, &geometry, &mounting, phase)?),
+            false => None,
+        };
+        if back.is_some() {
+            // Teeth that fill the spaces press on both sides: a tight mesh.
+            warnings.retain(|warning| warning.code != "E0635");
+        }
         let grid = GridOptions {
             half_cells: options.half_cells,
             half_slices: options.half_slices,
             width: options.grid_width,
             edges: options.tip_corner_contact,
         };
+        let (bodies, friction) = (self.bodies, options.friction);
         let pair =
-            SurfacePair { bodies: self.bodies, surfaces, grid, friction: options.friction, mesh: Some(mesh) };
-        Ok(Meshed { pair: scene.add_pair(pair), geometry, warnings })
+            scene.add_pair(SurfacePair { bodies, surfaces, grid, friction, mesh: Some(mesh), front: None });
+        let back = back.map(|mut mesh| {
+            mesh.roll_at_zero -= sense * off_section;
+            let surfaces = surfaces.map(|surface| 1 - surface);
+            scene.add_pair(SurfacePair {
+                bodies,
+                surfaces,
+                grid,
+                friction,
+                mesh: Some(mesh),
+                front: Some(pair),
+            })
+        });
+        Ok(Meshed { pair, back, geometry, warnings })
     }
 }
 

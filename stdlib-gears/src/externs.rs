@@ -14,7 +14,7 @@ use calyx_runtime::material::Material;
 use calyx_runtime::motion::Motion;
 use calyx_runtime::plan::Plan;
 use calyx_runtime::results::OutputRequest;
-use calyx_runtime::scene::{Body, BodyId, FREEDOMS, Fidelity, StructureOptions};
+use calyx_runtime::scene::{Body, BodyId, FREEDOMS, Fidelity, PairId, StructureOptions};
 use std::sync::Arc;
 
 calyx_abi::externs! {
@@ -49,6 +49,7 @@ calyx_abi::externs! {
     Scene fn calyx_gears_mesh(
         context, first: Handle, second: Handle, tip_corner_contact: bool, cells: f64, grid_width: f64,
         cells_along: f64, friction: f64, misalignment: f64, misalignment_off_action: f64,
+        back_side_contact: bool,
     ) -> Handle {
         for (argument, count) in [("cells", cells), ("cells_along", cells_along)] {
             if count.fract() != 0.0 {
@@ -65,6 +66,7 @@ calyx_abi::externs! {
             grid_width: (grid_width > 0.0).then_some(grid_width),
             friction,
             misalignment: Misalignment { in_action: misalignment, off_action: misalignment_off_action },
+            back_side_contact,
         };
         let pairing = Pairing::of(&host.scene, ids).map_err(|refusal| host.refused(refusal, place))?;
         // What can touch has a geometry, also where it cannot run.
@@ -74,6 +76,16 @@ calyx_abi::externs! {
         let meshed = pairing.mesh(&mut host.scene, &options).map_err(|refusal| host.refused(refusal, place))?;
         host.note(&meshed.warnings, place);
         Ok(Handle(meshed.pair.0 as u64))
+    }
+
+    Pure fn calyx_gears_back_side(context, mesh: Handle) -> Handle {
+        let pairs = &host(context)?.scene.pairs;
+        let front = entry(pairs, mesh)?.front.unwrap_or(PairId(mesh.0 as usize));
+        match pairs.iter().position(|pair| pair.front == Some(front)) {
+            Some(back) => Ok(Handle(back as u64)),
+            None => Err(refusal("E0654", "mesh", "contact of the back sides is not searched in this mesh",
+                "make it with `gears.mesh(..., back_side_contact = TRUE)`")),
+        }
     }
 
     Pure fn calyx_gears_mesh_cycle(context, mesh: Handle, steps: f64) -> Handle {

@@ -38,65 +38,108 @@ pub fn mount(
     geometry: &MeshGeometry,
     mounting: &Mounting,
 ) -> Result<(f64, GearMesh), GeometryError> {
-    let [first, second] = gears;
-    let [pitch, second_pitch] = [first.pitch_angle(), second.pitch_angle()];
-    let sense = mounting.sense;
-    let centres = [0, 1].map(|i| mounting.second.origin[i] - mounting.first.origin[i]);
-    let line_of_centres = centres[1].atan2(centres[0]);
-    let pressure_angle = geometry.operating_pressure_angle;
-    // Where the first gear touches: towards the other's axis, or away from it inside of a ring.
-    let contact = if second.internal { line_of_centres + PI } else { line_of_centres };
-    let second_tooth_at = |first_roll: f64| {
-        let flank = second.half_base_angle - second.sense() * geometry.second_roll(first_roll);
+    let sides = Sides { gears, geometry, mounting };
+    // Angle of the second gear's tooth that touches the first one's tooth 0, were that in contact.
+    let opposite = sides.second_tooth_at(sides.roll_of_zero());
+    let phase = nearest_to_zero(opposite - mounting.second.angle, gears[1].pitch_angle());
+    Ok((phase, sides.mesh(phase)?))
+}
+
+/// The mesh of the back sides of the teeth of two gears whose driving sides are mounted like this, with the phase (rad) that [`mount`] gave
+/// the second one. Back sides push the other way, and have a cycle of their own.
+///
+/// # Errors
+/// As [`mount`].
+pub fn mount_back_sides(
+    gears: [ToothForm; 2],
+    geometry: &MeshGeometry,
+    mounting: &Mounting,
+    phase: f64,
+) -> Result<GearMesh, GeometryError> {
+    Sides { gears, geometry, mounting: &Mounting { sense: -mounting.sense, ..*mounting } }.mesh(phase)
+}
+
+/// The sides of teeth with which the first gear pushes in the mounting's sense.
+struct Sides<'a> {
+    gears: [ToothForm; 2],
+    geometry: &'a MeshGeometry,
+    mounting: &'a Mounting,
+}
+
+impl Sides<'_> {
+    /// Direction in which the first gear touches: towards the other's axis, or away from it inside of a ring.
+    fn contact(&self) -> f64 {
+        let [first, second] = [self.mounting.first.origin, self.mounting.second.origin];
+        let line_of_centres = (second[1] - first[1]).atan2(second[0] - first[0]);
+        if self.gears[1].internal { line_of_centres + PI } else { line_of_centres }
+    }
+
+    /// Roll angle of the first gear's tooth 0, were it in contact with the gear's angle at zero.
+    fn roll_at_zero(&self) -> f64 {
+        let pressure_angle = self.geometry.operating_pressure_angle;
+        self.gears[0].half_base_angle + pressure_angle - self.mounting.sense * self.contact()
+    }
+
+    /// The same at time 0.
+    fn roll_of_zero(&self) -> f64 {
+        self.roll_at_zero() + self.mounting.sense * self.mounting.first.angle
+    }
+
+    /// Angle of the second gear's tooth that touches where the first one does at a roll angle.
+    fn second_tooth_at(&self, first_roll: f64) -> f64 {
+        let (second, sense) = (self.gears[1], self.mounting.sense);
+        let pressure_angle = self.geometry.operating_pressure_angle;
+        let flank = second.half_base_angle - second.sense() * self.geometry.second_roll(first_roll);
         if second.internal {
-            contact + sense * (flank - pressure_angle)
+            self.contact() + sense * (flank - pressure_angle)
         } else {
-            contact + PI - sense * (flank + pressure_angle)
+            self.contact() + PI - sense * (flank + pressure_angle)
         }
-    };
-    let speed = check_speeds([first.teeth, second.teeth], second.sense(), mounting.angular_velocity)?;
+    }
 
-    // Roll angle of the first gear's tooth 0, were it in contact: with the gear's angle at zero, and at time 0.
-    let roll_at_zero = first.half_base_angle + pressure_angle - sense * contact;
-    let roll_of_zero = roll_at_zero + sense * mounting.first.angle;
-    // Angle of the second gear's tooth that touches that one.
-    let opposite = second_tooth_at(roll_of_zero);
-    let phase = nearest_to_zero(opposite - mounting.second.angle, second_pitch);
+    fn mesh(&self, phase: f64) -> Result<GearMesh, GeometryError> {
+        let Sides { gears: [first, second], geometry, mounting } = *self;
+        let [pitch, second_pitch] = [first.pitch_angle(), second.pitch_angle()];
+        let sense = mounting.sense;
+        let speed = check_speeds([first.teeth, second.teeth], second.sense(), mounting.angular_velocity)?;
+        let roll_of_zero = self.roll_of_zero();
+        let points = geometry.first_roll;
+        // The first gear moves as it pushes, or it is driven back while it pushes.
+        let forward = sense * speed > 0.0;
+        let step = if forward { pitch } else { -pitch };
+        let enters = if forward { points.start_of_active_profile } else { points.end_of_active_profile };
+        let period = pitch / speed.abs();
+        let rate = sense * speed;
+        // The first tooth to enter at or after time 0.
+        let start = ((enters - roll_of_zero) / rate).rem_euclid(period);
+        let tooth = (sense * (enters - rate * start - roll_of_zero) / pitch).round();
+        let second_angle = mounting.second.angle + phase + mounting.angular_velocity[1] * start;
+        let second_tooth = ((self.second_tooth_at(enters) - second_angle) / second_pitch).round();
 
-    let points = geometry.first_roll;
-    // The first gear moves as it pushes, or it is driven back while it pushes.
-    let forward = sense * speed > 0.0;
-    let step = if forward { pitch } else { -pitch };
-    let enters = if forward { points.start_of_active_profile } else { points.end_of_active_profile };
-    let period = pitch / speed.abs();
-    let rate = sense * speed;
-    // The first tooth to enter at or after time 0.
-    let start = ((enters - roll_of_zero) / rate).rem_euclid(period);
-    let tooth = (sense * (enters - rate * start - roll_of_zero) / pitch).round();
-    let second_angle = mounting.second.angle + phase + mounting.angular_velocity[1] * start;
-    let second_tooth = ((second_tooth_at(enters) - second_angle) / second_pitch).round();
-
-    // Ends of helical teeth come into contact before mid-face does, and leave it after.
-    let early = 0.5 * geometry.overlap_ratio * pitch;
-    let leaves = geometry.contact_ratio.fract() * period;
-    let names = if forward { ["SAP", "EAP", "LPSTC", "HPSTC"] } else { ["EAP", "SAP", "HPSTC", "LPSTC"] };
-    let point = |index: usize, time, after| CharacteristicPoint { name: names[index], time, after };
-    let characteristic =
-        vec![point(0, 0.0, true), point(1, leaves, false), point(2, leaves, true), point(3, period, false)];
-    let mesh = GearMesh {
-        teeth: [first.teeth, second.teeth],
-        base_radii: geometry.base_radius,
-        drive_sense: sense,
-        sign: second.sense(),
-        entering: [index(tooth, first.teeth), index(second_tooth, second.teeth)],
-        start,
-        period,
-        characteristic,
-        roll: [enters, enters + step],
-        path: [points.start_of_active_profile - early, points.end_of_active_profile + early],
-        roll_at_zero,
-    };
-    Ok((phase, mesh))
+        // Ends of helical teeth come into contact before mid-face does, and leave it after.
+        let early = 0.5 * geometry.overlap_ratio * pitch;
+        let leaves = geometry.contact_ratio.fract() * period;
+        let names = if forward { ["SAP", "EAP", "LPSTC", "HPSTC"] } else { ["EAP", "SAP", "HPSTC", "LPSTC"] };
+        let point = |index: usize, time, after| CharacteristicPoint { name: names[index], time, after };
+        Ok(GearMesh {
+            teeth: [first.teeth, second.teeth],
+            base_radii: geometry.base_radius,
+            drive_sense: sense,
+            sign: second.sense(),
+            entering: [index(tooth, first.teeth), index(second_tooth, second.teeth)],
+            start,
+            period,
+            characteristic: vec![
+                point(0, 0.0, true),
+                point(1, leaves, false),
+                point(2, leaves, true),
+                point(3, period, false),
+            ],
+            roll: [enters, enters + step],
+            path: [points.start_of_active_profile - early, points.end_of_active_profile + early],
+            roll_at_zero: self.roll_at_zero(),
+        })
+    }
 }
 
 /// The first gear's speed, if both speeds fit the numbers of teeth; `sign` is -1 if the second gear is a ring.

@@ -48,6 +48,8 @@ pub struct PlannedMesh {
     pub cells: usize,
     /// Whether tip edges are searched.
     pub edges: bool,
+    /// Whether these are the back sides of the teeth, of a mesh that is listed too.
+    pub back_sides: bool,
     pub contact_ratio: Option<f64>,
 }
 
@@ -81,6 +83,7 @@ impl Planned {
                     }
                 },
                 edges: pair.grid.edges,
+                back_sides: pair.front.is_some(),
                 contact_ratio: meeting.map(|meeting| meeting.geometry.contact_ratio),
             }
         });
@@ -218,6 +221,10 @@ fn body_lines(body: &PlannedBody) -> [String; 2] {
 fn mesh_line(mesh: &PlannedMesh) -> String {
     let [first, second] = &mesh.bodies;
     let ratio = mesh.contact_ratio.map(|ratio| format!(", contact ratio {ratio:.3}")).unwrap_or_default();
-    let edges = if mesh.edges { "flanks and tip edges" } else { "flanks on the nominal path" };
+    let edges = match (mesh.back_sides, mesh.edges) {
+        (true, _) => "back sides of the teeth",
+        (false, true) => "flanks and tip edges",
+        (false, false) => "flanks on the nominal path",
+    };
     format!("\"{first}\" with \"{second}\": {edges}, {} cells a pair of teeth{ratio}", mesh.cells)
 }

@@ -35,6 +35,17 @@ impl<'a> Equilibrium<'a> {
         Some((pair.mesh.as_ref()?, pair.bodies))
     }
 
+    /// The pair of a mesh's driving sides: of a pair of back sides the other one, of any other pair itself.
+    pub fn front(&self, pair: PairId) -> PairId {
+        self.system.scene.pairs.get(pair.0).and_then(|pair| pair.front).unwrap_or(pair)
+    }
+
+    /// The patches of a whole mesh, on both sides of its teeth.
+    pub fn mesh_contacts(self, pair: PairId) -> impl Iterator<Item = Contact<'a>> {
+        let front = self.front(pair);
+        self.all_contacts().filter(move |contact| self.front(contact.pair()) == front)
+    }
+
     /// The patches in which surfaces of a pair touch or may.
     pub fn contacts(self, pair: PairId) -> impl Iterator<Item = Contact<'a>> {
         self.all_contacts().filter(move |contact| contact.pair() == pair)
@@ -61,6 +72,15 @@ impl<'a> Equilibrium<'a> {
         let freedom = Freedom { body: body.0, component };
         let at = self.system.freedoms.iter().position(|other| *other == freedom);
         at.map_or(0.0, |at| self.step.motion[at])
+    }
+
+    /// Where the origin of a body's frame was when contact was laid out, m: where it is meant to be, but for backlash it has gone
+    /// through.
+    pub(crate) fn origin(&self, body: BodyId) -> [f64; 3] {
+        let origin = self.system.origin(body.0, self.time());
+        let [x, y, z, ..] = self.system.moved(body.0, &self.step.start);
+        let axes = self.system.axes(body.0, self.time());
+        [0, 1, 2].map(|k: usize| origin[k] + x * axes[0][k] + y * axes[1][k] + z * axes[2][k])
     }
 
     /// Velocity of the point of a body that is at a point in ground coordinates (m), by the body's prescribed motion, m/s.
@@ -168,7 +188,7 @@ impl Contact<'_> {
     /// The force and its moment about a body's origin that the patch puts on the body on one of its sides, along ground
     /// axes: N and N m, as [`crate::scene::FREEDOMS`] counts them.
     pub fn wrench(&self, side: usize) -> [f64; 6] {
-        let origin = self.at.system.origin(self.bodies()[side].0, self.at.time());
+        let origin = self.at.origin(self.bodies()[side]);
         self.patch.wrench(side, origin, self.at.system.width())
     }
 

@@ -9,7 +9,7 @@ use std::f64::consts::PI;
 
 const THETA_Z: usize = 5;
 
-/// Lag of the second gear: `sense (theta_1 N1/N2 + sign theta_2)`, angles counted from rigid unmodified contact. rad.
+/// Lag of the second gear behind the driving sides of the first one's teeth: `sense (theta_1 N1/N2 + sign theta_2)`, angles counted from rigid unmodified contact. rad.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TransmissionError(pub PairId);
 
@@ -19,7 +19,9 @@ impl Observable for TransmissionError {
     }
 
     fn value(&self, at: &Equilibrium<'_>) -> Observed {
-        let Some((mesh, [first, second])) = at.mesh(self.0) else { return Observed::number(f64::NAN) };
+        let Some((mesh, [first, second])) = at.mesh(at.front(self.0)) else {
+            return Observed::number(f64::NAN);
+        };
         let ratio = f64::from(mesh.teeth[0]) / f64::from(mesh.teeth[1]);
         let turned = |body: BodyId| at.system.turned(body.0, at.time());
         let kinematic = turned(first) * ratio + mesh.sign * turned(second);
@@ -58,11 +60,12 @@ impl Observable for SecantStiffness {
 
     fn value(&self, at: &Equilibrium<'_>) -> Observed {
         let Some((mesh, _)) = at.mesh(self.0) else { return Observed::number(f64::NAN) };
-        let moment: f64 = at.contacts(self.0).map(|contact| contact.torque(0)).sum();
+        let moment: f64 = at.mesh_contacts(self.0).map(|contact| contact.torque(0)).sum();
         let force = moment.abs() / mesh.base_radii[0];
         let moved =
             TransmissionError(self.0).value(at).value - UnloadedTransmissionError(self.0).value(at).value;
-        Observed::number(if force > 0.0 { force / (moved * mesh.base_radii[1]) } else { 0.0 })
+        // Teeth that press with their back sides move the other way.
+        Observed::number(if force > 0.0 { force / (moved * mesh.base_radii[1]).abs() } else { 0.0 })
     }
 }
 

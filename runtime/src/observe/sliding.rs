@@ -72,7 +72,7 @@ impl Observable for FrictionLoss {
         let of = |contact: Contact<'_>| -> f64 {
             contact.slices().iter().map(|slice| slice.force * size(contact.sliding(slice.point))).sum()
         };
-        Observed::number(self.1 * at.contacts(self.0).map(of).fold(0.0, Add::add))
+        Observed::number(self.1 * at.mesh_contacts(self.0).map(of).fold(0.0, Add::add))
     }
 }
 
@@ -88,7 +88,7 @@ impl Observable for Efficiency {
     fn value(&self, at: &Equilibrium<'_>) -> Observed {
         // What the mesh passes on, by the work of the contact forces on the first body.
         let of = |contact: Contact<'_>| contact.power(0);
-        let power = at.contacts(self.0).map(of).sum::<f64>().abs();
+        let power = at.mesh_contacts(self.0).map(of).sum::<f64>().abs();
         let loss = FrictionLoss(self.0, self.1).value(at).value;
         Observed::number(if power > 0.0 { 1.0 - loss / power } else { 1.0 })
     }

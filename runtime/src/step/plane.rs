@@ -7,6 +7,7 @@ use crate::contact::assembly::{self, compliance};
 use crate::contact::grid::{self, Grid, GridOptions, Width, assess, lay, pressures};
 use crate::contact::{ContactFrame, Placement};
 use crate::error::EngineError;
+use crate::motion::PlanePose;
 use crate::profile::Profile;
 use crate::scene::SurfacePair;
 use crate::structure::{Chart, Structure};
@@ -38,12 +39,14 @@ impl Space for Plane<'_> {
     /// Width, m.
     type Size = f64;
 
-    fn candidates(&self, time: f64) -> Result<Vec<Candidate<Site>>, EngineError> {
+    fn candidates(&self, time: f64, moved: &[f64]) -> Result<Vec<Candidate<Site>>, EngineError> {
         let scene = self.system.scene;
         let mut found = Vec::new();
         for (index, pair) in scene.pairs.iter().enumerate() {
             let bodies = pair.bodies.map(|body| body.0);
-            let placements = [self.placement(bodies[0], time)?, self.placement(bodies[1], time)?];
+            let poses = [self.pose(bodies[0], time, moved)?, self.pose(bodies[1], time, moved)?];
+            let placements = [0, 1].map(|side: usize| self.placement(bodies[side], &poses[side]));
+            let origins = poses.map(|pose| pose.origin);
             let structures = [0, 1].map(|side| self.bodies.structures[bodies[side]].clone());
             let [Some(first), Some(second)] = structures else { continue };
             let structures = [first, second];
@@ -54,7 +57,7 @@ impl Space for Plane<'_> {
                 let body = (bodies[side], structures[side].as_ref(), profiles[side].as_ref());
                 self.teeth_near(body, placements[side], placements[other].origin(), reach)
             });
-            let angle = pose(scene, bodies[0], time)?.angle + scene.bodies[bodies[0]].phase;
+            let angle = poses[0].angle + scene.bodies[bodies[0]].phase;
             let nominal = pair.mesh.as_ref().filter(|_| !pair.grid.edges);
             let on_path = |tooth: u32| nominal.is_none_or(|mesh| mesh.on_path(tooth, angle));
             let touching = 0.5 * (profiles[0].length() + profiles[1].length());
@@ -71,7 +74,7 @@ impl Space for Plane<'_> {
                     let approach = closest_approach(placed(0), placed(1), pair.grid.edges)
                         .filter(|approach| self.faces(bodies, &placements, approach));
                     if let Some(approach) = approach {
-                        let arms = self.arms_of(bodies, &approach.frame, time)?;
+                        let arms = self.arms_of(bodies, &approach.frame, origins);
                         found.push(Candidate {
                             teeth: (index, [*first, *second]),
                             length: profiles[0].length(),
@@ -167,10 +170,16 @@ impl Plane<'_> {
         &self.system.scene.pairs[candidate.teeth.0]
     }
 
-    /// Where a body's teeth coordinates lie at a time, with the body's phase.
-    fn placement(&self, body: usize, time: f64) -> Result<Placement, EngineError> {
-        let pose = pose(self.system.scene, body, time)?;
-        Ok(Placement::new(pose.angle + self.system.scene.bodies[body].phase, pose.origin))
+    /// Where a body's frame is at a time, off its prescribed motion by `moved`.
+    fn pose(&self, body: usize, time: f64, moved: &[f64]) -> Result<PlanePose, EngineError> {
+        let PlanePose { origin: [x, y], angle } = pose(self.system.scene, body, time)?;
+        let by = self.system.moved(body, moved);
+        Ok(PlanePose { origin: [x + by[0], y + by[1]], angle: angle + by[5] })
+    }
+
+    /// Where the teeth coordinates of a body lie whose frame is at a pose, with the body's phase.
+    fn placement(&self, body: usize, pose: &PlanePose) -> Placement {
+        Placement::new(pose.angle + self.system.scene.bodies[body].phase, pose.origin)
     }
 
     /// Whether surfaces that approach like this belong together. Overlapping by half a pitch of either body's teeth, one
@@ -204,8 +213,7 @@ impl Plane<'_> {
     }
 
     /// Growth of the gap of a patch by each freedom, m per m or rad.
-    fn arms_of(&self, bodies: [usize; 2], frame: &ContactFrame, time: f64) -> Result<Vec<f64>, EngineError> {
-        let origins = [self.placement(bodies[0], time)?.origin(), self.placement(bodies[1], time)?.origin()];
+    fn arms_of(&self, bodies: [usize; 2], frame: &ContactFrame, origins: [[f64; 2]; 2]) -> Vec<f64> {
         let arm = |freedom: &Freedom| {
             let sides = (0..2).filter(|&side| bodies[side] == freedom.body);
             sides
@@ -216,7 +224,7 @@ impl Plane<'_> {
                 })
                 .sum()
         };
-        Ok(self.system.freedoms.iter().map(arm).collect())
+        self.system.freedoms.iter().map(arm).collect()
     }
 
     fn contact_modulus(&self, bodies: [usize; 2]) -> f64 {

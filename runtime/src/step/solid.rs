@@ -9,7 +9,7 @@ use crate::contact::solid::{
     find_ridge, first_guess, lay, pressures,
 };
 use crate::error::EngineError;
-use crate::motion::Stance;
+use crate::motion::{Stance, moved_by};
 use crate::scene::SurfacePair;
 use crate::structure::Chart;
 use crate::structure::solid::SolidStructure;
@@ -47,12 +47,12 @@ impl Space for Solid<'_> {
     /// Width across and length along, m, where they are to be other than the model's.
     type Size = [Option<f64>; 2];
 
-    fn candidates(&self, time: f64) -> Result<Vec<Candidate<Site>>, EngineError> {
+    fn candidates(&self, time: f64, moved: &[f64]) -> Result<Vec<Candidate<Site>>, EngineError> {
         let scene = self.system.scene;
         let mut found = Vec::new();
         for (index, pair) in scene.pairs.iter().enumerate() {
             let bodies = pair.bodies.map(|body| body.0);
-            let frames = [solid_pose(scene, bodies[0], time)?, solid_pose(scene, bodies[1], time)?];
+            let frames = [self.pose(bodies[0], time, moved)?, self.pose(bodies[1], time, moved)?];
             let [Some(first), Some(second)] = bodies.map(|body| self.bodies.structures[body].as_deref())
             else {
                 continue;
@@ -214,6 +214,13 @@ impl Space for Solid<'_> {
 impl Solid<'_> {
     fn pair(&self, candidate: &Candidate<Site>) -> &SurfacePair {
         &self.system.scene.pairs[candidate.teeth.0]
+    }
+
+    /// Where a body's frame is at a time, off its prescribed motion by `moved`.
+    fn pose(&self, body: usize, time: f64, moved: &[f64]) -> Result<Pose, EngineError> {
+        let pose = solid_pose(self.system.scene, body, time)?;
+        let by = self.system.moved(body, moved);
+        Ok(if by == [0.0; 6] { pose } else { moved_by(&pose, by) })
     }
 
     fn contact_modulus(&self, candidate: &Candidate<Site>) -> f64 {

@@ -267,6 +267,7 @@ pub fn pair(options: &PairOptions) -> (Scene, GearMesh) {
         surfaces: [surface, if second.internal { 1 - surface } else { surface }],
         grid: GridOptions { width: options.grid_width, edges: options.edges, ..GridOptions::default() },
         mesh: Some(mesh.clone()),
+        front: None,
     });
     // In the order of `Values`.
     scene.observe(TransmissionError(MESH));

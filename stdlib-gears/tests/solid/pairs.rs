@@ -94,6 +94,7 @@ pub struct Options {
     /// Half-spaces instead of finite elements.
     pub backed: bool,
     pub misalignment: Misalignment,
+    pub back_side_contact: bool,
     /// Where the whole pair is put, with its load.
     pub place: Pose,
     /// How far each gear's axis is from that of its shaft, m: along the gear's x axis.
@@ -113,6 +114,7 @@ impl Options {
             edges: false,
             backed: true,
             misalignment: Misalignment::default(),
+            back_side_contact: false,
             place: Pose::IDENTITY,
             eccentricity: [0.0; 2],
             apart: 1e-3,
@@ -158,6 +160,7 @@ impl Options {
             half_cells: Some(self.half_cells[0]),
             half_slices: self.half_cells[1],
             misalignment: self.misalignment,
+            back_side_contact: self.back_side_contact,
             ..MeshOptions::default()
         };
         let meshed = mesh(&mut scene, first, second, &options).expect("they mesh");

@@ -1,0 +1,180 @@
+//! Teeth that may touch on both sides: loads that reverse, and meshes without backlash.
+
+use crate::helical::{CYCLE, solved};
+use crate::pairs::{FIRST, MESH, MODULE, Options, SECOND, TEETH, TORQUE, system};
+use calyx_gears::helix::Hand;
+use calyx_runtime::load::Wrench;
+use calyx_runtime::observe::{
+    LoadShare, MaxContactPressure, MeshStiffness, Observable, TransmissionError, UnloadedTransmissionError,
+};
+use calyx_runtime::plan::Plan;
+use calyx_runtime::scene::{Component, Fidelity, PairId, Scene, StructureOptions};
+use calyx_runtime::step::StepResult;
+use calyx_runtime::system::System;
+use std::f64::consts::TAU;
+use std::sync::Arc;
+
+/// The pair of back sides.
+const BACK: PairId = PairId(1);
+const STANDARD: f64 = 0.5 * MODULE * (TEETH[0] + TEETH[1]) as f64;
+
+fn both(options: Options) -> Options {
+    Options { back_side_contact: true, ..options }
+}
+
+fn base_radii() -> [f64; 2] {
+    TEETH.map(|teeth| 0.5 * MODULE * f64::from(teeth) * 20_f64.to_radians().cos())
+}
+
+fn force(step: &StepResult, pair: PairId) -> f64 {
+    step.patches.iter().filter(|patch| patch.pair == pair.0).map(|patch| patch.force()).sum()
+}
+
+/// Backlash along the line of action of a pair that has none at the standard distance.
+fn normal_backlash(distance: f64) -> f64 {
+    let involute = |angle: f64| angle.tan() - angle;
+    let [first, second] = base_radii();
+    let angle = ((first + second) / distance).acos();
+    2.0 * (first + second) * (involute(angle) - involute(20_f64.to_radians()))
+}
+
+/// A load that reverses is that of a pair which was made to drive the other way, at the moment at which the second gear stands alike;
+/// the transmission error has gone through the backlash.
+#[test]
+fn a_load_that_reverses_is_carried_by_the_back_sides() {
+    for options in [Options::spur(), Options::helical(0.35, Hand::Right)] {
+        let (mut scene, mesh) = both(options.clone()).scene();
+        scene.bodies[0].load = Arc::new(Wrench::of_moment([0.0, 0.0, -TORQUE]));
+        let (mirror, _) = Options { torque: -TORQUE, ..options }.scene();
+        let speed = -TAU * f64::from(TEETH[0]) / f64::from(TEETH[1]);
+        let later = (scene.bodies[1].phase - mirror.bodies[1].phase) / speed;
+        let (system, mirrored) =
+            (system(&scene, StructureOptions::default()), system(&mirror, StructureOptions::default()));
+        let lost = normal_backlash(STANDARD * (1.0 + 1e-3)) / base_radii()[1];
+        for part in CYCLE {
+            let time = mesh.start + part * mesh.period;
+            let (step, other) =
+                (system.solve(time).expect("it is held"), mirrored.solve(time + later).expect("it is held"));
+            assert!(step.certificate.largest() <= 1e-11, "{:?}", step.certificate);
+            assert!(force(&step, MESH) == 0.0 && force(&step, BACK) > 0.0);
+            let moment = system.contact_force(&step, FIRST)[5];
+            assert!((moment / TORQUE - 1.0).abs() < 1e-10, "{moment}");
+            let value = |system: &System<'_>, step: &StepResult, observable: &dyn Observable| {
+                system.value(step, observable).value
+            };
+            let error = value(&system, &step, &TransmissionError(MESH));
+            let expected = -lost - value(&mirrored, &other, &TransmissionError(MESH));
+            assert!((error / expected - 1.0).abs() < 1e-8, "{error} {expected}");
+            assert_eq!(error, value(&system, &step, &TransmissionError(BACK)));
+            let unloaded = value(&system, &step, &UnloadedTransmissionError(MESH));
+            assert!((unloaded / -lost - 1.0).abs() < 1e-9, "{unloaded} {lost}");
+            for (own, other) in [
+                (
+                    value(&system, &step, &MaxContactPressure(BACK)),
+                    value(&mirrored, &other, &MaxContactPressure(MESH)),
+                ),
+                (value(&system, &step, &MeshStiffness(MESH)), value(&mirrored, &other, &MeshStiffness(MESH))),
+                (force(&step, BACK), force(&other, MESH)),
+            ] {
+                assert!((own / other - 1.0).abs() < 1e-6, "{own} {other}");
+            }
+            assert_eq!(value(&system, &step, &MaxContactPressure(MESH)), 0.0);
+            let share = value(&system, &step, &LoadShare(BACK));
+            assert!((0.0..=1.0).contains(&share));
+        }
+    }
+}
+
+/// With the load that drives it, nothing changes that is not rounding: the back sides do not touch.
+#[test]
+fn back_sides_that_do_not_touch_change_nothing() {
+    let errors = |options: Options| {
+        let mut errors = Vec::new();
+        solved(&options, &CYCLE, |_, system, step| {
+            errors.push(system.value(step, &TransmissionError(MESH)).value);
+        });
+        errors
+    };
+    let (one, other) = (errors(Options::spur()), errors(both(Options::spur())));
+    for (one, other) in one.iter().zip(&other) {
+        assert!((one / other - 1.0).abs() < 1e-9, "{one} {other}");
+    }
+}
+
+/// Axes closer than the teeth allow: both sides press, with no torque by the same force, and the axes are pushed apart by 2 N sin(pressure
+/// angle); a torque is the difference of both forces at the base radius.
+#[test]
+fn a_tight_mesh_carries_on_both_sides() {
+    for options in [Options::spur(), Options::helical(0.35, Hand::Left)] {
+        for torque in [0.0, 0.02 * TORQUE, -0.02 * TORQUE] {
+            let apart = -1e-4;
+            let options = both(Options { torque, apart, ..options.clone() });
+            let helix = options.helix.angle();
+            solved(&options, &CYCLE, |_, system, step| {
+                let [drive, back] = [force(step, MESH), force(step, BACK)];
+                assert!(drive > 0.0 && back > 0.0, "{drive} {back}");
+                // Of helical teeth only part of the normal force turns.
+                let base_helix = (helix.tan() * 20_f64.to_radians().cos()).atan();
+                let arm = base_radii()[0] * base_helix.cos();
+                // The mesh is made to drive the way its load does.
+                let difference = (drive - back) * arm;
+                assert!((difference - torque.abs()).abs() < 1e-9 * drive * arm, "{difference} {torque}");
+                let angle = ((base_radii()[0] + base_radii()[1]) / (STANDARD * (1.0 + apart))).acos();
+                let apart = (drive + back) * base_helix.cos() * angle.sin();
+                let [x, ..] = system.contact_force(step, FIRST);
+                assert!((x / -apart - 1.0).abs() < 1e-6, "{x} {apart}");
+                let [other, ..] = system.contact_force(step, SECOND);
+                assert!((other / apart - 1.0).abs() < 1e-6, "{other} {apart}");
+            });
+        }
+    }
+}
+
+/// A gear that is free towards its mate, and pressed into it, sinks through the backlash and wedges: F = 2 N sin(pressure angle there).
+#[test]
+fn a_gear_pressed_into_its_mate_wedges() {
+    let pressed = 300.0;
+    let (mut scene, mesh) = both(Options { free: vec![Component::Ux], ..Options::spur() }).scene();
+    scene.bodies[0].load = Arc::new(Wrench::of_force([pressed, 0.0, 0.0]));
+    let system = system(&scene, StructureOptions::default());
+    for part in CYCLE {
+        let step = system.solve(mesh.start + part * mesh.period).expect("it is held");
+        assert!(step.certificate.largest() <= 1e-10, "{:?}", step.certificate);
+        let [drive, back] = [force(&step, MESH), force(&step, BACK)];
+        assert!((drive / back - 1.0).abs() < 1e-9, "{drive} {back}");
+        // Without backlash the axes stand at the standard distance.
+        let expected = pressed / (2.0 * 20_f64.to_radians().sin());
+        assert!((drive / expected - 1.0).abs() < 1e-6, "{drive} {expected}");
+    }
+}
+
+/// The same in the plane: a reversed load on the other flanks, and a tight mesh without any.
+#[test]
+fn both_sides_carry_in_the_plane() {
+    let structure = StructureOptions { refinement: 0.5, order: 2, ..StructureOptions::default() };
+    let plane = |scene: &Scene, part: f64, mesh: &calyx_runtime::scene::GearMesh| {
+        let plan = Plan::new(scene, Fidelity::Plane, structure).expect("a plan");
+        let system = System::new(scene, &plan).expect("it can be built");
+        let step = system.solve(mesh.start + part * mesh.period).expect("it is held");
+        assert!(step.certificate.largest() <= 1e-10, "{:?}", step.certificate);
+        let error = system.value(&step, &TransmissionError(MESH)).value;
+        ([force(&step, MESH), force(&step, BACK)], error, system.contact_force(&step, FIRST))
+    };
+    let options = both(Options { backed: false, ..Options::spur() });
+    let (mut scene, mesh) = options.scene();
+    let ([drive, back], driven, _) = plane(&scene, 0.8, &mesh);
+    assert!(drive > 0.0 && back == 0.0);
+    scene.bodies[0].load = Arc::new(Wrench::of_moment([0.0, 0.0, -TORQUE]));
+    let ([drive, back], reversed, _) = plane(&scene, 0.8, &mesh);
+    assert!(drive == 0.0 && back > 0.0);
+    let lost = normal_backlash(STANDARD * (1.0 + 1e-3)) / base_radii()[1];
+    // One pair of teeth drives here, and two pairs touch with their back sides: they give by about two thirds as much.
+    assert!((0.5..0.8).contains(&((-reversed - lost) / driven)), "{reversed} {driven} {lost}");
+
+    let (scene, mesh) = Options { apart: -1e-4, torque: 0.0, ..options }.scene();
+    let ([drive, back], _, support) = plane(&scene, 0.8, &mesh);
+    assert!(drive > 0.0 && (drive / back - 1.0).abs() < 1e-9, "{drive} {back}");
+    let angle = ((base_radii()[0] + base_radii()[1]) / (STANDARD * (1.0 - 1e-4))).acos();
+    let width = 8.0 * MODULE;
+    assert!((support[0] / (-2.0 * drive * width * angle.sin()) - 1.0).abs() < 1e-6, "{support:?} {drive}");
+}
