@@ -272,6 +272,21 @@ pub(crate) fn defect(message: &str) -> RuntimeError {
     RuntimeError::new("E0799", message, "this is a defect of Calyx; please report it with the model")
 }
 
+/// A tooth of a body's gear.
+pub(crate) fn tooth_number(host: &ModelHost, body: BodyId, tooth: f64) -> Result<u32, RuntimeError> {
+    let gear = host.body_gears.get(body.0).copied().unwrap_or_default();
+    let teeth = entry(&host.gears, Handle(gear as u64))?.gear.teeth();
+    match tooth.fract() == 0.0 && (0.0..f64::from(teeth)).contains(&tooth) {
+        true => Ok(tooth as u32),
+        false => Err(refusal(
+            "E0682",
+            "tooth",
+            &format!("there is no tooth {tooth}"),
+            &format!("teeth are counted counter-clockwise from 0 to {}", teeth - 1),
+        )),
+    }
+}
+
 pub(crate) fn refusal(code: &str, argument: &str, message: &str, help: &str) -> RuntimeError {
     RuntimeError::new(code, message, help).of_argument(argument)
 }

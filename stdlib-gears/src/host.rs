@@ -15,6 +15,7 @@ use calyx_runtime::analysis::{AnalysisOptions, Observer, Position};
 use calyx_runtime::error::{EngineError, Subject};
 use calyx_runtime::load::Load;
 use calyx_runtime::material::Material;
+use calyx_runtime::observe::Gauge;
 use calyx_runtime::results::{AnalysisResult, OutputRequest};
 use calyx_runtime::scene::{Fidelity, Scene, StructureOptions};
 use std::collections::BTreeMap;
@@ -87,6 +88,8 @@ pub struct ModelHost {
     pub tables: Vec<Table>,
     /// Lists of positions to analyse.
     pub positions: Vec<Vec<Position>>,
+    /// Strain gauges.
+    pub gauges: Vec<Gauge>,
     /// Bodies, pairs and observables.
     pub scene: Scene,
     /// What the model wants to know.

@@ -115,6 +115,7 @@ pub mod external;
 pub mod externs;
 pub mod fillet;
 pub mod flank;
+pub mod gauging;
 pub mod gear;
 pub mod gear_surface;
 pub mod helix;

@@ -25,6 +25,7 @@ pub const MODULES: &[LibraryModule] =
 const TABLES: &[&[Extern]] = &[
     crate::externs::EXTERNS,
     crate::cutting::EXTERNS,
+    crate::gauging::EXTERNS,
     crate::mesh_externs::EXTERNS,
     crate::modifying::EXTERNS,
     crate::observables::EXTERNS,

@@ -1,14 +1,14 @@
 //! What programs can ask of bodies and meshes at each position: the Rust side of the observables of `gears.cx`.
 
-use crate::externs::{entry, host, refusal};
+use crate::externs::{host, refusal, tooth_number};
 use calyx_abi::externs::Handle;
 use calyx_abi::{Context, RuntimeError};
 use calyx_runtime::observe::{
     Coordinate, Displacement, Efficiency, FaceLoadFactor, FrictionLoss, HighestContact, LoadShare,
     LoadedFace, LowestContact, MaxContactPressure, MaxEdgePressure, MaxLineLoad, MaxRootCompression,
     MaxRootStress, MaxSlidingVelocity, Maximum, MeshStiffness, Observable, PairLoad, PairsInContact, PlaceOf,
-    RootStressAt, Rotation, SecantStiffness, SlidingVelocity, SupportForce, SupportMoment, ToothLoad,
-    TransmissionError, UnloadedTransmissionError,
+    Rotation, SecantStiffness, SlidingVelocity, SupportForce, SupportMoment, ToothLoad, TransmissionError,
+    UnloadedTransmissionError,
 };
 use calyx_runtime::scene::{BodyId, PairId};
 
@@ -32,14 +32,8 @@ calyx_abi::externs! {
 
     Scene fn calyx_gears_tooth_load(context, body: Handle, tooth: f64) -> Handle {
         let id = self::body(body);
-        let host = host(context)?;
-        let gear = host.body_gears.get(id.0).copied().unwrap_or_default();
-        let teeth = entry(&host.gears, Handle(gear as u64))?.gear.teeth();
-        if !(tooth.fract() == 0.0 && (0.0..f64::from(teeth)).contains(&tooth)) {
-            return Err(refusal("E0682", "tooth", &format!("there is no tooth {tooth}"),
-                &format!("teeth are counted counter-clockwise from 0 to {}", teeth - 1)));
-        }
-        observe(context, ToothLoad(id, tooth as u32))
+        let tooth = tooth_number(host(context)?, id, tooth)?;
+        observe(context, ToothLoad(id, tooth))
     }
 
     Scene fn calyx_gears_pairs_in_contact(context, mesh: Handle) -> Handle {
@@ -107,13 +101,6 @@ calyx_abi::externs! {
         observe(context, MaxRootCompression(self::body(body)))
     }
 
-    Scene fn calyx_gears_root_stress_at(
-        context, body: Handle, radius: f64, axial: f64, direction: f64, side: String,
-    ) -> Handle {
-        let (body, loaded_side) = (self::body(body), side == "loaded");
-        observe(context, RootStressAt { body, radius, axial, loaded_side, direction })
-    }
-
     Scene fn calyx_gears_tooth_at(context, body: Handle, of: String) -> Handle {
         place(context, body, &of, Coordinate::Tooth)
     }
@@ -147,7 +134,7 @@ calyx_abi::externs! {
     }
 }
 
-fn observe(context: &mut Context, observable: impl Observable) -> Result<Handle, RuntimeError> {
+pub(crate) fn observe(context: &mut Context, observable: impl Observable) -> Result<Handle, RuntimeError> {
     Ok(Handle(host(context)?.scene.observe(observable).0 as u64))
 }
 

@@ -9,7 +9,7 @@ use calyx_runtime::motion::SteadyRotation;
 use calyx_runtime::observe::{
     Coordinate, Efficiency, Equilibrium, FaceLoadFactor, FrictionLoss, LoadedFace, MaxContactPressure,
     MaxLineLoad, MaxRootCompression, MaxRootStress, MaxSlidingVelocity, Maximum, MeshStiffness, Observable,
-    PairLoad, PlaceOf, RootStressAt, SecantStiffness, SupportForce, SupportMoment, TransmissionError,
+    PairLoad, PairsInContact, PlaceOf, SecantStiffness, SupportForce, SupportMoment, TransmissionError,
     UnloadedTransmissionError,
 };
 use calyx_runtime::plan::Plan;
@@ -101,7 +101,7 @@ fn what_is_asked_in_the_plane_is_answered_in_space() {
             let loaded = value(&LoadedFace(MESH));
             assert!(loaded > 0.5 && loaded <= 1.0, "{loaded}");
 
-            // Places on the face, and what a gauge there measures.
+            // Places on the face; what a gauge there measures, `gauges.rs` tells.
             let pressed = seen(&MaxContactPressure(MESH)).place.expect("something is pressed");
             assert!(pressed.axial.is_some_and(|axial| axial.abs() <= 0.5 * FACE), "{pressed:?}");
             for body in BODIES {
@@ -110,15 +110,6 @@ fn what_is_asked_in_the_plane_is_answered_in_space() {
                 let axial = place.axial.expect("in space places lie along the face");
                 let told = PlaceOf { body, maximum: Maximum::RootStress, coordinate: Coordinate::Axial };
                 assert_eq!(value(&told), axial);
-                let gauge = |direction| {
-                    value(&RootStressAt { body, radius: place.radius, axial, loaded_side: true, direction })
-                };
-                let most = (0..18).map(|tens| gauge(f64::from(10 * tens).to_radians())).fold(0.0, f64::max);
-                assert!(
-                    most <= 1.000001 * stress.value && most > 0.98 * stress.value,
-                    "{most} {}",
-                    stress.value
-                );
                 assert!(value(&MaxRootCompression(body)) > 0.5 * stress.value);
             }
             let fields = at.fields();
@@ -130,18 +121,26 @@ fn what_is_asked_in_the_plane_is_answered_in_space() {
             // Unmodified teeth touch without transmission error before they are loaded.
             let unloaded = value(&UnloadedTransmissionError(MESH));
             let moved = value(&TransmissionError(MESH)) - unloaded;
-            assert!(unloaded.abs() < 1e-3 * moved, "{unloaded} {moved}");
+            assert!(unloaded.abs() < 1e-9 && moved > 1e-5, "{unloaded} {moved}");
             let secant = value(&SecantStiffness(MESH));
             assert!(close(secant, TORQUE / base_radius / (moved * cycle.base_radii[1]), 1e-9));
-            assert!(value(&MeshStiffness(MESH)) > 0.9 * secant);
+            // Lines of contact grow wider under load: a little more force meets more than the mean resistance.
+            let tangent = value(&MeshStiffness(MESH)) / secant;
+            assert!((1.0..1.1).contains(&tangent), "{tangent}");
             // Sliding is at most that at the ends of the path, and takes its part of the power.
             let ends =
                 cycle.path.map(|roll| (roll - 20.0_f64.to_radians().tan()).abs() * base_radius * 2.0 * SPEED);
             let fastest = value(&MaxSlidingVelocity(MESH));
             assert!(fastest > 0.0 && fastest <= 1.001 * ends[0].max(ends[1]), "{fastest} {ends:?}");
             let loss = value(&FrictionLoss(MESH, 0.05));
-            // With one pair of spur teeth all of it slides as fast.
-            assert!(loss > 0.0 && loss <= (1.0 + 1e-9) * 0.05 * normal * fastest, "{loss} {fastest}");
+            // Each cell takes its part; with one pair of spur teeth all of it slides as fast.
+            let pairs = value(&PairsInContact(MESH));
+            match helix_angle == 0.0 && pairs == 1.0 {
+                true => assert!(close(loss, 0.05 * normal * fastest, 1e-3), "{loss} {fastest}"),
+                false => assert!(loss > 0.0 && loss < 0.05 * normal * fastest, "{loss} {fastest}"),
+            }
+            // Spur teeth of a contact ratio below two carry load in pairs or alone.
+            assert!(helix_angle > 0.0 || pairs == if part < 0.5 { 2.0 } else { 1.0 }, "{part}: {pairs}");
             assert!(close(value(&Efficiency(MESH, 0.05)), 1.0 - loss / (TORQUE * SPEED), 1e-9));
         }
     }

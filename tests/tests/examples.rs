@@ -2,7 +2,7 @@
 
 use calyx::rt::{Given, RunOptions, run};
 use calyx::{Engine, Module, check_file};
-use calyx_tests::root;
+use calyx_tests::{pictures, root};
 
 #[test]
 fn every_example_checks_without_a_word_and_runs() {
@@ -28,12 +28,19 @@ fn every_example_checks_without_a_word_and_runs() {
             small.iter().filter(|(name, _)| has(name)).map(|(name, value)| Given::text(*name, *value));
         let given = given.collect();
         let directory = tempfile::tempdir().expect("a directory");
-        let options =
-            RunOptions { directory: directory.path().into(), given, quiet: true, ..RunOptions::default() };
+        let options = RunOptions {
+            directory: directory.path().into(),
+            given,
+            quiet: true,
+            vtu: true,
+            ..RunOptions::default()
+        };
         let module = Module::from_checked(&Engine::default(), checked).expect("examples compile");
         let report = run(module.as_program(), &options)
             .unwrap_or_else(|error| panic!("{}: {error:?}", path.display()));
         assert!(report.findings.is_empty(), "{}: {:?}", path.display(), report.findings);
+        let rows = std::fs::read_to_string(directory.path().join("steps.csv")).expect("rows").lines().count();
+        pictures::check(directory.path(), rows - 1);
     }
     assert!(count > 0);
 }

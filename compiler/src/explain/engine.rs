@@ -85,6 +85,7 @@ pub const CODES: &[Explanation] = codes! {
     "E0681" "nobody provides a load or modification of this name" "`host_load` and `host_modification` name what a Rust program that embeds the model provides. Elsewhere there is none: the model runs without it."
     "E0682" "there is no such tooth" "Teeth of a gear are counted counter-clockwise from 0; pairs of teeth by whole numbers from the one that enters contact at the start of the cycle, which is 0."
     "E0683" "not a coefficient of friction" "Give a number from 0 on; 0.03 to 0.08 is usual for oiled gears."
+    "E0689" "a strain gauge that is not within the fillet" "A gauge lies on the fillet between form circle and root centre and within the face, over its whole length. Give its place by `radius` or `tangent_angle`, and by `axial`; the message says how far the fillet reaches."
     "E0690" "a body that has no model in space" "The fidelities \"medium\", \"fineroot\", \"finest\" and \"thinrim\" model bodies in space. What is known in section only, such as a disc between platens, has a model in the plane: choose \"plane\"."
     "E0691" "elements along the face, or their order, that no mesh has" "There are 1 to 64 elements along the face, with displacements of order 1 to 8. Left out, the fidelity decides."
     "E0701" "an index that is not whole or not in the array" "Elements are counted from 0 to the length less one. Use `round` where a computed index should be whole."

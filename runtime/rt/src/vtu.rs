@@ -44,7 +44,7 @@ impl Pictures {
         let mut file = File::create(self.folder.join(format!("{kind}.pvd")))?;
         writeln!(
             file,
-            "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\">\n<Collection>"
+            "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">\n<Collection>"
         )?;
         for (step, time) in self.times.iter().enumerate() {
             writeln!(file, "<DataSet timestep=\"{time}\" file=\"{}\"/>", name(kind, step))?;
@@ -162,7 +162,7 @@ fn root_stress(fields: &Fields) -> Grid {
 impl Grid {
     fn text(&self) -> String {
         let mut text = format!(
-            "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\">\n<UnstructuredGrid>\n\
+            "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\">\n<UnstructuredGrid>\n\
              <Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n",
             self.points.len(),
             self.cells.len()

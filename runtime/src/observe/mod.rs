@@ -7,6 +7,7 @@
 mod bodies;
 mod equilibrium;
 mod fields;
+mod gauge;
 mod loads;
 mod mesh;
 mod places;
@@ -19,12 +20,13 @@ pub use bodies::{
 };
 pub use equilibrium::{Contact, Equilibrium, Slice};
 pub use fields::{ContactField, Fields, FilletField, FilletStress, PressedCell};
+pub use gauge::{Gauge, GaugeReading, Reading};
 pub use loads::{FaceLoadFactor, LoadShare, LoadedFace, MaxLineLoad, PairLoad, PairsInContact};
 pub use mesh::{MeshStiffness, SecantStiffness, TransmissionError, UnloadedTransmissionError};
 pub use places::{Coordinate, Maximum, PlaceOf};
 pub use pressure::{MaxContactPressure, MaxEdgePressure};
 pub use sliding::{Efficiency, FrictionLoss, MaxSlidingVelocity, SlidingVelocity};
-pub use stress::{MaxRootCompression, MaxRootStress, RootStressAt};
+pub use stress::{MaxRootCompression, MaxRootStress};
 
 use crate::results::Observed;
 use crate::scene::BodyId;

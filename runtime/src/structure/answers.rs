@@ -103,7 +103,7 @@ impl ElasticStructure {
         let Some(observed) = self.surfaces.get(surface as usize) else {
             return Vec::new();
         };
-        let mut stress = vec![0.0; observed.stress_positions.len()];
+        let mut stress = vec![0.0; observed.stress_places.len()];
         for (chart, local, force) in loads {
             let ahead = self.places_ahead(chart.tooth, tooth);
             let behind = self.places_ahead(tooth, chart.tooth);
@@ -120,12 +120,13 @@ impl ElasticStructure {
             }
         }
         let (sin, cos) = self.tooth_angle(tooth).sin_cos();
-        let place = |&[x, y]: &[f64; 2]| StressPlace {
+        let place = |&(s, [x, y]): &(f64, [f64; 2])| StressPlace {
             tooth,
             surface,
+            s,
             position: [cos * x - sin * y, sin * x + cos * y],
         };
-        observed.stress_positions.iter().map(place).zip(stress).collect()
+        observed.stress_places.iter().map(place).zip(stress).collect()
     }
 
     pub(super) fn surface(&self, chart: Chart) -> Option<&Surface> {
@@ -189,7 +190,7 @@ impl Structure for ElasticStructure {
             surface.spline.bytes()
                 + surface.stretched.bytes()
                 + size_of_val(surface.turned.as_slice())
-                + size_of_val(surface.stress_positions.as_slice())
+                + size_of_val(surface.stress_places.as_slice())
         };
         let tables = self.offsets.iter().flat_map(|tables| {
             [&tables.compliance, &tables.stress_ahead, &tables.stress_behind].into_iter().flatten().flatten()

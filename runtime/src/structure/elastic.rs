@@ -98,7 +98,8 @@ pub(super) struct Surface {
     pub range: [f64; 2],
     /// Spline coefficients of the angle by which the normal has turned, positive where convex, rad.
     pub turned: Vec<f64>,
-    pub stress_positions: Vec<[f64; 2]>,
+    /// Where stress is recovered: arc length on its chain, and position, m.
+    pub stress_places: Vec<(f64, [f64; 2])>,
 }
 
 /// Spline coefficients between a loaded sector and one that is some places ahead of it. A side is a surface in one of its
@@ -418,7 +419,7 @@ fn prepare_surface(
         stretch: samples.stretch,
         range: loaded.range(),
         turned: Vec::new(),
-        stress_positions: Vec::new(),
+        stress_places: Vec::new(),
     };
     surface.turned = turned_coefficients(&surface);
     let mut stress_rows = Vec::new();
@@ -433,7 +434,7 @@ fn prepare_surface(
                 let found = recovery.surface_row(free, s).zip(model.mesh.chain_point(free, s));
                 if let Some((row, point)) = found {
                     stress_rows.push(row);
-                    surface.stress_positions.push(point.position);
+                    surface.stress_places.push((s, point.position));
                 }
             }
         }

@@ -89,6 +89,8 @@ pub struct StressPlace {
     pub tooth: u32,
     /// As [`Chart::surface`].
     pub surface: u32,
+    /// Arc length on the fillet from the end of the flank, m.
+    pub s: f64,
     /// In the body's frame, m.
     pub position: [f64; 2],
 }

@@ -79,6 +79,8 @@ pub struct SurfaceStress {
     pub tooth: u32,
     /// As [`Chart::surface`]: the fillet beside that flank.
     pub surface: u32,
+    /// Coordinates on the fillet: along the profile from the end of the flank, and along the axis, m.
+    pub place: [f64; 2],
     /// In the body's frame, m.
     pub position: [f64; 3],
     /// In the surface: along the profile, along the face, and in shear, Pa.
@@ -193,4 +195,4 @@ impl SolidStructure for Reshaped {
 }
 
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;

@@ -79,7 +79,7 @@ struct StoredSurface {
     stretched: Vec<f64>,
     range: [f64; 2],
     turned: Vec<f64>,
-    stress_positions: Vec<[f64; 2]>,
+    stress_places: Vec<(f64, [f64; 2])>,
 }
 
 impl ElasticStructure {
@@ -90,7 +90,7 @@ impl ElasticStructure {
             stretched: surface.stretched.nodes().to_vec(),
             range: surface.range,
             turned: surface.turned.clone(),
-            stress_positions: surface.stress_positions.clone(),
+            stress_places: surface.stress_places.clone(),
         };
         let offset = |offset: &OffsetTables| {
             [&offset.compliance, &offset.stress_ahead, &offset.stress_behind].map(|list| tables(list))
@@ -119,7 +119,7 @@ impl ElasticStructure {
                 stretched: spline(stored.stretched)?,
                 range: stored.range,
                 turned: stored.turned,
-                stress_positions: stored.stress_positions,
+                stress_places: stored.stress_places,
             })
         };
         let offset = |[compliance, ahead, behind]: &[Tables; 3]| {

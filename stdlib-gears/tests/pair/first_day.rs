@@ -1,19 +1,22 @@
 //! What an engineer asks of a pair on the first day, against closed forms and against what it is made of.
 
 use crate::CYCLE;
-use crate::common::pair::{FIRST, MESH, PLAIN, PairOptions, RELIEVED, SECOND, TORQUE, pair, system};
+use crate::common::INCH;
+use crate::common::pair::{FIRST, MESH, PLAIN, PSI, PairOptions, RELIEVED, SECOND, TORQUE, pair, system};
+use calyx_gears::gauging::{Along, Placing};
 use calyx_gears::mesh_geometry::MeshGeometry;
 use calyx_runtime::analysis::mesh_cycle;
 use calyx_runtime::observe::{
-    Coordinate, Displacement, Efficiency, FaceLoadFactor, FrictionLoss, HighestContact, LoadedFace,
-    LowestContact, MaxLineLoad, MaxRootCompression, MaxRootStress, MaxSlidingVelocity, Maximum, Observable,
-    PairLoad, PairsInContact, PlaceOf, RootStressAt, Rotation, SecantStiffness, SlidingVelocity,
+    Coordinate, Displacement, Efficiency, FaceLoadFactor, FrictionLoss, Gauge, GaugeReading, HighestContact,
+    LoadedFace, LowestContact, MaxLineLoad, MaxRootCompression, MaxRootStress, MaxSlidingVelocity, Maximum,
+    Observable, PairLoad, PairsInContact, PlaceOf, Reading, Rotation, SecantStiffness, SlidingVelocity,
     SupportForce, SupportMoment, ToothLoad, TransmissionError, UnloadedTransmissionError,
 };
 use calyx_runtime::results::Observed;
-use calyx_runtime::scene::GearMesh;
+use calyx_runtime::scene::{BodyId, GearMesh};
 use calyx_runtime::step::StepResult;
 use calyx_runtime::system::System;
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
 /// The chapter 5 pair at parts of its mesh cycle.
 fn at_each(
@@ -28,6 +31,14 @@ fn at_each(
         let step: StepResult = system.solve(mesh.start + cycle * mesh.period).expect("equilibrium");
         test(&geometry, &mesh, cycle, &|observable| system.value(&step, observable));
     }
+}
+
+/// A gauge along the profile of the chapter 5 pair without modifications.
+fn gauge(body: BodyId, radius: f64, loaded_side: bool) -> Gauge {
+    let placing = Placing { along: Along::Radius(radius), axial: 0.0, direction: 0.0, length: 0.0 };
+    let gear = &PLAIN[body.0].prototype;
+    let place = placing.on(gear).expect("a place in the fillet");
+    Gauge { body, place, direction: 0.0, length: 0.0, loaded_side, tooth: None, material: gear.material }
 }
 
 fn close(a: f64, b: f64, tolerance: f64) -> bool {
@@ -182,15 +193,32 @@ fn places_are_those_of_the_maxima() {
             let compression = value(&MaxRootCompression(body));
             assert!(compression.value > stress.value, "cycle {cycle}: compression is the larger one");
             // A gauge at the place of the largest stress, and one on the other side of the tooth.
-            let gauge =
-                RootStressAt { body, radius: place.radius, axial: 0.0, loaded_side: true, direction: 0.0 };
-            let gauge_value = value(&gauge);
-            assert!(close(gauge_value.value, stress.value, 1e-9));
+            let gauge_value = value(&GaugeReading(gauge(body, place.radius, true), Reading::Stress));
+            // To what the mesh's curve is beside the fillet's.
+            assert!(close(gauge_value.value, stress.value, 1e-5));
             assert!(gauge_value.least.is_some_and(|least| least < 0.0 && least > -stress.value));
             let radius = compression.place.expect("it has a place").radius;
-            let least =
-                value(&RootStressAt { body, radius, axial: 0.0, loaded_side: false, direction: 0.0 }).least;
-            assert!(least.is_some_and(|least| close(-least, compression.value, 1e-9)), "{least:?}");
+            let other = gauge(body, radius, false);
+            let least = value(&GaugeReading(other, Reading::Stress)).least;
+            assert!(least.is_some_and(|least| close(-least, compression.value, 1e-5)), "{least:?}");
+            // Plane strain: along the profile (1 - nu^2) / E of the stress, along the face none, half of it in between.
+            let strain = |direction, length| {
+                let gauge = Gauge { direction, length, ..gauge(body, place.radius, true) };
+                value(&GaugeReading(gauge, Reading::Strain)).value
+            };
+            let along = gauge_value.value * (1.0 - 0.09) / (3e7 * PSI);
+            assert!(close(strain(0.0, 0.0), along, 1e-9) && strain(FRAC_PI_2, 0.0).abs() < 1e-12 * along);
+            assert!(close(strain(FRAC_PI_4, 0.0), 0.5 * along, 1e-9));
+            // Over a length it reads less than at the largest stress.
+            let mean = strain(0.0, 0.01 * INCH) / along;
+            assert!((0.9..1.0).contains(&mean), "{mean}");
+            // On the loaded tooth it reads the same, on one far off nothing.
+            let on = |tooth| {
+                let gauge = Gauge { tooth: Some(tooth), ..gauge(body, place.radius, true) };
+                value(&GaugeReading(gauge, Reading::LargestPrincipal)).value
+            };
+            assert!(close(on(place.tooth), stress.value, 1e-5));
+            assert!(on((place.tooth + 10) % 20).abs() < 1e-2 * stress.value);
         }
         // Contact of the pinion at its roll angle and of the gear at the one that goes with it, within the width of contact.
         let roll = |body| {
@@ -226,7 +254,7 @@ fn a_pair_without_load_has_no_places_and_loses_nothing() {
             &SecantStiffness(MESH),
             &MaxRootCompression(FIRST),
             &LowestContact(SECOND),
-            &RootStressAt { body: FIRST, radius: 0.023, axial: 0.0, loaded_side: true, direction: 0.0 },
+            &GaugeReading(gauge(FIRST, 0.023, true), Reading::Strain),
         ] {
             assert_eq!(value(observable).value, 0.0, "{observable:?}");
         }

@@ -157,7 +157,7 @@ impl SolidStructure for ElasticSolid {
 
     fn stresses(&self, tooth: u32, surface: u32, loads: &[SpotLoad]) -> Vec<SurfaceStress> {
         let Some(observed) = self.surfaces.get(surface as usize) else { return Vec::new() };
-        let mut components = Mat::<f64>::zeros(3 * observed.stress_positions.len(), 1);
+        let mut components = Mat::<f64>::zeros(3 * observed.stress_places.len(), 1);
         let mut by_chart = BTreeMap::<Chart, (Vec<Spot>, Vec<f64>)>::new();
         for load in loads {
             let (spots, forces) = by_chart.entry(load.chart).or_default();
@@ -174,12 +174,12 @@ impl SolidStructure for ElasticSolid {
             components += product(table.as_ref(), self.points(loaded, spots).loads(forces).as_ref());
         }
         let (sin, cos) = self.tooth_angle(tooth).sin_cos();
-        let stress = |(place, &[x, y, z]): (usize, &[f64; 3])| {
-            let components = [0, 1, 2].map(|component| components[(3 * place + component, 0)]);
+        let stress = |(index, &(place, [x, y, z])): (usize, &([f64; 2], [f64; 3]))| {
+            let components = [0, 1, 2].map(|component| components[(3 * index + component, 0)]);
             let position = [cos * x - sin * y, sin * x + cos * y, z];
-            SurfaceStress { tooth, surface, position, components }
+            SurfaceStress { tooth, surface, place, position, components }
         };
-        observed.stress_positions.iter().enumerate().map(stress).collect()
+        observed.stress_places.iter().enumerate().map(stress).collect()
     }
 
     fn bytes(&self) -> usize {
@@ -187,7 +187,7 @@ impl SolidStructure for ElasticSolid {
             known.spline.bytes()
                 + known.stretched.bytes()
                 + size_of_val(known.turned.as_slice())
-                + size_of_val(known.stress_positions.as_slice())
+                + size_of_val(known.stress_places.as_slice())
         };
         let tables = self.offsets.iter().flat_map(|tables| {
             [&tables.compliance, &tables.stress_ahead, &tables.stress_behind].into_iter().flatten().flatten()

@@ -96,8 +96,8 @@ pub(super) struct KnownSurface {
     pub range: [f64; 2],
     /// Spline coefficients of the angle by which the transverse normal has turned, positive where convex, rad.
     pub turned: Vec<f64>,
-    /// Where stress is recovered, with the directions that its components refer to.
-    pub stress_positions: Vec<[f64; 3]>,
+    /// Where stress is recovered: coordinates on the chart of those faces, and position, m.
+    pub stress_places: Vec<([f64; 2], [f64; 3])>,
 }
 
 /// Coefficients between a loaded sector and one that is some places ahead of it.
@@ -490,7 +490,7 @@ fn prepare_surface(
         stretch: samples.stretch,
         range,
         turned: Vec::new(),
-        stress_positions: Vec::new(),
+        stress_places: Vec::new(),
     };
     known.turned = turned_coefficients(&known);
     let mut stress_rows = Vec::new();
@@ -512,8 +512,9 @@ fn prepare_surface(
             .par_iter()
             .map(|&[s, z]| checkpoint().map(|()| recovery.rows(free, s, z)))
             .collect::<Result<Vec<_>, _>>()?;
-        for rows in found.into_iter().flatten() {
-            known.stress_positions.push(rows.point.position);
+        for (place, rows) in places.into_iter().zip(found) {
+            let Some(rows) = rows else { continue };
+            known.stress_places.push((place, rows.point.position));
             stress_rows.extend(rows.rows);
         }
     }

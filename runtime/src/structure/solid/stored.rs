@@ -30,7 +30,7 @@ struct StoredSurface {
     stretched: Vec<f64>,
     range: [f64; 2],
     turned: Vec<f64>,
-    stress_positions: Vec<[f64; 3]>,
+    stress_places: Vec<([f64; 2], [f64; 3])>,
 }
 
 impl ElasticSolid {
@@ -41,7 +41,7 @@ impl ElasticSolid {
             stretched: known.stretched.nodes().to_vec(),
             range: known.range,
             turned: known.turned.clone(),
-            stress_positions: known.stress_positions.clone(),
+            stress_places: known.stress_places.clone(),
         };
         let offset = |offset: &OffsetTables| {
             [&offset.compliance, &offset.stress_ahead, &offset.stress_behind].map(|list| tables(list))
@@ -69,7 +69,7 @@ impl ElasticSolid {
                 stretched: spline(stored.stretched)?,
                 range: stored.range,
                 turned: stored.turned,
-                stress_positions: stored.stress_positions,
+                stress_places: stored.stress_places,
             })
         };
         let offset = |[compliance, ahead, behind]: &[Tables; 3]| {

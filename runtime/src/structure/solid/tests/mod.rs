@@ -1,7 +1,7 @@
 //! Bodies in space against the plane, direct solutions, and themselves.
 
 mod answers;
-mod bodies;
+pub(crate) mod bodies;
 mod halves;
 mod plane;
 mod split;
