@@ -194,13 +194,13 @@ fn places_are_those_of_the_maxima() {
             assert!(compression.value > stress.value, "cycle {cycle}: compression is the larger one");
             // A gauge at the place of the largest stress, and one on the other side of the tooth.
             let gauge_value = value(&GaugeReading(gauge(body, place.radius, true), Reading::Stress));
-            // To what the mesh's curve is beside the fillet's.
-            assert!(close(gauge_value.value, stress.value, 1e-5));
+            // As far as the coarse mesh's curve is the fillet's.
+            assert!(close(gauge_value.value, stress.value, 1e-3));
             assert!(gauge_value.least.is_some_and(|least| least < 0.0 && least > -stress.value));
             let radius = compression.place.expect("it has a place").radius;
             let other = gauge(body, radius, false);
             let least = value(&GaugeReading(other, Reading::Stress)).least;
-            assert!(least.is_some_and(|least| close(-least, compression.value, 1e-5)), "{least:?}");
+            assert!(least.is_some_and(|least| close(-least, compression.value, 1e-3)), "{least:?}");
             // Plane strain: along the profile (1 - nu^2) / E of the stress, along the face none, half of it in between.
             let strain = |direction, length| {
                 let gauge = Gauge { direction, length, ..gauge(body, place.radius, true) };
@@ -217,7 +217,7 @@ fn places_are_those_of_the_maxima() {
                 let gauge = Gauge { tooth: Some(tooth), ..gauge(body, place.radius, true) };
                 value(&GaugeReading(gauge, Reading::LargestPrincipal)).value
             };
-            assert!(close(on(place.tooth), stress.value, 1e-5));
+            assert!(close(on(place.tooth), stress.value, 1e-3));
             assert!(on((place.tooth + 10) % 20).abs() < 1e-2 * stress.value);
         }
         // Contact of the pinion at its roll angle and of the gear at the one that goes with it, within the width of contact.
