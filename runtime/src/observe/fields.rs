@@ -1,6 +1,6 @@
 //! What tables and pictures show of a solved position: pressure cell by cell, load along lines of contact, stress along fillets.
 
-use super::stress::{RootStress, around_contact, same_section};
+use super::stress::{RootStress, around_contact};
 use super::{Contact, Equilibrium, Slice};
 use crate::results::Place;
 use crate::scene::BodyId;
@@ -82,12 +82,16 @@ impl Equilibrium<'_> {
             return Vec::new();
         };
         let pose = frame.turned_first(scene.bodies[body.0].phase);
-        // Sections of one fillet are in order along the face, and each keeps the order of its points along the profile.
-        let axial = |place: &Place| place.axial.unwrap_or(0.0);
+        // Sections of one fillet in order along the face, each along the profile: by coordinates on the fillet, which rounding does not
+        // tell apart.
         let key = |stress: &RootStress| (stress.place.tooth, stress.surface);
-        stresses.sort_by(|a, b| key(a).cmp(&key(b)).then(axial(&a.place).total_cmp(&axial(&b.place))));
+        let chart = |stress: &RootStress| [stress.chart[1], stress.chart[0]];
+        stresses.sort_by(|a, b| {
+            let (p, q) = (chart(a), chart(b));
+            key(a).cmp(&key(b)).then(p[0].total_cmp(&q[0])).then(p[1].total_cmp(&q[1]))
+        });
         let fillet = |fillet: &[RootStress]| {
-            let sections = fillet.chunk_by(same_section);
+            let sections = fillet.chunk_by(|a, b| a.chart[1] == b.chart[1]);
             let shown = |stress: &RootStress| FilletStress {
                 point: pose.point(stress.position),
                 place: stress.place.clone(),

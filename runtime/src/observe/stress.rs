@@ -144,16 +144,6 @@ impl Observable for MaxRootCompression {
     }
 }
 
-/// Where along the face a stress is; all of a plane model are at one place.
-fn order_along(stress: &RootStress) -> f64 {
-    stress.place.axial.unwrap_or(0.0)
-}
-
-/// Whether two stresses are at one place along the face, to a nanometre.
-pub(super) fn same_section(a: &RootStress, b: &RootStress) -> bool {
-    (order_along(a) - order_along(b)).abs() < 1e-9
-}
-
 fn largest(stresses: Option<Vec<RootStress>>, value: impl Fn(&RootStress) -> f64) -> Observed {
     let Some(stresses) = stresses else { return Observed::number(f64::NAN) };
     let mut largest = Observed::number(0.0);
