@@ -228,7 +228,7 @@ mod tests {
     use crate::structure::solid::test_surface::ScrewedArc;
     use crate::structure::solid::tests::bodies::{Ring, TEETH};
     use crate::structure::solid::{
-        ElasticSolid, PointLoad, SolidSplitOptions, SolidStructure, SolidSurfaceSource, SurfaceStress,
+        ElasticSolid, SolidSplitOptions, SolidStructure, SolidSurfaceSource, SpotLoad, SurfaceStress,
     };
     use crate::structure::tests::bodies::{COARSE, Divisions, ring_source};
     use crate::structure::{Chart, Hold};
@@ -354,9 +354,9 @@ mod tests {
         let structure = structure.expect("a structure");
         let pressed_at = 20e-3;
         let rule = gauss_legendre(8);
-        let loads = rule.iter().map(|(x, weight)| PointLoad {
+        let loads = rule.iter().map(|(x, weight)| SpotLoad {
             chart: Chart { tooth: 0, surface: 0 },
-            place: [pressed_at, top * x],
+            spot: [pressed_at, top * x].into(),
             force: 500.0 * weight,
         });
         let stresses: Vec<RootStress> =
@@ -399,9 +399,9 @@ mod tests {
             // More at one end of the face than at the other.
             let [[_, length], _] = structure.surface(0).range();
             let rule = gauss_legendre(16).into_iter();
-            let load = |(z, weight)| PointLoad {
+            let load = |(z, weight)| SpotLoad {
                 chart,
-                place: [0.6 * length, 0.5 * z],
+                spot: [0.6 * length, 0.5 * z].into(),
                 force: (1e3 + 3e2 * z) * weight,
             };
             let stresses = structure.stresses(3, 0, &rule.map(load).collect::<Vec<_>>());
