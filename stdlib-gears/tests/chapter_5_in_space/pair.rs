@@ -149,26 +149,3 @@ pub const AT_HIGHEST: f64 = 24.8;
 pub fn reference() -> Value {
     serde_json::from_str(include_str!("../data/spur_pair_solid.json")).expect("sound data")
 }
-
-/// What values tend to as meshes are refined, by the order at which they are seen to converge; where they are not seen to, the last
-/// one. Richardson's extrapolation through three meshes, of orders from 1 to 8.
-pub fn limit(refinements: [f64; 3], values: [f64; 3]) -> f64 {
-    let [a, b, c] = values;
-    let size = refinements.map(|refinement| 1.0 / refinement);
-    let part = |order: f64| {
-        let [first, second, third] = size.map(|size| size.powf(order));
-        (first - second) / (second - third)
-    };
-    let seen = (a - b) / (b - c);
-    // The ratio of the steps grows with the order.
-    let [mut low, mut high] = [1.0, 8.0];
-    if seen.is_nan() || seen < part(low) {
-        return c;
-    }
-    for _ in 0..50 {
-        let middle = 0.5 * (low + high);
-        if part(middle) < seen { low = middle } else { high = middle }
-    }
-    let [_, second, third] = size.map(|size| size.powf(low));
-    c + (c - b) * third / (second - third)
-}
