@@ -408,7 +408,8 @@ fn gathered(modes: &AxialModes, prepared: &[Prepared]) -> Exchange {
     let mut images = Vec::new();
     for surface in prepared {
         let first = images.len();
-        for image in images_of(&surface.known.stress_positions, modes.range()) {
+        let positions: Vec<[f64; 3]> = surface.known.stress_places.iter().map(|&(_, at)| at).collect();
+        for image in images_of(&positions, modes.range()) {
             // The mirror turns shear into its opposite.
             let rows = [1.0, 1.0, -1.0].into_iter().enumerate();
             images.extend(rows.map(|(row, sign)| Some((first + 3 * image? + row, sign))));
