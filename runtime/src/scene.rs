@@ -6,8 +6,8 @@ use crate::interrupt::Interrupt;
 use crate::load::{Load, Wrench};
 use crate::motion::Motion;
 use crate::observe::Observable;
-use crate::structure::Structure;
 use crate::structure::solid::SolidStructure;
+use crate::structure::{Structure, StructureSize};
 use std::any::Any;
 use std::f64::consts::TAU;
 use std::sync::Arc;
@@ -110,6 +110,12 @@ pub trait Prototype: Any + Send + Sync {
         _options: &StructureOptions,
     ) -> Result<Arc<dyn SolidStructure>, EngineError> {
         Ok(shared)
+    }
+
+    /// How large the structure's equations are that [`Prototype::build`] or [`Prototype::build_solid`] would condense, from the mesh alone;
+    /// `None` if there are none, or no mesh can be made.
+    fn size(&self, _fidelity: Fidelity, _options: &StructureOptions) -> Option<StructureSize> {
+        None
     }
 
     /// Radius of the circle about the body's origin that encloses it, m.

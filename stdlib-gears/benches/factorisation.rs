@@ -11,6 +11,7 @@ use calyx_runtime::fe::solid::SolidModel;
 use calyx_runtime::fe::{Constraints, SolveError, Solver};
 use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::scene::{Prototype, StructureOptions, Template};
+use calyx_runtime::structure::BoreHold;
 use faer::sparse::SparseColMat;
 use std::hint::black_box;
 use std::io::Write;
@@ -22,7 +23,7 @@ use std::time::Instant;
 const INCH: f64 = 0.0254;
 
 fn main() {
-    let gear = pinion(20);
+    let gear = pinion(20, BoreHold::Rigid);
     rings();
     let cholmod = Cholmod::compiled();
     for template in [Template::Medium, Template::FineRoot, Template::Finest] {
@@ -82,18 +83,24 @@ fn main() {
 }
 
 /// The structure of a gear, mesh to tables, with more and more teeth of the same size: a ring is joined by doubling, so its cost grows
-/// like the logarithm of their number.
+/// like the logarithm of their number, however its bore is held.
 fn rings() {
     println!("{:>40} {:>10} {:>10}", "structure of a gear, medium", "seconds", "ratio");
-    let mut first = None;
-    for teeth in [20, 40, 640] {
-        let options = StructureOptions { template: Template::Medium, ..StructureOptions::default() };
-        let gear = pinion(teeth);
-        let (time, structure) =
-            timed(|| gear.build_solid(&options, &Interrupt::never()).expect("a structure"));
-        let unit = *first.get_or_insert(time);
-        let megabytes = structure.bytes() as f64 / f64::from(1 << 20);
-        println!("{:>40} {time:>10.3} {:>10.3} {megabytes:>10.1} MB", format!("{teeth} teeth"), time / unit);
+    for (bore, hold) in [("rigid", BoreHold::Rigid), ("free", BoreHold::Means { waves: None, degree: 1 })] {
+        let mut first = None;
+        for teeth in [20, 40, 640] {
+            let options = StructureOptions { template: Template::Medium, ..StructureOptions::default() };
+            let gear = pinion(teeth, hold);
+            let (time, structure) =
+                timed(|| gear.build_solid(&options, &Interrupt::never()).expect("a structure"));
+            let unit = *first.get_or_insert(time);
+            let megabytes = structure.bytes() as f64 / f64::from(1 << 20);
+            println!(
+                "{:>40} {time:>10.3} {:>10.3} {megabytes:>10.1} MB",
+                format!("{teeth} teeth, {bore} bore"),
+                time / unit
+            );
+        }
     }
 }
 
@@ -168,13 +175,13 @@ impl Drop for Cholmod {
 }
 
 /// The chapter 5 pinion, or a gear of the same teeth and rim with more of them.
-fn pinion(teeth: u32) -> Arc<GearPrototype> {
+fn pinion(teeth: u32, hold: BoreHold) -> Arc<GearPrototype> {
     let rack = Rack::new(0.1 * INCH, 20.0_f64.to_radians(), 0.02 * INCH).expect("a rack");
     let pitch = 0.1 * INCH * f64::from(teeth);
     GearBlank::standard(teeth, rack)
         .diameters(pitch + 0.18 * INCH, pitch - 0.24 * INCH)
         .face_width(INCH)
-        .rim(Rim::new(pitch - 0.6 * INCH, pitch - 0.8 * INCH).expect("a rim"))
+        .rim(Rim::new(pitch - 0.6 * INCH, pitch - 0.8 * INCH).expect("a rim").held(hold))
         .cut()
         .expect("a gear")
 }

@@ -9,6 +9,7 @@ use crate::modification::Modification;
 use crate::prototype::GearPrototype;
 use crate::rack::Rack;
 use calyx_runtime::material::Material;
+use calyx_runtime::structure::BoreHold;
 use std::sync::Arc;
 
 /// A ring under the teeth, or around those of an internal gear, held on its far side or by a web. Radii in m.
@@ -20,6 +21,8 @@ pub struct Rim {
     pub held_radius: f64,
     /// What stands between ring and bore, if the ring does not reach so far.
     pub web: Option<Web>,
+    /// How the body's frame holds it there.
+    pub hold: BoreHold,
 }
 
 /// A disc thinner than the face that carries a ring. Lengths in m.
@@ -54,7 +57,12 @@ impl Rim {
                 sentence!["the body is held at the inner diameter"],
             ));
         }
-        Ok(Rim { radius: 0.5 * diameter, held_radius: 0.5 * inner_diameter, web: None })
+        Ok(Rim {
+            radius: 0.5 * diameter,
+            held_radius: 0.5 * inner_diameter,
+            web: None,
+            hold: BoreHold::Rigid,
+        })
     }
 
     /// The ring on a web that ends at a bore, where the body's frame holds it; m. Whether the web lies within the face is checked with
@@ -82,6 +90,49 @@ impl Rim {
             ));
         }
         Ok(Rim { held_radius, web: Some(Web { rim_radius, thickness, offset }), ..self })
+    }
+
+    /// The ring held in another way at its bore, or its outside.
+    #[must_use]
+    pub fn held(self, hold: BoreHold) -> Rim {
+        Rim { hold, ..self }
+    }
+
+    /// How a plane model is held: with a web, which it has no room for, rigidly where that begins.
+    pub(crate) fn hold_in_plane(&self) -> BoreHold {
+        match (self.web, self.hold) {
+            (Some(_), _) => BoreHold::Rigid,
+            // There is one place along the axis.
+            (None, BoreHold::Means { waves, .. }) => BoreHold::Means { waves, degree: 0 },
+            (None, BoreHold::Rigid) => BoreHold::Rigid,
+        }
+    }
+
+    /// Numbers that tell ways of being held apart.
+    pub(crate) fn hold_numbers(hold: BoreHold) -> [f64; 3] {
+        match hold {
+            BoreHold::Rigid => [0.0; 3],
+            BoreHold::Means { waves: None, .. } => [1.0, 0.0, 0.0],
+            BoreHold::Means { waves: Some(waves), degree } => [2.0, f64::from(waves), f64::from(degree)],
+        }
+    }
+
+    /// Whether there are teeth enough for the waves around by which it is held: each brings three nodes at least.
+    pub(crate) fn check_hold(&self, teeth: u32) -> Result<(), GeometryError> {
+        match self.hold {
+            BoreHold::Means { waves: Some(waves), .. } if u32::from(waves) > teeth => {
+                Err(GeometryError::error(
+                    "E0648",
+                    "rim",
+                    sentence![
+                        "the rim is held up to order ", number f64::from(waves), " around, which takes as many teeth; there are ",
+                        number f64::from(teeth)
+                    ],
+                    sentence!["reduce the circumferential order, or hold the rim rigidly"],
+                ))
+            }
+            _ => Ok(()),
+        }
     }
 
     /// Where the ring ends on its side without teeth, m.
@@ -121,7 +172,12 @@ impl Rim {
                 sentence!["an internal gear is held at the outer diameter"],
             ));
         }
-        Ok(Rim { radius: 0.5 * diameter, held_radius: 0.5 * outer_diameter, web: None })
+        Ok(Rim {
+            radius: 0.5 * diameter,
+            held_radius: 0.5 * outer_diameter,
+            web: None,
+            hold: BoreHold::Rigid,
+        })
     }
 }
 
@@ -185,6 +241,7 @@ impl GearBlank {
                 radius: 0.5 * root_diameter - 0.5 * module,
                 held_radius: 0.5 * root_diameter - 1.5 * module,
                 web: None,
+                hold: BoreHold::Rigid,
             },
             thickness: Thickness::ProfileShift(0.0),
             tip_edge_radius: None,
@@ -257,6 +314,7 @@ impl GearBlank {
         })?;
         check_rim(gear.root_radius, self.rim.radius, self.rim.held_radius)?;
         self.rim.check_web(self.face_width)?;
+        self.rim.check_hold(gear.teeth)?;
         let pitch_errors = self.pitch_errors.iter().map(|error| error / gear.pitch_radius).collect();
         let (material, rim, face_width) = (self.material, self.rim, self.face_width);
         let cut = GearPrototype::new(gear, self.modifications, material, rim, face_width, pitch_errors);

@@ -12,6 +12,7 @@ use crate::rack::{Plane, Rack};
 use crate::shaper::Shaper;
 use calyx_abi::RuntimeError;
 use calyx_abi::externs::Handle;
+use calyx_runtime::structure::BoreHold;
 use std::sync::Arc;
 
 calyx_abi::externs! {
@@ -37,26 +38,34 @@ calyx_abi::externs! {
         Ok(keep(&mut host.shapers, shaper))
     }
 
-    Pure fn calyx_gears_simple_rim(context, diameter: f64, inner_diameter: f64) -> Handle {
+    Pure fn calyx_gears_simple_rim(
+        context, diameter: f64, inner_diameter: f64, bore: String, bore_order: f64, bore_axial_order: f64,
+    ) -> Handle {
+        let hold = bore_hold(&bore, ["bore_order", "bore_axial_order"], [bore_order, bore_axial_order])?;
         let (place, host) = (context.place, host(context)?);
         let rim = Rim::new(diameter, inner_diameter).map_err(|error| host.refused(error.into(), place))?;
-        Ok(keep(&mut host.rims, rim))
+        Ok(keep(&mut host.rims, rim.held(hold)))
     }
 
     Pure fn calyx_gears_webbed_rim(
         context, diameter: f64, inner_diameter: f64, bore_diameter: f64, web_thickness: f64, web_offset: f64,
+        bore: String, bore_order: f64, bore_axial_order: f64,
     ) -> Handle {
+        let hold = bore_hold(&bore, ["bore_order", "bore_axial_order"], [bore_order, bore_axial_order])?;
         let (place, host) = (context.place, host(context)?);
         let rim = Rim::new(diameter, inner_diameter)
             .and_then(|rim| rim.on_web(web_thickness, web_offset, bore_diameter))
             .map_err(|error| host.refused(error.into(), place))?;
-        Ok(keep(&mut host.rims, rim))
+        Ok(keep(&mut host.rims, rim.held(hold)))
     }
 
-    Pure fn calyx_gears_outer_rim(context, diameter: f64, outer_diameter: f64) -> Handle {
+    Pure fn calyx_gears_outer_rim(
+        context, diameter: f64, outer_diameter: f64, seat: String, seat_order: f64, seat_axial_order: f64,
+    ) -> Handle {
+        let hold = bore_hold(&seat, ["seat_order", "seat_axial_order"], [seat_order, seat_axial_order])?;
         let (place, host) = (context.place, host(context)?);
         let rim = Rim::outer(diameter, outer_diameter).map_err(|error| host.refused(error.into(), place))?;
-        Ok(keep(&mut host.rims, rim))
+        Ok(keep(&mut host.rims, rim.held(hold)))
     }
 
     Pure fn calyx_gears_external(
@@ -141,6 +150,32 @@ fn whole_teeth(teeth: f64) -> Result<u32, RuntimeError> {
         &format!("a gear cannot have {teeth} teeth"),
         "give a whole number of at least 3",
     ))
+}
+
+/// How a rim is held: the orders, around and along, are those of what is held beside the motion as a whole.
+fn bore_hold(kind: &str, names: [&'static str; 2], orders: [f64; 2]) -> Result<BoreHold, RuntimeError> {
+    for (name, order) in names.into_iter().zip(orders) {
+        if order.fract() != 0.0 {
+            return Err(refusal(
+                "E0648",
+                name,
+                &format!("`{name}` cannot be {order}"),
+                "give a whole number",
+            ));
+        }
+    }
+    let [waves, degree] = orders;
+    match (kind, waves) {
+        ("free", 0.0) => Ok(BoreHold::Means { waves: None, degree: degree as u8 }),
+        ("free", waves) => Ok(BoreHold::Means { waves: Some(waves as u16), degree: degree as u8 }),
+        (_, 0.0) => Ok(BoreHold::Rigid),
+        _ => Err(refusal(
+            "E0648",
+            names[0],
+            &format!("`{}` is of a free bore, and this one is rigid", names[0]),
+            "leave it out, or choose \"free\"",
+        )),
+    }
 }
 
 fn helix(host: &mut ModelHost, angle: f64, hand: &str, place: Place) -> Result<Helix, RuntimeError> {

@@ -136,6 +136,7 @@ pub mod rack;
 mod root_finding;
 pub mod sector_mesh;
 pub mod shaper;
+mod size;
 pub mod solid_prototype;
 pub mod tables;
 pub mod tabulated;

@@ -11,22 +11,24 @@ use crate::modified::reshaped;
 use crate::sector_mesh::{Refinement, TipEdge, sector_mesh};
 use calyx_runtime::cache::{Key, KeyWriter};
 use calyx_runtime::error::EngineError;
-use calyx_runtime::fe::{ElementOrder, PlaneModel};
+use calyx_runtime::fe::{ElementOrder, PlaneMesh, PlaneModel};
 use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::material::{Material, Plane};
 use calyx_runtime::profile::Profile;
 use calyx_runtime::scene::{Fidelity, Ignored, Prototype, StructureOptions};
 use calyx_runtime::structure::solid::{ElasticSolid, SolidStructure};
-use calyx_runtime::structure::{ElasticStructure, RingSource, SplitOptions, Structure, SurfaceSource};
+use calyx_runtime::structure::{
+    ElasticStructure, RingSource, SplitOptions, Structure, StructureSize, SurfaceSource,
+};
 use calyx_runtime::surface::Surface;
 use std::sync::Arc;
 
 /// Of this library's source: what is kept of gears is kept for those that this very source meshes.
 const SOURCE: &str = env!("CALYX_SOURCE");
 /// Loaded teeth this far apart feel each other's load through the rim; more distant ones hardly do.
-pub(crate) const COUPLED_TEETH: u32 = 3;
+const COUPLED_TEETH: u32 = 3;
 /// Places of recovered stress on each element edge along a fillet.
-const STRESS_PLACES_PER_EDGE: usize = 4;
+pub(crate) const STRESS_PLACES_PER_EDGE: usize = 4;
 /// Modifications up to this depth in modules do without a mesh of their own, so that structures are shared by all of them. Against a
 /// mesh that follows the flank, on the chapter 5 pair at this depth, it moves transmission error by 0.2, mesh stiffness by 0.7 and root
 /// stress by 0.6 thousandths (`tests/pair/sharing.rs`). For root stress that is below what a finer mesh moves it by, for the other two a few
@@ -143,6 +145,27 @@ impl GearPrototype {
         if deepest <= DEEPEST_SHARED * self.form().module { &[] } else { &self.modifications }
     }
 
+    /// How far apart teeth have tables of what they do to each other.
+    pub(crate) fn coupled_teeth(&self) -> u32 {
+        COUPLED_TEETH.min(self.gear.teeth() / 2)
+    }
+
+    /// The mesh of tooth 0 with its sector of the rim, in the plane.
+    pub(crate) fn plane_mesh(&self, options: &StructureOptions) -> Result<PlaneMesh, EngineError> {
+        let refinement = refined(Refinement::MEDIUM, options.refinement, options.order);
+        let [_, tip] = self.roundings(options);
+        let flanks = self.flanks_with(tip, self.meshed_modifications())?;
+        sector_mesh(&self.gear, flanks, self.rim.ring_radius(), &refinement).map_err(unmeshable)
+    }
+
+    pub(crate) fn split_options(&self, options: &StructureOptions) -> SplitOptions {
+        SplitOptions {
+            matching_depth: options.matching_depth,
+            reshapable: self.is_modified() && self.meshed_modifications().is_empty(),
+            ..SplitOptions::default()
+        }
+    }
+
     fn is_modified(&self) -> bool {
         self.flanks.iter().any(|flank| flank.is_modified())
     }
@@ -198,13 +221,9 @@ impl Prototype for GearPrototype {
             )
             .blame("helix_angle"));
         }
-        let refinement = refined(Refinement::MEDIUM, options.refinement, options.order);
         let [tip, meshed_tip] = self.roundings(options);
-        let modifications = self.meshed_modifications();
-        let contact = self.flanks_with(tip, modifications)?;
-        let meshed = self.flanks_with(meshed_tip, modifications)?;
-        let mesh =
-            sector_mesh(&self.gear, meshed, self.rim.ring_radius(), &refinement).map_err(unmeshable)?;
+        let contact = self.flanks_with(tip, self.meshed_modifications())?;
+        let mesh = self.plane_mesh(options)?;
         interrupt.check()?;
         let model = PlaneModel::new(mesh, self.material, Plane::Strain);
         let surfaces: Vec<SurfaceSource> = contact
@@ -222,13 +241,10 @@ impl Prototype for GearPrototype {
             sectors: self.gear.teeth(),
             cuts: ["cut_right", "cut_left"],
             bore: "bore",
-            coupled: COUPLED_TEETH.min(self.gear.teeth() / 2),
+            hold: self.rim.hold_in_plane(),
+            coupled: self.coupled_teeth(),
         };
-        let split = SplitOptions {
-            matching_depth: options.matching_depth,
-            reshapable: self.is_modified() && modifications.is_empty(),
-            ..SplitOptions::default()
-        };
+        let split = self.split_options(options);
         Ok(Arc::new(ElasticStructure::ring(&model, &ring, &surfaces, &split, interrupt)?))
     }
 
@@ -256,6 +272,7 @@ impl Prototype for GearPrototype {
         let key = self
             .teeth_and_tool("gear on a rim")
             .numbers(&[self.material.youngs_modulus, self.material.poissons_ratio, self.rim.ring_radius()])
+            .numbers(&Rim::hold_numbers(self.rim.hold_in_plane()))
             .numbers(&[options.refinement, options.matching_depth])
             .count(options.order as u64)
             .flag(options.stresses)
@@ -296,6 +313,13 @@ impl Prototype for GearPrototype {
 
     fn solid_key(&self, options: &StructureOptions) -> Option<Key> {
         Some(self.solid_content(options))
+    }
+
+    fn size(&self, fidelity: Fidelity, options: &StructureOptions) -> Option<StructureSize> {
+        match fidelity {
+            Fidelity::Plane => self.size_in_plane(options),
+            Fidelity::Solid(_) => self.size_in_space(options),
+        }
     }
 
     fn enclosing_radius(&self) -> f64 {

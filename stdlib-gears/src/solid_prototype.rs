@@ -3,9 +3,10 @@
 //! The mesh is that of the gear without modifications. They take off thousandths of a millimetre, which contact sees in full
 //! ([`GearSurface`]) and the body behind the flanks does not notice: one structure serves all of them.
 
+use crate::blank::Rim;
 use crate::gear_surface::GearSurface;
 use crate::modification::{LeadModification, Modification, Topography};
-use crate::prototype::{COUPLED_TEETH, GearPrototype, refined, unmeshable};
+use crate::prototype::{GearPrototype, refined, unmeshable};
 use crate::sector_mesh::webbed_sector_mesh;
 use crate::template::{along_face, section};
 use calyx_abi::math;
@@ -31,6 +32,18 @@ const STRESS_PLACES_PER_EDGE: usize = 3;
 const THINNEST_LAYER: f64 = 0.01;
 /// By so much of a layer those on either side of a web's ends may be longer together than they would be without the web.
 const LONGER_LAYER: f64 = 0.25;
+
+/// Places of recovered stress on each element's edge along a fillet and on each layer of elements.
+pub(crate) fn stress_places(mesh: &SolidMesh, options: &StructureOptions) -> [usize; 2] {
+    let fillet_elements = refined(section(options.template), options.refinement, options.order).fillet;
+    let face_elements = mesh.swept.as_ref().map_or(1, |swept| swept.stations.len() - 1);
+    let [along_fillet, along_face] = STRESS_PLACES;
+    [along_fillet.div_ceil(fillet_elements).max(STRESS_PLACES_PER_EDGE), along_face.div_ceil(face_elements)]
+}
+
+pub(crate) fn split_options(options: &StructureOptions) -> SolidSplitOptions {
+    SolidSplitOptions { matching_depth: options.matching_depth, ..SolidSplitOptions::default() }
+}
 
 impl GearPrototype {
     /// The flanks in space, counter-clockwise and clockwise, with these modifications.
@@ -152,13 +165,7 @@ impl GearPrototype {
     ) -> Result<ElasticSolid, EngineError> {
         let mesh = self.solid_mesh(options)?;
         interrupt.check()?;
-        let fillet_elements = refined(section(options.template), options.refinement, options.order).fillet;
-        let face_elements = mesh.swept.as_ref().map_or(1, |swept| swept.stations.len() - 1);
-        let [along_fillet, along_face] = STRESS_PLACES;
-        let stress_places = [
-            along_fillet.div_ceil(fillet_elements).max(STRESS_PLACES_PER_EDGE),
-            along_face.div_ceil(face_elements),
-        ];
+        let stress_places = stress_places(&mesh, options);
         let model = SolidModel::new(mesh, self.material);
         let [tip, _] = self.roundings(options);
         let surfaces = self.plain_surfaces(options)?.into_iter().enumerate().map(|(index, surface)| {
@@ -174,10 +181,10 @@ impl GearPrototype {
             sectors: self.gear.teeth(),
             cuts: ["cut_right", "cut_left"],
             bore: "bore",
-            coupled: COUPLED_TEETH.min(self.gear.teeth() / 2),
+            hold: self.rim.hold,
+            coupled: self.coupled_teeth(),
         };
-        let split =
-            SolidSplitOptions { matching_depth: options.matching_depth, ..SolidSplitOptions::default() };
+        let split = split_options(options);
         let surfaces: Vec<SolidSurfaceSource> = surfaces.collect();
         Ok(ElasticSolid::ring(&model, &ring, &surfaces, &split, interrupt)?)
     }
@@ -203,6 +210,7 @@ impl GearPrototype {
         self.teeth_and_tool("solid gear on a rim")
             .numbers(&[self.material.youngs_modulus, self.material.poissons_ratio, self.rim.held_radius])
             .numbers(&self.rim.web.map_or([0.0; 3], |web| [web.rim_radius, web.thickness, web.offset]))
+            .numbers(&Rim::hold_numbers(self.rim.hold))
             .numbers(&[self.face_width, twist])
             .text(options.template.name())
             .numbers(&[options.refinement, options.matching_depth])

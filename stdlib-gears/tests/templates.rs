@@ -15,7 +15,7 @@ use calyx_runtime::material::{Material, Plane};
 use calyx_runtime::profile::Profile;
 use calyx_runtime::scene::Template;
 use calyx_runtime::structure::{
-    Chart, ElasticStructure, RingSource, SplitOptions, Structure, SurfaceLoad, SurfaceSource,
+    BoreHold, Chart, ElasticStructure, RingSource, SplitOptions, Structure, SurfaceLoad, SurfaceSource,
 };
 use common::{INCH, chapter_5, chapter_5_data, standard_data};
 use std::sync::Arc;
@@ -41,7 +41,13 @@ fn answers(gear: &ExternalGear, mesh: PlaneMesh) -> ([f64; 4], [f64; 3]) {
         stress_chain: Some(format!("fillet_{surface}")),
         stress_places_per_edge: 8,
     });
-    let ring = RingSource { sectors: gear.teeth, cuts: ["cut_right", "cut_left"], bore: "bore", coupled: 2 };
+    let ring = RingSource {
+        sectors: gear.teeth,
+        cuts: ["cut_right", "cut_left"],
+        bore: "bore",
+        hold: BoreHold::Rigid,
+        coupled: 2,
+    };
     let structure =
         ElasticStructure::ring(&model, &ring, &surfaces, &SplitOptions::default(), &Interrupt::never())
             .expect("a structure");

@@ -11,7 +11,7 @@ use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::material::{Material, Plane};
 use calyx_runtime::profile::Profile;
 use calyx_runtime::structure::{
-    Chart, ElasticStructure, RingSource, SplitOptions, Structure, SurfaceLoad, SurfaceSource,
+    BoreHold, Chart, ElasticStructure, RingSource, SplitOptions, Structure, SurfaceLoad, SurfaceSource,
 };
 use common::{INCH, chapter_5};
 use std::sync::Arc;
@@ -40,7 +40,13 @@ impl Member {
             stress_chain: Some(format!("fillet_{surface}")),
             stress_places_per_edge: 4,
         });
-        let ring = RingSource { sectors: teeth, cuts: ["cut_right", "cut_left"], bore: "bore", coupled: 2 };
+        let ring = RingSource {
+            sectors: teeth,
+            cuts: ["cut_right", "cut_left"],
+            bore: "bore",
+            hold: BoreHold::Rigid,
+            coupled: 2,
+        };
         let structure =
             ElasticStructure::ring(&model, &ring, &surfaces, &SplitOptions::default(), &Interrupt::never());
         let [flank, _] = flanks;

@@ -7,8 +7,10 @@ use calyx_lang::dimension::Dimension;
 use calyx_lang::units::UnitSystem;
 use calyx_runtime::load::Wrench;
 use calyx_runtime::plan::Plan;
-use calyx_runtime::scene::{Body, FREEDOMS, Fidelity};
-use std::fmt::Write;
+use calyx_runtime::scene::{Body, FREEDOMS, Fidelity, Prototype, StructureOptions};
+use calyx_runtime::structure::StructureSize;
+use std::fmt::{self, Write};
+use std::sync::Arc;
 
 /// The plan of a scene, in the words of its model. Nothing has been solved.
 #[derive(Clone, Debug, PartialEq)]
@@ -38,6 +40,38 @@ pub struct PlannedBody {
     pub left_out: bool,
     /// Why it is modelled the way it is, or left out.
     pub reason: &'static str,
+    /// What it would be divided into.
+    pub mesh: PlannedStructure,
+}
+
+/// What a body's structure would be made of: its mesh is made, and counted, when its size is asked for.
+#[derive(Clone)]
+pub struct PlannedStructure {
+    prototype: Arc<dyn Prototype>,
+    fidelity: Fidelity,
+    options: StructureOptions,
+    /// Which structure of the plan it is; `None` if it is left out.
+    number: Option<usize>,
+}
+
+impl PlannedStructure {
+    /// How large its equations are; `None` if it has no mesh.
+    pub fn size(&self) -> Option<StructureSize> {
+        self.prototype.size(self.fidelity, &self.options)
+    }
+}
+
+impl fmt::Debug for PlannedStructure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("PlannedStructure").field("options", &self.options).finish_non_exhaustive()
+    }
+}
+
+impl PartialEq for PlannedStructure {
+    fn eq(&self, other: &Self) -> bool {
+        let same = |of: &Self| (of.fidelity, of.options, of.number);
+        Arc::ptr_eq(&self.prototype, &other.prototype) && same(self) == same(other)
+    }
 }
 
 /// Where teeth may touch.
@@ -57,6 +91,7 @@ impl Planned {
     pub(crate) fn of(host: &ModelHost, plan: &Plan, description: &ModelDescription) -> Planned {
         let scene = &host.scene;
         let gear = |index: usize| host.gears.get(*host.body_gears.get(index)?);
+        let numbers = plan.structures(scene);
         let bodies = scene.bodies.iter().zip(&plan.bodies).enumerate().map(|(index, (body, planned))| {
             let LengthUnit { name, metres } = host.length_unit;
             PlannedBody {
@@ -68,6 +103,12 @@ impl Planned {
                 free: free(body, &description.units),
                 left_out: planned.left_out,
                 reason: planned.reason,
+                mesh: PlannedStructure {
+                    prototype: body.prototype.clone(),
+                    fidelity: plan.fidelity,
+                    options: planned.options,
+                    number: numbers.get(index).copied().flatten(),
+                },
             }
         });
         let meshes = scene.pairs.iter().map(|pair| {
@@ -87,7 +128,7 @@ impl Planned {
                 contact_ratio: meeting.map(|meeting| meeting.geometry.contact_ratio),
             }
         });
-        let structures = plan.structures(scene).into_iter().flatten().max().map_or(0, |last| last + 1);
+        let structures = numbers.iter().flatten().max().map_or(0, |last| last + 1);
         Planned {
             fidelity: plan.fidelity.name(),
             bodies: bodies.collect(),
@@ -116,6 +157,8 @@ impl Planned {
         section("How", vec![self.fidelity_text()]);
         let modelled = self.bodies.iter().filter(|body| !body.left_out);
         section("Bodies", modelled.flat_map(body_lines).collect());
+        let sizes = self.sizes();
+        section("Structures", self.structure_lines(&sizes));
         section("Contact", self.meshes.iter().map(mesh_line).collect());
         section("Degrees of freedom", self.freedom_lines());
         section("Wanted", lines_of(&self.outputs));
@@ -126,7 +169,7 @@ impl Planned {
         });
         let not_seen = self.not_seen.iter().map(|(input, reason)| format!("`{input}`: {reason}"));
         section("Left out", left_out.chain(not_seen).collect());
-        section("Cost", self.cost_lines());
+        section("Cost", self.cost_lines(&sizes));
         text
     }
 
@@ -152,11 +195,66 @@ impl Planned {
         if free.is_empty() { vec!["none: every frame moves as given".into()] } else { free }
     }
 
-    fn cost_lines(&self) -> Vec<String> {
+    /// Each structure with the bodies that share it, and its size.
+    fn sizes(&self) -> Vec<(Vec<&str>, StructureSize)> {
+        let of = |number: usize| {
+            let bodies = || self.bodies.iter().filter(move |body| body.mesh.number == Some(number));
+            // Of bodies that share one, whoever needs stresses decides.
+            let largest = bodies().filter_map(|body| body.mesh.size()).max_by_key(|size| size.stresses)?;
+            Some((bodies().map(|body| body.name.as_str()).collect(), largest))
+        };
+        (0..self.structures).filter_map(of).collect()
+    }
+
+    fn structure_lines(&self, sizes: &[(Vec<&str>, StructureSize)]) -> Vec<String> {
+        let lines = |(bodies, size): &(Vec<&str>, StructureSize)| {
+            let names: Vec<String> = bodies.iter().map(|name| format!("\"{name}\"")).collect();
+            let stress = match size.stresses {
+                0 => "no places of stress".to_owned(),
+                count => format!("{} places of stress", grouped(count)),
+            };
+            let means = match size.means {
+                0 => String::new(),
+                count => format!(" and {} that hold the bore", grouped(count)),
+            };
+            [
+                format!(
+                    "{}: {} sectors of {} elements and {} degrees of freedom, {} in all",
+                    names.join(", "),
+                    grouped(size.sectors as usize),
+                    grouped(size.elements),
+                    grouped(size.freedoms),
+                    grouped(size.body_freedoms())
+                ),
+                format!("  condensed to {} unknowns of cuts{means}", grouped(2 * size.cut)),
+                format!("  known of a tooth: {} loads on its flanks, {stress}", grouped(size.loads)),
+                format!(
+                    "  about {} multiplications, {} kept",
+                    of_thousands(
+                        size.operations(),
+                        [" thousand", " million", " thousand million", " million million"]
+                    ),
+                    of_thousands(size.bytes() as f64, [" kB", " MB", " GB", " TB"])
+                ),
+            ]
+        };
+        sizes.iter().flat_map(lines).collect()
+    }
+
+    fn cost_lines(&self, sizes: &[(Vec<&str>, StructureSize)]) -> Vec<String> {
         let mut lines = vec![match self.structures {
             1 => "1 elastic structure is condensed, once".to_owned(),
             count => format!("{count} elastic structures are condensed, each once"),
         }];
+        if sizes.len() > 1 {
+            let operations = sizes.iter().map(|(_, size)| size.operations()).sum();
+            let bytes: usize = sizes.iter().map(|(_, size)| size.bytes()).sum();
+            lines.push(format!(
+                "together about {} multiplications, {} kept",
+                of_thousands(operations, [" thousand", " million", " thousand million", " million million"]),
+                of_thousands(bytes as f64, [" kB", " MB", " GB", " TB"])
+            ));
+        }
         // Where no edges are searched, no more pairs touch than the next whole number above the contact ratio.
         let cells: usize = self
             .meshes
@@ -179,6 +277,22 @@ impl Planned {
         });
         lines
     }
+}
+
+/// A count with its thousands apart.
+fn grouped(count: usize) -> String {
+    let digits = count.to_string();
+    let groups: Vec<&str> =
+        digits.as_bytes().rchunks(3).rev().filter_map(|group| str::from_utf8(group).ok()).collect();
+    groups.join(",")
+}
+
+/// Two digits of a number in powers of thousand with these names, the first for thousands.
+fn of_thousands(number: f64, names: [&str; 4]) -> String {
+    let power = names.len().min(((number.max(1.0).log10() + 1e-9) / 3.0).floor().max(1.0) as usize);
+    let value = number / 1e3_f64.powi(power as i32);
+    let digits = if value < 9.95 { 1 } else { 0 };
+    format!("{value:.digits$}{}", names[power - 1])
 }
 
 /// Width to which names are set in lines.

@@ -1,10 +1,12 @@
 //! What a condensed structure answers: compliances between points of its surfaces, and stresses, off its tables.
 
+use super::bore_coupling::BoreCoupling;
 use super::elastic::{ElasticStructure, Surface};
 use super::reshaped::Reshaped;
 use super::spline::Weights;
 use super::{Chart, ReshapedSurface, StressPlace, Structure, SurfaceLoad};
 use crate::profile::Profile;
+use faer::Mat;
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 
@@ -65,10 +67,20 @@ impl ElasticStructure {
         } else {
             ahead < behind
         };
+        let sides = if forward { [observe, load] } else { [load, observe] };
         let Some(tables) = self.offsets.get(ahead.min(behind) as usize) else {
+            let Some(bore) = &self.bore else { return };
+            let points = if forward { [observers, loads] } else { [loads, observers] };
+            let [first, second] =
+                [0, 1].map(|side| self.held_against(bore, sides[side].surface, points[side].iter().copied()));
+            let values = bore.compliance(ahead.min(behind), &first, &second);
+            for (row, target) in block.chunks_exact_mut(loads.len().max(1)).enumerate() {
+                for (column, target) in target.iter_mut().enumerate() {
+                    *target += if forward { values[(row, column)] } else { values[(column, row)] };
+                }
+            }
             return;
         };
-        let sides = if forward { [observe, load] } else { [load, observe] };
         let [rows, columns] = sides.map(|chart| chart.surface as usize * self.directions);
         for (row, &observer) in observers.iter().enumerate() {
             for (column, &load) in loads.iter().enumerate() {
@@ -93,6 +105,28 @@ impl ElasticStructure {
         }
     }
 
+    /// The forces that hold the bore against unit loads on a surface.
+    fn held_against(
+        &self,
+        bore: &BoreCoupling,
+        surface: u32,
+        loads: impl ExactSizeIterator<Item = Local> + Clone,
+    ) -> Mat<f64> {
+        let mut forces = bore.unfelt(loads.len());
+        let places = self.surfaces.get(surface as usize).map_or(0, |surface| surface.spline.nodes().len());
+        for direction in 0..self.directions {
+            let mut columns = Mat::zeros(places, loads.len());
+            for (column, load) in loads.clone().enumerate() {
+                let Weights { first, values } = load.weights;
+                for (k, value) in values.iter().enumerate() {
+                    columns[(first + k, column)] = load.direction[direction] * value;
+                }
+            }
+            bore.add_felt(&mut forces, surface as usize * self.directions + direction, columns.as_ref());
+        }
+        forces
+    }
+
     /// [`Structure::stresses`] under loads as the tables see them, in N/m.
     pub(super) fn stresses_by(
         &self,
@@ -108,6 +142,16 @@ impl ElasticStructure {
             let ahead = self.places_ahead(chart.tooth, tooth);
             let behind = self.places_ahead(tooth, chart.tooth);
             let Some(tables) = self.offsets.get(ahead.min(behind) as usize) else {
+                let through = self.bore.as_ref().and_then(|bore| {
+                    let held = self.held_against(bore, chart.surface, [local].into_iter());
+                    bore.stresses(surface as usize, ahead, &held)
+                });
+                if let Some(through) = through {
+                    stress
+                        .iter_mut()
+                        .zip(through.col(0).iter())
+                        .for_each(|(value, row)| *value += force * row);
+                }
                 continue;
             };
             let tables = if ahead <= behind { &tables.stress_ahead } else { &tables.stress_behind };
@@ -196,7 +240,8 @@ impl Structure for ElasticStructure {
             [&tables.compliance, &tables.stress_ahead, &tables.stress_behind].into_iter().flatten().flatten()
         });
         let entries: usize = tables.map(|table| table.nrows() * table.ncols()).sum();
-        self.surfaces.iter().map(surface).sum::<usize>() + entries * size_of::<f64>()
+        let bore = self.bore.as_ref().map_or(0, BoreCoupling::bytes);
+        self.surfaces.iter().map(surface).sum::<usize>() + entries * size_of::<f64>() + bore
     }
 
     fn stored(&self) -> Option<Vec<u8>> {

@@ -4,6 +4,7 @@
 //! displacements, so that `B = A^T`; condensed, they keep that symmetry.
 
 use super::StructureError;
+use super::bore::BoreMeans;
 use super::dense::{add_product, cholesky, product, solve};
 use super::ring::CutStiffness;
 use crate::fe::dissection::Dissection;
@@ -13,6 +14,7 @@ use crate::interrupt::Interrupt;
 use faer::sparse::SparseColMat;
 use faer::{Mat, MatRef};
 use std::collections::BTreeSet;
+use std::ops::Range;
 
 /// What is condensed: the equations of a mesh, in the plane or in space.
 pub(super) struct Assembled {
@@ -42,6 +44,13 @@ impl Assembled {
 pub(super) enum Support<'a> {
     /// Degrees of freedom that do not move.
     Held(&'a [usize]),
+    /// Some do not move, and means over the bore of the ring vanish.
+    Means {
+        /// Degrees of freedom that do not move.
+        held: &'a [usize],
+        /// What vanishes.
+        means: &'a BoreMeans,
+    },
     /// Not at all: loads are balanced by forces distributed like inertia, which load pairs in equilibrium do not feel.
     Free {
         /// Of any uniform density: only the distribution of the inertia forces counts.
@@ -49,6 +58,16 @@ pub(super) enum Support<'a> {
         /// All rigid motions, three in the plane and six in space, as full vectors.
         motions: &'a [Vec<f64>],
     },
+}
+
+impl<'a> Support<'a> {
+    /// Of a ring's sector.
+    pub fn of_ring(held: &'a [usize], means: Option<&'a BoreMeans>) -> Self {
+        match means {
+            Some(means) => Support::Means { held, means },
+            None => Support::Held(held),
+        }
+    }
 }
 
 /// Nodes of the two cuts of a sector, in the same order.
@@ -59,17 +78,17 @@ pub(super) struct Cuts {
     pub angle: f64,
 }
 
-/// A mesh condensed onto its cuts; `m` loads, `q` rows, `c` unknowns of both cuts.
+/// A mesh condensed onto its cuts; `m` loads, `q` rows, `c` unknowns: of both cuts, and the forces that hold the bore in the mean.
 pub(super) struct Condensed {
     /// `c` by `c`; `None` without cuts.
     pub stiffness: Option<CutStiffness>,
-    /// Forces on the cuts that equal each load, `c` by `m`.
+    /// Forces on the cuts that equal each load, and what it does to the means of the bore with the cuts held, negative; `c` by `m`.
     pub on_cuts: Mat<f64>,
     /// Displacements of the loads by the loads with the cuts held, `m` by `m`, symmetric.
     pub own: Mat<f64>,
     /// Rows by loads with the cuts held, `q` by `m`.
     pub rows_own: Mat<f64>,
-    /// Rows by displacements of the cuts, `q` by `c`.
+    /// Rows by the unknowns, `q` by `c`.
     pub rows_cuts: Mat<f64>,
 }
 
@@ -87,23 +106,29 @@ pub(super) fn condense(
     checkpoint()?;
     let kept = cuts.map_or_else(Vec::new, |cuts| [cuts.first.as_slice(), &cuts.last].concat());
     let (held, inertia) = match support {
-        Support::Held(held) => (held.to_vec(), None),
+        Support::Held(held) | Support::Means { held, .. } => (held.to_vec(), None),
         Support::Free { mass, motions } => {
             (determinate_support(&model.positions, motions), Some(Inertia::new(mass, motions)?))
         }
     };
     let dissection = Dissection::new(&model.stiffness, &model.positions, &held, &kept);
     let balancing = inertia.as_ref().map_or_else(Vec::new, |inertia| inertia.forces.clone());
-    let all_loads = [loads, &balancing].concat();
+    // What holds the bore is carried along like a load, and kept like a cut.
+    let shared = match support {
+        Support::Means { means, .. } => means.forms.as_slice(),
+        Support::Held(_) | Support::Free { .. } => &[],
+    };
+    let all_loads = [shared, loads, &balancing].concat();
     interrupt.room_for(memory(&dissection, &all_loads, rows)).map_err(StructureError::Interrupted)?;
     let left = eliminate(&model.stiffness, &dissection, &all_loads, rows, checkpoint)?;
     checkpoint()?;
 
     let (m, q) = (loads.len(), rows.len());
+    let answering = m + balancing.len();
     let square = left.square.as_ref();
     // What is held on a cut was left out.
     let mut moving = 0;
-    let places: Vec<Option<usize>> = model
+    let mut places: Vec<Option<usize>> = model
         .dofs_of(&kept)
         .into_iter()
         .map(|dof| {
@@ -112,15 +137,18 @@ pub(super) fn condense(
             Some(moving - 1)
         })
         .collect();
+    let of_cuts = places.len();
+    places.extend((moving..moving + shared.len()).map(Some));
+    moving += shared.len();
     let c = places.len();
     let mut on_cuts =
         Mat::from_fn(m, c, |load, dof| places[dof].map_or(0.0, |place| square[(moving + load, place)]));
     let mut rows_cuts =
         Mat::from_fn(q, c, |row, dof| places[dof].map_or(0.0, |place| left.forms[(row, place)]));
-    let mut own = Mat::from_fn(all_loads.len(), all_loads.len(), |row, column| {
+    let mut own = Mat::from_fn(answering, answering, |row, column| {
         -square[(moving + row.max(column), moving + row.min(column))]
     });
-    let mut rows_own = Mat::from_fn(q, all_loads.len(), |row, column| -left.forms[(row, moving + column)]);
+    let mut rows_own = Mat::from_fn(q, answering, |row, column| -left.forms[(row, moving + column)]);
     if let Some(inertia) = inertia {
         let shares = inertia.balancing(loads);
         // Both ways alike, and summed so that symmetry remains to the bit.
@@ -136,13 +164,17 @@ pub(super) fn condense(
             _ if row == column => square[(0, 0)],
             _ => 0.0,
         });
+        let last = of_cuts / 2..of_cuts;
         for _ in 0..2 {
-            turn_last_cut(&mut matrix, model.dofs_per_node, cuts.angle);
+            turn(&mut matrix, last.clone(), model.dofs_per_node, cuts.angle);
             matrix = matrix.transpose().to_owned();
         }
-        turn_last_cut(&mut on_cuts, model.dofs_per_node, cuts.angle);
-        turn_last_cut(&mut rows_cuts, model.dofs_per_node, cuts.angle);
-        CutStiffness::new(matrix)
+        turn(&mut on_cuts, last.clone(), model.dofs_per_node, cuts.angle);
+        turn(&mut rows_cuts, last, model.dofs_per_node, cuts.angle);
+        match support {
+            Support::Means { means, .. } => CutStiffness::with_shared(matrix, means.shared.clone()),
+            Support::Held(_) | Support::Free { .. } => CutStiffness::new(matrix),
+        }
     });
     Ok(Condensed { stiffness, on_cuts: on_cuts.transpose().to_owned(), own, rows_own, rows_cuts })
 }
@@ -179,10 +211,10 @@ fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
     (a[0] - b[0]).hypot(a[1] - b[1]).hypot(a[2] - b[2])
 }
 
-/// Replaces the columns of the last cut, half of them, by those of displacements given in a frame turned by `angle` about z.
-fn turn_last_cut(matrix: &mut Mat<f64>, dofs_per_node: usize, angle: f64) {
+/// Replaces the columns of nodes by those of displacements given in a frame turned by `angle` about z.
+fn turn(matrix: &mut Mat<f64>, columns: Range<usize>, dofs_per_node: usize, angle: f64) {
     let (sin, cos) = angle.sin_cos();
-    for column in (matrix.ncols() / 2..matrix.ncols()).step_by(dofs_per_node) {
+    for column in columns.step_by(dofs_per_node) {
         for row in 0..matrix.nrows() {
             let (x, y) = (matrix[(row, column)], matrix[(row, column + 1)]);
             matrix[(row, column)] = cos * x + sin * y;
@@ -242,7 +274,7 @@ fn balanced(responses: MatRef<'_, f64>, m: usize, shares: MatRef<'_, f64>) -> Ma
 
 /// As many degrees of freedom as there are rigid motions, which hold the mesh without straining it: of three nodes far apart, those
 /// on which the motions depend most.
-fn determinate_support(positions: &[[f64; 3]], motions: &[Vec<f64>]) -> Vec<usize> {
+pub(super) fn determinate_support(positions: &[[f64; 3]], motions: &[Vec<f64>]) -> Vec<usize> {
     let axes = motions.first().map_or(0, |motion| motion.len() / positions.len().max(1));
     let farthest = |measure: &dyn Fn(usize) -> f64| {
         (0..positions.len()).fold(0, |best, node| if measure(node) > measure(best) { node } else { best })

@@ -15,14 +15,16 @@
 //! edges ([`super::sampling`]). Only one orientation of each table is stored and it is always
 //! summed in the same order, so that exchanging load and observer gives the same bits.
 
-use super::StructureError;
 use super::answers::Turned;
+use super::bore::{BoreMeans, Wanted};
+use super::bore_coupling::BoreCoupling;
 use super::condense::{Assembled, Condensed, Support, condense, match_cuts};
 use super::dense::product;
 use super::kernel::{Mollifier, PairQuadrature, Sampled};
-use super::ring::RingFlexibility;
+use super::ring::{Released, RingFlexibility};
 use super::sampling::{SplitOptions, Stretch, sample};
 use super::spline::Spline;
+use super::{BoreHold, StructureError};
 use crate::fe::stress::StressRecovery;
 use crate::fe::{EdgeChain, PlaneModel, SparseVector};
 use crate::interrupt::Interrupt;
@@ -65,8 +67,10 @@ pub struct RingSource<'a> {
     pub sectors: u32,
     /// The cut towards the previous sector (clockwise), and that towards the next one.
     pub cuts: [&'a str; 2],
-    /// Held nodes of each sector.
+    /// By which the body's frame holds each sector.
     pub bore: &'a str,
+    /// How it holds it there.
+    pub hold: BoreHold,
     /// Sectors up to this far apart feel each other; further ones count as independent.
     pub coupled: u32,
 }
@@ -85,6 +89,8 @@ pub struct ElasticStructure {
     pub(super) offsets: Vec<OffsetTables>,
     /// By surface and pair of directions: the mixed derivative of its own table at the first and the last sample.
     pub(super) twists: Vec<[f64; 2]>,
+    /// What sectors beyond those offsets do to each other.
+    pub(super) bore: Option<BoreCoupling>,
 }
 
 pub(super) struct Surface {
@@ -136,21 +142,36 @@ impl ElasticStructure {
     ) -> Result<Self, StructureError> {
         let nodes = |name: &str| Ok::<_, StructureError>(model.mesh.chain_nodes(chain(model, name)?));
         let (first, last, bore) = (nodes(ring.cuts[0])?, nodes(ring.cuts[1])?, nodes(ring.bore)?);
-        let angle = TAU / f64::from(ring.sectors.max(1));
+        let sectors = ring.sectors.max(1);
+        let (held, means) = match ring.hold {
+            BoreHold::Rigid => (bore, None),
+            BoreHold::Means { waves, degree } => {
+                let wanted = Wanted::of_ring(waves, degree, sectors, ring.coupled);
+                let means = BoreMeans::plane(model, chain(model, ring.bore)?, wanted, interrupt)?;
+                (Vec::new(), Some(means.ok_or(StructureError::NoArea)?))
+            }
+        };
+        let angle = TAU / f64::from(sectors);
         let assembled = Assembled::plane(model);
-        let cuts = match_cuts(&assembled.positions, &first, &last, &bore, angle)
+        let cuts = match_cuts(&assembled.positions, &first, &last, &held, angle)
             .ok_or_else(|| StructureError::CutsDiffer { cuts: ring.cuts.map(String::from) })?;
         let prepared = prepare(model, surfaces, options, interrupt)?;
         let (loads, rows) = gathered(&prepared);
-        let held = assembled.dofs_of(&bore);
-        let condensed = condense(&assembled, &Support::Held(&held), Some(&cuts), &loads, &rows, interrupt)?;
-        let flexibility = match &condensed.stiffness {
-            Some(stiffness) => {
-                Some(RingFlexibility::new(stiffness, ring.sectors.max(1), ring.coupled, interrupt)?)
-            }
+        let held = assembled.dofs_of(&held);
+        let support = Support::of_ring(&held, means.as_ref());
+        let condensed = condense(&assembled, &support, Some(&cuts), &loads, &rows, interrupt)?;
+        let mut flexibility = match &condensed.stiffness {
+            Some(stiffness) => Some(RingFlexibility::new(stiffness, sectors, ring.coupled, interrupt)?),
             None => None,
         };
-        Self::assemble(model, ring.sectors.max(1), prepared, &condensed, flexibility.as_ref(), interrupt)
+        let released = match (&mut flexibility, &means) {
+            (Some(flexibility), Some(means)) => flexibility.release(means.held)?,
+            _ => None,
+        };
+        let bore = released.map(|released| bore_coupling(&released, &condensed, &prepared, angle));
+        let ring = flexibility.as_ref();
+        let body = Self::assemble(model, sectors, prepared, &condensed, ring, interrupt)?;
+        Ok(Self { bore, ..body })
     }
 
     /// A body of a single mesh.
@@ -207,6 +228,7 @@ impl ElasticStructure {
             directions: prepared.first().map_or(1, |first| first.loads.len()),
             offsets: Vec::new(),
             twists: Vec::new(),
+            bore: None,
         };
         for offset in 0..=ring.map_or(0, RingFlexibility::window) {
             let tables = structure.tables(offset, &prepared, condensed, ring, interrupt)?;
@@ -352,6 +374,31 @@ pub(super) fn response(
         response.stress_behind += rows_own;
     }
     Ok(response)
+}
+
+/// What the loads and the places of stress of a sector have to do with the amplitudes of the bore that were let go.
+fn bore_coupling(
+    released: &Released,
+    condensed: &Condensed,
+    prepared: &[Prepared],
+    pitch: f64,
+) -> BoreCoupling {
+    let mut coupling = BoreCoupling::new(released, pitch);
+    let forces = product(released.holding.as_ref(), condensed.on_cuts.as_ref());
+    let stresses = product(condensed.rows_cuts.as_ref(), released.holding.transpose());
+    let (mut load, mut row) = (0, 0);
+    for surface in prepared {
+        for loads in &surface.loads {
+            let table = forces.as_ref().subcols(load, loads.len());
+            let by_unknown = surface.surface.spline.coefficients(table.transpose());
+            coupling.loads.push(by_unknown.transpose().to_owned());
+            load += loads.len();
+        }
+        let rows = surface.stress_rows.len();
+        coupling.stress.push(stresses.as_ref().subrows(row, rows).to_owned());
+        row += rows;
+    }
+    coupling
 }
 
 /// Spline coefficients of a table in both variables.

@@ -4,6 +4,8 @@
 //! Everything here is per unit of face width (a plane model): forces in N/m, compliances in m/(N/m). Bodies in space are in [`solid`].
 
 mod answers;
+mod bore;
+pub(crate) mod bore_coupling;
 mod condense;
 pub(crate) mod elastic;
 pub(crate) mod kernel;
@@ -11,14 +13,17 @@ mod reshaped;
 pub(crate) mod rigid;
 pub(crate) mod ring;
 pub(crate) mod sampling;
+mod size;
 pub mod solid;
 pub(crate) mod spline;
 mod stored;
 
+pub use bore::BoreHold;
 pub use elastic::{ElasticStructure, Hold, RingSource, SurfaceSource};
 pub use reshaped::ReshapedSurface;
 pub use rigid::RigidStructure;
 pub use sampling::SplitOptions;
+pub use size::StructureSize;
 
 use crate::dense;
 use crate::error::EngineError;
@@ -44,6 +49,8 @@ pub enum StructureError {
     NotSwept { faces: String },
     #[error("the mesh has no area")]
     NoArea,
+    #[error("the mesh of the bore is too coarse for the series that it is held by")]
+    CoarseBore,
     #[error(transparent)]
     Ring(#[from] FreeRing),
     #[error(transparent)]
@@ -57,6 +64,12 @@ impl From<StructureError> for EngineError {
     fn from(error: StructureError) -> Self {
         match error {
             StructureError::Interrupted(error) => error,
+            StructureError::CoarseBore => EngineError::new(
+                "E0648",
+                "the mesh is too coarse for the orders up to which the rim is held",
+                "reduce the rim's orders around or along the axis, or take more elements along the face",
+            )
+            .blame("rim"),
             error => EngineError::new("E0678", format!("the structure cannot be condensed: {error}"), ""),
         }
     }

@@ -8,19 +8,33 @@
 //! The sectors that carry no load are joined two by two, four by four and so on: O(log N) condensations for N sectors.
 //! Joining eliminates the cut between two chains, and the stiffness of that cut with both ends held is positive
 //! definite even if the ring itself is free, so no step needs pivoting.
+//!
+//! A ring whose bore is held in the mean only has unknowns that all sectors share ([`shared`]), the forces that hold it. They are
+//! never eliminated on the way: sectors and chains are known through their cuts and these unknowns.
+
+mod shared;
 
 use super::StructureError;
 use super::dense::{
-    add_product, add_product_lower, cholesky, half_solve, mirror_lower, other_half_solve, solve,
+    add_product, add_product_lower, cholesky, half_solve, mirror_lower, other_half_solve, product, solve,
 };
 use crate::interrupt::Interrupt;
 use faer::{Mat, MatRef};
+pub(crate) use shared::Shared;
+use std::f64::consts::TAU;
+use std::sync::Arc;
 
-/// A sector, or a chain of them, condensed onto its first and last cut.
+/// A mean whose own part is a smaller share of it depends on the others.
+const DEPENDENT: f64 = 1e-12;
+
+/// A sector, or a chain of them, condensed onto its first and last cut and what all sectors share.
 #[derive(Clone, Debug)]
 pub struct CutStiffness {
-    /// Symmetric, first cut before last cut.
+    /// Symmetric: first cut, last cut, shared unknowns. Of the last, negative: what they yield with the cuts held.
     matrix: Mat<f64>,
+    shared: Arc<Shared>,
+    /// How many sectors.
+    sectors: u32,
 }
 
 /// The stiffness of a ring's cuts is not positive definite: something can move freely.
@@ -31,18 +45,27 @@ pub struct FreeRing;
 impl CutStiffness {
     /// `matrix` is symmetric of even size: the degrees of freedom of the first cut, then as many of the last, in N/m
     /// (in the plane per metre of face width). Only its lower triangle is read.
-    pub fn new(mut matrix: Mat<f64>) -> Self {
+    pub fn new(matrix: Mat<f64>) -> Self {
+        Self::with_shared(matrix, Shared::default())
+    }
+
+    /// As [`Self::new`], the unknowns that all sectors share behind those of the cuts.
+    pub(crate) fn with_shared(matrix: Mat<f64>, shared: Shared) -> Self {
+        Self::chain(matrix, Arc::new(shared), 1)
+    }
+
+    fn chain(mut matrix: Mat<f64>, shared: Arc<Shared>, sectors: u32) -> Self {
         assert!(
-            matrix.nrows() == matrix.ncols() && matrix.nrows().is_multiple_of(2),
+            matrix.nrows() == matrix.ncols() && (matrix.nrows() - shared.count).is_multiple_of(2),
             "two cuts of equal size"
         );
         mirror_lower(&mut matrix);
-        Self { matrix }
+        Self { matrix, shared, sectors }
     }
 
     /// Degrees of freedom of one cut.
     pub fn cut_size(&self) -> usize {
-        self.matrix.nrows() / 2
+        (self.matrix.nrows() - self.shared.count) / 2
     }
 
     fn block(&self, row: usize, column: usize) -> MatRef<'_, f64> {
@@ -50,30 +73,55 @@ impl CutStiffness {
         self.matrix.as_ref().submatrix(row * n, column * n, n, n)
     }
 
-    /// The chain of `self` followed by `next`, the cut between them condensed (report eq. 2.80).
-    fn joined(&self, next: &Self, interrupt: &Interrupt) -> Result<Self, StructureError> {
-        Ok(self.join(next, interrupt)?.0)
+    /// Of the cuts, by the shared unknowns of a chain that begins by the angle `before` earlier.
+    fn by_shared(&self, before: f64) -> Mat<f64> {
+        let n = self.cut_size();
+        self.shared.turned_back(self.matrix.as_ref().submatrix(0, 2 * n, 2 * n, self.shared.count), before)
     }
 
-    /// The chain of `self` followed by `next`, and how the cut between them follows its ends.
-    fn join(&self, next: &Self, interrupt: &Interrupt) -> Result<(Self, Inner), StructureError> {
+    /// Among the shared unknowns, likewise.
+    fn among_shared(&self, before: f64) -> Mat<f64> {
+        let (n, count) = (self.cut_size(), self.shared.count);
+        let own = self.matrix.as_ref().submatrix(2 * n, 2 * n, count, count);
+        let once = self.shared.turned_back(own, before);
+        self.shared.turned_back(once.transpose(), before)
+    }
+
+    /// The chain of `self` followed by `next`, the cut between them condensed (report eq. 2.80).
+    fn joined(&self, next: &Self, pitch: f64, interrupt: &Interrupt) -> Result<Self, StructureError> {
+        Ok(self.join(next, pitch, interrupt)?.0)
+    }
+
+    /// The chain of `self` followed by `next`, and how the cut between them follows its ends and the shared unknowns. `pitch` is the
+    /// angle of a sector.
+    fn join(&self, next: &Self, pitch: f64, interrupt: &Interrupt) -> Result<(Self, Inner), StructureError> {
         interrupt.check().map_err(StructureError::Interrupted)?;
-        let n = self.cut_size();
+        let (n, count) = (self.cut_size(), self.shared.count);
         let between = self.block(1, 1) + next.block(0, 0);
         let factor = cholesky(between).ok_or(FreeRing)?;
-        let mut coupling = Mat::zeros(n, 2 * n);
+        let own_shared = self.by_shared(0.0);
+        let next_shared = next.by_shared(f64::from(self.sectors) * pitch);
+        let mut coupling = Mat::zeros(n, 2 * n + count);
         coupling.as_mut().submatrix_mut(0, 0, n, n).copy_from(self.block(1, 0));
         coupling.as_mut().submatrix_mut(0, n, n, n).copy_from(next.block(0, 1));
+        let by_shared = own_shared.as_ref().subrows(n, n) + next_shared.as_ref().subrows(0, n);
+        coupling.as_mut().submatrix_mut(0, 2 * n, n, count).copy_from(by_shared);
         let coupling = half_solve(factor.as_ref(), coupling);
-        let mut matrix = Mat::zeros(2 * n, 2 * n);
+        let mut matrix = Mat::zeros(2 * n + count, 2 * n + count);
         matrix.as_mut().submatrix_mut(0, 0, n, n).copy_from(self.block(0, 0));
         matrix.as_mut().submatrix_mut(n, n, n, n).copy_from(next.block(1, 1));
+        let (first, last) = (own_shared.as_ref().subrows(0, n), next_shared.as_ref().subrows(n, n));
+        matrix.as_mut().submatrix_mut(2 * n, 0, count, n).copy_from(first.transpose());
+        matrix.as_mut().submatrix_mut(2 * n, n, count, n).copy_from(last.transpose());
+        let among = self.among_shared(0.0) + next.among_shared(f64::from(self.sectors) * pitch);
+        matrix.as_mut().submatrix_mut(2 * n, 2 * n, count, count).copy_from(among);
         add_product_lower(matrix.as_mut(), -1.0, coupling.transpose(), coupling.as_ref());
-        Ok((Self::new(matrix), Inner { factor, coupling }))
+        let chain = Self::chain(matrix, self.shared.clone(), self.sectors + next.sectors);
+        Ok((chain, Inner { factor, coupling }))
     }
 
     /// The chain of `count >= 1` equal sectors, by doubling.
-    fn repeated(&self, count: u32, interrupt: &Interrupt) -> Result<Self, StructureError> {
+    fn repeated(&self, count: u32, pitch: f64, interrupt: &Interrupt) -> Result<Self, StructureError> {
         let mut power = self.clone();
         let mut chain: Option<Self> = None;
         let mut rest = count;
@@ -81,32 +129,40 @@ impl CutStiffness {
             if rest & 1 == 1 {
                 chain = Some(match chain {
                     None => power.clone(),
-                    Some(chain) => chain.joined(&power, interrupt)?,
+                    Some(chain) => chain.joined(&power, pitch, interrupt)?,
                 });
             }
             rest >>= 1;
             match chain {
                 Some(chain) if rest == 0 => return Ok(chain),
-                _ => power = power.joined(&power, interrupt)?,
+                _ => power = power.joined(&power, pitch, interrupt)?,
             }
         }
     }
 }
 
-/// A cut between two chains: its displacements are `-L^-T C` times those of the ends of both, first end before last.
+/// A cut between two chains: its displacements are `-L^-T C` times those of the ends of both, first end before last, and what they share.
 struct Inner {
     /// `L`, of the stiffness of the cut with the ends held.
     factor: Mat<f64>,
-    /// `C = L^-1 K`, with `K` between the cut and the ends.
+    /// `C = L^-1 K`, with `K` between the cut and the ends and what they share.
     coupling: Mat<f64>,
 }
 
 impl Inner {
-    fn displacements(&self, first: MatRef<'_, f64>, last: MatRef<'_, f64>) -> Mat<f64> {
+    fn displacements(
+        &self,
+        first: MatRef<'_, f64>,
+        last: MatRef<'_, f64>,
+        shared: MatRef<'_, f64>,
+    ) -> Mat<f64> {
         let n = self.factor.nrows();
         let mut forces = Mat::zeros(n, first.ncols());
         add_product(forces.as_mut(), -1.0, self.coupling.as_ref().subcols(0, n), first);
         add_product(forces.as_mut(), -1.0, self.coupling.as_ref().subcols(n, n), last);
+        if shared.nrows() > 0 {
+            add_product(forces.as_mut(), -1.0, self.coupling.as_ref().subcols(2 * n, shared.nrows()), shared);
+        }
         other_half_solve(self.factor.as_ref(), forces)
     }
 }
@@ -114,9 +170,20 @@ impl Inner {
 /// Displacements of the cuts of every sector in a window, per unit force on the cuts of the first one.
 #[derive(Clone, Debug)]
 pub struct RingFlexibility {
-    /// By offset from the loaded sector: rows are the first and last cut of the observed sector, columns those of the
-    /// loaded one.
+    /// By offset from the loaded sector: rows are the first and last cut of the observed sector and the shared unknowns as it sees them,
+    /// columns those of the loaded one.
     by_offset: Vec<Mat<f64>>,
+    shared: Arc<Shared>,
+}
+
+/// Means of the bore that nothing holds any more.
+pub(crate) struct Released {
+    /// How they turn.
+    pub shared: Shared,
+    /// What they become by forces on them.
+    pub release: Mat<f64>,
+    /// The forces that held them, by those on the cuts and the means of a sector; a row each.
+    pub holding: Mat<f64>,
 }
 
 impl RingFlexibility {
@@ -136,26 +203,35 @@ impl RingFlexibility {
     ) -> Result<Self, StructureError> {
         assert!(sectors >= 1, "a ring has sectors");
         let window = window.min(sectors / 2).min(sectors - 1);
-        let n = sector.cut_size();
+        let (n, count) = (sector.cut_size(), sector.shared.count);
+        let pitch = TAU / f64::from(sectors);
         let ends = [[0, 0], [0, 1], [1, 0], [1, 1]];
         if sectors == 1 {
             // Both ends of the one sector are the same degrees of freedom.
-            let mut closed = Mat::zeros(n, n);
-            ends.iter().for_each(|&[row, column]| closed += sector.block(row, column));
-            let factor = cholesky(closed).ok_or(FreeRing)?;
-            let alone = solve(factor.as_ref(), Mat::identity(n, n));
-            let at = |row: usize, column: usize| alone[(row % n, column % n)];
-            return Ok(Self { by_offset: vec![Mat::from_fn(2 * n, 2 * n, at)] });
+            let mut closed = Mat::zeros(n + count, n + count);
+            for [row, column] in ends {
+                let mut target = closed.as_mut().submatrix_mut(0, 0, n, n);
+                target += sector.block(row, column);
+            }
+            let by_shared = sector.by_shared(0.0);
+            let by_shared = by_shared.as_ref().subrows(0, n) + by_shared.as_ref().subrows(n, n);
+            closed.as_mut().submatrix_mut(n, 0, count, n).copy_from(by_shared.transpose());
+            closed.as_mut().submatrix_mut(n, n, count, count).copy_from(sector.among_shared(0.0));
+            let alone = inverse(closed, n)?;
+            let place = |index: usize| if index < 2 * n { index % n } else { index - n };
+            let size = 2 * n + count;
+            let both = Mat::from_fn(size, size, |row, column| alone[(place(row), place(column))]);
+            return Ok(Self { by_offset: vec![both], shared: sector.shared.clone() });
         }
         // The sectors outside the window, or its last one if there are none, go from cut `known` back to cut 0.
         let outside = sectors - window - 1;
         let (mut rest, known) = match outside {
             0 => (sector.clone(), window),
-            _ => (sector.repeated(outside, interrupt)?, window + 1),
+            _ => (sector.repeated(outside, pitch, interrupt)?, window + 1),
         };
         let mut passed = Vec::new();
         for _ in 1..known {
-            let (longer, inner) = sector.join(&rest, interrupt)?;
+            let (longer, inner) = sector.join(&rest, pitch, interrupt)?;
             passed.push(inner);
             rest = longer;
         }
@@ -165,23 +241,63 @@ impl RingFlexibility {
             let mut target = closed.as_mut().submatrix_mut((1 - row) * n, (1 - column) * n, n, n);
             target += rest.block(row, column);
         }
-        let factor = cholesky(closed).ok_or(FreeRing)?;
-        interrupt.check().map_err(StructureError::Interrupted)?;
-        let loaded = solve(factor.as_ref(), Mat::identity(2 * n, 2 * n));
-        let (first, second) = loaded.as_ref().split_at_row(n);
-        let mut cuts = vec![first.to_owned(), second.to_owned()];
-        while let Some(inner) = passed.pop() {
-            interrupt.check().map_err(StructureError::Interrupted)?;
-            cuts.push(inner.displacements(cuts[cuts.len() - 1].as_ref(), first));
+        // The rest begins where the loaded sector ends.
+        let by_shared = rest.by_shared(pitch);
+        for end in 0..2 {
+            let mut target = closed.as_mut().submatrix_mut(2 * n, (1 - end) * n, count, n);
+            target += by_shared.as_ref().subrows(end * n, n).transpose();
         }
-        let of_sector = |offset: usize| {
-            let mut rows = Mat::zeros(2 * n, 2 * n);
-            for (end, cut) in [offset, (offset + 1) % cuts.len()].into_iter().enumerate() {
-                rows.as_mut().submatrix_mut(end * n, 0, n, 2 * n).copy_from(&cuts[cut]);
-            }
+        let mut target = closed.as_mut().submatrix_mut(2 * n, 2 * n, count, count);
+        target += rest.among_shared(pitch);
+        interrupt.check().map_err(StructureError::Interrupted)?;
+        let loaded = inverse(closed, 2 * n)?;
+        let size = 2 * n + count;
+        let (first, second) =
+            (loaded.as_ref().subrows(0, n).to_owned(), loaded.as_ref().subrows(n, n).to_owned());
+        let shared = |places: usize| {
+            let mut rows = loaded.as_ref().subrows(2 * n, count).to_owned();
+            sector.shared.turn_rows(rows.as_mut(), places as f64 * pitch);
             rows
         };
-        Ok(Self { by_offset: (0..=window as usize).map(of_sector).collect() })
+        let mut cuts = vec![first, second];
+        while let Some(inner) = passed.pop() {
+            interrupt.check().map_err(StructureError::Interrupted)?;
+            // The chain behind the last cut found begins with the sector of that number.
+            let from = cuts.len() - 1;
+            let next = inner.displacements(cuts[from].as_ref(), cuts[0].as_ref(), shared(from).as_ref());
+            cuts.push(next);
+        }
+        let of_sector = |offset: usize| {
+            let mut rows = Mat::zeros(size, size);
+            for (end, cut) in [offset, (offset + 1) % cuts.len()].into_iter().enumerate() {
+                rows.as_mut().submatrix_mut(end * n, 0, n, size).copy_from(&cuts[cut]);
+            }
+            rows.as_mut().submatrix_mut(2 * n, 0, count, size).copy_from(shared(offset));
+            rows
+        };
+        let by_offset = (0..=window as usize).map(of_sector).collect();
+        Ok(Self { by_offset, shared: sector.shared.clone() })
+    }
+
+    /// Lets the means go that are held by the shared unknowns from number `first` on. `None` if there are none.
+    ///
+    /// # Errors
+    /// The ring is free to move without them.
+    pub fn release(&mut self, first: usize) -> Result<Option<Released>, StructureError> {
+        let Some(own) = self.by_offset.first().filter(|_| first < self.shared.count) else { return Ok(None) };
+        let size = own.nrows();
+        let (from, count) = (size - self.shared.count + first, self.shared.count - first);
+        // Held at some amplitudes, the ring answers with these forces, negative.
+        let stiffness = Mat::from_fn(count, count, |row, column| -own[(from + row, from + column)]);
+        let factor = cholesky(stiffness).ok_or(FreeRing)?;
+        let release = solve(factor.as_ref(), Mat::identity(count, count));
+        let holding = own.as_ref().subrows(from, count).to_owned();
+        let amplitudes = product(release.as_ref(), holding.as_ref());
+        for flexibility in &mut self.by_offset {
+            let by_amplitudes = flexibility.as_ref().subcols(from, count).to_owned();
+            add_product(flexibility.as_mut(), 1.0, by_amplitudes.as_ref(), amplitudes.as_ref());
+        }
+        Ok(Some(Released { shared: self.shared.from(first), release, holding }))
     }
 
     /// The largest offset known.
@@ -189,10 +305,44 @@ impl RingFlexibility {
         self.by_offset.len() as u32 - 1
     }
 
-    /// Cut displacements of the sector `offset` places further on, `2n` by `2n`. `offset <= window()`.
+    /// Cut displacements of the sector `offset` places further on, and the shared unknowns as it sees them. `offset <= window()`.
     pub fn at(&self, offset: u32) -> MatRef<'_, f64> {
         self.by_offset[offset as usize].as_ref()
     }
+}
+
+/// The inverse of a ring's closed matrix, of which the lower triangle is read: `size` degrees of freedom of cuts, then shared unknowns. The
+/// forces that hold the ring go first, for without them it may move freely.
+fn inverse(closed: Mat<f64>, size: usize) -> Result<Mat<f64>, StructureError> {
+    let count = closed.nrows() - size;
+    let mut stiffness = closed.as_ref().submatrix(0, 0, size, size).to_owned();
+    if count == 0 {
+        let factor = cholesky(stiffness).ok_or(FreeRing)?;
+        return Ok(solve(factor.as_ref(), Mat::identity(size, size)));
+    }
+    // [K G'; G -H] with H positive definite: what the conditions yield with the cuts held.
+    let yielding = Mat::from_fn(count, count, |row, column| -closed[(size + row, size + column)]);
+    let own = yielding.diagonal().column_vector().to_owned();
+    let yielding = cholesky(yielding).ok_or(StructureError::CoarseBore)?;
+    if (0..count).any(|mean| yielding[(mean, mean)].powi(2) <= DEPENDENT * own[mean]) {
+        return Err(StructureError::CoarseBore);
+    }
+    let conditions = closed.as_ref().submatrix(size, 0, count, size);
+    let half = half_solve(yielding.as_ref(), conditions.to_owned());
+    add_product_lower(stiffness.as_mut(), 1.0, half.transpose(), half.as_ref());
+    let factor = cholesky(stiffness).ok_or(FreeRing)?;
+    let held = other_half_solve(yielding.as_ref(), half);
+    let mut forces = Mat::zeros(size, size + count);
+    forces.as_mut().submatrix_mut(0, 0, size, size).copy_from(Mat::<f64>::identity(size, size));
+    forces.as_mut().submatrix_mut(0, size, size, count).copy_from(held.transpose());
+    let cuts = solve(factor.as_ref(), forces);
+    let mut shared = product(held.as_ref(), cuts.as_ref());
+    let mut own = shared.as_mut().submatrix_mut(0, size, count, count);
+    own -= solve(yielding.as_ref(), Mat::identity(count, count));
+    let mut all = Mat::zeros(size + count, size + count);
+    all.as_mut().submatrix_mut(0, 0, size, size + count).copy_from(cuts);
+    all.as_mut().submatrix_mut(size, 0, count, size + count).copy_from(shared);
+    Ok(all)
 }
 
 #[cfg(test)]

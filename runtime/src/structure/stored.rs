@@ -1,7 +1,9 @@
 //! Tables of structures as bytes, to be kept from run to run. What contact sees of a surface is made anew by the prototype; what was
 //! condensed is taken from the bytes.
 
+use super::bore_coupling::BoreCoupling;
 use super::elastic::{ElasticStructure, OffsetTables, Surface};
+use super::ring::Shared;
 use super::sampling::Stretch;
 use super::spline::Spline;
 use crate::profile::Profile;
@@ -43,6 +45,45 @@ pub(super) fn matrices(tables: &[Vec<Table>]) -> Option<Vec<Vec<Mat<f64>>>> {
     tables.iter().map(|row| row.iter().map(Table::matrix).collect()).collect()
 }
 
+/// A [`BoreCoupling`].
+#[derive(Serialize, Deserialize)]
+pub(super) struct StoredBore {
+    pitch: f64,
+    count: usize,
+    pairs: Vec<([usize; 2], f64)>,
+    release: Table,
+    loads: Vec<Table>,
+    stress: Vec<Table>,
+}
+
+impl StoredBore {
+    pub fn of(bore: &BoreCoupling) -> Self {
+        let tables = |matrices: &[Mat<f64>]| matrices.iter().map(Table::from).collect();
+        Self {
+            pitch: bore.pitch,
+            count: bore.shared.count,
+            pairs: bore.shared.pairs.clone(),
+            release: Table::from(&bore.release),
+            loads: tables(&bore.loads),
+            stress: tables(&bore.stress),
+        }
+    }
+
+    pub fn coupling(self) -> Option<BoreCoupling> {
+        let count = self.count;
+        let sound = self.pairs.iter().all(|(places, _)| places.iter().all(|&place| place < count));
+        let matrices = |tables: &[Table]| tables.iter().map(Table::matrix).collect::<Option<Vec<_>>>();
+        sound.then_some(())?;
+        Some(BoreCoupling {
+            pitch: self.pitch,
+            shared: Shared { count, pairs: self.pairs },
+            release: self.release.matrix()?,
+            loads: matrices(&self.loads)?,
+            stress: matrices(&self.stress)?,
+        })
+    }
+}
+
 /// A spline on nodes of bytes, which may be anything.
 pub(super) fn spline(nodes: Vec<f64>) -> Option<Spline> {
     let sound = nodes.len() >= 4 && nodes.windows(2).all(|pair| pair[0] < pair[1]);
@@ -70,6 +111,7 @@ struct StoredElastic {
     /// Compliance, stress ahead, stress behind.
     offsets: Vec<[Tables; 3]>,
     twists: Vec<[f64; 2]>,
+    bore: Option<StoredBore>,
 }
 
 #[derive(Serialize, Deserialize)]
@@ -104,6 +146,7 @@ impl ElasticStructure {
             surfaces: self.surfaces.iter().map(surface).collect(),
             offsets: self.offsets.iter().map(offset).collect(),
             twists: self.twists.clone(),
+            bore: self.bore.as_ref().map(StoredBore::of),
         })
     }
 
@@ -132,6 +175,11 @@ impl ElasticStructure {
         if stored.surfaces.len() != profiles.len() {
             return None;
         }
+        // Stored where there is one, it must be sound.
+        let bore = match stored.bore {
+            Some(bore) => Some(bore.coupling()?),
+            None => None,
+        };
         Some(Self {
             teeth: stored.teeth,
             surface_modulus: stored.surface_modulus,
@@ -141,6 +189,7 @@ impl ElasticStructure {
             directions: stored.directions,
             offsets: stored.offsets.iter().map(offset).collect::<Option<_>>()?,
             twists: stored.twists,
+            bore,
         })
     }
 }

@@ -170,6 +170,11 @@ impl Series {
 }
 
 impl Term {
+    /// Whether it moves along the axis.
+    pub fn is_axial(&self) -> bool {
+        self.component == Component::Axial
+    }
+
     /// Displacement along the axes at an angle and a coordinate along the generator, -1 to 1.
     fn displacement(&self, angle: f64, zeta: f64) -> [f64; 3] {
         let (mut previous, mut value) = (0.0, 1.0);

@@ -42,7 +42,7 @@ fn block_circulant(sector: &CutStiffness, sectors: u32, offset: u32) -> Mat<f64>
     for harmonic in 0..sectors {
         let turn = |steps: u32| {
             let steps = u64::from(steps) * u64::from(harmonic) % u64::from(sectors);
-            let angle = std::f64::consts::TAU * steps as f64 / f64::from(sectors);
+            let angle = TAU * steps as f64 / f64::from(sectors);
             c64::new(angle.cos(), angle.sin())
         };
         // Cut i is the first of sector i and the last of sector i - 1; u_i = exp(2 pi i harmonic / N) amplitude.

@@ -9,6 +9,7 @@ use super::points::{Across, Points};
 use super::{Mirror, SolidStructure, Spot, SpotLoad, SurfaceStress};
 use crate::structure::Chart;
 use crate::structure::answers::Turned;
+use crate::structure::bore_coupling::BoreCoupling;
 use crate::structure::dense::{mirror_lower, product};
 use crate::surface::Surface;
 use faer::Mat;
@@ -117,7 +118,10 @@ impl SolidStructure for ElasticSolid {
         let (Some(observed), Some(loaded)) = (self.known(observe), self.known(load)) else { return };
         let ahead = self.places_ahead(load.tooth, observe.tooth);
         let behind = self.places_ahead(observe.tooth, load.tooth);
-        let Some(tables) = self.offsets.get(ahead.min(behind) as usize) else { return };
+        let tables = self.offsets.get(ahead.min(behind) as usize);
+        if tables.is_none() && self.bore.is_none() {
+            return;
+        }
         // Of the two orientations, the stored one: the observer ahead, or on the higher surface of the same tooth, or the greater list of
         // the same surface. Half way round a ring of even number each is ahead of the other; the higher tooth decides.
         let same = ahead == 0 && observe.surface == load.surface;
@@ -136,14 +140,27 @@ impl SolidStructure for ElasticSolid {
         } else {
             ((load, loads), (observe, observers))
         };
-        let table = &tables.compliance[first.surface as usize][second.surface as usize];
+        let table = tables.map(|tables| &tables.compliance[first.surface as usize][second.surface as usize]);
+        let known = if forward { [observed, loaded] } else { [loaded, observed] };
         // Columns are the first's.
-        let mut values = if same {
-            self.own_compliance(observed, table, [first_points, second_points], order.is_eq())
-        } else {
-            let (first, second) = if forward { (observed, loaded) } else { (loaded, observed) };
-            let columns = self.points(second, second_points).columns(table.as_ref());
-            self.points(first, first_points).seen(columns.as_ref())
+        let mut values = match (table, &self.bore) {
+            (Some(table), _) if same => {
+                self.own_compliance(observed, table, [first_points, second_points], order.is_eq())
+            }
+            (Some(table), _) => {
+                let columns = self.points(known[1], second_points).columns(table.as_ref());
+                self.points(known[0], first_points).seen(columns.as_ref())
+            }
+            (None, Some(bore)) => {
+                let felt = |known: &KnownSurface, chart: Chart, points: &[Spot]| {
+                    let table = bore.loads.get(chart.surface as usize)?;
+                    Some(self.points(known, points).columns(table.as_ref()))
+                };
+                let felt = felt(known[0], first, first_points).zip(felt(known[1], second, second_points));
+                let Some((first, second)) = felt else { return };
+                bore.compliance(ahead.min(behind), &first, &second).transpose().to_owned()
+            }
+            (None, None) => return,
         };
         if same && order.is_eq() {
             mirror_lower(&mut values);
@@ -168,7 +185,15 @@ impl SolidStructure for ElasticSolid {
             let Some(loaded) = self.known(*chart) else { continue };
             let ahead = self.places_ahead(chart.tooth, tooth);
             let behind = self.places_ahead(tooth, chart.tooth);
-            let Some(tables) = self.offsets.get(ahead.min(behind) as usize) else { continue };
+            let Some(tables) = self.offsets.get(ahead.min(behind) as usize) else {
+                let through = self.bore.as_ref().and_then(|bore| {
+                    let table = bore.loads.get(chart.surface as usize)?;
+                    let held = product(table.as_ref(), self.points(loaded, spots).loads(forces).as_ref());
+                    bore.stresses(surface as usize, ahead, &held)
+                });
+                through.iter().for_each(|through| components += through);
+                continue;
+            };
             let tables = if ahead <= behind { &tables.stress_ahead } else { &tables.stress_behind };
             let table = &tables[surface as usize][chart.surface as usize];
             components += product(table.as_ref(), self.points(loaded, spots).loads(forces).as_ref());
@@ -193,7 +218,8 @@ impl SolidStructure for ElasticSolid {
             [&tables.compliance, &tables.stress_ahead, &tables.stress_behind].into_iter().flatten().flatten()
         });
         let entries: usize = tables.map(|table| table.nrows() * table.ncols()).sum();
-        self.surfaces.iter().map(known).sum::<usize>() + entries * size_of::<f64>()
+        let bore = self.bore.as_ref().map_or(0, BoreCoupling::bytes);
+        self.surfaces.iter().map(known).sum::<usize>() + entries * size_of::<f64>() + bore
     }
 
     fn stored(&self) -> Option<Vec<u8>> {

@@ -15,20 +15,22 @@ use super::Mirror;
 use super::axial::AxialModes;
 use super::half_space::ReciprocalMeans;
 use super::halves::{Mirrored, images_of};
-use super::responses::{Exchange, Responses, Sector, whole};
+use super::responses::{Exchange, Responses, Sector, ThroughBore, whole};
 use super::screw::Screw;
 use crate::fe::solid::{ABSENT, FacePoint, FaceSet, SolidModel, SurfaceStressRecovery};
 use crate::fe::{EdgeChain, SparseVector};
 use crate::interrupt::Interrupt;
 use crate::material::Plane;
 use crate::structure::answers::Turned;
+use crate::structure::bore::{BoreMeans, Wanted};
+use crate::structure::bore_coupling::BoreCoupling;
 use crate::structure::condense::{Support, condense, match_cuts};
 use crate::structure::dense::mirror_lower;
 use crate::structure::elastic::{both_sides, starts};
 use crate::structure::kernel::{Mollifier, PairQuadrature, Sampled};
 use crate::structure::sampling::{SplitOptions, Stretch, sample};
 use crate::structure::spline::Spline;
-use crate::structure::{Hold, RingSource, StructureError};
+use crate::structure::{BoreHold, Hold, RingSource, StructureError};
 use crate::surface::Surface;
 use faer::{Mat, MatRef};
 use rayon::prelude::*;
@@ -65,6 +67,14 @@ pub struct SolidSplitOptions {
     pub axial_modes: usize,
 }
 
+impl SolidSplitOptions {
+    /// Polynomials along the face that are taken on a mesh of so many layers of elements of some order: those that one layer contains; of
+    /// several layers one for each of their nodes but the first, which measured best.
+    pub fn polynomials(&self, layers: usize, order: usize) -> usize {
+        self.axial_modes.min((order + 1).max(layers * order)).max(1)
+    }
+}
+
 impl Default for SolidSplitOptions {
     fn default() -> Self {
         Self { matching_depth: 1.0, samples: 14, axial_modes: 12 }
@@ -82,6 +92,8 @@ pub struct ElasticSolid {
     pub(super) surfaces: Vec<KnownSurface>,
     /// By offset of the observing sector ahead of the loaded one.
     pub(super) offsets: Vec<OffsetTables>,
+    /// What sectors beyond those do to each other.
+    pub(super) bore: Option<BoreCoupling>,
 }
 
 /// What is known of a surface. Its tables go by a place across and a polynomial along: `polynomial * places + place`.
@@ -147,18 +159,30 @@ impl ElasticSolid {
         interrupt: &Interrupt,
     ) -> Result<Self, StructureError> {
         let nodes = |name: &str| Ok::<_, StructureError>(model.mesh.nodes_on(faces(model, name)?));
-        let (first, last, mut bore) = (nodes(ring.cuts[0])?, nodes(ring.cuts[1])?, nodes(ring.bore)?);
-        bore.extend(model.mesh.node_sets.get(ABSENT).into_iter().flatten());
-        bore.sort_unstable();
-        bore.dedup();
+        let (first, last) = (nodes(ring.cuts[0])?, nodes(ring.cuts[1])?);
         let sectors = ring.sectors.max(1);
-        let cuts = match_cuts(&model.mesh.nodes, &first, &last, &bore, TAU / f64::from(sectors))
+        let (mut held, means) = match ring.hold {
+            BoreHold::Rigid => (nodes(ring.bore)?, None),
+            BoreHold::Means { waves, degree } => {
+                let wanted = Wanted::of_ring(waves, degree, sectors, ring.coupled);
+                let means = BoreMeans::solid(model, faces(model, ring.bore)?, wanted, interrupt)?;
+                (Vec::new(), Some(means.ok_or(StructureError::NoArea)?))
+            }
+        };
+        held.extend(model.mesh.node_sets.get(ABSENT).into_iter().flatten());
+        held.sort_unstable();
+        held.dedup();
+        let pitch = TAU / f64::from(sectors);
+        let cuts = match_cuts(&model.mesh.nodes, &first, &last, &held, pitch)
             .ok_or_else(|| StructureError::CutsDiffer { cuts: ring.cuts.map(String::from) })?;
         let (modes, prepared) = prepare(model, surfaces, options, interrupt)?;
         let exchange = gathered(&modes, &prepared);
-        let sector = Sector { cuts, held: bore, sectors, coupled: ring.coupled };
+        let sector = Sector { cuts, held, means, sectors, coupled: ring.coupled };
         let responses = Responses::of_ring(model, &sector, mirrored, &exchange, interrupt)?;
-        Self::assemble(model, sectors, modes, prepared, &responses, interrupt)
+        let bore =
+            responses.bore.as_ref().map(|through| bore_coupling(through, &prepared, modes.count(), pitch));
+        let body = Self::assemble(model, sectors, modes, prepared, &responses, interrupt)?;
+        Ok(Self { bore, ..body })
     }
 
     /// A body of a single mesh. `hold` names a set of faces.
@@ -209,6 +233,7 @@ impl ElasticSolid {
             modes,
             surfaces: Vec::new(),
             offsets: Vec::new(),
+            bore: None,
         };
         for offset in 0..=responses.window() {
             let tables = structure.tables(offset, &prepared, responses, interrupt)?;
@@ -233,16 +258,7 @@ impl ElasticSolid {
         let all = 0..prepared.len();
         let stress = |rows: &Mat<f64>| -> Vec<Vec<Mat<f64>>> {
             let table = |p: usize, q: usize| {
-                let spline = &prepared[q].known.spline;
-                let places = spline.nodes().len();
-                let table = part(rows, [&row_starts, &load_starts], [p, q]);
-                let mut coefficients = Mat::zeros(table.nrows(), table.ncols());
-                for mode in 0..count {
-                    let values = table.subcols(mode * places, places).transpose();
-                    let target = coefficients.as_mut().subcols_mut(mode * places, places);
-                    target.transpose_mut().copy_from(spline.coefficients(values));
-                }
-                coefficients
+                by_unknown(part(rows, [&row_starts, &load_starts], [p, q]), &prepared[q].known.spline, count)
             };
             all.clone().map(|p| all.clone().map(|q| table(p, q)).collect()).collect()
         };
@@ -371,6 +387,32 @@ fn part<'a>(all: &'a Mat<f64>, starts: [&[usize]; 2], [p, q]: [usize; 2]) -> Mat
     all.as_ref().submatrix(rows[p], columns[q], rows[p + 1] - rows[p], columns[q + 1] - columns[q])
 }
 
+/// Columns by loads as columns by spline coefficients, polynomial by polynomial.
+fn by_unknown(table: MatRef<'_, f64>, spline: &Spline, count: usize) -> Mat<f64> {
+    let places = spline.nodes().len();
+    let mut coefficients = Mat::zeros(table.nrows(), table.ncols());
+    for mode in 0..count {
+        let values = table.subcols(mode * places, places).transpose();
+        let target = coefficients.as_mut().subcols_mut(mode * places, places);
+        target.transpose_mut().copy_from(spline.coefficients(values));
+    }
+    coefficients
+}
+
+/// What the loads and the places of stress of a sector have to do with the amplitudes of the bore that were let go.
+fn bore_coupling(through: &ThroughBore, prepared: &[Prepared], modes: usize, pitch: f64) -> BoreCoupling {
+    let ThroughBore { released, forces, stresses } = through;
+    let mut coupling = BoreCoupling::new(released, pitch);
+    let (mut load, mut row) = (0, 0);
+    for surface in prepared {
+        let (loads, rows) = (surface.loads.len(), surface.stress_rows.len());
+        coupling.loads.push(by_unknown(forces.as_ref().subcols(load, loads), &surface.known.spline, modes));
+        coupling.stress.push(stresses.as_ref().subrows(row, rows).to_owned());
+        (load, row) = (load + loads, row + rows);
+    }
+    coupling
+}
+
 /// Applies a map to the block of each pair of polynomials.
 fn block_by_block(
     table: MatRef<'_, f64>,
@@ -431,18 +473,12 @@ fn prepare(
     let recovery = SurfaceStressRecovery::new(model).ok_or_else(not_swept)?;
     let layers = swept.stations.len() - 1;
     let order = swept.orders.iter().copied().min().map_or(1, usize::from);
-    let modes = AxialModes::new(swept.z_range(), options.axial_modes.min(resolved(layers, order)).max(1));
+    let modes = AxialModes::new(swept.z_range(), options.polynomials(layers, order));
     let prepared = sources
         .iter()
         .map(|source| prepare_surface(model, &recovery, &modes, source, options, interrupt))
         .collect::<Result<_, _>>()?;
     Ok((modes, prepared))
-}
-
-/// Polynomials along the face that a mesh resolves: those that one layer of elements contains; of several layers one for each of
-/// their nodes but the first, which measured best.
-fn resolved(layers: usize, order: usize) -> usize {
-    (order + 1).max(layers * order)
 }
 
 fn prepare_surface(

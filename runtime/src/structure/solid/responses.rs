@@ -5,9 +5,11 @@ use crate::fe::SparseVector;
 use crate::fe::solid::SolidModel;
 use crate::interrupt::Interrupt;
 use crate::structure::StructureError;
+use crate::structure::bore::BoreMeans;
 use crate::structure::condense::{Assembled, Condensed, Cuts, Support, condense};
+use crate::structure::dense::product;
 use crate::structure::elastic::{Response, response};
-use crate::structure::ring::RingFlexibility;
+use crate::structure::ring::{Released, RingFlexibility};
 use faer::Mat;
 use rayon::prelude::*;
 use std::sync::Arc;
@@ -17,6 +19,8 @@ pub(super) struct Sector {
     pub cuts: Cuts,
     /// Nodes that do not move.
     pub held: Vec<usize>,
+    /// What vanishes of the bore's displacements, if it is held in the mean; then in one piece.
+    pub means: Option<BoreMeans>,
     pub sectors: u32,
     /// Sectors beside a loaded one that are known.
     pub coupled: u32,
@@ -43,6 +47,17 @@ pub(super) struct Responses {
     loads: usize,
     rows: usize,
     parts: Vec<Part>,
+    /// What loads do to a bore that gives way.
+    pub bore: Option<ThroughBore>,
+}
+
+/// Loads and the amplitudes of the bore that were let go.
+pub(super) struct ThroughBore {
+    pub released: Released,
+    /// What held them against each load.
+    pub forces: Mat<f64>,
+    /// Each row by them.
+    pub stresses: Mat<f64>,
 }
 
 struct Part {
@@ -80,17 +95,27 @@ impl Responses {
                          cuts: &Cuts,
                          loads: &[SparseVector],
                          rows: &[SparseVector]| {
-            let condensed = condense(assembled, &Support::Held(held), Some(cuts), loads, rows, interrupt)?;
+            let support = Support::of_ring(held, sector.means.as_ref());
+            let condensed = condense(assembled, &support, Some(cuts), loads, rows, interrupt)?;
             let ring = |cut| RingFlexibility::new(cut, sector.sectors, sector.coupled, interrupt);
             let ring = condensed.stiffness.as_ref().map(ring).transpose()?;
             Ok::<_, StructureError>((condensed, ring))
         };
-        let Some(mirrored) = mirrored else {
+        let Some(mirrored) = mirrored.filter(|_| sector.means.is_none()) else {
             let assembled = whole(model, interrupt)?;
             let held = assembled.dofs_of(&sector.held);
-            let (condensed, ring) =
+            let (condensed, mut ring) =
                 condensed(&assembled, &held, &sector.cuts, &exchange.loads, &exchange.rows)?;
-            return Ok(Self::of(vec![Part::whole(condensed, ring, exchange)], exchange));
+            let released = match (&mut ring, &sector.means) {
+                (Some(ring), Some(means)) => ring.release(means.held)?,
+                _ => None,
+            };
+            let bore = released.map(|released| ThroughBore {
+                forces: product(released.holding.as_ref(), condensed.on_cuts.as_ref()),
+                stresses: product(condensed.rows_cuts.as_ref(), released.holding.transpose()),
+                released,
+            });
+            return Ok(Self { bore, ..Self::of(vec![Part::whole(condensed, ring, exchange)], exchange) });
         };
         let equations = mirrored.equations(model, interrupt)?;
         let of_half = |(assembled, odd): (Arc<Assembled>, bool)| {
@@ -108,7 +133,7 @@ impl Responses {
     }
 
     fn of(parts: Vec<Part>, exchange: &Exchange) -> Self {
-        Self { loads: exchange.loads.len(), rows: exchange.rows.len(), parts }
+        Self { loads: exchange.loads.len(), rows: exchange.rows.len(), parts, bore: None }
     }
 
     /// The farthest sector from a loaded one whose answers are known.

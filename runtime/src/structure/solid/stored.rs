@@ -4,7 +4,7 @@ use super::Mirror;
 use super::axial::AxialModes;
 use super::elastic::{ElasticSolid, KnownSurface, OffsetTables};
 use crate::structure::sampling::Stretch;
-use crate::structure::stored::{Tables, from_bytes, matrices, spline, tables, to_bytes};
+use crate::structure::stored::{StoredBore, Tables, from_bytes, matrices, spline, tables, to_bytes};
 use crate::surface::Surface;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
@@ -21,6 +21,7 @@ struct StoredSolid {
     surfaces: Vec<StoredSurface>,
     /// Compliance, stress ahead, stress behind.
     offsets: Vec<[Tables; 3]>,
+    bore: Option<StoredBore>,
 }
 
 #[derive(Serialize, Deserialize)]
@@ -54,6 +55,7 @@ impl ElasticSolid {
             modes: self.modes.clone(),
             surfaces: self.surfaces.iter().map(surface).collect(),
             offsets: self.offsets.iter().map(offset).collect(),
+            bore: self.bore.as_ref().map(StoredBore::of),
         })
     }
 
@@ -82,6 +84,11 @@ impl ElasticSolid {
         if stored.surfaces.len() != surfaces.len() {
             return None;
         }
+        // Stored where there is one, it must be sound.
+        let bore = match stored.bore {
+            Some(bore) => Some(bore.coupling()?),
+            None => None,
+        };
         Some(Self {
             teeth: stored.teeth,
             surface_modulus: stored.surface_modulus,
@@ -90,6 +97,7 @@ impl ElasticSolid {
             modes: stored.modes,
             surfaces: stored.surfaces.into_iter().zip(surfaces).map(known).collect::<Option<_>>()?,
             offsets: stored.offsets.iter().map(offset).collect::<Option<_>>()?,
+            bore,
         })
     }
 }

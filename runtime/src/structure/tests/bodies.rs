@@ -4,7 +4,7 @@ use crate::fe::block::uniform;
 use crate::fe::{Block, Curve, ElementOrder, MeshBuilder, PlaneMesh, PlaneModel, Side};
 use crate::material::{Material, Plane};
 use crate::profile::{Profile, ProfilePoint};
-use crate::structure::{RingSource, SurfaceSource};
+use crate::structure::{BoreHold, RingSource, SurfaceSource};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 use std::sync::Arc;
 
@@ -126,7 +126,13 @@ pub struct Divisions {
 pub const COARSE: Divisions = Divisions { rim: 3, tooth_root: 3, flank: 10, thickness: 8, grading: 5.0 };
 
 pub fn ring_source(teeth: u32) -> RingSource<'static> {
-    RingSource { sectors: teeth, cuts: ["cut_first", "cut_last"], bore: "bore", coupled: 3 }
+    RingSource {
+        sectors: teeth,
+        cuts: ["cut_first", "cut_last"],
+        bore: "bore",
+        hold: BoreHold::Rigid,
+        coupled: 3,
+    }
 }
 
 /// Symmetric divisions, finer towards both ends.
@@ -175,7 +181,7 @@ fn sector_blocks(
         rim(-half_tooth, -half_pitch).divided(sides, uniform(divisions.rim)),
     ];
     for (index, block) in blocks.into_iter().enumerate() {
-        let mut block = name(block, Side::Bottom, "bore");
+        let mut block = block.named(Side::Bottom, "bore");
         if index == 0 {
             block = name(block, Side::Left, "cut_last");
         } else if index == 2 {

@@ -1,7 +1,9 @@
 //! Structures against exact solutions, whole meshes and brute force.
 
 pub(crate) mod bodies;
+mod bore;
 mod disc;
 mod ring;
 mod solid_ring;
 mod split;
+mod webs;

@@ -1,0 +1,70 @@
+//! How large the equations of a gear's structure are: counted off its mesh, for whoever wants to know before it is condensed.
+
+use crate::prototype::{GearPrototype, STRESS_PLACES_PER_EDGE};
+use crate::solid_prototype::{split_options, stress_places};
+use calyx_runtime::fe::solid::ABSENT;
+use calyx_runtime::scene::StructureOptions;
+use calyx_runtime::structure::{BoreHold, StructureSize};
+use std::collections::BTreeSet;
+
+/// Flanks of a tooth, each with a fillet.
+const FLANKS: usize = 2;
+
+impl GearPrototype {
+    /// Of the model in the plane.
+    pub(crate) fn size_in_plane(&self, options: &StructureOptions) -> Option<StructureSize> {
+        let mesh = self.plane_mesh(options).ok()?;
+        let nodes = |chain: &str| Some(mesh.chain_nodes(mesh.chain(chain)?));
+        let hold = self.rim.hold_in_plane();
+        let held: BTreeSet<usize> = match hold {
+            BoreHold::Rigid => nodes("bore")?.into_iter().collect(),
+            BoreHold::Means { .. } => BTreeSet::new(),
+        };
+        let split = self.split_options(options);
+        let directions = if split.reshapable { 2 } else { 1 };
+        let fillet = mesh.chain("fillet_0")?.edges.len();
+        let cut = nodes("cut_right")?.iter().filter(|node| !held.contains(node)).count();
+        let (teeth, window) = (self.gear.teeth(), self.coupled_teeth());
+        Some(StructureSize {
+            sectors: teeth,
+            elements: mesh.elements.len(),
+            freedoms: 2 * (mesh.nodes.len() - held.len()),
+            cut: 2 * cut,
+            means: hold.unknowns(true, teeth, window),
+            loads: FLANKS * directions * split.samples,
+            stresses: if options.stresses { FLANKS * fillet * STRESS_PLACES_PER_EDGE } else { 0 },
+            components: 1,
+            window,
+        })
+    }
+
+    /// Of the model in space.
+    pub(crate) fn size_in_space(&self, options: &StructureOptions) -> Option<StructureSize> {
+        let mesh = self.solid_mesh(options).ok()?;
+        let nodes = |faces: &str| Some(mesh.nodes_on(mesh.face_set(faces)?));
+        let mut held: BTreeSet<usize> = mesh.node_sets.get(ABSENT).into_iter().flatten().copied().collect();
+        if self.rim.hold == BoreHold::Rigid {
+            held.extend(nodes("bore")?);
+        }
+        let swept = mesh.swept.as_ref()?;
+        let layers = swept.stations.len() - 1;
+        let order = swept.orders.iter().copied().min().map_or(1, usize::from);
+        let split = split_options(options);
+        let [per_edge, per_layer] = stress_places(&mesh, options);
+        let fillet = mesh.face_set("fillet_0")?.chart.as_ref()?.edges.len();
+        let cut = nodes("cut_right")?.iter().filter(|node| !held.contains(node)).count();
+        let (teeth, window) = (self.gear.teeth(), self.coupled_teeth());
+        let stresses = FLANKS * fillet * per_edge * (layers * per_layer + 1);
+        Some(StructureSize {
+            sectors: teeth,
+            elements: mesh.elements.len() - mesh.absent.len(),
+            freedoms: 3 * (mesh.nodes.len() - held.len()),
+            cut: 3 * cut,
+            means: self.rim.hold.unknowns(false, teeth, window),
+            loads: FLANKS * split.samples * split.polynomials(layers, order),
+            stresses: if options.stresses { stresses } else { 0 },
+            components: 3,
+            window,
+        })
+    }
+}

@@ -1,0 +1,174 @@
+//! Rims and how they are held: thin ones on free bores, and what their pairs' supports bear.
+
+use calyx_gears::assembly::{MeshOptions, add_body, mesh};
+use calyx_gears::blank::{GearBlank, Rim};
+use calyx_gears::prototype::GearPrototype;
+use calyx_gears::rack::Rack;
+use calyx_runtime::interrupt::Interrupt;
+use calyx_runtime::load::Wrench;
+use calyx_runtime::motion::SteadyRotation;
+use calyx_runtime::observe::{
+    MaxRootCompression, Observable, SupportForce, SupportMoment, TransmissionError,
+};
+use calyx_runtime::plan::Plan;
+use calyx_runtime::profile::Profile;
+use calyx_runtime::scene::{
+    Body, BodyId, Component, Fidelity, PairId, Prototype, Scene, StructureOptions, Template,
+};
+use calyx_runtime::structure::{BoreHold, Chart, SurfaceLoad};
+use calyx_runtime::system::System;
+use std::f64::consts::TAU;
+use std::sync::Arc;
+
+const MODULE: f64 = 4e-3;
+const TEETH: u32 = 40;
+const FREE: BoreHold = BoreHold::Means { waves: None, degree: 1 };
+
+/// A gear on a rim below its spaces as thick as so many tooth heights (backup ratio).
+fn gear(teeth: u32, backup: f64, hold: BoreHold) -> Arc<GearPrototype> {
+    let rack = Rack::new(MODULE, 20_f64.to_radians(), 0.3 * MODULE).expect("a rack");
+    let blank = GearBlank::standard(teeth, rack);
+    let (root, height) = (0.5 * blank.root_diameter, 2.25 * MODULE);
+    let held = root - backup * height;
+    let ring = root - 0.5 * MODULE.min(backup * height);
+    let rim = Rim::new(2.0 * ring, 2.0 * held).expect("a rim").held(hold);
+    blank.face_width(5.0 * MODULE).rim(rim).cut().expect("a gear")
+}
+
+/// Stresses in the fillets as a tooth goes round, with a force high on the flank of another, in the plane: the largest tension, the largest
+/// compression, the largest range at any place.
+fn root_stresses(backup: f64, hold: BoreHold, options: &StructureOptions) -> [f64; 3] {
+    let gear = gear(TEETH, backup, hold);
+    let structure = gear.build(options, &Interrupt::never()).expect("a structure");
+    let s = 0.8 * gear.flanks()[0].length();
+    let load = [SurfaceLoad { chart: Chart { tooth: 0, surface: 0 }, s, force: 1e5 }];
+    let mut largest = [0.0_f64; 3];
+    for surface in 0..2 {
+        let around: Vec<_> = (0..TEETH).map(|tooth| structure.stresses(tooth, surface, &load)).collect();
+        for place in 0..around[0].len() {
+            let at = || around.iter().map(|stresses| stresses[place].1);
+            let (most, least) = (at().fold(0.0, f64::max), at().fold(0.0, f64::min));
+            for (largest, value) in largest.iter_mut().zip([most, -least, most - least]) {
+                *largest = largest.max(value);
+            }
+        }
+    }
+    largest
+}
+
+/// As AGMA 2001 has it for its rim thickness factor: no effect on thick rims, and on thin ones what a tooth goes through grows the faster
+/// the thinner the rim is. Under the force a ring flattens, which presses its roots together: it is compression that grows there, tension
+/// grows where the ring is bent the other way. On a rigid bore nothing of this is so.
+#[test]
+fn root_stress_grows_as_a_free_rim_gets_thin() {
+    let options = StructureOptions::default();
+    let thick = root_stresses(3.0, FREE, &options);
+    let ratios = [0.5, 0.7, 1.0, 1.5, 2.0];
+    let factors = |hold: BoreHold| {
+        ratios.map(|backup| {
+            let found = root_stresses(backup, hold, &options);
+            [0, 1, 2].map(|kind| found[kind] / thick[kind])
+        })
+    };
+    let (free, rigid) = (factors(FREE), factors(BoreHold::Rigid));
+    println!("backup ratio: tension, compression, range on a free bore; on a rigid one");
+    for ((ratio, free), rigid) in ratios.iter().zip(&free).zip(&rigid) {
+        println!("{ratio}: {free:.3?} {rigid:.3?}");
+    }
+    let ranges = free.map(|[_, _, range]| range);
+    assert!(ranges.windows(2).all(|pair| pair[0] > pair[1]), "{ranges:?}");
+    assert!(ranges[0] > 1.4 && (1.0..1.2).contains(&ranges[4]), "{ranges:?}");
+    assert!(free[0][1] > 1.4, "compression grows: {free:?}");
+    assert!(rigid.iter().all(|[_, _, range]| *range < 1.05), "{rigid:?}");
+    // A finer mesh says the same.
+    let finer = StructureOptions { refinement: 2.0, ..options };
+    let error = root_stresses(0.5, FREE, &finer)[2] / (ranges[0] * thick[2]) - 1.0;
+    println!("the finer mesh: {error:.1e}");
+    assert!(error.abs() < 0.02, "{error:.1e}");
+}
+
+/// The local compliance of a tooth on a thick rim does not know how the bore far below is held.
+#[test]
+fn a_thick_rim_hides_its_bore() {
+    let options = StructureOptions::default();
+    let [free, rigid] = [FREE, BoreHold::Rigid].map(|hold| root_stresses(4.0, hold, &options)[0]);
+    assert!((free / rigid - 1.0).abs() < 0.02, "{free:e}, {rigid:e}");
+}
+
+/// A pair of which the second gear stands on a thin rim, held so.
+fn pair(hold: BoreHold) -> Scene {
+    let mut scene = Scene::default();
+    let gears = [gear(20, 1.0, BoreHold::Rigid), gear(TEETH, 0.8, hold)];
+    let speed = TAU;
+    let motion = SteadyRotation { origin: [0.0; 2], start: 0.0, speed };
+    let moment = Wrench::of_moment([0.0, 0.0, 200.0]);
+    let first = Body::new("first", gears[0].clone(), motion).free_in(&[Component::ThetaZ]).loaded(moment);
+    let first = add_body(&mut scene, first).expect("a body");
+    let origin = [0.5 * MODULE * 60.0 * (1.0 + 1e-3), 0.0];
+    let motion = SteadyRotation { origin, start: 0.0, speed: -0.5 * speed };
+    let second = add_body(&mut scene, Body::new("second", gears[1].clone(), motion)).expect("a body");
+    let options = MeshOptions { half_cells: Some(6), half_slices: 3, ..MeshOptions::default() };
+    mesh(&mut scene, first, second, &options).expect("they mesh");
+    scene
+}
+
+/// What holds a bore in the mean bears the same force and moment as what holds it rigidly: all of the load. What a gear gives way by
+/// grows.
+#[test]
+fn supports_bear_the_same_however_a_bore_is_held() {
+    let coarse = StructureOptions {
+        refinement: 0.5,
+        face_elements: Some(2),
+        axial_order: Some(2),
+        ..StructureOptions::default()
+    };
+    for fidelity in [Fidelity::Plane, Fidelity::Solid(Template::Medium)] {
+        let answers = [BoreHold::Rigid, BoreHold::Means { waves: Some(2), degree: 1 }, FREE].map(|hold| {
+            let mut scene = pair(hold);
+            scene.observe(MaxRootCompression(BodyId(1)));
+            let plan = Plan::new(&scene, fidelity, coarse).expect("a plan");
+            let system = System::new(&scene, &plan).expect("it can be built");
+            let mesh = scene.pairs[0].mesh.clone().expect("a mesh");
+            let step = system.solve(mesh.start + 0.8 * mesh.period).expect("it can be solved");
+            assert!(step.certificate.largest() <= 1e-11, "{:?}", step.certificate);
+            let value = |observable: &dyn Observable| system.value(&step, observable).value;
+            let supports = [
+                value(&SupportForce(BodyId(1), 0)),
+                value(&SupportForce(BodyId(1), 1)),
+                value(&SupportMoment(BodyId(1), 2)),
+            ];
+            (supports, value(&TransmissionError(PairId(0))), value(&MaxRootCompression(BodyId(1))))
+        });
+        for (supports, ..) in &answers[1..] {
+            for (found, expected) in supports.iter().zip(answers[0].0) {
+                assert!((found / expected - 1.0).abs() < 1e-6, "{fidelity:?}: {found:e} {expected:e}");
+            }
+        }
+        let errors: Vec<f64> = answers.iter().map(|answer| answer.1.abs()).collect();
+        let stresses: Vec<f64> = answers.iter().map(|answer| answer.2).collect();
+        println!("{fidelity:?}: transmission errors {errors:?}, root compressions {stresses:?}");
+        assert!(errors[0] < errors[1] && errors[1] < errors[2], "{fidelity:?}: {errors:?}");
+        assert!(stresses[0] < stresses[2], "{fidelity:?}: {stresses:?}");
+    }
+}
+
+/// Structures that are held differently are different ones, and a web hides its bore from a plane model.
+#[test]
+fn how_a_bore_is_held_is_part_of_what_a_structure_is() {
+    let options = StructureOptions::default();
+    let ways = [
+        BoreHold::Rigid,
+        FREE,
+        BoreHold::Means { waves: Some(3), degree: 1 },
+        BoreHold::Means { waves: Some(3), degree: 2 },
+    ];
+    let gears = ways.map(|hold| gear(TEETH, 1.0, hold));
+    for (index, one) in gears.iter().enumerate() {
+        for other in &gears[..index] {
+            assert!(one.solid_key(&options) != other.solid_key(&options));
+        }
+    }
+    let [rigid, free, third, fourth] = gears.map(|gear| gear.key(&options));
+    assert!(rigid != free && free != third && rigid != third);
+    assert!(third == fourth, "there is nothing along the axis in the plane");
+}
