@@ -1,4 +1,4 @@
-//! The chapter 5 pair in space, contact on the nominal path only: against independent models, against the report's tables, against the
+//! The chapter 5 pair in space, contact on the nominal path only unless tips are the subject: against independent models, against the report's tables, against the
 //! plane, and against its own refinement.
 
 #[path = "../common/mod.rs"]
@@ -7,3 +7,4 @@ mod common;
 mod independent;
 mod pair;
 mod tables;
+mod tips;
