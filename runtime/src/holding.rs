@@ -4,8 +4,9 @@
 //! However many teeth touch, the contacts of an involute mesh press along one line. So each mesh holds one combination of
 //! freedoms, in one sense, and whether they can balance the load is a small problem of its own.
 
+use crate::bearing::springs;
 use crate::contact::problem::{ContactError, FreeMotion};
-use crate::contact::rigid_limit::rigid_limit;
+use crate::contact::rest::{Rest, rest};
 use crate::error::{EngineError, Subject};
 use crate::interrupt::Interrupt;
 use crate::plan::Plan;
@@ -24,24 +25,33 @@ pub fn check(scene: &Scene, plan: &Plan, time: f64, interrupt: &Interrupt) -> Re
     if freedoms.is_empty() {
         return Ok(());
     }
+    let springs = springs(scene, &plan.modelled_bearings(), &freedoms, 1.0, time)?;
+    let mut load = loads_on(scene, &freedoms, time)?;
+    for (load, own) in load.iter_mut().zip(&springs.load) {
+        *load += own;
+    }
+    let rest = rest(&springs.stiffness, &load);
     // Along the axis and across it teeth hold by where along the face they touch: only solving shows that.
-    if plan.fidelity != Fidelity::Plane && freedoms.iter().any(|freedom| (2..5).contains(&freedom.component))
-    {
+    let out_of_plane = |free: &Vec<f64>| {
+        freedoms.iter().zip(free).any(|(freedom, part)| (2..5).contains(&freedom.component) && *part != 0.0)
+    };
+    if plan.fidelity != Fidelity::Plane && rest.free.iter().any(out_of_plane) {
         return Ok(());
     }
-    let mut arms = Vec::new();
-    let mut contacts = 0;
+    // Clearances are used up, and what is behind them holds as teeth do.
+    let mut arms = springs.arms;
+    let mut contacts = springs.gaps.len();
     for pair in &scene.pairs {
         // Surfaces that are no gears' have no nominal contact: only solving shows what they hold.
         let Some(row) = nominal_arms(scene, pair, &freedoms)? else { return Ok(()) };
         arms.extend(row);
         contacts += 1;
     }
-    let mut load = loads_on(scene, &freedoms, time)?;
-    if load.iter().all(|&load| load == 0.0) {
+    if rest.balanced {
         load = drive_direction(scene, &freedoms);
     }
-    match rigid_limit(&vec![0.0; contacts], &arms, &load, interrupt) {
+    let at_rest = Rest { motion: vec![0.0; freedoms.len()], ..rest };
+    match at_rest.rigid_limit(&vec![0.0; contacts], &arms, &load, interrupt) {
         Err(
             error @ (ContactError::Infeasible(_)
             | ContactError::Unconstrained(_)

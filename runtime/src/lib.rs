@@ -63,6 +63,7 @@
 //! |---|---|
 //! | [`scene`] | what there is: [`scene::Body`], [`scene::SurfacePair`]; [`scene::Prototype`] is how a body is modelled |
 //! | [`motion`], [`load`], [`material`] | where frames are meant to be, what acts on them, what bodies are made of |
+//! | [`bearing`] | what connects bodies to each other and to ground besides contact |
 //! | [`disc`] | cylinders and platens; gears are in the crate `calyx-gears` |
 //! | [`plan`] | what of the scene is modelled, what is left out, and why |
 //! | [`holding`] | whether contacts can hold what is free, known before anything is solved |
@@ -92,6 +93,7 @@
 #![warn(missing_docs)]
 
 pub mod analysis;
+pub mod bearing;
 mod building;
 pub mod cache;
 pub mod contact;

@@ -1,5 +1,6 @@
 //! What will be modelled, and why: the scene, less what no observable depends on.
 
+use crate::bearing::Bearing;
 use crate::cache::Key;
 use crate::error::{EngineError, Subject};
 use crate::motion::check_in_plane;
@@ -13,6 +14,8 @@ pub struct Plan {
     pub fidelity: Fidelity,
     /// One per body of the scene, in order.
     pub bodies: Vec<BodyPlan>,
+    /// One per bearing of the scene, in order.
+    pub bearings: Vec<BearingPlan>,
     /// Inputs that this fidelity cannot see.
     pub ignored: Vec<Ignored>,
 }
@@ -24,7 +27,25 @@ pub struct BodyPlan {
     pub options: StructureOptions,
     /// Why the body is modelled the way it is, or left out.
     pub reason: &'static str,
-    /// No surface pair touches the body: it is not instantiated.
+    /// No output depends on the body: it takes no part.
+    pub left_out: bool,
+    /// No surface pair touches the body: it is a frame that bearings hold, and its structure is not instantiated.
+    pub rigid: bool,
+}
+
+impl BodyPlan {
+    /// Whether it has a structure.
+    pub fn is_elastic(&self) -> bool {
+        !self.left_out && !self.rigid
+    }
+}
+
+/// How a bearing is modelled.
+#[derive(Clone, Debug)]
+pub struct BearingPlan {
+    /// Why the bearing is modelled, or left out.
+    pub reason: &'static str,
+    /// Nothing depends on what it bears.
     pub left_out: bool,
 }
 
@@ -36,14 +57,17 @@ impl Plan {
             Fidelity::Plane => options.template,
             Fidelity::Solid(template) => template,
         };
+        let wanted = wanted_bodies(scene);
         let mut bodies = Vec::new();
         let mut ignored: Vec<Ignored> = Vec::new();
         for (index, body) in scene.bodies.iter().enumerate() {
             let id = BodyId(index);
             let stresses = scene.observables.iter().any(|observable| observable.stresses_of() == Some(id));
-            let left_out = pairs_of(id).next().is_none();
+            let untouched = pairs_of(id).next().is_none();
+            let left_out = !wanted[index];
+            let rigid = untouched && !left_out;
             let sharp_edges = pairs_of(id).all(|pair| !pair.grid.edges);
-            if !left_out {
+            if !untouched {
                 ignored.extend(body.prototype.ignored(fidelity));
             }
             if fidelity == Fidelity::Plane && !left_out {
@@ -55,28 +79,39 @@ impl Plan {
                 options: StructureOptions { stresses, sharp_edges, template, ..options },
                 reason: match (left_out, stresses) {
                     (true, _) => "left out: it touches nothing",
+                    (false, _) if rigid => "rigid: no surface of it touches anything, and bearings hold its frame",
                     (false, true) => "elastic, with stress recovery: an output asks for its root stress",
                     (false, false) => "elastic, without stress recovery: no output asks for its stress",
                 },
                 left_out,
+                rigid,
             });
         }
         if fidelity == Fidelity::Plane {
             ignored.extend(unequal_widths(scene, &bodies));
         }
+        let bearings: Vec<BearingPlan> =
+            scene.bearings.iter().map(|bearing| plan_bearing(scene, &bodies, bearing)).collect();
+        let modelled = scene.bearings.iter().zip(&bearings).filter(|(_, plan)| !plan.left_out);
+        ignored.extend(modelled.flat_map(|(bearing, _)| unseen_of(bearing, fidelity)));
         ignored.sort();
         ignored.dedup();
-        Ok(Plan { fidelity, bodies, ignored })
+        Ok(Plan { fidelity, bodies, bearings, ignored })
     }
 
-    /// Which structure each body has, counted from 0; `None` for a body that is left out. Bodies whose structures would be
+    /// Indices of the bearings that are modelled.
+    pub(crate) fn modelled_bearings(&self) -> Vec<usize> {
+        (0..self.bearings.len()).filter(|&bearing| !self.bearings[bearing].left_out).collect()
+    }
+
+    /// Which structure each body has, counted from 0; `None` for a body that is left out or rigid. Bodies whose structures would be
     /// equal share one.
     pub fn structures(&self, scene: &Scene) -> Vec<Option<usize>> {
         let mut known: Vec<Identity> = Vec::new();
         let planned = scene.bodies.iter().zip(&self.bodies);
         let number = planned.map(|(body, plan)| {
             let key = Identity::of(&body.prototype, self.fidelity, &plan.options);
-            (!plan.left_out).then(|| {
+            plan.is_elastic().then(|| {
                 known.iter().position(|other| *other == key).unwrap_or_else(|| {
                     known.push(key);
                     known.len() - 1
@@ -108,6 +143,60 @@ impl Identity {
     }
 }
 
+/// Which bodies take part: those that touch or that an output asks for, and what bearings connect with them.
+fn wanted_bodies(scene: &Scene) -> Vec<bool> {
+    let mut wanted = vec![false; scene.bodies.len()];
+    // A body that no bearing holds rests where its frame says.
+    let held = |body: &BodyId| scene.bearings.iter().any(|bearing| bearing.bodies().any(|other| other == *body));
+    let touching = scene.pairs.iter().flat_map(|pair| pair.bodies);
+    let looked_at = scene.observables.iter().filter_map(|observable| observable.frame_of()).filter(held);
+    let bearings = scene.observables.iter().filter_map(|observable| observable.bearing_of());
+    let borne = bearings.filter_map(|bearing| scene.bearings.get(bearing.0)).flat_map(Bearing::bodies);
+    let mut more: Vec<BodyId> = touching.chain(looked_at).chain(borne).collect();
+    while let Some(body) = more.pop() {
+        match wanted.get_mut(body.0) {
+            Some(wanted) if !*wanted => *wanted = true,
+            _ => continue,
+        }
+        let of_body = scene.bearings.iter().filter(|bearing| bearing.bodies().any(|other| other == body));
+        more.extend(of_body.flat_map(Bearing::bodies));
+    }
+    wanted
+}
+
+fn plan_bearing(scene: &Scene, bodies: &[BodyPlan], bearing: &Bearing) -> BearingPlan {
+    let unwanted = bearing.bodies().all(|body| bodies.get(body.0).is_none_or(|plan| plan.left_out));
+    let moves = |body: BodyId| scene.bodies.get(body.0).is_some_and(|body| body.free.contains(&true));
+    let idle = !bearing.bodies().any(moves) && bearing.is_unloaded_at_rest();
+    BearingPlan {
+        reason: match (unwanted, idle) {
+            (true, _) => "left out: no output depends on what it connects",
+            (_, true) => "left out: the frames on both sides are held, and it has no load of its own",
+            _ => "a stiffness between the frames of its races",
+        },
+        left_out: unwanted || idle,
+    }
+}
+
+/// What of a bearing an analysis cannot see.
+fn unseen_of(bearing: &Bearing, fidelity: Fidelity) -> Vec<Ignored> {
+    let mut unseen = Vec::new();
+    if bearing.damping.iter().flatten().any(|&entry| entry != 0.0) {
+        unseen.push(Ignored {
+            input: "damping".into(),
+            reason: "a quasi-static analysis leaves rates out, and with them what bearings damp".into(),
+        });
+    }
+    let out_of_plane = |row: &usize| bearing.stiffness[*row].iter().any(|&entry| entry != 0.0);
+    if fidelity == Fidelity::Plane && [2, 3, 4].iter().any(out_of_plane) {
+        unseen.push(Ignored {
+            input: "bearing".into(),
+            reason: "in a plane model bearings hold u_x, u_y and theta_z; u_z, theta_x and theta_y do not move".into(),
+        });
+    }
+    unseen
+}
+
 /// A plane model has no forces across the plane, so nothing could hold such a freedom.
 fn refuse_motion_out_of_plane(body: &str, free: [bool; 6]) -> Result<(), EngineError> {
     match [2, 3, 4].into_iter().find(|&freedom| free[freedom]) {
@@ -126,7 +215,7 @@ fn refuse_motion_out_of_plane(body: &str, free: [bool; 6]) -> Result<(), EngineE
 
 /// A plane model spreads every force over one width, the smallest: what is wider is not seen to be.
 fn unequal_widths(scene: &Scene, bodies: &[BodyPlan]) -> Option<Ignored> {
-    let modelled = scene.bodies.iter().zip(bodies).filter(|(_, plan)| !plan.left_out);
+    let modelled = scene.bodies.iter().zip(bodies).filter(|(_, plan)| plan.is_elastic());
     let widths: Vec<f64> = modelled.map(|(body, _)| body.prototype.face_width()).collect();
     let smallest = widths.iter().copied().fold(f64::INFINITY, f64::min);
     let wider = widths.iter().any(|&width| width > smallest * (1.0 + 1e-9));

@@ -1,5 +1,6 @@
 //! What the model says, before anything is built: bodies, the surfaces that may touch, and what is to be observed.
 
+use crate::bearing::Bearing;
 use crate::cache::Key;
 use crate::error::EngineError;
 use crate::interrupt::Interrupt;
@@ -282,6 +283,9 @@ impl StructureOptions {
 /// A body of a scene, by its index.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct BodyId(pub usize);
+/// A bearing of a scene, by its index.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct BearingId(pub usize);
 /// A pair of surfaces of a scene, by its index.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct PairId(pub usize);
@@ -453,6 +457,8 @@ pub struct CharacteristicPoint {
 pub struct Scene {
     /// By [`BodyId`].
     pub bodies: Vec<Body>,
+    /// By [`BearingId`].
+    pub bearings: Vec<Bearing>,
     /// By [`PairId`].
     pub pairs: Vec<SurfacePair>,
     /// By [`ObservableId`].
@@ -464,6 +470,16 @@ impl Scene {
     pub fn add_body(&mut self, body: Body) -> BodyId {
         self.bodies.push(body);
         BodyId(self.bodies.len() - 1)
+    }
+
+    /// Adds a bearing.
+    ///
+    /// # Errors
+    /// As [`Bearing::check`].
+    pub fn add_bearing(&mut self, bearing: Bearing) -> Result<BearingId, EngineError> {
+        bearing.check(self)?;
+        self.bearings.push(bearing);
+        Ok(BearingId(self.bearings.len() - 1))
     }
 
     /// Adds a pair of surfaces that may touch.

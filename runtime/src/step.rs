@@ -10,9 +10,11 @@ mod solid;
 
 pub use patch::{Patch, PatchGrid};
 
+use crate::bearing::Springs;
 use crate::contact::friction::solve_with_friction;
 use crate::contact::problem::{Certificate, ContactError, ContactProblem};
-use crate::contact::rigid_limit::rigid_limit;
+use crate::contact::rest::{Rest, rest};
+use crate::contact::rigid_limit::RigidLimit;
 use crate::error::EngineError;
 use crate::holding;
 use crate::scene::{Scene, SurfacePair};
@@ -35,6 +37,8 @@ pub struct StepResult {
     pub problem: ContactProblem,
     /// Cells that carry load, by index in the problem.
     pub active: Vec<usize>,
+    /// Forces on the stops of bearings, whose gaps stand behind those of the patches: N, of a plane model N per metre of face width.
+    pub stops: Vec<f64>,
     /// How well it is solved.
     pub certificate: Certificate,
     /// What should be known about the position, in sentences.
@@ -85,10 +89,6 @@ impl Approach {
 impl<S> Candidate<S> {
     fn approaches(&self) -> impl Iterator<Item = &Approach> {
         std::iter::once(&self.nearest).chain(&self.others)
-    }
-
-    fn overlaps(&self) -> bool {
-        self.approaches().any(|approach| approach.gap < 0.0)
     }
 }
 
@@ -168,14 +168,16 @@ impl System<'_> {
 
     /// Under a load, which may be the limit of one in a direction.
     fn solve_under(&self, time: f64, load: &[f64], direction: &[f64]) -> Result<StepResult, EngineError> {
+        let springs = &self.springs_at(time)?;
+        let load: Vec<f64> = load.iter().zip(&springs.load).map(|(load, own)| load + own).collect();
         match &self.bodies {
             Bodies::Plane(bodies) => {
                 let space = &plane::Plane { system: self, bodies };
-                Solver { system: self, space, direction }.solve(time, load)
+                Solver { system: self, space, direction, springs }.solve(time, &load)
             }
             Bodies::Solid(bodies) => {
                 let space = &solid::Solid { system: self, bodies };
-                Solver { system: self, space, direction }.solve(time, load)
+                Solver { system: self, space, direction, springs }.solve(time, &load)
             }
         }
     }
@@ -187,18 +189,23 @@ struct Solver<'a, S> {
     space: &'a S,
     /// A load that the load is, or is the limit of.
     direction: &'a [f64],
+    /// What bearings do at the position.
+    springs: &'a Springs,
 }
 
 impl<S: Space> Solver<'_, S> {
     fn solve(&self, time: f64, load: &[f64]) -> Result<StepResult, EngineError> {
-        let start = self.start(time)?;
+        let start = self.start(time, load)?;
         let candidates = self.space.candidates(time, &start)?;
+        // Motions are counted from there, and springs are strained already.
+        let (springs, load) = self.springs.from(&start, load);
+        let solver = Solver { springs: &springs, ..*self };
         let near = |candidate: &Candidate<S::Site>| candidate.nearest.gap < SEARCH_DEPTH * candidate.length;
         let mut chosen: Vec<bool> = candidates.iter().map(near).collect();
         loop {
             let used: Vec<&Candidate<S::Site>> =
                 candidates.iter().zip(&chosen).filter(|(_, used)| **used).map(|(c, _)| c).collect();
-            let step = self.solve_candidates(time, load, &used)?;
+            let step = solver.solve_candidates(time, &load, &used)?;
             // Teeth that were left out and that the solution would push into each other.
             let mut closed = false;
             for (candidate, used) in candidates.iter().zip(&mut chosen).filter(|(_, used)| !**used) {
@@ -229,7 +236,7 @@ impl<S: Space> Solver<'_, S> {
 
     /// How far bodies go, rigid, before teeth touch where the load presses them: nothing, unless they may touch on both sides. Contact
     /// is laid out there, for it is geometry of the first order only, and backlash is much wider than what teeth give.
-    fn start(&self, time: f64) -> Result<Vec<f64>, EngineError> {
+    fn start(&self, time: f64, load: &[f64]) -> Result<Vec<f64>, EngineError> {
         let freedoms = self.system.freedoms.len();
         let nowhere = vec![0.0; freedoms];
         if freedoms == 0 || !self.both_sides() {
@@ -239,11 +246,13 @@ impl<S: Space> Solver<'_, S> {
         let mut start = nowhere.clone();
         for _ in 0..STARTS {
             let candidates = self.space.candidates(time, &start)?;
-            let approaches = || candidates.iter().flat_map(|candidate| candidate.approaches());
-            let gaps: Vec<f64> = approaches().map(|approach| approach.gap).collect();
-            let arms: Vec<f64> = approaches().flat_map(|approach| approach.arms.iter().copied()).collect();
-            match rigid_limit(&gaps, &arms, &direction, &self.system.interrupt) {
-                Ok(limit) => start.iter_mut().zip(&limit.motion).for_each(|(start, more)| *start += more),
+            let (springs, load) = self.springs.from(&start, load);
+            let solver = Solver { springs: &springs, ..*self };
+            let (gaps, arms) = solver.rigid_contacts(&candidates);
+            let rest = rest(&springs.stiffness, &load);
+            match rest.rigid_limit(&gaps, &arms, &direction, &self.system.interrupt) {
+                Ok(None) => return Ok(nowhere),
+                Ok(Some(limit)) => start.iter_mut().zip(&limit.motion).for_each(|(start, more)| *start += more),
                 Err(error @ ContactError::Interrupted(_)) => return Err(self.explain(&error)),
                 // A tight mesh overlaps in every position. What nothing holds, the contact problem says.
                 Err(_) => return Ok(nowhere),
@@ -252,18 +261,30 @@ impl<S: Space> Solver<'_, S> {
         Ok(start)
     }
 
+    /// Gaps of rigid bodies and of the stops of bearings, and their arms.
+    fn rigid_contacts<'c>(
+        &self,
+        candidates: impl IntoIterator<Item = &'c Candidate<S::Site>, IntoIter: Clone>,
+    ) -> (Vec<f64>, Vec<f64>)
+    where
+        S::Site: 'c,
+    {
+        let approaches = candidates.into_iter().flat_map(|candidate| candidate.approaches());
+        let gaps = approaches.clone().map(|approach| approach.gap).chain(self.springs.gaps.iter().copied());
+        let arms = approaches.flat_map(|approach| &approach.arms).chain(&self.springs.arms);
+        (gaps.collect(), arms.copied().collect())
+    }
+
     fn solve_candidates(
         &self,
         time: f64,
         load: &[f64],
         candidates: &[&Candidate<S::Site>],
     ) -> Result<StepResult, EngineError> {
-        // Bodies that are all held where they overlap press on each other without any load.
-        let pressed =
-            self.system.freedoms.is_empty() && candidates.iter().any(|candidate| candidate.overlaps());
-        if !pressed
-            && load.iter().all(|&load| load == 0.0)
-            && let Some(step) = self.touch_without_load(time, load, candidates)?
+        // Bodies that are all held, or sprung, where they overlap press on each other without any load.
+        let rest = rest(&self.springs.stiffness, load);
+        if rest.balanced
+            && let Some(step) = self.touch_without_load(time, load, candidates, &rest)?
         {
             return Ok(step);
         }
@@ -278,7 +299,8 @@ impl<S: Space> Solver<'_, S> {
                 .map(|((candidate, &force), &size)| self.space.lay(candidate, force, size))
                 .collect();
             let problem = self.problem(load, candidates, &grids)?;
-            let (drags, works) = self.friction(time, candidates, &grids);
+            let (drags, mut works) = self.friction(time, candidates, &grids);
+            works.resize(problem.arms.len(), 0.0);
             let guess = self.space.guess(&problem, &grids);
             let solved = solve_with_friction(problem, &works, Some(&guess), &self.system.interrupt);
             let (problem, solution) = solved.map_err(|error| self.explain(&error))?;
@@ -295,13 +317,14 @@ impl<S: Space> Solver<'_, S> {
 
         let mut warnings = Vec::new();
         let mut patches = Vec::with_capacity(grids.len());
-        let mut rest = &solution.forces[..];
+        let mut left = &solution.forces[..];
         for ((candidate, grid), drag) in candidates.iter().zip(grids).zip(drags) {
-            let (forces, others) = rest.split_at(self.space.count(&grid));
-            rest = others;
+            let (forces, others) = left.split_at(self.space.count(&grid));
+            left = others;
             warnings.extend(self.space.judge(candidate, &grid, forces));
             patches.push(Patch { drag, ..self.space.patch(candidate, Some((grid, forces.to_vec()))) });
         }
+        let stops = left.to_vec();
         Ok(StepResult {
             time,
             patches,
@@ -309,43 +332,40 @@ impl<S: Space> Solver<'_, S> {
             start: Vec::new(),
             problem,
             active: solution.active,
+            stops,
             certificate: solution.certificate,
             warnings,
         })
     }
 
-    /// Where bodies come to rest as the load vanishes: rigid contact at the closest approaches. `None` of a tight mesh, whose teeth press on
-    /// each other on both sides without any load.
+    /// Where bodies come to rest as the load that springs do not bear vanishes: rigid contact at the closest approaches. `None` if they
+    /// press on each other even then, as the teeth of a tight mesh do on both sides.
     fn touch_without_load(
         &self,
         time: f64,
         load: &[f64],
         candidates: &[&Candidate<S::Site>],
+        rest: &Rest,
     ) -> Result<Option<StepResult>, EngineError> {
-        let System { freedoms, interrupt, .. } = self.system;
-        let approaches = || candidates.iter().flat_map(|candidate| candidate.approaches());
-        let gaps: Vec<f64> = approaches().map(|approach| approach.gap).collect();
-        let arms: Vec<f64> = approaches().flat_map(|approach| approach.arms.iter().copied()).collect();
-        let motion = if freedoms.is_empty() {
-            Vec::new()
-        } else {
-            match rigid_limit(&gaps, &arms, &self.limit_direction(), interrupt) {
-                Ok(limit) => limit.motion,
-                Err(ContactError::Jammed) if self.both_sides() => return Ok(None),
-                Err(error) => return Err(self.explain(&error)),
-            }
+        let (gaps, arms) = self.rigid_contacts(candidates.iter().copied());
+        let motion = match rest.rigid_limit(&gaps, &arms, &self.limit_direction(), &self.system.interrupt) {
+            Ok(Some(limit)) => limit.motion,
+            Ok(None) => return Ok(None),
+            Err(ContactError::Jammed) if self.both_sides() => return Ok(None),
+            Err(error) => return Err(self.explain(&error)),
         };
         let patches = candidates.iter().map(|candidate| self.space.patch(candidate, None)).collect();
         let problem = ContactProblem {
             compliance: Vec::new(),
             arms: Vec::new(),
             gaps: Vec::new(),
-            stiffness: vec![0.0; freedoms.len() * freedoms.len()],
+            stiffness: self.springs.stiffness.clone(),
             load: load.to_vec(),
         };
-        let (active, certificate, warnings) = (Vec::new(), Certificate::default(), Vec::new());
+        let certificate = problem.certify(&[], &motion);
+        let (active, stops, warnings) = (Vec::new(), Vec::new(), Vec::new());
         let start = Vec::new();
-        Ok(Some(StepResult { time, patches, motion, start, problem, active, certificate, warnings }))
+        Ok(Some(StepResult { time, patches, motion, start, problem, active, stops, certificate, warnings }))
     }
 
     /// For each patch whose size was left open and turns out to be unsuitable, a better one.
@@ -399,16 +419,16 @@ impl<S: Space> Solver<'_, S> {
         grids: &[S::Grid],
     ) -> Result<ContactProblem, EngineError> {
         let laid: Vec<(&Candidate<S::Site>, &S::Grid)> = candidates.iter().copied().zip(grids).collect();
-        let freedoms = self.system.freedoms.len();
-        let cells: usize = grids.iter().map(|grid| self.space.count(grid)).sum();
-        self.system.interrupt.room_for(MATRICES * (cells * cells * size_of::<f64>()) as u64)?;
-        Ok(ContactProblem {
+        let count: usize = grids.iter().map(|grid| self.space.count(grid)).sum();
+        self.system.interrupt.room_for(MATRICES * (count * count * size_of::<f64>()) as u64)?;
+        let cells = ContactProblem {
             compliance: self.space.compliance(&laid)?,
             arms: laid.iter().flat_map(|(candidate, grid)| self.space.arms(candidate, grid)).collect(),
             gaps: grids.iter().flat_map(|grid| self.space.gaps(grid)).collect(),
-            stiffness: vec![0.0; freedoms * freedoms],
+            stiffness: self.springs.stiffness.clone(),
             load: load.to_vec(),
-        })
+        };
+        Ok(self.springs.behind(cells))
     }
 
     /// Friction of each patch's cells, see [`Patch::drag`], and what of it is on the freedoms, see [`solve_with_friction`].

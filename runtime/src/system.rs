@@ -1,5 +1,6 @@
 //! The planned scene, built: structures condensed, freedoms numbered, loads gathered. What every position starts from.
 
+use crate::bearing::{Springs, springs};
 use crate::building::{Structures, build_structures};
 use crate::contact::solid::Pose;
 use crate::error::{EngineError, Subject};
@@ -30,6 +31,8 @@ pub struct System<'s> {
     pub(crate) scene: &'s Scene,
     pub(crate) bodies: Bodies,
     pub(crate) freedoms: Vec<Freedom>,
+    /// Those that the plan models, by index in the scene.
+    pub(crate) bearings: Vec<usize>,
     pub(crate) interrupt: Interrupt,
     structure_counts: StructureCounts,
 }
@@ -99,7 +102,7 @@ impl<'s> System<'s> {
     /// Nothing touches anything, a frame is unusable, a structure cannot be built, or the interrupt's.
     pub fn with(scene: &'s Scene, plan: &Plan, resources: &Resources) -> Result<Self, EngineError> {
         let freedoms = number_freedoms(scene, plan);
-        let widths = scene.bodies.iter().zip(&plan.bodies).filter(|(_, body)| !body.left_out);
+        let widths = scene.bodies.iter().zip(&plan.bodies).filter(|(_, body)| body.is_elastic());
         let face_width = widths.map(|(body, _)| body.prototype.face_width()).fold(f64::INFINITY, f64::min);
         if !face_width.is_finite() {
             return Err(EngineError::new(
@@ -124,7 +127,8 @@ impl<'s> System<'s> {
         let (structures, structure_counts) = build_structures(scene, plan, resources)?;
         let bodies = bodies.with(structures);
         let interrupt = resources.interrupt.clone();
-        Ok(System { scene, bodies, freedoms, interrupt, structure_counts })
+        let bearings = plan.modelled_bearings();
+        Ok(System { scene, bodies, freedoms, bearings, interrupt, structure_counts })
     }
 
     /// How many structures were built for this system, and how many there were already.
@@ -144,6 +148,11 @@ impl<'s> System<'s> {
     pub(crate) fn load_at(&self, time: f64) -> Result<Vec<f64>, EngineError> {
         let (loads, width) = (loads_on(self.scene, &self.freedoms, time)?, self.width());
         Ok(loads.into_iter().map(|load| load / width).collect())
+    }
+
+    /// What bearings do to the freedoms at a time, per [`System::width`].
+    pub(crate) fn springs_at(&self, time: f64) -> Result<Springs, EngineError> {
+        springs(self.scene, &self.bearings, &self.freedoms, self.width(), time)
     }
 
     /// Angle by which a tooth stands off its nominal place, rad.

@@ -20,15 +20,16 @@ impl Equilibrium<'_> {
     }
 
     /// What holds a body, in the order of [`crate::scene::FREEDOMS`]: force (N) and moment about the frame's origin (N m), along
-    /// ground axes. With contact and external load it is in equilibrium, so it is zero along freedoms.
+    /// ground axes. With contact, bearings and external load it is in equilibrium, so it is zero along freedoms.
     pub fn support(self, body: BodyId) -> [f64; 6] {
         let (contact, load) =
             (self.contact_force(body), self.system.scene.bodies[body.0].load.at(self.step.time));
         let [fx, fy, fz] = load.force;
         let [mx, my, mz] = load.moment;
         let load = [fx, fy, fz, mx, my, mz];
+        let bearings = self.bearings_on(body);
         // Not -(a + b): nothing that holds against nothing is 0, not -0.
-        std::array::from_fn(|component| 0.0 - contact[component] - load[component])
+        std::array::from_fn(|component| 0.0 - contact[component] - load[component] - bearings[component])
     }
 }
 
@@ -42,7 +43,7 @@ impl System<'_> {
     }
 }
 
-/// The force with which a body is held, along an axis of the ground (0 to 2). N.
+/// The force with which a body is held besides by bearings, along an axis of the ground (0 to 2). N.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SupportForce(pub BodyId, pub usize);
 
@@ -51,18 +52,26 @@ impl Observable for SupportForce {
         Quantity::repeating("support_force", "N")
     }
 
+    fn frame_of(&self) -> Option<BodyId> {
+        Some(self.0)
+    }
+
     fn value(&self, at: &Equilibrium<'_>) -> Observed {
         Observed::number(at.support(self.0)[self.1])
     }
 }
 
-/// The moment with which a body is held, about its origin and along an axis of the ground (0 to 2). N m.
+/// The moment with which a body is held besides by bearings, about its origin and along an axis of the ground (0 to 2). N m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SupportMoment(pub BodyId, pub usize);
 
 impl Observable for SupportMoment {
     fn quantity(&self) -> Quantity {
         Quantity::repeating("support_moment", "N*m")
+    }
+
+    fn frame_of(&self) -> Option<BodyId> {
+        Some(self.0)
     }
 
     fn value(&self, at: &Equilibrium<'_>) -> Observed {
@@ -79,6 +88,10 @@ impl Observable for Displacement {
         Quantity::repeating("displacement", "m")
     }
 
+    fn frame_of(&self) -> Option<BodyId> {
+        Some(self.0)
+    }
+
     fn value(&self, at: &Equilibrium<'_>) -> Observed {
         Observed::number(at.deviation(self.0, self.1))
     }
@@ -91,6 +104,10 @@ pub struct Rotation(pub BodyId, pub usize);
 impl Observable for Rotation {
     fn quantity(&self) -> Quantity {
         Quantity::repeating("rotation", "rad")
+    }
+
+    fn frame_of(&self) -> Option<BodyId> {
+        Some(self.0)
     }
 
     fn value(&self, at: &Equilibrium<'_>) -> Observed {

@@ -91,7 +91,8 @@ impl Observable for MeshStiffness {
         });
         let arms = DMatrix::from_fn(active.len(), m, |i, k| step.problem.arms[active[i] * m + k]);
         let Some(factor) = compliance.cholesky() else { return Observed::number(f64::NAN) };
-        let stiffness = arms.transpose() * factor.solve(&arms);
+        let springs = DMatrix::from_row_slice(m, m, &step.problem.stiffness);
+        let stiffness = arms.transpose() * factor.solve(&arms) + springs;
         // Work done by a unit force along the line of action on each freedom.
         let along = DVector::from_fn(m, |k, _| match freedoms[k] {
             Freedom { body, component: THETA_Z } if body == first.0 => mesh.base_radii[0],

@@ -4,6 +4,7 @@
 //! and motions in newtons and metres whatever the model is made of. Who embeds the engine writes observables of their own in the
 //! same way.
 
+mod bearings;
 mod bodies;
 mod equilibrium;
 mod fields;
@@ -15,6 +16,7 @@ mod pressure;
 mod sliding;
 mod stress;
 
+pub use bearings::{BearingDeflection, BearingForce, BearingMoment, BearingTilt, Borne, Direction};
 pub use bodies::{
     Displacement, HighestContact, LowestContact, Rotation, SupportForce, SupportMoment, ToothLoad,
 };
@@ -29,7 +31,7 @@ pub use sliding::{Efficiency, FrictionLoss, MaxSlidingVelocity, SlidingVelocity}
 pub use stress::{MaxRootCompression, MaxRootStress};
 
 use crate::results::Observed;
-use crate::scene::BodyId;
+use crate::scene::{BearingId, BodyId};
 use crate::step::StepResult;
 use crate::system::System;
 use std::any::Any;
@@ -79,6 +81,16 @@ pub trait Observable: Comparable + Debug + Send + Sync {
 
     /// The body whose stresses it needs: recovering them is planned for.
     fn stresses_of(&self) -> Option<BodyId> {
+        None
+    }
+
+    /// The body whose frame it looks at, whether or not the body touches anything.
+    fn frame_of(&self) -> Option<BodyId> {
+        None
+    }
+
+    /// The bearing it looks at.
+    fn bearing_of(&self) -> Option<BearingId> {
         None
     }
 }

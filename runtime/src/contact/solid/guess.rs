@@ -33,6 +33,11 @@ pub fn first_guess(problem: &ContactProblem, grids: &[&Grid], interrupt: &Interr
             }
         }
     }
+    // Cells behind those of the grids, such as stops of bearings, share nothing.
+    while weights.len() < n {
+        blocks.push(weights.len()..weights.len() + 1);
+        weights.push(1.0);
+    }
     if weights.len() != n || n < WORTH_IT || problem.compliance.len() != n * n {
         return Vec::new();
     }

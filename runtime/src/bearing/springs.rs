@@ -1,0 +1,142 @@
+//! All bearings of a scene as the contact problem sees them: a stiffness and loads on the freedoms, and gap equations of their own.
+
+use super::{Bearing, Placed};
+use crate::contact::problem::ContactProblem;
+use crate::error::EngineError;
+use crate::scene::Scene;
+use crate::system::Freedom;
+
+/// What bearings add to a contact problem. Forces are per width of a plane model, as the problem's are.
+#[derive(Clone)]
+pub(crate) struct Springs {
+    /// K, freedoms by freedoms, row-major.
+    pub stiffness: Vec<f64>,
+    /// Generalised forces by unloaded deformations and loads of the bearings themselves.
+    pub load: Vec<f64>,
+    /// Gaps of the stops, m.
+    pub gaps: Vec<f64>,
+    /// Their growth by each freedom, row by row.
+    pub arms: Vec<f64>,
+    /// Their growth by the forces on them, row-major.
+    compliance: Vec<f64>,
+}
+
+/// The planned bearings of a scene at a time (s), on these freedoms; `width` (m) is that of a plane model, and 1 in space.
+///
+/// # Errors
+/// As [`Placed::at`].
+pub(crate) fn springs(
+    scene: &Scene,
+    bearings: &[usize],
+    freedoms: &[Freedom],
+    width: f64,
+    time: f64,
+) -> Result<Springs, EngineError> {
+    let m = freedoms.len();
+    let planned = || bearings.iter().filter_map(|&bearing| scene.bearings.get(bearing));
+    let walls: usize = planned().map(Bearing::walls).sum();
+    let mut springs = Springs {
+        stiffness: vec![0.0; m * m],
+        load: vec![0.0; m],
+        gaps: Vec::with_capacity(walls),
+        arms: Vec::with_capacity(walls * m),
+        compliance: vec![0.0; walls * walls],
+    };
+    for bearing in planned() {
+        let placed = Placed::at(scene, bearing, time)?;
+        let columns: Vec<[f64; 6]> = freedoms.iter().map(|freedom| placed.deflection(freedom)).collect();
+        let pushed = |x: &[f64; 6]| stiffly(bearing, x);
+        let own = bearing.own_load();
+        for (k, column) in columns.iter().enumerate() {
+            springs.load[k] += dot(column, &own) / width;
+            let force = pushed(column);
+            // Each entry and its mirror image once: symmetric to the bit.
+            for (l, other) in columns.iter().enumerate().skip(k) {
+                let entry = dot(&force, other) / width;
+                springs.stiffness[k * m + l] += entry;
+                if l > k {
+                    springs.stiffness[l * m + k] += entry;
+                }
+            }
+        }
+        for stop in &bearing.stops {
+            let stop = stop.walls();
+            let (first, count) = (springs.gaps.len(), stop.rows.len());
+            for (clearance, direction) in &stop.rows {
+                springs.gaps.push(*clearance);
+                springs.arms.extend(columns.iter().map(|column| dot(column, direction)));
+            }
+            for (entry, compliance) in stop.compliance.iter().enumerate() {
+                let (row, column) = (first + entry / count, first + entry % count);
+                springs.compliance[row * walls + column] = width * compliance;
+            }
+        }
+    }
+    Ok(springs)
+}
+
+impl Springs {
+    /// The same as seen from a position of the freedoms, and what is left of a load there.
+    pub fn from(&self, start: &[f64], load: &[f64]) -> (Springs, Vec<f64>) {
+        let m = start.len();
+        let along = |row: &[f64]| row.iter().zip(start).map(|(entry, moved)| entry * moved).sum::<f64>();
+        let left = |(k, load): (usize, &f64)| load - along(&self.stiffness[k * m..(k + 1) * m]);
+        let opened = |(wall, gap): (usize, &f64)| gap + along(&self.arms[wall * m..(wall + 1) * m]);
+        let gaps = self.gaps.iter().enumerate().map(opened).collect();
+        (Springs { gaps, ..self.clone() }, load.iter().enumerate().map(left).collect())
+    }
+
+    /// Adds the stops to a problem, behind its cells.
+    pub fn behind(&self, cells: ContactProblem) -> ContactProblem {
+        let (n, more) = (cells.gaps.len(), self.gaps.len());
+        if more == 0 {
+            return cells;
+        }
+        let mut problem = cells;
+        let mut compliance = vec![0.0; (n + more) * (n + more)];
+        for (row, entries) in compliance.chunks_exact_mut(n + more).enumerate() {
+            if row < n {
+                entries[..n].copy_from_slice(&problem.compliance[row * n..(row + 1) * n]);
+            } else {
+                let own = row - n;
+                entries[n..].copy_from_slice(&self.compliance[own * more..(own + 1) * more]);
+            }
+        }
+        problem.compliance = compliance;
+        problem.gaps.extend(&self.gaps);
+        problem.arms.extend(&self.arms);
+        problem
+    }
+}
+
+impl Bearing {
+    /// `K x0 + f_ext`: what pushes the first race where nothing has moved.
+    fn own_load(&self) -> [f64; 6] {
+        let sprung = stiffly(self, &self.unloaded);
+        std::array::from_fn(|k| sprung[k] + self.load[k])
+    }
+
+    /// What the springs and the stops do to the first race at a deflection and forces on the walls (N), along the bearing's axes: N and
+    /// N m.
+    pub(crate) fn push(&self, deflection: &[f64; 6], walls: &[f64]) -> [f64; 6] {
+        let (own, sprung) = (self.own_load(), stiffly(self, deflection));
+        let mut push: [f64; 6] = std::array::from_fn(|k| own[k] - sprung[k]);
+        let rows = self.stops.iter().flat_map(|stop| stop.walls().rows);
+        for ((_, direction), force) in rows.zip(walls) {
+            for (sum, part) in push.iter_mut().zip(direction) {
+                *sum += part * force;
+            }
+        }
+        push
+    }
+}
+
+/// `K x`, of the symmetric part of K: what printed digits leave of the other one is none.
+fn stiffly(bearing: &Bearing, x: &[f64; 6]) -> [f64; 6] {
+    let matrix = &bearing.stiffness;
+    std::array::from_fn(|i| (0..6).map(|j| 0.5 * (matrix[i][j] + matrix[j][i]) * x[j]).sum())
+}
+
+fn dot(a: &[f64; 6], b: &[f64; 6]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
