@@ -216,10 +216,12 @@ impl Bearing {
     pub fn check(&self, scene: &Scene) -> Result<(), EngineError> {
         if scene.bearings.iter().any(|other| other.name == self.name) {
             let message = format!("there are two bearings called \"{}\"", self.name);
-            return Err(
-                EngineError::new("E0689", message, "results speak of bearings by name; give each its own")
-                    .blame("name"),
-            );
+            return Err(EngineError::new(
+                "E0689",
+                message,
+                "results speak of bearings by name; give each its own",
+            )
+            .blame("name"));
         }
         if self.to == Support::Body(self.body) {
             return Err(EngineError::new(
@@ -266,8 +268,7 @@ fn check_matrix(matrix: &BearingMatrix) -> Result<(), (String, &'static str)> {
             }
         }
     }
-    const ENERGY: &str =
-        "a bearing takes up energy in every motion, so no eigenvalue of its matrix is negative; look at the signs of entries off the diagonal";
+    const ENERGY: &str = "a bearing takes up energy in every motion, so no eigenvalue of its matrix is negative; look at the signs of entries off the diagonal";
     // In units in which every freedom is as stiff as every other.
     let scaled = |i: usize, j: usize| {
         let (value, scale) = (matrix[i][j], size[i] * size[j]);
@@ -277,7 +278,8 @@ fn check_matrix(matrix: &BearingMatrix) -> Result<(), (String, &'static str)> {
         return Err((format!("gives energy: its entry for {} is negative", FREEDOMS[k]), ENERGY));
     }
     if let Some(k) = (0..6).find(|&k| size[k] == 0.0 && matrix[k].iter().any(|&entry| entry != 0.0)) {
-        let message = format!("gives energy: {} is coupled to others but has no stiffness itself", FREEDOMS[k]);
+        let message =
+            format!("gives energy: {} is coupled to others but has no stiffness itself", FREEDOMS[k]);
         return Err((message, ENERGY));
     }
     let eigen = SymmetricEigen::new(Matrix6::from_fn(|i, j| 0.5 * (scaled(i, j) + scaled(j, i))));
@@ -287,7 +289,10 @@ fn check_matrix(matrix: &BearingMatrix) -> Result<(), (String, &'static str)> {
     if least < -ROUNDING {
         let motion = eigen.eigenvectors.column(at);
         let parts: Vec<&str> = (0..6).filter(|&k| motion[k].abs() > 0.1).map(|k| FREEDOMS[k]).collect();
-        return Err((format!("has a negative eigenvalue: moved in {}, it gives energy", parts.join(" and ")), ENERGY));
+        return Err((
+            format!("has a negative eigenvalue: moved in {}, it gives energy", parts.join(" and ")),
+            ENERGY,
+        ));
     }
     Ok(())
 }

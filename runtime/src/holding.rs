@@ -130,7 +130,7 @@ pub(crate) fn explain(scene: &Scene, freedoms: &[Freedom], error: &ContactError)
             EngineError::new(
                 "E0714",
                 format!("no contact can hold the load: it drives {}", named(motion)),
-                "hold such a freedom (take it out of `free`), or check the sign of the load and that the teeth are in mesh; a load that reverses needs `back_side_contact = TRUE` in `gears.mesh`",
+                "hold such a freedom (take it out of `free`) or give its body a bearing, or check the sign of the load and that the teeth are in mesh; a load that reverses needs `back_side_contact = TRUE` in `gears.mesh`",
             ),
             motion,
         ),
@@ -138,7 +138,7 @@ pub(crate) fn explain(scene: &Scene, freedoms: &[Freedom], error: &ContactError)
             EngineError::new(
                 "E0715",
                 format!("nothing holds {}", named(motion)),
-                "hold such a freedom (take it out of `free`), or load it",
+                "hold such a freedom (take it out of `free`) or give its body a bearing, or load it",
             ),
             motion,
         ),

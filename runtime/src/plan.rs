@@ -79,7 +79,9 @@ impl Plan {
                 options: StructureOptions { stresses, sharp_edges, template, ..options },
                 reason: match (left_out, stresses) {
                     (true, _) => "left out: it touches nothing",
-                    (false, _) if rigid => "rigid: no surface of it touches anything, and bearings hold its frame",
+                    (false, _) if rigid => {
+                        "rigid: no surface of it touches anything, and bearings hold its frame"
+                    }
                     (false, true) => "elastic, with stress recovery: an output asks for its root stress",
                     (false, false) => "elastic, without stress recovery: no output asks for its stress",
                 },
@@ -147,7 +149,8 @@ impl Identity {
 fn wanted_bodies(scene: &Scene) -> Vec<bool> {
     let mut wanted = vec![false; scene.bodies.len()];
     // A body that no bearing holds rests where its frame says.
-    let held = |body: &BodyId| scene.bearings.iter().any(|bearing| bearing.bodies().any(|other| other == *body));
+    let held =
+        |body: &BodyId| scene.bearings.iter().any(|bearing| bearing.bodies().any(|other| other == *body));
     let touching = scene.pairs.iter().flat_map(|pair| pair.bodies);
     let looked_at = scene.observables.iter().filter_map(|observable| observable.frame_of()).filter(held);
     let bearings = scene.observables.iter().filter_map(|observable| observable.bearing_of());
@@ -191,7 +194,9 @@ fn unseen_of(bearing: &Bearing, fidelity: Fidelity) -> Vec<Ignored> {
     if fidelity == Fidelity::Plane && [2, 3, 4].iter().any(out_of_plane) {
         unseen.push(Ignored {
             input: "bearing".into(),
-            reason: "in a plane model bearings hold u_x, u_y and theta_z; u_z, theta_x and theta_y do not move".into(),
+            reason:
+                "in a plane model bearings hold u_x, u_y and theta_z; u_z, theta_x and theta_y do not move"
+                    .into(),
         });
     }
     unseen

@@ -1,6 +1,7 @@
 //! The library's functions as programs call them: the Rust side of `gears.cx` and `prelude.cx`.
 
 use crate::assembly::{MeshOptions, Misalignment, Pairing, add_body};
+use crate::bearings::GROUND;
 use crate::error::Severity;
 use crate::host::{Asked, Finding, Meeting, ModelHost, keep};
 use calyx_abi::externs::{Handle, SymbolicNumber, SymbolicTransform};
@@ -57,8 +58,8 @@ calyx_abi::externs! {
                     "it is half the number of cells of a grid; 24 across are usual in the plane, 10 across and 8 along in space"));
             }
         }
+        let ids = [body(context, "first", first)?, body(context, "second", second)?];
         let (place, host) = (context.place, host(context)?);
-        let ids = [BodyId(first.0 as usize), BodyId(second.0 as usize)];
         let options = MeshOptions {
             tip_corner_contact,
             half_cells: (cells > 0.0).then_some(cells as usize),
@@ -189,17 +190,18 @@ pub fn check_plan(host: &ModelHost, interrupt: &Interrupt) -> Result<Plan, Runti
     checked.map_err(|error| host.engine_error(error))
 }
 
-/// Bodies that may move, and that no mesh holds: an analysis leaves them out.
+/// Bodies that may move, and that neither mesh nor bearing holds: an analysis leaves them out.
 pub fn check_unheld(host: &mut ModelHost) {
     let meshed = |body: usize| host.scene.pairs.iter().any(|pair| pair.bodies.contains(&BodyId(body)));
+    let borne = |body: usize| host.scene.bearings.iter().any(|b| b.bodies().any(|other| other.0 == body));
     let free = |body: &Body| FREEDOMS.iter().zip(body.free).find(|(_, free)| *free).map(|(name, _)| *name);
-    let bodies = host.scene.bodies.iter().enumerate().filter(|(index, _)| !meshed(*index));
+    let bodies = host.scene.bodies.iter().enumerate().filter(|(index, _)| !meshed(*index) && !borne(*index));
     let unheld: Vec<Finding> = bodies
         .filter_map(|(index, body)| {
             let error = EngineError::new(
                 "E0715",
                 format!("nothing holds body \"{}\" in {}, so it is left out", body.name, free(body)?),
-                "mesh it with another body, or hold it (take the freedom out of `free`)",
+                "mesh it with another body, give it a bearing, or hold it (take the freedom out of `free`)",
             );
             let error = host.engine_error(error.about(Subject::Body(index)).blame("free"));
             Some(Finding { severity: Severity::Warning, error })
@@ -266,6 +268,16 @@ pub(crate) fn host(context: &mut Context) -> Result<&mut ModelHost, RuntimeError
 
 pub(crate) fn entry<T>(table: &[T], handle: Handle) -> Result<&T, RuntimeError> {
     table.get(handle.0 as usize).ok_or_else(|| defect("a handle refers to nothing"))
+}
+
+/// A body of the scene; ground is none.
+pub(crate) fn body(context: &mut Context, argument: &str, body: Handle) -> Result<BodyId, RuntimeError> {
+    if body == GROUND {
+        let help = "ground carries bearings, as in `gears.bearing(..., to = gears.ground())`; give a body that `gears.body` made";
+        return Err(refusal("E0684", argument, "ground is not a body", help));
+    }
+    entry(&host(context)?.scene.bodies, body)?;
+    Ok(BodyId(body.0 as usize))
 }
 
 pub(crate) fn defect(message: &str) -> RuntimeError {

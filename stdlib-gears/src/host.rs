@@ -80,6 +80,8 @@ pub struct ModelHost {
     pub body_gears: Vec<usize>,
     /// Places of the calls that made each body.
     pub body_places: Vec<(u32, u32, u32)>,
+    /// Places of the calls that made each bearing.
+    pub bearing_places: Vec<(u32, u32, u32)>,
     /// Places of the calls that made each output.
     pub output_places: Vec<(u32, u32, u32)>,
     /// Pairs of gears that were to mesh, those refused among them.
@@ -120,6 +122,7 @@ impl ModelHost {
     pub fn engine_error(&self, error: EngineError) -> RuntimeError {
         let place = match error.subject {
             Some(Subject::Body(body)) => self.body_places.get(body),
+            Some(Subject::Bearing(bearing)) => self.bearing_places.get(bearing),
             Some(Subject::Output(output)) => self.output_places.get(output),
             None => None,
         };

@@ -106,6 +106,7 @@
 
 pub mod assembly;
 mod axes;
+pub mod bearings;
 pub mod blank;
 pub mod cutting;
 pub mod derived;

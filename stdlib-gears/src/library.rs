@@ -24,6 +24,7 @@ pub const MODULES: &[LibraryModule] =
 /// The tables of functions that programs may call: the library's, and those of the language itself.
 const TABLES: &[&[Extern]] = &[
     crate::externs::EXTERNS,
+    crate::bearings::EXTERNS,
     crate::cutting::EXTERNS,
     crate::gauging::EXTERNS,
     crate::mesh_externs::EXTERNS,

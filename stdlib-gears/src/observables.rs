@@ -1,6 +1,6 @@
 //! What programs can ask of bodies and meshes at each position: the Rust side of the observables of `gears.cx`.
 
-use crate::externs::{host, refusal, tooth_number};
+use crate::externs::{self, host, refusal, tooth_number};
 use calyx_abi::externs::Handle;
 use calyx_abi::{Context, RuntimeError};
 use calyx_runtime::observe::{
@@ -31,7 +31,7 @@ calyx_abi::externs! {
     }
 
     Scene fn calyx_gears_tooth_load(context, body: Handle, tooth: f64) -> Handle {
-        let id = self::body(body);
+        let id = self::body(context, body)?;
         let tooth = tooth_number(host(context)?, id, tooth)?;
         observe(context, ToothLoad(id, tooth))
     }
@@ -69,11 +69,13 @@ calyx_abi::externs! {
     }
 
     Scene fn calyx_gears_lowest_contact(context, body: Handle) -> Handle {
-        observe(context, LowestContact(self::body(body)))
+        let body = self::body(context, body)?;
+        observe(context, LowestContact(body))
     }
 
     Scene fn calyx_gears_highest_contact(context, body: Handle) -> Handle {
-        observe(context, HighestContact(self::body(body)))
+        let body = self::body(context, body)?;
+        observe(context, HighestContact(body))
     }
 
     Scene fn calyx_gears_sliding_velocity(context, mesh: Handle, pair: f64) -> Handle {
@@ -94,11 +96,13 @@ calyx_abi::externs! {
     }
 
     Scene fn calyx_gears_max_root_stress(context, body: Handle) -> Handle {
-        observe(context, MaxRootStress(self::body(body)))
+        let body = self::body(context, body)?;
+        observe(context, MaxRootStress(body))
     }
 
     Scene fn calyx_gears_max_root_compression(context, body: Handle) -> Handle {
-        observe(context, MaxRootCompression(self::body(body)))
+        let body = self::body(context, body)?;
+        observe(context, MaxRootCompression(body))
     }
 
     Scene fn calyx_gears_tooth_at(context, body: Handle, of: String) -> Handle {
@@ -118,19 +122,23 @@ calyx_abi::externs! {
     }
 
     Scene fn calyx_gears_support_force(context, body: Handle, axis: String) -> Handle {
-        observe(context, SupportForce(self::body(body), axis_number(&axis)))
+        let body = self::body(context, body)?;
+        observe(context, SupportForce(body, axis_number(&axis)))
     }
 
     Scene fn calyx_gears_support_moment(context, body: Handle, axis: String) -> Handle {
-        observe(context, SupportMoment(self::body(body), axis_number(&axis)))
+        let body = self::body(context, body)?;
+        observe(context, SupportMoment(body, axis_number(&axis)))
     }
 
     Scene fn calyx_gears_displacement(context, body: Handle, axis: String) -> Handle {
-        observe(context, Displacement(self::body(body), axis_number(&axis)))
+        let body = self::body(context, body)?;
+        observe(context, Displacement(body, axis_number(&axis)))
     }
 
     Scene fn calyx_gears_rotation(context, body: Handle, axis: String) -> Handle {
-        observe(context, Rotation(self::body(body), axis_number(&axis)))
+        let body = self::body(context, body)?;
+        observe(context, Rotation(body, axis_number(&axis)))
     }
 }
 
@@ -151,15 +159,16 @@ fn place(
         "max_edge_pressure" => Maximum::EdgePressure,
         _ => Maximum::LineLoad,
     };
-    observe(context, PlaceOf { body: self::body(body), maximum, coordinate })
+    let body = self::body(context, body)?;
+    observe(context, PlaceOf { body, maximum, coordinate })
 }
 
 fn pair(mesh: Handle) -> PairId {
     PairId(mesh.0 as usize)
 }
 
-fn body(body: Handle) -> BodyId {
-    BodyId(body.0 as usize)
+fn body(context: &mut Context, body: Handle) -> Result<BodyId, RuntimeError> {
+    externs::body(context, "body", body)
 }
 
 /// Declared to be one of these.

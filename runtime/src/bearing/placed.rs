@@ -40,7 +40,8 @@ impl Placed {
             Ok([now.point(back(from)), now.direction(back(direction))])
         };
         let [origin, axis] = carried(start.origin, start.axes[2])?;
-        let size = length(minus(placed.origin, placed.frames[0])) + scene.bodies[bearing.body.0].prototype.enclosing_radius();
+        let size = length(minus(placed.origin, placed.frames[0]))
+            + scene.bodies[bearing.body.0].prototype.enclosing_radius();
         let (apart, tilted) = (length(minus(placed.origin, origin)), length(minus(placed.axes[2], axis)));
         if apart > TOGETHER * size || tilted > TOGETHER {
             return Err(parted(bearing, &format!("at Time = {time} s")));
@@ -129,7 +130,8 @@ pub(super) fn check_races(scene: &Scene, bearing: &Bearing) -> Result<(), Engine
             Support::Body(body) => minus(first, point_velocity(motion(body), 0.0, point)),
         }
     };
-    let beside = |axis: usize| -> Vector { std::array::from_fn(|k| placed.origin[k] + radius * placed.axes[axis][k]) };
+    let beside =
+        |axis: usize| -> Vector { std::array::from_fn(|k| placed.origin[k] + radius * placed.axes[axis][k]) };
     // Points of the axis rest, whatever turns about it moves.
     let speed = [0, 1].map(|axis| length(relative(beside(axis)))).into_iter().fold(0.0, f64::max);
     let fastest = [relative(placed.origin), relative(beside(2))].map(length).into_iter().fold(0.0, f64::max);
@@ -149,7 +151,8 @@ fn parted(bearing: &Bearing, when: &str) -> EngineError {
 }
 
 fn pose(scene: &Scene, body: BodyId, time: f64) -> Result<Pose, EngineError> {
-    pose_in_space(scene.bodies[body.0].motion.as_ref(), time).map_err(|error| error.about(Subject::Body(body.0)))
+    pose_in_space(scene.bodies[body.0].motion.as_ref(), time)
+        .map_err(|error| error.about(Subject::Body(body.0)))
 }
 
 fn dot(a: Vector, b: Vector) -> f64 {

@@ -65,7 +65,9 @@ impl Equilibrium<'_> {
     pub fn bearings_on(self, body: BodyId) -> [f64; 6] {
         let mut total = [0.0; 6];
         for (index, bearing) in self.system.scene.bearings.iter().enumerate() {
-            let Some(borne) = bearing.bodies().find(|b| *b == body).and_then(|_| self.bearing(BearingId(index))) else {
+            let Some(borne) =
+                bearing.bodies().find(|b| *b == body).and_then(|_| self.bearing(BearingId(index)))
+            else {
                 continue;
             };
             for (sum, part) in total.iter_mut().zip(borne.wrench_on(body)) {

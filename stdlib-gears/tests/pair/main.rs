@@ -3,6 +3,7 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod bearings;
 mod chapter_5;
 mod equilibrium;
 mod first_day;

@@ -3,6 +3,7 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod bearings;
 mod both_sides;
 mod elastic;
 mod helical;

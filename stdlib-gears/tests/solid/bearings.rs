@@ -1,0 +1,200 @@
+//! Gears on bearings in space: levers, tilt, and where the load goes along the face.
+
+use crate::pairs::{FIRST, MESH, MODULE, Options, SECOND, TORQUE, system};
+use calyx_gears::helix::Hand;
+use calyx_runtime::bearing::{Bearing, BearingMatrix, axisymmetric};
+use calyx_runtime::load::Wrench;
+use calyx_runtime::motion::SteadyRotation;
+use calyx_runtime::observe::{BearingTilt, Direction, Displacement, Equilibrium, FaceLoadFactor, Rotation};
+use calyx_runtime::scene::{BearingId, Body, BodyId, Component, GearMesh, Scene, StructureOptions};
+use calyx_runtime::step::StepResult;
+use calyx_runtime::system::System;
+
+const ANGLE: f64 = 0.35;
+/// Radial, axial.
+const K: [f64; 2] = [3e8, 1e8];
+/// Places of two bearings beside an overhung gear, m.
+const PLACES: [f64; 2] = [0.03, 0.075];
+const FREE: [Component; 5] =
+    [Component::Ux, Component::Uy, Component::Uz, Component::ThetaX, Component::ThetaY];
+
+fn options(helical: bool) -> Options {
+    let options = if helical { Options::helical(ANGLE, Hand::Right) } else { Options::spur() };
+    Options { free: FREE.to_vec(), ..options }
+}
+
+/// The bearings of a shaft: the first one bears along the axis too.
+fn pair_of_bearings(factor: f64) -> [Bearing; 2] {
+    let matrix = |axial: f64| axisymmetric(factor * K[0], factor * axial, 0.0, 0.0);
+    [Bearing::new("near", FIRST, PLACES[0], matrix(K[1])), Bearing::new("far", FIRST, PLACES[1], matrix(0.0))]
+}
+
+fn scene(options: &Options, bearings: &[Bearing]) -> (Scene, GearMesh) {
+    let (mut scene, mesh) = options.scene();
+    for bearing in bearings {
+        scene.add_bearing(bearing.clone()).expect("a bearing");
+    }
+    (scene, mesh)
+}
+
+fn solved<T>((scene, mesh): &(Scene, GearMesh), look: impl FnOnce(&System<'_>, &StepResult) -> T) -> T {
+    let system = system(scene, StructureOptions::default());
+    let step = system.solve(mesh.start + 0.45 * mesh.period).expect("it can be solved");
+    assert!(step.certificate.largest() <= 1e-10, "{:?}", step.certificate);
+    look(&system, &step)
+}
+
+#[test]
+fn an_overhung_gear_on_two_bearings_tilts_as_levers_say() {
+    let scene = scene(&options(true), &pair_of_bearings(1.0));
+    solved(&scene, |system, step| {
+        let [fx, fy, fz, mx, my, _] = system.contact_force(step, FIRST);
+        let span = PLACES[1] - PLACES[0];
+        // The moment about y of a force along x at z is z fx; about x it is -z fy.
+        for (force, moment, tilt, axis, sense) in [(fx, my, 4, 0, 1.0), (fy, mx, 3, 1, -1.0)] {
+            let moment = sense * moment;
+            let far = (moment - force * PLACES[0]) / span;
+            let near = force - far;
+            let [near_given, far_given] = [near, far].map(|force| force / K[0]);
+            let slope = (far_given - near_given) / span;
+            let expected = [near_given - slope * PLACES[0], sense * slope];
+            let found = [step.motion[axis], step.motion[tilt]];
+            for (found, expected) in found.iter().zip(expected) {
+                assert!((found / expected - 1.0).abs() < 1e-9, "{found} {expected}");
+            }
+            let at = system.value(step, &BearingTilt(BearingId(1), Direction::Ground(tilt - 3))).value;
+            assert!((at - step.motion[tilt]).abs() < 1e-18);
+        }
+        assert!((step.motion[2] * K[1] / fz - 1.0).abs() < 1e-9, "{fz}");
+        assert_eq!(system.value(step, &Displacement(FIRST, 2)).value, step.motion[2]);
+        assert_eq!(system.value(step, &Rotation(FIRST, 1)).value, step.motion[4]);
+    });
+}
+
+/// A radial and axial stiffness at z, seen from the origin of the body.
+fn moved([radial, axial]: [f64; 2], z: f64) -> BearingMatrix {
+    let mut matrix = axisymmetric(radial, axial, radial * z * z, 0.0);
+    // u_x + z theta_y and u_y - z theta_x are what gives.
+    for (u, theta, arm) in [(0, 4, z), (1, 3, -z)] {
+        matrix[u][theta] = radial * arm;
+        matrix[theta][u] = radial * arm;
+    }
+    matrix
+}
+
+#[test]
+fn two_bearings_are_one_with_the_sum_of_their_matrices_at_one_place() {
+    let [near, far] = [moved(K, PLACES[0]), moved([K[0], 0.0], PLACES[1])];
+    let sum: BearingMatrix = std::array::from_fn(|i| std::array::from_fn(|j| near[i][j] + far[i][j]));
+    let one = Bearing::new("one", FIRST, 0.0, sum);
+    let motion =
+        |bearings: &[Bearing]| solved(&scene(&options(true), bearings), |_, step| step.motion.clone());
+    let (two, one) = (motion(&pair_of_bearings(1.0)), motion(&[one]));
+    for (two, one) in two.iter().zip(&one) {
+        assert!((two - one).abs() < 1e-9 * one.abs().max(1e-6), "{two} {one}");
+    }
+}
+
+#[test]
+fn everything_is_in_equilibrium() {
+    let (scene, mesh) = scene(&options(true), &pair_of_bearings(1.0));
+    solved(&(scene.clone(), mesh), |system, step| {
+        let at = Equilibrium::new(system, step);
+        let support = at.support(FIRST);
+        assert!(support.iter().all(|part| part.abs() < 1e-10 * TORQUE / MODULE), "{support:?}");
+        // About the origin of ground, where the first gear's frame is.
+        let mut sum = [0.0, 0.0, 0.0, 0.0, 0.0, TORQUE];
+        for bearing in [BearingId(0), BearingId(1)] {
+            let borne = at.bearing(bearing).expect("it is there").wrench_on(FIRST);
+            (0..6).for_each(|k| sum[k] += borne[k]);
+        }
+        let [fx, fy, fz, mx, my, mz] = at.support(SECOND);
+        let x = 0.5 * MODULE * 51.0 * (1.0 + 1e-3);
+        let other = [fx, fy, fz, mx, my - x * fz, mz + x * fy];
+        (0..6).for_each(|k| sum[k] += other[k]);
+        assert!(sum.iter().all(|part| part.abs() < 1e-10 * TORQUE / MODULE), "{sum:?}");
+    });
+}
+
+/// Where along the face the load acts, from its middle, m.
+fn centre(system: &System<'_>, step: &StepResult) -> f64 {
+    let [fx, fy, _, mx, my, _] = system.contact_force(step, FIRST);
+    (my * fx - mx * fy) / (fx * fx + fy * fy)
+}
+
+#[test]
+fn the_load_of_an_overhung_gear_goes_to_the_side_of_its_bearings() {
+    for helical in [false, true] {
+        let looked = |factor: f64| {
+            solved(&scene(&options(helical), &pair_of_bearings(factor)), |system, step| {
+                (system.value(step, &FaceLoadFactor(MESH)).value, centre(system, step))
+            })
+        };
+        let [(stiff, aligned), (soft, shifted), (softer, farther)] = [1e4, 1.0, 0.3].map(looked);
+        assert!(aligned < shifted && shifted < farther, "{aligned} {shifted} {farther}");
+        if !helical {
+            assert!(stiff < soft && soft < softer, "{stiff} {soft} {softer}");
+        }
+    }
+}
+
+/// A shaft in a tube, both free, on bearings with full matrices at different places: what a force on one freedom does to another one is
+/// what a force on that does to the first.
+#[test]
+fn what_one_load_does_to_another_freedom_is_mutual() {
+    let (scene, mesh) = Options::spur().scene();
+    let full = |seed: f64| -> BearingMatrix {
+        let root: BearingMatrix = std::array::from_fn(|i| {
+            let unit = if i < 3 { 2e4 } else { 4e2 };
+            std::array::from_fn(|j| unit * (seed * (3.7 * i as f64 + 1.3 * j as f64 + 1.0)).sin())
+        });
+        std::array::from_fn(|i| std::array::from_fn(|j| (0..6).map(|k| root[i][k] * root[j][k]).sum()))
+    };
+    let all = [
+        Component::Ux,
+        Component::Uy,
+        Component::Uz,
+        Component::ThetaX,
+        Component::ThetaY,
+        Component::ThetaZ,
+    ];
+    let bodies = [BodyId(2), BodyId(3)];
+    let compliance = |freedom: usize| {
+        let mut scene = scene.clone();
+        for (index, name) in ["shaft", "tube"].into_iter().enumerate() {
+            let mut load = [0.0; 6];
+            if freedom / 6 == index {
+                load[freedom % 6] = 1.0;
+            }
+            let [fx, fy, fz, mx, my, mz] = load;
+            let body =
+                Body::new(name, scene.bodies[0].prototype.clone(), SteadyRotation::at_rest([0.4, 0.1]));
+            scene.add_body(body.free_in(&all).loaded(Wrench { force: [fx, fy, fz], moment: [mx, my, mz] }));
+        }
+        for (name, at, seed) in [("a", 0.02, 1.1), ("b", -0.03, 2.3)] {
+            let bearing = Bearing::new(name, bodies[0], at, full(seed)).between(bodies[1]);
+            scene.add_bearing(bearing).expect("a bearing");
+        }
+        scene.add_bearing(Bearing::new("c", bodies[1], 0.05, full(0.7))).expect("a bearing");
+        scene.observe(Displacement(bodies[1], 0));
+        let scene = (scene, mesh.clone());
+        solved(&scene, |system, step| {
+            let at = Equilibrium::new(system, step);
+            bodies.map(|body| std::array::from_fn::<f64, 6, _>(|k| at.deviation(body, k))).concat()
+        })
+    };
+    let matrix: Vec<Vec<f64>> = (0..12).map(compliance).collect();
+    for i in 0..12 {
+        for j in 0..i {
+            let size = (matrix[i][i] * matrix[j][j]).sqrt();
+            assert!(
+                (matrix[i][j] - matrix[j][i]).abs() < 1e-8 * size,
+                "{i} {j}: {} {}",
+                matrix[i][j],
+                matrix[j][i]
+            );
+        }
+    }
+    // Stiff where it says so: a unit force moves the tube by what its own bearing alone gives.
+    assert!(matrix.iter().enumerate().all(|(k, row)| row[k] > 0.0));
+}
