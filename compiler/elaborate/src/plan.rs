@@ -5,9 +5,10 @@ use calyx_abi::description::ModelDescription;
 use calyx_gears::host::{LengthUnit, ModelHost};
 use calyx_lang::dimension::Dimension;
 use calyx_lang::units::UnitSystem;
+use calyx_runtime::bearing::Support;
 use calyx_runtime::load::Wrench;
 use calyx_runtime::plan::Plan;
-use calyx_runtime::scene::{Body, FREEDOMS, Fidelity, Prototype, StructureOptions};
+use calyx_runtime::scene::{Body, BodyId, FREEDOMS, Fidelity, Prototype, StructureOptions};
 use calyx_runtime::structure::StructureSize;
 use std::fmt::{self, Write};
 use std::sync::Arc;
@@ -19,6 +20,7 @@ pub struct Planned {
     pub fidelity: &'static str,
     pub bodies: Vec<PlannedBody>,
     pub meshes: Vec<PlannedMesh>,
+    pub bearings: Vec<PlannedBearing>,
     /// Names of the outputs, which decide what is modelled.
     pub outputs: Vec<String>,
     /// Lengths of the lists of positions that the model makes.
@@ -87,6 +89,19 @@ pub struct PlannedMesh {
     pub contact_ratio: Option<f64>,
 }
 
+/// What connects bodies besides contact.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PlannedBearing {
+    pub name: String,
+    /// The body it is on, and what that is mounted on: another one, or ground.
+    pub between: [String; 2],
+    /// Gap equations of its clearances.
+    pub walls: usize,
+    pub left_out: bool,
+    /// Why it is modelled, or left out.
+    pub reason: &'static str,
+}
+
 impl Planned {
     pub(crate) fn of(host: &ModelHost, plan: &Plan, description: &ModelDescription) -> Planned {
         let scene = &host.scene;
@@ -128,11 +143,28 @@ impl Planned {
                 contact_ratio: meeting.map(|meeting| meeting.geometry.contact_ratio),
             }
         });
+        let bearings = scene.bearings.iter().zip(&plan.bearings).map(|(bearing, planned)| {
+            let name = |body: BodyId| {
+                scene.bodies.get(body.0).map_or_else(String::new, |b| format!("\"{}\"", b.name))
+            };
+            let to = match bearing.to {
+                Support::Ground => "ground".into(),
+                Support::Body(body) => name(body),
+            };
+            PlannedBearing {
+                name: bearing.name.clone(),
+                between: [name(bearing.body), to],
+                walls: bearing.walls(),
+                left_out: planned.left_out,
+                reason: planned.reason,
+            }
+        });
         let structures = numbers.iter().flatten().max().map_or(0, |last| last + 1);
         Planned {
             fidelity: plan.fidelity.name(),
             bodies: bodies.collect(),
             meshes: meshes.collect(),
+            bearings: bearings.collect(),
             outputs: description.outputs.iter().map(|output| output.name.clone()).collect(),
             positions: host.positions.iter().map(Vec::len).collect(),
             structures,
@@ -160,15 +192,18 @@ impl Planned {
         let sizes = self.sizes();
         section("Structures", self.structure_lines(&sizes));
         section("Contact", self.meshes.iter().map(mesh_line).collect());
+        let modelled = self.bearings.iter().filter(|bearing| !bearing.left_out);
+        section("Bearings", modelled.map(bearing_line).collect());
         section("Degrees of freedom", self.freedom_lines());
         section("Wanted", lines_of(&self.outputs));
         let left_out = self.bodies.iter().filter(|body| body.left_out);
-        let left_out = left_out.map(|body| {
-            let reason = body.reason.strip_prefix("left out: ").unwrap_or(body.reason);
-            format!("body \"{}\": {reason}", body.name)
-        });
+        let left_out =
+            left_out.map(|body| format!("body \"{}\": {}", body.name, without_verdict(body.reason)));
+        let idle = self.bearings.iter().filter(|bearing| bearing.left_out);
+        let idle =
+            idle.map(|bearing| format!("bearing \"{}\": {}", bearing.name, without_verdict(bearing.reason)));
         let not_seen = self.not_seen.iter().map(|(input, reason)| format!("`{input}`: {reason}"));
-        section("Left out", left_out.chain(not_seen).collect());
+        section("Left out", left_out.chain(idle).chain(not_seen).collect());
         section("Cost", self.cost_lines(&sizes));
         text
     }
@@ -330,6 +365,21 @@ fn free(body: &Body, system: &str) -> Vec<(&'static str, String)> {
 fn body_lines(body: &PlannedBody) -> [String; 2] {
     let gear = if body.gear.is_empty() { String::new() } else { format!(": {}", body.gear) };
     [format!("\"{}\"{gear}", body.name), format!("  {}", body.reason)]
+}
+
+/// A reason under a title that says what it is the reason of.
+fn without_verdict(reason: &str) -> &str {
+    reason.strip_prefix("left out: ").unwrap_or(reason)
+}
+
+fn bearing_line(bearing: &PlannedBearing) -> String {
+    let [body, to] = &bearing.between;
+    let walls = match bearing.walls {
+        0 => String::new(),
+        1 => ", one wall behind a clearance".into(),
+        count => format!(", {count} walls behind clearances"),
+    };
+    format!("\"{}\": {body} on {to}, {}{walls}", bearing.name, bearing.reason)
 }
 
 fn mesh_line(mesh: &PlannedMesh) -> String {

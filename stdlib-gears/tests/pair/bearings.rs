@@ -304,7 +304,7 @@ fn what_a_bearing_cannot_be_is_refused_with_the_reason() {
         assert!(!error.help.is_empty());
     }
     let (mut scene, _) = on([plain.clone()]);
-    assert_eq!(scene.add_bearing(plain).expect_err("the name is taken").code, "E0689");
+    assert_eq!(scene.add_bearing(plain).expect_err("the name is taken").code, "E0671");
 }
 
 #[test]

@@ -146,7 +146,7 @@ fn what_one_load_does_to_another_freedom_is_mutual() {
     let full = |seed: f64| -> BearingMatrix {
         let root: BearingMatrix = std::array::from_fn(|i| {
             let unit = if i < 3 { 2e4 } else { 4e2 };
-            std::array::from_fn(|j| unit * (seed * (3.7 * i as f64 + 1.3 * j as f64 + 1.0)).sin())
+            std::array::from_fn(|j| unit * (seed * (3.7 * i as f64 + 1.3 * j as f64 + 1.0).powi(2)).sin())
         });
         std::array::from_fn(|i| std::array::from_fn(|j| (0..6).map(|k| root[i][k] * root[j][k]).sum()))
     };

@@ -142,7 +142,12 @@ fn judge(pieces: &[[f64; 2]], pressures: &[f64], surface_ends: [bool; 2], extent
     let truncated =
         (loaded(pressures.first()) && !surface_ends[0]) || (loaded(pressures.last()) && !surface_ends[1]);
     let count = pressures.iter().filter(|&&p| p > 0.0).count();
-    let under_resolved = !truncated && count > 0 && count < LEAST_LOADED_CELLS.min(pieces.len());
+    let reach = pieces.iter().zip(pressures).filter(|&(_, &p)| p > 0.0);
+    let reach = reach.map(|(piece, _)| piece[0].abs().max(piece[1].abs())).fold(0.0, f64::max);
+    // What is loaded at one end alone stays within a grid of the same middle only if that reaches as far.
+    let smaller = 2.0 * MARGIN * reach;
+    let few = count > 0 && count < LEAST_LOADED_CELLS.min(pieces.len());
+    let under_resolved = !truncated && few && smaller < extent;
     let recommended = if truncated {
         // Where p² would reach zero, if that is outside; else the cut is too deep to tell.
         zeros_of_squared_pressure(pieces, pressures)
@@ -150,9 +155,7 @@ fn judge(pieces: &[[f64; 2]], pressures: &[f64], surface_ends: [bool; 2], extent
             .filter(|&w| w > 1.1 * extent)
             .unwrap_or(2.0 * extent)
     } else {
-        let farthest = pieces.iter().zip(pressures).filter(|&(_, &p)| p > 0.0);
-        let farthest = farthest.map(|(piece, _)| piece[0].abs().max(piece[1].abs())).fold(0.0, f64::max);
-        (2.0 * MARGIN * farthest).min(0.5 * extent)
+        smaller
     };
     Judgement { truncated, under_resolved, recommended }
 }
