@@ -4,6 +4,7 @@
 //! what grids and compliances are made of) is behind [`Space`], once in [`plane`] and once in [`solid`].
 
 mod drag;
+mod drift;
 mod patch;
 mod plane;
 mod solid;
@@ -20,6 +21,7 @@ use crate::holding;
 use crate::scene::{Scene, SurfacePair};
 use crate::system::{Bodies, System, Teeth};
 use drag::Action;
+use drift::{drift, drifted};
 
 /// A solved position. Keeps the contact problem and its active cells, from which sensitivities follow.
 #[derive(Clone, Debug)]
@@ -113,6 +115,9 @@ trait Space {
 
     /// How many cells a grid has.
     fn count(&self, grid: &Self::Grid) -> usize;
+
+    /// Its width across, m.
+    fn width(&self, grid: &Self::Grid) -> f64;
 
     /// The gap of each cell, m.
     fn gaps(&self, grid: &Self::Grid) -> Vec<f64>;
@@ -252,7 +257,9 @@ impl<S: Space> Solver<'_, S> {
             let rest = rest(&springs.stiffness, &load);
             match rest.rigid_limit(&gaps, &arms, &direction, &self.system.interrupt) {
                 Ok(None) => return Ok(nowhere),
-                Ok(Some(limit)) => start.iter_mut().zip(&limit.motion).for_each(|(start, more)| *start += more),
+                Ok(Some(limit)) => {
+                    start.iter_mut().zip(&limit.motion).for_each(|(start, more)| *start += more)
+                }
                 Err(error @ ContactError::Interrupted(_)) => return Err(self.explain(&error)),
                 // A tight mesh overlaps in every position. What nothing holds, the contact problem says.
                 Err(_) => return Ok(nowhere),
@@ -322,6 +329,12 @@ impl<S: Space> Solver<'_, S> {
             let (forces, others) = left.split_at(self.space.count(&grid));
             left = others;
             warnings.extend(self.space.judge(candidate, &grid, forces));
+            if forces.iter().any(|&force| force > 0.0) {
+                let (scene, pair) = (self.system.scene, &self.system.scene.pairs[candidate.teeth.0]);
+                let action = self.space.action(candidate, &grid);
+                let moved = drift(self.system, pair, time, &action, &solution.motion);
+                warnings.extend(drifted(scene, pair, moved, self.space.width(&grid)));
+            }
             patches.push(Patch { drag, ..self.space.patch(candidate, Some((grid, forces.to_vec()))) });
         }
         let stops = left.to_vec();

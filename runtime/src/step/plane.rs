@@ -113,6 +113,10 @@ impl Space for Plane<'_> {
         grid.cells.len()
     }
 
+    fn width(&self, grid: &Grid) -> f64 {
+        grid.cells.iter().map(|cell| cell.width()).sum()
+    }
+
     fn gaps(&self, grid: &Grid) -> Vec<f64> {
         grid.cells.iter().map(|cell| cell.gap).collect()
     }

@@ -135,6 +135,10 @@ impl Space for Solid<'_> {
         grid.cells.len()
     }
 
+    fn width(&self, grid: &Grid) -> f64 {
+        grid.extent[0]
+    }
+
     fn gaps(&self, grid: &Grid) -> Vec<f64> {
         grid.cells.iter().map(|cell| cell.gap).collect()
     }

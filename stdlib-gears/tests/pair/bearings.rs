@@ -208,6 +208,16 @@ fn a_ring_gives_by_its_clearance_and_then_by_its_stiffness_alike_in_all_directio
 }
 
 #[test]
+fn a_gear_that_leaves_the_grid_it_was_given_is_reported() {
+    let warnings = |stiffness: f64| solved(&on([radial(stiffness)]), |_, step| step.warnings.clone());
+    assert!(warnings(K).is_empty());
+    // A force square to the line of action slides the flanks along each other.
+    let (scene, mesh) = on([Bearing { load: [-0.5e-3 * K, 0.0, 0.0, 0.0, 0.0, 0.0], ..radial(K) }]);
+    let away = solved(&(scene, mesh), |_, step| step.warnings.clone());
+    assert!(away.iter().any(|warning| warning.contains("along each other")), "{away:?}");
+}
+
+#[test]
 fn units_make_no_difference() {
     let of = |length: f64, modulus: f64| {
         let scale = Scale { length, modulus };
