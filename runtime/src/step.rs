@@ -15,7 +15,6 @@ use crate::bearing::Springs;
 use crate::contact::friction::solve_with_friction;
 use crate::contact::problem::{Certificate, ContactError, ContactProblem};
 use crate::contact::rest::{Rest, rest};
-use crate::contact::rigid_limit::RigidLimit;
 use crate::error::EngineError;
 use crate::holding;
 use crate::scene::{Scene, SurfacePair};
@@ -271,14 +270,15 @@ impl<S: Space> Solver<'_, S> {
     /// Gaps of rigid bodies and of the stops of bearings, and their arms.
     fn rigid_contacts<'c>(
         &self,
-        candidates: impl IntoIterator<Item = &'c Candidate<S::Site>, IntoIter: Clone>,
+        candidates: impl IntoIterator<Item = &'c Candidate<S::Site>>,
     ) -> (Vec<f64>, Vec<f64>)
     where
         S::Site: 'c,
     {
-        let approaches = candidates.into_iter().flat_map(|candidate| candidate.approaches());
-        let gaps = approaches.clone().map(|approach| approach.gap).chain(self.springs.gaps.iter().copied());
-        let arms = approaches.flat_map(|approach| &approach.arms).chain(&self.springs.arms);
+        let approaches: Vec<&Approach> =
+            candidates.into_iter().flat_map(|candidate| candidate.approaches()).collect();
+        let gaps = approaches.iter().map(|approach| approach.gap).chain(self.springs.gaps.iter().copied());
+        let arms = approaches.iter().flat_map(|approach| &approach.arms).chain(&self.springs.arms);
         (gaps.collect(), arms.copied().collect())
     }
 

@@ -4,7 +4,7 @@
 //! internal ones at 60 (ISO 6336-3).
 
 use crate::error::{GeometryError, Refusal, sentence};
-use crate::externs::{entry, host, tooth_number};
+use crate::externs::{self, entry, host, tooth_number};
 use crate::fillet::{RootFillet, Side};
 use crate::gear::Gear;
 use crate::host::keep;
@@ -13,7 +13,6 @@ use crate::prototype::GearPrototype;
 use calyx_abi::externs::Handle;
 use calyx_runtime::observe::{Gauge, GaugeReading, Reading};
 use calyx_runtime::profile::Profile;
-use calyx_runtime::scene::BodyId;
 
 /// What a gauge is at, along a fillet.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -134,7 +133,7 @@ calyx_abi::externs! {
         context, body: Handle, radius: f64, tangent_angle: f64, axial: f64, direction: f64, length: f64, side: String,
         tooth: f64,
     ) -> Handle {
-        let id = BodyId(body.0 as usize);
+        let id = externs::body(context, "body", body)?;
         let tooth = if tooth == -1.0 { None } else { Some(tooth_number(host(context)?, id, tooth)?) };
         let (place, host) = (context.place, host(context)?);
         let gear = host.body_gears.get(id.0).copied().unwrap_or_default();

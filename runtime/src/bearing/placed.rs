@@ -3,7 +3,7 @@
 use super::{Bearing, Support};
 use crate::contact::solid::Pose;
 use crate::error::{EngineError, Subject};
-use crate::motion::{point_velocity, pose_in_space};
+use crate::motion::{Stance, point_velocity, pose_in_space};
 use crate::scene::{BodyId, Scene};
 use crate::system::Freedom;
 
@@ -18,6 +18,8 @@ pub(crate) struct Placed {
     /// Of the bodies' frames, m: that of the first race's and that of the second's, which for ground is anywhere.
     frames: [Vector; 2],
     bodies: [Option<BodyId>; 2],
+    /// Along and about which the freedoms of either body count.
+    freedoms: [[Vector; 3]; 2],
 }
 
 /// How far races may part, beside the size of the bodies they are on.
@@ -70,6 +72,7 @@ impl Placed {
             axes: [x, cross(z, x), z],
             frames: [first.origin, second.origin],
             bodies: [Some(bearing.body), other],
+            freedoms: [Stance::of(&first).axes, Stance::of(&second).axes],
         })
     }
 
@@ -80,8 +83,7 @@ impl Placed {
             if self.bodies[side] != Some(BodyId(freedom.body)) {
                 continue;
             }
-            let mut axis = [0.0; 3];
-            axis[freedom.component % 3] = sign;
+            let axis = self.freedoms[side][freedom.component % 3].map(|part| sign * part);
             let turns = freedom.component >= 3;
             let moved = if turns { cross(axis, minus(self.origin, self.frames[side])) } else { axis };
             for (row, along) in self.axes.iter().enumerate() {

@@ -15,8 +15,8 @@ pub(super) fn drift(system: &System, pair: &SurfacePair, time: f64, action: &Act
     let mut moved = 0.0;
     for (freedom, motion) in system.freedoms.iter().zip(motion) {
         for side in (0..2).filter(|&side| pair.bodies[side].0 == freedom.body) {
-            let origin = system.origin(freedom.body, time);
-            moved -= motion * work(across, side, freedom.component, origin, *point);
+            let (origin, axes) = (system.origin(freedom.body, time), system.axes(freedom.body, time));
+            moved -= motion * work(across, side, freedom.component, &axes, origin, *point);
         }
     }
     moved
