@@ -296,6 +296,3 @@ fn check_matrix(matrix: &BearingMatrix) -> Result<(), (String, &'static str)> {
     }
     Ok(())
 }
-
-#[cfg(test)]
-mod tests;

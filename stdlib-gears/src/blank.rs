@@ -122,7 +122,7 @@ impl Rim {
         match self.hold {
             BoreHold::Means { waves: Some(waves), .. } if u32::from(waves) > teeth => {
                 Err(GeometryError::error(
-                    "E0648",
+                    "E0649",
                     "rim",
                     sentence![
                         "the rim is held up to order ", number f64::from(waves), " around, which takes as many teeth; there are ",

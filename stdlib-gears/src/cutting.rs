@@ -157,7 +157,7 @@ fn bore_hold(kind: &str, names: [&'static str; 2], orders: [f64; 2]) -> Result<B
     for (name, order) in names.into_iter().zip(orders) {
         if order.fract() != 0.0 {
             return Err(refusal(
-                "E0648",
+                "E0649",
                 name,
                 &format!("`{name}` cannot be {order}"),
                 "give a whole number",
@@ -170,7 +170,7 @@ fn bore_hold(kind: &str, names: [&'static str; 2], orders: [f64; 2]) -> Result<B
         ("free", waves) => Ok(BoreHold::Means { waves: Some(waves as u16), degree: degree as u8 }),
         (_, 0.0) => Ok(BoreHold::Rigid),
         _ => Err(refusal(
-            "E0648",
+            "E0649",
             names[0],
             &format!("`{}` is of a free bore, and this one is rigid", names[0]),
             "leave it out, or choose \"free\"",

@@ -8,13 +8,19 @@ use calyx_gears::modification::{Modification, ReliefShape, TipRelief};
 use calyx_gears::prototype::GearPrototype;
 use calyx_gears::rack::Rack;
 use calyx_runtime::material::Material;
+use calyx_runtime::structure::BoreHold;
 use serde_json::Value;
 
 const ALPHA: f64 = 20.0 * std::f64::consts::PI / 180.0;
 
 fn prototype(data: ExternalGearData, modifications: Vec<Modification>) -> GearPrototype {
     let gear = ExternalGear::new(data).expect("a sound gear");
-    let rim = Rim { radius: 0.9 * gear.root_radius, held_radius: 0.5 * gear.root_radius, web: None };
+    let rim = Rim {
+        radius: 0.9 * gear.root_radius,
+        held_radius: 0.5 * gear.root_radius,
+        web: None,
+        hold: BoreHold::Rigid,
+    };
     let steel = Material { youngs_modulus: 2.06e11, poissons_ratio: 0.3, density: 7850.0 };
     GearPrototype::new(gear, modifications, steel, rim, 0.01, Vec::new()).expect("a sound gear")
 }

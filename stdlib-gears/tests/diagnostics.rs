@@ -14,6 +14,7 @@ use calyx_gears::rack::Rack;
 use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::material::Material;
 use calyx_runtime::scene::{Prototype, StructureOptions};
+use calyx_runtime::structure::BoreHold;
 use common::{INCH, chapter_5, chapter_5_data, standard_data};
 
 fn expect(row: &str, errors: &[GeometryError], code: &str, argument: &str, says: &str) {
@@ -226,7 +227,7 @@ fn impossible_pairs_are_refused() {
 /// Options that models do not set, but users of the engine's API do.
 #[test]
 fn a_mesh_of_unknown_order_is_refused() {
-    let rim = Rim { radius: 0.70 * INCH, held_radius: 0.60 * INCH, web: None };
+    let rim = Rim { radius: 0.70 * INCH, held_radius: 0.60 * INCH, web: None, hold: BoreHold::Rigid };
     let steel = Material { youngs_modulus: 206e9, poissons_ratio: 0.3, density: 7850.0 };
     let gear = ExternalGear::new(chapter_5_data(20, 0.02, 0.15708)).expect("a sound gear");
     let gear = GearPrototype::new(gear, Vec::new(), steel, rim, INCH, Vec::new()).expect("a gear");

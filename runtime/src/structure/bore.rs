@@ -175,7 +175,7 @@ impl BoreMeans {
             radius = radius.max(x.hypot(y));
             ends = [ends[0].min(z), ends[1].max(z)];
         }
-        if !(ends[0] < ends[1]) {
+        if ends[0].partial_cmp(&ends[1]) != Some(std::cmp::Ordering::Less) {
             return Ok(None);
         }
         let cylinder = RevolutionSurface::cylinder(radius, ends);

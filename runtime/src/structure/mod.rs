@@ -65,7 +65,7 @@ impl From<StructureError> for EngineError {
         match error {
             StructureError::Interrupted(error) => error,
             StructureError::CoarseBore => EngineError::new(
-                "E0648",
+                "E0649",
                 "the mesh is too coarse for the orders up to which the rim is held",
                 "reduce the rim's orders around or along the axis, or take more elements along the face",
             )

@@ -23,7 +23,7 @@ use calyx_runtime::scene::{
     StructureOptions, SurfacePair, Template,
 };
 use calyx_runtime::step::StepResult;
-use calyx_runtime::structure::Structure;
+use calyx_runtime::structure::{BoreHold, Structure};
 use calyx_runtime::system::System;
 use std::f64::consts::TAU;
 use std::sync::{Arc, LazyLock, Mutex};
@@ -149,7 +149,7 @@ pub fn chapter_5_member(teeth: u32, relief: f64, scale: Scale) -> Member {
     let [radius, held_radius] = rim.map(|radius| radius * INCH * length);
     let gear = ExternalGear::new(data).expect("a sound gear");
     let modifications = relief.into_iter().collect();
-    let rim = Rim { radius, held_radius, web: None };
+    let rim = Rim { radius, held_radius, web: None, hold: BoreHold::Rigid };
     let face_width = INCH * length;
     Member::new(
         GearPrototype::new(gear, modifications, material, rim, face_width, Vec::new()).expect("a gear"),
@@ -162,6 +162,7 @@ pub fn member(data: ExternalGearData, face_width: f64) -> Member {
         radius: data.root_radius - data.rack.module,
         held_radius: data.root_radius - 3.0 * data.rack.module,
         web: None,
+        hold: BoreHold::Rigid,
     };
     let gear = ExternalGear::new(data).expect("a sound gear");
     Member::new(GearPrototype::new(gear, Vec::new(), steel(), rim, face_width, Vec::new()).expect("a gear"))

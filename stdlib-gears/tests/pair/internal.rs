@@ -12,6 +12,7 @@ use calyx_gears::prototype::GearPrototype;
 use calyx_gears::rack::Rack;
 use calyx_gears::shaper::Shaper;
 use calyx_runtime::analysis::mesh_cycle;
+use calyx_runtime::structure::BoreHold;
 use std::sync::LazyLock;
 
 const MODULE: f64 = 4e-3;
@@ -45,7 +46,7 @@ fn ring(relief: f64) -> Member {
         tip_edge_radius: None,
     })
     .expect("a sound gear");
-    let rim = Rim { radius: 127e-3, held_radius: 137e-3, web: None };
+    let rim = Rim { radius: 127e-3, held_radius: 137e-3, web: None, hold: BoreHold::Rigid };
     let relief =
         (relief > 0.0).then(|| Modification::tip_relief(relief, 18_f64.to_radians(), ReliefShape::Quadratic));
     let modifications = relief.into_iter().collect();
