@@ -237,7 +237,7 @@ pub(crate) fn number_freedoms(scene: &Scene, plan: &Plan) -> Vec<Freedom> {
 /// The external forces and moments on freedoms at a time (s), in their order.
 ///
 /// # Errors
-/// E0723 if a load is not a number there.
+/// E0710 if a frame is not a number there, E0723 if a load is none.
 pub(crate) fn loads_on(scene: &Scene, freedoms: &[Freedom], time: f64) -> Result<Vec<f64>, EngineError> {
     let mut loads = Vec::with_capacity(freedoms.len());
     let mut latest: Option<(usize, [f64; 6])> = None;
@@ -245,7 +245,10 @@ pub(crate) fn loads_on(scene: &Scene, freedoms: &[Freedom], time: f64) -> Result
         // A load is asked once a position, however many components of its body are free.
         let along = match latest {
             Some((body, along)) if body == freedom.body => along,
-            _ => scene.bodies[freedom.body].load.at(time).along(&axes(scene, freedom.body, time)),
+            _ => {
+                let stance = Stance::of(&solid_pose(scene, freedom.body, time)?);
+                scene.bodies[freedom.body].load.at(time).along(&stance.axes)
+            }
         };
         latest = Some((freedom.body, along));
         let load = along[freedom.component];
