@@ -48,8 +48,9 @@ pub fn page(page: &Page, all: &[Page]) -> String {
 /// A list of everything on all pages.
 pub fn index(pages: &[Page]) -> String {
     let mut body = format!("<h1>Calyx reference</h1>\n{SEARCH_BOX}");
+    // Beside each other, names lead to their own pages; those within sentences would lead into this one.
+    let links = Links::default();
     for page in pages {
-        let links = Links::new(page, pages);
         body += &format!("<h2><a href=\"{0}.html\">{1}</a></h2>\n", escape(&page.name), escape(&title(page)));
         body += &links.markdown(first_sentence(&page.doc));
         body += "<dl class=\"list\">\n";
