@@ -212,7 +212,8 @@ fn a_gear_that_leaves_the_grid_it_was_given_is_reported() {
     let warnings = |stiffness: f64| solved(&on([radial(stiffness)]), |_, step| step.warnings.clone());
     assert!(warnings(K).is_empty());
     // A force square to the line of action slides the flanks along each other.
-    let (scene, mesh) = on([Bearing { load: [-0.5e-3 * K, 0.0, 0.0, 0.0, 0.0, 0.0], ..radial(K) }]);
+    let soft = 0.05 * K;
+    let (scene, mesh) = on([Bearing { load: [-0.5e-3 * soft, 0.0, 0.0, 0.0, 0.0, 0.0], ..radial(soft) }]);
     let away = solved(&(scene, mesh), |_, step| step.warnings.clone());
     assert!(away.iter().any(|warning| warning.contains("along each other")), "{away:?}");
 }
