@@ -108,14 +108,14 @@ pub(super) struct Surface {
     pub stress_places: Vec<(f64, [f64; 2])>,
 }
 
-/// Spline coefficients between a loaded sector and one that is some places ahead of it. A side is a surface in one of its
+/// Spline coefficients between a loaded sector and one that is some places ahead of it. In the plane a side is a surface in one of its
 /// directions: `surface * directions + direction`.
 pub(super) struct OffsetTables {
     /// `[observed side][loaded side]`, rows by observer.
     pub compliance: Vec<Vec<Mat<f64>>>,
     /// Stress on the sector ahead by loads on this one: `[observed surface][loaded side]`, rows by place, Pa/(N/m).
     pub stress_ahead: Vec<Vec<Mat<f64>>>,
-    /// Stress on this sector by loads on the one ahead.
+    /// Stress on this sector by loads on the one ahead; none if that is this one.
     pub stress_behind: Vec<Vec<Mat<f64>>>,
 }
 
@@ -294,7 +294,7 @@ impl ElasticStructure {
         Ok(OffsetTables {
             compliance: sides().map(row).collect::<Result<_, StructureError>>()?,
             stress_ahead: stress(&response.stress_ahead),
-            stress_behind: stress(&response.stress_behind),
+            stress_behind: response.stress_behind.as_ref().map_or_else(Vec::new, stress),
         })
     }
 
@@ -345,8 +345,8 @@ pub(super) struct Response {
     /// On the sector ahead, rows by observing mollifier.
     pub compliance: Mat<f64>,
     pub stress_ahead: Mat<f64>,
-    /// On this sector by loads on the sector ahead.
-    pub stress_behind: Mat<f64>,
+    /// On this sector by loads on the sector ahead; `None` if that is this one.
+    pub stress_behind: Option<Mat<f64>>,
 }
 
 pub(super) fn response(
@@ -355,23 +355,24 @@ pub(super) fn response(
     offset: u32,
     interrupt: &Interrupt,
 ) -> Result<Response, StructureError> {
-    let (own, rows_own) = (condensed.own.clone(), condensed.rows_own.clone());
     let Some(ring) = ring else {
-        return Ok(Response { compliance: own, stress_ahead: rows_own.clone(), stress_behind: rows_own });
+        let (compliance, stress_ahead) = (condensed.own.clone(), condensed.rows_own.clone());
+        return Ok(Response { compliance, stress_ahead, stress_behind: None });
     };
     let cuts_ahead = product(ring.at(offset), condensed.on_cuts.as_ref());
-    interrupt.check().map_err(StructureError::Interrupted)?;
-    let cuts_behind = product(ring.at(offset).transpose(), condensed.on_cuts.as_ref());
     interrupt.check().map_err(StructureError::Interrupted)?;
     let mut response = Response {
         compliance: product(condensed.on_cuts.transpose(), cuts_ahead.as_ref()),
         stress_ahead: product(condensed.rows_cuts.as_ref(), cuts_ahead.as_ref()),
-        stress_behind: product(condensed.rows_cuts.as_ref(), cuts_behind.as_ref()),
+        stress_behind: None,
     };
     if offset == 0 {
-        response.compliance += own;
-        response.stress_ahead += &rows_own;
-        response.stress_behind += rows_own;
+        response.compliance += &condensed.own;
+        response.stress_ahead += &condensed.rows_own;
+    } else {
+        interrupt.check().map_err(StructureError::Interrupted)?;
+        let cuts_behind = product(ring.at(offset).transpose(), condensed.on_cuts.as_ref());
+        response.stress_behind = Some(product(condensed.rows_cuts.as_ref(), cuts_behind.as_ref()));
     }
     Ok(response)
 }

@@ -7,56 +7,89 @@ use super::ring::Shared;
 use super::sampling::Stretch;
 use super::spline::Spline;
 use crate::profile::Profile;
-use faer::{Mat, MatRef};
-use serde::de::DeserializeOwned;
-use serde::{Deserialize, Serialize};
+use faer::Mat;
+use serde::{Deserialize, Serialize, Serializer};
+use std::borrow::Cow;
 use std::sync::Arc;
 
-/// A matrix, column by column.
+/// A matrix, column by column. Its entries stay the bytes they are in until the matrix is made of them: tables are hundreds of megabytes.
 #[derive(Serialize, Deserialize)]
-pub(super) struct Table {
+pub(super) struct Table<'a> {
     rows: usize,
     columns: usize,
-    values: Vec<f64>,
+    #[serde(borrow, serialize_with = "as_bytes")]
+    values: Cow<'a, [u8]>,
+}
+
+/// At once, where a list would go byte by byte.
+fn as_bytes<S: Serializer>(values: &Cow<'_, [u8]>, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_bytes(values)
 }
 
 /// As structures hold them: by observed and loaded surface.
-pub(super) type Tables = Vec<Vec<Table>>;
+type Tables<'a> = Vec<Vec<Table<'a>>>;
 
-impl From<&Mat<f64>> for Table {
+impl From<&Mat<f64>> for Table<'_> {
     fn from(matrix: &Mat<f64>) -> Self {
-        let values = matrix.col_iter().flat_map(|column| column.iter().copied()).collect();
-        Self { rows: matrix.nrows(), columns: matrix.ncols(), values }
+        let mut values = Vec::with_capacity(matrix.nrows() * matrix.ncols() * size_of::<f64>());
+        for column in matrix.col_iter() {
+            column.iter().for_each(|value| values.extend_from_slice(&value.to_le_bytes()));
+        }
+        Self { rows: matrix.nrows(), columns: matrix.ncols(), values: values.into() }
     }
 }
 
-impl Table {
+impl Table<'_> {
     fn matrix(&self) -> Option<Mat<f64>> {
-        let fits = self.rows.checked_mul(self.columns) == Some(self.values.len());
-        fits.then(|| MatRef::from_column_major_slice(&self.values, self.rows, self.columns).to_owned())
+        let (values, rest) = self.values.as_chunks();
+        let fits = rest.is_empty() && self.rows.checked_mul(self.columns) == Some(values.len());
+        let entry = |row, column| f64::from_le_bytes(values[column * self.rows + row]);
+        fits.then(|| Mat::from_fn(self.rows, self.columns, entry))
     }
 }
 
-pub(super) fn tables(matrices: &[Vec<Mat<f64>>]) -> Tables {
+fn tables(matrices: &[Vec<Mat<f64>>]) -> Tables<'static> {
     matrices.iter().map(|row| row.iter().map(Table::from).collect()).collect()
 }
 
-pub(super) fn matrices(tables: &[Vec<Table>]) -> Option<Vec<Vec<Mat<f64>>>> {
+fn matrices(tables: &[Vec<Table>]) -> Option<Vec<Vec<Mat<f64>>>> {
     tables.iter().map(|row| row.iter().map(Table::matrix).collect()).collect()
+}
+
+/// [`OffsetTables`]: compliance, stress ahead, stress behind.
+#[derive(Serialize, Deserialize)]
+pub(super) struct StoredOffset<'a>(#[serde(borrow)] [Tables<'a>; 3]);
+
+impl StoredOffset<'_> {
+    pub fn of(offset: &OffsetTables) -> Self {
+        Self([tables(&offset.compliance), tables(&offset.stress_ahead), tables(&offset.stress_behind)])
+    }
+
+    pub fn tables(&self) -> Option<OffsetTables> {
+        let [compliance, ahead, behind] = &self.0;
+        Some(OffsetTables {
+            compliance: matrices(compliance)?,
+            stress_ahead: matrices(ahead)?,
+            stress_behind: matrices(behind)?,
+        })
+    }
 }
 
 /// A [`BoreCoupling`].
 #[derive(Serialize, Deserialize)]
-pub(super) struct StoredBore {
+pub(super) struct StoredBore<'a> {
     pitch: f64,
     count: usize,
     pairs: Vec<([usize; 2], f64)>,
-    release: Table,
-    loads: Vec<Table>,
-    stress: Vec<Table>,
+    #[serde(borrow)]
+    release: Table<'a>,
+    #[serde(borrow)]
+    loads: Vec<Table<'a>>,
+    #[serde(borrow)]
+    stress: Vec<Table<'a>>,
 }
 
-impl StoredBore {
+impl StoredBore<'_> {
     pub fn of(bore: &BoreCoupling) -> Self {
         let tables = |matrices: &[Mat<f64>]| matrices.iter().map(Table::from).collect();
         Self {
@@ -95,23 +128,24 @@ pub(super) fn to_bytes(content: &impl Serialize) -> Option<Vec<u8>> {
 }
 
 /// `None` if the bytes are of something else.
-pub(super) fn from_bytes<T: DeserializeOwned>(bytes: &[u8]) -> Option<T> {
+pub(super) fn from_bytes<'a, T: Deserialize<'a>>(bytes: &'a [u8]) -> Option<T> {
     postcard::from_bytes(bytes).ok()
 }
 
 /// An [`ElasticStructure`] without the curves that contact sees.
 #[derive(Serialize, Deserialize)]
-struct StoredElastic {
+struct StoredElastic<'a> {
     teeth: u32,
     surface_modulus: f64,
     reference_length: f64,
     kink: f64,
     directions: usize,
     surfaces: Vec<StoredSurface>,
-    /// Compliance, stress ahead, stress behind.
-    offsets: Vec<[Tables; 3]>,
+    #[serde(borrow)]
+    offsets: Vec<StoredOffset<'a>>,
     twists: Vec<[f64; 2]>,
-    bore: Option<StoredBore>,
+    #[serde(borrow)]
+    bore: Option<StoredBore<'a>>,
 }
 
 #[derive(Serialize, Deserialize)]
@@ -134,9 +168,6 @@ impl ElasticStructure {
             turned: surface.turned.clone(),
             stress_places: surface.stress_places.clone(),
         };
-        let offset = |offset: &OffsetTables| {
-            [&offset.compliance, &offset.stress_ahead, &offset.stress_behind].map(|list| tables(list))
-        };
         to_bytes(&StoredElastic {
             teeth: self.teeth,
             surface_modulus: self.surface_modulus,
@@ -144,7 +175,7 @@ impl ElasticStructure {
             kink: self.kink,
             directions: self.directions,
             surfaces: self.surfaces.iter().map(surface).collect(),
-            offsets: self.offsets.iter().map(offset).collect(),
+            offsets: self.offsets.iter().map(StoredOffset::of).collect(),
             twists: self.twists.clone(),
             bore: self.bore.as_ref().map(StoredBore::of),
         })
@@ -165,13 +196,6 @@ impl ElasticStructure {
                 stress_places: stored.stress_places,
             })
         };
-        let offset = |[compliance, ahead, behind]: &[Tables; 3]| {
-            Some(OffsetTables {
-                compliance: matrices(compliance)?,
-                stress_ahead: matrices(ahead)?,
-                stress_behind: matrices(behind)?,
-            })
-        };
         if stored.surfaces.len() != profiles.len() {
             return None;
         }
@@ -187,7 +211,7 @@ impl ElasticStructure {
             kink: stored.kink,
             surfaces: stored.surfaces.into_iter().zip(profiles).map(surface).collect::<Option<_>>()?,
             directions: stored.directions,
-            offsets: stored.offsets.iter().map(offset).collect::<Option<_>>()?,
+            offsets: stored.offsets.iter().map(StoredOffset::tables).collect::<Option<_>>()?,
             twists: stored.twists,
             bore,
         })

@@ -128,11 +128,13 @@ fn add_half_spaces(patch: &Patch, block: &mut [f64]) {
     let mirrored = |first: &Cell, second: &Cell| -> f64 {
         images.iter().map(|images| images.softness() * images.mean_inverse_distance(first, second)).sum()
     };
-    // Whole cells of the lattice see each other by the difference of their places alone, and each other's images by the difference
-    // across and both places along.
+    // Whole cells of the lattice see each other by the difference of their places alone. Each other's images they see by the difference
+    // across and both places along, of which upright mirrors leave the sum.
     let is_level = images.iter().all(|images| images.is_level);
+    let is_upright = images.iter().all(Images::is_upright);
+    let stride = if is_upright { 1 } else { lattice.rows };
     let mut direct_known = vec![f64::NAN; lattice.columns * lattice.rows];
-    let mut images_known = vec![f64::NAN; lattice.columns * lattice.rows * lattice.rows];
+    let mut images_known = vec![f64::NAN; lattice.columns * (lattice.rows * (stride + 1))];
     let look_up = |known: &mut f64, value: &dyn Fn() -> f64| {
         if known.is_nan() {
             *known = value();
@@ -155,7 +157,7 @@ fn add_half_spaces(patch: &Patch, block: &mut [f64]) {
                         let column = a[0].abs_diff(b[0]) as usize;
                         // Cells are in the order of their rows, so the second's is never the later one.
                         let [row, other] = [a, b].map(|place| (place[1] - lattice.first_row) as usize);
-                        let index = (row * lattice.rows + other) * lattice.columns + column;
+                        let index = (row * stride + other) * lattice.columns + column;
                         look_up(&mut images_known[index], &|| mirrored(first, second))
                     }
                     _ => mirrored(first, second),

@@ -24,7 +24,8 @@ pub fn mean_inverse_distance(offset: [f64; 2], first: [f64; 2], second: [f64; 2]
     let [x, y] = [0, 1].map(|k| Sides::new(offset[k], first[k], second[k]));
     // The longer direction is the one that is integrated exactly.
     let (x, y) = if x.sum > y.sum { (y, x) } else { (x, y) };
-    if x.distance.hypot(y.distance) > RULE_FROM * x.sum.hypot(y.sum) {
+    let square = |a: f64, b: f64| a * a + b * b;
+    if square(x.distance, y.distance) > RULE_FROM * RULE_FROM * square(x.sum, y.sum) {
         return far(&x, &y);
     }
     // Lengths in units of the largest: the functions stay of order one.
@@ -71,16 +72,19 @@ struct Sides {
     sum: f64,
     difference: f64,
     product: f64,
-    /// Gauss's rule for x - x' less the distance: of -outer, -inner, 0, inner, outer the three last, with weights.
-    rule: [(f64, f64); 3],
 }
 
 impl Sides {
     fn new(offset: f64, first: f64, second: f64) -> Self {
         let (sum, difference) = (first + second, (first - second).abs());
-        let rule = rule(first / sum, second / sum).map(|(node, weight)| (node * sum, weight));
         let halves = [first.min(second), first.max(second)];
-        Self { distance: offset.abs(), halves, sum, difference, product: first * second, rule }
+        Self { distance: offset.abs(), halves, sum, difference, product: first * second }
+    }
+
+    /// Gauss's rule for x - x' less the distance: of -outer, -inner, 0, inner, outer the three last, with weights.
+    fn rule(&self) -> [(f64, f64); 3] {
+        let [shorter, longer] = self.halves.map(|half| half / self.sum);
+        rule(shorter, longer).map(|(node, weight)| (node * self.sum, weight))
     }
 
     fn scaled(&self, factor: f64) -> Self {
@@ -90,7 +94,6 @@ impl Sides {
             sum: self.sum * factor,
             difference: self.difference * factor,
             product: self.product * factor * factor,
-            rule: self.rule.map(|(node, weight)| (node * factor, weight)),
         }
     }
 
@@ -132,13 +135,13 @@ fn rule(a: f64, b: f64) -> [(f64, f64); 3] {
 }
 
 fn far(x: &Sides, y: &Sides) -> f64 {
+    let [(_, center), (inner, inner_weight), (outer, outer_weight)] = x.rule();
     let mut sum = 0.0;
-    for (row, (node_y, weight_y)) in y.rule.into_iter().enumerate() {
+    for (row, (node_y, weight_y)) in y.rule().into_iter().enumerate() {
         let squares = [(y.distance + node_y).powi(2), (y.distance - node_y).powi(2)];
         let rows = if row == 0 { 1 } else { 2 };
         for square in &squares[..rows] {
             let inverse = |x: f64| (x * x + square).sqrt().recip();
-            let [(_, center), (inner, inner_weight), (outer, outer_weight)] = x.rule;
             let along = center * inverse(x.distance)
                 + inner_weight * (inverse(x.distance + inner) + inverse(x.distance - inner))
                 + outer_weight * (inverse(x.distance + outer) + inverse(x.distance - outer));
@@ -151,6 +154,7 @@ fn far(x: &Sides, y: &Sides) -> f64 {
 /// The average of `H(x, y) = y asinh(y / x) - r` over x - x'.
 struct Across {
     x: Sides,
+    rule: [(f64, f64); 3],
     /// Average of ln|x - x'|.
     log: f64,
 }
@@ -158,19 +162,19 @@ struct Across {
 impl Across {
     fn new(x: Sides) -> Self {
         let log = mean_log_apart(x.distance, x.halves[0], x.halves[1]);
-        Self { x, log }
+        Self { x, rule: x.rule(), log }
     }
 
     fn mean(&self, y: f64) -> f64 {
         let x = &self.x;
-        if x.distance.hypot(y) <= RULE_FROM * x.sum {
+        if x.distance * x.distance + y * y <= RULE_FROM * RULE_FROM * x.sum * x.sum {
             return x.second_difference(|x| fourth_integral(x, y));
         }
         let smooth = |x: f64| {
             let r = (x * x + y * y).sqrt();
             y * (y + r).ln() - r
         };
-        let [(_, center), (inner, inner_weight), (outer, outer_weight)] = x.rule;
+        let [(_, center), (inner, inner_weight), (outer, outer_weight)] = self.rule;
         center * smooth(x.distance)
             + inner_weight * (smooth(x.distance + inner) + smooth(x.distance - inner))
             + outer_weight * (smooth(x.distance + outer) + smooth(x.distance - outer))

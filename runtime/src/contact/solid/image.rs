@@ -61,6 +61,11 @@ impl<'a> Images<'a> {
         Self { mirror, frame, upright, is_level }
     }
 
+    /// Whether images lie in the patch's plane: then a cell sees another's image by their x and the sum of their distances from the mirror.
+    pub fn is_upright(&self) -> bool {
+        self.upright.is_some()
+    }
+
     /// By how much images lower a surface per 1/r.
     pub fn softness(&self) -> f64 {
         self.mirror.softness

@@ -26,7 +26,7 @@ use crate::structure::bore::{BoreMeans, Wanted};
 use crate::structure::bore_coupling::BoreCoupling;
 use crate::structure::condense::{Support, condense, match_cuts};
 use crate::structure::dense::mirror_lower;
-use crate::structure::elastic::{both_sides, starts};
+use crate::structure::elastic::{OffsetTables, both_sides, starts};
 use crate::structure::kernel::{Mollifier, PairQuadrature, Sampled};
 use crate::structure::sampling::{SplitOptions, Stretch, sample};
 use crate::structure::spline::Spline;
@@ -90,7 +90,8 @@ pub struct ElasticSolid {
     pub(super) mirrors: [Mirror; 2],
     pub(super) modes: AxialModes,
     pub(super) surfaces: Vec<KnownSurface>,
-    /// By offset of the observing sector ahead of the loaded one.
+    /// By offset of the observing sector ahead of the loaded one; a side is a surface. A surface's compliance to itself has for each polynomial
+    /// two more places: what a point beyond the first or the last sample adds ([`continued`]). Stress has three rows a place, Pa/N.
     pub(super) offsets: Vec<OffsetTables>,
     /// What sectors beyond those do to each other.
     pub(super) bore: Option<BoreCoupling>,
@@ -110,17 +111,6 @@ pub(super) struct KnownSurface {
     pub turned: Vec<f64>,
     /// Where stress is recovered: coordinates on the chart of those faces, and position, m.
     pub stress_places: Vec<([f64; 2], [f64; 3])>,
-}
-
-/// Coefficients between a loaded sector and one that is some places ahead of it.
-pub(super) struct OffsetTables {
-    /// `[observed][loaded]` surface. That of a surface to itself has for each polynomial two more places: what a point beyond the first or
-    /// the last sample adds ([`continued`]).
-    pub compliance: Vec<Vec<Mat<f64>>>,
-    /// Stress on the sector ahead by loads on this one: `[observed][loaded]`, three rows a place, Pa/N.
-    pub stress_ahead: Vec<Vec<Mat<f64>>>,
-    /// Stress on this sector by loads on the one ahead.
-    pub stress_behind: Vec<Vec<Mat<f64>>>,
 }
 
 /// A surface with its loads and stress rows, before solution.
@@ -275,7 +265,7 @@ impl ElasticSolid {
         Ok(OffsetTables {
             compliance: all.clone().map(row).collect::<Result<_, StructureError>>()?,
             stress_ahead: stress(&response.stress_ahead),
-            stress_behind: stress(&response.stress_behind),
+            stress_behind: response.stress_behind.as_ref().map_or_else(Vec::new, stress),
         })
     }
 

@@ -152,7 +152,7 @@ impl Responses {
         let mut all = Response {
             compliance: Mat::zeros(self.loads, self.loads),
             stress_ahead: Mat::zeros(self.rows, self.loads),
-            stress_behind: Mat::zeros(self.rows, self.loads),
+            stress_behind: (offset > 0).then(|| Mat::zeros(self.rows, self.loads)),
         };
         for part in &self.parts {
             let own = own(part)?;
@@ -163,7 +163,9 @@ impl Responses {
                 for (row, place) in part.rows.iter().enumerate() {
                     if let Some((place, sign)) = *place {
                         all.stress_ahead[(row, load)] = sign * own.stress_ahead[(place, column)];
-                        all.stress_behind[(row, load)] = sign * own.stress_behind[(place, column)];
+                        if let (Some(all), Some(own)) = (&mut all.stress_behind, &own.stress_behind) {
+                            all[(row, load)] = sign * own[(place, column)];
+                        }
                     }
                 }
             }

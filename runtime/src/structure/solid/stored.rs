@@ -2,16 +2,16 @@
 
 use super::Mirror;
 use super::axial::AxialModes;
-use super::elastic::{ElasticSolid, KnownSurface, OffsetTables};
+use super::elastic::{ElasticSolid, KnownSurface};
 use crate::structure::sampling::Stretch;
-use crate::structure::stored::{StoredBore, Tables, from_bytes, matrices, spline, tables, to_bytes};
+use crate::structure::stored::{StoredBore, StoredOffset, from_bytes, spline, to_bytes};
 use crate::surface::Surface;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
 /// An [`ElasticSolid`] without the surfaces that contact sees.
 #[derive(Serialize, Deserialize)]
-struct StoredSolid {
+struct StoredSolid<'a> {
     teeth: u32,
     surface_modulus: f64,
     kink: f64,
@@ -19,9 +19,10 @@ struct StoredSolid {
     mirrors: [[[f64; 3]; 2]; 2],
     modes: AxialModes,
     surfaces: Vec<StoredSurface>,
-    /// Compliance, stress ahead, stress behind.
-    offsets: Vec<[Tables; 3]>,
-    bore: Option<StoredBore>,
+    #[serde(borrow)]
+    offsets: Vec<StoredOffset<'a>>,
+    #[serde(borrow)]
+    bore: Option<StoredBore<'a>>,
 }
 
 #[derive(Serialize, Deserialize)]
@@ -44,9 +45,6 @@ impl ElasticSolid {
             turned: known.turned.clone(),
             stress_places: known.stress_places.clone(),
         };
-        let offset = |offset: &OffsetTables| {
-            [&offset.compliance, &offset.stress_ahead, &offset.stress_behind].map(|list| tables(list))
-        };
         to_bytes(&StoredSolid {
             teeth: self.teeth,
             surface_modulus: self.surface_modulus,
@@ -54,7 +52,7 @@ impl ElasticSolid {
             mirrors: self.mirrors.map(|mirror| [mirror.point, mirror.normal]),
             modes: self.modes.clone(),
             surfaces: self.surfaces.iter().map(surface).collect(),
-            offsets: self.offsets.iter().map(offset).collect(),
+            offsets: self.offsets.iter().map(StoredOffset::of).collect(),
             bore: self.bore.as_ref().map(StoredBore::of),
         })
     }
@@ -74,13 +72,6 @@ impl ElasticSolid {
                 stress_places: stored.stress_places,
             })
         };
-        let offset = |[compliance, ahead, behind]: &[Tables; 3]| {
-            Some(OffsetTables {
-                compliance: matrices(compliance)?,
-                stress_ahead: matrices(ahead)?,
-                stress_behind: matrices(behind)?,
-            })
-        };
         if stored.surfaces.len() != surfaces.len() {
             return None;
         }
@@ -96,7 +87,7 @@ impl ElasticSolid {
             mirrors: stored.mirrors.map(|[point, normal]| Mirror { point, normal }),
             modes: stored.modes,
             surfaces: stored.surfaces.into_iter().zip(surfaces).map(known).collect::<Option<_>>()?,
-            offsets: stored.offsets.iter().map(offset).collect::<Option<_>>()?,
+            offsets: stored.offsets.iter().map(StoredOffset::tables).collect::<Option<_>>()?,
             bore,
         })
     }

@@ -3,7 +3,7 @@
 use super::bodies::{Ring, TEETH};
 use crate::fe::solid::SolidModel;
 use crate::interrupt::Interrupt;
-use crate::structure::solid::elastic::OffsetTables;
+use crate::structure::elastic::OffsetTables;
 use crate::structure::solid::halves::Mirrored;
 use crate::structure::solid::{ElasticSolid, SolidSplitOptions};
 use crate::structure::tests::bodies::{COARSE, ring_source};
