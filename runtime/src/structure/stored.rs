@@ -22,7 +22,7 @@ pub(super) struct Table<'a> {
 }
 
 /// At once, where a list would go byte by byte.
-fn as_bytes<S: Serializer>(values: &Cow<'_, [u8]>, serializer: S) -> Result<S::Ok, S::Error> {
+fn as_bytes<S: Serializer>(values: &[u8], serializer: S) -> Result<S::Ok, S::Error> {
     serializer.serialize_bytes(values)
 }
 
