@@ -212,7 +212,8 @@ impl Bearing {
     ///
     /// # Errors
     /// E0685: both races are on one body; E0686: a matrix is not symmetric, or gives energy; E0687: the races do not stay together;
-    /// E0688: a stop has no stiffness or no direction; E0671: the scene has a bearing of that name; E0710: a frame is not a number.
+    /// E0688: a stop has no stiffness or no direction; E0653: the scene has no such body; E0671: it has a bearing of that name; E0710: a
+    /// frame is not a number.
     pub fn check(&self, scene: &Scene) -> Result<(), EngineError> {
         if scene.bearings.iter().any(|other| other.name == self.name) {
             let message = format!("there are two bearings called \"{}\"", self.name);

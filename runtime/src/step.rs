@@ -20,7 +20,7 @@ use crate::holding;
 use crate::scene::{Scene, SurfacePair};
 use crate::system::{Bodies, System, Teeth};
 use drag::Action;
-use drift::{drift, drifted};
+use drift::{Foothold, farthest};
 
 /// A solved position. Keeps the contact problem and its active cells, from which sensitivities follow.
 #[derive(Clone, Debug)]
@@ -31,8 +31,8 @@ pub struct StepResult {
     pub patches: Vec<Patch>,
     /// Deviation of every freedom from its prescribed motion, m or rad.
     pub motion: Vec<f64>,
-    /// The part of it that bodies go, rigid, before teeth touch: contact was laid out there. Nothing but where teeth may touch on both
-    /// sides, with backlash between.
+    /// The part of it after which contact was laid out: nothing, unless teeth may touch on both sides with backlash between, or the
+    /// load carries bodies off the grids that would lie where their frames are without load.
     pub start: Vec<f64>,
     /// What was solved.
     pub problem: ContactProblem,
@@ -58,6 +58,14 @@ const MATRICES: u64 = 4;
 const REGRIDS: usize = 3;
 /// How often bodies that go through backlash are moved to where their teeth touch: involutes are there at once.
 const STARTS: usize = 3;
+/// Contact that moves along a surface by this part of half a grid's width has left the middle of its grid. Gaps are linear in motions; what
+/// moving by d does to them besides is up to d² / 2 R, here a quarter of what the parabola of the gap rises up to the end of the grid.
+const DRIFT: f64 = 0.5;
+/// Places at which contact was laid out anew that differ by less than this part of half a grid's width are one.
+const SETTLED: f64 = 1e-3;
+/// How often contact is laid out anew where the load carries bodies. Each time brings the place a hundred times nearer, or ten times
+/// if the load carries them by a module.
+const PLACES: usize = 8;
 
 /// A pair of teeth that could touch: what is known before anything is solved.
 struct Candidate<S> {
@@ -127,6 +135,9 @@ trait Space {
     /// Where cells act, and along which normal: what friction is made of.
     fn action(&self, candidate: &Candidate<Self::Site>, grid: &Self::Grid) -> Action;
 
+    /// The same of the closest approach, where no grid is laid.
+    fn approaching(&self, candidate: &Candidate<Self::Site>) -> Action;
+
     /// Growth of gaps by the forces on cells, see [`ContactProblem::compliance`].
     fn compliance(&self, laid: &[(&Candidate<Self::Site>, &Self::Grid)]) -> Result<Vec<f64>, EngineError>;
 
@@ -177,11 +188,11 @@ impl System<'_> {
         match &self.bodies {
             Bodies::Plane(bodies) => {
                 let space = &plane::Plane { system: self, bodies };
-                Solver { system: self, space, direction, springs }.solve(time, &load)
+                Solver { system: self, space, direction, springs, start: &[] }.solve(time, &load)
             }
             Bodies::Solid(bodies) => {
                 let space = &solid::Solid { system: self, bodies };
-                Solver { system: self, space, direction, springs }.solve(time, &load)
+                Solver { system: self, space, direction, springs, start: &[] }.solve(time, &load)
             }
         }
     }
@@ -195,21 +206,65 @@ struct Solver<'a, S> {
     direction: &'a [f64],
     /// What bearings do at the position.
     springs: &'a Springs,
+    /// How far bodies are off their prescribed motions where contact is laid out, m or rad by freedom; empty if they are not.
+    start: &'a [f64],
+}
+
+/// A position solved with contact laid out at one place.
+struct Laid {
+    step: StepResult,
+    footholds: Vec<Foothold>,
 }
 
 impl<S: Space> Solver<'_, S> {
+    /// Contact is laid out where frames are without load, behind backlash, and anew where the load carries bodies that it carries far, until
+    /// that is one place.
     fn solve(&self, time: f64, load: &[f64]) -> Result<StepResult, EngineError> {
         let start = self.start(time, load)?;
-        let candidates = self.space.candidates(time, &start)?;
+        let mut laid = self.solve_from(time, load, &start)?;
+        let Laid { step, footholds } = &laid;
+        if farthest(self.system, time, footholds, &difference(&step.motion, &step.start)).0 <= DRIFT {
+            return Ok(laid.step);
+        }
+        for _ in 0..PLACES {
+            let next = self.carried(time, load, &laid.step)?;
+            let moved = difference(&next, &laid.step.start);
+            if farthest(self.system, time, &laid.footholds, &moved).0 <= SETTLED {
+                return Ok(laid.step);
+            }
+            laid = match self.solve_from(time, load, &next) {
+                Ok(laid) => laid,
+                // Where the load takes them teeth do not meet.
+                Err(error) if ["E0714", "E0715"].contains(&error.code) => break,
+                Err(error) => return Err(error),
+            };
+        }
+        let Laid { mut step, footholds } = laid;
+        let moved = difference(&self.carried(time, load, &step)?, &step.start);
+        if let (drift, Some(foothold)) = farthest(self.system, time, &footholds, &moved)
+            && drift > DRIFT
+        {
+            step.warnings.push(foothold.lost(self.system.scene, drift));
+        }
+        Ok(step)
+    }
+
+    /// With contact laid out where bodies are off their prescribed motions by `start`.
+    fn solve_from(&self, time: f64, load: &[f64], start: &[f64]) -> Result<Laid, EngineError> {
+        let candidates = self.space.candidates(time, start)?;
         // Motions are counted from there, and springs are strained already.
-        let (springs, load) = self.springs.from(&start, load);
-        let solver = Solver { springs: &springs, ..*self };
+        let (springs, load) = self.springs.from(start, load);
+        let solver = Solver { springs: &springs, start, ..*self };
         let near = |candidate: &Candidate<S::Site>| candidate.nearest.gap < SEARCH_DEPTH * candidate.length;
         let mut chosen: Vec<bool> = candidates.iter().map(near).collect();
+        if !chosen.contains(&true) {
+            // Frames leave a gap that motions have to close first.
+            chosen.fill(true);
+        }
         loop {
             let used: Vec<&Candidate<S::Site>> =
                 candidates.iter().zip(&chosen).filter(|(_, used)| **used).map(|(c, _)| c).collect();
-            let step = solver.solve_candidates(time, &load, &used)?;
+            let Laid { step, footholds } = solver.solve_candidates(time, &load, &used)?;
             // Teeth that were left out and that the solution would push into each other.
             let mut closed = false;
             for (candidate, used) in candidates.iter().zip(&mut chosen).filter(|(_, used)| !**used) {
@@ -219,10 +274,30 @@ impl<S: Space> Solver<'_, S> {
                 }
             }
             if !closed {
-                let motion = step.motion.iter().zip(&start).map(|(moved, start)| start + moved).collect();
-                return Ok(StepResult { motion, start, ..step });
+                let motion = step.motion.iter().zip(start).map(|(moved, start)| start + moved).collect();
+                let step = StepResult { motion, start: start.to_vec(), ..step };
+                return Ok(Laid { step, footholds });
             }
         }
+    }
+
+    /// Where the load has carried bodies: springs are strained as they are, stops pressed in as far, and what they leave free is where
+    /// rigid teeth touch, as where contact is laid out elsewhere. What nothing leaves free stays as it is, elastic.
+    fn carried(&self, time: f64, load: &[f64], step: &StepResult) -> Result<Vec<f64>, EngineError> {
+        let candidates = self.space.candidates(time, &step.motion)?;
+        let (mut springs, load) = self.springs.from(&step.motion, load);
+        springs.gaps.iter_mut().for_each(|gap| *gap = gap.max(0.0));
+        let solver = Solver { springs: &springs, ..*self };
+        let (gaps, arms) = solver.rigid_contacts(&candidates);
+        let strained = rest(&springs.stiffness, &vec![0.0; load.len()]);
+        let back = strained.rigid_limit(&gaps, &arms, &self.limit_direction(), &self.system.interrupt);
+        let mut carried = step.motion.clone();
+        match back {
+            Ok(Some(limit)) => carried.iter_mut().zip(&limit.motion).for_each(|(at, more)| *at += more),
+            Err(error @ ContactError::Interrupted(_)) => return Err(self.explain(&error)),
+            Ok(None) | Err(_) => {}
+        }
+        Ok(carried)
     }
 
     /// Whether teeth may touch on both sides.
@@ -287,13 +362,13 @@ impl<S: Space> Solver<'_, S> {
         time: f64,
         load: &[f64],
         candidates: &[&Candidate<S::Site>],
-    ) -> Result<StepResult, EngineError> {
+    ) -> Result<Laid, EngineError> {
         // Bodies that are all held, or sprung, where they overlap press on each other without any load.
         let rest = rest(&self.springs.stiffness, load);
         if rest.balanced
-            && let Some(step) = self.touch_without_load(time, load, candidates, &rest)?
+            && let Some(laid) = self.touch_without_load(time, load, candidates, &rest)?
         {
-            return Ok(step);
+            return Ok(laid);
         }
         let mut sizes = vec![None; candidates.len()];
         let largest_forces = self.largest_forces(load, candidates);
@@ -322,7 +397,7 @@ impl<S: Space> Solver<'_, S> {
             rounds -= 1;
         };
 
-        let mut warnings = Vec::new();
+        let (mut warnings, mut footholds) = (Vec::new(), Vec::new());
         let mut patches = Vec::with_capacity(grids.len());
         let mut left = &solution.forces[..];
         for ((candidate, grid), drag) in candidates.iter().zip(grids).zip(drags) {
@@ -330,15 +405,16 @@ impl<S: Space> Solver<'_, S> {
             left = others;
             warnings.extend(self.space.judge(candidate, &grid, forces));
             if forces.iter().any(|&force| force > 0.0) {
-                let (scene, pair) = (self.system.scene, &self.system.scene.pairs[candidate.teeth.0]);
-                let action = self.space.action(candidate, &grid);
-                let moved = drift(self.system, pair, time, &action, &solution.motion);
-                warnings.extend(drifted(scene, pair, moved, self.space.width(&grid)));
+                footholds.push(Foothold {
+                    pair: candidate.teeth.0,
+                    action: self.space.action(candidate, &grid),
+                    reach: 0.5 * self.space.width(&grid),
+                });
             }
             patches.push(Patch { drag, ..self.space.patch(candidate, Some((grid, forces.to_vec()))) });
         }
         let stops = left.to_vec();
-        Ok(StepResult {
+        let step = StepResult {
             time,
             patches,
             motion: solution.motion,
@@ -348,7 +424,8 @@ impl<S: Space> Solver<'_, S> {
             stops,
             certificate: solution.certificate,
             warnings,
-        })
+        };
+        Ok(Laid { step, footholds })
     }
 
     /// Where bodies come to rest as the load that springs do not bear vanishes: rigid contact at the closest approaches. `None` if they
@@ -359,7 +436,7 @@ impl<S: Space> Solver<'_, S> {
         load: &[f64],
         candidates: &[&Candidate<S::Site>],
         rest: &Rest,
-    ) -> Result<Option<StepResult>, EngineError> {
+    ) -> Result<Option<Laid>, EngineError> {
         let (gaps, arms) = self.rigid_contacts(candidates.iter().copied());
         let motion = match rest.rigid_limit(&gaps, &arms, &self.limit_direction(), &self.system.interrupt) {
             Ok(Some(limit)) => limit.motion,
@@ -368,6 +445,12 @@ impl<S: Space> Solver<'_, S> {
             Err(error) => return Err(self.explain(&error)),
         };
         let patches = candidates.iter().map(|candidate| self.space.patch(candidate, None)).collect();
+        let footholds = candidates.iter().map(|candidate| Foothold {
+            pair: candidate.teeth.0,
+            action: self.space.approaching(candidate),
+            // No grid; but teeth are looked for as near as this.
+            reach: SEARCH_DEPTH * candidate.length / DRIFT,
+        });
         let problem = ContactProblem {
             compliance: Vec::new(),
             arms: Vec::new(),
@@ -378,7 +461,9 @@ impl<S: Space> Solver<'_, S> {
         let certificate = problem.certify(&[], &motion);
         let (active, stops, warnings) = (Vec::new(), Vec::new(), Vec::new());
         let start = Vec::new();
-        Ok(Some(StepResult { time, patches, motion, start, problem, active, stops, certificate, warnings }))
+        let footholds = footholds.collect();
+        let step = StepResult { time, patches, motion, start, problem, active, stops, certificate, warnings };
+        Ok(Some(Laid { step, footholds }))
     }
 
     /// For each patch whose size was left open and turns out to be unsuitable, a better one.
@@ -456,8 +541,8 @@ impl<S: Space> Solver<'_, S> {
         for (candidate, grid) in candidates.iter().zip(grids) {
             let pair = &scene.pairs[candidate.teeth.0];
             let action = self.space.action(candidate, grid);
-            let drag = action.drag(scene, pair, time);
-            works.extend(action.works(self.system, pair, time, &drag));
+            let drag = action.drag(self.system, pair, time, self.start);
+            works.extend(action.works(self.system, pair, time, &drag, self.start));
             drags.push(drag);
         }
         (drags, works)
@@ -467,6 +552,10 @@ impl<S: Space> Solver<'_, S> {
     fn explain(&self, error: &ContactError) -> EngineError {
         holding::explain(self.system.scene, &self.system.freedoms, error)
     }
+}
+
+fn difference(one: &[f64], other: &[f64]) -> Vec<f64> {
+    one.iter().zip(other).map(|(one, other)| one - other).collect()
 }
 
 /// That a grid does not suit its patch, and which width (m) would.

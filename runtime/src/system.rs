@@ -5,7 +5,7 @@ use crate::building::{Structures, build_structures};
 use crate::contact::solid::Pose;
 use crate::error::{EngineError, Subject};
 use crate::interrupt::Interrupt;
-use crate::motion::{PlanePose, Stance, pose_in_space};
+use crate::motion::{PlanePose, Stance, moved_by, point_velocity, pose_in_space};
 use crate::plan::Plan;
 use crate::resources::Resources;
 use crate::results::StructureCounts;
@@ -200,6 +200,38 @@ impl<'s> System<'s> {
             }
             Bodies::Solid(_) => solid_pose(self.scene, body, time).map_or([f64::NAN; 3], |pose| pose.origin),
         }
+    }
+
+    /// The same, where bodies are off their prescribed motions by `moved`, m or rad by freedom.
+    pub(crate) fn origin_moved(&self, body: usize, time: f64, moved: &[f64]) -> [f64; 3] {
+        let (origin, shift) = (self.origin(body, time), self.shift(body, time, moved));
+        [0, 1, 2].map(|k: usize| origin[k] + shift[k])
+    }
+
+    /// Where a body's frame is at a time, off its prescribed motion by `moved`: turned about its own axis first, whole, then tilted about one
+    /// axis, which is exact for turns of any size.
+    ///
+    /// # Errors
+    /// As [`solid_pose`].
+    pub(crate) fn pose_moved(&self, body: usize, time: f64, moved: &[f64]) -> Result<Pose, EngineError> {
+        let pose = solid_pose(self.scene, body, time)?;
+        let by = self.moved(body, moved);
+        Ok(if by == [0.0; 6] { pose } else { moved_by(&pose, by) })
+    }
+
+    /// How far `moved` is of the origin of a body's frame, along ground axes, m.
+    fn shift(&self, body: usize, time: f64, moved: &[f64]) -> [f64; 3] {
+        let [x, y, z, ..] = self.moved(body, moved);
+        let axes = self.axes(body, time);
+        [0, 1, 2].map(|k: usize| x * axes[0][k] + y * axes[1][k] + z * axes[2][k])
+    }
+
+    /// Velocity of the point of a body that is at a point in ground coordinates (m), m/s: the prescribed motion's, about an axis that is
+    /// where the body's origin is, off that motion by `moved`.
+    pub(crate) fn velocity(&self, body: usize, time: f64, moved: &[f64], point: [f64; 3]) -> [f64; 3] {
+        let shift = self.shift(body, time, moved);
+        let point = [0, 1, 2].map(|k: usize| point[k] - shift[k]);
+        point_velocity(self.scene.bodies[body].motion.as_ref(), time, point)
     }
 }
 

@@ -61,7 +61,7 @@ pub const CODES: &[Explanation] = codes! {
     "E0650" "the first gear of a mesh does not turn" "A mesh cycle is the time of one pitch, so the first gear needs a speed: `frame := Rotate(3 rpm * Time, e3)`."
     "E0651" "the two frames do not turn in the ratio of the teeth" "Frames say how the bodies would move if nothing deflected, so their speeds stand in the inverse ratio of the teeth, with opposite signs for external gears."
     "E0652" "a mesh of two bodies that are in mesh already, or of one with itself" "A pair of gears touches along one line of action; a second mesh of the same two would share its load in no determined way. `mesh` returns what outputs and cycles ask for: keep it in a variable."
-    "E0653" "a mesh of a body that carries no gear" "In the language every body carries one; a scene built in Rust may have others, such as discs."
+    "E0653" "a mesh or a bearing on a body that cannot have it" "In the language every body carries a gear; a scene built in Rust may have others, such as discs, which are in no mesh. Nor can a body of another scene be meant."
     "E0654" "contact of the back sides is not searched in this mesh" "Teeth have a side that drives and a back side. Where a load reverses or axes leave no backlash, the back sides touch too, which is searched if the mesh is made with `back_side_contact = TRUE`."
     "E0660" "Young's modulus is not positive" "Steel has about 206 GPa, or 3e7 psi."
     "E0661" "Poisson's ratio is not from 0 to below 0.5" "Steel has 0.3. At 0.5 a material would be incompressible, which these elements do not treat."

@@ -4,7 +4,7 @@ use super::{Bearing, Support};
 use crate::contact::solid::Pose;
 use crate::error::{EngineError, Subject};
 use crate::motion::{Stance, point_velocity, pose_in_space};
-use crate::scene::{BodyId, Scene};
+use crate::scene::{Body, BodyId, Scene};
 use crate::system::Freedom;
 
 type Vector = [f64; 3];
@@ -43,7 +43,7 @@ impl Placed {
         };
         let [origin, axis] = carried(start.origin, start.axes[2])?;
         let size = length(minus(placed.origin, placed.frames[0]))
-            + scene.bodies[bearing.body.0].prototype.enclosing_radius();
+            + body_of(scene, bearing.body)?.prototype.enclosing_radius();
         let (apart, tilted) = (length(minus(placed.origin, origin)), length(minus(placed.axes[2], axis)));
         if apart > TOGETHER * size || tilted > TOGETHER {
             return Err(parted(bearing, &format!("at Time = {time} s")));
@@ -123,14 +123,15 @@ impl Placed {
 /// That the first body turns about the bearing's axis alone, as seen from the second, as the scene begins.
 pub(super) fn check_races(scene: &Scene, bearing: &Bearing) -> Result<(), EngineError> {
     let placed = Placed::at(scene, bearing, 0.0)?;
-    let radius = scene.bodies[bearing.body.0].prototype.enclosing_radius();
-    let motion = |body: BodyId| scene.bodies[body.0].motion.as_ref();
+    let first = body_of(scene, bearing.body)?;
+    let second = match bearing.to {
+        Support::Ground => None,
+        Support::Body(body) => Some(body_of(scene, body)?),
+    };
+    let radius = first.prototype.enclosing_radius();
     let relative = |point: Vector| {
-        let first = point_velocity(motion(bearing.body), 0.0, point);
-        match bearing.to {
-            Support::Ground => first,
-            Support::Body(body) => minus(first, point_velocity(motion(body), 0.0, point)),
-        }
+        let velocity = |body: &Body| point_velocity(body.motion.as_ref(), 0.0, point);
+        second.map_or(velocity(first), |second| minus(velocity(first), velocity(second)))
     };
     let beside =
         |axis: usize| -> Vector { std::array::from_fn(|k| placed.origin[k] + radius * placed.axes[axis][k]) };
@@ -153,8 +154,21 @@ fn parted(bearing: &Bearing, when: &str) -> EngineError {
 }
 
 fn pose(scene: &Scene, body: BodyId, time: f64) -> Result<Pose, EngineError> {
-    pose_in_space(scene.bodies[body.0].motion.as_ref(), time)
+    pose_in_space(body_of(scene, body)?.motion.as_ref(), time)
         .map_err(|error| error.about(Subject::Body(body.0)))
+}
+
+/// # Errors
+/// E0653: the scene has no such body.
+fn body_of(scene: &Scene, body: BodyId) -> Result<&Body, EngineError> {
+    scene.bodies.get(body.0).ok_or_else(|| {
+        EngineError::new(
+            "E0653",
+            format!("a bearing is on body {}, and the scene has {}", body.0, scene.bodies.len()),
+            "give what `add_body` of this very scene returned",
+        )
+        .blame("body")
+    })
 }
 
 fn dot(a: Vector, b: Vector) -> f64 {

@@ -2,7 +2,6 @@
 
 use crate::contact::pressure::Peak;
 use crate::contact::solid::Grid;
-use crate::motion::point_velocity;
 use crate::results::Place;
 use crate::scene::{BodyId, GearMesh, PairId};
 use crate::step::{Patch, PatchGrid, StepResult};
@@ -75,17 +74,15 @@ impl<'a> Equilibrium<'a> {
     }
 
     /// Where the origin of a body's frame was when contact was laid out, m: where it is meant to be, but for backlash it has gone
-    /// through.
+    /// through and for where the load carries it.
     pub(crate) fn origin(&self, body: BodyId) -> [f64; 3] {
-        let origin = self.system.origin(body.0, self.time());
-        let [x, y, z, ..] = self.system.moved(body.0, &self.step.start);
-        let axes = self.system.axes(body.0, self.time());
-        [0, 1, 2].map(|k: usize| origin[k] + x * axes[0][k] + y * axes[1][k] + z * axes[2][k])
+        self.system.origin_moved(body.0, self.time(), &self.step.start)
     }
 
-    /// Velocity of the point of a body that is at a point in ground coordinates (m), by the body's prescribed motion, m/s.
+    /// Velocity of the point of a body that is at a point in ground coordinates (m), by the body's prescribed motion where contact was laid
+    /// out, m/s.
     pub fn velocity(&self, body: BodyId, point: [f64; 3]) -> [f64; 3] {
-        point_velocity(self.system.scene.bodies[body.0].motion.as_ref(), self.step.time, point)
+        self.system.velocity(body.0, self.time(), &self.step.start, point)
     }
 
     /// A place on a body of a plane model, by its tooth and the point in the body's coordinates (m).

@@ -5,7 +5,6 @@ use super::{Contact, Equilibrium, Slice};
 use crate::results::Place;
 use crate::scene::BodyId;
 use crate::step::PatchGrid;
-use crate::system::solid_pose;
 
 /// The fields of a solved position.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -77,7 +76,7 @@ impl Equilibrium<'_> {
     fn fillets(self, body: BodyId) -> Vec<FilletField> {
         let scene = self.system.scene;
         let (Some(mut stresses), Ok(frame)) =
-            (around_contact(&self, body), solid_pose(scene, body.0, self.time()))
+            (around_contact(&self, body), self.system.pose_moved(body.0, self.time(), &self.step.start))
         else {
             return Vec::new();
         };

@@ -1,8 +1,7 @@
 //! Friction of a patch: the force that drags the first body against its sliding, and the second along.
 
 use crate::contact::solid::sliding;
-use crate::motion::point_velocity;
-use crate::scene::{Scene, SurfacePair};
+use crate::scene::SurfacePair;
 use crate::system::System;
 
 /// Where the cells of a patch act and along which common normal, out of the first body, in ground coordinates.
@@ -13,14 +12,14 @@ pub(super) struct Action {
 }
 
 impl Action {
-    /// Per cell, the friction on the first body by a unit of normal force, along ground axes; empty of a pair without friction.
-    pub fn drag(&self, scene: &Scene, pair: &SurfacePair, time: f64) -> Vec<[f64; 3]> {
+    /// Per cell, the friction on the first body by a unit of normal force, along ground axes, where bodies are off their prescribed motions
+    /// by `start`; empty of a pair without friction.
+    pub fn drag(&self, system: &System, pair: &SurfacePair, time: f64, start: &[f64]) -> Vec<[f64; 3]> {
         if pair.friction == 0.0 {
             return Vec::new();
         }
-        let motion = |side: usize| scene.bodies[pair.bodies[side].0].motion.as_ref();
         let of = |&point: &[f64; 3]| {
-            let velocities = [0, 1].map(|side| point_velocity(motion(side), time, point));
+            let velocities = pair.bodies.map(|body| system.velocity(body.0, time, start, point));
             sliding(self.normal, velocities)
                 .map_or([0.0; 3], |direction| direction.map(|d| -pair.friction * d))
         };
@@ -28,12 +27,20 @@ impl Action {
     }
 
     /// Generalised forces of that friction on the freedoms by a unit of normal force on each cell, row by row.
-    pub fn works(&self, system: &System, pair: &SurfacePair, time: f64, drag: &[[f64; 3]]) -> Vec<f64> {
+    pub fn works(
+        &self,
+        system: &System,
+        pair: &SurfacePair,
+        time: f64,
+        drag: &[[f64; 3]],
+        start: &[f64],
+    ) -> Vec<f64> {
         let count = system.freedoms.len();
         let mut works = vec![0.0; self.points.len() * count];
         for (column, freedom) in system.freedoms.iter().enumerate() {
             for side in (0..2).filter(|&side| pair.bodies[side].0 == freedom.body) {
-                let (origin, axes) = (system.origin(freedom.body, time), system.axes(freedom.body, time));
+                let axes = system.axes(freedom.body, time);
+                let origin = system.origin_moved(freedom.body, time, start);
                 for (row, (drag, point)) in drag.iter().zip(&self.points).enumerate() {
                     works[row * count + column] +=
                         work(*drag, side, freedom.component, &axes, origin, *point);

@@ -127,8 +127,13 @@ impl Space for Plane<'_> {
     }
 
     fn action(&self, candidate: &Candidate<Site>, grid: &Grid) -> Action {
+        let Action { normal, points } = self.approaching(candidate);
+        Action { normal, points: points.repeat(grid.cells.len()) }
+    }
+
+    fn approaching(&self, candidate: &Candidate<Site>) -> Action {
         let ContactFrame { point: [x, y], normal: [along_x, along_y], .. } = candidate.site.approach.frame;
-        Action { normal: [along_x, along_y, 0.0], points: vec![[x, y, 0.0]; grid.cells.len()] }
+        Action { normal: [along_x, along_y, 0.0], points: vec![[x, y, 0.0]] }
     }
 
     fn compliance(&self, laid: &[(&Candidate<Site>, &Grid)]) -> Result<Vec<f64>, EngineError> {

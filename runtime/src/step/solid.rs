@@ -9,12 +9,12 @@ use crate::contact::solid::{
     find_ridge, first_guess, lay, pressures,
 };
 use crate::error::EngineError;
-use crate::motion::{Stance, moved_by};
+use crate::motion::Stance;
 use crate::scene::SurfacePair;
 use crate::structure::Chart;
 use crate::structure::solid::SolidStructure;
 use crate::surface::Surface;
-use crate::system::{Freedom, SolidBodies, System, solid_pose};
+use crate::system::{Freedom, SolidBodies, System};
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 
@@ -52,7 +52,10 @@ impl Space for Solid<'_> {
         let mut found = Vec::new();
         for (index, pair) in scene.pairs.iter().enumerate() {
             let bodies = pair.bodies.map(|body| body.0);
-            let frames = [self.pose(bodies[0], time, moved)?, self.pose(bodies[1], time, moved)?];
+            let frames = [
+                self.system.pose_moved(bodies[0], time, moved)?,
+                self.system.pose_moved(bodies[1], time, moved)?,
+            ];
             let [Some(first), Some(second)] = bodies.map(|body| self.bodies.structures[body].as_deref())
             else {
                 continue;
@@ -91,7 +94,8 @@ impl Space for Solid<'_> {
                         .filter(|ridge| faces(ridge, &poses, structures));
                     if let Some(ridge) = ridge {
                         let origins = frames.map(|frame| frame.origin);
-                        let axes = stances.map(|stance| stance.axes);
+                        // Springs and loads are along the axes of the prescribed stance, wherever contact is laid out.
+                        let axes = bodies.map(|body| self.system.axes(body, time));
                         let at = |gap, point| Approach {
                             gap,
                             arms: self.arms_at(bodies, (origins, axes), &ridge.frame, point),
@@ -153,6 +157,11 @@ impl Space for Solid<'_> {
 
     fn action(&self, _: &Candidate<Site>, grid: &Grid) -> Action {
         Action { normal: grid.frame.normal, points: grid.cells.iter().map(|cell| cell.point).collect() }
+    }
+
+    fn approaching(&self, candidate: &Candidate<Site>) -> Action {
+        let PatchFrame { normal, point, .. } = candidate.site.ridge.frame;
+        Action { normal, points: vec![point] }
     }
 
     fn compliance(&self, laid: &[(&Candidate<Site>, &Grid)]) -> Result<Vec<f64>, EngineError> {
@@ -218,13 +227,6 @@ impl Space for Solid<'_> {
 impl Solid<'_> {
     fn pair(&self, candidate: &Candidate<Site>) -> &SurfacePair {
         &self.system.scene.pairs[candidate.teeth.0]
-    }
-
-    /// Where a body's frame is at a time, off its prescribed motion by `moved`.
-    fn pose(&self, body: usize, time: f64, moved: &[f64]) -> Result<Pose, EngineError> {
-        let pose = solid_pose(self.system.scene, body, time)?;
-        let by = self.system.moved(body, moved);
-        Ok(if by == [0.0; 6] { pose } else { moved_by(&pose, by) })
     }
 
     fn contact_modulus(&self, candidate: &Candidate<Site>) -> f64 {

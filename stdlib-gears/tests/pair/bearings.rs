@@ -6,17 +6,19 @@ use crate::common::pair::{
 use calyx_runtime::analysis::{AnalysisOptions, mesh_cycle, quasi_static};
 use calyx_runtime::bearing::{Bearing, Stop, axisymmetric};
 use calyx_runtime::contact::clarabel_check;
+use calyx_runtime::load::Wrench;
 use calyx_runtime::motion::SteadyRotation;
 use calyx_runtime::observe::{
-    BearingDeflection, BearingForce, Direction, Displacement, Equilibrium, MeshStiffness, Observable,
-    TransmissionError, UnloadedTransmissionError,
+    BearingDeflection, BearingForce, Direction, Displacement, Equilibrium, MaxContactPressure, MeshStiffness,
+    Observable, TransmissionError, UnloadedTransmissionError,
 };
 use calyx_runtime::plan::Plan;
 use calyx_runtime::resources::Resources;
 use calyx_runtime::results::OutputRequest;
-use calyx_runtime::scene::{BearingId, Body, Component, Fidelity, GearMesh, Scene};
+use calyx_runtime::scene::{BearingId, Body, BodyId, Component, Fidelity, GearMesh, Scene};
 use calyx_runtime::step::StepResult;
 use calyx_runtime::system::System;
+use std::f64::consts::TAU;
 use std::sync::Arc;
 
 const K: f64 = 2e8;
@@ -208,14 +210,97 @@ fn a_ring_gives_by_its_clearance_and_then_by_its_stiffness_alike_in_all_directio
 }
 
 #[test]
-fn a_gear_that_leaves_the_grid_it_was_given_is_reported() {
-    let warnings = |stiffness: f64| solved(&on([radial(stiffness)]), |_, step| step.warnings.clone());
-    assert!(warnings(K).is_empty());
-    // A force square to the line of action slides the flanks along each other.
-    let soft = 0.05 * K;
-    let (scene, mesh) = on([Bearing { load: [-0.5e-3 * soft, 0.0, 0.0, 0.0, 0.0, 0.0], ..radial(soft) }]);
-    let away = solved(&(scene, mesh), |_, step| step.warnings.clone());
-    assert!(away.iter().any(|warning| warning.contains("along each other")), "{away:?}");
+fn a_gear_that_stays_on_its_grid_is_solved_where_its_frame_is() {
+    let (start, warnings) = solved(&on([radial(K)]), |_, step| (step.start.clone(), step.warnings.clone()));
+    assert!(start.iter().all(|&moved| moved == 0.0) && warnings.is_empty(), "{start:?} {warnings:?}");
+}
+
+/// The scene with its second gear held where another one's bearings have taken it, and its first one turned to where rigid teeth touch
+/// there; with it that turn.
+fn held_at(scene: &Scene, mesh: &GearMesh, [x, y]: [f64; 2]) -> (Scene, f64) {
+    let SteadyRotation { origin: [from_x, from_y], .. } = scene_motion(scene);
+    let mut held = scene.clone();
+    held.bearings.clear();
+    let speed = -0.5 * 0.05 * TAU;
+    held.bodies[SECOND.0].motion =
+        Arc::new(SteadyRotation { origin: [from_x + x, from_y + y], start: 0.0, speed });
+    held.bodies[SECOND.0].free = [false; 6];
+    let mut turn = 0.0;
+    for _ in 0..3 {
+        let mut unloaded = held.clone();
+        unloaded.bodies[FIRST.0].load = Arc::new(Wrench::NONE);
+        let unloaded = (unloaded, mesh.clone());
+        let more = solved(&unloaded, |_, step| step.motion[0]);
+        held.bodies[FIRST.0].phase += more;
+        turn += more;
+    }
+    (held, turn)
+}
+
+/// Soft bearings, preloads and clearances that take the second gear up to a tenth of a module (2.54 mm) away: the same as holding it
+/// there, and the working pressure angle is that of the new centre distance.
+#[test]
+fn a_gear_that_is_carried_far_is_solved_where_it_is_carried() {
+    let (force, _) = force();
+    let soft = force / 0.15e-3;
+    let ring = Stop::Ring { clearance: 0.3e-3, stiffness: 0.2 * K };
+    let offset = |x: f64, y: f64| Bearing { unloaded: [x, y, 0.0, 0.0, 0.0, 0.0], ..radial(soft) };
+    let cases = [
+        radial(0.4 * soft),
+        offset(0.25e-3, 0.0),
+        offset(-0.05e-3, 0.2e-3),
+        with_stop(0.0, ring.clone()),
+        with_stop(0.3 * soft, ring),
+    ];
+    for bearing in cases {
+        let (scene, mesh) = on([bearing]);
+        let (motion, borne, pressures) = solved(&(scene.clone(), mesh.clone()), |system, step| {
+            assert!(step.warnings.is_empty(), "{:?}", step.warnings);
+            assert!(step.start.iter().any(|&moved| moved != 0.0), "{:?}", step.motion);
+            let at = Equilibrium::new(system, step);
+            let (contact, held) = (at.contact_force(SECOND), at.bearings_on(SECOND));
+            assert!((0..2).all(|k| (contact[k] + held[k]).abs() < 1e-10 * force), "{contact:?} {held:?}");
+            (step.motion.clone(), contact, system.value(step, &MaxContactPressure(MESH)).value)
+        });
+        let [turn, x, y] = motion[..] else { panic!("three freedoms") };
+        assert!((0.1e-3..0.5e-3).contains(&x.hypot(y)), "{x} {y}");
+        let (held, before) = held_at(&scene, &mesh, [x, y]);
+        solved(&(held, mesh.clone()), |system, step| {
+            let contact = system.contact_force(step, SECOND);
+            for k in 0..2 {
+                // A thousandth of half a grid turns the line of action by some millionths.
+                assert!((contact[k] - borne[k]).abs() < 5e-6 * force, "{contact:?} {borne:?}");
+            }
+            let own = step.motion[0];
+            assert!((turn - before - own).abs() < 1e-5 * own.abs(), "{turn} {before} {own}");
+            let pressure = system.value(step, &MaxContactPressure(MESH)).value;
+            assert!((pressure / pressures - 1.0).abs() < 1e-5, "{pressure} {pressures}");
+        });
+        // The torque is the force times the base radius, and the force leans by the pressure angle of the new distance.
+        assert!((borne[0].hypot(borne[1]) / force - 1.0).abs() < 1e-9, "{borne:?} {force}");
+        let across = [scene_motion(&scene).origin[0] + x, scene_motion(&scene).origin[1] + y];
+        let distance = across[0].hypot(across[1]);
+        let cosine = (mesh.base_radii[0] + mesh.base_radii[1]) / distance;
+        let apart = (borne[0] * across[0] + borne[1] * across[1]) / (force * distance);
+        assert!((apart / (1.0 - cosine * cosine).sqrt() - 1.0).abs() < 1e-5, "{apart} {cosine}");
+    }
+}
+
+/// The transmission error of a gear that has been carried away is that of where it is: without load, none but a constant of unmodified
+/// involutes, whose ratio minds no distance.
+#[test]
+fn without_load_a_clearance_that_is_used_up_is_geometry_not_first_order() {
+    let ring = Stop::Ring { clearance: 0.4e-3, stiffness: K };
+    let (scene, mesh) = on([with_stop(0.0, ring)]);
+    let system = system(&scene);
+    let errors: Vec<f64> = [0.1, 0.4, 0.7, 0.95]
+        .map(|part| {
+            let step = system.solve(mesh.start + part * mesh.period).expect("it is in equilibrium");
+            assert!(step.warnings.is_empty(), "{:?}", step.warnings);
+            system.value(&step, &UnloadedTransmissionError(MESH)).value
+        })
+        .to_vec();
+    assert!(errors.iter().all(|error| (error / errors[0] - 1.0).abs() < 1e-5), "{errors:?}");
 }
 
 #[test]
@@ -313,6 +398,20 @@ fn what_a_bearing_cannot_be_is_refused_with_the_reason() {
         assert_eq!(error.code, code, "{}", error.message);
         assert!(error.message.contains(words), "{}: {words}", error.message);
         assert!(!error.help.is_empty());
+    }
+    // Of another scene, with more bodies.
+    for foreign in [Bearing { body: BodyId(7), ..plain.clone() }, plain.clone().between(BodyId(7))] {
+        let (mut scene, mesh) = on([]);
+        let error = scene.add_bearing(foreign.clone()).expect_err("no such body");
+        assert_eq!(error.code, "E0653", "{}", error.message);
+        assert!(error.message.contains("body 7") && error.help.contains("add_body"), "{}", error.message);
+        // Put in by hand it is left out, or refused when the scene is analysed.
+        let left_out = foreign.body != SECOND;
+        scene.bearings.push(foreign);
+        let options = AnalysisOptions { structure: COARSE, ..AnalysisOptions::default() };
+        let error = quasi_static(&scene, &mesh_cycle(&mesh, 2), &[], &options, &mut ())
+            .expect_err("nothing holds it");
+        assert_eq!(error.code, if left_out { "E0714" } else { "E0653" }, "{}", error.message);
     }
     let (mut scene, _) = on([plain.clone()]);
     assert_eq!(scene.add_bearing(plain).expect_err("the name is taken").code, "E0671");
