@@ -7,6 +7,7 @@
 use super::grid::Cell;
 use super::half_space::mean_inverse_distance;
 use super::image::{Images, PlacedMirror};
+use super::intervals::{Answers, Intervals};
 use super::placement::{PatchFrame, Pose};
 use crate::structure::Chart;
 use crate::structure::solid::SolidStructure;
@@ -119,7 +120,6 @@ fn add_half_spaces(patch: &Patch, block: &mut [f64]) {
         }
     }
     let images: Vec<Images> = mirrors.into_iter().map(|mirror| Images::new(mirror, patch.frame)).collect();
-    let lattice = Lattice::of(patch.cells);
     let given = |first: &Cell, second: &Cell| {
         let offset = [0, 1].map(|k| first.center[k] - second.center[k]);
         let halves = [first, second].map(|cell| cell.size.map(|size| 0.5 * size));
@@ -128,39 +128,24 @@ fn add_half_spaces(patch: &Patch, block: &mut [f64]) {
     let mirrored = |first: &Cell, second: &Cell| -> f64 {
         images.iter().map(|images| images.softness() * images.mean_inverse_distance(first, second)).sum()
     };
-    // Whole cells of the lattice see each other by the difference of their places alone. Each other's images they see by the difference
-    // across and both places along, of which upright mirrors leave the sum.
-    let is_level = images.iter().all(|images| images.is_level);
-    let is_upright = images.iter().all(Images::is_upright);
-    let stride = if is_upright { 1 } else { lattice.rows };
-    let mut direct_known = vec![f64::NAN; lattice.columns * lattice.rows];
-    let mut images_known = vec![f64::NAN; lattice.columns * (lattice.rows * (stride + 1))];
-    let look_up = |known: &mut f64, value: &dyn Fn() -> f64| {
-        if known.is_nan() {
-            *known = value();
-        }
-        *known
-    };
+    // Cells see each other by the distance of their places, and each other's images by their distance across and both places along, of
+    // which upright mirrors leave the sum; by more than that where mirrors lie aslant.
+    let [across, along] = [0, 1].map(|axis| Intervals::of(patch.cells, axis));
+    let apart = |one: f64, other: f64| (one - other).abs();
+    let mut direct_known = Answers::new([across.pairs(apart), along.pairs(apart)], n);
+    let mut images_known = images.iter().all(|images| images.is_level).then(|| {
+        let is_upright = images.iter().all(Images::is_upright);
+        let rows = if is_upright { along.pairs(|one, other| one + other) } else { along.each_pair() };
+        Answers::new([across.pairs(apart), rows], n)
+    });
     for i in 0..n {
         for j in 0..=i {
             let (first, second) = (&patch.cells[i], &patch.cells[j]);
-            let mut value = match (first.lattice, second.lattice) {
-                (Some(a), Some(b)) => {
-                    let [column, row] = [0, 1].map(|k: usize| a[k].abs_diff(b[k]) as usize);
-                    look_up(&mut direct_known[row * lattice.columns + column], &|| given(first, second))
-                }
-                _ => given(first, second),
-            };
+            let mut value = direct_known.get(i, j, || given(first, second));
             if !images.is_empty() {
-                value += match (first.lattice, second.lattice) {
-                    (Some(a), Some(b)) if is_level => {
-                        let column = a[0].abs_diff(b[0]) as usize;
-                        // Cells are in the order of their rows, so the second's is never the later one.
-                        let [row, other] = [a, b].map(|place| (place[1] - lattice.first_row) as usize);
-                        let index = (row * stride + other) * lattice.columns + column;
-                        look_up(&mut images_known[index], &|| mirrored(first, second))
-                    }
-                    _ => mirrored(first, second),
+                value += match &mut images_known {
+                    Some(known) => known.get(i, j, || mirrored(first, second)),
+                    None => mirrored(first, second),
                 };
             }
             block[i * n + j] += value;
@@ -168,27 +153,5 @@ fn add_half_spaces(patch: &Patch, block: &mut [f64]) {
                 block[j * n + i] += value;
             }
         }
-    }
-}
-
-/// The stretch of a patch's lattice that its whole cells take.
-struct Lattice {
-    columns: usize,
-    rows: usize,
-    first_row: i32,
-}
-
-impl Lattice {
-    fn of(cells: &[Cell]) -> Self {
-        let stretch = |axis: usize| {
-            let places = || cells.iter().filter_map(|cell| cell.lattice).map(|place| place[axis]);
-            match (places().min(), places().max()) {
-                (Some(first), Some(last)) => (first, last.abs_diff(first) as usize + 1),
-                _ => (0, 0),
-            }
-        };
-        let (_, columns) = stretch(0);
-        let (first_row, rows) = stretch(1);
-        Self { columns, rows, first_row }
     }
 }

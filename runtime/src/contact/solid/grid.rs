@@ -33,8 +33,6 @@ pub struct Cell {
     pub point: Vector,
     /// Whether either surface is on its rounded edge here.
     pub edge: bool,
-    /// Its place on the lattice of the patch, if it is a whole cell of it.
-    pub(super) lattice: Option<[i32; 2]>,
 }
 
 impl Cell {
@@ -328,13 +326,12 @@ impl Layer<'_> {
         }
         let column = (ridge.at()[0] / self.pitch[0]).round();
         let center = column * self.pitch[0];
-        let (bounds, surface_ends, whole) = self.bounds(center, y, places);
+        let (bounds, surface_ends) = self.bounds(center, y, places);
         let cut = self.is_cut(&bounds, y, places);
         let mut cells = Vec::with_capacity(bounds.len());
         let mut guess = places;
-        for (position, x) in bounds.windows(2).enumerate() {
-            let lattice = whole.then(|| [column as i32 - self.half_count as i32 + position as i32, index]);
-            if let Some((cell, found)) = self.cell([x[0], x[1]], [y, ridge.at()[0]], cut, lattice, guess) {
+        for x in bounds.windows(2) {
+            if let Some((cell, found)) = self.cell([x[0], x[1]], [y, ridge.at()[0]], cut, guess) {
                 guess = found;
                 cells.push(cell);
             }
@@ -342,8 +339,8 @@ impl Layer<'_> {
         Some((cells, surface_ends, places))
     }
 
-    /// Ends of the cells of a slice, whether a surface ends it, and whether they are the lattice's.
-    fn bounds(&self, center: f64, y: f64, places: Places) -> (Vec<f64>, [bool; 2], bool) {
+    /// Ends of the cells of a slice, and whether a surface ends it.
+    fn bounds(&self, center: f64, y: f64, places: Places) -> (Vec<f64>, [bool; 2]) {
         let count = 2 * self.half_count + 1;
         let half = 0.5 * count as f64 * self.pitch[0];
         let mut range = [center - half, center + half];
@@ -367,7 +364,7 @@ impl Layer<'_> {
         {
             let bounds =
                 (0..=count).map(|k| center + (k as f64 - 0.5 * count as f64) * self.pitch[0]).collect();
-            return (bounds, [false; 2], true);
+            return (bounds, [false; 2]);
         }
         let edges: Vec<Edge> = self.edges.iter().filter_map(|edge| self.edge_at(edge, y, places)).collect();
         for edge in &edges {
@@ -391,7 +388,7 @@ impl Layer<'_> {
             cut(high, above, 1, &mut range, &mut surface_ends);
         }
         let bounds = if range[1] > range[0] { cell_bounds(range, self.pitch[0], &edges) } else { Vec::new() };
-        (bounds, surface_ends, false)
+        (bounds, surface_ends)
     }
 
     /// Where an edge starts on the tangent plane at `y`.
@@ -424,18 +421,10 @@ impl Layer<'_> {
     }
 
     /// The cell over `x` of the slice at `y` whose ridge is at `ridge`, `cut` to the faces or not; and places over its centre.
-    fn cell(
-        &self,
-        x: [f64; 2],
-        [y, ridge]: [f64; 2],
-        cut: bool,
-        lattice: Option<[i32; 2]>,
-        guess: Places,
-    ) -> Option<(Cell, Places)> {
+    fn cell(&self, x: [f64; 2], [y, ridge]: [f64; 2], cut: bool, guess: Places) -> Option<(Cell, Places)> {
         let middle = 0.5 * (x[0] + x[1]);
         let slice = [y - 0.5 * self.pitch[1], y + 0.5 * self.pitch[1]];
         let ends = if cut { self.cut_ends(middle, slice, guess)? } else { slice };
-        let lattice = lattice.filter(|_| ends == slice);
         let center = [middle, 0.5 * (ends[0] + ends[1])];
         let size = [x[1] - x[0], ends[1] - ends[0]];
         let feet = [self.sheets[0].over(center, guess[0])?, self.sheets[1].over(center, guess[1])?];
@@ -457,7 +446,7 @@ impl Layer<'_> {
         let edge = (0..2).any(|side| self.placed[side].on_edge(places[side]));
         let axial = self.placed.map(|placed| size[1] * dot(self.frame.along, placed.pose.axis()).abs());
         let point = self.frame.at([self.snapped(ridge), center[1]]);
-        Some((Cell { center, size, places, axial, gap, point, edge, lattice }, places))
+        Some((Cell { center, size, places, axial, gap, point, edge }, places))
     }
 
     /// Ends along the ridge of a cell at `x` of a slice: its faces' where they are near; `None` where its neighbour takes it in.

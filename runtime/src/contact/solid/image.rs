@@ -190,16 +190,7 @@ mod tests {
 
     fn cell(center: [f64; 2], size: [f64; 2]) -> Cell {
         let places = [[0.0; 2]; 2];
-        Cell {
-            center,
-            size,
-            places,
-            axial: [size[1]; 2],
-            gap: 0.0,
-            point: [0.0; 3],
-            edge: false,
-            lattice: None,
-        }
+        Cell { center, size, places, axial: [size[1]; 2], gap: 0.0, point: [0.0; 3], edge: false }
     }
 
     const FRAME: PatchFrame = PatchFrame {

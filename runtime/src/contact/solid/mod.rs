@@ -10,6 +10,7 @@ mod grid;
 mod guess;
 mod half_space;
 mod image;
+mod intervals;
 mod placement;
 mod pressure;
 mod ridge;
