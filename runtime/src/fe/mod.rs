@@ -1,5 +1,5 @@
 //! Finite elements. Here those in the plane: meshes of quadrilaterals of any order up to cubic, stiffness, loads, solution, stress;
-//! in [`solid`] those in space.
+//! in [`revolution`] bodies that are the same all around, by their section; in [`solid`] those in space.
 
 pub mod block;
 pub mod builder;
@@ -10,6 +10,7 @@ mod load;
 pub mod mesh;
 pub mod model;
 pub mod quadrature;
+pub mod revolution;
 pub mod solid;
 pub mod solve;
 pub mod sparse;
@@ -20,6 +21,7 @@ pub use builder::{MeshBuilder, MeshError};
 pub use interpolation::ElementOrder;
 pub use mesh::{ArcLength, EdgeChain, EdgePoint, Element, ElementEdge, Place, PlaneMesh};
 pub use model::{PlaneModel, principal_stresses};
+pub use revolution::{RevolutionModel, Section, Station};
 pub use solve::{Constraints, SolveError, Solver};
 pub use sparse::SparseVector;
 pub use stress::StressRecovery;

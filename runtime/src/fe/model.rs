@@ -207,7 +207,7 @@ fn determinant([[a, b], [c, d]]: [[f64; 2]; 2]) -> f64 {
 }
 
 /// Derivatives of the shapes by x and y, and the area of the map.
-fn gradients(shapes: &[Shape], jacobian: [[f64; 2]; 2]) -> (Vec<[f64; 2]>, f64) {
+pub(super) fn gradients(shapes: &[Shape], jacobian: [[f64; 2]; 2]) -> (Vec<[f64; 2]>, f64) {
     let area = determinant(jacobian);
     let [[x_xi, x_eta], [y_xi, y_eta]] = jacobian;
     let gradient = |&[_, d_xi, d_eta]: &Shape| {
