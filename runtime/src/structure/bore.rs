@@ -8,11 +8,15 @@
 //! more of them the bore becomes rigid.
 
 use super::StructureError;
+use super::dense::mirror_lower;
 use super::ring::Shared;
+use super::web::RevolvedWeb;
 use crate::fe::solid::fourier::{RevolutionSurface, Series};
 use crate::fe::solid::{ElementFace, FaceSet, SolidModel};
-use crate::fe::{EdgeChain, PlaneModel, SparseVector};
+use crate::fe::{EdgeChain, PlaneModel, SparseVector, Station};
 use crate::interrupt::Interrupt;
+use faer::Mat;
+use faer::linalg::solvers::Solve;
 
 /// How the bore of a ring is held.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -53,6 +57,8 @@ pub(super) struct BoreMeans {
     pub shared: Shared,
     /// How many are held. Those behind them are to be let go, see [`super::bore_coupling`].
     pub held: usize,
+    /// Forces by the means that are let go, where something holds them all the same: a web, see [`super::web`].
+    pub carried: Option<Mat<f64>>,
 }
 
 /// Which means of a bore are wanted.
@@ -74,17 +80,17 @@ impl Wanted {
 }
 
 /// What is held of a surface of revolution.
-struct Patterns {
-    series: Series,
+pub(super) struct Patterns {
+    pub series: Series,
     /// Which displacements of the series, [`Series::displacements`].
-    places: Vec<usize>,
+    pub places: Vec<usize>,
     /// How many of them are held.
-    held: usize,
+    pub held: usize,
 }
 
 impl Patterns {
     /// `None` if the surface has no extent. In the plane, where the generator is a point, only motions in it count.
-    fn new(surface: RevolutionSurface, wanted: Wanted, in_plane: bool) -> Option<Patterns> {
+    pub fn new(surface: RevolutionSurface, wanted: Wanted, in_plane: bool) -> Option<Patterns> {
         let most_waves = wanted.waves.unwrap_or(0).max(wanted.coupled.unwrap_or(0));
         let highest = match wanted.coupled {
             Some(_) if !in_plane => wanted.degree.max(COUPLED_DEGREE),
@@ -119,7 +125,7 @@ impl Patterns {
 
     /// Translations across the axis and rotations about axes across it turn like vectors, cosines and sines by as many angles as they
     /// have waves.
-    fn shared(&self) -> Shared {
+    pub fn shared(&self) -> Shared {
         let waves = |place: usize| match place {
             0 | 3 => Some(1),
             1 | 2 | 4 | 5 => None,
@@ -150,13 +156,14 @@ impl BoreMeans {
         let Some(patterns) = Patterns::new(circle, Wanted { degree: 0, ..wanted }, true) else {
             return Ok(None);
         };
-        Self::over(patterns, interrupt, |traction| {
+        Self::over(&patterns, interrupt, |traction| {
             model.edge_load(bore, |_, point| {
                 let [x, y] = point.position;
                 let [along_x, along_y, _] = traction([x, y, 0.0]);
                 [along_x, along_y]
             })
         })
+        .map(Some)
     }
 
     /// Over a set of faces on a cylinder about the z axis.
@@ -169,26 +176,59 @@ impl BoreMeans {
         // Beside a web there is none.
         let present = |face: &&ElementFace| !model.mesh.absent.contains(&face.element);
         let bore = FaceSet { faces: bore.faces.iter().filter(present).copied().collect(), chart: None };
-        let (mut radius, mut ends) = (0.0_f64, [f64::INFINITY, f64::NEG_INFINITY]);
-        for node in model.mesh.nodes_on(&bore) {
-            let [x, y, z] = model.mesh.nodes[node];
-            radius = radius.max(x.hypot(y));
-            ends = [ends[0].min(z), ends[1].max(z)];
-        }
-        if ends[0].partial_cmp(&ends[1]) != Some(std::cmp::Ordering::Less) {
-            return Ok(None);
-        }
-        let cylinder = RevolutionSurface::cylinder(radius, ends);
+        let Some(cylinder) = cylinder_of(model, &bore) else { return Ok(None) };
         let Some(patterns) = Patterns::new(cylinder, wanted, false) else { return Ok(None) };
-        Self::over(patterns, interrupt, |traction| model.face_load(&bore, |point| traction(point.position)))
+        Self::over(&patterns, interrupt, |traction| model.face_load(&bore, |point| traction(point.position)))
+            .map(Some)
+    }
+
+    /// Over the part of a bore on which a web stands, of `sectors` sectors; the rest of it is free. None is held but by the web.
+    pub fn on_web(
+        model: &SolidModel,
+        bore: &FaceSet,
+        web: &RevolvedWeb,
+        [sectors, coupled]: [u32; 2],
+        interrupt: &Interrupt,
+    ) -> Result<Option<BoreMeans>, StructureError> {
+        let [_, Station { ends: [from, to], .. }] = web.section.outermost();
+        let within = |face: &&ElementFace| {
+            let one = FaceSet { faces: vec![**face], chart: None };
+            let nodes = model.mesh.nodes_on(&one);
+            let middle =
+                nodes.iter().map(|&node| model.mesh.nodes[node][2]).sum::<f64>() / nodes.len() as f64;
+            from < middle && middle < to
+        };
+        let bore = FaceSet { faces: bore.faces.iter().filter(within).copied().collect(), chart: None };
+        let Some(cylinder) = cylinder_of(model, &bore) else { return Ok(None) };
+        let wanted = web.wanted(sectors, coupled);
+        let Some(patterns) = Patterns::new(cylinder, wanted, false) else { return Ok(None) };
+        let load = |traction: &mut dyn FnMut([f64; 3]) -> [f64; 3]| {
+            model.face_load(&bore, |point| traction(point.position))
+        };
+        let mut means = Self::over(&patterns, interrupt, load)?;
+        // The means that amplitudes of the series make: exact for motions of the whole on any mesh.
+        let nodes = model.mesh.nodes_on(&bore);
+        let mut moved = vec![vec![0.0; model.dof_count()]; patterns.places.len()];
+        for &node in &nodes {
+            for (moved, at) in moved.iter_mut().zip(patterns.at(model.mesh.nodes[node])) {
+                moved[3 * node..3 * node + 3].copy_from_slice(&at);
+            }
+        }
+        let count = patterns.places.len();
+        let of_sector = Mat::from_fn(count, count, |row, column| means.forms[row].dot(&moved[column]));
+        let by_amplitude = means.shared.around(of_sector.as_ref(), sectors);
+        let stiffness = web.stiffness(&patterns, interrupt)?;
+        means.carried = Some(of_means(&stiffness, &by_amplitude));
+        means.held = 0;
+        Ok(Some(means))
     }
 
     /// `load` integrates a traction over the bore, always at the same points in the same order.
     fn over(
-        patterns: Patterns,
+        patterns: &Patterns,
         interrupt: &Interrupt,
         load: impl Fn(&mut dyn FnMut([f64; 3]) -> [f64; 3]) -> SparseVector,
-    ) -> Result<Option<BoreMeans>, StructureError> {
+    ) -> Result<BoreMeans, StructureError> {
         let mut known: Vec<Vec<[f64; 3]>> = Vec::new();
         load(&mut |position| {
             known.push(patterns.at(position));
@@ -200,6 +240,26 @@ impl BoreMeans {
             let mut points = known.iter();
             forms.push(load(&mut |_| points.next().map_or([0.0; 3], |values| values[pattern])));
         }
-        Ok(Some(BoreMeans { forms, shared: patterns.shared(), held: patterns.held }))
+        Ok(BoreMeans { forms, shared: patterns.shared(), held: patterns.held, carried: None })
     }
+}
+
+/// The cylinder about the z axis on which faces lie; `None` if they have no length along it.
+fn cylinder_of(model: &SolidModel, faces: &FaceSet) -> Option<RevolutionSurface> {
+    let (mut radius, mut ends) = (0.0_f64, [f64::INFINITY, f64::NEG_INFINITY]);
+    for node in model.mesh.nodes_on(faces) {
+        let [x, y, z] = model.mesh.nodes[node];
+        radius = radius.max(x.hypot(y));
+        ends = [ends[0].min(z), ends[1].max(z)];
+    }
+    (ends[0] < ends[1]).then(|| RevolutionSurface::cylinder(radius, ends))
+}
+
+/// Forces on means from a stiffness against amplitudes, with the means that amplitudes make: `M^-T K M^-1`.
+fn of_means(stiffness: &Mat<f64>, by_amplitude: &Mat<f64>) -> Mat<f64> {
+    let factor = by_amplitude.transpose().to_owned().partial_piv_lu();
+    let once = factor.solve(stiffness);
+    let mut twice = factor.solve(once.transpose().to_owned());
+    mirror_lower(&mut twice);
+    twice
 }

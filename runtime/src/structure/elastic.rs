@@ -165,7 +165,7 @@ impl ElasticStructure {
             None => None,
         };
         let released = match (&mut flexibility, &means) {
-            (Some(flexibility), Some(means)) => flexibility.release(means.held)?,
+            (Some(flexibility), Some(means)) => flexibility.release(means.held, None)?,
             _ => None,
         };
         let bore = released.map(|released| bore_coupling(&released, &condensed, &prepared, angle));

@@ -17,6 +17,7 @@ mod size;
 pub mod solid;
 pub(crate) mod spline;
 mod stored;
+mod web;
 
 pub use bore::BoreHold;
 pub use elastic::{ElasticStructure, Hold, RingSource, SurfaceSource};
@@ -24,6 +25,7 @@ pub use reshaped::ReshapedSurface;
 pub use rigid::RigidStructure;
 pub use sampling::SplitOptions;
 pub use size::StructureSize;
+pub use web::RevolvedWeb;
 
 use crate::dense;
 use crate::error::EngineError;
@@ -51,6 +53,8 @@ pub enum StructureError {
     NoArea,
     #[error("the mesh of the bore is too coarse for the series that it is held by")]
     CoarseBore,
+    #[error("the web cannot be meshed: {error}")]
+    Web { error: String },
     #[error(transparent)]
     Ring(#[from] FreeRing),
     #[error(transparent)]

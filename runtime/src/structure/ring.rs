@@ -279,16 +279,24 @@ impl RingFlexibility {
         Ok(Self { by_offset, shared: sector.shared.clone() })
     }
 
-    /// Lets the means go that are held by the shared unknowns from number `first` on. `None` if there are none.
+    /// Lets the means go that are held by the shared unknowns from number `first` on, but for what something else carries of them: forces
+    /// by means, symmetric. `None` if there are none.
     ///
     /// # Errors
     /// The ring is free to move without them.
-    pub fn release(&mut self, first: usize) -> Result<Option<Released>, StructureError> {
+    pub fn release(
+        &mut self,
+        first: usize,
+        carried: Option<&Mat<f64>>,
+    ) -> Result<Option<Released>, StructureError> {
         let Some(own) = self.by_offset.first().filter(|_| first < self.shared.count) else { return Ok(None) };
         let size = own.nrows();
         let (from, count) = (size - self.shared.count + first, self.shared.count - first);
         // Held at some amplitudes, the ring answers with these forces, negative.
-        let stiffness = Mat::from_fn(count, count, |row, column| -own[(from + row, from + column)]);
+        let mut stiffness = Mat::from_fn(count, count, |row, column| -own[(from + row, from + column)]);
+        if let Some(carried) = carried {
+            stiffness += carried;
+        }
         let factor = cholesky(stiffness).ok_or(FreeRing)?;
         let release = solve(factor.as_ref(), Mat::identity(count, count));
         let holding = own.as_ref().subrows(from, count).to_owned();

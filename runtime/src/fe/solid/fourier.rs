@@ -147,6 +147,43 @@ impl Series {
         all.into_iter().map(outward).collect()
     }
 
+    /// Waves of each unknown around the axis, and its family: `false` where the radial and axial displacements go as the cosine and
+    /// the tangential one as the sine, `true` where everything is turned by a quarter of a wave. All is `false` without waves.
+    pub fn waves(&self) -> Vec<(u16, bool)> {
+        let rigid = [(1, false), (1, true), (0, false), (1, true), (1, false), (0, false)];
+        let of_term = |term: &Term| {
+            let turned = term.harmonic > 0 && term.sine != (term.component == Component::Tangential);
+            (term.harmonic, turned)
+        };
+        rigid.into_iter().chain(self.terms.iter().map(of_term)).collect()
+    }
+
+    /// Radial, tangential and axial amplitude of each unknown's waves at a place of a section about the z axis: its radius and its axial
+    /// coordinate.
+    pub fn amplitudes(&self, [radius, z]: [f64; 2]) -> Vec<[f64; 3]> {
+        let at = |angle: f64| {
+            let (sin, cos) = angle.sin_cos();
+            let polar = move |[x, y, z]: [f64; 3]| [cos * x + sin * y, cos * y - sin * x, z];
+            self.displacements([radius * cos, radius * sin, z]).into_iter().map(polar).collect::<Vec<_>>()
+        };
+        let waves = self.waves();
+        let most = waves.iter().map(|wave| wave.0).max().unwrap_or(0);
+        let mut amplitudes = vec![[0.0; 3]; waves.len()];
+        for harmonic in 0..=most {
+            // Where a wave has its crest, and where it passes zero.
+            let quarter = if harmonic == 0 { 0.0 } else { 0.25 * TAU / f64::from(harmonic) };
+            let quarters = [0.0, quarter, 2.0 * quarter].map(at);
+            for (unknown, &(waves, turned)) in waves.iter().enumerate() {
+                if waves == harmonic {
+                    let [crest, zero] = [usize::from(turned), usize::from(turned) + 1];
+                    let [radial, _, axial] = quarters[crest][unknown];
+                    amplitudes[unknown] = [radial, quarters[zero][unknown][1], axial];
+                }
+            }
+        }
+        amplitudes
+    }
+
     /// Amounts of the six motions in each term that are nearest to it, in the mean square over the surface.
     fn project(&self, harmonics: usize, degree: usize) -> Option<Vec<[f64; 6]>> {
         let around = 2 * harmonics + 6;

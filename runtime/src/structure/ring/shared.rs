@@ -4,6 +4,7 @@
 //! sine with `k` waves around turns by `k` times the sector's angle.
 
 use faer::{Mat, MatMut, MatRef};
+use std::f64::consts::TAU;
 
 /// How shared unknowns turn.
 #[derive(Clone, Debug, Default)]
@@ -34,6 +35,17 @@ impl Shared {
             count: self.count - first,
             pairs: later.map(|&(places, waves)| (places.map(|place| place - first), waves)).collect(),
         }
+    }
+
+    /// The sum over so many sectors of a form of unknowns, given for one of them by the unknowns as it sees them.
+    pub fn around(&self, form: MatRef<'_, f64>, sectors: u32) -> Mat<f64> {
+        let mut sum = Mat::zeros(self.count, self.count);
+        for sector in 0..sectors {
+            let before = f64::from(sector) * TAU / f64::from(sectors);
+            let once = self.turned_back(form, before);
+            sum += self.turned_back(once.transpose(), before).transpose();
+        }
+        sum
     }
 
     /// Columns that multiply unknowns of a frame turned by `angle`, as columns that multiply those of the first frame.

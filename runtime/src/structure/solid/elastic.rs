@@ -30,7 +30,7 @@ use crate::structure::elastic::{OffsetTables, both_sides, starts};
 use crate::structure::kernel::{Mollifier, PairQuadrature, Sampled};
 use crate::structure::sampling::{SplitOptions, Stretch, sample};
 use crate::structure::spline::Spline;
-use crate::structure::{BoreHold, Hold, RingSource, StructureError};
+use crate::structure::{BoreHold, Hold, RevolvedWeb, RingSource, StructureError};
 use crate::surface::Surface;
 use faer::{Mat, MatRef};
 use rayon::prelude::*;
@@ -136,7 +136,25 @@ impl ElasticSolid {
         options: &SolidSplitOptions,
         interrupt: &Interrupt,
     ) -> Result<Self, StructureError> {
-        Self::ring_by(Mirrored::of(&model.mesh).as_ref(), model, ring, surfaces, options, interrupt)
+        let mirrored = Mirrored::of(&model.mesh);
+        Self::ring_by(mirrored.as_ref(), model, ring, (surfaces, options), interrupt)
+    }
+
+    /// A ring of equal sectors whose bore is held by a web of another mesh, and by nothing else.
+    ///
+    /// # Errors
+    /// As [`Self::ring`]; the web's too.
+    pub fn ring_on_web(
+        model: &SolidModel,
+        ring: &RingSource<'_>,
+        web: &RevolvedWeb,
+        (surfaces, options): (&[SolidSurfaceSource], &SolidSplitOptions),
+        interrupt: &Interrupt,
+    ) -> Result<Self, StructureError> {
+        let around = [ring.sectors.max(1), ring.coupled];
+        let means = BoreMeans::on_web(model, faces(model, ring.bore)?, web, around, interrupt)?;
+        let means = Some(means.ok_or(StructureError::NoArea)?);
+        Self::ring_held(None, model, ring, (Vec::new(), means), (surfaces, options), interrupt)
     }
 
     /// The same by halves, if the mirror is given.
@@ -144,21 +162,33 @@ impl ElasticSolid {
         mirrored: Option<&Mirrored>,
         model: &SolidModel,
         ring: &RingSource<'_>,
-        surfaces: &[SolidSurfaceSource],
-        options: &SolidSplitOptions,
+        (surfaces, options): (&[SolidSurfaceSource], &SolidSplitOptions),
+        interrupt: &Interrupt,
+    ) -> Result<Self, StructureError> {
+        let bore = faces(model, ring.bore)?;
+        let hold = match ring.hold {
+            BoreHold::Rigid => (model.mesh.nodes_on(bore), None),
+            BoreHold::Means { waves, degree } => {
+                let wanted = Wanted::of_ring(waves, degree, ring.sectors.max(1), ring.coupled);
+                let means = BoreMeans::solid(model, bore, wanted, interrupt)?;
+                (Vec::new(), Some(means.ok_or(StructureError::NoArea)?))
+            }
+        };
+        Self::ring_held(mirrored, model, ring, hold, (surfaces, options), interrupt)
+    }
+
+    /// With the bore's nodes that do not move, and its means.
+    fn ring_held(
+        mirrored: Option<&Mirrored>,
+        model: &SolidModel,
+        ring: &RingSource<'_>,
+        (mut held, means): (Vec<usize>, Option<BoreMeans>),
+        (surfaces, options): (&[SolidSurfaceSource], &SolidSplitOptions),
         interrupt: &Interrupt,
     ) -> Result<Self, StructureError> {
         let nodes = |name: &str| Ok::<_, StructureError>(model.mesh.nodes_on(faces(model, name)?));
         let (first, last) = (nodes(ring.cuts[0])?, nodes(ring.cuts[1])?);
         let sectors = ring.sectors.max(1);
-        let (mut held, means) = match ring.hold {
-            BoreHold::Rigid => (nodes(ring.bore)?, None),
-            BoreHold::Means { waves, degree } => {
-                let wanted = Wanted::of_ring(waves, degree, sectors, ring.coupled);
-                let means = BoreMeans::solid(model, faces(model, ring.bore)?, wanted, interrupt)?;
-                (Vec::new(), Some(means.ok_or(StructureError::NoArea)?))
-            }
-        };
         held.extend(model.mesh.node_sets.get(ABSENT).into_iter().flatten());
         held.sort_unstable();
         held.dedup();

@@ -107,7 +107,7 @@ impl Responses {
             let (condensed, mut ring) =
                 condensed(&assembled, &held, &sector.cuts, &exchange.loads, &exchange.rows)?;
             let released = match (&mut ring, &sector.means) {
-                (Some(ring), Some(means)) => ring.release(means.held)?,
+                (Some(ring), Some(means)) => ring.release(means.held, means.carried.as_ref())?,
                 _ => None,
             };
             let bore = released.map(|released| ThroughBore {

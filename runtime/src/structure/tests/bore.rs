@@ -155,7 +155,7 @@ fn condensed_sectors_on_a_bore_held_in_the_mean_agree_with_the_whole_mesh() {
         let mut ring =
             RingFlexibility::new(condensed.stiffness.as_ref().unwrap(), teeth, 3, &Interrupt::never())
                 .unwrap();
-        assert_eq!(ring.release(of_sector.held).unwrap().is_some(), coupled.is_some());
+        assert_eq!(ring.release(of_sector.held, None).unwrap().is_some(), coupled.is_some());
         let direct = Direct::new(&equations[1], &whole.rigid_body_modes(), &means(&whole, None).forms);
         agree([&equations[0], &equations[1]], (&condensed, &ring), &direct, &points, pitch);
     }
@@ -198,7 +198,7 @@ fn condensed_helical_sectors_on_a_bore_held_in_the_mean_agree_with_the_whole_mes
         let mut ring =
             RingFlexibility::new(condensed.stiffness.as_ref().unwrap(), teeth, 2, &Interrupt::never())
                 .unwrap();
-        assert_eq!(ring.release(of_sector.held).unwrap().is_some(), coupled.is_some());
+        assert_eq!(ring.release(of_sector.held, None).unwrap().is_some(), coupled.is_some());
         let direct = Direct::new(&equations[1], &whole.rigid_body_modes(), &means(&whole, None).forms);
         agree([&equations[0], &equations[1]], (&condensed, &ring), &direct, &points, pitch);
     }

@@ -33,8 +33,7 @@ fn halves_are_the_whole() {
                 mirrored,
                 &model,
                 &ring_source(TEETH),
-                &surfaces,
-                &SolidSplitOptions::default(),
+                (&surfaces, &SolidSplitOptions::default()),
                 &Interrupt::never(),
             )
             .unwrap()

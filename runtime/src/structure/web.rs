@@ -1,0 +1,192 @@
+//! A web with a mesh of its own, joined to a rim through a series on the cylinder between them (report 2.7).
+//!
+//! A web is a body of revolution, the teeth above it are not, and neither mesh has to know of the other. What both share are the amplitudes
+//! of a series on the part of the rim's bore that the web stands on, Fourier around and polynomials along. Of the web this series is all
+//! that its outside does; the rim takes the forces that belong to it and deforms besides as it may. So what is left out makes the joint softer on the rim's
+//! side and stiffer on the web's, and less of either with every term. Motions of the whole are terms of their own, exact on both sides:
+//! however short the series, the rim stands on the web in equilibrium.
+//!
+//! The web answers each wave by itself ([`RevolutionModel`]), its bore held as a rim's is: in place, or in the mean alone. What
+//! results is a stiffness against amplitudes, the same whichever way it is turned. A ring whose bore is let go against it
+//! ([`super::ring::RingFlexibility::release`]) has the tables of one whose bore is free: no tooth costs more.
+
+use super::bore::{Patterns, Wanted};
+use super::dense::{add_product, cholesky, mirror_lower, product, solve};
+use super::{BoreHold, StructureError};
+use crate::fe::solid::RevolutionSurface;
+use crate::fe::{Constraints, ElementOrder, MeshError, RevolutionModel, Section, Solver};
+use crate::interrupt::Interrupt;
+use crate::material::Material;
+use faer::Mat;
+use faer::sparse::SparseColMat;
+use rayon::prelude::*;
+
+/// A web and what it stands on, as a body of revolution.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RevolvedWeb {
+    /// From its bore out to the rim, axial coordinates in the gear's frame.
+    pub section: Section,
+    /// What it is made of.
+    pub material: Material,
+    /// How its bore is held.
+    pub hold: BoreHold,
+    /// Waves around up to which it is joined to the rim.
+    pub waves: u16,
+    /// Degree of polynomials along the axis up to which it is joined to the rim.
+    pub degree: u8,
+    /// Factor on the number of its elements each way; 1 is enough.
+    pub fineness: usize,
+}
+
+/// A web's equations for one number of waves, its outside held.
+struct Wave<'a> {
+    stiffness: SparseColMat<usize, f64>,
+    solver: Solver,
+    /// What is held of its bore in the mean, by family.
+    bore: [Vec<Vec<f64>>; 2],
+    model: &'a RevolutionModel,
+}
+
+impl RevolvedWeb {
+    /// Unknowns that the joint takes in a ring where sectors up to `coupled` places apart have tables of their own.
+    pub fn unknowns(&self, sectors: u32, coupled: u32) -> usize {
+        let [_, outside] = self.section.outermost();
+        let cylinder = RevolutionSurface::cylinder(outside.radius, outside.ends);
+        let patterns = Patterns::new(cylinder, self.wanted(sectors, coupled), false);
+        patterns.map_or(0, |patterns| patterns.places.len())
+    }
+
+    /// Displacements of its section, three of which are unknowns for each wave.
+    ///
+    /// # Errors
+    /// The section cannot be meshed.
+    pub fn model(&self) -> Result<RevolutionModel, MeshError> {
+        let mesh = self.section.mesh(ElementOrder::CUBIC, self.fineness.max(1))?;
+        Ok(RevolutionModel { mesh, material: self.material })
+    }
+
+    pub(super) fn wanted(&self, sectors: u32, coupled: u32) -> Wanted {
+        Wanted::of_ring(Some(self.waves), self.degree, sectors, coupled)
+    }
+
+    /// Forces on its outside by amplitudes of the series there, N/m, N and N m: zero by those that it is not joined by.
+    ///
+    /// # Errors
+    /// The section cannot be meshed, its bore is too coarse for what it is held by, or the interrupt's.
+    pub(super) fn stiffness(
+        &self,
+        joint: &Patterns,
+        interrupt: &Interrupt,
+    ) -> Result<Mat<f64>, StructureError> {
+        let model = self.model().map_err(|error| StructureError::Web { error: error.to_string() })?;
+        let bore = match self.hold {
+            BoreHold::Rigid => None,
+            BoreHold::Means { waves, degree } => {
+                let [inside, _] = self.section.outermost();
+                let cylinder = RevolutionSurface::cylinder(inside.radius, inside.ends);
+                let wanted = Wanted { waves, degree, coupled: None };
+                Some(Patterns::new(cylinder, wanted, false).ok_or(StructureError::NoArea)?)
+            }
+        };
+        let (all, joined) = (joint.series.waves(), &joint.places[..joint.held.min(joint.places.len())]);
+        let outside = outside_of(&model);
+        let moved: Vec<(usize, Vec<[f64; 3]>)> =
+            outside.iter().map(|&node| (node, joint.series.amplitudes(model.mesh.nodes[node]))).collect();
+        let most = joined.iter().map(|&place| all[place].0).max().unwrap_or(0);
+        let by_waves = (0..=most)
+            .into_par_iter()
+            .map(|waves| {
+                interrupt.check().map_err(StructureError::Interrupted)?;
+                let wave = Wave::new(&model, waves, bore.as_ref(), &outside)?;
+                [false, true]
+                    .map(|turned| {
+                        let own: Vec<usize> =
+                            (0..joined.len()).filter(|&k| all[joined[k]] == (waves, turned)).collect();
+                        let mut outer = Mat::zeros(model.dof_count(), own.len());
+                        for (column, &k) in own.iter().enumerate() {
+                            for (node, amplitudes) in &moved {
+                                for (component, value) in amplitudes[joined[k]].into_iter().enumerate() {
+                                    outer[(3 * node + component, column)] = value;
+                                }
+                            }
+                        }
+                        wave.stiffness(&outer, turned).map(|stiffness| (own, stiffness))
+                    })
+                    .into_iter()
+                    .collect::<Result<Vec<_>, StructureError>>()
+            })
+            .collect::<Result<Vec<_>, StructureError>>()?;
+        let mut stiffness = Mat::zeros(joint.places.len(), joint.places.len());
+        for (own, block) in by_waves.into_iter().flatten() {
+            for (row, &at_row) in own.iter().enumerate() {
+                for (column, &at_column) in own.iter().enumerate() {
+                    stiffness[(at_row, at_column)] = block[(row, column)];
+                }
+            }
+        }
+        Ok(stiffness)
+    }
+}
+
+fn outside_of(model: &RevolutionModel) -> Vec<usize> {
+    model.mesh.chain("rim").map_or_else(Vec::new, |chain| model.mesh.chain_nodes(chain))
+}
+
+impl<'a> Wave<'a> {
+    fn new(
+        model: &'a RevolutionModel,
+        waves: u16,
+        bore: Option<&Patterns>,
+        outside: &[usize],
+    ) -> Result<Self, StructureError> {
+        let stiffness = model.stiffness(waves);
+        let chain = model.mesh.chain("bore").ok_or(StructureError::NoArea)?;
+        let mut held = Constraints::new();
+        let inside = if bore.is_none() { model.mesh.chain_nodes(chain) } else { Vec::new() };
+        for dof in outside.iter().chain(&inside).flat_map(|node| 3 * node..3 * node + 3) {
+            held.prescribe(dof, 0.0);
+        }
+        let solver = Solver::new(&stiffness, held)?;
+        let forms = |turned: bool| {
+            let Some(Patterns { series, places, .. }) = bore else { return Vec::new() };
+            let all = series.waves();
+            let own = places.iter().filter(|&&place| all[place] == (waves, turned));
+            own.map(|&place| model.edge_load(chain, waves, |at| series.amplitudes(at)[place])).collect()
+        };
+        let bore = [forms(false), forms(true)];
+        Ok(Self { stiffness, solver, bore, model })
+    }
+
+    /// Forces by amplitudes, of which `outer` are the displacements of the outside.
+    fn stiffness(&self, outer: &Mat<f64>, turned: bool) -> Result<Mat<f64>, StructureError> {
+        if outer.ncols() == 0 {
+            return Ok(Mat::zeros(0, 0));
+        }
+        let loads = -self.times(outer);
+        let mut moved = self.solver.solve(loads.as_ref())?;
+        moved += outer;
+        let forces = self.times(&moved);
+        let mut stiffness = product(outer.transpose(), forces.as_ref());
+        let forms = &self.bore[usize::from(turned)];
+        if !forms.is_empty() {
+            let forms = Mat::from_fn(self.model.dof_count(), forms.len(), |row, form| forms[form][row]);
+            let yielded = self.solver.solve(forms.as_ref())?;
+            let means = product(forms.transpose(), moved.as_ref());
+            let factor = cholesky(product(forms.transpose(), yielded.as_ref()));
+            let holding = solve(factor.ok_or(StructureError::CoarseBore)?.as_ref(), means.clone());
+            add_product(stiffness.as_mut(), 1.0, means.transpose(), holding.as_ref());
+        }
+        mirror_lower(&mut stiffness);
+        Ok(stiffness)
+    }
+
+    fn times(&self, columns: &Mat<f64>) -> Mat<f64> {
+        let mut product = Mat::zeros(columns.nrows(), columns.ncols());
+        for entry in self.stiffness.triplet_iter() {
+            for column in 0..columns.ncols() {
+                product[(entry.row, column)] += entry.val * columns[(entry.col, column)];
+            }
+        }
+        product
+    }
+}
