@@ -3,6 +3,7 @@
 use crate::contact::solid::Pose;
 use crate::error::EngineError;
 use calyx_abi::math;
+use std::f64::consts::TAU;
 use std::sync::Arc;
 
 /// A prescribed motion. `frame` takes ground coordinates into the body's frame: `x' = R x + t`.
@@ -117,6 +118,12 @@ impl PlanePose {
         // x' = R x + t: the origin is where x' = 0, so x = -R^T t.
         let origin = [-(f[0] * f[9] + f[3] * f[10]), -(f[1] * f[9] + f[4] * f[10])];
         Ok(PlanePose { origin, angle: f[1].atan2(f[0]) })
+    }
+
+    /// Where a point of the body is, by its coordinates in the body, m.
+    pub fn point(&self, [x, y, _]: [f64; 3]) -> [f64; 2] {
+        let (sine, cosine) = self.angle.sin_cos();
+        [self.origin[0] + (cosine * x - sine * y), self.origin[1] + (sine * x + cosine * y)]
     }
 }
 
@@ -248,6 +255,43 @@ pub fn angular_velocity(motion: &dyn Motion, time: f64) -> [f64; 3] {
     [entry(2, 1), entry(0, 2), entry(1, 0)]
 }
 
+/// Parts of a turn after which an axis is looked for again, to see whether it rests.
+const LATER: [f64; 2] = [0.13, 0.38];
+/// What is left of an axis's place by rounding, m, and beside the places of frames.
+const NOWHERE: [f64; 2] = [1e-12, 1e-9];
+
+/// Where the axle is on which a body turns, in the body's coordinates, m: of a gear that sits off its shaft, the point of the shaft's axis
+/// beside the frame's origin; else the origin. Only an axis that rests, in the body as on ground, is an axle: a planet goes round its
+/// sun on none.
+pub fn axle(motion: &dyn Motion) -> [f64; 3] {
+    // In the body and on ground, at a time.
+    let axis = |time: f64| -> Option<([f64; 3], [f64; 3])> {
+        let pose = pose_in_space(motion, time).ok()?;
+        let [wx, wy, wz] = angular_velocity(motion, time);
+        let [vx, vy, vz] = point_velocity(motion, time, pose.origin);
+        // Nothing moves at p from the origin where v + w x p = 0.
+        let square = wx * wx + wy * wy + wz * wz;
+        let p = [wy * vz - wz * vy, wz * vx - wx * vz, wx * vy - wy * vx].map(|part| part / square);
+        let size = |[x, y, z]: [f64; 3]| x.hypot(y).hypot(z);
+        let [floor, relative] = NOWHERE;
+        if !(square > 0.0 && size(p) > floor + relative * size(pose.origin)) {
+            return None;
+        }
+        let own = [0, 1, 2].map(|k: usize| (0..3).map(|row| pose.rotation[row][k] * p[row]).sum());
+        Some((own, [0, 1, 2].map(|k: usize| pose.origin[k] + p[k])))
+    };
+    let found = axis(0.0).filter(|(own, ground)| {
+        let [x, y, z] = angular_velocity(motion, 0.0);
+        let turn = TAU / x.hypot(y).hypot(z);
+        let size = own.iter().fold(0.0, |size: f64, part| size.hypot(*part));
+        let near = |one: &[f64; 3], other: &[f64; 3]| (0..3).all(|k| (one[k] - other[k]).abs() < 1e-6 * size);
+        LATER.iter().all(|part| {
+            axis(part * turn).is_some_and(|(later, there)| near(own, &later) && near(ground, &there))
+        })
+    });
+    found.map_or([0.0; 3], |(own, _)| own)
+}
+
 /// Rate of a body's [`Stance::angle`], rad/s.
 pub fn turning_speed(motion: &dyn Motion, time: f64) -> Result<f64, EngineError> {
     let [x, y, z] = Stance::of(&pose_in_space(motion, time)?).axis();
@@ -330,6 +374,39 @@ mod tests {
         let velocity = placed.pose.direction(point_velocity(&still, 0.7, at.point([0.01, 0.02, 0.03])));
         let found = point_velocity(&placed, 0.7, found);
         assert!((0..3).all(|k| (found[k] - velocity[k]).abs() < 1e-14), "{found:?} {velocity:?}");
+    }
+
+    /// Turning with its origin at `by` (m) from the axis, which itself goes round ground's at `orbit`.
+    struct Around {
+        by: f64,
+        orbit: f64,
+    }
+
+    impl Motion for Around {
+        fn frame(&self, time: f64) -> [f64; 12] {
+            let still = SteadyRotation { origin: [0.0; 2], start: 0.0, speed: 2.0 }.frame(time);
+            let (sine, cosine) = (0.7 * time).sin_cos();
+            let [x, y] = [self.orbit * cosine + 0.1, self.orbit * sine];
+            let mut frame = still;
+            frame[9] = -(still[0] * x + still[1] * y) - self.by;
+            frame[10] = -(still[3] * x + still[4] * y);
+            frame
+        }
+        fn rate(&self, time: f64) -> [f64; 12] {
+            let step = 1e-5;
+            let (before, after) = (self.frame(time - step), self.frame(time + step));
+            std::array::from_fn(|k| (after[k] - before[k]) / (2.0 * step))
+        }
+    }
+
+    #[test]
+    fn an_axle_is_where_a_body_rests_on_ground() {
+        let [x, y, z] = axle(&Around { by: 2e-3, orbit: 0.0 });
+        assert!((x + 2e-3).abs() < 1e-9 && y.abs() < 1e-9 && z.abs() < 1e-9, "{x} {y} {z}");
+        // On its own axis; on a planet's, which goes round; and standing still.
+        assert_eq!(axle(&SteadyRotation { origin: [0.3, -0.2], start: 0.4, speed: -2.0 }), [0.0; 3]);
+        assert_eq!(axle(&Around { by: 0.0, orbit: 0.05 }), [0.0; 3]);
+        assert_eq!(axle(&SteadyRotation::at_rest([0.3, -0.2])), [0.0; 3]);
     }
 
     #[test]

@@ -5,7 +5,7 @@ use crate::building::{Structures, build_structures};
 use crate::contact::solid::Pose;
 use crate::error::{EngineError, Subject};
 use crate::interrupt::Interrupt;
-use crate::motion::{PlanePose, Stance, moved_by, point_velocity, pose_in_space};
+use crate::motion::{PlanePose, Stance, axle, moved_by, point_velocity, pose_in_space};
 use crate::plan::Plan;
 use crate::resources::Resources;
 use crate::results::StructureCounts;
@@ -31,6 +31,8 @@ pub struct System<'s> {
     pub(crate) scene: &'s Scene,
     pub(crate) bodies: Bodies,
     pub(crate) freedoms: Vec<Freedom>,
+    /// Of every body, see [`axle`].
+    axles: Vec<[f64; 3]>,
     /// Those that the plan models, by index in the scene.
     pub(crate) bearings: Vec<usize>,
     pub(crate) interrupt: Interrupt,
@@ -128,7 +130,8 @@ impl<'s> System<'s> {
         let bodies = bodies.with(structures);
         let interrupt = resources.interrupt.clone();
         let bearings = plan.modelled_bearings();
-        Ok(System { scene, bodies, freedoms, bearings, interrupt, structure_counts })
+        let axles = scene.bodies.iter().map(|body| axle(body.motion.as_ref())).collect();
+        Ok(System { scene, bodies, freedoms, axles, bearings, interrupt, structure_counts })
     }
 
     /// How many structures were built for this system, and how many there were already.
@@ -191,14 +194,23 @@ impl<'s> System<'s> {
         }
     }
 
-    /// Where the origin of a body's frame is meant to be, m; not a number where its motion is none.
+    /// Where a body's axle goes through it, in the body's coordinates, m, see [`axle`].
+    pub(crate) fn axle(&self, body: usize) -> [f64; 3] {
+        self.axles[body]
+    }
+
+    /// Where a body's axle is meant to be, about which it is free to turn: the origin of its frame, unless it sits off its shaft; m; not a
+    /// number where its motion is none.
     pub(crate) fn origin(&self, body: usize, time: f64) -> [f64; 3] {
+        let axle = self.axle(body);
         match &self.bodies {
             Bodies::Plane(_) => {
-                let [x, y] = pose(self.scene, body, time).map_or([f64::NAN; 2], |pose| pose.origin);
+                let [x, y] = pose(self.scene, body, time).map_or([f64::NAN; 2], |pose| pose.point(axle));
                 [x, y, 0.0]
             }
-            Bodies::Solid(_) => solid_pose(self.scene, body, time).map_or([f64::NAN; 3], |pose| pose.origin),
+            Bodies::Solid(_) => {
+                solid_pose(self.scene, body, time).map_or([f64::NAN; 3], |pose| pose.point(axle))
+            }
         }
     }
 
@@ -208,18 +220,23 @@ impl<'s> System<'s> {
         [0, 1, 2].map(|k: usize| origin[k] + shift[k])
     }
 
-    /// Where a body's frame is at a time, off its prescribed motion by `moved`: turned about its own axis first, whole, then tilted about one
-    /// axis, which is exact for turns of any size.
+    /// Where a body's frame is at a time, off its prescribed motion by `moved`: turned on its axle first, whole, then tilted about one axis,
+    /// which is exact for turns of any size.
     ///
     /// # Errors
     /// As [`solid_pose`].
     pub(crate) fn pose_moved(&self, body: usize, time: f64, moved: &[f64]) -> Result<Pose, EngineError> {
         let pose = solid_pose(self.scene, body, time)?;
         let by = self.moved(body, moved);
-        Ok(if by == [0.0; 6] { pose } else { moved_by(&pose, by) })
+        if by == [0.0; 6] {
+            return Ok(pose);
+        }
+        let axle = self.axle(body);
+        let moved = moved_by(&Pose { origin: pose.point(axle), ..pose }, by);
+        Ok(Pose { origin: moved.point(axle.map(|part| -part)), ..moved })
     }
 
-    /// How far `moved` is of the origin of a body's frame, along ground axes, m.
+    /// How far `moved` is of a body's axle, along ground axes, m.
     fn shift(&self, body: usize, time: f64, moved: &[f64]) -> [f64; 3] {
         let [x, y, z, ..] = self.moved(body, moved);
         let axes = self.axes(body, time);

@@ -3,7 +3,7 @@
 use super::{Bearing, Support};
 use crate::contact::solid::Pose;
 use crate::error::{EngineError, Subject};
-use crate::motion::{Stance, point_velocity, pose_in_space};
+use crate::motion::{Stance, axle, point_velocity, pose_in_space};
 use crate::scene::{Body, BodyId, Scene};
 use crate::system::Freedom;
 
@@ -15,8 +15,8 @@ pub(crate) struct Placed {
     pub origin: Vector,
     /// The bearing's x, y and z axes along those of ground.
     pub axes: [Vector; 3],
-    /// Of the bodies' frames, m: that of the first race's and that of the second's, which for ground is anywhere.
-    frames: [Vector; 2],
+    /// Of the bodies, about which they turn, m: that of the first race's and that of the second's, which for ground is anywhere.
+    axles: [Vector; 2],
     bodies: [Option<BodyId>; 2],
     /// Along and about which the freedoms of either body count.
     freedoms: [[Vector; 3]; 2],
@@ -42,7 +42,7 @@ impl Placed {
             Ok([now.point(back(from)), now.direction(back(direction))])
         };
         let [origin, axis] = carried(start.origin, start.axes[2])?;
-        let size = length(minus(placed.origin, placed.frames[0]))
+        let size = length(minus(placed.origin, placed.axles[0]))
             + body_of(scene, bearing.body)?.prototype.enclosing_radius();
         let (apart, tilted) = (length(minus(placed.origin, origin)), length(minus(placed.axes[2], axis)));
         if apart > TOGETHER * size || tilted > TOGETHER {
@@ -53,9 +53,10 @@ impl Placed {
 
     fn of_first_race(scene: &Scene, bearing: &Bearing, time: f64) -> Result<Placed, EngineError> {
         let first = pose(scene, bearing.body, time)?;
-        let (second, other) = match bearing.to {
-            Support::Ground => (Pose::IDENTITY, None),
-            Support::Body(body) => (pose(scene, body, time)?, Some(body)),
+        let axle_of = |body: BodyId| body_of(scene, body).map(|body| axle(body.motion.as_ref()));
+        let (second, other, other_axle) = match bearing.to {
+            Support::Ground => (Pose::IDENTITY, None, [0.0; 3]),
+            Support::Body(body) => (pose(scene, body, time)?, Some(body), axle_of(body)?),
         };
         let z = first.direction([0.0, 0.0, 1.0]);
         // An axis that lies along x takes y in its place.
@@ -70,7 +71,7 @@ impl Placed {
         Ok(Placed {
             origin: first.point(bearing.at),
             axes: [x, cross(z, x), z],
-            frames: [first.origin, second.origin],
+            axles: [first.point(axle_of(bearing.body)?), second.point(other_axle)],
             bodies: [Some(bearing.body), other],
             freedoms: [Stance::of(&first).axes, Stance::of(&second).axes],
         })
@@ -85,7 +86,7 @@ impl Placed {
             }
             let axis = self.freedoms[side][freedom.component % 3].map(|part| sign * part);
             let turns = freedom.component >= 3;
-            let moved = if turns { cross(axis, minus(self.origin, self.frames[side])) } else { axis };
+            let moved = if turns { cross(axis, minus(self.origin, self.axles[side])) } else { axis };
             for (row, along) in self.axes.iter().enumerate() {
                 deflection[row] += dot(*along, moved);
                 if turns {
@@ -102,14 +103,14 @@ impl Placed {
     }
 
     /// What a force and a moment on the first race, along the bearing's axes, are on a body it connects: a force and a moment about the
-    /// origin of the body's frame, along ground axes.
+    /// body's axle, along ground axes.
     pub fn wrench_on(&self, body: BodyId, force: [f64; 6]) -> [f64; 6] {
         let [fx, fy, fz, mx, my, mz] = force;
         let (force, moment) = (self.to_ground([fx, fy, fz]), self.to_ground([mx, my, mz]));
         let mut wrench = [0.0; 6];
         for (side, sign) in [(0, 1.0), (1, -1.0)] {
             if self.bodies[side] == Some(body) {
-                let turned = cross(minus(self.origin, self.frames[side]), force);
+                let turned = cross(minus(self.origin, self.axles[side]), force);
                 for k in 0..3 {
                     wrench[k] += sign * force[k];
                     wrench[3 + k] += sign * (moment[k] + turned[k]);

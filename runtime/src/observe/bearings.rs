@@ -27,7 +27,7 @@ pub enum Direction {
 }
 
 impl Borne {
-    /// What it does to one of the bodies it connects: force (N) and moment about the origin of the body's frame (N m), along ground axes.
+    /// What it does to one of the bodies it connects: force (N) and moment about the body's axle (N m), along ground axes.
     pub fn wrench_on(&self, body: BodyId) -> [f64; 6] {
         self.placed.wrench_on(body, self.push)
     }

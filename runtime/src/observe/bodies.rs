@@ -19,8 +19,8 @@ impl Equilibrium<'_> {
         total
     }
 
-    /// What holds a body, in the order of [`crate::scene::FREEDOMS`]: force (N) and moment about the frame's origin (N m), along
-    /// ground axes. With contact, bearings and external load it is in equilibrium, so it is zero along freedoms.
+    /// What holds a body, in the order of [`crate::scene::FREEDOMS`]: force (N) and moment about the body's axle (N m), along ground
+    /// axes. With contact, bearings and external load it is in equilibrium, so it is zero along freedoms.
     pub fn support(self, body: BodyId) -> [f64; 6] {
         let (contact, load) =
             (self.contact_force(body), self.system.scene.bodies[body.0].load.at(self.step.time));
@@ -34,8 +34,8 @@ impl Equilibrium<'_> {
 }
 
 impl System<'_> {
-    /// What contact does to a body's frame, in the order of [`crate::scene::FREEDOMS`]: force (N) and moment about the
-    /// frame's origin (N m), along ground axes. Over all bodies forces, and moments about any one point, add up to zero.
+    /// What contact does to a body's frame, in the order of [`crate::scene::FREEDOMS`]: force (N) and moment about the body's axle
+    /// ([`crate::motion::axle`]: the origin of its frame, unless it sits off its shaft; N m), along ground axes. Over all bodies forces, and moments about any one point, add up to zero.
     ///
     /// On a free freedom it balances the external load; what holds a held one bears it together with the load.
     pub fn contact_force(&self, step: &StepResult, body: BodyId) -> [f64; 6] {
@@ -61,7 +61,7 @@ impl Observable for SupportForce {
     }
 }
 
-/// The moment with which a body is held besides by bearings, about its origin and along an axis of the ground (0 to 2). N m.
+/// The moment with which a body is held besides by bearings, about its axle and along an axis of the ground (0 to 2). N m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SupportMoment(pub BodyId, pub usize);
 

@@ -73,7 +73,7 @@ impl<'a> Equilibrium<'a> {
         at.map_or(0.0, |at| self.step.motion[at])
     }
 
-    /// Where the origin of a body's frame was when contact was laid out, m: where it is meant to be, but for backlash it has gone
+    /// Where a body's axle was when contact was laid out, m: where it is meant to be, but for backlash it has gone
     /// through and for where the load carries it.
     pub(crate) fn origin(&self, body: BodyId) -> [f64; 3] {
         self.system.origin_moved(body.0, self.time(), &self.step.start)
@@ -182,7 +182,7 @@ impl Contact<'_> {
         }
     }
 
-    /// The force and its moment about a body's origin that the patch puts on the body on one of its sides, along ground
+    /// The force and its moment about a body's axle that the patch puts on the body on one of its sides, along ground
     /// axes: N and N m, as [`crate::scene::FREEDOMS`] counts them.
     pub fn wrench(&self, side: usize) -> [f64; 6] {
         let origin = self.at.origin(self.bodies()[side]);

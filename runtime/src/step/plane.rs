@@ -46,7 +46,7 @@ impl Space for Plane<'_> {
             let bodies = pair.bodies.map(|body| body.0);
             let poses = [self.pose(bodies[0], time, moved)?, self.pose(bodies[1], time, moved)?];
             let placements = [0, 1].map(|side: usize| self.placement(bodies[side], &poses[side]));
-            let origins = poses.map(|pose| pose.origin);
+            let origins = [0, 1].map(|side: usize| poses[side].point(self.system.axle(bodies[side])));
             let structures = [0, 1].map(|side| self.bodies.structures[bodies[side]].clone());
             let [Some(first), Some(second)] = structures else { continue };
             let structures = [first, second];
@@ -181,9 +181,13 @@ impl Plane<'_> {
 
     /// Where a body's frame is at a time, off its prescribed motion by `moved`.
     fn pose(&self, body: usize, time: f64, moved: &[f64]) -> Result<PlanePose, EngineError> {
-        let PlanePose { origin: [x, y], angle } = pose(self.system.scene, body, time)?;
-        let by = self.system.moved(body, moved);
-        Ok(PlanePose { origin: [x + by[0], y + by[1]], angle: angle + by[5] })
+        let meant = pose(self.system.scene, body, time)?;
+        let (by, axle) = (self.system.moved(body, moved), self.system.axle(body));
+        let turned = PlanePose { angle: meant.angle + by[5], ..meant };
+        // It turns on its axle.
+        let (from, to) = (meant.point(axle), turned.point(axle));
+        let at = |k: usize| meant.origin[k] + by[k] + (from[k] - to[k]);
+        Ok(PlanePose { origin: [at(0), at(1)], ..turned })
     }
 
     /// Where the teeth coordinates of a body lie whose frame is at a pose, with the body's phase.

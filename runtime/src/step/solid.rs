@@ -28,7 +28,7 @@ pub(super) struct Site {
     surfaces: [Arc<dyn Surface>; 2],
     /// Of the teeth.
     poses: [Pose; 2],
-    /// Of the bodies' frames.
+    /// Of the bodies' axles.
     origins: [[f64; 3]; 2],
     /// Along which the freedoms of either body count.
     axes: [[[f64; 3]; 3]; 2],
@@ -93,7 +93,8 @@ impl Space for Solid<'_> {
                     let ridge = find_ridge(placed(0), placed(1), pair.grid.edges)
                         .filter(|ridge| faces(ridge, &poses, structures));
                     if let Some(ridge) = ridge {
-                        let origins = frames.map(|frame| frame.origin);
+                        let origins =
+                            [0, 1].map(|side: usize| frames[side].point(self.system.axle(bodies[side])));
                         // Springs and loads are along the axes of the prescribed stance, wherever contact is laid out.
                         let axes = bodies.map(|body| self.system.axes(body, time));
                         let at = |gap, point| Approach {

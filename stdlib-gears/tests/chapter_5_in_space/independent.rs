@@ -49,6 +49,16 @@ fn without_transverse_contraction_a_spur_pair_in_space_is_the_plane_one() {
         // Meshes differ: each is within 0.3 % of its limit.
         near(name, largest(&space, member), largest(&plane, member), 0.005);
     }
+    // A bearing gives by force over stiffness in both.
+    let sprung = Pair { bearing: Some(2e8), ..pair };
+    let [plane_sprung, space_sprung] =
+        ["plane", "fineroot"].map(|fidelity| sprung.solve(fidelity, StructureOptions::default(), &rolls));
+    for k in 0..rolls.len() {
+        let [in_plane, in_space] = [(&plane_sprung, &plane), (&space_sprung, &space)]
+            .map(|(sprung, held)| sprung[k].transmission_error - held[k].transmission_error);
+        near("what the bearing gives", in_space, in_plane, 1e-6);
+        near("mesh stiffness on it", space_sprung[k].mesh_stiffness, plane_sprung[k].mesh_stiffness, 0.006);
+    }
     for (plane, space) in plane.iter().zip(&space) {
         near("transmission error", space.transmission_error, plane.transmission_error, 0.002);
         near("mesh stiffness", space.mesh_stiffness, plane.mesh_stiffness, 0.006);

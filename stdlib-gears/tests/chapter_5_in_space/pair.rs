@@ -7,6 +7,7 @@ use calyx_gears::modification::{Modification, ReliefShape};
 use calyx_gears::prototype::GearPrototype;
 use calyx_gears::rack::Rack;
 use calyx_runtime::analysis::{AnalysisOptions, Position, quasi_static};
+use calyx_runtime::bearing::{Bearing, axisymmetric};
 use calyx_runtime::cache::OperatorCache;
 use calyx_runtime::load::Wrench;
 use calyx_runtime::material::Material;
@@ -39,6 +40,8 @@ pub struct Pair {
     pub poissons_ratio: f64,
     /// Contact of the tip edges before and after the nominal path.
     pub tip_corner_contact: bool,
+    /// Radial stiffness of the bearing under the pinion, N/m, if it is not held.
+    pub bearing: Option<f64>,
 }
 
 /// As the report's tables have it.
@@ -49,6 +52,7 @@ pub const CHAPTER_5: Pair = Pair {
     crown: 0.0005,
     poissons_ratio: 0.3,
     tip_corner_contact: false,
+    bearing: None,
 };
 /// Without modifications.
 pub const PLAIN: Pair = Pair { relief: 0.0, crown: 0.0, ..CHAPTER_5 };
@@ -92,13 +96,19 @@ impl Pair {
         let torque = 1000.0 * LBF * INCH;
         let mut scene = Scene::default();
         let turning = |origin, speed| SteadyRotation { origin, start: 0.0, speed };
+        let across: &[Component] = if self.bearing.is_some() { &[Component::Ux, Component::Uy] } else { &[] };
         let pinion = add_body(
             &mut scene,
             Body::new("pinion", pinion, turning([0.0; 2], speed))
                 .free_in(&[Component::ThetaZ])
+                .free_in(across)
                 .loaded(Wrench::of_moment([0.0, 0.0, torque])),
         )
         .expect("a body");
+        if let Some(radial) = self.bearing {
+            let bearing = Bearing::new("bearing", pinion, 0.0, axisymmetric(radial, 0.0, 0.0, 0.0));
+            scene.add_bearing(bearing).expect("a bearing");
+        }
         let wheel = add_body(&mut scene, Body::new("wheel", wheel, turning([3.0 * INCH, 0.0], -0.5 * speed)))
             .expect("a body");
         let options = MeshOptions { tip_corner_contact: self.tip_corner_contact, ..MeshOptions::default() };

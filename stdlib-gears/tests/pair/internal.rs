@@ -2,7 +2,7 @@
 
 use crate::CYCLE;
 use crate::common::pair::{
-    FIRST, Member, PairOptions, SECOND, Values, member, pair, solve_at, steel, system,
+    COARSE, FIRST, Member, PairOptions, SECOND, Values, member, pair, solve_at, steel, system,
 };
 use calyx_gears::blank::Rim;
 use calyx_gears::external::ExternalGearData;
@@ -12,6 +12,11 @@ use calyx_gears::prototype::GearPrototype;
 use calyx_gears::rack::Rack;
 use calyx_gears::shaper::Shaper;
 use calyx_runtime::analysis::mesh_cycle;
+use calyx_runtime::bearing::{Bearing, Stop, axisymmetric};
+use calyx_runtime::holding;
+use calyx_runtime::interrupt::Interrupt;
+use calyx_runtime::plan::Plan;
+use calyx_runtime::scene::{Component, Fidelity};
 use calyx_runtime::structure::BoreHold;
 use std::sync::LazyLock;
 
@@ -144,4 +149,27 @@ fn rim_and_relief_do_what_they_should() {
     let relieved = solve_at(&options(&RELIEVED), &cycle)[0];
     assert!(relieved.transmission_error > plain.transmission_error, "{plain:?} {relieved:?}");
     assert!(relieved.load_share < plain.load_share, "{plain:?} {relieved:?}");
+}
+
+/// A pinion that may move towards the ring's axis, with a wall on one side of it: the line of action says on which side a wall holds it, and that
+/// is known before anything is solved.
+#[test]
+fn what_holds_a_pinion_in_a_ring_is_known_before_it_is_solved() {
+    let mut held = Vec::new();
+    for side in [1.0, -1.0] {
+        let (mut scene, mesh) = pair(&options(&PLAIN));
+        scene.bodies[FIRST.0] = scene.bodies[FIRST.0].clone().free_in(&[Component::Ux]);
+        let wall = Stop::Wall { clearance: 0.0, direction: [side, 0.0, 0.0, 0.0, 0.0, 0.0], stiffness: 1e9 };
+        let bearing = Bearing::new("wall", FIRST, 0.0, axisymmetric(0.0, 0.0, 0.0, 0.0));
+        scene.add_bearing(Bearing { stops: vec![wall], ..bearing }).expect("a bearing");
+        let plan = Plan::new(&scene, Fidelity::Plane, COARSE).expect("a plan");
+        let early =
+            holding::check(&scene, &plan, mesh.start, &Interrupt::never()).map_err(|error| error.code);
+        let solved =
+            system(&scene).solve(mesh.start + 0.3 * mesh.period).map(|_| ()).map_err(|error| error.code);
+        assert_eq!(early, solved, "{side}");
+        held.push(solved);
+    }
+    held.sort();
+    assert_eq!(held, [Ok(()), Err("E0714")]);
 }

@@ -1,14 +1,17 @@
 //! Gears on bearings in space: levers, tilt, and where the load goes along the face.
 
 use crate::pairs::{FIRST, MESH, MODULE, Options, SECOND, TORQUE, system};
+use calyx_gears::assembly::Misalignment;
 use calyx_gears::helix::Hand;
 use calyx_runtime::bearing::{Bearing, BearingMatrix, axisymmetric};
+use calyx_runtime::contact::solid::Pose;
 use calyx_runtime::load::Wrench;
-use calyx_runtime::motion::SteadyRotation;
+use calyx_runtime::motion::{Placed, SteadyRotation, moved_by};
 use calyx_runtime::observe::{BearingTilt, Direction, Displacement, Equilibrium, FaceLoadFactor, Rotation};
 use calyx_runtime::scene::{BearingId, Body, BodyId, Component, GearMesh, Scene, StructureOptions};
 use calyx_runtime::step::StepResult;
 use calyx_runtime::system::System;
+use std::sync::Arc;
 
 const ANGLE: f64 = 0.35;
 /// Radial, axial.
@@ -46,8 +49,15 @@ fn solved<T>((scene, mesh): &(Scene, GearMesh), look: impl FnOnce(&System<'_>, &
 
 #[test]
 fn an_overhung_gear_on_two_bearings_tilts_as_levers_say() {
-    let scene = scene(&options(true), &pair_of_bearings(1.0));
-    solved(&scene, |system, step| {
+    // The second gear's axis leans or not: levers are the first one's.
+    for in_action in [0.0, 4e-4] {
+        let misalignment = Misalignment { in_action, off_action: 0.0 };
+        tilts_as_levers_say(&scene(&Options { misalignment, ..options(true) }, &pair_of_bearings(1.0)));
+    }
+}
+
+fn tilts_as_levers_say(scene: &(Scene, GearMesh)) {
+    solved(scene, |system, step| {
         let [fx, fy, fz, mx, my, _] = system.contact_force(step, FIRST);
         let span = PLACES[1] - PLACES[0];
         // The moment about y of a force along x at z is z fx; about x it is -z fy.
@@ -114,6 +124,64 @@ fn everything_is_in_equilibrium() {
         (0..6).for_each(|k| sum[k] += other[k]);
         assert!(sum.iter().all(|part| part.abs() < 1e-10 * TORQUE / MODULE), "{sum:?}");
     });
+}
+
+/// The scene with its first gear held, but for turning, where another one's bearings have taken it, and turned to where rigid teeth
+/// touch there under no more than the moment about its leaning axis.
+fn held_at(scene: &Scene, mesh: &GearMesh, motion: &[f64], moment: [f64; 3]) -> (Scene, f64) {
+    let &[x, y, z, about_x, about_y, _] = motion else { panic!("six freedoms") };
+    let pose = moved_by(&Pose::IDENTITY, [x, y, z, about_x, about_y, 0.0]);
+    let mut held = scene.clone();
+    held.bearings.clear();
+    held.bodies[0].motion = Arc::new(Placed { motion: held.bodies[0].motion.clone(), pose });
+    held.bodies[0].free = [false, false, false, false, false, true];
+    let mut turn = 0.0;
+    for _ in 0..3 {
+        held.bodies[0].load = Arc::new(Wrench::NONE);
+        let more = solved(&(held.clone(), mesh.clone()), |_, step| step.motion[0]);
+        held.bodies[0].phase += more;
+        turn += more;
+    }
+    let axis = pose.direction([0.0, 0.0, 1.0]);
+    let about: f64 = (0..3).map(|k| moment[k] * axis[k]).sum();
+    held.bodies[0].load = Arc::new(Wrench::of_moment(axis.map(|part| part * about)));
+    (held, turn)
+}
+
+/// A shaft on soft bearings that the load carries away by a tenth of a module, and tilts: as if it were held there.
+#[test]
+fn a_shaft_that_is_carried_far_is_solved_where_it_is_carried() {
+    let soft = |name: &str, at: f64, radial: f64, axial: f64, apart: f64| Bearing {
+        unloaded: [-apart, 0.0, 0.0, 0.0, 0.0, 0.0],
+        ..Bearing::new(name, FIRST, at, axisymmetric(radial, axial, 0.0, 0.0))
+    };
+    for helical in [false, true] {
+        let bearings = [soft("one", -0.04, 1.2e7, 2e7, 0.2e-3), soft("other", 0.04, 1.25e7, 0.0, 0.2e-3)];
+        let (mut scene, mesh) = scene(&options(helical), &bearings);
+        // One grid for both ways.
+        scene.pairs[0].grid.width = Some(0.4e-3);
+        let of = |system: &System<'_>, step: &StepResult| {
+            let factor = system.value(step, &FaceLoadFactor(MESH)).value;
+            (step.motion.clone(), system.contact_force(step, FIRST), factor)
+        };
+        let (motion, force, factor) = solved(&(scene.clone(), mesh.clone()), |system, step| {
+            assert!(step.warnings.is_empty(), "{:?}", step.warnings);
+            assert!(step.start.iter().any(|&moved| moved != 0.0));
+            let support = Equilibrium::new(system, step).support(FIRST);
+            assert!(support.iter().all(|part| part.abs() < 1e-10 * TORQUE / MODULE), "{support:?}");
+            of(system, step)
+        });
+        assert!(motion[0].hypot(motion[1]) > 0.2e-3 && motion[3].hypot(motion[4]) > 2e-5, "{motion:?}");
+        let (held, before) = held_at(&scene, &mesh, &motion, [3, 4, 5].map(|k: usize| -force[k]));
+        let (own, held_force, held_factor) = solved(&(held, mesh), of);
+        for k in 0..6 {
+            // Cells at the ends of the face are cut elsewhere: the load's centre is the same to some thousandths of a millimetre.
+            let most = if k < 3 { 1e-5 * TORQUE / (20.0 * MODULE) } else { 2e-4 * TORQUE };
+            assert!((force[k] - held_force[k]).abs() < most, "{force:?} {held_force:?}");
+        }
+        assert!((motion[5] - before - own[0]).abs() < 1e-4 * own[0].abs(), "{motion:?} {before} {own:?}");
+        assert!((factor / held_factor - 1.0).abs() < 1e-3, "{factor} {held_factor}");
+    }
 }
 
 /// Where along the face the load acts, from its middle, m.

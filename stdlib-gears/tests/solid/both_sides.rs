@@ -3,12 +3,14 @@
 use crate::helical::{CYCLE, solved};
 use crate::pairs::{FIRST, MESH, MODULE, Options, SECOND, TEETH, TORQUE, system};
 use calyx_gears::helix::Hand;
+use calyx_runtime::bearing::{Bearing, axisymmetric};
 use calyx_runtime::load::Wrench;
 use calyx_runtime::observe::{
-    LoadShare, MaxContactPressure, MeshStiffness, Observable, TransmissionError, UnloadedTransmissionError,
+    Equilibrium, LoadShare, MaxContactPressure, MeshStiffness, Observable, TransmissionError,
+    UnloadedTransmissionError,
 };
 use calyx_runtime::plan::Plan;
-use calyx_runtime::scene::{Component, Fidelity, PairId, Scene, StructureOptions};
+use calyx_runtime::scene::{Component, Fidelity, GearMesh, PairId, Scene, StructureOptions};
 use calyx_runtime::step::StepResult;
 use calyx_runtime::system::System;
 use std::f64::consts::TAU;
@@ -42,10 +44,12 @@ fn normal_backlash(distance: f64) -> f64 {
 /// the transmission error has gone through the backlash.
 #[test]
 fn a_load_that_reverses_is_carried_by_the_back_sides() {
-    for options in [Options::spur(), Options::helical(0.35, Hand::Right)] {
+    let cases = [(Options::spur(), 0.0), (Options::spur(), 0.06), (Options::helical(0.35, Hand::Right), 0.0)];
+    for (options, friction) in cases {
         let (mut scene, mesh) = both(options.clone()).scene();
         scene.bodies[0].load = Arc::new(Wrench::of_moment([0.0, 0.0, -TORQUE]));
-        let (mirror, _) = Options { torque: -TORQUE, ..options }.scene();
+        let (mut mirror, _) = Options { torque: -TORQUE, ..options }.scene();
+        scene.pairs.iter_mut().chain(&mut mirror.pairs).for_each(|pair| pair.friction = friction);
         let speed = -TAU * f64::from(TEETH[0]) / f64::from(TEETH[1]);
         let later = (scene.bodies[1].phase - mirror.bodies[1].phase) / speed;
         let (system, mirrored) =
@@ -83,6 +87,58 @@ fn a_load_that_reverses_is_carried_by_the_back_sides() {
             assert!((0.0..=1.0).contains(&share));
         }
     }
+}
+
+/// A gear on a bearing gives by force over stiffness whichever side of its teeth carries, and a bearing takes the pressure out of a tight mesh.
+#[test]
+fn both_sides_carry_on_bearings() {
+    let stiffness = 2e8;
+    let sprung = |options: &Options, torque: f64| {
+        let across = vec![Component::Ux, Component::Uy];
+        let (mut scene, mesh) = both(Options { free: across, ..options.clone() }).scene();
+        scene.bodies[0].load = Arc::new(Wrench::of_moment([0.0, 0.0, torque]));
+        let bearing = Bearing::new("bearing", FIRST, 0.0, axisymmetric(stiffness, 0.0, 0.0, 0.0));
+        scene.add_bearing(bearing).expect("a bearing");
+        (scene, mesh)
+    };
+    let held = |options: &Options, torque: f64| {
+        let (mut scene, mesh) = both(options.clone()).scene();
+        scene.bodies[0].load = Arc::new(Wrench::of_moment([0.0, 0.0, torque]));
+        (scene, mesh)
+    };
+    let solve = |(scene, mesh): (Scene, GearMesh)| {
+        let system = system(&scene, StructureOptions::default());
+        let step = system.solve(mesh.start + 0.45 * mesh.period).expect("it is held");
+        assert!(step.certificate.largest() <= 1e-10, "{:?}", step.certificate);
+        let support = Equilibrium::new(&system, &step).support(FIRST);
+        let held = scene.bearings.is_empty();
+        assert!(held || support[..2].iter().all(|part| part.abs() < 1e-10 * TORQUE / MODULE), "{support:?}");
+        let [x, y, ..] = system.contact_force(&step, FIRST);
+        (
+            [force(&step, MESH), force(&step, BACK)],
+            system.value(&step, &TransmissionError(MESH)).value,
+            [x, y],
+        )
+    };
+    let spur = Options::spur();
+    let [first, second] = base_radii();
+    for torque in [TORQUE, -TORQUE] {
+        let ([drive, back], error, _) = solve(sprung(&spur, torque));
+        let (_, rigid, _) = solve(held(&spur, torque));
+        assert!((drive + back) * first / TORQUE - 1.0 < 1e-9 && drive.min(back) == 0.0, "{drive} {back}");
+        let given = torque / first / stiffness / second;
+        assert!(((error - rigid) / given - 1.0).abs() < 1e-3, "{error} {rigid} {given}");
+    }
+    let tight = Options { apart: -1e-4, torque: 0.0, ..spur };
+    let ([drive, back], _, [x, _]) = solve(sprung(&tight, 0.0));
+    let ([held_drive, _], ..) = solve(held(&tight, 0.0));
+    assert!((drive / back - 1.0).abs() < 1e-9 && drive < held_drive, "{drive} {back} {held_drive}");
+    // How far the axes are pushed apart is what the teeth need not give: the same secant stiffness, less overlap.
+    let moved = -x / stiffness;
+    assert!(x < 0.0, "{x}");
+    let overlap = 1e-4 * STANDARD;
+    let left = 1.0 - moved.abs() / overlap;
+    assert!((drive / held_drive / left - 1.0).abs() < 0.05, "{drive} {held_drive} {left}");
 }
 
 /// With the load that drives it, nothing changes that is not rounding: the back sides do not touch.
@@ -152,7 +208,7 @@ fn a_gear_pressed_into_its_mate_wedges() {
 #[test]
 fn both_sides_carry_in_the_plane() {
     let structure = StructureOptions { refinement: 0.5, order: 2, ..StructureOptions::default() };
-    let plane = |scene: &Scene, part: f64, mesh: &calyx_runtime::scene::GearMesh| {
+    let plane = |scene: &Scene, part: f64, mesh: &GearMesh| {
         let plan = Plan::new(scene, Fidelity::Plane, structure).expect("a plan");
         let system = System::new(scene, &plan).expect("it can be built");
         let step = system.solve(mesh.start + part * mesh.period).expect("it is held");

@@ -168,7 +168,9 @@ fn teeth_that_touch_at_one_end_are_in_equilibrium() {
 
 /// With a stiffness c by width of face b, force F and angle f in the plane of action the load is linear along the face as long as all of it
 /// carries: its centre is off the middle by c f b³ / 12 F, and K_Hbeta = 1 + c f b² / 2 F (ISO 6336-1, stiff bodies under the teeth). Here the
-/// mesh stiffness is that of teeth and rims under an even load, which bend less under one that is not: the shift is 16 % larger.
+/// mesh stiffness is that of teeth and rims under an even load. Teeth coupled along the face give less under a load that changes its sign along it than
+/// under an even one, as compliance falls with every wave, so the centre is farther off than c says: by 16 %. The ends of a face that hangs free
+/// give more than its middle and carry less than the straight line, by which the largest load falls back to what c says, within 2 %.
 #[test]
 fn the_load_moves_as_that_of_a_uniform_stiffness() {
     let structure = StructureOptions {
@@ -197,9 +199,9 @@ fn the_load_moves_as_that_of_a_uniform_stiffness() {
     let by_load = stiffness / face * angle * face * face / force;
     let (expected_shift, expected_factor) = (by_load * face / 12.0, 1.0 + 0.5 * by_load);
     assert!(middle.abs() < 1e-6 * face, "{middle}");
-    assert!((shift / expected_shift - 1.0).abs() < 0.2, "{shift} {expected_shift}");
+    assert!((1.0..1.18).contains(&(shift / expected_shift)), "{shift} {expected_shift}");
     assert!(
-        ((factor / even - 1.0) / (expected_factor - 1.0) - 1.0).abs() < 0.3,
+        ((factor / even - 1.0) / (expected_factor - 1.0) - 1.0).abs() < 0.04,
         "{factor} {even} {expected_factor}"
     );
 }

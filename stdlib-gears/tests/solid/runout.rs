@@ -4,18 +4,38 @@ use crate::helical::{CYCLE, solved};
 use crate::pairs::{FIRST, MESH, MODULE, Options, SECOND, TEETH, TORQUE};
 use calyx_gears::helix::Hand;
 use calyx_runtime::observe::{Observable, TransmissionError, UnloadedTransmissionError};
+use calyx_runtime::plan::Plan;
+use calyx_runtime::scene::{Fidelity, StructureOptions};
+use calyx_runtime::step::StepResult;
+use calyx_runtime::system::System;
 use std::f64::consts::TAU;
 
 const COS: f64 = 0.939_692_620_785_908_4;
+
+/// As [`solved`], in the plane.
+fn in_section(options: &Options, parts: &[f64], mut look: impl FnMut(&System<'_>, &StepResult)) {
+    let (scene, mesh) = options.scene();
+    let structure = StructureOptions { refinement: 0.5, order: 2, ..StructureOptions::default() };
+    let plan = Plan::new(&scene, Fidelity::Plane, structure).expect("a plan");
+    let system = System::new(&scene, &plan).expect("it can be built");
+    for part in parts {
+        look(&system, &system.solve(mesh.start + part * mesh.period).expect("it can be solved"));
+    }
+}
 
 /// Without load the flanks follow the runout along the line of action: a gear that is off its shaft by e shifts them by
 /// e sin(turn + pressure angle), and the transmission error has that over the second base radius as its harmonic once a turn.
 #[test]
 fn runout_is_a_harmonic_of_the_transmission_error_once_a_turn() {
     let e = 5e-6;
-    for (options, member) in
-        [(Options::spur(), 0), (Options::spur(), 1), (Options::helical(0.35, Hand::Right), 1)]
-    {
+    let plane = || Options { backed: false, ..Options::spur() };
+    for (options, member, in_plane) in [
+        (Options::spur(), 0, false),
+        (Options::spur(), 1, false),
+        (Options::helical(0.35, Hand::Right), 1, false),
+        (plane(), 0, true),
+        (plane(), 1, true),
+    ] {
         let mut eccentricity = [0.0; 2];
         eccentricity[member] = e;
         let options = Options { eccentricity, torque: 0.0, ..options };
@@ -24,13 +44,17 @@ fn runout_is_a_harmonic_of_the_transmission_error_once_a_turn() {
         let parts: Vec<f64> = (0..12).map(|k| turns * f64::from(k) / 12.0).collect();
         let mut errors = Vec::new();
         let mut times = Vec::new();
-        solved(&options, &parts, |_, system, step| {
+        let mut look = |system: &System<'_>, step: &StepResult| {
             let error = system.value(step, &TransmissionError(MESH)).value;
             let unloaded = system.value(step, &UnloadedTransmissionError(MESH)).value;
             assert!((error - unloaded).abs() < 1e-12);
             errors.push(error);
             times.push(step.time);
-        });
+        };
+        match in_plane {
+            false => solved(&options, &parts, |_, system, step| look(system, step)),
+            true => in_section(&options, &parts, |system, step| look(system, step)),
+        }
         let speed = [TAU, TAU * f64::from(TEETH[0]) / f64::from(TEETH[1])][member];
         let harmonic = |f: fn(f64) -> f64| -> f64 {
             errors.iter().zip(&times).map(|(error, time)| error * f(speed * time) / 6.0).sum()
@@ -64,6 +88,42 @@ fn a_loaded_pair_with_runout_is_in_equilibrium() {
         let moment = system.contact_force(step, FIRST)[5];
         assert!((moment / TORQUE + 1.0).abs() < 1e-10, "{moment}");
     });
+}
+
+/// Shafts drive, and moments are about them: what rigid gears that sit off theirs take in at one shaft they give at the other,
+/// T1 dθ1 + T2 dθ2 = 0, while the ratio of their torques follows the runout.
+#[test]
+fn what_a_gear_off_its_shaft_takes_in_at_one_shaft_its_mate_gives_at_the_other() {
+    // Next to no load, so that teeth are rigid.
+    let plain = Options { torque: 1e-3 * TORQUE, apart: 8e-3, ..Options::spur() };
+    let speeds = [TAU, -TAU * f64::from(TEETH[0]) / f64::from(TEETH[1])];
+    for (eccentricity, in_plane) in [([1e-4, 0.0], false), ([0.0, -1.5e-4], false), ([1e-4, -1.5e-4], true)] {
+        let options = Options { eccentricity, backed: !in_plane, ..plain.clone() };
+        let ratio = f64::from(TEETH[1]) / f64::from(TEETH[0]);
+        let mut strays = 0.0f64;
+        for part in [0.3, 5.3, 10.3, 15.3] {
+            let step = 0.01;
+            let mut seen = Vec::new();
+            let mut look = |system: &System<'_>, step: &StepResult| {
+                let torques = [FIRST, SECOND].map(|body| system.contact_force(step, body)[5]);
+                seen.push((step.time, step.motion[0], torques));
+            };
+            let parts = [part - step, part, part + step];
+            match in_plane {
+                false => solved(&options, &parts, |_, system, step| look(system, step)),
+                true => in_section(&options, &parts, |system, step| look(system, step)),
+            }
+            let [(before, turned, _), (_, _, [first, second]), (after, turned_after, _)] = seen[..] else {
+                panic!("three positions")
+            };
+            let speed = speeds[0] + (turned_after - turned) / (after - before);
+            let (taken, given) = (first * speed, second * speeds[1]);
+            assert!((taken / given + 1.0).abs() < 1e-5, "{eccentricity:?} {part}: {taken} {given}");
+            assert!((first / options.torque + 1.0).abs() < 1e-10, "{first}");
+            strays = strays.max((second / first / ratio - 1.0).abs());
+        }
+        assert!(strays > 1e-3, "{strays}");
+    }
 }
 
 /// Involutes do not mind the centre distance: torques keep the ratio of the teeth, and no transmission error comes up without load.
