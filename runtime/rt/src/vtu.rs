@@ -31,22 +31,32 @@ impl Pictures {
         Ok(Pictures { folder, times })
     }
 
-    /// Adds a position at a time (s).
+    /// Adds a position at a time (s). Of stress there is no picture where none is recovered: readers take a grid without points for a
+    /// broken file.
     pub fn write(&mut self, step: usize, time: f64, fields: &Fields) -> io::Result<()> {
         fs::write(self.folder.join(name(KINDS[0], step)), contact(fields).text())?;
-        fs::write(self.folder.join(name(KINDS[1], step)), root_stress(fields).text())?;
+        let stress = root_stress(fields);
+        if !stress.points.is_empty() {
+            fs::write(self.folder.join(name(KINDS[1], step)), stress.text())?;
+        }
         self.times.push(time);
         KINDS.iter().try_for_each(|kind| self.collect(kind))
     }
 
-    /// The list of the pictures of a kind.
+    /// The list of the pictures of a kind, if there are any.
     fn collect(&self, kind: &str) -> io::Result<()> {
+        let there = |step: usize| self.folder.join(name(kind, step)).exists();
+        let steps = self.times.iter().enumerate().filter(|(step, _)| there(*step));
+        let steps: Vec<(usize, &f64)> = steps.collect();
+        if steps.is_empty() {
+            return Ok(());
+        }
         let mut file = File::create(self.folder.join(format!("{kind}.pvd")))?;
         writeln!(
             file,
             "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">\n<Collection>"
         )?;
-        for (step, time) in self.times.iter().enumerate() {
+        for (step, time) in steps {
             writeln!(file, "<DataSet timestep=\"{time}\" file=\"{}\"/>", name(kind, step))?;
         }
         writeln!(file, "</Collection>\n</VTKFile>")
@@ -63,7 +73,7 @@ fn name(kind: &str, step: usize) -> String {
 
 /// Whether a run has written the pictures of its first positions into a directory.
 pub fn are_in(directory: &Path, positions: usize) -> bool {
-    positions == 0 || KINDS.iter().all(|kind| folder(directory).join(name(kind, positions - 1)).exists())
+    positions == 0 || folder(directory).join(name(KINDS[0], positions - 1)).exists()
 }
 
 /// Removes the pictures of an earlier run.
@@ -249,6 +259,29 @@ mod tests {
         let quadrilaterals = root_stress(&fields(3)).cells;
         assert_eq!(quadrilaterals.len(), 4);
         assert_eq!(quadrilaterals[3], (QUADRILATERAL, vec![4, 5, 8, 7]));
+    }
+
+    /// Readers take a grid without points for a broken file.
+    #[test]
+    fn positions_without_stress_have_no_picture_of_it() {
+        let directory = tempfile::tempdir().unwrap();
+        let mut pictures = Pictures::begin(directory.path(), Vec::new()).unwrap();
+        let there = |name: &str| folder(directory.path()).join(name).exists();
+        let none = Fields { fillets: Vec::new(), ..fields(1) };
+        pictures.write(0, 0.25, &none).unwrap();
+        assert!(there("contact-0000.vtu") && !there("root_stress-0000.vtu") && !there("root_stress.pvd"));
+        assert!(are_in(directory.path(), 1));
+        pictures.write(1, 0.5, &fields(1)).unwrap();
+        pictures.write(2, 0.75, &none).unwrap();
+        let list = |kind: &str| {
+            let text = fs::read_to_string(folder(directory.path()).join(format!("{kind}.pvd"))).unwrap();
+            text.matches("<DataSet").count()
+        };
+        assert_eq!((list("contact"), list("root_stress")), (3, 1));
+        // A run that goes on behind them lists the same.
+        let mut pictures = Pictures::begin(directory.path(), vec![0.25, 0.5, 0.75]).unwrap();
+        pictures.write(3, 1.0, &none).unwrap();
+        assert_eq!((list("contact"), list("root_stress")), (4, 1));
     }
 
     #[test]

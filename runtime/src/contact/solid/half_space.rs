@@ -14,9 +14,12 @@
 //! need nothing but that rule, in both directions.
 
 use crate::contact::half_plane::mean_log_apart;
+use std::cell::OnceCell;
 
 /// Beyond this many reaches (sum of both half-sizes) from a singular point, Gauss's rule of five points is exact to some 1e-12.
 const RULE_FROM: f64 = 7.0;
+/// Beyond this many, the rule of three points is.
+const SHORT_RULE_FROM: f64 = 80.0;
 
 /// Average of 1/r between the points of two rectangles of one plane with parallel sides, 1/m: `offset` between their centres, `first`
 /// and `second` their half-sizes. Bit for bit the same with the rectangles exchanged.
@@ -25,8 +28,9 @@ pub fn mean_inverse_distance(offset: [f64; 2], first: [f64; 2], second: [f64; 2]
     // The longer direction is the one that is integrated exactly.
     let (x, y) = if x.sum > y.sum { (y, x) } else { (x, y) };
     let square = |a: f64, b: f64| a * a + b * b;
-    if square(x.distance, y.distance) > RULE_FROM * RULE_FROM * square(x.sum, y.sum) {
-        return far(&x, &y);
+    let apart = square(x.distance, y.distance);
+    if apart > RULE_FROM * RULE_FROM * square(x.sum, y.sum) {
+        return far(&x, &y, apart.sqrt());
     }
     // Lengths in units of the largest: the functions stay of order one.
     let unit = (x.distance + x.sum).max(y.distance + y.sum);
@@ -81,10 +85,18 @@ impl Sides {
         Self { distance: offset.abs(), halves, sum, difference, product: first * second }
     }
 
-    /// Gauss's rule for x - x' less the distance: of -outer, -inner, 0, inner, outer the three last, with weights.
-    fn rule(&self) -> [(f64, f64); 3] {
-        let [shorter, longer] = self.halves.map(|half| half / self.sum);
-        rule(shorter, longer).map(|(node, weight)| (node * self.sum, weight))
+    /// Gauss's rule for x - x', to rounding of functions that are singular so far off.
+    fn rule(&self, reach: f64) -> Rule {
+        let parts = self.halves.map(|half| half / self.sum);
+        let moments = Moments::new(parts);
+        let rule = if reach > SHORT_RULE_FROM * self.sum { moments.short_rule() } else { moments.rule() };
+        Rule { pairs: rule.pairs.map(|(node, weight)| (node * self.sum, weight)), ..rule }
+    }
+
+    /// Average of a function over x - x' by a rule.
+    fn average(&self, rule: &Rule, f: impl Fn(f64) -> f64) -> f64 {
+        let pair = |(node, weight): &(f64, f64)| weight * (f(self.distance + node) + f(self.distance - node));
+        rule.pairs[..rule.count].iter().map(pair).sum::<f64>() + rule.center * f(self.distance)
     }
 
     fn scaled(&self, factor: f64) -> Self {
@@ -105,80 +117,104 @@ impl Sides {
             (self.distance - self.sum).abs(),
             (self.distance - self.difference).abs(),
         ];
-        ((f(ends[0]) - f(ends[1])) + (f(ends[2]) - f(ends[3]))) / (4.0 * self.product)
+        let inner = f(ends[1]);
+        let other = if self.difference == 0.0 { inner } else { f(ends[3]) };
+        ((f(ends[0]) - inner) + (f(ends[2]) - other)) / (4.0 * self.product)
     }
 }
 
-/// Gauss's rule of five points for the sum of variables uniform over ±a and ±b, a + b = 1: the non-negative nodes and their weights.
-fn rule(a: f64, b: f64) -> [(f64, f64); 3] {
-    let (square, product) = (a * a + b * b, (a * b) * (a * b));
-    let quartic = square * square - 2.0 * product;
-    // Moments of even order, in the symmetric functions of a² and b².
-    let second = square / 3.0;
-    let fourth = quartic / 5.0 + product * (2.0 / 3.0);
-    let sixth = (square * quartic - square * product) / 7.0 + product * square;
-    let eighth = (quartic * quartic - 2.0 * product * product) / 9.0
-        + product * (quartic * (4.0 / 3.0) + product * (14.0 / 5.0));
-    // x (x⁴ + p x² + q) is orthogonal to x and x³.
-    let determinant = fourth * fourth - second * sixth;
-    let p = (second * eighth - fourth * sixth) / determinant;
-    let q = (sixth * sixth - fourth * eighth) / determinant;
-    let root = (p * p - 4.0 * q).sqrt();
-    let (outer, inner) = (0.5 * (root - p), 2.0 * q / (root - p));
-    let outer_weight = 0.5 * (fourth - inner * second) / (outer * (outer - inner));
-    let inner_weight = 0.5 * (outer * second - fourth) / (inner * (outer - inner));
-    [
-        (0.0, 1.0 - 2.0 * (outer_weight + inner_weight)),
-        (inner.sqrt(), inner_weight),
-        (outer.sqrt(), outer_weight),
-    ]
+/// A rule for a distribution that is even about its middle.
+#[derive(Clone, Copy)]
+struct Rule {
+    /// Weight of the middle.
+    center: f64,
+    /// Distances from it, with their weights on either side; the first `count` of them.
+    pairs: [(f64, f64); 2],
+    count: usize,
 }
 
-fn far(x: &Sides, y: &Sides) -> f64 {
-    let [(_, center), (inner, inner_weight), (outer, outer_weight)] = x.rule();
-    let mut sum = 0.0;
-    for (row, (node_y, weight_y)) in y.rule().into_iter().enumerate() {
-        let squares = [(y.distance + node_y).powi(2), (y.distance - node_y).powi(2)];
-        let rows = if row == 0 { 1 } else { 2 };
-        for square in &squares[..rows] {
-            let inverse = |x: f64| (x * x + square).sqrt().recip();
-            let along = center * inverse(x.distance)
-                + inner_weight * (inverse(x.distance + inner) + inverse(x.distance - inner))
-                + outer_weight * (inverse(x.distance + outer) + inverse(x.distance - outer));
-            sum += weight_y * along;
-        }
+/// Moments of even order of the sum of variables uniform over ±a and ±b, a + b = 1, in the symmetric functions of a² and b².
+struct Moments {
+    square: f64,
+    product: f64,
+    quartic: f64,
+    second: f64,
+    fourth: f64,
+}
+
+impl Moments {
+    fn new([a, b]: [f64; 2]) -> Self {
+        let (square, product) = (a * a + b * b, (a * b) * (a * b));
+        let quartic = square * square - 2.0 * product;
+        let (second, fourth) = (square / 3.0, quartic / 5.0 + product * (2.0 / 3.0));
+        Self { square, product, quartic, second, fourth }
     }
-    sum
+
+    /// Gauss's rule of three points.
+    fn short_rule(&self) -> Rule {
+        let node = self.fourth / self.second;
+        let weight = 0.5 * self.second / node;
+        Rule { center: 1.0 - 2.0 * weight, pairs: [(node.sqrt(), weight), (0.0, 0.0)], count: 1 }
+    }
+
+    /// Gauss's rule of five points.
+    fn rule(&self) -> Rule {
+        let Self { square, product, quartic, second, fourth } = *self;
+        let sixth = (square * quartic - square * product) / 7.0 + product * square;
+        let eighth = (quartic * quartic - 2.0 * product * product) / 9.0
+            + product * (quartic * (4.0 / 3.0) + product * (14.0 / 5.0));
+        // x (x⁴ + p x² + q) is orthogonal to x and x³.
+        let determinant = fourth * fourth - second * sixth;
+        let p = (second * eighth - fourth * sixth) / determinant;
+        let q = (sixth * sixth - fourth * eighth) / determinant;
+        let root = (p * p - 4.0 * q).sqrt();
+        let (outer, inner) = (0.5 * (root - p), 2.0 * q / (root - p));
+        let outer_weight = 0.5 * (fourth - inner * second) / (outer * (outer - inner));
+        let inner_weight = 0.5 * (outer * second - fourth) / (inner * (outer - inner));
+        let center = 1.0 - 2.0 * (outer_weight + inner_weight);
+        Rule { center, pairs: [(inner.sqrt(), inner_weight), (outer.sqrt(), outer_weight)], count: 2 }
+    }
+}
+
+/// Between intervals that are `reach` apart.
+fn far(x: &Sides, y: &Sides, reach: f64) -> f64 {
+    let rules = [x, y].map(|sides| sides.rule(reach));
+    y.average(&rules[1], |y| {
+        let square = y * y;
+        x.average(&rules[0], |x| (x * x + square).sqrt().recip())
+    })
 }
 
 /// The average of `H(x, y) = y asinh(y / x) - r` over x - x'.
 struct Across {
     x: Sides,
-    rule: [(f64, f64); 3],
+    rule: OnceCell<Rule>,
     /// Average of ln|x - x'|.
-    log: f64,
+    log: OnceCell<f64>,
 }
 
 impl Across {
     fn new(x: Sides) -> Self {
-        let log = mean_log_apart(x.distance, x.halves[0], x.halves[1]);
-        Self { x, rule: x.rule(), log }
+        Self { x, rule: OnceCell::new(), log: OnceCell::new() }
     }
 
     fn mean(&self, y: f64) -> f64 {
         let x = &self.x;
-        if x.distance * x.distance + y * y <= RULE_FROM * RULE_FROM * x.sum * x.sum {
+        let apart = x.distance * x.distance + y * y;
+        if apart <= RULE_FROM * RULE_FROM * x.sum * x.sum {
             return x.second_difference(|x| fourth_integral(x, y));
         }
         let smooth = |x: f64| {
             let r = (x * x + y * y).sqrt();
             y * (y + r).ln() - r
         };
-        let [(_, center), (inner, inner_weight), (outer, outer_weight)] = self.rule;
-        center * smooth(x.distance)
-            + inner_weight * (smooth(x.distance + inner) + smooth(x.distance - inner))
-            + outer_weight * (smooth(x.distance + outer) + smooth(x.distance - outer))
-            - y * self.log
+        let log = self.log.get_or_init(|| mean_log_apart(x.distance, x.halves[0], x.halves[1]));
+        let average = if apart > SHORT_RULE_FROM * SHORT_RULE_FROM * x.sum * x.sum {
+            x.average(&x.rule(f64::INFINITY), smooth)
+        } else {
+            x.average(self.rule.get_or_init(|| x.rule(0.0)), smooth)
+        };
+        average - y * log
     }
 }
 
@@ -303,6 +339,25 @@ mod tests {
             assert_eq!(found.to_bits(), mean_inverse_distance([y, x], [b, a], [d, c]).to_bits());
             let large = mean_inverse_distance([8.0 * x, 8.0 * y], [8.0 * a, 8.0 * b], [8.0 * c, 8.0 * d]);
             assert_eq!(found, 8.0 * large);
+        }
+    }
+
+    #[test]
+    fn the_short_rule_takes_over_where_it_is_exact() {
+        for [a, b] in [[0.5, 0.5], [0.7, 0.3], [0.95, 0.05]] {
+            let sides = Sides::new(0.2, a, b);
+            let reach = 1.001 * SHORT_RULE_FROM;
+            let [short, long] = [sides.rule(reach), sides.rule(0.0)];
+            assert_eq!([short.count, long.count], [1, 2]);
+            // The inverse distance, and its integral across, whose second difference over intervals along as short as those is what is wanted.
+            let inverse = |rule: &Rule| sides.average(rule, |x| x.hypot(reach).recip());
+            assert!((inverse(&short) / inverse(&long) - 1.0).abs() < 1e-12);
+            let error = |y: f64| {
+                let smooth = |x: f64| y * (y + x.hypot(y)).ln() - x.hypot(y);
+                sides.average(&short, smooth) - sides.average(&long, smooth)
+            };
+            let second = error(reach + 1.0) - 2.0 * error(reach) + error(reach - 1.0);
+            assert!(second.abs() * reach < 5e-11, "{second:e}");
         }
     }
 
