@@ -3,6 +3,7 @@
 use crate::blank::Rim;
 use crate::deviation::Deviation;
 use crate::error::{GeometryError, Refusal, Severity};
+use crate::lumped_planetary::{LumpedMember, Mode};
 use crate::mesh_geometry::MeshGeometry;
 use crate::modification::Modification;
 use crate::prototype::GearPrototype;
@@ -92,6 +93,10 @@ pub struct ModelHost {
     pub positions: Vec<Vec<Position>>,
     /// Strain gauges.
     pub gauges: Vec<Gauge>,
+    /// Bodies of lumped models.
+    pub lumped_members: Vec<LumpedMember>,
+    /// Free vibrations, a list for each system.
+    pub modes: Vec<Vec<Mode>>,
     /// Bodies, pairs and observables.
     pub scene: Scene,
     /// What the model wants to know.

@@ -125,6 +125,8 @@ pub mod internal;
 pub mod internal_blank;
 pub mod involute;
 pub mod library;
+pub mod lumped_externs;
+pub mod lumped_planetary;
 pub mod mesh_externs;
 pub mod mesh_geometry;
 pub mod modification;

@@ -27,6 +27,7 @@ const TABLES: &[&[Extern]] = &[
     crate::bearings::EXTERNS,
     crate::cutting::EXTERNS,
     crate::gauging::EXTERNS,
+    crate::lumped_externs::EXTERNS,
     crate::mesh_externs::EXTERNS,
     crate::modifying::EXTERNS,
     crate::observables::EXTERNS,

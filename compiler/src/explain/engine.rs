@@ -123,5 +123,7 @@ pub const CODES: &[Explanation] = codes! {
     "E0731" "a malformed table" "A table is text: a line of column names separated by commas, perhaps with units in brackets, then rows of as many cells. The message names the line."
     "E0732" "a column of another kind of quantity" "The unit in the header of a column and the one asked for must be of one dimension."
     "E0733" "a column that is not in the table" "The message lists the columns there are."
+    "E0740" "a number of a lumped model that cannot be" "Bodies have mass, inertia and a radius, and springs do not push where they should pull. The message names the member and the number."
+    "E0741" "a mode that there is not" "Modes are counted from 0, from the lowest natural frequency up; there are as many as freedoms that are not held."
     "E0799" "a defect of Calyx; please report it with the model" "Something inside Calyx contradicts itself. It is not the model's fault."
 };

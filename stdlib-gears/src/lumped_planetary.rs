@@ -1,0 +1,259 @@
+//! A planetary gear set as rigid bodies on springs, and its natural frequencies.
+//!
+//! J. Lin and R. G. Parker, *Analytical characterization of the unique properties of planetary gear free vibration*, J. Vib. Acoust. 121(3),
+//! 1999: carrier, ring, sun and planets move in their plane, meshes are springs along their lines of action, bearings springs in both
+//! directions. No gyroscopic terms: frequencies are those of a carrier that stands still. What such a model shows is how a gear set is built:
+//! with equal planets equally spaced every mode turns the central members, or moves them sideways (in pairs of one frequency), or
+//! leaves them at rest.
+//!
+//! The model is a list of springs, each a linear form of the freedoms. Of the forms, divided by the roots of mass and multiplied by those of
+//! stiffness, the singular values are the circular frequencies: to rounding of the largest one, which a stiffness matrix, where frequencies
+//! stand squared, gives the lowest ones with half as many digits.
+
+use nalgebra::{DMatrix, SVD};
+use std::f64::consts::TAU;
+
+/// A body that moves in its plane: along x, along y, and about its axis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LumpedMember {
+    /// kg.
+    pub mass: f64,
+    /// About its axis, kg m2.
+    pub inertia: f64,
+    /// Of the base circle; of a carrier the radius at which its pins stand, m.
+    pub radius: f64,
+    /// To ground in any direction, N/m. Not of planets, which the carrier bears.
+    pub support_stiffness: f64,
+    /// To ground about the axis, N m/rad.
+    pub torsional_stiffness: f64,
+    /// Which of its freedoms do not move.
+    pub held: [bool; 3],
+}
+
+/// The springs between a central gear and each planet.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LumpedMesh {
+    /// Along the line of action, N/m.
+    pub stiffness: f64,
+    /// At the operating pitch circles, rad.
+    pub pressure_angle: f64,
+}
+
+/// See the module.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LumpedPlanetary {
+    /// Bears the planets.
+    pub carrier: LumpedMember,
+    /// The gear around the planets.
+    pub ring: LumpedMember,
+    /// The gear between them.
+    pub sun: LumpedMember,
+    /// Each of them. Its x axis points outwards, its y axis the way that the carrier turns.
+    pub planet: LumpedMember,
+    /// Of the planets' bearings, in any direction, N/m.
+    pub planet_bearing_stiffness: f64,
+    /// Where planets stand on the carrier, rad.
+    pub planet_angles: Vec<f64>,
+    /// Sun and planets.
+    pub sun_mesh: LumpedMesh,
+    /// Ring and planets.
+    pub ring_mesh: LumpedMesh,
+}
+
+/// What the central members do in a mode.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ModeKind {
+    /// They turn, and do not move sideways.
+    Rotational,
+    /// They move sideways, and do not turn.
+    Translational,
+    /// They rest.
+    Planet,
+    /// They turn and move sideways, as happens if planets differ or do not stand symmetrically.
+    Mixed,
+}
+
+impl ModeKind {
+    /// In a word.
+    pub fn name(self) -> &'static str {
+        match self {
+            ModeKind::Rotational => "rotational",
+            ModeKind::Translational => "translational",
+            ModeKind::Planet => "planet",
+            ModeKind::Mixed => "mixed",
+        }
+    }
+}
+
+/// A free vibration.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mode {
+    /// Hz.
+    pub frequency: f64,
+    /// By what the central members do.
+    pub kind: ModeKind,
+    /// Motions (m, m, rad) of carrier, ring, sun and the planets in their order, 0 where held. The sum of masses and inertias times squares is
+    /// 1 kg m2, so modes of one frequency are orthogonal too.
+    pub shape: Vec<[f64; 3]>,
+    /// How much of the kinetic energy each of them has.
+    pub shares: Vec<f64>,
+}
+
+/// Central members that have less of a mode's energy than this rest.
+const AT_REST: f64 = 1e-12;
+
+/// A number of the model that cannot be, by the name of its field.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error("{what} of the {member} is {value}, and must be {needed}")]
+pub struct LumpedError {
+    /// "carrier", "ring", "sun", "planet" or "mesh".
+    pub member: &'static str,
+    /// Which number.
+    pub what: &'static str,
+    /// What it is, in SI.
+    pub value: f64,
+    /// What it has to be.
+    pub needed: &'static str,
+}
+
+/// Angles of planets equally spaced, rad.
+pub fn equally_spaced(planets: usize) -> Vec<f64> {
+    (0..planets).map(|planet| TAU * planet as f64 / planets as f64).collect()
+}
+
+impl LumpedPlanetary {
+    /// Every mode, from the lowest frequency up. Where nothing holds the set against turning the first has none.
+    ///
+    /// # Errors
+    /// If a mass, inertia or radius is not positive, or a stiffness negative.
+    pub fn modes(&self) -> Result<Vec<Mode>, LumpedError> {
+        self.check()?;
+        let members = self.members();
+        let free: Vec<[usize; 2]> = (0..members.len())
+            .flat_map(|member| [0, 1, 2].map(|freedom| [member, freedom]))
+            .filter(|&[member, freedom]| !members[member].held[freedom])
+            .collect();
+        let root_mass = |[member, freedom]: [usize; 2]| {
+            let LumpedMember { mass, inertia, .. } = members[member];
+            if freedom < 2 { mass.sqrt() } else { inertia.sqrt() }
+        };
+        let springs = self.springs();
+        // As many rows as columns at least: rows of nothing are no springs.
+        let mut forms = DMatrix::zeros(springs.len().max(free.len()), free.len());
+        for (row, spring) in springs.iter().enumerate() {
+            for (column, &freedom) in free.iter().enumerate() {
+                let form: f64 = spring.form.iter().filter(|(on, _)| *on == freedom).map(|(_, by)| by).sum();
+                forms[(row, column)] = spring.stiffness.sqrt() * form / root_mass(freedom);
+            }
+        }
+        let decomposed = SVD::new(forms, false, true);
+        let Some(directions) = decomposed.v_t else { return Ok(Vec::new()) };
+        let modes = (0..free.len()).rev().map(|index| {
+            let mut shape = vec![[0.0; 3]; members.len()];
+            let mut energy = vec![[0.0; 3]; members.len()];
+            for (column, &[member, freedom]) in free.iter().enumerate() {
+                let part: f64 = directions[(index, column)];
+                shape[member][freedom] = part / root_mass([member, freedom]);
+                energy[member][freedom] = part * part;
+            }
+            let [moved, turned] = energy[..3]
+                .iter()
+                .fold([0.0, 0.0], |[moved, turned], &[x, y, turn]| [moved + x + y, turned + turn]);
+            let kind = match [moved > AT_REST, turned > AT_REST] {
+                [false, true] => ModeKind::Rotational,
+                [true, false] => ModeKind::Translational,
+                [false, false] => ModeKind::Planet,
+                [true, true] => ModeKind::Mixed,
+            };
+            let shares = energy.iter().map(|parts| parts.iter().sum()).collect();
+            Mode { frequency: decomposed.singular_values[index] / TAU, kind, shape, shares }
+        });
+        Ok(modes.collect())
+    }
+
+    fn members(&self) -> Vec<LumpedMember> {
+        let planets = self.planet_angles.iter().map(|_| self.planet);
+        [self.carrier, self.ring, self.sun].into_iter().chain(planets).collect()
+    }
+
+    fn springs(&self) -> Vec<Spring> {
+        const CARRIER: usize = 0;
+        const RING: usize = 1;
+        const SUN: usize = 2;
+        let mut springs = Vec::new();
+        for (member, of) in [(CARRIER, self.carrier), (RING, self.ring), (SUN, self.sun)] {
+            let stiffness = [of.support_stiffness, of.support_stiffness, of.torsional_stiffness];
+            for (freedom, stiffness) in stiffness.into_iter().enumerate() {
+                springs.push(Spring { stiffness, form: vec![([member, freedom], 1.0)] });
+            }
+        }
+        for (index, angle) in self.planet_angles.iter().enumerate() {
+            let planet = 3 + index;
+            let (sine, cosine) = angle.sin_cos();
+            let bearing = [
+                vec![([CARRIER, 0], cosine), ([CARRIER, 1], sine), ([planet, 0], -1.0)],
+                vec![
+                    ([CARRIER, 0], -sine),
+                    ([CARRIER, 1], cosine),
+                    ([CARRIER, 2], self.carrier.radius),
+                    ([planet, 1], -1.0),
+                ],
+            ];
+            springs.extend(bearing.map(|form| Spring { stiffness: self.planet_bearing_stiffness, form }));
+            // Lines of action lean one way at the sun, the other at the ring, and press against opposite flanks of the planet.
+            let meshes = [(SUN, self.sun, self.sun_mesh, -1.0), (RING, self.ring, self.ring_mesh, 1.0)];
+            for (member, of, mesh, way) in meshes {
+                let (lean_sine, lean_cosine) = mesh.pressure_angle.sin_cos();
+                let (sine, cosine) = (angle + way * mesh.pressure_angle).sin_cos();
+                let form = vec![
+                    ([member, 0], -sine),
+                    ([member, 1], cosine),
+                    ([member, 2], of.radius),
+                    ([planet, 0], way * lean_sine),
+                    ([planet, 1], -lean_cosine),
+                    ([planet, 2], -way * self.planet.radius),
+                ];
+                springs.push(Spring { stiffness: mesh.stiffness, form });
+            }
+        }
+        springs
+    }
+
+    fn check(&self) -> Result<(), LumpedError> {
+        let members =
+            [("carrier", self.carrier), ("ring", self.ring), ("sun", self.sun), ("planet", self.planet)];
+        for (member, of) in members {
+            for (what, value) in [("mass", of.mass), ("inertia", of.inertia), ("radius", of.radius)] {
+                if !(value > 0.0 && value.is_finite()) {
+                    return Err(LumpedError { member, what, value, needed: "greater than 0" });
+                }
+            }
+            let springs = [
+                ("support stiffness", of.support_stiffness),
+                ("torsional stiffness", of.torsional_stiffness),
+            ];
+            for (what, value) in springs {
+                positive_or_none(member, what, value)?;
+            }
+        }
+        positive_or_none("planet", "bearing stiffness", self.planet_bearing_stiffness)?;
+        positive_or_none("sun", "mesh stiffness", self.sun_mesh.stiffness)?;
+        positive_or_none("ring", "mesh stiffness", self.ring_mesh.stiffness)
+    }
+}
+
+fn positive_or_none(member: &'static str, what: &'static str, value: f64) -> Result<(), LumpedError> {
+    if value >= 0.0 && value.is_finite() {
+        return Ok(());
+    }
+    Err(LumpedError { member, what, value, needed: "0 or greater" })
+}
+
+/// A spring, and how freedoms (member, freedom) lengthen it.
+struct Spring {
+    stiffness: f64,
+    form: Vec<([usize; 2], f64)>,
+}
+
+#[cfg(test)]
+mod tests;
