@@ -42,6 +42,11 @@ pub struct Pair {
     pub tip_corner_contact: bool,
     /// Radial stiffness of the bearing under the pinion, N/m, if it is not held.
     pub bearing: Option<f64>,
+    pub face_width: f64,
+    /// Inner diameters of the rims.
+    pub bores: [f64; 2],
+    /// On the pinion, lbf in.
+    pub torque: f64,
 }
 
 /// As the report's tables have it.
@@ -53,6 +58,9 @@ pub const CHAPTER_5: Pair = Pair {
     poissons_ratio: 0.3,
     tip_corner_contact: false,
     bearing: None,
+    face_width: 1.0,
+    bores: [1.20, 2.40],
+    torque: 1000.0,
 };
 /// Without modifications.
 pub const PLAIN: Pair = Pair { relief: 0.0, crown: 0.0, ..CHAPTER_5 };
@@ -66,6 +74,8 @@ pub struct Values {
     pub contact_pressure: f64,
     pub edge_pressure: f64,
     pub root_stress: [f64; 2],
+    /// The largest residual of the solution, see its certificate.
+    pub residual: f64,
 }
 
 impl Pair {
@@ -74,13 +84,13 @@ impl Pair {
         let steel = Material::new(3e7 * PSI, self.poissons_ratio, 7850.0).expect("steel");
         let rack = Rack::new(0.1 * INCH, 20_f64.to_radians(), self.tip_radius * INCH).expect("a rack");
         let (teeth, [outer, root], rim, relief_from) = match number {
-            0 => (20, [2.18, 1.76], [1.40, 1.20], 27.25_f64),
-            _ => (40, [4.18, 3.78], [3.40, 2.40], 19.60),
+            0 => (20, [2.18, 1.76], [1.40, self.bores[0]], 27.25_f64),
+            _ => (40, [4.18, 3.78], [3.40, self.bores[1]], 19.60),
         };
         let blank = GearBlank::standard(teeth, rack)
             .diameters(outer * INCH, root * INCH)
             .thickness(Thickness::Circular(self.thickness * INCH))
-            .face_width(INCH)
+            .face_width(self.face_width * INCH)
             .material(steel)
             .rim(Rim::new(rim[0] * INCH, rim[1] * INCH).expect("a rim"));
         let relief =
@@ -93,7 +103,7 @@ impl Pair {
     pub fn scene(&self) -> (Scene, GearMesh, Vec<OutputRequest>) {
         let [pinion, wheel] = [0, 1].map(|number| self.gear(number));
         let speed = 0.05 * TAU;
-        let torque = 1000.0 * LBF * INCH;
+        let torque = self.torque * LBF * INCH;
         let mut scene = Scene::default();
         let turning = |origin, speed| SteadyRotation { origin, start: 0.0, speed };
         let across: &[Component] = if self.bearing.is_some() { &[Component::Ux, Component::Uy] } else { &[] };
@@ -153,6 +163,7 @@ impl Pair {
                 contact_pressure: value(2) / PSI,
                 edge_pressure: value(5) / PSI,
                 root_stress: [value(3) / PSI, value(4) / PSI],
+                residual: result.certificate.largest(),
             }
         });
         values.collect()
