@@ -2,6 +2,7 @@
 //!
 //! The library's `external` of the language is [`GearBlank::cut`] with arguments for fields.
 
+use crate::disc_web::DiscWeb;
 use crate::error::{GeometryError, Refusal, sentence};
 use crate::external::{ExternalGear, ExternalGearData, check_rim};
 use crate::helix::Helix;
@@ -34,6 +35,8 @@ pub struct Web {
     pub thickness: f64,
     /// Of its middle from mid-face, along +z.
     pub offset: f64,
+    /// What it is further in, if it has a mesh of its own: then the above is where it meets the ring.
+    pub disc: Option<DiscWeb>,
 }
 
 impl Web {
@@ -89,7 +92,7 @@ impl Rim {
                 sentence!["it is measured along the axis, and at most as large as the face width"],
             ));
         }
-        Ok(Rim { held_radius, web: Some(Web { rim_radius, thickness, offset }), ..self })
+        Ok(Rim { held_radius, web: Some(Web { rim_radius, thickness, offset, disc: None }), ..self })
     }
 
     /// The ring held in another way at its bore, or its outside.
@@ -119,7 +122,8 @@ impl Rim {
 
     /// Whether there are teeth enough for the waves around by which it is held: each brings three nodes at least.
     pub(crate) fn check_hold(&self, teeth: u32) -> Result<(), GeometryError> {
-        match self.hold {
+        self.check_joint(teeth)?;
+        match self.ring_hold().unwrap_or(BoreHold::Rigid) {
             BoreHold::Means { waves: Some(waves), .. } if u32::from(waves) > teeth => {
                 Err(GeometryError::error(
                     "E0649",

@@ -1,8 +1,9 @@
 //! Tools, rims and gears as programs make them: the Rust side of `rack`, `shaper`, `external` and `internal` of `gears.cx`.
 
 use crate::blank::{GearBlank, Rim, Thickness};
+use crate::disc_web::{DiscWeb, Hub};
 use crate::error::Refusal;
-use crate::externs::{entry, host, refusal};
+use crate::externs::{engine, entry, host, refusal};
 use crate::helix::{Hand, Helix};
 use crate::host::{ModelHost, keep};
 use crate::internal_blank::InternalBlank;
@@ -12,6 +13,7 @@ use crate::rack::{Plane, Rack};
 use crate::shaper::Shaper;
 use calyx_abi::RuntimeError;
 use calyx_abi::externs::Handle;
+use calyx_runtime::material::Material;
 use calyx_runtime::structure::BoreHold;
 use std::sync::Arc;
 
@@ -55,6 +57,37 @@ calyx_abi::externs! {
         let (place, host) = (context.place, host(context)?);
         let rim = Rim::new(diameter, inner_diameter)
             .and_then(|rim| rim.on_web(web_thickness, web_offset, bore_diameter))
+            .map_err(|error| host.refused(error.into(), place))?;
+        Ok(keep(&mut host.rims, rim.held(hold)))
+    }
+
+    Pure fn calyx_gears_disc_web(
+        context, diameter: f64, inner_diameter: f64, bore_diameter: f64, web_thickness: f64,
+        web_thickness_at_hub: f64, web_offset: f64, dish: f64, hub_diameter: f64, hub_width: f64, hub_offset: f64,
+        web_youngs_modulus: f64, web_poissons_ratio: f64, bore: String, bore_order: f64, bore_axial_order: f64,
+        interface_order: f64, interface_axial_order: f64,
+    ) -> Handle {
+        let hold = bore_hold(&bore, ["bore_order", "bore_axial_order"], [bore_order, bore_axial_order])?;
+        whole_orders(["interface_order", "interface_axial_order"], [interface_order, interface_axial_order])?;
+        let material = match web_youngs_modulus {
+            0.0 => None,
+            modulus => Some(web_material(modulus, web_poissons_ratio)?),
+        };
+        let disc = DiscWeb {
+            inner_thickness: if web_thickness_at_hub == 0.0 { web_thickness } else { web_thickness_at_hub },
+            inner_offset: web_offset + dish,
+            hub: (hub_diameter != 0.0 || hub_width != 0.0).then_some(Hub {
+                radius: 0.5 * hub_diameter,
+                width: hub_width,
+                offset: hub_offset,
+            }),
+            material,
+            waves: (interface_order > 0.0).then_some(interface_order as u16),
+            degree: interface_axial_order as u8,
+        };
+        let (place, host) = (context.place, host(context)?);
+        let rim = Rim::new(diameter, inner_diameter)
+            .and_then(|rim| rim.on_disc(web_thickness, web_offset, bore_diameter, disc))
             .map_err(|error| host.refused(error.into(), place))?;
         Ok(keep(&mut host.rims, rim.held(hold)))
     }
@@ -152,18 +185,27 @@ fn whole_teeth(teeth: f64) -> Result<u32, RuntimeError> {
     ))
 }
 
-/// How a rim is held: the orders, around and along, are those of what is held beside the motion as a whole.
-fn bore_hold(kind: &str, names: [&'static str; 2], orders: [f64; 2]) -> Result<BoreHold, RuntimeError> {
-    for (name, order) in names.into_iter().zip(orders) {
-        if order.fract() != 0.0 {
-            return Err(refusal(
-                "E0649",
-                name,
-                &format!("`{name}` cannot be {order}"),
-                "give a whole number",
-            ));
+/// Orders of a series are whole.
+fn whole_orders(names: [&'static str; 2], orders: [f64; 2]) -> Result<(), RuntimeError> {
+    match names.into_iter().zip(orders).find(|(_, order)| order.fract() != 0.0) {
+        None => Ok(()),
+        Some((name, order)) => {
+            Err(refusal("E0649", name, &format!("`{name}` cannot be {order}"), "give a whole number"))
         }
     }
+}
+
+/// What a web is made of, by arguments of its own names.
+fn web_material(youngs_modulus: f64, poissons_ratio: f64) -> Result<Material, RuntimeError> {
+    Material::new(youngs_modulus, poissons_ratio, 0.0).map_err(|error| {
+        let argument = if error.code == "E0660" { "web_youngs_modulus" } else { "web_poissons_ratio" };
+        engine(error.blame(argument))
+    })
+}
+
+/// How a rim is held: the orders, around and along, are those of what is held beside the motion as a whole.
+fn bore_hold(kind: &str, names: [&'static str; 2], orders: [f64; 2]) -> Result<BoreHold, RuntimeError> {
+    whole_orders(names, orders)?;
     let [waves, degree] = orders;
     match (kind, waves) {
         ("free", 0.0) => Ok(BoreHold::Means { waves: None, degree: degree as u8 }),

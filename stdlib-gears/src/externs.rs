@@ -303,7 +303,7 @@ pub(crate) fn refusal(code: &str, argument: &str, message: &str, help: &str) -> 
     RuntimeError::new(code, message, help).of_argument(argument)
 }
 
-fn engine(error: EngineError) -> RuntimeError {
+pub(crate) fn engine(error: EngineError) -> RuntimeError {
     let argument = error.argument.map(str::to_owned);
     RuntimeError { argument, ..RuntimeError::new(error.code, error.message, error.help) }
 }

@@ -111,6 +111,7 @@ pub mod blank;
 pub mod cutting;
 pub mod derived;
 pub mod deviation;
+pub mod disc_web;
 pub mod error;
 pub mod external;
 pub mod externs;

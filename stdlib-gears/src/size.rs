@@ -43,7 +43,7 @@ impl GearPrototype {
         let mesh = self.solid_mesh(options).ok()?;
         let nodes = |faces: &str| Some(mesh.nodes_on(mesh.face_set(faces)?));
         let mut held: BTreeSet<usize> = mesh.node_sets.get(ABSENT).into_iter().flatten().copied().collect();
-        if self.rim.hold == BoreHold::Rigid {
+        if self.rim.ring_hold() == Some(BoreHold::Rigid) {
             held.extend(nodes("bore")?);
         }
         let swept = mesh.swept.as_ref()?;
@@ -60,7 +60,10 @@ impl GearPrototype {
             elements: mesh.elements.len() - mesh.absent.len(),
             freedoms: 3 * (mesh.nodes.len() - held.len()),
             cut: 3 * cut,
-            means: self.rim.hold.unknowns(false, teeth, window),
+            means: match self.rim.revolved_web(teeth, self.material) {
+                Some(web) => web.unknowns(teeth, window),
+                None => self.rim.hold.unknowns(false, teeth, window),
+            },
             loads: FLANKS * split.samples * split.polynomials(layers, order),
             stresses: if options.stresses { stresses } else { 0 },
             components: 3,

@@ -128,7 +128,10 @@ impl GearPrototype {
         let refinement = refined(section(options.template), options.refinement, options.order);
         let [tip, _] = self.roundings(options);
         let plain = self.flanks_with(tip, &[])?;
-        let radii = [self.rim.ring_radius(), self.rim.held_radius];
+        // A web with a mesh of its own is no part of the teeth's.
+        let own = self.rim.ring_hold().is_some();
+        let inside = if own { self.rim.held_radius } else { self.rim.ring_radius() };
+        let radii = [self.rim.ring_radius(), inside];
         let plane = webbed_sector_mesh(&self.gear, plain, radii, &refinement).map_err(unmeshable)?;
         let [elements, axial_order] = Self::along_face(options);
         let stations = self.stations(elements);
@@ -138,7 +141,7 @@ impl GearPrototype {
             [cosine * x - sine * y, sine * x + cosine * y, z]
         };
         let mesh = SolidMesh::swept(&plane, &stations, axial_order, &place).map_err(unmeshable)?;
-        let Some(web) = self.rim.web else { return Ok(mesh) };
+        let Some(web) = self.rim.web.filter(|_| own) else { return Ok(mesh) };
         // Beside the web, its elements have no material.
         let of_web = |element: usize| {
             let [x, y] = plane.position(Place { element, xi: 0.0, eta: 0.0 });
@@ -186,7 +189,10 @@ impl GearPrototype {
         };
         let split = split_options(options);
         let surfaces: Vec<SolidSurfaceSource> = surfaces.collect();
-        Ok(ElasticSolid::ring(&model, &ring, &surfaces, &split, interrupt)?)
+        Ok(match self.rim.revolved_web(self.gear.teeth(), self.material) {
+            Some(web) => ElasticSolid::ring_on_web(&model, &ring, &web, (&surfaces, &split), interrupt)?,
+            None => ElasticSolid::ring(&model, &ring, &surfaces, &split, interrupt)?,
+        })
     }
 
     /// The modified flanks on the body without modifications.
@@ -209,7 +215,7 @@ impl GearPrototype {
         let twist = self.twist_per_length() + 0.0;
         self.teeth_and_tool("solid gear on a rim")
             .numbers(&[self.material.youngs_modulus, self.material.poissons_ratio, self.rim.held_radius])
-            .numbers(&self.rim.web.map_or([0.0; 3], |web| [web.rim_radius, web.thickness, web.offset]))
+            .numbers(&self.rim.web_numbers())
             .numbers(&Rim::hold_numbers(self.rim.hold))
             .numbers(&[self.face_width, twist])
             .text(options.template.name())

@@ -1,0 +1,194 @@
+//! Webs with a mesh of their own: discs of any taper and dish, with a hub, joined to the ring by a series on the ring's bore.
+//!
+//! A web that is meshed with the teeth ([`Web`] alone) is as thick everywhere. This one is a body of revolution, known by
+//! its section, whatever teeth and helix stand above it.
+
+use crate::blank::{Rim, Web};
+use crate::error::{GeometryError, sentence};
+use calyx_runtime::fe::{Section, Station};
+use calyx_runtime::material::Material;
+use calyx_runtime::structure::{BoreHold, RevolvedWeb};
+
+/// Degree along up to which ring and web are joined where nobody says otherwise.
+const DEGREE: u8 = 2;
+/// Waves around, likewise, by the radius of the ring's inside over the ring's thickness: what a tooth does to the joint dies out by the exponential of
+/// the waves times that thickness over the radius. At least and at most so many.
+const WAVES: f64 = 2.5;
+const FEWEST_WAVES: f64 = 8.0;
+const MOST_WAVES: f64 = 50.0;
+
+/// What a [`Web`] with a mesh of its own is besides its end at the ring. Lengths in m, axial places from mid-face along +z.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DiscWeb {
+    /// Thickness where it ends, at the hub or at the bore.
+    pub inner_thickness: f64,
+    /// Its middle there.
+    pub inner_offset: f64,
+    /// What it stands on.
+    pub hub: Option<Hub>,
+    /// What it is made of, if not of what the gear is.
+    pub material: Option<Material>,
+    /// Waves around up to which it is joined to the ring; `None` takes two and a half times the radius over the thickness
+    /// of the ring, 8 to 50, or as many as there are teeth.
+    pub waves: Option<u16>,
+    /// Degree of polynomials along the axis up to which it is joined.
+    pub degree: u8,
+}
+
+impl DiscWeb {
+    /// As thick as at the ring, straight, without a hub.
+    pub fn plain(thickness: f64, offset: f64) -> Self {
+        Self {
+            inner_thickness: thickness,
+            inner_offset: offset,
+            hub: None,
+            material: None,
+            waves: None,
+            degree: DEGREE,
+        }
+    }
+
+    /// Its ends along the axis where it ends inside.
+    fn inner_ends(&self) -> [f64; 2] {
+        ends(self.inner_thickness, self.inner_offset)
+    }
+}
+
+/// The part around the bore, wider than the web. Lengths in m.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hub {
+    /// Of its outside.
+    pub radius: f64,
+    /// Along the axis.
+    pub width: f64,
+    /// Of its middle from mid-face, along +z.
+    pub offset: f64,
+}
+
+fn ends(thickness: f64, offset: f64) -> [f64; 2] {
+    [offset - 0.5 * thickness, offset + 0.5 * thickness]
+}
+
+impl Rim {
+    /// The ring on a web with a mesh of its own that ends at a bore, m: as thick and as far from mid-face at the ring as given, further in as
+    /// `disc` has it.
+    ///
+    /// # Errors
+    /// As [`Self::on_web`]. E0696: the web or its hub has no width, or they do not meet.
+    pub fn on_disc(
+        self,
+        thickness: f64,
+        offset: f64,
+        bore_diameter: f64,
+        disc: DiscWeb,
+    ) -> Result<Rim, GeometryError> {
+        let refusal = |argument, message, help| Err(GeometryError::error("E0696", argument, message, help));
+        let rim = self.on_web(thickness, offset, bore_diameter)?;
+        if !(disc.inner_thickness > 0.0 && disc.inner_thickness.is_finite() && disc.inner_offset.is_finite())
+        {
+            return refusal(
+                "web_thickness_at_hub",
+                sentence!["the web's thickness at its inner end must be positive"],
+                sentence!["leave it out for a web that is as thick everywhere"],
+            );
+        }
+        if let Some(hub) = disc.hub {
+            if !(hub.radius > rim.held_radius && hub.radius < rim.ring_radius()) {
+                return refusal(
+                    "hub_diameter",
+                    sentence![
+                        "the hub's diameter of ", length 2.0 * hub.radius, " is not between that of the bore, ",
+                        length 2.0 * rim.held_radius, ", and that of the ring's inside, ", length 2.0 * rim.ring_radius()
+                    ],
+                    sentence!["the web stands between hub and ring"],
+                );
+            }
+            let ([from, to], [start, end]) = (ends(hub.width, hub.offset), disc.inner_ends());
+            let room = 1e-9 * hub.width;
+            if !(hub.width.is_finite() && from - room <= start && end <= to + room) {
+                return refusal(
+                    "hub_width",
+                    sentence![
+                        "the hub reaches from ", length from, " to ", length to, " beside mid-face, the web that stands on it from ",
+                        length start, " to ", length end
+                    ],
+                    sentence!["enlarge `hub_width`, or give the hub the web's offset with `hub_offset`"],
+                );
+            }
+        }
+        let web = rim.web.map(|web| Web { disc: Some(disc), ..web });
+        Ok(Rim { web, ..rim })
+    }
+
+    /// The web as the engine has it, if it has a mesh of its own; on a ring of so many teeth of a material.
+    pub(crate) fn revolved_web(&self, teeth: u32, of_teeth: Material) -> Option<RevolvedWeb> {
+        let web = self.web?;
+        let disc = web.disc?;
+        let at = |radius, [from, to]: [f64; 2]| Station { radius, ends: [from, to] };
+        let inside = self.held_radius;
+        let mut stations = match disc.hub {
+            Some(hub) => {
+                let width = ends(hub.width, hub.offset);
+                vec![at(inside, width), at(hub.radius, width), at(hub.radius, disc.inner_ends())]
+            }
+            None => vec![at(inside, disc.inner_ends())],
+        };
+        stations.push(at(web.rim_radius, web.ends()));
+        Some(RevolvedWeb {
+            section: Section::new(stations)?,
+            material: disc.material.unwrap_or(of_teeth),
+            hold: self.hold,
+            waves: disc.waves.unwrap_or(self.usual_waves(web).min(u16::try_from(teeth).unwrap_or(u16::MAX))),
+            degree: disc.degree,
+            fineness: 1,
+        })
+    }
+
+    fn usual_waves(&self, web: Web) -> u16 {
+        let waves = WAVES * web.rim_radius / (self.radius - web.rim_radius);
+        waves.ceil().clamp(FEWEST_WAVES, MOST_WAVES) as u16
+    }
+
+    /// Numbers that tell webs apart.
+    pub(crate) fn web_numbers(&self) -> Vec<f64> {
+        let Some(web) = self.web else { return vec![0.0; 3] };
+        let mut numbers = vec![web.rim_radius, web.thickness, web.offset];
+        if let Some(disc) = web.disc {
+            let (hub, material) = (disc.hub, disc.material);
+            numbers.extend([disc.inner_thickness, disc.inner_offset, f64::from(disc.degree)]);
+            numbers.push(disc.waves.map_or(-1.0, f64::from));
+            numbers.extend(hub.map_or([0.0; 3], |hub| [hub.radius, hub.width, hub.offset]));
+            numbers.extend(
+                material.map_or([0.0; 2], |material| [material.youngs_modulus, material.poissons_ratio]),
+            );
+        }
+        numbers
+    }
+
+    /// Whether there are teeth enough for the waves around by which a ring is joined to its web.
+    pub(crate) fn check_joint(&self, teeth: u32) -> Result<(), GeometryError> {
+        let Some(waves) = self.web.and_then(|web| web.disc).and_then(|disc| disc.waves) else {
+            return Ok(());
+        };
+        if u32::from(waves) <= teeth {
+            return Ok(());
+        }
+        Err(GeometryError::error(
+            "E0649",
+            "rim",
+            sentence![
+                "the rim is joined to its web up to order ", number f64::from(waves), " around, which takes as many teeth; there are ",
+                number f64::from(teeth)
+            ],
+            sentence!["reduce the interface order, or leave it out"],
+        ))
+    }
+
+    /// How the ring itself is held: by what its web does, if that has a mesh of its own.
+    pub(crate) fn ring_hold(&self) -> Option<BoreHold> {
+        match self.web {
+            Some(Web { disc: Some(_), .. }) => None,
+            _ => Some(self.hold),
+        }
+    }
+}

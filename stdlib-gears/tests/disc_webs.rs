@@ -1,0 +1,160 @@
+//! Webs with a mesh of their own under gears: against the same web in the mesh of the teeth, and what only they can be.
+
+use calyx_gears::blank::{GearBlank, Rim};
+use calyx_gears::disc_web::{DiscWeb, Hub};
+use calyx_gears::prototype::GearPrototype;
+use calyx_gears::rack::Rack;
+use calyx_runtime::interrupt::Interrupt;
+use calyx_runtime::material::Material;
+use calyx_runtime::scene::{Fidelity, Prototype, StructureOptions};
+use calyx_runtime::structure::BoreHold;
+use calyx_runtime::structure::Chart;
+use calyx_runtime::structure::solid::{SolidStructure, Spot, SpotLoad};
+use std::sync::Arc;
+
+const MODULE: f64 = 4e-3;
+const TEETH: u32 = 24;
+const WIDTH: f64 = 30e-3;
+const THICKNESS: f64 = 9e-3;
+const OFFSET: f64 = 4e-3;
+const BORE: f64 = 30e-3;
+
+fn ring() -> Rim {
+    Rim::new(82e-3, 74e-3).expect("a rim")
+}
+
+fn gear(rim: Rim) -> Arc<GearPrototype> {
+    let rack = Rack::new(MODULE, 20_f64.to_radians(), 0.3 * MODULE).expect("a rack");
+    GearBlank::standard(TEETH, rack).face_width(WIDTH).rim(rim).cut().expect("a gear")
+}
+
+fn on_disc(disc: DiscWeb) -> Rim {
+    ring().on_disc(THICKNESS, OFFSET, BORE, disc).expect("a web")
+}
+
+fn plain() -> DiscWeb {
+    DiscWeb::plain(THICKNESS, OFFSET)
+}
+
+fn built(rim: Rim) -> Arc<dyn SolidStructure> {
+    gear(rim).build_solid(&StructureOptions::default(), &Interrupt::never()).expect("a structure")
+}
+
+/// What loads on one tooth do to it and to its neighbour, at mid-face and at both ends of the face, without the half-space's part, m/N; and
+/// the largest root stress beside it under a load high on the flank at one end of the face, Pa/N.
+struct Answers {
+    own: Vec<f64>,
+    next: Vec<f64>,
+    stress: f64,
+}
+
+fn answers(structure: &dyn SolidStructure) -> Answers {
+    let [_, [from, to]] = structure.surface(0).range();
+    let [[start, end], _] = structure.surface(0).range();
+    let at = |share: f64, along: f64| Spot::from([start + share * (end - start), from + along * (to - from)]);
+    let spots = [at(0.4, 0.1), at(0.4, 0.5), at(0.7, 0.9)];
+    let between = |observed: u32| {
+        let mut block = vec![0.0; 9];
+        let chart = |tooth| Chart { tooth, surface: 0 };
+        structure.add_compliance(chart(observed), &spots, chart(0), &spots, &mut block);
+        block
+    };
+    let load = SpotLoad { chart: Chart { tooth: 0, surface: 0 }, spot: at(0.7, 0.1), force: 1.0 };
+    let stresses = structure.stresses(0, 0, &[load]);
+    let stress = stresses.iter().map(|stress| stress.principal()[0]).fold(0.0, f64::max);
+    Answers { own: between(0), next: between(1), stress }
+}
+
+fn largest(values: &[f64]) -> f64 {
+    values.iter().fold(0.0, |most, value| most.max(value.abs()))
+}
+
+fn apart(one: &[f64], other: &[f64]) -> f64 {
+    let apart: Vec<f64> = one.iter().zip(other).map(|(a, b)| a - b).collect();
+    largest(&apart)
+}
+
+/// One web, two ways: with every term more the joint says what the common mesh says.
+#[test]
+fn a_joined_web_becomes_the_web_of_the_common_mesh() {
+    let common = answers(built(ring().on_web(THICKNESS, OFFSET, BORE).expect("a web")).as_ref());
+    let scale = largest(&common.own);
+    println!(
+        "waves, degree: compliance of a tooth and of its neighbour, root stress, against the common mesh"
+    );
+    let off = [(4, 2), (8, 2), (16, 2), (24, 2)].map(|(waves, degree)| {
+        let joined = answers(built(on_disc(DiscWeb { waves: Some(waves), degree, ..plain() })).as_ref());
+        let off = [
+            apart(&joined.own, &common.own) / scale,
+            apart(&joined.next, &common.next) / scale,
+            (joined.stress / common.stress - 1.0).abs(),
+        ];
+        println!("{waves}, {degree}: {off:.5?}");
+        off
+    });
+    for pair in off.windows(2) {
+        assert!(pair[1][0] < 0.6 * pair[0][0] && pair[1][1] < pair[0][1], "{pair:?}");
+    }
+    // What the ring and its web would take by themselves, and more do not change any more.
+    let usual = off[3];
+    assert!(usual[0] < 5e-3 && usual[1] < 3e-3 && usual[2] < 3e-3, "{usual:?}");
+}
+
+/// A web that does not give way holds what it is joined by and nothing else: as wide as the face, it is a bore held by the terms of a
+/// series.
+#[test]
+fn a_stiff_web_is_a_bore_held_by_its_series() {
+    let stiff = Material { youngs_modulus: 1e8 * Material::STEEL.youngs_modulus, ..Material::STEEL };
+    let disc = DiscWeb { waves: Some(6), degree: 2, material: Some(stiff), ..DiscWeb::plain(WIDTH, 0.0) };
+    let joined = answers(built(ring().on_disc(WIDTH, 0.0, BORE, disc).expect("a web")).as_ref());
+    let held = answers(built(ring().held(BoreHold::Means { waves: Some(6), degree: 2 })).as_ref());
+    let scale = largest(&held.own);
+    let off = [apart(&joined.own, &held.own), apart(&joined.next, &held.next)].map(|off| off / scale);
+    assert!(off.iter().all(|off| *off < 1e-6), "{off:?}");
+    assert!((joined.stress / held.stress - 1.0).abs() < 1e-6);
+}
+
+/// Dish, taper, hub and material are seen in what a tooth does; a hub stiffens its web, and everything is in the key of what is kept. What was
+/// kept gives the same bits, in the tables of near teeth and beyond them.
+#[test]
+fn webs_differ_and_are_kept_whole() {
+    let hub = Hub { radius: 20e-3, width: 24e-3, offset: 0.0 };
+    let soft = Material { youngs_modulus: 70e9, ..Material::STEEL };
+    let webs = [
+        plain(),
+        DiscWeb { hub: Some(hub), ..plain() },
+        DiscWeb { inner_thickness: 14e-3, ..plain() },
+        DiscWeb { inner_offset: -2e-3, ..plain() },
+        DiscWeb { material: Some(soft), ..plain() },
+    ]
+    .map(|disc| DiscWeb { waves: Some(6), ..disc });
+    let options = StructureOptions::default();
+    let mean = |structure: &dyn SolidStructure| answers(structure).own[4];
+    let built = webs.map(|disc| (gear(on_disc(disc)), built(on_disc(disc))));
+    let means = built.each_ref().map(|(_, structure)| mean(structure.as_ref()));
+    assert!(means[1] < means[0] && means[2] < means[0] && means[4] > means[0], "{means:?}");
+    assert!((means[3] / means[0] - 1.0).abs() > 1e-4, "{means:?}");
+    for (one, (gear, _)) in built.iter().enumerate() {
+        for (other, _) in &built[..one] {
+            assert_ne!(gear.solid_key(&options), other.solid_key(&options));
+        }
+    }
+    let (gear, structure) = &built[1];
+    let kept = gear.restore_solid(&options, &structure.stored().expect("kept")).expect("read back");
+    let spots = [[0.3, 0.0], [0.7, 0.2]].map(|[share, along]| {
+        let [[start, end], [from, to]] = structure.surface(0).range();
+        Spot::from([start + share * (end - start), from + (0.5 + along) * (to - from)])
+    });
+    for observed in [0, 1, TEETH / 2] {
+        let [first, second] = [structure, &kept].map(|structure| {
+            let mut block = vec![0.0; 4];
+            let chart = |tooth| Chart { tooth, surface: 0 };
+            structure.add_compliance(chart(observed), &spots, chart(0), &spots, &mut block);
+            block
+        });
+        assert!(first.iter().zip(&second).all(|(a, b)| a.to_bits() == b.to_bits()));
+        assert!(first.iter().any(|value| *value != 0.0), "tooth {observed} feels it");
+    }
+    let size = gear.size(Fidelity::Solid(options.template), &options).expect("a size");
+    assert!(size.means > 100, "{size:?}");
+}
