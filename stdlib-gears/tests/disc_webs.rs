@@ -124,7 +124,7 @@ fn webs_differ_and_are_kept_whole() {
         plain(),
         DiscWeb { hub: Some(hub), ..plain() },
         DiscWeb { inner_thickness: 14e-3, ..plain() },
-        DiscWeb { inner_offset: -2e-3, ..plain() },
+        DiscWeb { inner_offset: -8e-3, ..plain() },
         DiscWeb { material: Some(soft), ..plain() },
     ]
     .map(|disc| DiscWeb { waves: Some(6), ..disc });
@@ -133,7 +133,7 @@ fn webs_differ_and_are_kept_whole() {
     let built = webs.map(|disc| (gear(on_disc(disc)), built(on_disc(disc))));
     let means = built.each_ref().map(|(_, structure)| mean(structure.as_ref()));
     assert!(means[1] < means[0] && means[2] < means[0] && means[4] > means[0], "{means:?}");
-    assert!((means[3] / means[0] - 1.0).abs() > 1e-4, "{means:?}");
+    assert!((means[3] / means[0] - 1.0).abs() > 3e-4, "{means:?}");
     for (one, (gear, _)) in built.iter().enumerate() {
         for (other, _) in &built[..one] {
             assert_ne!(gear.solid_key(&options), other.solid_key(&options));
