@@ -113,6 +113,60 @@ fn results(directory: &Path) -> BTreeMap<String, String> {
 
 const SET: [&str; 5] = ["--quiet", "--set", "steps=5", "--fields", "--vtu"];
 
+/// `calyx run` of the example in space.
+fn in_space(directory: &Path, arguments: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_calyx"));
+    command.arg("run").arg(example()).args(["--out", "results", "--cache", "kept", "--quiet"]);
+    command.args(arguments).current_dir(directory);
+    command
+}
+
+/// What an analysis in space would take is asked for first: refused, it says how much and what to do, and leaves nothing behind.
+#[test]
+fn a_model_in_space_that_does_not_fit_is_refused() {
+    let directory = tempfile::tempdir().unwrap();
+    let arguments = ["--set", "fidelity=finest", "--memory-limit", "400MB"];
+    let (status, _, err) = said(&mut in_space(directory.path(), &arguments));
+    assert_eq!(status, Some(1), "{err}");
+    let (_, message) = err.split_once("[E0707] Error: the analysis needs ").expect(&err);
+    let (needs, rest) =
+        message.split_once(" MB for its next step, and its memory limit leaves ").expect(&err);
+    let (leaves, rest) = rest.split_once(" MB").expect(&err);
+    let [needs, leaves] = [needs, leaves].map(|number| number.parse::<u32>().expect("a number"));
+    assert!(needs > leaves && leaves < 400, "{needs} {leaves}");
+    assert!(rest.contains("take a coarser fidelity, fewer elements along the face"), "{err}");
+    for folder in ["results", "kept"] {
+        let there = fs::read_dir(directory.path().join(folder)).map_or(0, Iterator::count);
+        assert_eq!(there, 0, "files in {folder}");
+    }
+}
+
+/// A run that goes on without room for it leaves what was solved as it is, for one with more.
+#[test]
+fn a_refused_run_in_space_goes_on_with_more_memory() {
+    let small = ["--set", "steps=2", "--set", "face_elements=1", "--set", "displacement_order=1"];
+    let [whole, ended] = [(), ()].map(|()| tempfile::tempdir().unwrap());
+    let (status, _, err) = said(&mut in_space(whole.path(), &small));
+    assert_eq!(status, Some(0), "{err}");
+    kill_after(&mut in_space(ended.path(), &[&small[..], &["--threads", "1"]].concat()), 1);
+    let of_run = |name: &str| fs::read_to_string(ended.path().join("results").join(name)).expect("text");
+    let solved = ["journal.jsonl", "steps.csv"].map(of_run);
+    let again = |limit: &str| {
+        let arguments = [&small[..], &["--resume", "--memory-limit", limit]].concat();
+        said(&mut in_space(ended.path(), &arguments))
+    };
+    let (status, _, err) = again("20MB");
+    assert_eq!(status, Some(1), "{err}");
+    assert!(
+        err.contains("[E0707] Error: the analysis takes ") && err.contains("its memory limit is 20 MB"),
+        "{err}"
+    );
+    assert_eq!(["journal.jsonl", "steps.csv"].map(of_run), solved);
+    let (status, _, err) = again("8GB");
+    assert_eq!(status, Some(0), "{err}");
+    assert_eq!(results(ended.path()), results(whole.path()));
+}
+
 #[test]
 fn a_killed_run_goes_on_and_writes_the_same_bytes() {
     let whole = tempfile::tempdir().unwrap();

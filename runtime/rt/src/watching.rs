@@ -40,10 +40,15 @@ pub fn interrupt(cancel: Cancel, limits: Limits) -> Interrupt {
             return Err(cancelled());
         }
         let taken = limits.memory.and_then(|_| budget::taken()).unwrap_or(0);
-        limits
-            .check_time()
-            .and_then(|()| limits.check_memory(taken))
-            .map_err(|error| EngineError::new(codes::EXHAUSTED, error.message, error.help))?;
+        limits.check_time().map_err(|error| EngineError::new(codes::EXHAUSTED, error.message, error.help))?;
+        if let Some(limit) = limits.memory.filter(|limit| taken > *limit) {
+            let text = format!(
+                "the analysis takes {} MB, and its memory limit is {} MB",
+                megabytes(taken),
+                megabytes(limit)
+            );
+            return Err(EngineError::new(codes::EXHAUSTED, text, TAKE_LESS));
+        }
         if wanted < WORTH_ASKING {
             return Ok(());
         }
@@ -61,8 +66,15 @@ fn room(limits: Limits, taken: u64) -> Option<(u64, &'static str)> {
     of_run.into_iter().chain(of_machine).min_by_key(|(room, _)| *room)
 }
 
+/// What can be done about an analysis that takes too much.
+const TAKE_LESS: &str =
+    "take a coarser fidelity, fewer elements along the face or fewer contact cells, or give it more memory";
+
+fn megabytes(bytes: u64) -> f64 {
+    (bytes as f64 * 1e-6).round()
+}
+
 fn too_large(wanted: u64, room: u64, whose: &str) -> EngineError {
-    let megabytes = |bytes: u64| (bytes as f64 * 1e-6).round();
     EngineError::new(
         codes::EXHAUSTED,
         format!(
@@ -70,7 +82,7 @@ fn too_large(wanted: u64, room: u64, whose: &str) -> EngineError {
             megabytes(wanted),
             megabytes(room)
         ),
-        "take a coarser fidelity, fewer elements along the face or fewer contact cells, or give it more memory",
+        TAKE_LESS,
     )
 }
 
