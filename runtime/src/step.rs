@@ -63,6 +63,8 @@ const STARTS: usize = 3;
 const DRIFT: f64 = 0.5;
 /// Places at which contact was laid out anew that differ by less than this part of half a grid's width are one.
 const SETTLED: f64 = 1e-3;
+/// What solving a position may end in for where its bodies are: what was solved before stands, with a warning.
+const UNSOLVED: [&str; 5] = ["E0714", "E0715", "E0716", "E0717", "E0719"];
 /// How often contact is laid out anew where the load carries bodies. Each time brings the place a hundred times nearer, or ten times
 /// if the load carries them by a module.
 const PLACES: usize = 8;
@@ -234,8 +236,8 @@ impl<S: Space> Solver<'_, S> {
             }
             laid = match self.solve_from(time, load, &next) {
                 Ok(laid) => laid,
-                // Where the load takes them teeth do not meet.
-                Err(error) if ["E0714", "E0715"].contains(&error.code) => break,
+                // Where the load takes them teeth do not meet, or not so that it can be solved.
+                Err(error) if UNSOLVED.contains(&error.code) => break,
                 Err(error) => return Err(error),
             };
         }
