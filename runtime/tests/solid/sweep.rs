@@ -196,6 +196,40 @@ fn without_change_along_the_axis_recovered_stress_is_that_of_the_plane() {
 }
 
 #[test]
+fn a_mirrored_field_has_the_mirrored_stress_also_where_layers_meet() {
+    let section = section(ElementOrder::full(2), ElementOrder::full(2));
+    let mesh = SolidMesh::swept(&section, &[-0.01, 0.0, 0.01], 2, &|[x, y], z| [x, y, z]).expect("sound");
+    let model = SolidModel::new(mesh, MATERIAL);
+    let recovery = SurfaceStressRecovery::new(&model).expect("swept");
+    let set = model.mesh.face_set("flank").expect("named");
+    let [from, to] = set.chart.as_ref().expect("charted").s_range();
+    // Far from polynomial within an element, and larger at one end.
+    let field = |[x, y, z]: [f64; 3]| {
+        [
+            1e-5 * (90.0 * z).exp(),
+            1e-5 * (70.0 * z + 200.0 * x).sin(),
+            1e-5 * (110.0 * z).exp() * (100.0 * y).cos(),
+        ]
+    };
+    let displaced = model.mesh.nodes.iter().flat_map(|&node| field(node)).collect::<Vec<_>>();
+    let mirrored = model.mesh.nodes.iter().flat_map(|&[x, y, z]| {
+        let [u, v, w] = field([x, y, -z]);
+        [u, v, -w]
+    });
+    let mirrored = mirrored.collect::<Vec<_>>();
+    for z in [-0.01, -0.003, 0.0, 0.004, 0.01] {
+        let at = |z: f64, field: &[f64]| {
+            recovery.rows(set, 0.5 * (from + to), z).expect("on it").rows.map(|row| row.dot(field))
+        };
+        let (found, image) = (at(z, &displaced), at(-z, &mirrored));
+        // Shear changes its sign.
+        for (found, image) in [(found[0], image[0]), (found[1], image[1]), (found[2], -image[2])] {
+            assert!((found - image).abs() < 1e-9 * found.abs().max(1e5), "z = {z}: {found} and {image}");
+        }
+    }
+}
+
+#[test]
 fn recovered_surface_stress_converges_at_the_order_of_the_elements() {
     // Hoop stress in the bore of a thick cylinder, up to the side faces.
     let problem = cylinder(MATERIAL);

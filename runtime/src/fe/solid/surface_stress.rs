@@ -77,9 +77,12 @@ impl<'a> SurfaceStressRecovery<'a> {
         let chart = set.chart.as_ref()?;
         let chain = EdgeChain { edges: chart.edges.clone(), measure: chart.measure };
         let at = self.swept.section.chain_point(&chain, s)?;
-        let (layer, _) = self.swept.locate_z(z)?;
+        let (layer, zeta) = self.swept.locate_z(z)?;
         let point = self.model.mesh.surface_point(set, s, z)?;
-        let terms = self.gradient(at.place, layer, z);
+        // Where two layers meet neither fit counts more: it is the mean of both.
+        let meets_next = zeta > 1.0 - 1e-9 && layer + 2 < self.swept.stations.len();
+        let layers = if meets_next { &[layer, layer + 1][..] } else { &[layer] };
+        let terms = self.gradient(at.place, layers, z);
         let [a, b] = point.tangents;
         let tensor = |p: [f64; 3], q: [f64; 3]| {
             [0, 1, 2].map(|i| [0, 1, 2].map(|j| 0.5 * (p[i] * q[j] + p[j] * q[i])))
@@ -89,13 +92,17 @@ impl<'a> SurfaceStressRecovery<'a> {
         Some(SurfaceStressRows { point, rows })
     }
 
-    /// The smoothed displacement gradient as a sum over nodes of displacement times vector.
-    fn gradient(&self, place: Place, layer: usize, z: f64) -> Vec<(usize, [f64; 3])> {
+    /// The smoothed displacement gradient as a sum over nodes of displacement times vector: the mean of the fits around some layers.
+    fn gradient(&self, place: Place, layers: &[usize], z: f64) -> Vec<(usize, [f64; 3])> {
         let mesh = &self.model.mesh;
         let count = self.swept.section.elements.len();
         let across = sample_weights(&self.swept.section, &self.elements_of, place);
-        let along = usize::from(mesh.elements[layer * count + place.element].interpolation.lowest()[1]);
-        let axial = self.axial_weights(layer, z, along);
+        let share = 1.0 / layers.len() as f64;
+        let axial = layers.iter().flat_map(|&layer| {
+            let along = usize::from(mesh.elements[layer * count + place.element].interpolation.lowest()[1]);
+            self.axial_weights(layer, z, along).into_iter().map(move |of_layer| (along, of_layer))
+        });
+        let axial = axial.collect::<Vec<_>>();
         let mut terms = Vec::new();
         let mut first = 0;
         while first < across.len() {
@@ -103,7 +110,8 @@ impl<'a> SurfaceStressRecovery<'a> {
             let weights = across[first..].iter().take_while(|(sample, _)| sample.element == of_section);
             let weights = weights.map(|(_, weight)| *weight).collect::<Vec<_>>();
             first += weights.len();
-            for (layer, axial) in &axial {
+            for (along, (layer, axial)) in &axial {
+                let along = *along;
                 let index = layer * count + of_section;
                 let element = &mesh.elements[index];
                 let (displacement, coordinate) = element.kinds();
@@ -112,7 +120,7 @@ impl<'a> SurfaceStressRecovery<'a> {
                     continue;
                 };
                 let mut sums = vec![[0.0; 3]; element.nodes.len()];
-                let weights = axial.iter().flat_map(|z| weights.iter().map(move |weight| z * weight));
+                let weights = axial.iter().flat_map(|z| weights.iter().map(move |weight| share * z * weight));
                 for (place, ((displacement, coordinate), weight)) in table.iter().zip(weights).enumerate() {
                     let inverse = if own_along == along {
                         self.inverses[index][place]
