@@ -100,10 +100,15 @@ pub(super) fn sample(
         let spacing = spacing(s)?;
         Some((spacing * scale).sqrt().max(LEAST_NODE_SPACINGS * spacing))
     };
-    let width = |s: f64| Some((options.matching_depth * depth(s)?).min(0.5 * length));
+    // A greater depth than usual gives way to edges, and leaves the range as it is.
+    let width = |s: f64| {
+        let asked = options.matching_depth * depth(s)?;
+        Some(asked.min((CLEAR_OF_EDGE * from_edge(s)).max(depth(s)?)).min(0.5 * length))
+    };
     // From the middle towards an end, as far as a mollifier keeps clear of the edge.
     let reach = |limit: f64| {
-        let clear = |s: f64| width(s).is_some_and(|width| width <= CLEAR_OF_EDGE * from_edge(s));
+        let least = |s: f64| Some((options.matching_depth.min(1.0) * depth(s)?).min(0.5 * length));
+        let clear = |s: f64| least(s).is_some_and(|width| width <= CLEAR_OF_EDGE * from_edge(s));
         let (mut inside, mut outside) = (0.5 * (start + end), limit);
         if clear(limit) {
             return Some(limit);

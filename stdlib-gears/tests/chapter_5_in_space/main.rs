@@ -6,6 +6,7 @@ mod common;
 
 mod extremes;
 mod independent;
+mod matching_depth;
 mod pair;
 mod tables;
 mod tips;
