@@ -7,8 +7,8 @@ use calyx_runtime::scene::StructureOptions;
 /// Where a pair enters, where the leaving one is clear of the tip edge, comes to it and has left the nominal path, where the next one is early.
 const ROLLS: [f64; 5] = [6.9, 14.8, 15.6, 15.9, 24.6];
 
-/// Slightly more than Hertz's pressure where one pair begins to carry alone, psi.
-const LARGEST_PRESSURE: f64 = 1.75e5;
+/// Hertz's line pressure where one pair begins to carry alone, psi, at roll 15.68 deg (`hertz_line_no_modification_psi` of the data).
+const HERTZ: f64 = 170_224.0;
 
 #[test]
 fn on_and_beside_tip_edges_a_spur_pair_in_space_is_the_plane_one() {
@@ -38,7 +38,7 @@ fn teeth_without_relief_or_crown_run_up_to_their_tips() {
         let values = pair.solve("medium", StructureOptions::default(), &ROLLS);
         for (values, roll) in values.iter().zip(ROLLS) {
             // Alone or with a second pair, on flanks or on edges: loads are carried, and nowhere by cells that fight each other.
-            assert!(values.contact_pressure < LARGEST_PRESSURE, "{roll}: {values:?}");
+            assert!(values.contact_pressure < 1.02 * HERTZ, "{roll}: {values:?}");
             assert!(
                 values.root_stress.iter().all(|&stress| stress > 0.0 && stress < 4e4),
                 "{roll}: {values:?}"
