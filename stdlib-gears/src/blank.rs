@@ -10,7 +10,8 @@ use crate::modification::Modification;
 use crate::prototype::GearPrototype;
 use crate::rack::Rack;
 use calyx_runtime::material::Material;
-use calyx_runtime::structure::BoreHold;
+use calyx_runtime::structure::{BoreHold, Lugs};
+use std::f64::consts::TAU;
 use std::sync::Arc;
 
 /// A ring under the teeth, or around those of an internal gear, held on its far side or by a web. Radii in m.
@@ -24,6 +25,84 @@ pub struct Rim {
     pub web: Option<Web>,
     /// How the body's frame holds it there.
     pub hold: BoreHold,
+}
+
+/// Waves around of lugs' series that the mesh of any gear resolves for each of its teeth.
+const LUG_WAVES_BY_TOOTH: u32 = 4;
+
+/// How lugs hold a rim: the teeth of a spline, or keys, evenly around, which bear both ways, without play.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Spline {
+    /// How many, three at least; they need not be commensurate with the teeth.
+    pub lugs: u16,
+    /// Length of each along the bore, m; `None` for half of the distance from one to the next.
+    pub width: Option<f64>,
+    /// Angle of the middle of the first one from the middle of tooth 0, rad, counter-clockwise.
+    pub first: f64,
+    /// Force around by displacement, for a unit of a lug's length along the axis, N/m²; `None` if rigid.
+    pub stiffness: Option<f64>,
+    /// What else holds the bore from moving inwards and outwards at the lugs, if anything does: major-diameter fits.
+    pub radial: Option<RadialFit>,
+    /// Degree of polynomials along the bore up to which lugs hold it: 0 holds their mean, 1 their leaning too.
+    pub axial_order: u8,
+}
+
+/// How lugs hold a bore from moving inwards and outwards.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RadialFit {
+    /// Force by displacement, for a unit of a lug's length along the axis, N/m²; `None` if rigid.
+    pub stiffness: Option<f64>,
+}
+
+impl Spline {
+    /// Rigid lugs that hold a bore by their flanks.
+    pub fn new(lugs: u16) -> Spline {
+        Spline { lugs, width: None, first: 0.0, stiffness: None, radial: None, axial_order: 1 }
+    }
+
+    /// The lugs at a radius, m.
+    fn at(&self, radius: f64) -> Result<Lugs, GeometryError> {
+        let wrong = |argument, message, help| GeometryError::error("E0655", argument, message, help);
+        if self.lugs < 3 {
+            return Err(wrong(
+                "lugs",
+                sentence!["a spline needs three lugs to centre a rim; it has ", number f64::from(self.lugs)],
+                sentence!["give at least 3"],
+            ));
+        }
+        let pitch = TAU * radius / f64::from(self.lugs);
+        let width = self.width.unwrap_or(0.5 * pitch);
+        if !(width > 0.0 && width <= pitch * (1.0 + 1e-9)) {
+            return Err(wrong(
+                "width",
+                sentence![
+                    "lugs that are ", length width, " wide do not fit side by side around the rim, where each has ", length pitch
+                ],
+                sentence!["reduce `width`, or leave it out for lugs as wide as the spaces between them"],
+            ));
+        }
+        let compliance = |argument: &'static str, stiffness: Option<f64>| match stiffness {
+            None => Ok(0.0),
+            Some(stiffness) if stiffness > 0.0 && stiffness.is_finite() => Ok(1.0 / stiffness),
+            Some(_) => Err(wrong(
+                argument,
+                sentence!["the stiffness of lugs must be positive"],
+                sentence!["leave it out for rigid lugs"],
+            )),
+        };
+        let radial = match self.radial {
+            Some(fit) => Some(compliance("radial_stiffness", fit.stiffness)?),
+            None => None,
+        };
+        Ok(Lugs {
+            count: self.lugs,
+            first: self.first,
+            width: width / radius,
+            tangential: compliance("stiffness", self.stiffness)?,
+            radial,
+            degree: self.axial_order,
+        })
+    }
 }
 
 /// A disc thinner than the face that carries a ring. Lengths in m.
@@ -101,26 +180,56 @@ impl Rim {
         Rim { hold, ..self }
     }
 
+    /// The ring held by the lugs of a spline at its bore, or its outside.
+    ///
+    /// # Errors
+    /// E0655: it is held in the mean there, or the lugs are none that can hold it.
+    pub fn splined(self, spline: &Spline) -> Result<Rim, GeometryError> {
+        if self.hold != BoreHold::Rigid {
+            return Err(GeometryError::error(
+                "E0655",
+                "rim",
+                sentence!["the rim is said to be held otherwise than by lugs already"],
+                sentence!["leave out how the rim itself is held; its lugs say it"],
+            ));
+        }
+        if self.web.is_some_and(|web| web.disc.is_some()) {
+            return Err(GeometryError::error(
+                "E0655",
+                "rim",
+                sentence!["lugs cannot hold a disc web, which has a mesh of its own"],
+                sentence!["take a `webbed_rim`, whose web is in the mesh of the teeth"],
+            ));
+        }
+        Ok(self.held(BoreHold::Lugs(spline.at(self.held_radius)?)))
+    }
+
     /// How a plane model is held: with a web, which it has no room for, rigidly where that begins.
     pub(crate) fn hold_in_plane(&self) -> BoreHold {
         match (self.web, self.hold) {
             (Some(_), _) => BoreHold::Rigid,
             // There is one place along the axis.
             (None, BoreHold::Means { waves, .. }) => BoreHold::Means { waves, degree: 0 },
+            (None, BoreHold::Lugs(lugs)) => BoreHold::Lugs(Lugs { degree: 0, ..lugs }),
             (None, BoreHold::Rigid) => BoreHold::Rigid,
         }
     }
 
     /// Numbers that tell ways of being held apart.
-    pub(crate) fn hold_numbers(hold: BoreHold) -> [f64; 3] {
+    pub(crate) fn hold_numbers(hold: BoreHold) -> Vec<f64> {
         match hold {
-            BoreHold::Rigid => [0.0; 3],
-            BoreHold::Means { waves: None, .. } => [1.0, 0.0, 0.0],
-            BoreHold::Means { waves: Some(waves), degree } => [2.0, f64::from(waves), f64::from(degree)],
+            BoreHold::Rigid => vec![0.0; 3],
+            BoreHold::Means { waves: None, .. } => vec![1.0, 0.0, 0.0],
+            BoreHold::Means { waves: Some(waves), degree } => vec![2.0, f64::from(waves), f64::from(degree)],
+            BoreHold::Lugs(Lugs { count, first, width, tangential, radial, degree }) => {
+                let outwards = radial.map_or([0.0; 2], |radial| [1.0, radial]);
+                let around = [3.0, f64::from(count), first, width, tangential];
+                [&around[..], &outwards, &[f64::from(degree)]].concat()
+            }
         }
     }
 
-    /// Whether there are teeth enough for the waves around by which it is held: each brings three nodes at least.
+    /// Whether there are teeth enough for the waves around by which it is held: each brings three nodes at least; eight where lugs hold it.
     pub(crate) fn check_hold(&self, teeth: u32) -> Result<(), GeometryError> {
         self.check_joint(teeth)?;
         match self.ring_hold().unwrap_or(BoreHold::Rigid) {
@@ -133,6 +242,17 @@ impl Rim {
                         number f64::from(teeth)
                     ],
                     sentence!["reduce the circumferential order, or hold the rim rigidly"],
+                ))
+            }
+            BoreHold::Lugs(lugs) if u32::from(lugs.waves()) > LUG_WAVES_BY_TOOTH * teeth => {
+                Err(GeometryError::error(
+                    "E0656",
+                    "rim",
+                    sentence![
+                        "the lugs that hold the rim take ", number f64::from(lugs.waves()), " waves around to be told apart, and a mesh with ",
+                        number f64::from(teeth), " teeth has at most ", number f64::from(LUG_WAVES_BY_TOOTH * teeth)
+                    ],
+                    sentence!["take fewer or wider lugs"],
                 ))
             }
             _ => Ok(()),

@@ -1,6 +1,6 @@
 //! Tools, rims and gears as programs make them: the Rust side of `rack`, `shaper`, `external` and `internal` of `gears.cx`.
 
-use crate::blank::{GearBlank, Rim, Thickness};
+use crate::blank::{GearBlank, RadialFit, Rim, Spline, Thickness};
 use crate::disc_web::{DiscWeb, Hub};
 use crate::error::Refusal;
 use crate::externs::{engine, entry, host, refusal};
@@ -99,6 +99,40 @@ calyx_abi::externs! {
         let (place, host) = (context.place, host(context)?);
         let rim = Rim::outer(diameter, outer_diameter).map_err(|error| host.refused(error.into(), place))?;
         Ok(keep(&mut host.rims, rim.held(hold)))
+    }
+
+    Pure fn calyx_gears_splined(
+        context, rim: Handle, lugs: f64, width: f64, first: f64, centring: String, stiffness: f64,
+        radial_stiffness: f64, axial_order: f64,
+    ) -> Handle {
+        for (name, number) in [("lugs", lugs), ("axial_order", axial_order)] {
+            if number.fract() != 0.0 {
+                return Err(refusal("E0655", name, &format!("`{name}` cannot be {number}"), "give a whole number"));
+            }
+        }
+        let given = |stiffness: f64| (stiffness != 0.0).then_some(stiffness);
+        let radial = match (centring.as_str(), given(radial_stiffness)) {
+            ("diameter", stiffness) => Some(RadialFit { stiffness }),
+            (_, None) => None,
+            (_, Some(_)) => return Err(refusal(
+                "E0655",
+                "radial_stiffness",
+                "`radial_stiffness` is of lugs that hold the diameter, and these hold by their flanks alone",
+                "leave it out, or choose \"diameter\"",
+            )),
+        };
+        let spline = Spline {
+            lugs: lugs as u16,
+            width: given(width),
+            first,
+            stiffness: given(stiffness),
+            radial,
+            axial_order: axial_order as u8,
+        };
+        let (place, host) = (context.place, host(context)?);
+        let rim = *entry(&host.rims, rim)?;
+        let rim = rim.splined(&spline).map_err(|error| host.refused(error.into(), place))?;
+        Ok(keep(&mut host.rims, rim))
     }
 
     Pure fn calyx_gears_external(

@@ -16,6 +16,7 @@ use calyx_runtime::motion::Motion;
 use calyx_runtime::plan::Plan;
 use calyx_runtime::results::OutputRequest;
 use calyx_runtime::scene::{Body, BodyId, FREEDOMS, Fidelity, PairId, StructureOptions};
+use calyx_runtime::structure::BoreHold;
 use std::sync::Arc;
 
 calyx_abi::externs! {
@@ -295,6 +296,30 @@ pub(crate) fn tooth_number(host: &ModelHost, body: BodyId, tooth: f64) -> Result
             "tooth",
             &format!("there is no tooth {tooth}"),
             &format!("teeth are counted counter-clockwise from 0 to {}", teeth - 1),
+        )),
+    }
+}
+
+/// Checks the number of a lug of a body's rim.
+pub(crate) fn lug_number(host: &ModelHost, body: BodyId, lug: f64) -> Result<u32, RuntimeError> {
+    let gear = host.body_gears.get(body.0).copied().unwrap_or_default();
+    let lugs = match entry(&host.gears, Handle(gear as u64))?.rim.hold {
+        BoreHold::Lugs(lugs) => u32::from(lugs.count),
+        BoreHold::Rigid | BoreHold::Means { .. } => 0,
+    };
+    match lug.fract() == 0.0 && (0.0..f64::from(lugs)).contains(&lug) {
+        true => Ok(lug as u32),
+        false if lugs == 0 => Err(refusal(
+            "E0657",
+            "body",
+            "the rim of this body has no lugs",
+            "hold it by some with `splined`",
+        )),
+        false => Err(refusal(
+            "E0657",
+            "lug",
+            &format!("there is no lug {lug}"),
+            &format!("lugs are counted counter-clockwise from 0 to {}", lugs - 1),
         )),
     }
 }

@@ -1,11 +1,11 @@
 //! What programs can ask of bodies and meshes at each position: the Rust side of the observables of `gears.cx`.
 
-use crate::externs::{self, host, refusal, tooth_number};
+use crate::externs::{self, host, lug_number, refusal, tooth_number};
 use calyx_abi::externs::Handle;
 use calyx_abi::{Context, RuntimeError};
 use calyx_runtime::observe::{
     Coordinate, Displacement, Efficiency, FaceLoadFactor, FrictionLoss, HighestContact, LoadShare,
-    LoadedFace, LowestContact, MaxContactPressure, MaxEdgePressure, MaxLineLoad, MaxRootCompression,
+    LoadedFace, LowestContact, LugLoad, MaxContactPressure, MaxEdgePressure, MaxLineLoad, MaxRootCompression,
     MaxRootStress, MaxSlidingVelocity, Maximum, MeshStiffness, Observable, PairLoad, PairsInContact, PlaceOf,
     Rotation, SecantStiffness, SlidingVelocity, SupportForce, SupportMoment, ToothLoad, TransmissionError,
     UnloadedTransmissionError,
@@ -129,6 +129,12 @@ calyx_abi::externs! {
     Scene fn calyx_gears_support_moment(context, body: Handle, axis: String) -> Handle {
         let body = self::body(context, body)?;
         observe(context, SupportMoment(body, axis_number(&axis)))
+    }
+
+    Scene fn calyx_gears_lug_force(context, body: Handle, lug: f64, direction: String) -> Handle {
+        let id = self::body(context, body)?;
+        let lug = lug_number(host(context)?, id, lug)?;
+        observe(context, LugLoad { body: id, lug, radial: direction == "radial" })
     }
 
     Scene fn calyx_gears_displacement(context, body: Handle, axis: String) -> Handle {

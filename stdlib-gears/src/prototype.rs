@@ -18,7 +18,7 @@ use calyx_runtime::profile::Profile;
 use calyx_runtime::scene::{Fidelity, Ignored, Prototype, StructureOptions};
 use calyx_runtime::structure::solid::{ElasticSolid, SolidStructure};
 use calyx_runtime::structure::{
-    ElasticStructure, RingSource, SplitOptions, Structure, StructureSize, SurfaceSource,
+    BoreHold, ElasticStructure, RingSource, SplitOptions, Structure, StructureSize, SurfaceSource,
 };
 use calyx_runtime::surface::Surface;
 use std::sync::Arc;
@@ -354,7 +354,12 @@ impl Prototype for GearPrototype {
                     reason: "a plane model has no direction along the face: it is held where the web begins"
                         .into(),
                 });
-                unseen.map(along_face).chain(web).collect()
+                let on_web = self.rim.web.is_some() && matches!(self.rim.hold, BoreHold::Lugs(_));
+                let lugs = on_web.then(|| Ignored {
+                    input: "lugs".into(),
+                    reason: "they hold the bore of a web, which a plane model does not have".into(),
+                });
+                unseen.map(along_face).chain(web).chain(lugs).collect()
             }
             Fidelity::Solid(_) => Vec::new(),
         }

@@ -1,14 +1,14 @@
 //! Rims and how they are held: thin ones on free bores, and what their pairs' supports bear.
 
 use calyx_gears::assembly::{MeshOptions, add_body, mesh};
-use calyx_gears::blank::{GearBlank, Rim};
+use calyx_gears::blank::{GearBlank, RadialFit, Rim, Spline};
 use calyx_gears::prototype::GearPrototype;
 use calyx_gears::rack::Rack;
 use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::load::Wrench;
 use calyx_runtime::motion::SteadyRotation;
 use calyx_runtime::observe::{
-    MaxRootCompression, Observable, SupportForce, SupportMoment, TransmissionError,
+    LugLoad, MaxRootCompression, Observable, SupportForce, SupportMoment, TransmissionError,
 };
 use calyx_runtime::plan::Plan;
 use calyx_runtime::profile::Profile;
@@ -112,44 +112,109 @@ fn pair(hold: BoreHold) -> Scene {
     scene
 }
 
-/// What holds a bore in the mean bears the same force and moment as what holds it rigidly: all of the load. What a gear gives way by
-/// grows.
-#[test]
-fn supports_bear_the_same_however_a_bore_is_held() {
+/// Forces and moment that the support of the second gear of [`pair`] bears, its transmission error, its root compression.
+fn solved(hold: BoreHold, fidelity: Fidelity) -> ([f64; 3], f64, f64) {
     let coarse = StructureOptions {
         refinement: 0.5,
         face_elements: Some(2),
         axial_order: Some(2),
         ..StructureOptions::default()
     };
-    for fidelity in [Fidelity::Plane, Fidelity::Solid(Template::Medium)] {
-        let answers = [BoreHold::Rigid, BoreHold::Means { waves: Some(2), degree: 1 }, FREE].map(|hold| {
-            let mut scene = pair(hold);
-            scene.observe(MaxRootCompression(BodyId(1)));
-            let plan = Plan::new(&scene, fidelity, coarse).expect("a plan");
-            let system = System::new(&scene, &plan).expect("it can be built");
-            let mesh = scene.pairs[0].mesh.clone().expect("a mesh");
-            let step = system.solve(mesh.start + 0.8 * mesh.period).expect("it can be solved");
-            assert!(step.certificate.largest() <= 1e-11, "{:?}", step.certificate);
-            let value = |observable: &dyn Observable| system.value(&step, observable).value;
-            let supports = [
-                value(&SupportForce(BodyId(1), 0)),
-                value(&SupportForce(BodyId(1), 1)),
-                value(&SupportMoment(BodyId(1), 2)),
-            ];
-            (supports, value(&TransmissionError(PairId(0))), value(&MaxRootCompression(BodyId(1))))
-        });
-        for (supports, ..) in &answers[1..] {
-            for (found, expected) in supports.iter().zip(answers[0].0) {
-                assert!((found / expected - 1.0).abs() < 1e-6, "{fidelity:?}: {found:e} {expected:e}");
-            }
+    let mut scene = pair(hold);
+    scene.observe(MaxRootCompression(BodyId(1)));
+    let plan = Plan::new(&scene, fidelity, coarse).expect("a plan");
+    let system = System::new(&scene, &plan).expect("it can be built");
+    let mesh = scene.pairs[0].mesh.clone().expect("a mesh");
+    let step = system.solve(mesh.start + 0.8 * mesh.period).expect("it can be solved");
+    assert!(step.certificate.largest() <= 1e-11, "{:?}", step.certificate);
+    let value = |observable: &dyn Observable| system.value(&step, observable).value;
+    let supports = [
+        value(&SupportForce(BodyId(1), 0)),
+        value(&SupportForce(BodyId(1), 1)),
+        value(&SupportMoment(BodyId(1), 2)),
+    ];
+    if let BoreHold::Lugs(lugs) = hold {
+        // About the gear's axis they bear what its support does.
+        let radius = gear(TEETH, 0.8, hold).rim.held_radius;
+        let around = |lug| value(&LugLoad { body: BodyId(1), lug, radial: false });
+        let torque = radius * (0..u32::from(lugs.count)).map(around).sum::<f64>();
+        println!("{} lugs bear {torque} of {} N m", lugs.count, supports[2]);
+        assert!((torque / supports[2] - 1.0).abs() < 1e-3);
+    }
+    (supports, value(&TransmissionError(PairId(0))), value(&MaxRootCompression(BodyId(1))))
+}
+
+fn bear_the_same(fidelity: Fidelity, answers: &[([f64; 3], f64, f64)]) {
+    for (supports, ..) in &answers[1..] {
+        for (found, expected) in supports.iter().zip(answers[0].0) {
+            assert!((found / expected - 1.0).abs() < 1e-6, "{fidelity:?}: {found:e} {expected:e}");
         }
+    }
+}
+
+/// What holds a bore in the mean bears the same force and moment as what holds it rigidly: all of the load. What a gear gives way by
+/// grows.
+#[test]
+fn supports_bear_the_same_however_a_bore_is_held() {
+    for fidelity in [Fidelity::Plane, Fidelity::Solid(Template::Medium)] {
+        let answers = [BoreHold::Rigid, BoreHold::Means { waves: Some(2), degree: 1 }, FREE]
+            .map(|hold| solved(hold, fidelity));
+        bear_the_same(fidelity, &answers);
         let errors: Vec<f64> = answers.iter().map(|answer| answer.1.abs()).collect();
         let stresses: Vec<f64> = answers.iter().map(|answer| answer.2).collect();
         println!("{fidelity:?}: transmission errors {errors:?}, root compressions {stresses:?}");
         assert!(errors[0] < errors[1] && errors[1] < errors[2], "{fidelity:?}: {errors:?}");
         assert!(stresses[0] < stresses[2], "{fidelity:?}: {stresses:?}");
     }
+}
+
+fn splined(spline: &Spline, backup: f64) -> BoreHold {
+    let rigid = gear(TEETH, backup, BoreHold::Rigid);
+    rigid.rim.splined(spline).expect("lugs").hold
+}
+
+/// Lugs bear all of the load, whatever their number has to do with that of the teeth, and more where they are fewer, softer, or hold the
+/// bore around alone.
+#[test]
+fn lugs_of_a_spline_bear_the_load() {
+    let seven = Spline::new(7);
+    let soft = Some(5e9);
+    let diameter = RadialFit { stiffness: None };
+    let ways = [
+        Spline { lugs: 26, radial: Some(diameter), ..seven },
+        Spline { radial: Some(diameter), ..seven },
+        seven,
+        Spline { stiffness: soft, ..seven },
+    ];
+    for fidelity in [Fidelity::Plane, Fidelity::Solid(Template::Medium)] {
+        let holds = [BoreHold::Rigid].into_iter().chain(ways.iter().map(|spline| splined(spline, 0.8)));
+        let answers: Vec<_> = holds.map(|hold| solved(hold, fidelity)).collect();
+        bear_the_same(fidelity, &answers);
+        let errors: Vec<f64> = answers.iter().map(|answer| answer.1.abs()).collect();
+        println!("{fidelity:?}: transmission errors {errors:?}");
+        assert!(errors.windows(2).all(|pair| pair[0] < pair[1]), "{fidelity:?}: {errors:?}");
+    }
+}
+
+/// As many waves around as a gear is granted are resolved by its coarsest mesh.
+#[test]
+fn the_coarsest_mesh_resolves_the_lugs_that_a_gear_may_have() {
+    let coarse = StructureOptions {
+        refinement: 0.5,
+        face_elements: Some(1),
+        axial_order: Some(2),
+        ..StructureOptions::default()
+    };
+    let spline = Spline { axial_order: 2, ..Spline::new(26) };
+    let rim = gear(20, 1.0, BoreHold::Rigid).rim;
+    let gear = gear(20, 1.0, rim.splined(&spline).expect("lugs").hold);
+    gear.build(&coarse, &Interrupt::never()).expect("a structure in the plane");
+    gear.build_solid(&coarse, &Interrupt::never()).expect("a structure in space");
+    let found = gear.rim.held(BoreHold::Rigid).splined(&Spline { lugs: 27, ..spline }).expect("lugs");
+    let blank =
+        GearBlank::standard(20, Rack::new(MODULE, 20_f64.to_radians(), 0.3 * MODULE).expect("a rack"));
+    let refused = blank.rim(Rim { hold: found.hold, ..gear.rim }).cut().err().expect("too many");
+    assert!(format!("{refused:?}").contains("E0656"), "{refused:?}");
 }
 
 /// Structures that are held differently are different ones, and a web hides its bore from a plane model.
@@ -161,6 +226,9 @@ fn how_a_bore_is_held_is_part_of_what_a_structure_is() {
         FREE,
         BoreHold::Means { waves: Some(3), degree: 1 },
         BoreHold::Means { waves: Some(3), degree: 2 },
+        splined(&Spline::new(9), 1.0),
+        splined(&Spline { first: 0.1, ..Spline::new(9) }, 1.0),
+        splined(&Spline { axial_order: 0, first: 0.1, ..Spline::new(9) }, 1.0),
     ];
     let gears = ways.map(|hold| gear(TEETH, 1.0, hold));
     for (index, one) in gears.iter().enumerate() {
@@ -168,7 +236,8 @@ fn how_a_bore_is_held_is_part_of_what_a_structure_is() {
             assert!(one.solid_key(&options) != other.solid_key(&options));
         }
     }
-    let [rigid, free, third, fourth] = gears.map(|gear| gear.key(&options));
+    let [rigid, free, third, fourth, lugs, turned, mean] = gears.map(|gear| gear.key(&options));
+    assert!(lugs != free && lugs != turned && turned == mean);
     assert!(rigid != free && free != third && rigid != third);
     assert!(third == fourth, "there is nothing along the axis in the plane");
 }

@@ -4,7 +4,8 @@ use super::{Equilibrium, Observable, Quantity};
 use crate::results::{Observed, Place};
 use crate::scene::BodyId;
 use crate::step::StepResult;
-use crate::system::System;
+use crate::structure::LugForce;
+use crate::system::{Bodies, System};
 use std::ops::Add;
 
 impl Equilibrium<'_> {
@@ -58,6 +59,40 @@ impl Observable for SupportForce {
 
     fn value(&self, at: &Equilibrium<'_>) -> Observed {
         Observed::number(at.support(self.0)[self.1])
+    }
+}
+
+/// The force of one of the lugs that hold a body on it, N: around, counter-clockwise, or outwards; 0 of a body without such a lug. It is
+/// the contact that lugs bear, not the inertia nor what acts on the frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LugLoad {
+    /// Which body.
+    pub body: BodyId,
+    /// Which lug, from the first one on counter-clockwise.
+    pub lug: u32,
+    /// Outwards instead of around.
+    pub radial: bool,
+}
+
+impl Observable for LugLoad {
+    fn quantity(&self) -> Quantity {
+        Quantity::passing("lug_force", "N")
+    }
+
+    fn value(&self, at: &Equilibrium<'_>) -> Observed {
+        let forces = match &at.system.bodies {
+            Bodies::Plane(bodies) => {
+                let structure = bodies.structures.get(self.body.0).and_then(Option::as_ref);
+                structure.map(|structure| structure.lug_forces(&at.surface_loads(self.body)))
+            }
+            Bodies::Solid(bodies) => {
+                let structure = bodies.structures.get(self.body.0).and_then(Option::as_ref);
+                structure.map(|structure| structure.lug_forces(&at.spot_loads(self.body)))
+            }
+        };
+        let force = forces.unwrap_or_default().get(self.lug as usize).copied();
+        let along = |force: LugForce| if self.radial { force.radial } else { force.tangential };
+        Observed::number(at.system.width() * force.map_or(0.0, along))
     }
 }
 

@@ -18,7 +18,7 @@ mod stress;
 
 pub use bearings::{BearingDeflection, BearingForce, BearingMoment, BearingTilt, Borne, Direction};
 pub use bodies::{
-    Displacement, HighestContact, LowestContact, Rotation, SupportForce, SupportMoment, ToothLoad,
+    Displacement, HighestContact, LowestContact, LugLoad, Rotation, SupportForce, SupportMoment, ToothLoad,
 };
 pub use equilibrium::{Contact, Equilibrium, Slice};
 pub use fields::{ContactField, Fields, FilletField, FilletStress, PressedCell};

@@ -1,12 +1,14 @@
 //! What a condensed structure answers: compliances between points of its surfaces, and stresses, off its tables.
 
 use super::bore_coupling::BoreCoupling;
+use super::dense::mirror_lower;
 use super::elastic::{ElasticStructure, Surface};
 use super::reshaped::Reshaped;
 use super::spline::Weights;
-use super::{Chart, ReshapedSurface, StressPlace, Structure, SurfaceLoad};
+use super::{Chart, LugForce, ReshapedSurface, StressPlace, Structure, SurfaceLoad};
 use crate::profile::Profile;
 use faer::Mat;
+use std::cmp::Ordering;
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 
@@ -68,19 +70,11 @@ impl ElasticStructure {
             ahead < behind
         };
         let sides = if forward { [observe, load] } else { [load, observe] };
-        let Some(tables) = self.offsets.get(ahead.min(behind) as usize) else {
-            let Some(bore) = &self.bore else { return };
-            let points = if forward { [observers, loads] } else { [loads, observers] };
-            let [first, second] =
-                [0, 1].map(|side| self.held_against(bore, sides[side].surface, points[side].iter().copied()));
-            let values = bore.compliance(ahead.min(behind), &first, &second);
-            for (row, target) in block.chunks_exact_mut(loads.len().max(1)).enumerate() {
-                for (column, target) in target.iter_mut().enumerate() {
-                    *target += if forward { values[(row, column)] } else { values[(column, row)] };
-                }
-            }
-            return;
-        };
+        let tables = self.offsets.get(ahead.min(behind) as usize);
+        if let Some(bore) = self.bore.as_ref().filter(|bore| tables.is_none() || !bore.is_in_tables()) {
+            self.add_through(bore, forward, (observe, observers), (load, loads), block);
+        }
+        let Some(tables) = tables else { return };
         let [rows, columns] = sides.map(|chart| chart.surface as usize * self.directions);
         for (row, &observer) in observers.iter().enumerate() {
             for (column, &load) in loads.iter().enumerate() {
@@ -101,6 +95,38 @@ impl ElasticStructure {
                         };
                 }
                 block[row * loads.len() + column] += sum;
+            }
+        }
+    }
+
+    /// What [`Self::add_between`] adds of the bore, computed in one of two orientations: `forward` tells which unless both are on one surface,
+    /// where the greater list goes first.
+    fn add_through(
+        &self,
+        bore: &BoreCoupling,
+        forward: bool,
+        (observe, observers): (Chart, &[Local]),
+        (load, loads): (Chart, &[Local]),
+        block: &mut [f64],
+    ) {
+        let teeth = [observe, load].map(|chart| (chart.tooth % self.teeth, chart.surface));
+        let order = if teeth[0] == teeth[1] { compare(observers, loads) } else { Ordering::Greater };
+        let forward = if teeth[0] == teeth[1] { order.is_ge() } else { forward };
+        let [first, second] = if forward {
+            [(observe, observers), (load, loads)]
+        } else {
+            [(load, loads), (observe, observers)]
+        };
+        let held = |(chart, points): (Chart, &[Local])| {
+            self.held_against(bore, chart.surface, points.iter().copied())
+        };
+        let mut values = bore.compliance((first.0.tooth, &held(first)), (second.0.tooth, &held(second)));
+        if order.is_eq() {
+            mirror_lower(&mut values);
+        }
+        for (row, target) in block.chunks_exact_mut(loads.len().max(1)).enumerate() {
+            for (column, target) in target.iter_mut().enumerate() {
+                *target += if forward { values[(row, column)] } else { values[(column, row)] };
             }
         }
     }
@@ -141,19 +167,15 @@ impl ElasticStructure {
         for (chart, local, force) in loads {
             let ahead = self.places_ahead(chart.tooth, tooth);
             let behind = self.places_ahead(tooth, chart.tooth);
-            let Some(tables) = self.offsets.get(ahead.min(behind) as usize) else {
-                let through = self.bore.as_ref().and_then(|bore| {
-                    let held = self.held_against(bore, chart.surface, [local].into_iter());
-                    bore.stresses(surface as usize, ahead, &held)
-                });
-                if let Some(through) = through {
-                    stress
-                        .iter_mut()
-                        .zip(through.col(0).iter())
-                        .for_each(|(value, row)| *value += force * row);
+            let tables = self.offsets.get(ahead.min(behind) as usize);
+            if let Some(bore) = self.bore.as_ref().filter(|bore| tables.is_none() || !bore.is_in_tables()) {
+                let held = self.held_against(bore, chart.surface, [local].into_iter());
+                if let Some(through) = bore.stresses(surface as usize, tooth, (chart.tooth, &held)) {
+                    let all = stress.iter_mut().zip(through.col(0).iter());
+                    all.for_each(|(value, row)| *value += force * row);
                 }
-                continue;
-            };
+            }
+            let Some(tables) = tables else { continue };
             let tables = if ahead <= behind { &tables.stress_ahead } else { &tables.stress_behind };
             for direction in (0..self.directions).filter(|&direction| local.direction[direction] != 0.0) {
                 let table = &tables[surface as usize][chart.surface as usize * self.directions + direction];
@@ -173,9 +195,30 @@ impl ElasticStructure {
         observed.stress_places.iter().map(place).zip(stress).collect()
     }
 
+    /// [`Structure::lug_forces`] under loads as the tables see them, in N/m.
+    pub(super) fn lug_forces_by(&self, loads: impl Iterator<Item = (Chart, Local, f64)>) -> Vec<LugForce> {
+        let Some(bore) = &self.bore else { return Vec::new() };
+        let mut all = bore.unfelt(1);
+        for (chart, local, force) in loads {
+            let held = self.held_against(bore, chart.surface, [local].into_iter());
+            all += bore.in_body(chart.tooth, &held) * faer::Scale(force);
+        }
+        bore.lug_forces(&all)
+    }
+
     pub(super) fn surface(&self, chart: Chart) -> Option<&Surface> {
         self.surfaces.get(chart.surface as usize)
     }
+}
+
+/// An order of lists of points of a surface.
+fn compare(a: &[Local], b: &[Local]) -> Ordering {
+    let values = |points: &[Local]| {
+        points.iter().flat_map(|point| [point.turned.s, point.direction[1]]).collect::<Vec<f64>>()
+    };
+    let (a, b) = (values(a), values(b));
+    let by_value = || a.iter().zip(&b).map(|(a, b)| a.total_cmp(b)).find(|order| order.is_ne());
+    a.len().cmp(&b.len()).then_with(|| by_value().unwrap_or(Ordering::Equal))
 }
 
 impl Structure for ElasticStructure {
@@ -222,6 +265,13 @@ impl Structure for ElasticStructure {
             .iter()
             .filter_map(|load| Some((load.chart, self.surface(load.chart)?.local(load.s), load.force)));
         self.stresses_by(tooth, surface, seen)
+    }
+
+    fn lug_forces(&self, loads: &[SurfaceLoad]) -> Vec<LugForce> {
+        let seen = loads
+            .iter()
+            .filter_map(|load| Some((load.chart, self.surface(load.chart)?.local(load.s), load.force)));
+        self.lug_forces_by(seen)
     }
 
     fn reshaped(self: Arc<Self>, surfaces: Vec<ReshapedSurface>) -> Option<Arc<dyn Structure>> {

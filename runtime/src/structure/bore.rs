@@ -5,11 +5,12 @@
 //! strained by holding them, so a ring on such a bore is statically determinate, and what holds it are forces distributed like
 //! the displacements of a rigid body: sin and cos around under a transverse force, uniform along the circle under a torque. Terms of the
 //! series of [`crate::fe::solid::fourier`] may be held beside them, up to so many waves around and some degree along: with more and
-//! more of them the bore becomes rigid.
+//! more of them the bore becomes rigid. Or lugs hold it at some places around ([`super::lugs`]).
 
 use super::StructureError;
 use super::dense::mirror_lower;
-use super::ring::Shared;
+use super::lugs::{LugForms, Lugs};
+use super::ring::{Released, RingFlexibility, Shared};
 use super::web::RevolvedWeb;
 use crate::fe::solid::fourier::{RevolutionSurface, Series};
 use crate::fe::solid::{ElementFace, FaceSet, SolidModel};
@@ -19,7 +20,7 @@ use faer::Mat;
 use faer::linalg::solvers::Solve;
 
 /// How the bore of a ring is held.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum BoreHold {
     /// Its nodes do not move.
     #[default]
@@ -31,16 +32,27 @@ pub enum BoreHold {
         /// Degree of polynomials along the bore up to which they are held.
         degree: u8,
     },
+    /// Lugs hold it. What they let go of the motion as a whole, along the axis and what they do not reach with their degree, is held in the
+    /// mean.
+    Lugs(Lugs),
 }
 
 impl BoreHold {
     /// Unknowns that hold the bore of a ring where sectors up to `coupled` places apart have tables of their own: none of a rigid one.
     pub fn unknowns(self, in_plane: bool, sectors: u32, coupled: u32) -> usize {
-        let BoreHold::Means { waves, degree } = self else { return 0 };
-        let wanted = Wanted::of_ring(waves, if in_plane { 0 } else { degree }, sectors, coupled);
+        let Some(wanted) = Wanted::of_ring(self, sectors, coupled) else { return 0 };
+        let wanted = if in_plane { wanted.in_plane() } else { wanted };
         let ends = if in_plane { [0.0; 2] } else { [-1.0, 1.0] };
         let patterns = Patterns::new(RevolutionSurface::cylinder(1.0, ends), wanted, in_plane);
         patterns.map_or(0, |patterns| patterns.places.len())
+    }
+
+    /// An error in condensing a ring that is held so: of a coarse bore it tells what the mesh is too coarse for.
+    pub(super) fn blamed(self, error: StructureError) -> StructureError {
+        match (self, error) {
+            (BoreHold::Lugs(_), StructureError::CoarseBore) => StructureError::CoarseLugs,
+            (_, error) => error,
+        }
     }
 }
 
@@ -59,6 +71,8 @@ pub(super) struct BoreMeans {
     pub held: usize,
     /// Forces by the means that are let go, where something holds them all the same: a web, see [`super::web`].
     pub carried: Option<Mat<f64>>,
+    /// What holds those that are let go, if anything does.
+    pub lugs: Option<LugForms>,
 }
 
 /// Which means of a bore are wanted.
@@ -69,13 +83,31 @@ pub(super) struct Wanted {
     pub degree: u8,
     /// Waves around up to which there are to be more that are let go, if any.
     pub coupled: Option<u16>,
+    /// What they are let go against; then the motion as a whole is let go with them.
+    pub lugs: Option<Lugs>,
 }
 
 impl Wanted {
-    /// Of a ring where sectors up to `coupled` places apart have tables: others feel each other through the bore.
-    pub fn of_ring(waves: Option<u16>, degree: u8, sectors: u32, coupled: u32) -> Self {
+    /// Of a ring where sectors up to `coupled` places apart have tables: others feel each other through the bore. `None` of a rigid bore.
+    pub fn of_ring(hold: BoreHold, sectors: u32, coupled: u32) -> Option<Self> {
+        let means = |waves, degree| Self::of_means(waves, degree, sectors, coupled);
+        match hold {
+            BoreHold::Rigid => None,
+            BoreHold::Means { waves, degree } => Some(means(waves, degree)),
+            BoreHold::Lugs(lugs) => Some(Self { lugs: Some(lugs), ..means(None, 0) }),
+        }
+    }
+
+    /// The same of a bore that is held in the mean.
+    pub fn of_means(waves: Option<u16>, degree: u8, sectors: u32, coupled: u32) -> Self {
         let most = u16::try_from(sectors).unwrap_or(u16::MAX);
-        Self { waves, degree, coupled: (coupled < sectors / 2).then_some(COUPLED_WAVES.min(most)) }
+        let coupled = (coupled < sectors / 2).then_some(COUPLED_WAVES.min(most));
+        Self { waves, degree, coupled, lugs: None }
+    }
+
+    /// The same where there is one place along the axis.
+    fn in_plane(self) -> Self {
+        Self { degree: 0, lugs: self.lugs.map(|lugs| Lugs { degree: 0, ..lugs }), ..self }
     }
 }
 
@@ -86,19 +118,29 @@ pub(super) struct Patterns {
     pub places: Vec<usize>,
     /// How many of them are held.
     pub held: usize,
+    lugs: Option<LugForms>,
 }
 
 impl Patterns {
     /// `None` if the surface has no extent. In the plane, where the generator is a point, only motions in it count.
     pub fn new(surface: RevolutionSurface, wanted: Wanted, in_plane: bool) -> Option<Patterns> {
-        let most_waves = wanted.waves.unwrap_or(0).max(wanted.coupled.unwrap_or(0));
+        let lugs = wanted.lugs;
+        let most_waves = [wanted.waves, wanted.coupled, lugs.map(|lugs| lugs.waves())];
+        let most_waves = most_waves.into_iter().flatten().max().unwrap_or(0);
+        let degree = lugs.map_or(wanted.degree, |lugs| lugs.degree.max(wanted.degree));
         let highest = match wanted.coupled {
-            Some(_) if !in_plane => wanted.degree.max(COUPLED_DEGREE),
-            _ => wanted.degree,
+            Some(_) if !in_plane => degree.max(COUPLED_DEGREE),
+            _ => degree,
         };
         let series = Series::new(surface, most_waves, highest)?;
-        let rigid = if in_plane { vec![0, 1, 5] } else { (0..6).collect::<Vec<_>>() };
-        let (mut held, mut free) = (rigid, Vec::new());
+        let (mut held, mut free) = match (lugs, in_plane) {
+            (None, true) => (vec![0, 1, 5], vec![]),
+            (None, false) => ((0..6).collect::<Vec<_>>(), vec![]),
+            (Some(_), true) => (vec![], vec![0, 1, 5]),
+            // A tilt is in the mean no displacement of a lug.
+            (Some(Lugs { degree: 0, .. }), false) => (vec![2, 3, 4], vec![0, 1, 5]),
+            (Some(_), false) => (vec![2], vec![0, 1, 3, 4, 5]),
+        };
         for (index, term) in series.terms().iter().enumerate() {
             if in_plane && term.is_axial() {
                 continue;
@@ -109,13 +151,17 @@ impl Patterns {
                 wanted.coupled.is_some_and(|waves| term.harmonic <= waves) && term.degree <= COUPLED_DEGREE;
             if of_hold {
                 held.push(6 + index);
-            } else if of_coupling {
+            } else if of_coupling || lugs.is_some_and(|lugs| lugs.needs(term)) {
                 free.push(6 + index);
             }
         }
         let count = held.len();
         held.append(&mut free);
-        Some(Patterns { series, places: held, held: count })
+        let lugs = match lugs {
+            Some(lugs) => Some(lugs.on(&series, &held)?),
+            None => None,
+        };
+        Some(Patterns { series, places: held, held: count, lugs })
     }
 
     fn at(&self, position: [f64; 3]) -> Vec<[f64; 3]> {
@@ -153,7 +199,7 @@ impl BoreMeans {
             [0.0; 2]
         });
         let circle = RevolutionSurface::cylinder(radius, [0.0; 2]);
-        let Some(patterns) = Patterns::new(circle, Wanted { degree: 0, ..wanted }, true) else {
+        let Some(patterns) = Patterns::new(circle, wanted.in_plane(), true) else {
             return Ok(None);
         };
         Self::over(&patterns, interrupt, |traction| {
@@ -240,7 +286,20 @@ impl BoreMeans {
             let mut points = known.iter();
             forms.push(load(&mut |_| points.next().map_or([0.0; 3], |values| values[pattern])));
         }
-        Ok(BoreMeans { forms, shared: patterns.shared(), held: patterns.held, carried: None })
+        let (shared, lugs) = (patterns.shared(), patterns.lugs.clone());
+        Ok(BoreMeans { forms, shared, held: patterns.held, carried: None, lugs })
+    }
+
+    /// Lets the means go that are not to be held: freely or against what carries them, which becomes part of what the ring answers, or against
+    /// lugs, which does not. `None` if there are none.
+    ///
+    /// # Errors
+    /// The ring is free to move then, or the lugs cannot be told apart.
+    pub fn let_go(&self, ring: &mut RingFlexibility) -> Result<Option<Released>, StructureError> {
+        let Some(lugs) = &self.lugs else { return ring.release(self.held, self.carried.as_ref()) };
+        let Some(bound) = ring.bound(self.held) else { return Ok(None) };
+        let (release, lugs) = lugs.hold(bound.stiffness.as_ref(), self.held)?;
+        Ok(Some(Released { shared: bound.shared, release, holding: bound.holding, lugs: Some(lugs) }))
     }
 }
 

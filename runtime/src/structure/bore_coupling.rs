@@ -6,18 +6,27 @@
 //! they follow from the forces that held them, a few numbers a load, and the flexibility of the ring to such forces. Near teeth have
 //! this in their tables; for distant ones it is all there is.
 
+//!
+//! Where lugs hold the amplitudes ([`super::lugs`]), what they become depends on where the loaded tooth stands, and not only on how far ahead
+//! the observed one is. Then no table has anything of it: it is added for near teeth as for distant ones, by the number of both.
+
 use super::dense::{add_product, product};
+use super::lugs::{LugForce, LugSet};
 use super::ring::{Released, Shared};
 use faer::{Mat, MatRef};
 
 /// See the module. A load's forces are those that hold the bore against it, as its own sector sees them.
 pub(crate) struct BoreCoupling {
+    /// Equal sectors around.
+    pub sectors: u32,
     /// Angle of a sector, rad.
     pub pitch: f64,
     /// How amplitudes turn from sector to sector.
     pub shared: Shared,
-    /// Amplitudes by forces.
+    /// Amplitudes by forces; with lugs in the body's frame, else in that of any sector.
     pub release: Mat<f64>,
+    /// What holds the amplitudes, if anything does.
+    pub lugs: Option<LugSet>,
     /// Forces by the unknowns of a table, for each loadable side.
     pub loads: Vec<Mat<f64>>,
     /// Stress by amplitudes, for each surface.
@@ -26,9 +35,14 @@ pub(crate) struct BoreCoupling {
 
 impl BoreCoupling {
     /// Without loads and stresses.
-    pub fn new(released: &Released, pitch: f64) -> Self {
-        let (shared, release) = (released.shared.clone(), released.release.clone());
-        Self { pitch, shared, release, loads: Vec::new(), stress: Vec::new() }
+    pub fn new(released: Released, sectors: u32, pitch: f64) -> Self {
+        let Released { shared, release, lugs, .. } = released;
+        Self { sectors, pitch, shared, release, lugs, loads: Vec::new(), stress: Vec::new() }
+    }
+
+    /// Whether tables of near teeth have in them what teeth do to each other through the bore.
+    pub fn is_in_tables(&self) -> bool {
+        self.lugs.is_none()
     }
 
     /// Adds the forces that hold the bore against loads by columns of weights on the table of a side.
@@ -43,26 +57,46 @@ impl BoreCoupling {
         Mat::zeros(self.shared.count, loads)
     }
 
-    /// What some loads do to others, `ahead` sectors ahead of them: rows by the ones ahead.
-    pub fn compliance(&self, ahead: u32, observed: &Mat<f64>, loaded: &Mat<f64>) -> Mat<f64> {
-        product(observed.transpose(), self.amplitudes(ahead, loaded).as_ref())
+    /// What loads on a tooth do to others on another one: rows by the observed ones.
+    pub fn compliance(&self, observed: (u32, &Mat<f64>), loaded: (u32, &Mat<f64>)) -> Mat<f64> {
+        product(observed.1.transpose(), self.amplitudes(observed.0, loaded).as_ref())
     }
 
-    /// Stresses on a surface `ahead` sectors ahead of loads, a column a load.
-    pub fn stresses(&self, surface: usize, ahead: u32, loaded: &Mat<f64>) -> Option<Mat<f64>> {
+    /// Stresses on a surface of a tooth under loads on another one, a column a load.
+    pub fn stresses(&self, surface: usize, tooth: u32, loaded: (u32, &Mat<f64>)) -> Option<Mat<f64>> {
         let stress = self.stress.get(surface)?;
-        Some(product(stress.as_ref(), self.amplitudes(ahead, loaded).as_ref()))
+        Some(product(stress.as_ref(), self.amplitudes(tooth, loaded).as_ref()))
     }
 
-    fn amplitudes(&self, ahead: u32, loaded: &Mat<f64>) -> Mat<f64> {
-        let mut amplitudes = product(self.release.as_ref(), loaded.as_ref());
+    /// Amplitudes as a tooth sees them.
+    fn amplitudes(&self, observer: u32, (tooth, forces): (u32, &Mat<f64>)) -> Mat<f64> {
+        let (observer, tooth) = (observer % self.sectors, tooth % self.sectors);
+        let (mut amplitudes, ahead) = if self.lugs.is_some() {
+            (product(self.release.as_ref(), self.in_body(tooth, forces).as_ref()), observer)
+        } else {
+            let ahead = (observer + self.sectors - tooth) % self.sectors;
+            (product(self.release.as_ref(), forces.as_ref()), ahead)
+        };
         self.shared.turn_rows(amplitudes.as_mut(), f64::from(ahead) * self.pitch);
         amplitudes
+    }
+
+    /// Forces of loads on a tooth in the body's frame.
+    pub fn in_body(&self, tooth: u32, forces: &Mat<f64>) -> Mat<f64> {
+        let mut forces = forces.clone();
+        self.shared.turn_rows(forces.as_mut(), -f64::from(tooth % self.sectors) * self.pitch);
+        forces
+    }
+
+    /// Forces of the lugs on the ring by forces in the body's frame; none without lugs.
+    pub fn lug_forces(&self, in_body: &Mat<f64>) -> Vec<LugForce> {
+        self.lugs.as_ref().map_or_else(Vec::new, |lugs| lugs.forces(in_body.as_ref()))
     }
 
     /// Memory, in bytes.
     pub fn bytes(&self) -> usize {
         let matrices = self.loads.iter().chain(&self.stress).chain([&self.release]);
-        matrices.map(|matrix| matrix.nrows() * matrix.ncols() * size_of::<f64>()).sum()
+        let lugs = self.lugs.as_ref().map_or(0, LugSet::bytes);
+        matrices.map(|matrix| matrix.nrows() * matrix.ncols() * size_of::<f64>()).sum::<usize>() + lugs
     }
 }

@@ -61,7 +61,7 @@ pub enum Hold<'a> {
 }
 
 /// Where and how a ring of sectors is joined.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RingSource<'a> {
     /// Number of equal sectors that make the whole ring, about the origin, at least 1.
     pub sectors: u32,
@@ -143,10 +143,9 @@ impl ElasticStructure {
         let nodes = |name: &str| Ok::<_, StructureError>(model.mesh.chain_nodes(chain(model, name)?));
         let (first, last, bore) = (nodes(ring.cuts[0])?, nodes(ring.cuts[1])?, nodes(ring.bore)?);
         let sectors = ring.sectors.max(1);
-        let (held, means) = match ring.hold {
-            BoreHold::Rigid => (bore, None),
-            BoreHold::Means { waves, degree } => {
-                let wanted = Wanted::of_ring(waves, degree, sectors, ring.coupled);
+        let (held, means) = match Wanted::of_ring(ring.hold, sectors, ring.coupled) {
+            None => (bore, None),
+            Some(wanted) => {
                 let means = BoreMeans::plane(model, chain(model, ring.bore)?, wanted, interrupt)?;
                 (Vec::new(), Some(means.ok_or(StructureError::NoArea)?))
             }
@@ -161,14 +160,17 @@ impl ElasticStructure {
         let support = Support::of_ring(&held, means.as_ref());
         let condensed = condense(&assembled, &support, Some(&cuts), &loads, &rows, interrupt)?;
         let mut flexibility = match &condensed.stiffness {
-            Some(stiffness) => Some(RingFlexibility::new(stiffness, sectors, ring.coupled, interrupt)?),
+            Some(stiffness) => Some(
+                RingFlexibility::new(stiffness, sectors, ring.coupled, interrupt)
+                    .map_err(|error| ring.hold.blamed(error))?,
+            ),
             None => None,
         };
         let released = match (&mut flexibility, &means) {
-            (Some(flexibility), Some(means)) => flexibility.release(means.held, None)?,
+            (Some(flexibility), Some(means)) => means.let_go(flexibility)?,
             _ => None,
         };
-        let bore = released.map(|released| bore_coupling(&released, &condensed, &prepared, angle));
+        let bore = released.map(|released| bore_coupling(released, &condensed, &prepared, (sectors, angle)));
         let ring = flexibility.as_ref();
         let body = Self::assemble(model, sectors, prepared, &condensed, ring, interrupt)?;
         Ok(Self { bore, ..body })
@@ -379,14 +381,14 @@ pub(super) fn response(
 
 /// What the loads and the places of stress of a sector have to do with the amplitudes of the bore that were let go.
 fn bore_coupling(
-    released: &Released,
+    released: Released,
     condensed: &Condensed,
     prepared: &[Prepared],
-    pitch: f64,
+    (sectors, pitch): (u32, f64),
 ) -> BoreCoupling {
-    let mut coupling = BoreCoupling::new(released, pitch);
     let forces = product(released.holding.as_ref(), condensed.on_cuts.as_ref());
     let stresses = product(condensed.rows_cuts.as_ref(), released.holding.transpose());
+    let mut coupling = BoreCoupling::new(released, sectors, pitch);
     let (mut load, mut row) = (0, 0);
     for surface in prepared {
         for loads in &surface.loads {

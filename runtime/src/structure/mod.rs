@@ -9,6 +9,7 @@ pub(crate) mod bore_coupling;
 mod condense;
 pub(crate) mod elastic;
 pub(crate) mod kernel;
+pub(crate) mod lugs;
 mod reshaped;
 pub(crate) mod rigid;
 pub(crate) mod ring;
@@ -21,6 +22,7 @@ mod web;
 
 pub use bore::BoreHold;
 pub use elastic::{ElasticStructure, Hold, RingSource, SurfaceSource};
+pub use lugs::{LugForce, Lugs};
 pub use reshaped::ReshapedSurface;
 pub use rigid::RigidStructure;
 pub use sampling::SplitOptions;
@@ -55,6 +57,8 @@ pub enum StructureError {
     CoarseBore,
     #[error("the web cannot be meshed: {error}")]
     Web { error: String },
+    #[error("the mesh of the bore is too coarse for the series that its lugs are seen through")]
+    CoarseLugs,
     #[error(transparent)]
     Ring(#[from] FreeRing),
     #[error(transparent)]
@@ -72,6 +76,12 @@ impl From<StructureError> for EngineError {
                 "E0649",
                 "the mesh is too coarse for the orders up to which the rim is held",
                 "reduce the rim's orders around or along the axis, or take more elements along the face",
+            )
+            .blame("rim"),
+            StructureError::CoarseLugs => EngineError::new(
+                "E0656",
+                "the mesh of the bore is too coarse to tell the lugs apart by which the rim is held",
+                "take fewer or wider lugs, a lower order along the axis, or a finer mesh",
             )
             .blame("rim"),
             error => EngineError::new("E0678", format!("the structure cannot be condensed: {error}"), ""),
@@ -150,6 +160,11 @@ pub trait Structure: Send + Sync {
     /// Principal stress of largest tension (Pa) at each point where stress is recovered, for the given loads, on tooth
     /// `tooth`: on a free surface the stress along it, negative where compressed. Empty if the structure recovers none.
     fn stresses(&self, tooth: u32, surface: u32, loads: &[SurfaceLoad]) -> Vec<(StressPlace, f64)>;
+
+    /// What the lugs that hold the body exert on it under the given loads, each in turn; none if no lugs hold it.
+    fn lug_forces(&self, _loads: &[SurfaceLoad]) -> Vec<LugForce> {
+        Vec::new()
+    }
 
     /// The same body with surfaces that differ from its own by little, one for each; `None` if it cannot be had so.
     ///

@@ -7,7 +7,7 @@
 
 use super::answers::{Local, Turned};
 use super::elastic::ElasticStructure;
-use super::{Chart, StressPlace, Structure, SurfaceLoad};
+use super::{Chart, LugForce, StressPlace, Structure, SurfaceLoad};
 use crate::profile::Profile;
 use std::sync::Arc;
 
@@ -88,6 +88,12 @@ impl Structure for Reshaped {
         let seen =
             loads.iter().filter_map(|load| Some((load.chart, self.local(load.chart, load.s)?, load.force)));
         self.body.stresses_by(tooth, surface, seen)
+    }
+
+    fn lug_forces(&self, loads: &[SurfaceLoad]) -> Vec<LugForce> {
+        let seen =
+            loads.iter().filter_map(|load| Some((load.chart, self.local(load.chart, load.s)?, load.force)));
+        self.body.lug_forces_by(seen)
     }
 
     fn bytes(&self) -> usize {

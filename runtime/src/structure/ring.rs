@@ -18,6 +18,7 @@ use super::StructureError;
 use super::dense::{
     add_product, add_product_lower, cholesky, half_solve, mirror_lower, other_half_solve, product, solve,
 };
+use super::lugs::LugSet;
 use crate::interrupt::Interrupt;
 use faer::{Mat, MatRef};
 pub(crate) use shared::Shared;
@@ -176,14 +177,26 @@ pub struct RingFlexibility {
     shared: Arc<Shared>,
 }
 
-/// Means of the bore that nothing holds any more.
+/// Means of the bore that are held.
+pub(crate) struct Bound {
+    /// How they turn.
+    pub shared: Shared,
+    /// Forces on them by what they become.
+    pub stiffness: Mat<f64>,
+    /// The forces that hold them, by those on the cuts and the means of a sector; a row each.
+    pub holding: Mat<f64>,
+}
+
+/// Means of the bore that were held and are let go.
 pub(crate) struct Released {
     /// How they turn.
     pub shared: Shared,
-    /// What they become by forces on them.
+    /// What they become by forces on them; with lugs in the body's frame, else in that of any sector.
     pub release: Mat<f64>,
     /// The forces that held them, by those on the cuts and the means of a sector; a row each.
     pub holding: Mat<f64>,
+    /// What holds them now; if nothing does, the ring's answers have become those with them let go.
+    pub lugs: Option<LugSet>,
 }
 
 impl RingFlexibility {
@@ -279,6 +292,18 @@ impl RingFlexibility {
         Ok(Self { by_offset, shared: sector.shared.clone() })
     }
 
+    /// The means that are held by the shared unknowns from number `first` on. `None` if there are none.
+    pub fn bound(&self, first: usize) -> Option<Bound> {
+        let own = self.by_offset.first().filter(|_| first < self.shared.count)?;
+        let (from, count) = (own.nrows() - self.shared.count + first, self.shared.count - first);
+        Some(Bound {
+            shared: self.shared.from(first),
+            // Held at some amplitudes, the ring answers with these forces, negative.
+            stiffness: Mat::from_fn(count, count, |row, column| -own[(from + row, from + column)]),
+            holding: own.as_ref().subrows(from, count).to_owned(),
+        })
+    }
+
     /// Lets the means go that are held by the shared unknowns from number `first` on, but for what something else carries of them: forces
     /// by means, symmetric. `None` if there are none.
     ///
@@ -289,23 +314,20 @@ impl RingFlexibility {
         first: usize,
         carried: Option<&Mat<f64>>,
     ) -> Result<Option<Released>, StructureError> {
-        let Some(own) = self.by_offset.first().filter(|_| first < self.shared.count) else { return Ok(None) };
-        let size = own.nrows();
-        let (from, count) = (size - self.shared.count + first, self.shared.count - first);
-        // Held at some amplitudes, the ring answers with these forces, negative.
-        let mut stiffness = Mat::from_fn(count, count, |row, column| -own[(from + row, from + column)]);
+        let Some(Bound { shared, mut stiffness, holding }) = self.bound(first) else { return Ok(None) };
         if let Some(carried) = carried {
             stiffness += carried;
         }
+        let count = shared.count;
         let factor = cholesky(stiffness).ok_or(FreeRing)?;
         let release = solve(factor.as_ref(), Mat::identity(count, count));
-        let holding = own.as_ref().subrows(from, count).to_owned();
         let amplitudes = product(release.as_ref(), holding.as_ref());
         for flexibility in &mut self.by_offset {
+            let from = flexibility.ncols() - count;
             let by_amplitudes = flexibility.as_ref().subcols(from, count).to_owned();
             add_product(flexibility.as_mut(), 1.0, by_amplitudes.as_ref(), amplitudes.as_ref());
         }
-        Ok(Some(Released { shared: self.shared.from(first), release, holding }))
+        Ok(Some(Released { shared, release, holding, lugs: None }))
     }
 
     /// The largest offset known.

@@ -21,7 +21,7 @@ pub(crate) mod test_surface;
 pub use elastic::{ElasticSolid, SolidSplitOptions, SolidSurfaceSource};
 pub use simple::SimpleSolid;
 
-use super::Chart;
+use super::{Chart, LugForce};
 use crate::surface::Surface;
 use std::sync::Arc;
 
@@ -129,6 +129,11 @@ pub trait SolidStructure: Send + Sync {
     /// structure recovers none.
     fn stresses(&self, tooth: u32, surface: u32, loads: &[SpotLoad]) -> Vec<SurfaceStress>;
 
+    /// What the lugs that hold the body exert on it under the given loads, each in turn; none if no lugs hold it.
+    fn lug_forces(&self, _loads: &[SpotLoad]) -> Vec<LugForce> {
+        Vec::new()
+    }
+
     /// Memory that the structure takes, in bytes, to the nearest few percent: what a cache counts.
     fn bytes(&self) -> usize;
 
@@ -187,6 +192,10 @@ impl SolidStructure for Reshaped {
 
     fn stresses(&self, tooth: u32, surface: u32, loads: &[SpotLoad]) -> Vec<SurfaceStress> {
         self.shared.stresses(tooth, surface, loads)
+    }
+
+    fn lug_forces(&self, loads: &[SpotLoad]) -> Vec<LugForce> {
+        self.shared.lug_forces(loads)
     }
 
     fn bytes(&self) -> usize {

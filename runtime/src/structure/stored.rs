@@ -3,6 +3,7 @@
 
 use super::bore_coupling::BoreCoupling;
 use super::elastic::{ElasticStructure, OffsetTables, Surface};
+use super::lugs::{LugSet, Lugs};
 use super::ring::Shared;
 use super::sampling::Stretch;
 use super::spline::Spline;
@@ -78,11 +79,15 @@ impl StoredOffset<'_> {
 /// A [`BoreCoupling`].
 #[derive(Serialize, Deserialize)]
 pub(super) struct StoredBore<'a> {
+    sectors: u32,
     pitch: f64,
     count: usize,
     pairs: Vec<([usize; 2], f64)>,
     #[serde(borrow)]
     release: Table<'a>,
+    /// With their forces.
+    #[serde(borrow)]
+    lugs: Option<(Lugs, Table<'a>)>,
     #[serde(borrow)]
     loads: Vec<Table<'a>>,
     #[serde(borrow)]
@@ -93,10 +98,12 @@ impl StoredBore<'_> {
     pub fn of(bore: &BoreCoupling) -> Self {
         let tables = |matrices: &[Mat<f64>]| matrices.iter().map(Table::from).collect();
         Self {
+            sectors: bore.sectors,
             pitch: bore.pitch,
             count: bore.shared.count,
             pairs: bore.shared.pairs.clone(),
             release: Table::from(&bore.release),
+            lugs: bore.lugs.as_ref().map(|set| (set.lugs, Table::from(&set.reactions))),
             loads: tables(&bore.loads),
             stress: tables(&bore.stress),
         }
@@ -106,8 +113,15 @@ impl StoredBore<'_> {
         let count = self.count;
         let sound = self.pairs.iter().all(|(places, _)| places.iter().all(|&place| place < count));
         let matrices = |tables: &[Table]| tables.iter().map(Table::matrix).collect::<Option<Vec<_>>>();
-        sound.then_some(())?;
+        (sound && self.sectors > 0).then_some(())?;
+        // Stored where there are some, they must be sound.
+        let lugs = match self.lugs {
+            Some((lugs, reactions)) => Some(LugSet { lugs, reactions: reactions.matrix()? }),
+            None => None,
+        };
         Some(BoreCoupling {
+            sectors: self.sectors,
+            lugs,
             pitch: self.pitch,
             shared: Shared { count, pairs: self.pairs },
             release: self.release.matrix()?,

@@ -66,7 +66,7 @@ impl RevolvedWeb {
     }
 
     pub(super) fn wanted(&self, sectors: u32, coupled: u32) -> Wanted {
-        Wanted::of_ring(Some(self.waves), self.degree, sectors, coupled)
+        Wanted::of_means(Some(self.waves), self.degree, sectors, coupled)
     }
 
     /// Forces on its outside by amplitudes of the series there, N/m, N and N m: zero by those that it is not joined by.
@@ -80,11 +80,14 @@ impl RevolvedWeb {
     ) -> Result<Mat<f64>, StructureError> {
         let model = self.model().map_err(|error| StructureError::Web { error: error.to_string() })?;
         let bore = match self.hold {
+            BoreHold::Lugs(_) => {
+                return Err(StructureError::Web { error: "lugs do not hold a web of its own mesh".into() });
+            }
             BoreHold::Rigid => None,
             BoreHold::Means { waves, degree } => {
                 let [inside, _] = self.section.outermost();
                 let cylinder = RevolutionSurface::cylinder(inside.radius, inside.ends);
-                let wanted = Wanted { waves, degree, coupled: None };
+                let wanted = Wanted { waves, degree, coupled: None, lugs: None };
                 Some(Patterns::new(cylinder, wanted, false).ok_or(StructureError::NoArea)?)
             }
         };

@@ -184,6 +184,38 @@ impl Series {
         amplitudes
     }
 
+    /// Amounts of the unknowns that together are a term as it is written, with its rigid part: of one that was left out, the motion that it
+    /// is part of less the rest of that motion. `None` if they do not span it.
+    pub fn amounts(&self, wanted: Term) -> Option<Vec<(usize, f64)>> {
+        if let Some(index) = self.terms.iter().position(|&term| term == wanted) {
+            let rigid = self.rigid_parts.get(index)?.iter().copied().enumerate();
+            return Some(rigid.chain([(6 + index, 1.0)]).collect());
+        }
+        let with = |motion: usize, amount: f64, rest: Option<(Term, f64)>| {
+            let mut all = vec![(motion, amount)];
+            if let Some((term, share)) = rest {
+                all.extend(self.amounts(term)?.into_iter().map(|(place, part)| (place, share * part)));
+            }
+            Some(all)
+        };
+        let Term { component, degree, harmonic, sine } = wanted;
+        match (component, degree, harmonic) {
+            // A translation is as much around as it is outwards.
+            (Component::Tangential, 0, 1) => {
+                let outwards = Term { component: Component::Radial, sine: !sine, ..wanted };
+                let (motion, sign) = if sine { (0, -1.0) } else { (1, 1.0) };
+                with(motion, sign, Some((outwards, -sign)))
+            }
+            (Component::Tangential, 0, 0) => {
+                let ([half, _], [radius, _]) = (self.surface.half(), self.surface.on_generator(0.0));
+                let sloped = Term { degree: 1, ..wanted };
+                with(5, radius.recip(), (half != 0.0).then_some((sloped, -half / radius)))
+            }
+            (Component::Axial, 0, 0) => with(2, 1.0, None),
+            _ => None,
+        }
+    }
+
     /// Amounts of the six motions in each term that are nearest to it, in the mean square over the surface.
     fn project(&self, harmonics: usize, degree: usize) -> Option<Vec<[f64; 6]>> {
         let around = 2 * harmonics + 6;

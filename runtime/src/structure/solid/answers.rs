@@ -7,10 +7,10 @@
 use super::elastic::{ElasticSolid, KnownSurface};
 use super::points::{Across, Points};
 use super::{Mirror, SolidStructure, Spot, SpotLoad, SurfaceStress};
-use crate::structure::Chart;
 use crate::structure::answers::Turned;
 use crate::structure::bore_coupling::BoreCoupling;
 use crate::structure::dense::{mirror_lower, product};
+use crate::structure::{Chart, LugForce};
 use crate::surface::Surface;
 use faer::Mat;
 use std::cmp::Ordering;
@@ -119,7 +119,8 @@ impl SolidStructure for ElasticSolid {
         let ahead = self.places_ahead(load.tooth, observe.tooth);
         let behind = self.places_ahead(observe.tooth, load.tooth);
         let tables = self.offsets.get(ahead.min(behind) as usize);
-        if tables.is_none() && self.bore.is_none() {
+        let bore = self.bore.as_ref().filter(|bore| tables.is_none() || !bore.is_in_tables());
+        if tables.is_none() && bore.is_none() {
             return;
         }
         // Of the two orientations, the stored one: the observer ahead, or on the higher surface of the same tooth, or the greater list of
@@ -143,25 +144,25 @@ impl SolidStructure for ElasticSolid {
         let table = tables.map(|tables| &tables.compliance[first.surface as usize][second.surface as usize]);
         let known = if forward { [observed, loaded] } else { [loaded, observed] };
         // Columns are the first's.
-        let mut values = match (table, &self.bore) {
-            (Some(table), _) if same => {
+        let mut values = match table {
+            Some(table) if same => {
                 self.own_compliance(observed, table, [first_points, second_points], order.is_eq())
             }
-            (Some(table), _) => {
+            Some(table) => {
                 let columns = self.points(known[1], second_points).columns(table.as_ref());
                 self.points(known[0], first_points).seen(columns.as_ref())
             }
-            (None, Some(bore)) => {
-                let felt = |known: &KnownSurface, chart: Chart, points: &[Spot]| {
-                    let table = bore.loads.get(chart.surface as usize)?;
-                    Some(self.points(known, points).columns(table.as_ref()))
-                };
-                let felt = felt(known[0], first, first_points).zip(felt(known[1], second, second_points));
-                let Some((first, second)) = felt else { return };
-                bore.compliance(ahead.min(behind), &first, &second).transpose().to_owned()
-            }
-            (None, None) => return,
+            None => Mat::zeros(second_points.len(), first_points.len()),
         };
+        if let Some(bore) = bore {
+            let felt = |known: &KnownSurface, chart: Chart, points: &[Spot]| {
+                let table = bore.loads.get(chart.surface as usize)?;
+                Some(self.points(known, points).columns(table.as_ref()))
+            };
+            let felt = felt(known[0], first, first_points).zip(felt(known[1], second, second_points));
+            let Some((by_first, by_second)) = felt else { return };
+            values += bore.compliance((first.tooth, &by_first), (second.tooth, &by_second)).transpose();
+        }
         if same && order.is_eq() {
             mirror_lower(&mut values);
         }
@@ -185,18 +186,19 @@ impl SolidStructure for ElasticSolid {
             let Some(loaded) = self.known(*chart) else { continue };
             let ahead = self.places_ahead(chart.tooth, tooth);
             let behind = self.places_ahead(tooth, chart.tooth);
-            let Some(tables) = self.offsets.get(ahead.min(behind) as usize) else {
-                let through = self.bore.as_ref().and_then(|bore| {
-                    let table = bore.loads.get(chart.surface as usize)?;
-                    let held = product(table.as_ref(), self.points(loaded, spots).loads(forces).as_ref());
-                    bore.stresses(surface as usize, ahead, &held)
+            let tables = self.offsets.get(ahead.min(behind) as usize);
+            let forces = self.points(loaded, spots).loads(forces);
+            if let Some(bore) = self.bore.as_ref().filter(|bore| tables.is_none() || !bore.is_in_tables()) {
+                let through = bore.loads.get(chart.surface as usize).and_then(|table| {
+                    let held = product(table.as_ref(), forces.as_ref());
+                    bore.stresses(surface as usize, tooth, (chart.tooth, &held))
                 });
                 through.iter().for_each(|through| components += through);
-                continue;
-            };
+            }
+            let Some(tables) = tables else { continue };
             let tables = if ahead <= behind { &tables.stress_ahead } else { &tables.stress_behind };
             let table = &tables[surface as usize][chart.surface as usize];
-            components += product(table.as_ref(), self.points(loaded, spots).loads(forces).as_ref());
+            components += product(table.as_ref(), forces.as_ref());
         }
         let (sin, cos) = self.tooth_angle(tooth).sin_cos();
         let stress = |(index, &(place, [x, y, z])): (usize, &([f64; 2], [f64; 3]))| {
@@ -205,6 +207,19 @@ impl SolidStructure for ElasticSolid {
             SurfaceStress { tooth, surface, place, position, components }
         };
         observed.stress_places.iter().enumerate().map(stress).collect()
+    }
+
+    fn lug_forces(&self, loads: &[SpotLoad]) -> Vec<LugForce> {
+        let Some(bore) = &self.bore else { return Vec::new() };
+        let mut all = bore.unfelt(1);
+        for load in loads {
+            let table = self.known(load.chart).zip(bore.loads.get(load.chart.surface as usize));
+            let Some((loaded, table)) = table else { continue };
+            let forces = self.points(loaded, &[load.spot]).loads(&[load.force]);
+            let held = product(table.as_ref(), forces.as_ref());
+            all += bore.in_body(load.chart.tooth, &held);
+        }
+        bore.lug_forces(&all)
     }
 
     fn bytes(&self) -> usize {

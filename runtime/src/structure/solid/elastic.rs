@@ -30,7 +30,7 @@ use crate::structure::elastic::{OffsetTables, both_sides, starts};
 use crate::structure::kernel::{Mollifier, PairQuadrature, Sampled};
 use crate::structure::sampling::{SplitOptions, Stretch, sample};
 use crate::structure::spline::Spline;
-use crate::structure::{BoreHold, Hold, RevolvedWeb, RingSource, StructureError};
+use crate::structure::{Hold, RevolvedWeb, RingSource, StructureError};
 use crate::surface::Surface;
 use faer::{Mat, MatRef};
 use rayon::prelude::*;
@@ -166,10 +166,9 @@ impl ElasticSolid {
         interrupt: &Interrupt,
     ) -> Result<Self, StructureError> {
         let bore = faces(model, ring.bore)?;
-        let hold = match ring.hold {
-            BoreHold::Rigid => (model.mesh.nodes_on(bore), None),
-            BoreHold::Means { waves, degree } => {
-                let wanted = Wanted::of_ring(waves, degree, ring.sectors.max(1), ring.coupled);
+        let hold = match Wanted::of_ring(ring.hold, ring.sectors.max(1), ring.coupled) {
+            None => (model.mesh.nodes_on(bore), None),
+            Some(wanted) => {
                 let means = BoreMeans::solid(model, bore, wanted, interrupt)?;
                 (Vec::new(), Some(means.ok_or(StructureError::NoArea)?))
             }
@@ -198,9 +197,10 @@ impl ElasticSolid {
         let (modes, prepared) = prepare(model, surfaces, options, interrupt)?;
         let exchange = gathered(&modes, &prepared);
         let sector = Sector { cuts, held, means, sectors, coupled: ring.coupled };
-        let responses = Responses::of_ring(model, &sector, mirrored, &exchange, interrupt)?;
-        let bore =
-            responses.bore.as_ref().map(|through| bore_coupling(through, &prepared, modes.count(), pitch));
+        let mut responses = Responses::of_ring(model, &sector, mirrored, &exchange, interrupt)
+            .map_err(|error| ring.hold.blamed(error))?;
+        let through = responses.bore.take();
+        let bore = through.map(|through| bore_coupling(through, &prepared, modes.count(), (sectors, pitch)));
         let body = Self::assemble(model, sectors, modes, prepared, &responses, interrupt)?;
         Ok(Self { bore, ..body })
     }
@@ -420,9 +420,14 @@ fn by_unknown(table: MatRef<'_, f64>, spline: &Spline, count: usize) -> Mat<f64>
 }
 
 /// What the loads and the places of stress of a sector have to do with the amplitudes of the bore that were let go.
-fn bore_coupling(through: &ThroughBore, prepared: &[Prepared], modes: usize, pitch: f64) -> BoreCoupling {
+fn bore_coupling(
+    through: ThroughBore,
+    prepared: &[Prepared],
+    modes: usize,
+    (sectors, pitch): (u32, f64),
+) -> BoreCoupling {
     let ThroughBore { released, forces, stresses } = through;
-    let mut coupling = BoreCoupling::new(released, pitch);
+    let mut coupling = BoreCoupling::new(released, sectors, pitch);
     let (mut load, mut row) = (0, 0);
     for surface in prepared {
         let (loads, rows) = (surface.loads.len(), surface.stress_rows.len());

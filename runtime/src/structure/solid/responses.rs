@@ -107,7 +107,7 @@ impl Responses {
             let (condensed, mut ring) =
                 condensed(&assembled, &held, &sector.cuts, &exchange.loads, &exchange.rows)?;
             let released = match (&mut ring, &sector.means) {
-                (Some(ring), Some(means)) => ring.release(means.held, means.carried.as_ref())?,
+                (Some(ring), Some(means)) => means.let_go(ring)?,
                 _ => None,
             };
             let bore = released.map(|released| ThroughBore {

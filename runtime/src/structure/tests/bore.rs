@@ -1,9 +1,10 @@
 //! Bores held in the mean: condensed rings against whole ones, and rings that theory knows.
 
 use super::bodies::{COARSE, Divisions, STEEL, ring_source, toothed_ring, toothed_sector};
-use crate::fe::solid::{SolidMesh, SolidModel};
+use crate::fe::solid::{ABSENT, SolidMesh, SolidModel};
 use crate::fe::{
-    Block, Constraints, Curve, ElementOrder, MeshBuilder, PlaneMesh, PlaneModel, Side, Solver, SparseVector,
+    Block, Constraints, Curve, ElementOrder, MeshBuilder, Place, PlaneMesh, PlaneModel, Side, Solver,
+    SparseVector,
 };
 use crate::interrupt::Interrupt;
 use crate::material::Plane;
@@ -17,13 +18,13 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 const SMALL: Divisions = Divisions { rim: 1, tooth_root: 1, flank: 2, thickness: 2, grading: 1.0 };
 
-fn turned([x, y, z]: [f64; 3], angle: f64) -> [f64; 3] {
+pub(super) fn turned([x, y, z]: [f64; 3], angle: f64) -> [f64; 3] {
     let (sin, cos) = angle.sin_cos();
     [cos * x - sin * y, sin * x + cos * y, z]
 }
 
 /// The load vector of a unit force at the node nearest to a point, both turned by `angle`.
-fn force(equations: &Assembled, point: [f64; 3], direction: [f64; 3], angle: f64) -> SparseVector {
+pub(super) fn force(equations: &Assembled, point: [f64; 3], direction: [f64; 3], angle: f64) -> SparseVector {
     let (point, direction) = (turned(point, angle), turned(direction, angle));
     let distance = |node: usize| -> f64 {
         (0..3).map(|axis| (equations.positions[node][axis] - point[axis]).powi(2)).sum()
@@ -34,33 +35,60 @@ fn force(equations: &Assembled, point: [f64; 3], direction: [f64; 3], angle: f64
     (0..count).map(|axis| (count * nearest + axis, direction[axis])).collect()
 }
 
-/// Displacements of a whole free body under a load, means of which vanish: balanced by forces on what is held, less the mean.
-struct Direct {
+/// Displacements of a whole free body under a load, means of which vanish, or yield to the forces on them.
+pub(super) struct Direct {
     solver: Solver,
     motions: Vec<Vec<f64>>,
-    forms: Vec<Vec<f64>>,
+    pub forms: Vec<Vec<f64>>,
+    /// Of the forms, m/N; 0 where they vanish.
+    compliance: Vec<f64>,
     /// Displacements by each of the forms as a load.
     by_forms: Vec<Vec<f64>>,
 }
 
-fn dot(a: &[f64], b: &[f64]) -> f64 {
+pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
 impl Direct {
-    fn new(equations: &Assembled, motions: &[Vec<f64>], forms: &[SparseVector]) -> Self {
+    pub fn new(equations: &Assembled, motions: &[Vec<f64>], forms: &[SparseVector]) -> Self {
+        Self::beside(equations, &[], motions, forms)
+    }
+
+    /// Beside nodes without material.
+    fn beside(equations: &Assembled, absent: &[usize], motions: &[Vec<f64>], forms: &[SparseVector]) -> Self {
         let mut held = Constraints::new();
-        for dof in determinate_support(&equations.positions, motions) {
+        for dof in equations.dofs_of(absent) {
             held.prescribe(dof, 0.0);
+        }
+        let (axes, positions) = (equations.dofs_per_node, &equations.positions);
+        let present: Vec<usize> = (0..positions.len()).filter(|node| !absent.contains(node)).collect();
+        let dofs = equations.dofs_of(&present);
+        let positions: Vec<_> = present.iter().map(|&node| positions[node]).collect();
+        let of_present: Vec<Vec<f64>> =
+            motions.iter().map(|motion| dofs.iter().map(|&dof| motion[dof]).collect()).collect();
+        for dof in determinate_support(&positions, &of_present) {
+            held.prescribe(axes * present[dof / axes] + dof % axes, 0.0);
         }
         let solver = Solver::new(&equations.stiffness, held).unwrap();
         let dofs = equations.stiffness.nrows();
         let forms: Vec<_> = forms.iter().map(|form| form.to_full(dofs)).collect();
         let by_forms = forms.iter().map(|form| solver.solve_one(form).unwrap()).collect();
-        Self { solver, motions: motions.to_vec(), forms, by_forms }
+        let compliance = vec![0.0; forms.len()];
+        Self { solver, motions: motions.to_vec(), forms, compliance, by_forms }
+    }
+
+    /// With forms that yield so.
+    pub fn yielding(self, compliance: Vec<f64>) -> Self {
+        Self { compliance, ..self }
     }
 
     fn displacements(&self, load: &[f64]) -> Vec<f64> {
+        self.solve(load).0
+    }
+
+    /// Displacements, and the forces on the forms.
+    pub fn solve(&self, load: &[f64]) -> (Vec<f64>, Vec<f64>) {
         let own = self.solver.solve_one(load).unwrap();
         let (k, r) = (self.forms.len(), self.motions.len());
         // Forces on the forms and rigid motions: forms of the sum vanish, and so does the work of the forces on motions.
@@ -74,6 +102,7 @@ impl Direct {
                 system[(i, k + j)] = dot(form, motion);
                 system[(k + j, i)] = dot(form, motion);
             }
+            system[(i, i)] -= self.compliance[i];
             right[(i, 0)] = -dot(form, &own);
         }
         for (j, motion) in self.motions.iter().enumerate() {
@@ -87,7 +116,7 @@ impl Direct {
         for (j, motion) in self.motions.iter().enumerate() {
             sum.iter_mut().zip(motion).for_each(|(sum, part)| *sum += answer[(k + j, 0)] * part);
         }
-        sum
+        (sum, (0..k).map(|form| -answer[(form, 0)]).collect())
     }
 }
 
@@ -145,7 +174,7 @@ fn condensed_sectors_on_a_bore_held_in_the_mean_agree_with_the_whole_mesh() {
     {
         let means = |model: &PlaneModel, coupled| {
             let bore = model.mesh.chain("bore").unwrap();
-            let wanted = Wanted { waves, degree: 0, coupled };
+            let wanted = Wanted { waves, degree: 0, coupled, lugs: None };
             BoreMeans::plane(model, bore, wanted, &Interrupt::never()).unwrap().unwrap()
         };
         let of_sector = means(&sector, coupled);
@@ -164,42 +193,78 @@ fn condensed_sectors_on_a_bore_held_in_the_mean_agree_with_the_whole_mesh() {
 #[test]
 fn condensed_helical_sectors_on_a_bore_held_in_the_mean_agree_with_the_whole_mesh() {
     let teeth = 5;
-    let pitch = TAU / f64::from(teeth);
     let helical = |section: &PlaneMesh| {
         let place = |[x, y]: [f64; 2], z: f64| turned([x, y, z], 0.6 * z);
         SolidModel::new(SolidMesh::swept(section, &[0.0, 0.5], 2, &place).unwrap(), STEEL)
     };
     let sector = helical(&toothed_sector(teeth, 1.0, SMALL).0.mesh);
     let whole = helical(&toothed_ring(teeth, SMALL));
+    solid_rings_agree(teeth, &sector, &whole);
+}
+
+/// The bore is there alone where the web is.
+#[test]
+fn condensed_sectors_on_a_web_held_in_the_mean_at_its_bore_agree_with_the_whole_mesh() {
+    let teeth = 5;
+    let webbed = |section: &PlaneMesh| {
+        let place = |[x, y]: [f64; 2], z: f64| [x, y, z];
+        let mesh = SolidMesh::swept(section, &[0.0, 0.2, 0.5], 2, &place).unwrap();
+        let count = section.elements.len();
+        let of_rim: Vec<bool> = (0..count)
+            .map(|element| {
+                let [x, y] = section.position(Place { element, xi: 0.0, eta: 0.0 });
+                x.hypot(y) < 0.9
+            })
+            .collect();
+        SolidModel::new(mesh.without(|element| element >= count && of_rim[element % count]), STEEL)
+    };
+    let sector = webbed(&toothed_sector(teeth, 1.0, SMALL).0.mesh);
+    let whole = webbed(&toothed_ring(teeth, SMALL));
+    assert!(!whole.mesh.absent.is_empty());
+    solid_rings_agree(teeth, &sector, &whole);
+}
+
+fn solid_rings_agree(teeth: u32, sector: &SolidModel, whole: &SolidModel) {
+    let pitch = TAU / f64::from(teeth);
+    let absent = |model: &SolidModel| -> Vec<usize> {
+        model.mesh.node_sets.get(ABSENT).into_iter().flatten().copied().collect()
+    };
     let nodes = |name: &str| sector.mesh.nodes_on(sector.mesh.face_set(name).unwrap());
-    let equations = [&sector, &whole].map(|model| Assembled {
+    let equations = [sector, whole].map(|model| Assembled {
         stiffness: model.stiffness(),
         dofs_per_node: 3,
         positions: model.mesh.nodes.clone(),
     });
     let cuts =
-        match_cuts(&equations[0].positions, &nodes("cut_first"), &nodes("cut_last"), &[], pitch).unwrap();
+        match_cuts(&equations[0].positions, &nodes("cut_first"), &nodes("cut_last"), &absent(sector), pitch)
+            .unwrap();
     let points = [
         ([1.3, 0.2, 0.0], [0.3, -1.0, 0.2]),
         ([1.4, -0.1, 0.5], [-0.5, 0.7, 0.1]),
-        ([0.75, 0.3, 0.3], [1.0, 0.2, -0.8]),
+        ([0.75, 0.3, 0.1], [1.0, 0.2, -0.8]),
     ];
     let loads: Vec<_> = points.iter().map(|&(at, along)| force(&equations[0], at, along, 0.0)).collect();
+    let held = equations[0].dofs_of(&absent(sector));
     for (waves, coupled) in [(None, None), (Some(2), None), (Some(1), Some(2))] {
         let means = |model: &SolidModel, coupled| {
             let bore = model.mesh.face_set("bore").unwrap();
-            let wanted = Wanted { waves, degree: 1, coupled };
+            let wanted = Wanted { waves, degree: 1, coupled, lugs: None };
             BoreMeans::solid(model, bore, wanted, &Interrupt::never()).unwrap().unwrap()
         };
-        let of_sector = means(&sector, coupled);
-        let support = Support::Means { held: &[], means: &of_sector };
+        let of_sector = means(sector, coupled);
+        let support = Support::Means { held: &held, means: &of_sector };
         let condensed =
             condense(&equations[0], &support, Some(&cuts), &loads, &loads, &Interrupt::never()).unwrap();
         let mut ring =
             RingFlexibility::new(condensed.stiffness.as_ref().unwrap(), teeth, 2, &Interrupt::never())
                 .unwrap();
         assert_eq!(ring.release(of_sector.held, None).unwrap().is_some(), coupled.is_some());
-        let direct = Direct::new(&equations[1], &whole.rigid_body_modes(), &means(&whole, None).forms);
+        let direct = Direct::beside(
+            &equations[1],
+            &absent(whole),
+            &whole.rigid_body_modes(),
+            &means(whole, None).forms,
+        );
         agree([&equations[0], &equations[1]], (&condensed, &ring), &direct, &points, pitch);
     }
 }
@@ -239,20 +304,11 @@ impl PlainRing {
         let equations = Assembled::plane(&model);
         let nodes = |name: &str| model.mesh.chain_nodes(model.mesh.chain(name).unwrap());
         let pitch = TAU / f64::from(sectors);
-        let (bore, means) = match hold {
-            BoreHold::Rigid => (nodes("bore"), None),
-            BoreHold::Means { waves, .. } => {
+        let (bore, means) = match Wanted::of_ring(hold, sectors, sectors) {
+            None => (nodes("bore"), None),
+            Some(wanted) => {
                 let bore = model.mesh.chain("bore").unwrap();
-                (
-                    vec![],
-                    BoreMeans::plane(
-                        &model,
-                        bore,
-                        Wanted { waves, degree: 0, coupled: None },
-                        &Interrupt::never(),
-                    )
-                    .unwrap(),
-                )
+                (vec![], BoreMeans::plane(&model, bore, wanted, &Interrupt::never()).unwrap())
             }
         };
         let cuts =
@@ -427,7 +483,7 @@ fn a_series_beyond_the_mesh_is_refused() {
     let cuts =
         match_cuts(&equations.positions, &nodes("cut_first"), &nodes("cut_last"), &[], FRAC_PI_2).unwrap();
     let bore = model.mesh.chain("bore").unwrap();
-    let wanted = Wanted { waves: Some(9), degree: 0, coupled: None };
+    let wanted = Wanted { waves: Some(9), degree: 0, coupled: None, lugs: None };
     let means = BoreMeans::plane(&model, bore, wanted, &Interrupt::never()).unwrap().unwrap();
     let support = Support::Means { held: &[], means: &means };
     let condensed = condense(&equations, &support, Some(&cuts), &[], &[], &Interrupt::never()).unwrap();

@@ -3,6 +3,7 @@
 pub(crate) mod bodies;
 mod bore;
 mod disc;
+mod lugs;
 mod revolved_web;
 mod ring;
 mod solid_ring;
