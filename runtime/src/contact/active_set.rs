@@ -228,16 +228,29 @@ impl<'a> Scaled<'a> {
 
     /// Cells outside the active set that overlap beyond rounding, with their (negative) gaps.
     fn overlapping(&self, found: &Found) -> Vec<(usize, f64)> {
+        let tolerance = self.gap_tolerance(found);
+        self.open(found).filter(|&(_, gap)| gap < -tolerance).collect()
+    }
+
+    /// The first of some cells that touches without being part of the active set.
+    fn touching(&self, found: &Found, cells: &[usize]) -> Option<usize> {
+        let tolerance = self.gap_tolerance(found);
+        self.open(found).find(|(i, gap)| *gap <= tolerance && cells.contains(i)).map(|(i, _)| i)
+    }
+
+    /// Gaps of the cells beside the active set.
+    fn open(&self, found: &Found) -> impl Iterator<Item = (usize, f64)> {
         let mut loaded = vec![false; self.cells()];
         for &i in &found.active {
             loaded[i] = true;
         }
-        let tolerance = GAP_TOLERANCE * self.gap_scale(&found.active, &found.forces, &found.motion);
         (0..self.cells())
-            .filter(|&i| !loaded[i])
+            .filter(move |&i| !loaded[i])
             .map(|i| (i, self.gap(i, &found.active, &found.forces, &found.motion)))
-            .filter(|&(_, gap)| gap < -tolerance)
-            .collect()
+    }
+
+    fn gap_tolerance(&self, found: &Found) -> f64 {
+        GAP_TOLERANCE * self.gap_scale(&found.active, &found.forces, &found.motion)
     }
 
     fn solution(
@@ -284,13 +297,16 @@ fn block_pivoting(
     let mut active = start;
     let mut fewest = usize::MAX;
     let mut patience = PATIENCE;
+    let mut dependent = Vec::new();
     loop {
         *iterations += 1;
         interrupt.check().map_err(ContactError::Interrupted)?;
         let (forces, motion) = match scaled.close(&active) {
             Ok(closed) => closed,
+            // What depends on others may well be open in the end: it matters only if it is not.
             Err(Singular::Compliance(position)) => {
-                return Err(ContactError::DependentCells { cell: active[position] });
+                dependent.push(active.remove(position));
+                continue;
             }
             Err(Singular::Freedoms(_)) => return Ok(None),
         };
@@ -301,7 +317,10 @@ fn block_pivoting(
         let overlapping = scaled.overlapping(&found);
         let wrong = pulled.len() + overlapping.len();
         if wrong == 0 {
-            return without_idle_cells(scaled, found);
+            return match scaled.touching(&found, &dependent) {
+                Some(cell) => Err(ContactError::DependentCells { cell }),
+                None => without_idle_cells(scaled, found),
+            };
         }
         if wrong < fewest {
             fewest = wrong;

@@ -231,6 +231,17 @@ fn cells_in_one_place_are_named() {
 }
 
 #[test]
+fn cells_that_depend_on_each_other_and_stay_open_do_no_harm() {
+    // The last two are one, and out of reach.
+    let mut problem = one_way(vec![0.3, 0.2, 0.2, 0.2], 1, vec![-5.0]);
+    problem.compliance = vec![2.0, 0.5, 0.5, 0.5, 0.5, 2.0, 0.7, 0.7, 0.5, 0.7, 2.0, 2.0, 0.5, 0.7, 2.0, 2.0];
+    problem.gaps = vec![0.0, 0.0, 1e3, 1e3];
+    let found = solve(&problem, None).unwrap();
+    assert_eq!(found.active, [0, 1]);
+    assert!(found.certificate.largest() <= 1e-12, "{:?}", found.certificate);
+}
+
+#[test]
 fn a_degenerate_cell_is_left_out_of_the_active_set() {
     // By symmetry cell 1 is exactly at zero force and zero gap.
     let mut problem = one_way(vec![1.0, 1.0, 1.0], 1, vec![-2.0]);
