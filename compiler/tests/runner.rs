@@ -125,7 +125,8 @@ fn in_space(directory: &Path, arguments: &[&str]) -> Command {
 #[test]
 fn a_model_in_space_that_does_not_fit_is_refused() {
     let directory = tempfile::tempdir().unwrap();
-    let arguments = ["--set", "fidelity=finest", "--memory-limit", "400MB"];
+    // One gear after the other: side by side each is promised the room that there is before either takes it.
+    let arguments = ["--set", "fidelity=finest", "--memory-limit", "400MB", "--threads", "1"];
     let (status, _, err) = said(&mut in_space(directory.path(), &arguments));
     assert_eq!(status, Some(1), "{err}");
     let (_, message) = err.split_once("[E0707] Error: the analysis needs ").expect(&err);
@@ -202,6 +203,20 @@ fn a_killed_run_goes_on_and_writes_the_same_bytes() {
         assert!(first.unwrap_or(count + 1) > positions, "{way:?} after {positions} began at {first:?}");
         assert!(results(directory.path()) == expected, "{way:?} after {positions} positions");
     }
+}
+
+#[test]
+fn a_run_killed_among_its_final_files_gets_them_all() {
+    let [whole, ended] = [0; 2].map(|_| tempfile::tempdir().unwrap());
+    let set = ["--quiet", "--set", "steps=2"];
+    assert_eq!(said(&mut Way::CalyxRun.command(whole.path(), &set)).0, Some(0));
+    kill_after(&mut Way::CalyxRun.command(ended.path(), &set), 3);
+    let [from, to] = [&whole, &ended].map(|directory| directory.path().join("results/run.json"));
+    fs::copy(from, to).unwrap();
+    let (status, _, err) =
+        said(&mut Way::CalyxRun.command(ended.path(), &[&set[..], &["--resume"]].concat()));
+    assert_eq!(status, Some(0), "{err}");
+    assert_eq!(results(ended.path()), results(whole.path()));
 }
 
 #[test]

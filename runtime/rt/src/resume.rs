@@ -41,12 +41,12 @@ pub fn find(directory: &Path, head: &Value) -> Result<Begun, Not> {
             "go on with the model and params it was begun with, or begin anew without --resume",
         ))),
     };
-    if let Some(run) = read_run(directory)?.filter(|run| run.get("incomplete").is_none()) {
-        same(&run)?;
-        return Ok(Begun::Finished);
+    // The journal goes last: where there is one, a run may have been ended among its final files.
+    if let Some(found) = journal::find(directory)? {
+        return same(&found.head).map(|()| Begun::Unfinished(found));
     }
-    match journal::find(directory)? {
-        Some(found) => same(&found.head).map(|()| Begun::Unfinished(found)),
+    match read_run(directory)?.filter(|run| run.get("incomplete").is_none()) {
+        Some(run) => same(&run).map(|()| Begun::Finished),
         None => Ok(Begun::Nothing),
     }
 }
