@@ -43,13 +43,13 @@ fn from_one_to_five_thousand() {
 
 #[test]
 fn deep_modifications_carry_on_less_of_the_flanks() {
-    let usual = solve(CHAPTER_5, 4, 3);
-    let crowned = solve(Pair { crown: 0.005, ..CHAPTER_5 }, 4, 3);
+    let usual = solve(CHAPTER_5, 2, 3);
+    let crowned = solve(Pair { crown: 0.005, ..CHAPTER_5 }, 2, 3);
     assert!(crowned.contact_pressure > 1.5 * usual.contact_pressure, "{crowned:?}");
     assert!(crowned.mesh_stiffness < usual.mesh_stiffness, "{crowned:?}");
     assert!(crowned.root_stress[0] > usual.root_stress[0], "{crowned:?}");
     // At this position contact is below where the relief begins.
-    let relieved = solve(Pair { relief: 0.004, ..CHAPTER_5 }, 4, 3);
+    let relieved = solve(Pair { relief: 0.004, ..CHAPTER_5 }, 2, 3);
     assert!((relieved.root_stress[0] / usual.root_stress[0] - 1.0).abs() < 0.02, "{relieved:?}");
 }
 
@@ -59,7 +59,7 @@ fn narrow_and_wide_faces() {
     let at = |face_width: f64, elements, order| {
         solve(Pair { face_width, torque: 1000.0 * face_width, ..PLAIN }, elements, order)
     };
-    let [narrow, usual, wide] = [at(0.05, 2, 3), at(1.0, 4, 3), at(6.0, 4, 4)];
+    let [narrow, usual, wide] = [at(0.05, 1, 2), at(1.0, 2, 3), at(6.0, 2, 5)];
     for values in [narrow, wide] {
         let change = values.transmission_error / usual.transmission_error - 1.0;
         // Between plane stress and plane strain there are nine hundredths.
@@ -82,7 +82,7 @@ fn rims_from_thin_to_solid() {
 fn contraction_from_none_to_nearly_all() {
     let ratios = [0.0, 0.3, 0.49];
     let errors =
-        ratios.map(|poissons_ratio| solve(Pair { poissons_ratio, ..PLAIN }, 2, 3).transmission_error);
+        ratios.map(|poissons_ratio| solve(Pair { poissons_ratio, ..PLAIN }, 1, 3).transmission_error);
     // Bending in plane strain goes by 1 - nu^2, which falls by 9 and 16 %; ends are free, and shear goes by 1 + nu.
     assert!(errors.windows(2).all(|pair| (pair[1] / pair[0] - 1.0).abs() < 0.16), "{errors:?}");
 }
@@ -91,7 +91,7 @@ fn contraction_from_none_to_nearly_all() {
 #[test]
 fn sharp_and_round_tools() {
     for tip_radius in [0.004, 0.0497] {
-        solve(Pair { tip_radius, ..CHAPTER_5 }, 2, 3);
+        solve(Pair { tip_radius, ..CHAPTER_5 }, 1, 3);
     }
 }
 
