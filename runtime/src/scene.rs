@@ -8,7 +8,7 @@ use crate::load::{Load, Wrench};
 use crate::motion::Motion;
 use crate::observe::Observable;
 use crate::structure::solid::SolidStructure;
-use crate::structure::{Structure, StructureSize};
+use crate::structure::{BodyModes, Structure, StructureSize};
 use std::any::Any;
 use std::f64::consts::TAU;
 use std::sync::Arc;
@@ -70,6 +70,20 @@ pub trait Prototype: Any + Send + Sync {
         _options: &StructureOptions,
     ) -> Result<Arc<dyn Structure>, EngineError> {
         Ok(shared)
+    }
+
+    /// The body's modes of vibration in the plane at natural frequencies up to `highest`, rad/s: all of them. Without any the body
+    /// vibrates as a rigid one.
+    ///
+    /// # Errors
+    /// They cannot be had, or the interrupt's.
+    fn modes(
+        &self,
+        _options: &StructureOptions,
+        _highest: f64,
+        _interrupt: &Interrupt,
+    ) -> Result<Option<Arc<BodyModes>>, EngineError> {
+        Ok(None)
     }
 
     /// Builds the elastic structure in space, of the mesh template that the options name. Equal prototypes with equal options give

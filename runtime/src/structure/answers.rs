@@ -280,18 +280,12 @@ impl Structure for ElasticStructure {
     }
 
     fn bytes(&self) -> usize {
-        let surface = |surface: &Surface| {
-            surface.spline.bytes()
-                + surface.stretched.bytes()
-                + size_of_val(surface.turned.as_slice())
-                + size_of_val(surface.stress_places.as_slice())
-        };
         let tables = self.offsets.iter().flat_map(|tables| {
             [&tables.compliance, &tables.stress_ahead, &tables.stress_behind].into_iter().flatten().flatten()
         });
         let entries: usize = tables.map(|table| table.nrows() * table.ncols()).sum();
         let bore = self.bore.as_ref().map_or(0, BoreCoupling::bytes);
-        self.surfaces.iter().map(surface).sum::<usize>() + entries * size_of::<f64>() + bore
+        self.surfaces.iter().map(Surface::bytes).sum::<usize>() + entries * size_of::<f64>() + bore
     }
 
     fn stored(&self) -> Option<Vec<u8>> {
@@ -336,6 +330,14 @@ impl Surface {
         let (stretched, beyond) = (self.stretched.weights(t), self.stretched.beyond(t));
         let turned = Turned { s, angle: weights.sum(|i| self.turned[i]) };
         Local { turned, direction: [1.0, 0.0], weights, stretched, beyond }
+    }
+
+    /// Memory taken, in bytes.
+    pub fn bytes(&self) -> usize {
+        self.spline.bytes()
+            + self.stretched.bytes()
+            + size_of_val(self.turned.as_slice())
+            + size_of_val(self.stress_places.as_slice())
     }
 
     /// The same of what only curvature asks for.

@@ -6,7 +6,7 @@
 //! left out. What is left out is the body between the two curves.
 
 use super::answers::{Local, Turned};
-use super::elastic::ElasticStructure;
+use super::elastic::{ElasticStructure, Surface};
 use super::{Chart, LugForce, StressPlace, Structure, SurfaceLoad};
 use crate::profile::Profile;
 use std::sync::Arc;
@@ -18,6 +18,23 @@ pub struct ReshapedSurface {
     pub profile: Arc<dyn Profile>,
     /// Takes arc lengths of it to those of the curve it replaces, m; continuous and ascending.
     pub onto: Arc<dyn Fn(f64) -> f64 + Send + Sync>,
+}
+
+impl ReshapedSurface {
+    /// A point of it, as the tables of the surface that it replaces see it.
+    pub(super) fn local(&self, old: &Surface, s: f64) -> Local {
+        let onto = (self.onto)(s);
+        // Beyond the last point of the tables that point stands in, with its direction.
+        let last = self.profile.edge_from().unwrap_or(self.profile.length());
+        let own = self.profile.at(s.clamp(0.0, last));
+        let local = old.local(onto);
+        let old = old.profile.at(local.turned.s);
+        let [x, y] = own.normal;
+        let into = x * old.normal[0] + y * old.normal[1];
+        let along = -(x * old.tangent[0] + y * old.tangent[1]);
+        let turned = Turned { angle: local.turned.angle - along.atan2(into), ..local.turned };
+        Local { direction: [into, along], turned, ..local }
+    }
 }
 
 pub(super) struct Reshaped {
@@ -33,17 +50,7 @@ impl Reshaped {
 
     fn local(&self, chart: Chart, s: f64) -> Option<Local> {
         let (own, old) = (self.surfaces.get(chart.surface as usize)?, self.body.surface(chart)?);
-        let onto = (own.onto)(s);
-        // Beyond the last point of the tables that point stands in, with its direction.
-        let last = own.profile.edge_from().unwrap_or(own.profile.length());
-        let own = own.profile.at(s.clamp(0.0, last));
-        let local = old.local(onto);
-        let old = old.profile.at(local.turned.s);
-        let [x, y] = own.normal;
-        let into = x * old.normal[0] + y * old.normal[1];
-        let along = -(x * old.tangent[0] + y * old.tangent[1]);
-        let turned = Turned { angle: local.turned.angle - along.atan2(into), ..local.turned };
-        Some(Local { direction: [into, along], turned, ..local })
+        Some(own.local(old, s))
     }
 
     fn locals(&self, chart: Chart, s: &[f64]) -> Vec<Local> {
