@@ -14,7 +14,7 @@ use std::time::Instant;
 fn endless_texts_have_an_answer() {
     let library = Library::read();
     let million = 1_000_000;
-    let many = std::env::var("CALYX_SIZE").ok().and_then(|n| n.parse().ok()).unwrap_or(20_000);
+    let many = std::env::var("CALYX_SIZE").ok().and_then(|n| n.parse().ok()).unwrap_or(4_000);
     let repeated = |begin: &str, part: &str, end: &str| format!("{begin}{}{end}", part.repeat(many));
     let texts = [
         format!("x = {}", "(".repeat(million)),
