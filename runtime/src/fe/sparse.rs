@@ -57,7 +57,7 @@ impl FromIterator<(usize, f64)> for SparseVector {
 
 /// The square sparse matrix of `(column, row, value)` entries, those of one place summed in the order given: symmetric
 /// contributions give a matrix symmetric to the bit.
-pub(super) fn summed(count: usize, mut entries: Vec<(usize, usize, f64)>) -> SparseColMat<usize, f64> {
+pub(crate) fn summed(count: usize, mut entries: Vec<(usize, usize, f64)>) -> SparseColMat<usize, f64> {
     // Stable, so that the order within a place remains.
     entries.sort_by_key(|&(column, row, _)| (column, row));
     entries.dedup_by(|next, sum| {

@@ -212,7 +212,7 @@ fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
 }
 
 /// Replaces the columns of nodes by those of displacements given in a frame turned by `angle` about z.
-fn turn(matrix: &mut Mat<f64>, columns: Range<usize>, dofs_per_node: usize, angle: f64) {
+pub(super) fn turn(matrix: &mut Mat<f64>, columns: Range<usize>, dofs_per_node: usize, angle: f64) {
     let (sin, cos) = angle.sin_cos();
     for column in columns.step_by(dofs_per_node) {
         for row in 0..matrix.nrows() {

@@ -120,12 +120,12 @@ pub(super) struct OffsetTables {
 }
 
 /// A surface with its loads and stress rows, before solution.
-struct Prepared {
-    surface: Surface,
+pub(super) struct Prepared {
+    pub surface: Surface,
     mollifiers: Vec<Mollifier>,
     /// By direction, one a mollifier.
-    loads: Vec<Vec<SparseVector>>,
-    stress_rows: Vec<SparseVector>,
+    pub loads: Vec<Vec<SparseVector>>,
+    pub stress_rows: Vec<SparseVector>,
 }
 
 impl ElasticStructure {
@@ -424,11 +424,11 @@ fn gathered(prepared: &[Prepared]) -> (Vec<SparseVector>, Vec<SparseVector>) {
     (loads, rows)
 }
 
-fn chain<'a>(model: &'a PlaneModel, name: &str) -> Result<&'a EdgeChain, StructureError> {
+pub(super) fn chain<'a>(model: &'a PlaneModel, name: &str) -> Result<&'a EdgeChain, StructureError> {
     model.mesh.chain(name).ok_or_else(|| StructureError::NoChain { chain: name.into() })
 }
 
-fn prepare(
+pub(super) fn prepare(
     model: &PlaneModel,
     sources: &[SurfaceSource],
     options: &SplitOptions,

@@ -61,6 +61,10 @@ pub enum StructureError {
     Web { error: String },
     #[error("the mesh of the bore is too coarse for the series that its lugs are seen through")]
     CoarseLugs,
+    #[error("its modes cannot be had: {0}")]
+    Modes(&'static str),
+    #[error("lugs hold it, which are not alike for all sectors: its modes are not known")]
+    ModesOnLugs,
     #[error(transparent)]
     Ring(#[from] FreeRing),
     #[error(transparent)]
@@ -84,6 +88,17 @@ impl From<StructureError> for EngineError {
                 "E0656",
                 "the mesh of the bore is too coarse to tell the lugs apart by which the rim is held",
                 "take fewer or wider lugs, a lower order along the axis, or a finer mesh",
+            )
+            .blame("rim"),
+            StructureError::Modes(reason) => EngineError::new(
+                "E0758",
+                format!("the modes of a body cannot be had: {reason}"),
+                "ask for a lower highest frequency, or take another refinement of the mesh",
+            ),
+            StructureError::ModesOnLugs => EngineError::new(
+                "E0759",
+                "a body that lugs hold has no component modes: they are not alike for all of its teeth",
+                "hold its rim rigidly or in the mean, or let it vibrate as a rigid body",
             )
             .blame("rim"),
             error => EngineError::new("E0678", format!("the structure cannot be condensed: {error}"), ""),

@@ -11,6 +11,12 @@
 //!
 //! Everything is per metre of face width: modes have unit mass in kg/m, so a modal coordinate is in m sqrt(kg/m).
 
+mod body;
+mod complex;
+mod cyclic;
+mod harmonic;
+mod sector;
+
 use super::answers::Local;
 use super::elastic::Surface;
 use super::{Chart, ReshapedSurface};
@@ -144,3 +150,6 @@ impl BodyModes {
         self.fields.bytes() + numbers * size_of::<f64>()
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,222 @@
+//! The equations of one sector of a ring, decomposed at a shift: `K - sigma M` with what is inside eliminated.
+//!
+//! What is inside a sector does not know of how many waves the ring vibrates: it is decomposed once for all of them. What is left on the
+//! cuts is small and real; closed for a number of waves it is a small Hermitian matrix ([`super::harmonic`]). By Sylvester's law of inertia
+//! the negative eigenvalues of both parts together are as many as those of the whole, which is how modes below a frequency are counted.
+
+use super::super::StructureError;
+use super::super::condense::{Cuts, turn};
+use super::super::ring::Shared;
+use crate::dense::{add_product, product};
+use crate::fe::sparse::summed;
+use crate::fe::{SolveError, SparseVector};
+use crate::interrupt::Interrupt;
+use faer::dyn_stack::{MemBuffer, MemStack};
+use faer::sparse::SparseColMat;
+use faer::sparse::linalg::SupernodalThreshold;
+use faer::sparse::linalg::cholesky::simplicial::SimplicialLdltRef;
+use faer::sparse::linalg::cholesky::{
+    CholeskySymbolicParams, LdltRef, SymbolicCholesky, SymbolicCholeskyRaw, SymmetricOrdering,
+    factorize_symbolic_cholesky,
+};
+use faer::{Conj, Mat, Par, Side};
+
+/// Of a decomposition that can be relied on: what is left of a load, by the numbers it was added up from.
+const BACKWARD_ERROR: f64 = 1e-11;
+
+/// A sector of a ring, or a body of a single mesh, which is a ring of one sector without cuts.
+pub(in super::super) struct Sector {
+    /// N/m per metre of face width, and kg/m.
+    pub stiffness: SparseColMat<usize, f64>,
+    pub mass: SparseColMat<usize, f64>,
+    /// Of the displacement nodes, m.
+    pub nodes: Vec<[f64; 2]>,
+    /// Sectors around.
+    pub count: u32,
+    /// Degrees of freedom of the first cut, and those of the last one that are their images; by node, x before y.
+    pub cuts: [Vec<usize>; 2],
+    /// By which the last cut is turned, rad.
+    pub angle: f64,
+    /// Linear forms whose sums around the ring vanish, as each sector sees them.
+    pub forms: Vec<SparseVector>,
+    /// How they turn.
+    pub shared: Shared,
+    /// Degrees of freedom that are neither held nor on a cut.
+    pub inner: Vec<usize>,
+}
+
+impl Sector {
+    /// `held` are degrees of freedom. `cuts` have none of them.
+    pub fn new(
+        (stiffness, mass): (SparseColMat<usize, f64>, SparseColMat<usize, f64>),
+        nodes: Vec<[f64; 2]>,
+        held: &[usize],
+        count: u32,
+        cuts: Option<&Cuts>,
+    ) -> Self {
+        let of_nodes =
+            |nodes: &Vec<usize>| nodes.iter().flat_map(|node| [2 * node, 2 * node + 1]).collect::<Vec<_>>();
+        let angle = cuts.map_or(0.0, |cuts| cuts.angle);
+        let cuts = cuts.map_or_else(Default::default, |cuts| [&cuts.first, &cuts.last].map(of_nodes));
+        let mut is_inner = vec![true; stiffness.ncols()];
+        held.iter().chain(cuts.iter().flatten()).for_each(|&dof| is_inner[dof] = false);
+        let inner = (0..stiffness.ncols()).filter(|&dof| is_inner[dof]).collect();
+        let (forms, shared) = (Vec::new(), Shared::default());
+        Self { stiffness, mass, nodes, count, cuts, angle, forms, shared, inner }
+    }
+
+    /// With means that are held.
+    pub fn holding(self, forms: Vec<SparseVector>, shared: Shared) -> Self {
+        Self { forms, shared, ..self }
+    }
+
+    /// Degrees of freedom of the mesh, held ones too.
+    pub fn dofs(&self) -> usize {
+        self.stiffness.ncols()
+    }
+}
+
+/// A sector decomposed at a shift.
+pub(super) struct Shifted<'s> {
+    pub sector: &'s Sector,
+    symbolic: SymbolicCholesky<usize>,
+    values: Vec<f64>,
+    /// Negative eigenvalues of what is inside.
+    pub negative: usize,
+    /// What is inside by displacements of the first and of the last cut, both in the frame of the sector.
+    pub follows: Mat<f64>,
+    /// Forces on the cuts by their displacements, the last cut's both in the frame that is turned by a pitch.
+    pub closed: Mat<f64>,
+}
+
+impl<'s> Shifted<'s> {
+    /// `None` if the shift is too near to a natural frequency of the sector with its cuts held.
+    pub fn new(
+        sector: &'s Sector,
+        shift: f64,
+        interrupt: &Interrupt,
+    ) -> Result<Option<Self>, StructureError> {
+        let checkpoint = |bytes: usize| interrupt.room_for(bytes as u64).map_err(StructureError::Interrupted);
+        checkpoint(0)?;
+        let (count, cut) = (sector.inner.len(), 2 * sector.cuts[0].len());
+        let mut place = vec![None; sector.dofs()];
+        sector.inner.iter().enumerate().for_each(|(index, &dof)| place[dof] = Some(index));
+        let mut on_cut = vec![None; sector.dofs()];
+        sector.cuts.iter().flatten().enumerate().for_each(|(index, &dof)| on_cut[dof] = Some(index));
+        checkpoint(3 * count * cut * size_of::<f64>())?;
+        let mut entries = Vec::new();
+        let (mut coupling, mut closed) = (Mat::zeros(count, cut), Mat::zeros(cut, cut));
+        for (matrix, factor) in [(&sector.stiffness, 1.0), (&sector.mass, -shift)] {
+            for entry in matrix.triplet_iter() {
+                let value = factor * *entry.val;
+                match (place[entry.row], place[entry.col], on_cut[entry.row], on_cut[entry.col]) {
+                    (Some(row), Some(column), ..) => entries.push((column, row, value)),
+                    (Some(row), _, _, Some(column)) => coupling[(row, column)] += value,
+                    (_, _, Some(row), Some(column)) => closed[(row, column)] += value,
+                    _ => {}
+                }
+            }
+        }
+        let inside = summed(count, entries);
+        let memory = || StructureError::Solve(SolveError::Memory { unknowns: count });
+        // Simplicial: the pivots, whose signs count, stand by themselves.
+        let params = CholeskySymbolicParams {
+            supernodal_flop_ratio_threshold: SupernodalThreshold::FORCE_SIMPLICIAL,
+            ..Default::default()
+        };
+        let symbolic =
+            factorize_symbolic_cholesky(inside.symbolic(), Side::Lower, SymmetricOrdering::Amd, params)
+                .map_err(|_| memory())?;
+        checkpoint((symbolic.len_val() + inside.compute_nnz()) * 2 * size_of::<f64>())?;
+        let mut values = vec![0.0; symbolic.len_val()];
+        let scratch = symbolic.factorize_numeric_ldlt_scratch::<f64>(Par::Seq, Default::default());
+        let mut scratch = MemBuffer::try_new(scratch).map_err(|_| memory())?;
+        let stack = MemStack::new(&mut scratch);
+        let regularization = Default::default();
+        let decomposed = symbolic.factorize_numeric_ldlt(
+            &mut values,
+            inside.as_ref(),
+            Side::Lower,
+            regularization,
+            Par::Seq,
+            stack,
+            Default::default(),
+        );
+        if decomposed.is_err() {
+            return Ok(None);
+        }
+        let negative = pivots(&symbolic, &values).filter(|&pivot| pivot < 0.0).count();
+        let mut shifted = Self { sector, symbolic, values, negative, follows: Mat::zeros(0, 0), closed };
+        if !shifted.is_reliable(&inside) {
+            return Ok(None);
+        }
+        checkpoint(0)?;
+        shifted.follows = shifted.inside(coupling.clone());
+        shifted.follows *= -1.0;
+        add_product(shifted.closed.as_mut(), 1.0, coupling.transpose(), shifted.follows.as_ref());
+        for _ in 0..2 {
+            turn(&mut shifted.closed, cut / 2..cut, 2, sector.angle);
+            shifted.closed = shifted.closed.transpose().to_owned();
+        }
+        turn(&mut shifted.follows, cut / 2..cut, 2, sector.angle);
+        Ok(Some(shifted))
+    }
+
+    /// Whether a load without order is answered with no more than rounding left.
+    fn is_reliable(&self, inside: &SparseColMat<usize, f64>) -> bool {
+        let load = scattered(inside.ncols(), 1);
+        let answer = self.inside(load.clone());
+        let (mut left, mut size) =
+            (load.clone(), Mat::from_fn(load.nrows(), 1, |row, _| load[(row, 0)].abs()));
+        for entry in inside.triplet_iter() {
+            let part = *entry.val * answer[(entry.col, 0)];
+            left[(entry.row, 0)] -= part;
+            size[(entry.row, 0)] += part.abs();
+        }
+        let largest = size.col(0).iter().copied().fold(0.0, f64::max);
+        let worst = left.col(0).iter().map(|value| value.abs()).fold(0.0, f64::max);
+        // Negated, so that what is not a number fails.
+        !(worst > BACKWARD_ERROR * largest) && largest.is_finite()
+    }
+
+    /// What is inside under forces there, the cuts held.
+    pub fn inside(&self, mut forces: Mat<f64>) -> Mat<f64> {
+        let scratch = self.symbolic.solve_in_place_scratch::<f64>(forces.ncols(), Par::Seq);
+        let mut scratch = MemBuffer::new(scratch);
+        LdltRef::new(&self.symbolic, &self.values).solve_in_place_with_conj(
+            Conj::No,
+            forces.as_mut(),
+            Par::Seq,
+            MemStack::new(&mut scratch),
+        );
+        forces
+    }
+
+    /// What forces inside are on the cuts, held.
+    pub fn on_cuts(&self, forces: &Mat<f64>) -> Mat<f64> {
+        product(self.follows.transpose(), forces.as_ref())
+    }
+}
+
+/// Pivots of a decomposition.
+fn pivots<'a>(symbolic: &'a SymbolicCholesky<usize>, values: &'a [f64]) -> impl Iterator<Item = f64> + 'a {
+    let factor = match symbolic.raw() {
+        SymbolicCholeskyRaw::Simplicial(simplicial) => Some(SimplicialLdltRef::new(simplicial, values)),
+        SymbolicCholeskyRaw::Supernodal(_) => None,
+    };
+    // Each column begins with its pivot.
+    factor.into_iter().flat_map(|factor| {
+        let starts = factor.symbolic().col_ptr();
+        starts[..starts.len() - 1].iter().map(move |&start| factor.values()[start])
+    })
+}
+
+/// Numbers without order, the same every time.
+pub(super) fn scattered(rows: usize, columns: usize) -> Mat<f64> {
+    Mat::from_fn(rows, columns, |row, column| {
+        let place =
+            (row as f64 + 1.0) * 0.618_033_988_749_895 + (column as f64 + 1.0) * 0.754_877_666_246_693;
+        // Of a second turn, so that neighbours are not alike.
+        ((place.fract() + 1.0).powi(3) * 1e3).fract() - 0.5
+    })
+}

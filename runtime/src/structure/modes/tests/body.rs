@@ -1,0 +1,1 @@
+//! What contact, frames and stresses see of modes.
