@@ -129,5 +129,7 @@ pub const CODES: &[Explanation] = codes! {
     "E0733" "a column that is not in the table" "The message lists the columns there are."
     "E0740" "a number of a lumped model that cannot be" "Bodies have mass, inertia and a radius, and springs do not push where they should pull. The message names the member and the number."
     "E0741" "a mode that there is not" "Modes are counted from 0, from the lowest natural frequency up; there are as many as freedoms that are not held."
+    "E0758" "the modes of a body cannot be had" "All modes of a body up to a frequency are counted before they are found, and an analysis goes on with all of them or none. The message says what failed; usually the frequency asked for lies far beyond what the mesh can show."
+    "E0759" "a body that lugs hold has no component modes" "Modes are found on one tooth with its share of the rim and hold for all of them, which lugs are not alike for. Hold the rim rigidly or in the mean, or let the body vibrate as a rigid one."
     "E0799" "a defect of Calyx; please report it with the model" "Something inside Calyx contradicts itself. It is not the model's fault."
 };

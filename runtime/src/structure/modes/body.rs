@@ -212,7 +212,7 @@ impl<'s> RingFields<'s> {
             for (column, mode) in self.modes.iter().enumerate() {
                 let waves = self.harmonics[mode.field];
                 // Translations have one wave around as sectors see them, and the rotation none; the rest is rounding.
-                if waves % count == 1 % count || (waves + 1) % count == 0 {
+                if waves % count == 1 % count || (waves + 1).is_multiple_of(count) {
                     coupling[(column, 0)] += cos * seen[(0, column)] - sin * seen[(1, column)];
                     coupling[(column, 1)] += sin * seen[(0, column)] + cos * seen[(1, column)];
                 }

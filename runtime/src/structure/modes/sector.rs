@@ -175,8 +175,8 @@ impl<'s> Shifted<'s> {
         }
         let largest = size.col(0).iter().copied().fold(0.0, f64::max);
         let worst = left.col(0).iter().map(|value| value.abs()).fold(0.0, f64::max);
-        // Negated, so that what is not a number fails.
-        !(worst > BACKWARD_ERROR * largest) && largest.is_finite()
+        // What is not a number fails.
+        worst <= BACKWARD_ERROR * largest && largest.is_finite()
     }
 
     /// What is inside under forces there, the cuts held.
