@@ -1,14 +1,15 @@
 //! The structures of a planned scene: taken from the cache or built side by side, each once.
 
-use crate::cache::{Answer, Claim, Key};
+use crate::cache::{Answer, Claim, Key, Operator};
 use crate::error::EngineError;
 use crate::interrupt::Interrupt;
 use crate::plan::{BodyPlan, Plan};
 use crate::resources::Resources;
 use crate::results::StructureCounts;
 use crate::scene::{Body, Fidelity, Prototype, Scene, StructureOptions};
-use crate::structure::AnyStructure;
+use crate::structure::{AnyStructure, BodyModes};
 use rayon::prelude::*;
+use std::sync::Arc;
 
 /// A structure that bodies of the scene need.
 struct Wanted<'s> {
@@ -104,16 +105,20 @@ fn obtain(
                 continue;
             }
             let cached = resources.cache.as_deref().zip(wanted.key());
+            let kept = |operator: Operator| operator.structure().filter(|structure| wanted.takes(structure));
             match cached.map(|(cache, key)| (cache, key, cache.ask(key))) {
-                Some((_, _, Answer::Ready(structure))) if wanted.takes(&structure) => {
-                    counts.reused += 1;
-                    structures[number] = Some(structure);
-                }
+                Some((_, _, Answer::Ready(operator))) => match kept(operator) {
+                    Some(structure) => {
+                        counts.reused += 1;
+                        structures[number] = Some(structure);
+                    }
+                    None => builds.push((number, None)),
+                },
                 Some((_, _, Answer::Yours(claim))) => builds.push((number, Some(claim))),
                 Some((cache, key, Answer::Elsewhere(flight))) if may_wait => {
                     waits.push((number, cache, key, flight));
                 }
-                Some((_, _, Answer::Ready(_) | Answer::Elsewhere(_))) | None => builds.push((number, None)),
+                Some((_, _, Answer::Elsewhere(_))) | None => builds.push((number, None)),
             }
         }
         for (number, structure, anew) in build(wanted, builds, resources)? {
@@ -123,7 +128,8 @@ fn obtain(
         // Nobody waits for a structure of another thread's with one of its own unbuilt, so no two wait for each other.
         for (number, cache, key, flight) in waits {
             // Should the other build fail, the next round builds it here.
-            if let Some(structure) = cache.wait(key, &flight, &resources.interrupt)?
+            if let Some(structure) =
+                cache.wait(key, &flight, &resources.interrupt)?.and_then(Operator::structure)
                 && wanted[number].takes(&structure)
             {
                 counts.reused += 1;
@@ -149,7 +155,7 @@ fn build(
             None => (wanted.build(&resources.interrupt)?, true),
         };
         if let Some(claim) = claim {
-            claim.fulfil(&structure);
+            claim.fulfil(&structure.clone().into());
         }
         // Nobody waits for the disk.
         if anew
@@ -164,3 +170,40 @@ fn build(
         resources.install(|| builds.into_par_iter().map(one).collect());
     built.into_iter().collect()
 }
+
+impl Resources {
+    /// The modes of a body up to a frequency (rad/s), from the cache if they are kept there; `None` of a body that has none.
+    ///
+    /// # Errors
+    /// Those of [`Prototype::modes`] and of the interrupt.
+    pub fn modes(
+        &self,
+        prototype: &dyn Prototype,
+        options: &StructureOptions,
+        highest: f64,
+    ) -> Result<Option<Arc<BodyModes>>, EngineError> {
+        let found = || self.install(|| prototype.modes(options, highest, &self.interrupt));
+        let modes = match (self.cache.as_deref(), prototype.modes_key(options, highest)) {
+            (Some(cache), Some(key)) => cache.modes(key, &self.interrupt, |claim| {
+                let on_disk = claim.and_then(Claim::on_disk);
+                let kept =
+                    on_disk.and_then(|(store, key)| prototype.restore_modes(options, &store.read(&key)?));
+                if kept.is_some() {
+                    return Ok(kept);
+                }
+                let modes = found()?;
+                if let Some((store, key)) = on_disk
+                    && let Some(content) = modes.as_ref().and_then(|modes| modes.stored())
+                {
+                    store.write(&key, &content);
+                }
+                Ok(modes)
+            })?,
+            _ => found()?,
+        };
+        modes.map(|modes| prototype.shape_modes(modes, options)).transpose()
+    }
+}
+
+#[cfg(test)]
+mod tests;

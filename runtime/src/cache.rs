@@ -1,4 +1,4 @@
-//! Structures kept by what they are made of, for analyses to come: condensing one takes far longer than a position, and
+//! Structures, and modes of bodies, kept by what they are made of, for analyses to come: condensing one takes far longer than a position, and
 //! most of what people vary (loads, speeds, misalignment, pitch errors) leaves it as it is.
 //!
 //! A cache is shared by threads. Two that ask for one structure at the same time build it once; whose build fails or is
@@ -11,7 +11,7 @@ pub use store::Store;
 
 use crate::error::EngineError;
 use crate::interrupt::Interrupt;
-use crate::structure::AnyStructure;
+use crate::structure::{AnyStructure, BodyModes};
 use sha2::{Digest, Sha256};
 use std::collections::HashMap;
 use std::fmt;
@@ -89,6 +89,49 @@ impl KeyWriter {
     }
 }
 
+/// What a cache keeps.
+#[derive(Clone)]
+pub(crate) enum Operator {
+    Structure(AnyStructure),
+    /// `None` of a body that has none.
+    Modes(Option<Arc<BodyModes>>),
+}
+
+impl Operator {
+    fn bytes(&self) -> usize {
+        match self {
+            Operator::Structure(structure) => structure.bytes(),
+            Operator::Modes(modes) => modes.as_ref().map_or(0, |modes| modes.bytes()),
+        }
+    }
+
+    pub(crate) fn structure(self) -> Option<AnyStructure> {
+        match self {
+            Operator::Structure(structure) => Some(structure),
+            Operator::Modes(_) => None,
+        }
+    }
+
+    fn modes(self) -> Option<Option<Arc<BodyModes>>> {
+        match self {
+            Operator::Modes(modes) => Some(modes),
+            Operator::Structure(_) => None,
+        }
+    }
+}
+
+impl From<AnyStructure> for Operator {
+    fn from(structure: AnyStructure) -> Self {
+        Operator::Structure(structure)
+    }
+}
+
+impl From<Option<Arc<BodyModes>>> for Operator {
+    fn from(modes: Option<Arc<BodyModes>>) -> Self {
+        Operator::Modes(modes)
+    }
+}
+
 /// How often a cache was asked, and what it holds.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct CacheCounts {
@@ -123,15 +166,15 @@ struct State {
 
 enum Slot {
     Building(Arc<Flight>),
-    Built { structure: AnyStructure, bytes: usize, used: u64 },
+    Built { operator: Operator, bytes: usize, used: u64 },
 }
 
 /// A build under way, through which those who wait for it get the structure even if the cache cannot keep it.
-pub(crate) struct Flight(OnceLock<AnyStructure>);
+pub(crate) struct Flight(OnceLock<Operator>);
 
 /// What a cache answers to somebody who needs a structure.
 pub(crate) enum Answer<'c> {
-    Ready(AnyStructure),
+    Ready(Operator),
     /// Nobody has it: the asker is to build it.
     Yours(Claim<'c>),
     /// Somebody else is building it.
@@ -167,17 +210,42 @@ impl OperatorCache {
         interrupt: &Interrupt,
         build: impl FnOnce() -> Result<AnyStructure, EngineError>,
     ) -> Result<AnyStructure, EngineError> {
+        self.operator(key, interrupt, Operator::structure, |_| build())
+    }
+
+    /// The modes of this key, likewise. Who builds them may hold the claim to them.
+    pub(crate) fn modes(
+        &self,
+        key: Key,
+        interrupt: &Interrupt,
+        build: impl FnOnce(Option<&Claim<'_>>) -> Result<Option<Arc<BodyModes>>, EngineError>,
+    ) -> Result<Option<Arc<BodyModes>>, EngineError> {
+        self.operator(key, interrupt, Operator::modes, build)
+    }
+
+    /// What was kept under a key that something of another kind has is not taken.
+    fn operator<T: Clone + Into<Operator>>(
+        &self,
+        key: Key,
+        interrupt: &Interrupt,
+        take: fn(Operator) -> Option<T>,
+        build: impl FnOnce(Option<&Claim<'_>>) -> Result<T, EngineError>,
+    ) -> Result<T, EngineError> {
         loop {
-            match self.ask(key) {
-                Answer::Ready(structure) => return Ok(structure),
-                Answer::Yours(claim) => return build().inspect(|built| claim.fulfil(built)),
-                Answer::Elsewhere(_) if rayon::current_thread_index().is_some() => return build(),
-                Answer::Elsewhere(flight) => {
-                    if let Some(structure) = self.wait(key, &flight, interrupt)? {
-                        return Ok(structure);
-                    }
+            let found = match self.ask(key) {
+                Answer::Ready(operator) => operator,
+                Answer::Yours(claim) => {
+                    let built = build(Some(&claim))?;
+                    claim.fulfil(&built.clone().into());
+                    return Ok(built);
                 }
-            }
+                Answer::Elsewhere(_) if rayon::current_thread_index().is_some() => return build(None),
+                Answer::Elsewhere(flight) => match self.wait(key, &flight, interrupt)? {
+                    Some(operator) => operator,
+                    None => continue,
+                },
+            };
+            return take(found).map_or_else(|| build(None), Ok);
         }
     }
 
@@ -194,11 +262,11 @@ impl OperatorCache {
         state.clock += 1;
         let now = state.clock;
         match state.slots.get_mut(&key) {
-            Some(Slot::Built { structure, used, .. }) => {
+            Some(Slot::Built { operator, used, .. }) => {
                 *used = now;
-                let structure = structure.clone();
+                let operator = operator.clone();
                 state.hits += 1;
-                Answer::Ready(structure)
+                Answer::Ready(operator)
             }
             Some(Slot::Building(flight)) => Answer::Elsewhere(flight.clone()),
             None => {
@@ -216,13 +284,13 @@ impl OperatorCache {
         key: Key,
         flight: &Arc<Flight>,
         interrupt: &Interrupt,
-    ) -> Result<Option<AnyStructure>, EngineError> {
+    ) -> Result<Option<Operator>, EngineError> {
         loop {
             interrupt.check()?;
             let mut state = self.lock();
-            if let Some(structure) = flight.0.get() {
+            if let Some(operator) = flight.0.get() {
                 state.hits += 1;
-                return Ok(Some(structure.clone()));
+                return Ok(Some(operator.clone()));
             }
             match state.slots.get(&key) {
                 Some(Slot::Building(current)) if Arc::ptr_eq(current, flight) => {
@@ -259,15 +327,15 @@ impl<'c> Claim<'c> {
     }
 
     /// Hands the structure to all who wait for it, and keeps it if it fits.
-    pub(crate) fn fulfil(self, structure: &AnyStructure) {
-        let bytes = structure.bytes();
+    pub(crate) fn fulfil(self, operator: &Operator) {
+        let bytes = operator.bytes();
         let mut gone = Vec::new();
         let mut state = self.cache.lock();
         // Set under the lock: a waiter that finds neither this nor the slot knows that the build has failed.
-        let _ = self.flight.0.set(structure.clone());
+        let _ = self.flight.0.set(operator.clone());
         if bytes <= self.cache.limit {
             state.clock += 1;
-            let built = Slot::Built { structure: structure.clone(), bytes, used: state.clock };
+            let built = Slot::Built { operator: operator.clone(), bytes, used: state.clock };
             state.slots.insert(self.key, built);
             state.bytes += bytes;
             gone = state.shrink(self.cache.limit);

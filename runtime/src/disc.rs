@@ -27,7 +27,7 @@
 //! scene.add_pair(SurfacePair::new([roller, table], [Disc::BOTTOM, Platen::SURFACE]));
 //! ```
 
-use crate::cache::Key;
+use crate::cache::{Key, KeyWriter};
 use crate::error::EngineError;
 use crate::fe::block::uniform;
 use crate::fe::{Block, Curve, ElementOrder, MeshBuilder, MeshError, PlaneMesh, PlaneModel, Side};
@@ -35,7 +35,9 @@ use crate::interrupt::Interrupt;
 use crate::material::{Material, Plane};
 use crate::profile::{Profile, ProfilePoint};
 use crate::scene::{Prototype, StructureOptions};
-use crate::structure::{ElasticStructure, Hold, RigidStructure, SplitOptions, Structure, SurfaceSource};
+use crate::structure::{
+    BodyModes, ElasticStructure, Hold, RigidStructure, SplitOptions, Structure, SurfaceSource,
+};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 use std::sync::Arc;
 
@@ -132,12 +134,11 @@ impl Disc {
     }
 }
 
-impl Prototype for Disc {
-    fn build(
-        &self,
-        options: &StructureOptions,
-        interrupt: &Interrupt,
-    ) -> Result<Arc<dyn Structure>, EngineError> {
+/// A mesh with its material, its surfaces, and how these are looked at.
+type Model = (PlaneModel, [SurfaceSource; 2], SplitOptions);
+
+impl Disc {
+    fn model(&self, options: &StructureOptions) -> Result<Model, EngineError> {
         options.check()?;
         let sizes = [self.radius, self.face_width];
         if !sizes.iter().all(|size| size.is_finite() && *size > 0.0) {
@@ -159,6 +160,25 @@ impl Prototype for Disc {
             stress_places_per_edge: 1,
         });
         let split = SplitOptions { matching_depth: options.matching_depth, ..SplitOptions::default() };
+        Ok((model, surfaces, split))
+    }
+
+    fn content(&self, what: &str, options: &StructureOptions) -> KeyWriter {
+        let StructureOptions { refinement, order, matching_depth, .. } = *options;
+        let Material { youngs_modulus, poissons_ratio, .. } = self.material;
+        Key::of(what)
+            .numbers(&[self.radius, youngs_modulus, poissons_ratio, refinement, matching_depth])
+            .count(order as u64)
+    }
+}
+
+impl Prototype for Disc {
+    fn build(
+        &self,
+        options: &StructureOptions,
+        interrupt: &Interrupt,
+    ) -> Result<Arc<dyn Structure>, EngineError> {
+        let (model, surfaces, split) = self.model(options)?;
         Ok(Arc::new(ElasticStructure::single(&model, Hold::Free, &surfaces, &split, interrupt)?))
     }
 
@@ -167,12 +187,25 @@ impl Prototype for Disc {
     }
 
     fn key(&self, options: &StructureOptions) -> Option<Key> {
-        let StructureOptions { refinement, order, matching_depth, .. } = *options;
-        let Material { youngs_modulus, poissons_ratio, .. } = self.material;
-        let key = Key::of("disc")
-            .numbers(&[self.radius, youngs_modulus, poissons_ratio, refinement, matching_depth])
-            .count(order as u64);
-        Some(key.finish())
+        Some(self.content("disc", options).finish())
+    }
+
+    fn modes(
+        &self,
+        options: &StructureOptions,
+        highest: f64,
+        interrupt: &Interrupt,
+    ) -> Result<Option<Arc<BodyModes>>, EngineError> {
+        let (model, surfaces, split) = self.model(options)?;
+        Ok(Some(Arc::new(BodyModes::single(&model, Hold::Free, &surfaces, &split, highest, interrupt)?)))
+    }
+
+    fn modes_key(&self, options: &StructureOptions, highest: f64) -> Option<Key> {
+        Some(self.content("modes of a disc", options).numbers(&[self.material.density, highest]).finish())
+    }
+
+    fn restore_modes(&self, _: &StructureOptions, stored: &[u8]) -> Option<Arc<BodyModes>> {
+        Some(Arc::new(BodyModes::restored(stored, &self.quarters())?))
     }
 
     fn enclosing_radius(&self) -> f64 {

@@ -76,7 +76,7 @@ pub trait Prototype: Any + Send + Sync {
     /// vibrates as a rigid one.
     ///
     /// # Errors
-    /// They cannot be had, or the interrupt's.
+    /// E0758: some cannot be found. E0759: lugs hold the body. Else as [`Prototype::build`].
     fn modes(
         &self,
         _options: &StructureOptions,
@@ -84,6 +84,28 @@ pub trait Prototype: Any + Send + Sync {
         _interrupt: &Interrupt,
     ) -> Result<Option<Arc<BodyModes>>, EngineError> {
         Ok(None)
+    }
+
+    /// Everything that the modes depend on, as [`Prototype::key`] of the structure; none of a body that has none.
+    fn modes_key(&self, _options: &StructureOptions, _highest: f64) -> Option<Key> {
+        None
+    }
+
+    /// The modes that were kept on disk as these bytes, found by a prototype of the same key; `None` if they cannot be made of them.
+    fn restore_modes(&self, _options: &StructureOptions, _stored: &[u8]) -> Option<Arc<BodyModes>> {
+        None
+    }
+
+    /// The modes of this very body, made of those that [`Prototype::modes`] gave it or another of the same key, as [`Prototype::shape`].
+    ///
+    /// # Errors
+    /// The body's own shape cannot be had.
+    fn shape_modes(
+        &self,
+        shared: Arc<BodyModes>,
+        _options: &StructureOptions,
+    ) -> Result<Arc<BodyModes>, EngineError> {
+        Ok(shared)
     }
 
     /// Builds the elastic structure in space, of the mesh template that the options name. Equal prototypes with equal options give

@@ -18,7 +18,8 @@ use calyx_runtime::profile::Profile;
 use calyx_runtime::scene::{Fidelity, Ignored, Prototype, StructureOptions};
 use calyx_runtime::structure::solid::{ElasticSolid, SolidStructure};
 use calyx_runtime::structure::{
-    BoreHold, ElasticStructure, RingSource, SplitOptions, Structure, StructureSize, SurfaceSource,
+    BodyModes, BoreHold, ElasticStructure, ReshapedSurface, RingSource, SplitOptions, Structure,
+    StructureSize, SurfaceSource,
 };
 use calyx_runtime::surface::Surface;
 use std::sync::Arc;
@@ -158,6 +159,83 @@ impl GearPrototype {
         sector_mesh(&self.gear, flanks, self.rim.ring_radius(), &refinement).map_err(unmeshable)
     }
 
+    /// What [`Prototype::build`] condenses, and whose modes are found.
+    fn plane_sector(
+        &self,
+        options: &StructureOptions,
+        interrupt: &Interrupt,
+    ) -> Result<PlaneSector, EngineError> {
+        options.check()?;
+        interrupt.check()?;
+        if !self.helix.is_spur() {
+            return Err(EngineError::new(
+                "E0623",
+                "a plane model cannot hold the teeth of a helical gear, which touch along lines that cross the face",
+                "choose a fidelity in three dimensions, or a helix angle of 0 deg",
+            )
+            .blame("helix_angle"));
+        }
+        let [tip, meshed_tip] = self.roundings(options);
+        let contact = self.flanks_with(tip, self.meshed_modifications())?;
+        let mesh = self.plane_mesh(options)?;
+        interrupt.check()?;
+        let model = PlaneModel::new(mesh, self.material, Plane::Strain);
+        let surfaces: Vec<SurfaceSource> = contact
+            .iter()
+            .enumerate()
+            .map(|(surface, flank)| SurfaceSource {
+                profile: flank.clone() as Arc<dyn Profile>,
+                chain: format!("flank_{surface}"),
+                edges: [None, Some(meshed_tip)],
+                stress_chain: options.stresses.then(|| format!("fillet_{surface}")),
+                stress_places_per_edge: STRESS_PLACES_PER_EDGE,
+            })
+            .collect();
+        let ring = RingSource {
+            sectors: self.gear.teeth(),
+            cuts: ["cut_right", "cut_left"],
+            bore: "bore",
+            hold: self.rim.hold_in_plane(),
+            coupled: self.coupled_teeth(),
+        };
+        let split = self.split_options(options);
+        Ok(PlaneSector { model, surfaces, ring, split })
+    }
+
+    /// All that [`Prototype::build`] reads. Neither the width of the face, which forces are per unit of, nor pitch errors, which
+    /// move teeth without deforming them.
+    fn plane_content(&self, what: &str, options: &StructureOptions) -> KeyWriter {
+        let key = self
+            .teeth_and_tool(what)
+            .numbers(&[self.material.youngs_modulus, self.material.poissons_ratio, self.rim.ring_radius()])
+            .numbers(&Rim::hold_numbers(self.rim.hold_in_plane()))
+            .numbers(&[options.refinement, options.matching_depth])
+            .count(options.order as u64)
+            .flag(options.stresses)
+            .flag(options.sharp_edges)
+            .flag(self.is_modified());
+        let with_modification =
+            |key: KeyWriter, modification: &Modification| key.numbers(&modification.numbers(&self.form()));
+        self.meshed_modifications().iter().fold(key, with_modification)
+    }
+
+    /// The curves of the flanks that [`Prototype::build`] lets contact see.
+    fn meshed_profiles(&self, options: &StructureOptions) -> Option<[Arc<dyn Profile>; 2]> {
+        let [tip, _] = self.roundings(options);
+        let flanks = self.flanks_with(tip, self.meshed_modifications()).ok()?;
+        Some(flanks.map(|flank| flank as Arc<dyn Profile>))
+    }
+
+    /// The modified flanks, where [`Prototype::build`] has left the modifications out.
+    fn own_surfaces(&self, options: &StructureOptions) -> Result<Option<Vec<ReshapedSurface>>, EngineError> {
+        if !self.is_modified() || !self.meshed_modifications().is_empty() {
+            return Ok(None);
+        }
+        let [tip, _] = self.roundings(options);
+        let (modified, plain) = (self.flanks_with(tip, &self.modifications)?, self.flanks_with(tip, &[])?);
+        Ok(Some(modified.iter().zip(&plain).map(|(modified, plain)| reshaped(modified, plain)).collect()))
+    }
+
     pub(crate) fn split_options(&self, options: &StructureOptions) -> SplitOptions {
         SplitOptions {
             matching_depth: options.matching_depth,
@@ -169,6 +247,18 @@ impl GearPrototype {
     fn is_modified(&self) -> bool {
         self.flanks.iter().any(|flank| flank.is_modified())
     }
+}
+
+/// A tooth with its sector of the rim in the plane, and how sectors are joined.
+struct PlaneSector {
+    model: PlaneModel,
+    surfaces: Vec<SurfaceSource>,
+    ring: RingSource<'static>,
+    split: SplitOptions,
+}
+
+fn misshapen() -> EngineError {
+    EngineError::new("E0677", "the modified flanks do not fit the structure of the gear", "")
 }
 
 fn flanks(form: ToothForm, modifications: &[Modification]) -> Result<[Arc<Flank>; 2], Vec<GeometryError>> {
@@ -211,41 +301,39 @@ impl Prototype for GearPrototype {
         options: &StructureOptions,
         interrupt: &Interrupt,
     ) -> Result<Arc<dyn Structure>, EngineError> {
-        options.check()?;
-        interrupt.check()?;
-        if !self.helix.is_spur() {
-            return Err(EngineError::new(
-                "E0623",
-                "a plane model cannot hold the teeth of a helical gear, which touch along lines that cross the face",
-                "choose a fidelity in three dimensions, or a helix angle of 0 deg",
-            )
-            .blame("helix_angle"));
-        }
-        let [tip, meshed_tip] = self.roundings(options);
-        let contact = self.flanks_with(tip, self.meshed_modifications())?;
-        let mesh = self.plane_mesh(options)?;
-        interrupt.check()?;
-        let model = PlaneModel::new(mesh, self.material, Plane::Strain);
-        let surfaces: Vec<SurfaceSource> = contact
-            .iter()
-            .enumerate()
-            .map(|(surface, flank)| SurfaceSource {
-                profile: flank.clone() as Arc<dyn Profile>,
-                chain: format!("flank_{surface}"),
-                edges: [None, Some(meshed_tip)],
-                stress_chain: options.stresses.then(|| format!("fillet_{surface}")),
-                stress_places_per_edge: STRESS_PLACES_PER_EDGE,
-            })
-            .collect();
-        let ring = RingSource {
-            sectors: self.gear.teeth(),
-            cuts: ["cut_right", "cut_left"],
-            bore: "bore",
-            hold: self.rim.hold_in_plane(),
-            coupled: self.coupled_teeth(),
-        };
-        let split = self.split_options(options);
+        let PlaneSector { model, surfaces, ring, split } = self.plane_sector(options, interrupt)?;
         Ok(Arc::new(ElasticStructure::ring(&model, &ring, &surfaces, &split, interrupt)?))
+    }
+
+    fn modes(
+        &self,
+        options: &StructureOptions,
+        highest: f64,
+        interrupt: &Interrupt,
+    ) -> Result<Option<Arc<BodyModes>>, EngineError> {
+        let PlaneSector { model, surfaces, ring, split } = self.plane_sector(options, interrupt)?;
+        Ok(Some(Arc::new(BodyModes::ring(&model, &ring, &surfaces, &split, highest, interrupt)?)))
+    }
+
+    fn modes_key(&self, options: &StructureOptions, highest: f64) -> Option<Key> {
+        Some(
+            self.plane_content("modes of a gear on a rim", options)
+                .numbers(&[self.material.density, highest])
+                .finish(),
+        )
+    }
+
+    fn restore_modes(&self, options: &StructureOptions, stored: &[u8]) -> Option<Arc<BodyModes>> {
+        Some(Arc::new(BodyModes::restored(stored, &self.meshed_profiles(options)?)?))
+    }
+
+    fn shape_modes(
+        &self,
+        shared: Arc<BodyModes>,
+        options: &StructureOptions,
+    ) -> Result<Arc<BodyModes>, EngineError> {
+        let Some(surfaces) = self.own_surfaces(options)? else { return Ok(shared) };
+        shared.reshaped(surfaces).map(Arc::new).ok_or_else(misshapen)
     }
 
     /// The modified flanks on the body without modifications, where [`Self::build`] has left them out.
@@ -254,40 +342,16 @@ impl Prototype for GearPrototype {
         shared: Arc<dyn Structure>,
         options: &StructureOptions,
     ) -> Result<Arc<dyn Structure>, EngineError> {
-        if !self.is_modified() || !self.meshed_modifications().is_empty() {
-            return Ok(shared);
-        }
-        let [tip, _] = self.roundings(options);
-        let (modified, plain) = (self.flanks_with(tip, &self.modifications)?, self.flanks_with(tip, &[])?);
-        let surfaces =
-            modified.iter().zip(&plain).map(|(modified, plain)| reshaped(modified, plain)).collect();
-        shared.reshaped(surfaces).ok_or_else(|| {
-            EngineError::new("E0677", "the modified flanks do not fit the structure of the gear", "")
-        })
+        let Some(surfaces) = self.own_surfaces(options)? else { return Ok(shared) };
+        shared.reshaped(surfaces).ok_or_else(misshapen)
     }
 
-    /// All that [`Self::build`] reads. Neither the width of the face, which forces are per unit of, nor pitch errors, which
-    /// move teeth without deforming them.
     fn key(&self, options: &StructureOptions) -> Option<Key> {
-        let key = self
-            .teeth_and_tool("gear on a rim")
-            .numbers(&[self.material.youngs_modulus, self.material.poissons_ratio, self.rim.ring_radius()])
-            .numbers(&Rim::hold_numbers(self.rim.hold_in_plane()))
-            .numbers(&[options.refinement, options.matching_depth])
-            .count(options.order as u64)
-            .flag(options.stresses)
-            .flag(options.sharp_edges)
-            .flag(self.is_modified());
-        let with_modification =
-            |key: KeyWriter, modification: &Modification| key.numbers(&modification.numbers(&self.form()));
-        Some(self.meshed_modifications().iter().fold(key, with_modification).finish())
+        Some(self.plane_content("gear on a rim", options).finish())
     }
 
     fn restore(&self, options: &StructureOptions, stored: &[u8]) -> Option<Arc<dyn Structure>> {
-        let [tip, _] = self.roundings(options);
-        let flanks = self.flanks_with(tip, self.meshed_modifications()).ok()?;
-        let profiles = flanks.map(|flank| flank as Arc<dyn Profile>);
-        Some(Arc::new(ElasticStructure::restored(stored, &profiles)?))
+        Some(Arc::new(ElasticStructure::restored(stored, &self.meshed_profiles(options)?)?))
     }
 
     fn build_solid(

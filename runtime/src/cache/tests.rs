@@ -1,6 +1,6 @@
 //! The cache alone: its bound, one build for all who ask at the same time, and builds that come to nothing.
 
-use super::{Answer, CacheCounts, Key, OperatorCache};
+use super::{Answer, CacheCounts, Key, Operator, OperatorCache};
 use crate::error::EngineError;
 use crate::interrupt::Interrupt;
 use crate::profile::Profile;
@@ -154,8 +154,12 @@ fn who_waits_gets_the_structure_even_if_it_cannot_be_kept() {
     let Answer::Yours(claim) = cache.ask(key(1)) else { panic!("nobody has it") };
     let Answer::Elsewhere(flight) = cache.ask(key(1)) else { panic!("it is being built") };
     let built = AnyStructure::Plane(Arc::new(Sized(500)));
-    claim.fulfil(&built);
-    let waited = cache.wait(key(1), &flight, &Interrupt::never()).unwrap().expect("it was built");
+    claim.fulfil(&built.clone().into());
+    let waited = cache
+        .wait(key(1), &flight, &Interrupt::never())
+        .unwrap()
+        .and_then(Operator::structure)
+        .expect("it was built");
     assert!(is_same(&waited, &built));
     assert_eq!(cache.counts(), CacheCounts { hits: 1, misses: 1, structures: 0, bytes: 0 });
 }

@@ -16,6 +16,7 @@ mod complex;
 mod cyclic;
 mod harmonic;
 mod sector;
+mod stored;
 
 use super::answers::Local;
 use super::elastic::Surface;

@@ -41,7 +41,7 @@ impl From<&Mat<f64>> for Table<'_> {
 }
 
 impl Table<'_> {
-    fn matrix(&self) -> Option<Mat<f64>> {
+    pub fn matrix(&self) -> Option<Mat<f64>> {
         let (values, rest) = self.values.as_chunks();
         let fits = rest.is_empty() && self.rows.checked_mul(self.columns) == Some(values.len());
         let entry = |row, column| f64::from_le_bytes(values[column * self.rows + row]);
@@ -162,8 +162,9 @@ struct StoredElastic<'a> {
     bore: Option<StoredBore<'a>>,
 }
 
+/// A [`Surface`] without its curve.
 #[derive(Serialize, Deserialize)]
-struct StoredSurface {
+pub(super) struct StoredSurface {
     nodes: Vec<f64>,
     stretch: Stretch,
     stretched: Vec<f64>,
@@ -172,23 +173,40 @@ struct StoredSurface {
     stress_places: Vec<(f64, [f64; 2])>,
 }
 
-impl ElasticStructure {
-    pub(super) fn to_bytes(&self) -> Option<Vec<u8>> {
-        let surface = |surface: &Surface| StoredSurface {
+impl StoredSurface {
+    pub fn of(surface: &Surface) -> Self {
+        Self {
             nodes: surface.spline.nodes().to_vec(),
             stretch: surface.stretch.clone(),
             stretched: surface.stretched.nodes().to_vec(),
             range: surface.range,
             turned: surface.turned.clone(),
             stress_places: surface.stress_places.clone(),
-        };
+        }
+    }
+
+    pub fn on(self, profile: &Arc<dyn Profile>) -> Option<Surface> {
+        Some(Surface {
+            profile: profile.clone(),
+            spline: spline(self.nodes)?,
+            stretch: self.stretch,
+            stretched: spline(self.stretched)?,
+            range: self.range,
+            turned: self.turned,
+            stress_places: self.stress_places,
+        })
+    }
+}
+
+impl ElasticStructure {
+    pub(super) fn to_bytes(&self) -> Option<Vec<u8>> {
         to_bytes(&StoredElastic {
             teeth: self.teeth,
             surface_modulus: self.surface_modulus,
             reference_length: self.reference_length,
             kink: self.kink,
             directions: self.directions,
-            surfaces: self.surfaces.iter().map(surface).collect(),
+            surfaces: self.surfaces.iter().map(StoredSurface::of).collect(),
             offsets: self.offsets.iter().map(StoredOffset::of).collect(),
             twists: self.twists.clone(),
             bore: self.bore.as_ref().map(StoredBore::of),
@@ -199,17 +217,6 @@ impl ElasticStructure {
     /// something else.
     pub fn restored(bytes: &[u8], profiles: &[Arc<dyn Profile>]) -> Option<Self> {
         let stored: StoredElastic = from_bytes(bytes)?;
-        let surface = |(stored, profile): (StoredSurface, &Arc<dyn Profile>)| {
-            Some(Surface {
-                profile: profile.clone(),
-                spline: spline(stored.nodes)?,
-                stretch: stored.stretch,
-                stretched: spline(stored.stretched)?,
-                range: stored.range,
-                turned: stored.turned,
-                stress_places: stored.stress_places,
-            })
-        };
         if stored.surfaces.len() != profiles.len() {
             return None;
         }
@@ -223,7 +230,12 @@ impl ElasticStructure {
             surface_modulus: stored.surface_modulus,
             reference_length: stored.reference_length,
             kink: stored.kink,
-            surfaces: stored.surfaces.into_iter().zip(profiles).map(surface).collect::<Option<_>>()?,
+            surfaces: stored
+                .surfaces
+                .into_iter()
+                .zip(profiles)
+                .map(|(stored, on)| stored.on(on))
+                .collect::<Option<_>>()?,
             directions: stored.directions,
             offsets: stored.offsets.iter().map(StoredOffset::tables).collect::<Option<_>>()?,
             twists: stored.twists,
