@@ -134,6 +134,24 @@ impl PlaneMesh {
         nodes
     }
 
+    /// Area, and its second moment about the origin: m² and m⁴.
+    pub fn area_and_polar_moment(&self) -> [f64; 2] {
+        let mut sums = [0.0; 2];
+        for (number, element) in self.elements.iter().enumerate() {
+            // Of degree 4q - 1 along each direction, q the order of the coordinates.
+            let rule = gauss_legendre(2 * usize::from(element.coordinate_order.highest()));
+            for (eta, of_eta) in &rule {
+                for (xi, of_xi) in &rule {
+                    let ([x, y], [[a, b], [c, d]]) = self.map(Place { element: number, xi: *xi, eta: *eta });
+                    let area = of_xi * of_eta * (a * d - b * c);
+                    sums[0] += area;
+                    sums[1] += area * (x * x + y * y);
+                }
+            }
+        }
+        sums
+    }
+
     /// Position of a place, m.
     pub fn position(&self, place: Place) -> [f64; 2] {
         self.map(place).0

@@ -1,0 +1,212 @@
+//! What a gear weighs: its section times the width of its face, and the web and hub that stand under it as bodies of revolution.
+//!
+//! The section is the meshed one, teeth and ring. A plane model shows nothing else, but what carries the ring is there all the same,
+//! as a rigid part of the body.
+
+use crate::prototype::GearPrototype;
+use calyx_runtime::fe::{Section, Station};
+use calyx_runtime::material::Material;
+use calyx_runtime::scene::StructureOptions;
+
+/// Mass of a body that is the same in all directions across its axis; z is counted from mid-face.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct AxialInertia {
+    /// kg.
+    pub mass: f64,
+    /// Of the mass by z, kg m.
+    pub along: f64,
+    /// About the axis, kg m².
+    pub polar: f64,
+    /// About axes across it through mid-face, kg m².
+    pub across: f64,
+}
+
+impl AxialInertia {
+    /// A body of revolution of a density, kg/m³.
+    fn revolved(section: &Section, density: f64) -> Self {
+        let [volume, along, polar, axial] = section.moments().map(|moment| density * moment);
+        Self { mass: volume, along, polar, across: 0.5 * polar + axial }
+    }
+
+    fn and(self, other: Self) -> Self {
+        Self {
+            mass: self.mass + other.mass,
+            along: self.along + other.along,
+            polar: self.polar + other.polar,
+            across: self.across + other.across,
+        }
+    }
+}
+
+impl GearPrototype {
+    /// The whole gear. `None` if it cannot be meshed.
+    pub fn axial_inertia(&self) -> Option<AxialInertia> {
+        let mesh = self.plane_mesh(&StructureOptions::default()).ok()?;
+        let sectors = f64::from(self.gear.teeth());
+        let [area, polar] = mesh.area_and_polar_moment().map(|moment| sectors * moment);
+        let (density, width) = (self.material.density, self.face_width);
+        let toothed = AxialInertia {
+            mass: density * area * width,
+            along: 0.0,
+            polar: density * polar * width,
+            across: density * width * (0.5 * polar + area * width * width / 12.0),
+        };
+        let carried =
+            self.carrying().map(|(section, material)| AxialInertia::revolved(&section, material.density));
+        Some(toothed.and(carried.unwrap_or_default()))
+    }
+
+    /// What stands between ring and bore.
+    fn carrying(&self) -> Option<(Section, Material)> {
+        if let Some(web) = self.rim.revolved_web(self.gear.teeth(), self.material) {
+            return Some((web.section, web.material));
+        }
+        let web = self.rim.web?;
+        let station = |radius: f64| Station { radius, ends: web.ends() };
+        let [inner, outer] = if self.rim.held_radius < web.rim_radius {
+            [self.rim.held_radius, web.rim_radius]
+        } else {
+            [web.rim_radius, self.rim.held_radius]
+        };
+        Some((Section::new(vec![station(inner), station(outer)])?, self.material))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::blank::{GearBlank, Rim};
+    use crate::disc_web::{DiscWeb, Hub};
+    use crate::fillet::Side;
+    use crate::rack::Rack;
+    use calyx_runtime::profile::Profile;
+    use std::f64::consts::PI;
+    use std::sync::Arc;
+
+    const MODULE: f64 = 4e-3;
+    const TEETH: u32 = 24;
+    const DENSITY: f64 = 7850.0;
+
+    fn blank() -> GearBlank {
+        let rack = Rack::new(MODULE, 20_f64.to_radians(), 0.3 * MODULE).expect("a rack");
+        GearBlank::standard(TEETH, rack).face_width(5.0 * MODULE)
+    }
+
+    /// A ring: mass, polar moment, moment across about its own middle.
+    fn ring([inner, outer]: [f64; 2], width: f64) -> [f64; 3] {
+        let mass = DENSITY * PI * (outer * outer - inner * inner) * width;
+        let squares = inner * inner + outer * outer;
+        [mass, 0.5 * mass * squares, mass * (3.0 * squares + width * width) / 12.0]
+    }
+
+    fn is_near(value: f64, expected: f64) -> bool {
+        (value / expected - 1.0).abs() < 1e-12
+    }
+
+    #[test]
+    fn a_ring_weighs_what_a_ring_does() {
+        let station = |radius: f64| Station { radius, ends: [0.01, 0.04] };
+        let section = Section::new(vec![station(0.05), station(0.12)]).expect("a section");
+        let found = AxialInertia::revolved(&section, DENSITY);
+        let [mass, polar, across] = ring([0.05, 0.12], 0.03);
+        assert!(is_near(found.mass, mass) && is_near(found.polar, polar));
+        assert!(is_near(found.along, 0.025 * mass));
+        assert!(is_near(found.across, across + mass * 0.025 * 0.025));
+    }
+
+    #[test]
+    fn a_cone_weighs_what_a_cone_does() {
+        // From the axis, nearly, to nothing: a double cone of height h to either side has mass 2/3 pi rho R² h and moment 3/10 m R².
+        let (radius, height) = (0.1, 0.02);
+        let station = |radius: f64, height: f64| Station { radius, ends: [-height, height] };
+        let section = Section::new(vec![station(1e-9, height), station(radius, 1e-12)]).expect("a section");
+        let found = AxialInertia::revolved(&section, DENSITY);
+        let mass = 2.0 / 3.0 * PI * DENSITY * radius * radius * height;
+        assert!((found.mass / mass - 1.0).abs() < 1e-6);
+        assert!((found.polar / (0.3 * mass * radius * radius) - 1.0).abs() < 1e-6);
+        // Across: 3/20 m R² + m h²/10.
+        let across = mass * (0.15 * radius * radius + 0.1 * height * height);
+        assert!((found.across / across - 1.0).abs() < 1e-6);
+    }
+
+    /// Area and polar moment of the outline of a gear, by a polygon of the true curves, less its bore.
+    fn outline(blank: &GearBlank) -> [f64; 2] {
+        let gear = blank.clone().cut().expect("a gear");
+        let fillet = gear.gear.root_fillet(Side::CounterClockwise);
+        let flank = &gear.flanks()[Side::CounterClockwise.surface() as usize];
+        let mut half: Vec<[f64; 2]> = Vec::new();
+        let points = 4000;
+        let curves: [&dyn Profile; 2] = [&fillet, flank.as_ref()];
+        for curve in curves {
+            half.extend(
+                (0..=points).map(|k| curve.at(curve.length() * f64::from(k) / f64::from(points)).position),
+            );
+        }
+        // By polar angle from the middle of the space to that of the tooth; circles bound it beyond both.
+        half.sort_by(|a, b| a[1].atan2(a[0]).abs().total_cmp(&b[1].atan2(b[0]).abs()));
+        let angle = |p: &[f64; 2]| p[1].atan2(p[0]).abs();
+        let radius = |p: &[f64; 2]| p[0].hypot(p[1]);
+        let (tip, root) = (half[0], half[half.len() - 1]);
+        let pitch = PI / f64::from(TEETH);
+        let mut sums = [0.0; 2];
+        let mut add = |from: f64, to: f64, r: [f64; 2]| {
+            // Of a narrow sector of varying radius.
+            let [square, fourth] = [2, 4].map(|power| 0.5 * (r[0].powi(power) + r[1].powi(power)));
+            sums[0] += 0.5 * square * (to - from);
+            sums[1] += 0.25 * fourth * (to - from);
+        };
+        add(0.0, angle(&tip), [radius(&tip); 2]);
+        for pair in half.windows(2) {
+            add(angle(&pair[0]), angle(&pair[1]), [radius(&pair[0]), radius(&pair[1])]);
+        }
+        add(angle(&root), pitch, [radius(&root); 2]);
+        let bore = gear.rim.held_radius;
+        let both = 2.0 * f64::from(TEETH);
+        [both * sums[0] - PI * bore.powi(2), both * sums[1] - 0.5 * PI * bore.powi(4)]
+    }
+
+    #[test]
+    fn teeth_weigh_what_their_outline_holds() {
+        let blank = blank();
+        let [area, polar] = outline(&blank);
+        let found = blank.clone().cut().expect("a gear").axial_inertia().expect("meshed");
+        let width = blank.face_width;
+        let mass = blank.material.density * area * width;
+        assert!((found.mass / mass - 1.0).abs() < 2e-5, "{} {mass}", found.mass);
+        let polar = blank.material.density * polar * width;
+        assert!((found.polar / polar - 1.0).abs() < 2e-5, "{} {polar}", found.polar);
+        let across = 0.5 * polar + mass * width * width / 12.0;
+        assert!((found.across / across - 1.0).abs() < 2e-5);
+        assert!(found.along == 0.0);
+    }
+
+    #[test]
+    fn what_stands_under_the_ring_is_there_too() {
+        let plain = blank();
+        let (diameter, width) = (plain.root_diameter, plain.face_width);
+        let rim = Rim::new(diameter - MODULE, diameter - 6.0 * MODULE).expect("a rim");
+        let weigh = |rim: Rim| {
+            let gear: Arc<GearPrototype> = plain.clone().rim(rim).cut().expect("a gear");
+            gear.axial_inertia().expect("meshed")
+        };
+        let without = weigh(rim);
+        let (bore, offset) = (10e-3, 1e-3);
+        let radii = [0.5 * bore, rim.held_radius];
+        let [mass, polar, across] = ring(radii, 0.25 * width);
+        let webbed = weigh(rim.on_web(0.25 * width, offset, bore).expect("a web"));
+        assert!(is_near(webbed.mass - without.mass, mass));
+        assert!(is_near(webbed.polar - without.polar, polar));
+        assert!(is_near(webbed.along, offset * mass));
+        assert!(is_near(webbed.across - without.across, across + mass * offset * offset));
+        // A hub as wide as the face, and a web of another density.
+        let light = Material { density: 0.5 * DENSITY, ..Material::STEEL };
+        let hub = Hub { radius: 8e-3, width, offset: 0.0 };
+        let disc = DiscWeb { hub: Some(hub), material: Some(light), ..DiscWeb::plain(0.25 * width, 0.0) };
+        let on_hub = weigh(rim.on_disc(0.25 * width, 0.0, bore, disc).expect("a disc web"));
+        let (of_hub, of_web) =
+            (ring([0.5 * bore, hub.radius], width), ring([hub.radius, rim.held_radius], 0.25 * width));
+        assert!(is_near(on_hub.mass - without.mass, 0.5 * (of_hub[0] + of_web[0])));
+        assert!(is_near(on_hub.polar - without.polar, 0.5 * (of_hub[1] + of_web[1])));
+        assert!(is_near(on_hub.across - without.across, 0.5 * (of_hub[2] + of_web[2])));
+    }
+}
