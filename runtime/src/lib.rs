@@ -68,6 +68,7 @@
 //! | [`plan`] | what of the scene is modelled, what is left out, and why |
 //! | [`holding`] | whether contacts can hold what is free, known before anything is solved |
 //! | [`system`], [`step`], [`observe`] | the planned scene, built; a position in equilibrium; values read off it, one [`observe::Observable`] each |
+//! | [`signal`] | outputs in the frequency domain: spectra, orders, transfer functions |
 //! | [`analysis`], [`results`], [`summary`] | a list of positions: [`analysis::Steps`] is the iterator, [`analysis::quasi_static`] tells an observer |
 //! | [`resources`], [`cache`], [`interrupt`] | what an analysis uses and no result depends on: threads, kept structures, a way to end it |
 //! | [`structure`], [`fe`], [`profile`] | elastic bodies by their surfaces, the finite elements behind them, the true curves contact sees |
@@ -112,6 +113,7 @@ pub mod profile;
 pub mod resources;
 pub mod results;
 pub mod scene;
+pub mod signal;
 pub mod step;
 pub mod structure;
 pub mod summary;
