@@ -5,13 +5,13 @@ use super::super::condense::{Assembled, match_cuts};
 use super::super::elastic::{Hold, Prepared, RingSource, SurfaceSource, chain, prepare};
 use super::super::sampling::SplitOptions;
 use super::super::{BoreHold, StructureError};
+use super::complex::under;
 use super::cyclic::ring_modes;
 use super::harmonic::{HarmonicModes, is_real};
 use super::sector::Sector;
 use super::{BodyModes, RingMode, SectorFields};
 use crate::fe::{PlaneModel, SparseVector};
 use crate::interrupt::Interrupt;
-use faer::sparse::SparseColMat;
 use faer::{Mat, c64};
 use std::f64::consts::TAU;
 use std::sync::Arc;
@@ -191,7 +191,7 @@ impl<'s> RingFields<'s> {
             let vector = [[1.0, 0.0], [0.0, 1.0], [-y, x], [x, y]][motion];
             vector[dof % 2]
         });
-        under(&self.sector.mass, &motions)
+        under(&self.sector.mass, motions.as_ref())
     }
 
     /// Of fields with unit motions, as sector 0 has them: motions by fields.
@@ -257,7 +257,7 @@ impl<'s> RingFields<'s> {
             let turned = Mat::from_fn(part.nrows(), part.ncols(), |dof, column| {
                 if dof % 2 == 0 { -part[(dof + 1, column)] } else { part[(dof - 1, column)] }
             });
-            under(&self.sector.mass, &turned)
+            under(&self.sector.mass, turned.as_ref())
         });
         let [re, im] = &self.parts;
         let between = |k: usize, l: usize| {
@@ -288,13 +288,4 @@ impl<'s> RingFields<'s> {
         }
         gyroscopic
     }
-}
-
-/// A real matrix of the mesh times columns.
-fn under(matrix: &SparseColMat<usize, f64>, columns: &Mat<f64>) -> Mat<f64> {
-    let mut result = Mat::zeros(matrix.nrows(), columns.ncols());
-    for place in 0..columns.ncols() {
-        super::complex::add_under(matrix, columns.col(place), result.col_mut(place));
-    }
-    result
 }

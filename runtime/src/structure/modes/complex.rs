@@ -11,7 +11,8 @@ use faer::linalg::evd::{
 };
 use faer::linalg::matmul::matmul;
 use faer::sparse::SparseColMat;
-use faer::{Accum, ColMut, ColRef, Mat, MatRef, Par, Spec, c64};
+use faer::{Accum, Mat, MatRef, Par, Spec, c64};
+use std::array;
 
 /// Complex columns.
 #[derive(Clone, Debug)]
@@ -90,27 +91,38 @@ impl Columns {
         })
     }
 
-    /// A real matrix of the mesh times these.
+    /// A real symmetric matrix of the mesh times these.
     pub fn under(&self, matrix: &SparseColMat<usize, f64>) -> Columns {
-        let mut result = Mat::zeros(matrix.nrows(), self.parts.ncols());
-        for place in 0..self.parts.ncols() {
-            add_under(matrix, self.parts.col(place), result.col_mut(place));
-        }
-        Columns { parts: result }
+        Columns { parts: under(matrix, self.parts.as_ref()) }
     }
 }
 
-/// `to += matrix * from`.
-pub(super) fn add_under(matrix: &SparseColMat<usize, f64>, from: ColRef<'_, f64>, mut to: ColMut<'_, f64>) {
-    for column in 0..matrix.ncols() {
-        let share = from[column];
-        if share == 0.0 {
-            continue;
+/// Columns that are multiplied at once, side by side.
+const LANES: usize = 8;
+
+/// A real symmetric matrix of the mesh times columns.
+pub(super) fn under(matrix: &SparseColMat<usize, f64>, columns: MatRef<'_, f64>) -> Mat<f64> {
+    let mut result = Mat::zeros(matrix.ncols(), columns.ncols());
+    let mut lanes = vec![[0.0; LANES]; columns.nrows()];
+    for first in (0..columns.ncols()).step_by(LANES) {
+        let width = LANES.min(columns.ncols() - first);
+        for (row, lanes) in lanes.iter_mut().enumerate() {
+            *lanes = array::from_fn(|lane| if lane < width { columns[(row, first + lane)] } else { 0.0 });
         }
-        for (row, value) in matrix.row_idx_of_col(column).zip(matrix.val_of_col(column)) {
-            to[row] += value * share;
+        for column in 0..matrix.ncols() {
+            // Symmetric: a column is a row.
+            let mut sum = [0.0; LANES];
+            for (row, value) in matrix.row_idx_of_col(column).zip(matrix.val_of_col(column)) {
+                for (sum, part) in sum.iter_mut().zip(&lanes[row]) {
+                    *sum += value * part;
+                }
+            }
+            for (lane, sum) in sum.into_iter().enumerate().take(width) {
+                result[(column, first + lane)] = sum;
+            }
         }
     }
+    result
 }
 
 /// `a b` of small matrices.

@@ -371,9 +371,9 @@ impl<'h> Lanczos<'h> {
         let load = block.under(&self.sector.mass);
         let Some(again) = Spectrum::of(&block.adjoint_times(&load)) else { return false };
         let identity = Mat::identity(kept.len(), kept.len());
-        let block = block.times(again.apply(identity.as_ref(), |value| value.sqrt().recip()).as_ref());
-        self.loads.push(block.under(&self.sector.mass));
-        self.basis.push(block);
+        let unit = again.apply(identity.as_ref(), |value| value.sqrt().recip());
+        self.loads.push(load.times(unit.as_ref()));
+        self.basis.push(block.times(unit.as_ref()));
         true
     }
 

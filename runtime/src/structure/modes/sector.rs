@@ -13,8 +13,7 @@ use crate::fe::{SolveError, SparseVector};
 use crate::interrupt::Interrupt;
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::sparse::SparseColMat;
-use faer::sparse::linalg::SupernodalThreshold;
-use faer::sparse::linalg::cholesky::simplicial::SimplicialLdltRef;
+use faer::sparse::linalg::cholesky::supernodal::SupernodalLdltRef;
 use faer::sparse::linalg::cholesky::{
     CholeskySymbolicParams, LdltRef, SymbolicCholesky, SymbolicCholeskyRaw, SymmetricOrdering,
     factorize_symbolic_cholesky,
@@ -56,6 +55,9 @@ impl Sector {
     ) -> Self {
         let of_nodes =
             |nodes: &Vec<usize>| nodes.iter().flat_map(|node| [2 * node, 2 * node + 1]).collect::<Vec<_>>();
+        // It moves no direction by the other: half of what is stored is nought.
+        let present = mass.triplet_iter().filter(|entry| *entry.val != 0.0);
+        let mass = summed(mass.ncols(), present.map(|entry| (entry.col, entry.row, *entry.val)).collect());
         let angle = cuts.map_or(0.0, |cuts| cuts.angle);
         let cuts = cuts.map_or_else(Default::default, |cuts| [&cuts.first, &cuts.last].map(of_nodes));
         let mut is_inner = vec![true; stiffness.ncols()];
@@ -119,11 +121,7 @@ impl<'s> Shifted<'s> {
         }
         let inside = summed(count, entries);
         let memory = || StructureError::Solve(SolveError::Memory { unknowns: count });
-        // Simplicial: the pivots, whose signs count, stand by themselves.
-        let params = CholeskySymbolicParams {
-            supernodal_flop_ratio_threshold: SupernodalThreshold::FORCE_SIMPLICIAL,
-            ..Default::default()
-        };
+        let params = CholeskySymbolicParams::default();
         let symbolic =
             factorize_symbolic_cholesky(inside.symbolic(), Side::Lower, SymmetricOrdering::Amd, params)
                 .map_err(|_| memory())?;
@@ -145,7 +143,7 @@ impl<'s> Shifted<'s> {
         if decomposed.is_err() {
             return Ok(None);
         }
-        let negative = pivots(&symbolic, &values).filter(|&pivot| pivot < 0.0).count();
+        let negative = negative_pivots(&symbolic, &values);
         let mut shifted = Self { sector, symbolic, values, negative, follows: Mat::zeros(0, 0), closed };
         if !shifted.is_reliable(&inside) {
             return Ok(None);
@@ -198,17 +196,23 @@ impl<'s> Shifted<'s> {
     }
 }
 
-/// Pivots of a decomposition.
-fn pivots<'a>(symbolic: &'a SymbolicCholesky<usize>, values: &'a [f64]) -> impl Iterator<Item = f64> + 'a {
-    let factor = match symbolic.raw() {
-        SymbolicCholeskyRaw::Simplicial(simplicial) => Some(SimplicialLdltRef::new(simplicial, values)),
-        SymbolicCholeskyRaw::Supernodal(_) => None,
-    };
-    // Each column begins with its pivot.
-    factor.into_iter().flat_map(|factor| {
-        let starts = factor.symbolic().col_ptr();
-        starts[..starts.len() - 1].iter().map(move |&start| factor.values()[start])
-    })
+/// Negative pivots of a decomposition.
+fn negative_pivots(symbolic: &SymbolicCholesky<usize>, values: &[f64]) -> usize {
+    match symbolic.raw() {
+        // Each column begins with its pivot.
+        SymbolicCholeskyRaw::Simplicial(symbolic) => {
+            let starts = symbolic.col_ptr();
+            starts[..starts.len() - 1].iter().filter(|&&start| values[start] < 0.0).count()
+        }
+        SymbolicCholeskyRaw::Supernodal(symbolic) => {
+            let factor = SupernodalLdltRef::new(symbolic, values);
+            let of_block = |block: usize| {
+                let block = factor.supernode(block).val();
+                (0..block.ncols()).filter(|&pivot| block[(pivot, pivot)] < 0.0).count()
+            };
+            (0..symbolic.n_supernodes()).map(of_block).sum()
+        }
+    }
 }
 
 /// Numbers without order, the same every time.
