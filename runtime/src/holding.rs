@@ -43,7 +43,7 @@ pub fn check(scene: &Scene, plan: &Plan, time: f64, interrupt: &Interrupt) -> Re
     let mut contacts = springs.gaps.len();
     for pair in &scene.pairs {
         // Surfaces that are no gears' have no nominal contact: only solving shows what they hold.
-        let Some(row) = nominal_arms(scene, pair, &freedoms)? else { return Ok(()) };
+        let Some(row) = nominal_arms(scene, pair, &freedoms, time)? else { return Ok(()) };
         arms.extend(row);
         contacts += 1;
     }
@@ -62,16 +62,17 @@ pub fn check(scene: &Scene, plan: &Plan, time: f64, interrupt: &Interrupt) -> Re
     }
 }
 
-/// Work that a unit of force along the line of action does on each freedom.
+/// Work that a unit of force along the line of action does on each freedom, at a time (s).
 fn nominal_arms(
     scene: &Scene,
     pair: &SurfacePair,
     freedoms: &[Freedom],
+    time: f64,
 ) -> Result<Option<Vec<f64>>, EngineError> {
     let Some(mesh) = &pair.mesh else { return Ok(None) };
     let bodies = pair.bodies.map(|body| body.0);
     let [first, second] =
-        [solid_pose(scene, bodies[0], mesh.start)?.origin, solid_pose(scene, bodies[1], mesh.start)?.origin];
+        [solid_pose(scene, bodies[0], time)?.origin, solid_pose(scene, bodies[1], time)?.origin];
     let across = [second[0] - first[0], second[1] - first[1]];
     let [radius, mate] = mesh.base_radii;
     let cosine = (radius + mesh.sign * mate).abs() / across[0].hypot(across[1]);

@@ -112,6 +112,7 @@ pub mod plan;
 pub mod profile;
 pub mod resources;
 pub mod results;
+pub mod rigid;
 pub mod scene;
 pub mod signal;
 pub mod step;

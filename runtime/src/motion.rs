@@ -261,8 +261,8 @@ const LATER: [f64; 2] = [0.13, 0.38];
 const NOWHERE: [f64; 2] = [1e-12, 1e-9];
 
 /// Where the axle is on which a body turns, in the body's coordinates, m: of a gear that sits off its shaft, the point of the shaft's axis
-/// beside the frame's origin; else the origin. Only an axis that rests, in the body as on ground, is an axle: a planet goes round its
-/// sun on none.
+/// beside the frame's origin; else the origin. An axis that rests, in the body as on ground, is an axle; so is that of a planet's pin, which
+/// rests in the body and goes round in a circle.
 pub fn axle(motion: &dyn Motion) -> [f64; 3] {
     // In the body and on ground, at a time.
     let axis = |time: f64| -> Option<([f64; 3], [f64; 3])> {
@@ -289,7 +289,44 @@ pub fn axle(motion: &dyn Motion) -> [f64; 3] {
             axis(part * turn).is_some_and(|(later, there)| near(own, &later) && near(ground, &there))
         })
     });
-    found.map_or([0.0; 3], |(own, _)| own)
+    found.map(|(own, _)| own).or_else(|| pin(motion)).unwrap_or_default()
+}
+
+/// Where the pin is on which a planet turns that sits off it, in the body's coordinates, m; `None` of a body that does not go round steadily, or
+/// sits on its pin.
+///
+/// As a complex number the origin of such a body is at `c + a z^k + b w^k` after `k` equal times, `w` the body's turn in one of them and
+/// `z` its carrier's: `b` is where the origin sits from the pin.
+fn pin(motion: &dyn Motion) -> Option<[f64; 3]> {
+    let minus = |[a, b]: [f64; 2], [c, d]: [f64; 2]| [a - c, b - d];
+    let times = |[a, b]: [f64; 2], [c, d]: [f64; 2]| [a * c - b * d, a * d + b * c];
+    let over = |[a, b]: [f64; 2], [c, d]: [f64; 2]| {
+        let square = c * c + d * d;
+        [(a * c + b * d) / square, (b * c - a * d) / square]
+    };
+    let size = |[a, b]: [f64; 2]| a.hypot(b);
+    let [_, _, speed] = angular_velocity(motion, 0.0);
+    let step = LATER[0] * TAU / speed.abs();
+    if !step.is_finite() {
+        return None;
+    }
+    let pose = pose_in_space(motion, 0.0).ok()?;
+    let turn = [(speed * step).cos(), (speed * step).sin()];
+    let place =
+        |k: u8| pose_in_space(motion, f64::from(k) * step).map(|pose| [pose.origin[0], pose.origin[1]]).ok();
+    let places = [place(0)?, place(1)?, place(2)?, place(3)?, place(4)?];
+    // What rests drops out of the differences, and then what turns with the body.
+    let moved = [0, 1, 2, 3].map(|k: usize| minus(places[k + 1], places[k]));
+    let round = [0, 1, 2].map(|k: usize| minus(moved[k + 1], times(turn, moved[k])));
+    let carrier = over(round[1], round[0]);
+    let [floor, relative] = NOWHERE;
+    let steady = size(minus(round[2], times(carrier, round[1]))) <= relative * size(round[0])
+        && (size(carrier) - 1.0).abs() <= relative
+        && size(minus(carrier, turn)) > relative;
+    let off = over(minus(moved[0], over(round[0], minus(carrier, turn))), minus(turn, [1.0, 0.0]));
+    let farthest = places.into_iter().map(size).fold(0.0, f64::max);
+    (steady && size(off) > floor + relative * farthest)
+        .then(|| [0, 1, 2].map(|k: usize| -(pose.rotation[0][k] * off[0] + pose.rotation[1][k] * off[1])))
 }
 
 /// Rate of a body's [`Stance::angle`], rad/s.
@@ -406,6 +443,9 @@ mod tests {
         // On its own axis; on a planet's, which goes round; and standing still.
         assert_eq!(axle(&SteadyRotation { origin: [0.3, -0.2], start: 0.4, speed: -2.0 }), [0.0; 3]);
         assert_eq!(axle(&Around { by: 0.0, orbit: 0.05 }), [0.0; 3]);
+        // A planet off its pin by two millimetres.
+        let [x, y, z] = axle(&Around { by: 2e-3, orbit: 0.05 });
+        assert!((x + 2e-3).abs() < 1e-12 && y.abs() < 1e-12 && z == 0.0, "{x} {y} {z}");
         assert_eq!(axle(&SteadyRotation::at_rest([0.3, -0.2])), [0.0; 3]);
     }
 

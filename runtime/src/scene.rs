@@ -460,12 +460,19 @@ pub struct GearMesh {
     pub roll: [f64; 2],
     /// The nominal path of contact: least and greatest roll angle of the first gear, rad.
     pub path: [f64; 2],
-    /// Roll angle of the first gear's tooth 0, were it in contact, where that gear's angle is zero, rad.
+    /// Roll angle of the first gear's tooth 0, were it in contact, where that gear's angle is zero and the line of centres is where it is
+    /// at time 0, rad.
     pub roll_at_zero: f64,
+    /// How fast the line of centres turns at time 0, rad/s: of a planet, with its carrier. 0 where both axes rest.
+    pub orbit: f64,
+    /// How far the second gear would have to turn, from where it is meant to be, for rigid teeth to touch, rad. Of a mesh that phased a gear
+    /// there is none; one that closes a loop may stand off by what axes are out of place and teeth too thin.
+    pub stand_off: f64,
 }
 
 impl GearMesh {
-    /// Whether a tooth of the first gear, whose body stands at `angle` (with its phase), is on the nominal path of contact.
+    /// Whether a tooth of the first gear, whose body stands at `angle` (with its phase, less what the line of centres has turned since time
+    /// 0), is on the nominal path of contact.
     pub fn on_path(&self, tooth: u32, angle: f64) -> bool {
         let turned = angle + TAU * f64::from(tooth) / f64::from(self.teeth[0]);
         let roll = self.roll_at_zero + self.drive_sense * turned;

@@ -9,7 +9,7 @@ use crate::motion::{PlanePose, Stance, axle, moved_by, point_velocity, pose_in_s
 use crate::plan::Plan;
 use crate::resources::Resources;
 use crate::results::StructureCounts;
-use crate::scene::{Fidelity, Scene};
+use crate::scene::{BodyId, Fidelity, Scene, SurfacePair};
 use crate::structure::solid::SolidStructure;
 use crate::structure::{AnyStructure, Structure};
 use std::sync::Arc;
@@ -33,6 +33,8 @@ pub struct System<'s> {
     pub(crate) freedoms: Vec<Freedom>,
     /// Of every body, see [`axle`].
     axles: Vec<[f64; 3]>,
+    /// Direction of the line of centres of every pair at time 0, rad, where it turns.
+    lines: Vec<Option<f64>>,
     /// Those that the plan models, by index in the scene.
     pub(crate) bearings: Vec<usize>,
     pub(crate) interrupt: Interrupt,
@@ -131,7 +133,13 @@ impl<'s> System<'s> {
         let interrupt = resources.interrupt.clone();
         let bearings = plan.modelled_bearings();
         let axles = scene.bodies.iter().map(|body| axle(body.motion.as_ref())).collect();
-        Ok(System { scene, bodies, freedoms, axles, bearings, interrupt, structure_counts })
+        let lines = Vec::new();
+        let mut system =
+            System { scene, bodies, freedoms, axles, lines, bearings, interrupt, structure_counts };
+        let turns = |pair: &SurfacePair| pair.mesh.as_ref().is_some_and(|mesh| mesh.orbit != 0.0);
+        let line = |pair| turns(pair).then(|| system.line_of_centres(pair, 0.0));
+        system.lines = scene.pairs.iter().map(line).collect();
+        Ok(system)
     }
 
     /// How many structures were built for this system, and how many there were already.
@@ -173,6 +181,37 @@ impl<'s> System<'s> {
             Bodies::Solid(bodies) => solid_pose(self.scene, body, time)
                 .map_or(f64::NAN, |pose| Stance::of(&pose).angle - bodies.initial[body]),
         }
+    }
+
+    /// Direction from the axle of a pair's first body to that of its second, as they are meant to be, rad.
+    fn line_of_centres(&self, pair: &SurfacePair, time: f64) -> f64 {
+        let [first, second] = pair.bodies.map(|body| self.origin(body.0, time));
+        (second[1] - first[1]).atan2(second[0] - first[0])
+    }
+
+    /// Angle by which a pair's line of centres has turned since time 0, rad, up to whole turns; 0 of gears whose axes rest.
+    pub(crate) fn line_turned(&self, pair: usize, time: f64) -> f64 {
+        let since = |start| self.line_of_centres(&self.scene.pairs[pair], time) - start;
+        self.lines[pair].map_or(0.0, since)
+    }
+
+    /// Velocity, at a point in ground coordinates (m), of the frame that goes along with a pair's line of centres, m/s: nothing where axes
+    /// rest. What gears do in a mesh they do against it.
+    pub(crate) fn line_velocity(&self, pair: usize, time: f64, [x, y, _]: [f64; 3]) -> [f64; 3] {
+        let SurfacePair { bodies: [first, second], .. } = self.scene.pairs[pair];
+        if self.lines[pair].is_none() {
+            return [0.0; 3];
+        }
+        let at = |body: BodyId| {
+            let place = self.origin(body.0, time);
+            (place, point_velocity(self.scene.bodies[body.0].motion.as_ref(), time, place))
+        };
+        let ([from, velocity], [to, other]) = (at(first).into(), at(second).into());
+        let across = [to[0] - from[0], to[1] - from[1]];
+        let relative = [other[0] - velocity[0], other[1] - velocity[1]];
+        let turning =
+            (across[0] * relative[1] - across[1] * relative[0]) / (across[0].powi(2) + across[1].powi(2));
+        [velocity[0] - turning * (y - from[1]), velocity[1] + turning * (x - from[0]), 0.0]
     }
 
     /// The deviations of a body from its prescribed motion that are among those of all freedoms, in the order of

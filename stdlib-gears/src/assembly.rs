@@ -7,11 +7,12 @@ use crate::axes::{Axes, turns_about_e3};
 use crate::error::{GeometryError, Refusal, sentence};
 use crate::gear::Gear;
 use crate::mesh_geometry::{MeshGeometry, Wound};
-use crate::mounting::{Mounting, mount, mount_back_sides};
+use crate::mounting::{Mounting, mesh_as_placed, stand_off};
+use crate::phasing;
 use crate::prototype::GearPrototype;
 use calyx_runtime::error::{EngineError, Subject};
 use calyx_runtime::motion::{PlanePose, pose_in_space, turning_speed};
-use calyx_runtime::scene::{Body, BodyId, GridOptions, PairId, Scene, SurfacePair};
+use calyx_runtime::scene::{Body, BodyId, Component, GearMesh, GridOptions, PairId, Scene, SurfacePair};
 use std::any::Any;
 use std::sync::Arc;
 
@@ -90,10 +91,11 @@ pub struct Meshed {
     pub warnings: Vec<GeometryError>,
 }
 
-/// Lets two gear bodies of a scene touch: the flanks that the load presses together, the second gear phased so that they do.
+/// Lets two gear bodies of a scene touch: the flanks that the load presses together, the second gear phased so that they do; the first one
+/// if the second has a mesh already; neither if both have.
 ///
 /// The first gear's moment about z at time 0 says which of its flanks drive; failing that the second one's, which it resists;
-/// failing that the first one's speed.
+/// failing that what an earlier mesh does to the one or the other, if it is free to turn; failing that the first one's speed.
 ///
 /// # Errors
 /// See [`Pairing::of`] and [`Pairing::mesh`].
@@ -111,7 +113,9 @@ pub fn mesh(
 pub struct Pairing {
     bodies: [BodyId; 2],
     axes: Axes,
-    /// rad/s
+    /// Of the line of centres, rad/s.
+    orbit: f64,
+    /// Against it, rad/s.
     speeds: [f64; 2],
 }
 
@@ -120,7 +124,7 @@ impl Pairing {
     ///
     /// # Errors
     /// E0648: their axes cross; E0652: they are one body, or in mesh already; E0653: one of them is not of the scene or carries no
-    /// gear; E0710: a frame is not a number.
+    /// gear; E0658: their axes approach; E0710: a frame is not a number.
     pub fn of(scene: &Scene, bodies: [BodyId; 2]) -> Result<Pairing, Refusal> {
         let mut half_widths = [0.0; 2];
         for ((id, argument), half) in bodies.into_iter().zip(["first", "second"]).zip(&mut half_widths) {
@@ -138,7 +142,9 @@ impl Pairing {
         let motion = |id: BodyId| scene.bodies[id.0].motion.as_ref();
         let poses = [pose_in_space(motion(bodies[0]), 0.0)?, pose_in_space(motion(bodies[1]), 0.0)?];
         let speeds = [turning_speed(motion(bodies[0]), 0.0)?, turning_speed(motion(bodies[1]), 0.0)?];
-        Ok(Pairing { bodies, axes: Axes::of(&poses, half_widths)?, speeds })
+        let axes = Axes::of(&poses, half_widths)?;
+        let orbit = phasing::orbit(scene, bodies, speeds)?;
+        Ok(Pairing { bodies, axes, orbit, speeds: speeds.map(|speed| speed - orbit) })
     }
 
     /// Between the two axes at the middle of the common face, m.
@@ -160,11 +166,12 @@ impl Pairing {
         Some(geometry.ok()?.across(first, &wound))
     }
 
-    /// Puts the gears in mesh: phases the second one and adds the pair of surfaces.
+    /// Puts the gears in mesh: phases the second one, or the first if the second has a mesh already, and adds the pair of surfaces.
     ///
     /// # Errors
     /// Everything that the two gears have against each other: E0630 to E0637; E0650 and E0651: their speeds make no mesh; E0653 as
-    /// for [`Pairing::of`]; E0723: a load is not a number at time 0.
+    /// for [`Pairing::of`]; E0723: a load is not a number at time 0; E0750: the mesh closes a loop whose teeth do not meet; E0751: one of
+    /// the gears has no room beside another one.
     pub fn mesh(&self, scene: &mut Scene, options: &MeshOptions) -> Result<Meshed, Refusal> {
         let [first, second] = self.bodies;
         let (Some(driver), Some(mate)) = (gear_of(scene, first), gear_of(scene, second)) else {
@@ -172,8 +179,8 @@ impl Pairing {
             return Err(error.into());
         };
         let (geometry, mut warnings) = check(driver, mate, self.center_distance(), self.axes.common_width)?;
+        phasing::has_room(scene, self.bodies).map_err(|error| vec![error])?;
         let gears = [driver.form(), mate.form()];
-        let phase_of_first = scene.bodies[first.0].phase;
         let sense = drive_sense(scene, self.bodies, gears[1].sense(), self.speeds[0])?;
         // Teeth are phased where they are at the middle of the common face.
         let twists = [driver.twist_per_length(), mate.twist_per_length()];
@@ -181,15 +188,41 @@ impl Pairing {
             let section = self.axes.sections[member];
             PlanePose { angle: section.angle + twists[member] * self.axes.along[member], ..section }
         });
-        let first_section = PlanePose { angle: first_section.angle + phase_of_first, ..first_section };
-        let mounting =
-            Mounting { first: first_section, second: second_section, angular_velocity: self.speeds, sense };
-        let (phase, mut mesh) = mount(gears, &geometry, &mounting)?;
+        let mounted = |phase_of_first: f64| Mounting {
+            first: PlanePose { angle: first_section.angle + phase_of_first, ..first_section },
+            second: second_section,
+            angular_velocity: self.speeds,
+            sense,
+        };
+        let mut phases = self.bodies.map(|body| scene.bodies[body.0].phase);
+        let needed = stand_off(gears, &geometry, &mounted(phases[0]));
+        // Of the second gear, to the nearest of its teeth.
+        let pitch = gears[1].pitch_angle();
+        let off = (needed - phases[1]) - ((needed - phases[1]) / pitch).round() * pitch;
+        let mut left = 0.0;
+        match phasing::turnable(scene, self.bodies) {
+            Some(1) => phases[1] = needed,
+            Some(_) => {
+                phases[0] += gears[1].sense() * off * f64::from(gears[1].teeth) / f64::from(gears[0].teeth)
+            }
+            None => {
+                left = off;
+                let judged = phasing::judge(scene, self.bodies, &gears[1], &geometry, off);
+                warnings.extend(judged.map_err(|error| vec![error])?);
+            }
+        }
+        let mounting = mounted(phases[0]);
+        let placed = |mounting: &Mounting| {
+            let mesh = mesh_as_placed(gears, &geometry, mounting, phases[1]);
+            mesh.map_err(|error| self.about_speeds(error))
+        };
+        let mut mesh = GearMesh { orbit: self.orbit, stand_off: left, ..placed(&mounting)? };
         // Where the body's own angle is zero, rather than that of its section.
-        let off_section = first_section.angle - phase_of_first - self.axes.angles[0];
+        let off_section = first_section.angle - self.axes.angles[0];
         mesh.roll_at_zero += sense * off_section;
+        scene.bodies[first.0].phase = phases[0];
         let body = &mut scene.bodies[second.0];
-        body.phase = phase;
+        body.phase = phases[1];
         if options.misalignment != Misalignment::default() {
             body.motion =
                 Arc::new(self.axes.misaligned(body.motion.clone(), &geometry, sense, options.misalignment));
@@ -198,7 +231,11 @@ impl Pairing {
         // A ring touches on the sides of its teeth that look the other way.
         let surfaces = [surface, if gears[1].internal { 1 - surface } else { surface }];
         let back = match options.back_side_contact {
-            true => Some(mount_back_sides(gears, &geometry, &mounting, phase)?),
+            // Back sides push the other way, and have a cycle of their own.
+            true => {
+                let mesh = placed(&Mounting { sense: -sense, ..mounting })?;
+                Some(GearMesh { orbit: self.orbit, stand_off: left, ..mesh })
+            }
             false => None,
         };
         if back.is_some() {
@@ -227,6 +264,17 @@ impl Pairing {
             })
         });
         Ok(Meshed { pair, back, geometry, warnings })
+    }
+
+    /// What is wrong with speeds, in words that fit axes that move.
+    fn about_speeds(&self, error: GeometryError) -> Refusal {
+        if self.orbit == 0.0 {
+            return error.into();
+        }
+        let help = sentence![
+            "speeds count against the line of centres, which turns too: from ground, let a frame turn with its carrier, move out, and turn by as much as it does against the carrier, like `Rotate(own * Time, e3) * Translate(distance * e1) * Rotate(carrier * Time, e3)`"
+        ];
+        GeometryError { help, ..error }.into()
     }
 }
 
@@ -332,8 +380,8 @@ fn meet_once(scene: &Scene, ids: [BodyId; 2]) -> Result<(), EngineError> {
     Ok(())
 }
 
-/// Which way the first body pushes: as its moment turns it, else against the second one's moment, else as it moves.
-/// `sign` is -1 if the second gear is a ring.
+/// Which way the first body pushes: as its moment turns it, else against the second one's moment, else so that it passes on what an earlier
+/// mesh does to one of them, else as it moves. `sign` is -1 if the second gear is a ring.
 fn drive_sense(scene: &Scene, bodies: [BodyId; 2], sign: f64, speed: f64) -> Result<f64, EngineError> {
     for (id, sign) in bodies.into_iter().zip([1.0, sign]) {
         let body = &scene.bodies[id.0];
@@ -352,5 +400,26 @@ fn drive_sense(scene: &Scene, bodies: [BodyId; 2], sign: f64, speed: f64) -> Res
             return Ok(sign * moment.signum());
         }
     }
+    for (id, sign) in bodies.into_iter().zip([1.0, sign]) {
+        let driven = driven(scene, id);
+        if driven != 0.0 {
+            return Ok(sign * driven.signum());
+        }
+    }
     Ok(if speed == 0.0 { 1.0 } else { speed.signum() })
+}
+
+/// Which way earlier meshes drive a gear that is free to turn, as a sum of signs: what it has to pass on to the next one, as an idler or a
+/// planet.
+fn driven(scene: &Scene, id: BodyId) -> f64 {
+    if !scene.bodies[id.0].free[Component::ThetaZ as usize] {
+        return 0.0;
+    }
+    let driving = scene.pairs.iter().filter(|pair| pair.front.is_none());
+    let torque = |pair: &SurfacePair| {
+        let mesh = pair.mesh.as_ref()?;
+        let side = pair.bodies.iter().position(|body| *body == id)?;
+        Some(-mesh.drive_sense * if side == 0 { 1.0 } else { mesh.sign })
+    };
+    driving.filter_map(torque).sum()
 }

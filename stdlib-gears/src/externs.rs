@@ -15,7 +15,8 @@ use calyx_runtime::material::Material;
 use calyx_runtime::motion::Motion;
 use calyx_runtime::plan::Plan;
 use calyx_runtime::results::OutputRequest;
-use calyx_runtime::scene::{Body, BodyId, FREEDOMS, Fidelity, PairId, StructureOptions};
+use calyx_runtime::rigid::RigidBody;
+use calyx_runtime::scene::{Body, BodyId, FREEDOMS, Fidelity, PairId, Prototype, StructureOptions};
 use calyx_runtime::structure::BoreHold;
 use std::sync::Arc;
 
@@ -29,23 +30,17 @@ calyx_abi::externs! {
         context, name: String, blank: Handle, frame: SymbolicTransform, free: Vec<String>, force: [f64; 3],
         moment: [f64; 3], host_load: String,
     ) -> Handle {
-        let mut freedoms = [false; 6];
-        for freedom in &free {
-            let Some(at) = FREEDOMS.iter().position(|known| known == freedom) else {
-                return Err(refusal("E0670", "free", &format!("\"{freedom}\" is not a freedom of a frame"),
-                    "the freedoms are \"u_x\", \"u_y\", \"u_z\", \"theta_x\", \"theta_y\" and \"theta_z\""));
-            };
-            freedoms[at] = true;
-        }
-        let motion = Arc::new(FrameMotion { value: frame.0, params: context.params.clone() });
-        let (place, host) = (context.place, host(context)?);
-        let prototype = entry(&host.gears, blank)?.clone();
-        let load = load(host, Wrench { force, moment }, &host_load, place);
-        let body = Body { name, prototype, motion, phase: 0.0, free: freedoms, load };
-        let id = add_body(&mut host.scene, body).map_err(|refusal| host.refused(refusal, place))?;
-        host.body_gears.push(blank.0 as usize);
-        host.body_places.push(place);
-        Ok(Handle(id.0 as u64))
+        let prototype = entry(&host(context)?.gears, blank)?.clone();
+        let frame = Placed { name, frame, free, load: Wrench { force, moment }, host_load };
+        frame.add(context, prototype, Some(blank.0 as usize))
+    }
+
+    Scene fn calyx_gears_rigid_body(
+        context, name: String, frame: SymbolicTransform, free: Vec<String>, force: [f64; 3], moment: [f64; 3],
+        host_load: String,
+    ) -> Handle {
+        let frame = Placed { name, frame, free, load: Wrench { force, moment }, host_load };
+        frame.add(context, Arc::new(RigidBody), None)
     }
 
     Scene fn calyx_gears_mesh(
@@ -101,6 +96,18 @@ calyx_abi::externs! {
         Ok(keep(&mut host.positions, positions))
     }
 
+    Pure fn calyx_gears_times(context, from: f64, to: f64, count: f64) -> Handle {
+        let whole = count.fract() == 0.0 && (1.0..=MOST_TIMES).contains(&count);
+        if !whole || !(from.is_finite() && to.is_finite()) || (count > 1.0 && to <= from) {
+            return Err(refusal("E0753", if whole { "to" } else { "count" },
+                &format!("there are no {count} positions from {from} s to {to} s"),
+                "give a whole number of positions, at least 1, and an end after the beginning"));
+        }
+        let last = (count - 1.0).max(1.0);
+        let at = |index: usize| Position::at(from + (to - from) * (index as f64 / last));
+        Ok(keep(&mut host(context)?.positions, (0..count as usize).map(at).collect()))
+    }
+
     Pure fn calyx_gears_base_radius(context, gear: Handle) -> f64 {
         Ok(entry(&host(context)?.gears, gear)?.form().base_radius)
     }
@@ -139,6 +146,49 @@ calyx_abi::externs! {
         if host.checking { Ok(()) } else { analyze(host, &positions, &options) }
     }
 }
+
+/// A body as a model places it: what bodies with and without teeth have in common.
+struct Placed {
+    name: String,
+    frame: SymbolicTransform,
+    free: Vec<String>,
+    load: Wrench,
+    host_load: String,
+}
+
+impl Placed {
+    /// Adds the body to the scene; `gear` is its number if it carries one.
+    fn add(
+        self,
+        context: &mut Context,
+        prototype: Arc<dyn Prototype>,
+        gear: Option<usize>,
+    ) -> Result<Handle, RuntimeError> {
+        let mut free = [false; 6];
+        for freedom in &self.free {
+            let Some(at) = FREEDOMS.iter().position(|known| known == freedom) else {
+                return Err(refusal(
+                    "E0670",
+                    "free",
+                    &format!("\"{freedom}\" is not a freedom of a frame"),
+                    "the freedoms are \"u_x\", \"u_y\", \"u_z\", \"theta_x\", \"theta_y\" and \"theta_z\"",
+                ));
+            };
+            free[at] = true;
+        }
+        let motion = Arc::new(FrameMotion { value: self.frame.0, params: context.params.clone() });
+        let (place, host) = (context.place, host(context)?);
+        let load = load(host, self.load, &self.host_load, place);
+        let body = Body { name: self.name, prototype, motion, phase: 0.0, free, load };
+        let id = add_body(&mut host.scene, body).map_err(|refusal| host.refused(refusal, place))?;
+        host.body_gears.push(gear);
+        host.body_places.push(place);
+        Ok(Handle(id.0 as u64))
+    }
+}
+
+/// Positions that a list may have: more would not fit a run's results.
+const MOST_TIMES: f64 = 1e6;
 
 /// Plans and runs an analysis of the scene, and keeps its result.
 fn analyze(
@@ -287,8 +337,7 @@ pub(crate) fn defect(message: &str) -> RuntimeError {
 
 /// A tooth of a body's gear.
 pub(crate) fn tooth_number(host: &ModelHost, body: BodyId, tooth: f64) -> Result<u32, RuntimeError> {
-    let gear = host.body_gears.get(body.0).copied().unwrap_or_default();
-    let teeth = entry(&host.gears, Handle(gear as u64))?.gear.teeth();
+    let teeth = host.gear_on(body)?.gear.teeth();
     match tooth.fract() == 0.0 && (0.0..f64::from(teeth)).contains(&tooth) {
         true => Ok(tooth as u32),
         false => Err(refusal(
@@ -302,8 +351,7 @@ pub(crate) fn tooth_number(host: &ModelHost, body: BodyId, tooth: f64) -> Result
 
 /// Checks the number of a lug of a body's rim.
 pub(crate) fn lug_number(host: &ModelHost, body: BodyId, lug: f64) -> Result<u32, RuntimeError> {
-    let gear = host.body_gears.get(body.0).copied().unwrap_or_default();
-    let lugs = match entry(&host.gears, Handle(gear as u64))?.rim.hold {
+    let lugs = match host.gear_on(body)?.rim.hold {
         BoreHold::Lugs(lugs) => u32::from(lugs.count),
         BoreHold::Rigid | BoreHold::Means { .. } => 0,
     };

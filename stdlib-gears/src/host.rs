@@ -18,7 +18,7 @@ use calyx_runtime::load::Load;
 use calyx_runtime::material::Material;
 use calyx_runtime::observe::Gauge;
 use calyx_runtime::results::{AnalysisResult, OutputRequest};
-use calyx_runtime::scene::{Fidelity, Scene, StructureOptions};
+use calyx_runtime::scene::{BodyId, Fidelity, Scene, StructureOptions};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -77,8 +77,8 @@ pub struct ModelHost {
     pub gears: Vec<Arc<GearPrototype>>,
     /// Places of the calls that made each gear.
     pub gear_places: Vec<(u32, u32, u32)>,
-    /// The gear of each body of the scene, in order.
-    pub body_gears: Vec<usize>,
+    /// The gear of each body of the scene, in order; `None` of a body without teeth.
+    pub body_gears: Vec<Option<usize>>,
     /// Places of the calls that made each body.
     pub body_places: Vec<(u32, u32, u32)>,
     /// Places of the calls that made each bearing.
@@ -121,6 +121,23 @@ impl ModelHost {
     /// The state of a model whose results print in this unit system.
     pub fn new(system: &str) -> ModelHost {
         ModelHost { length_unit: LengthUnit::of_system(system), ..ModelHost::default() }
+    }
+
+    /// The gear that a body carries.
+    ///
+    /// # Errors
+    /// E0659: it carries none.
+    pub(crate) fn gear_on(&self, body: BodyId) -> Result<&Arc<GearPrototype>, RuntimeError> {
+        let gear = self.body_gears.get(body.0).copied().flatten();
+        gear.and_then(|gear| self.gears.get(gear)).ok_or_else(|| {
+            let name = self.scene.bodies.get(body.0).map_or("", |body| &body.name);
+            RuntimeError::new(
+                "E0659",
+                format!("\"{name}\" is a rigid body, and carries no gear"),
+                "ask this of a body that `gears.body` made with a gear",
+            )
+            .of_argument("body")
+        })
     }
 
     /// A failure of the engine, placed at the call that made what it is about.

@@ -136,6 +136,7 @@ mod modified;
 pub mod modifying;
 pub mod mounting;
 pub mod observables;
+pub(crate) mod phasing;
 pub mod prototype;
 pub mod rack;
 mod root_finding;

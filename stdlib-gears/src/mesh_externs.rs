@@ -30,11 +30,7 @@ calyx_abi::externs! {
         let geometry = geometry(context, mesh)?;
         let host = host(context)?;
         let bodies = entry(&host.scene.pairs, mesh)?.bodies;
-        let gear = |side: usize| {
-            let gear = host.body_gears.get(bodies[side].0).copied().unwrap_or_default();
-            Ok::<_, RuntimeError>(&entry(&host.gears, Handle(gear as u64))?.gear)
-        };
-        let [first, second] = [gear(0)?, gear(1)?];
+        let [first, second] = [&host.gear_on(bodies[0])?.gear, &host.gear_on(bodies[1])?.gear];
         Ok(if root_of == "first" { geometry.clearance(first, second) } else { geometry.clearance(second, first) })
     }
 }

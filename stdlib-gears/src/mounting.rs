@@ -6,6 +6,9 @@
 //! angle `c - sense a` for the first gear and `c - sense a + pi` for the second, where `c` is the direction of the line of
 //! centres and `a` the operating pressure angle.
 //!
+//! Axes may move, as those of planets do: all of this is seen from the line of centres, whose direction `c` is that of time 0 and against which
+//! speeds are counted.
+//!
 //! Inside a ring both base tangent points lie in the direction `c - sense a + pi`, and the flank of the ring that touches is the one on the other
 //! side of the tooth, at `theta + 2 pi k / N - sense (h - g)` with the ring's negative roll angle.
 
@@ -23,7 +26,7 @@ pub struct Mounting {
     pub first: PlanePose,
     /// Of the second gear's frame, without a phase.
     pub second: PlanePose,
-    /// rad/s, counter-clockwise.
+    /// Against the line of centres, rad/s, counter-clockwise.
     pub angular_velocity: [f64; 2],
     /// +1 if the first gear pushes counter-clockwise.
     pub sense: f64,
@@ -38,25 +41,29 @@ pub fn mount(
     geometry: &MeshGeometry,
     mounting: &Mounting,
 ) -> Result<(f64, GearMesh), GeometryError> {
+    let phase = stand_off(gears, geometry, mounting);
+    Ok((phase, Sides { gears, geometry, mounting }.mesh(phase)?))
+}
+
+/// How far the second gear has to turn for rigid teeth to touch, rad: the nearest way.
+pub fn stand_off(gears: [ToothForm; 2], geometry: &MeshGeometry, mounting: &Mounting) -> f64 {
     let sides = Sides { gears, geometry, mounting };
     // Angle of the second gear's tooth that touches the first one's tooth 0, were that in contact.
     let opposite = sides.second_tooth_at(sides.roll_of_zero());
-    let phase = nearest_to_zero(opposite - mounting.second.angle, gears[1].pitch_angle());
-    Ok((phase, sides.mesh(phase)?))
+    nearest_to_zero(opposite - mounting.second.angle, gears[1].pitch_angle())
 }
 
-/// The mesh of the back sides of the teeth of two gears whose driving sides are mounted like this, with the phase (rad) that [`mount`] gave
-/// the second one. Back sides push the other way, and have a cycle of their own.
+/// The mesh of two gears where they stand, with the second one's phase (rad).
 ///
 /// # Errors
 /// As [`mount`].
-pub fn mount_back_sides(
+pub fn mesh_as_placed(
     gears: [ToothForm; 2],
     geometry: &MeshGeometry,
     mounting: &Mounting,
     phase: f64,
 ) -> Result<GearMesh, GeometryError> {
-    Sides { gears, geometry, mounting: &Mounting { sense: -mounting.sense, ..*mounting } }.mesh(phase)
+    Sides { gears, geometry, mounting }.mesh(phase)
 }
 
 /// The sides of teeth with which the first gear pushes in the mounting's sense.
@@ -138,6 +145,8 @@ impl Sides<'_> {
             roll: [enters, enters + step],
             path: [points.start_of_active_profile - early, points.end_of_active_profile + early],
             roll_at_zero: self.roll_at_zero(),
+            orbit: 0.0,
+            stand_off: 0.0,
         })
     }
 }
@@ -151,7 +160,7 @@ fn check_speeds(teeth: [u32; 2], sign: f64, speeds: [f64; 2]) -> Result<f64, Geo
         return Err(GeometryError::error(
             "E0650",
             "first",
-            sentence!["the first gear does not turn, so its mesh has no cycle"],
+            sentence!["the first gear does not turn against the line of centres, so its mesh has no cycle"],
             sentence!["let the frames turn with Time, like `Rotate(3 rpm * Time, e3)`"],
         ));
     }

@@ -69,12 +69,12 @@ calyx_abi::externs! {
     }
 
     Scene fn calyx_gears_lowest_contact(context, body: Handle) -> Handle {
-        let body = self::body(context, body)?;
+        let body = gear_body(context, body)?;
         observe(context, LowestContact(body))
     }
 
     Scene fn calyx_gears_highest_contact(context, body: Handle) -> Handle {
-        let body = self::body(context, body)?;
+        let body = gear_body(context, body)?;
         observe(context, HighestContact(body))
     }
 
@@ -96,12 +96,12 @@ calyx_abi::externs! {
     }
 
     Scene fn calyx_gears_max_root_stress(context, body: Handle) -> Handle {
-        let body = self::body(context, body)?;
+        let body = gear_body(context, body)?;
         observe(context, MaxRootStress(body))
     }
 
     Scene fn calyx_gears_max_root_compression(context, body: Handle) -> Handle {
-        let body = self::body(context, body)?;
+        let body = gear_body(context, body)?;
         observe(context, MaxRootCompression(body))
     }
 
@@ -165,7 +165,7 @@ fn place(
         "max_edge_pressure" => Maximum::EdgePressure,
         _ => Maximum::LineLoad,
     };
-    let body = self::body(context, body)?;
+    let body = gear_body(context, body)?;
     observe(context, PlaceOf { body, maximum, coordinate })
 }
 
@@ -175,6 +175,13 @@ fn pair(mesh: Handle) -> PairId {
 
 fn body(context: &mut Context, body: Handle) -> Result<BodyId, RuntimeError> {
     externs::body(context, "body", body)
+}
+
+/// A body that carries a gear.
+fn gear_body(context: &mut Context, body: Handle) -> Result<BodyId, RuntimeError> {
+    let body = self::body(context, body)?;
+    host(context)?.gear_on(body)?;
+    Ok(body)
 }
 
 /// Declared to be one of these.

@@ -84,7 +84,8 @@ impl Geometry {
             kept.push(add(&mut geometry.gears, place(Some(*made_at)), gear));
         }
         for (body, gear) in host.scene.bodies.iter().zip(&host.body_gears) {
-            if let Some(gear) = kept.get(*gear).and_then(|kept| geometry.gear_mut(*kept)) {
+            if let Some(gear) = gear.and_then(|gear| kept.get(gear)).and_then(|kept| geometry.gear_mut(*kept))
+            {
                 gear.bodies.push(body.name.clone());
             }
         }
@@ -134,7 +135,7 @@ fn add<T>(calls: &mut Vec<Made<T>>, span: Span, make: impl FnOnce() -> T) -> Opt
 /// A meeting of two bodies, and the numbers of their gears.
 fn mesh(host: &ModelHost, meeting: &Meeting) -> Option<(MeshGeometry, [usize; 2])> {
     let [first, second] = meeting.bodies;
-    let numbers = [*host.body_gears.get(first)?, *host.body_gears.get(second)?];
+    let numbers = [(*host.body_gears.get(first)?)?, (*host.body_gears.get(second)?)?];
     let gears = [host.gears.get(numbers[0])?, host.gears.get(numbers[1])?];
     let name = |body: usize| host.scene.bodies.get(body).map(|body| body.name.clone());
     let span = |gear: usize| place(host.gear_places.get(gear).copied());

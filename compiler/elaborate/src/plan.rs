@@ -105,7 +105,7 @@ pub struct PlannedBearing {
 impl Planned {
     pub(crate) fn of(host: &ModelHost, plan: &Plan, description: &ModelDescription) -> Planned {
         let scene = &host.scene;
-        let gear = |index: usize| host.gears.get(*host.body_gears.get(index)?);
+        let gear = |index: usize| host.gears.get((*host.body_gears.get(index)?)?);
         let numbers = plan.structures(scene);
         let bodies = scene.bodies.iter().zip(&plan.bodies).enumerate().map(|(index, (body, planned))| {
             let LengthUnit { name, metres } = host.length_unit;

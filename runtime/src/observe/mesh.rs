@@ -9,7 +9,8 @@ use std::f64::consts::PI;
 
 const THETA_Z: usize = 5;
 
-/// Lag of the second gear behind the driving sides of the first one's teeth: `sense (theta_1 N1/N2 + sign theta_2)`, angles counted from rigid unmodified contact. rad.
+/// Lag of the second gear behind the driving sides of the first one's teeth: `sense (theta_1 N1/N2 + sign theta_2)`, angles counted from rigid
+/// unmodified contact and against the line of centres, which turns with the frames of gears whose axes move. rad.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TransmissionError(pub PairId);
 
@@ -23,13 +24,14 @@ impl Observable for TransmissionError {
             return Observed::number(f64::NAN);
         };
         let ratio = f64::from(mesh.teeth[0]) / f64::from(mesh.teeth[1]);
-        let turned = |body: BodyId| at.system.turned(body.0, at.time());
+        let line = at.system.line_turned(at.front(self.0).0, at.time());
+        let turned = |body: BodyId| at.system.turned(body.0, at.time()) - line;
         let kinematic = turned(first) * ratio + mesh.sign * turned(second);
         // Angles are known up to whole turns, and a mesh repeats with every tooth of the second gear.
         let pitch = 2.0 * PI / f64::from(mesh.teeth[1]);
         let kinematic = kinematic - (kinematic / pitch).round() * pitch;
         let deflection = at.deviation(first, THETA_Z) * ratio + mesh.sign * at.deviation(second, THETA_Z);
-        Observed::number(mesh.drive_sense * (kinematic + deflection))
+        Observed::number(mesh.drive_sense * (kinematic + deflection - mesh.sign * mesh.stand_off))
     }
 }
 

@@ -95,12 +95,15 @@ impl Observable for Efficiency {
 }
 
 impl Contact<'_> {
-    /// Work by time of the normal forces of the patch on the body of one of its sides, W.
+    /// Work by time of the normal forces of the patch on the body of one of its sides, W, as seen from the line of centres: what the mesh
+    /// passes on.
     fn power(&self, side: usize) -> f64 {
         let normal = self.normal();
         let sense = if side == 0 { -1.0 } else { 1.0 };
         let of = |point: [f64; 3]| -> f64 {
-            self.at.velocity(self.bodies()[side], point).iter().zip(normal).map(|(v, n)| v * n).sum()
+            let own = self.at.velocity(self.bodies()[side], point);
+            let along = self.at.system.line_velocity(self.pair().0, self.at.time(), point);
+            (0..3).map(|k| (own[k] - along[k]) * normal[k]).sum()
         };
         self.slices().iter().map(|slice| sense * slice.force * of(slice.point)).sum()
     }

@@ -57,7 +57,7 @@ impl Space for Plane<'_> {
                 let body = (bodies[side], structures[side].as_ref(), profiles[side].as_ref());
                 self.teeth_near(body, placements[side], placements[other].origin(), reach)
             });
-            let angle = poses[0].angle + scene.bodies[bodies[0]].phase;
+            let angle = poses[0].angle + scene.bodies[bodies[0]].phase - self.system.line_turned(index, time);
             let nominal = pair.mesh.as_ref().filter(|_| !pair.grid.edges);
             let on_path = |tooth: u32| nominal.is_none_or(|mesh| mesh.on_path(tooth, angle));
             let touching = 0.5 * (profiles[0].length() + profiles[1].length());

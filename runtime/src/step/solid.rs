@@ -74,7 +74,8 @@ impl Space for Solid<'_> {
             });
             let nominal = pair.mesh.as_ref().filter(|_| !pair.grid.edges);
             let stances = [0, 1].map(|side: usize| Stance::of(&frames[side]));
-            let angle = stances[0].angle + scene.bodies[bodies[0]].phase;
+            let angle =
+                stances[0].angle + scene.bodies[bodies[0]].phase - self.system.line_turned(index, time);
             let turns = turns_along(surfaces[0].as_ref());
             let on_path = |tooth: u32| {
                 nominal.is_none_or(|mesh| turns.iter().any(|turn| mesh.on_path(tooth, angle + turn)))

@@ -1,0 +1,1 @@
+//! Assembly and phasing: which spacings go together, and which harmonics of the mesh turn the sun or move it sideways.
