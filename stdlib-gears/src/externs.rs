@@ -56,6 +56,8 @@ calyx_abi::externs! {
         }
         let ids = [body(context, "first", first)?, body(context, "second", second)?];
         let (place, host) = (context.place, host(context)?);
+        host.gear_on("first", ids[0])?;
+        host.gear_on("second", ids[1])?;
         let options = MeshOptions {
             tip_corner_contact,
             half_cells: (cells > 0.0).then_some(cells as usize),
@@ -337,7 +339,7 @@ pub(crate) fn defect(message: &str) -> RuntimeError {
 
 /// A tooth of a body's gear.
 pub(crate) fn tooth_number(host: &ModelHost, body: BodyId, tooth: f64) -> Result<u32, RuntimeError> {
-    let teeth = host.gear_on(body)?.gear.teeth();
+    let teeth = host.gear_on("body", body)?.gear.teeth();
     match tooth.fract() == 0.0 && (0.0..f64::from(teeth)).contains(&tooth) {
         true => Ok(tooth as u32),
         false => Err(refusal(
@@ -351,7 +353,7 @@ pub(crate) fn tooth_number(host: &ModelHost, body: BodyId, tooth: f64) -> Result
 
 /// Checks the number of a lug of a body's rim.
 pub(crate) fn lug_number(host: &ModelHost, body: BodyId, lug: f64) -> Result<u32, RuntimeError> {
-    let lugs = match host.gear_on(body)?.rim.hold {
+    let lugs = match host.gear_on("body", body)?.rim.hold {
         BoreHold::Lugs(lugs) => u32::from(lugs.count),
         BoreHold::Rigid | BoreHold::Means { .. } => 0,
     };

@@ -136,7 +136,7 @@ calyx_abi::externs! {
         let id = externs::body(context, "body", body)?;
         let tooth = if tooth == -1.0 { None } else { Some(tooth_number(host(context)?, id, tooth)?) };
         let (place, host) = (context.place, host(context)?);
-        let gear = host.gear_on(id)?.clone();
+        let gear = host.gear_on("body", id)?.clone();
         let along = if radius == 0.0 { Along::TangentAngle(tangent_angle) } else { Along::Radius(radius) };
         let placed = Placing { along, axial, direction, length }.on(&gear);
         let placed = placed.map_err(|error| host.refused(Refusal::from(error), place))?;

@@ -123,11 +123,11 @@ impl ModelHost {
         ModelHost { length_unit: LengthUnit::of_system(system), ..ModelHost::default() }
     }
 
-    /// The gear that a body carries.
+    /// The gear that a body carries which is given as an argument.
     ///
     /// # Errors
     /// E0659: it carries none.
-    pub(crate) fn gear_on(&self, body: BodyId) -> Result<&Arc<GearPrototype>, RuntimeError> {
+    pub(crate) fn gear_on(&self, argument: &str, body: BodyId) -> Result<&Arc<GearPrototype>, RuntimeError> {
         let gear = self.body_gears.get(body.0).copied().flatten();
         gear.and_then(|gear| self.gears.get(gear)).ok_or_else(|| {
             let name = self.scene.bodies.get(body.0).map_or("", |body| &body.name);
@@ -136,7 +136,7 @@ impl ModelHost {
                 format!("\"{name}\" is a rigid body, and carries no gear"),
                 "ask this of a body that `gears.body` made with a gear",
             )
-            .of_argument("body")
+            .of_argument(argument)
         })
     }
 

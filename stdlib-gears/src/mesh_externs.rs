@@ -30,7 +30,7 @@ calyx_abi::externs! {
         let geometry = geometry(context, mesh)?;
         let host = host(context)?;
         let bodies = entry(&host.scene.pairs, mesh)?.bodies;
-        let [first, second] = [&host.gear_on(bodies[0])?.gear, &host.gear_on(bodies[1])?.gear];
+        let [first, second] = [&host.gear_on("mesh", bodies[0])?.gear, &host.gear_on("mesh", bodies[1])?.gear];
         Ok(if root_of == "first" { geometry.clearance(first, second) } else { geometry.clearance(second, first) })
     }
 }

@@ -6,9 +6,9 @@ use calyx_abi::{Context, RuntimeError};
 use calyx_runtime::observe::{
     Coordinate, Displacement, Efficiency, FaceLoadFactor, FrictionLoss, HighestContact, LoadShare,
     LoadedFace, LowestContact, LugLoad, MaxContactPressure, MaxEdgePressure, MaxLineLoad, MaxRootCompression,
-    MaxRootStress, MaxSlidingVelocity, Maximum, MeshStiffness, Observable, PairLoad, PairsInContact, PlaceOf,
-    Rotation, SecantStiffness, SlidingVelocity, SupportForce, SupportMoment, ToothLoad, TransmissionError,
-    UnloadedTransmissionError,
+    MaxRootStress, MaxSlidingVelocity, Maximum, MeshForce, MeshStiffness, Observable, PairLoad,
+    PairsInContact, PlaceOf, Rotation, SecantStiffness, SlidingVelocity, SupportForce, SupportMoment,
+    ToothLoad, TransmissionError, UnloadedTransmissionError,
 };
 use calyx_runtime::scene::{BodyId, PairId};
 
@@ -23,6 +23,10 @@ calyx_abi::externs! {
 
     Scene fn calyx_gears_load_share(context, mesh: Handle) -> Handle {
         observe(context, LoadShare(pair(mesh)))
+    }
+
+    Scene fn calyx_gears_mesh_force(context, mesh: Handle) -> Handle {
+        observe(context, MeshForce(pair(mesh)))
     }
 
     Scene fn calyx_gears_pair_load(context, mesh: Handle, pair: f64) -> Handle {
@@ -180,7 +184,7 @@ fn body(context: &mut Context, body: Handle) -> Result<BodyId, RuntimeError> {
 /// A body that carries a gear.
 fn gear_body(context: &mut Context, body: Handle) -> Result<BodyId, RuntimeError> {
     let body = self::body(context, body)?;
-    host(context)?.gear_on(body)?;
+    host(context)?.gear_on("body", body)?;
     Ok(body)
 }
 

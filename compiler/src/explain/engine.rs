@@ -66,6 +66,8 @@ pub const CODES: &[Explanation] = codes! {
     "E0655" "lugs that cannot hold a rim" "The lugs of a spline are a whole number, three at least, and lie side by side around a rim of which nothing else is said there. Their stiffness is positive, or left out where they are rigid; a radial one is of lugs that hold the diameter."
     "E0656" "the mesh of a rim cannot tell its lugs apart" "What lugs do is told by a series around the bore: three waves a lug, and as many as lugs side by side would take up its circle. So narrow or so many lugs need as fine a mesh; that of a gear resolves four waves a tooth at least."
     "E0657" "no such lug" "Lugs are counted from 0, the first one, counter-clockwise around; a rim has some if it is held by `splined`."
+    "E0658" "the distance between the axes of two gears in mesh changes" "Axes may move, as those of planets do with their carrier, but the two of a mesh stay as far apart as they are: each rests, or goes round in a circle about the other one or about what both go round."
+    "E0659" "a body without teeth is asked for what teeth do" "`rigid_body` makes carriers, shafts and housings. They have no gear: they do not mesh, and have no fillets and no teeth to observe."
     "E0660" "Young's modulus is not positive" "Steel has about 206 GPa, or 3e7 psi."
     "E0661" "Poisson's ratio is not from 0 to below 0.5" "Steel has 0.3. At 0.5 a material would be incompressible, which these elements do not treat."
     "E0662" "the density is negative" "Steel has 7850 kg/m^3."
@@ -131,5 +133,9 @@ pub const CODES: &[Explanation] = codes! {
     "E0741" "a mode that there is not" "Modes are counted from 0, from the lowest natural frequency up; there are as many as freedoms that are not held."
     "E0758" "the modes of a body cannot be had" "All modes of a body up to a frequency are counted before they are found, and an analysis goes on with all of them or none. The message says what failed; usually the frequency asked for lies far beyond what the mesh can show."
     "E0759" "a body that lugs hold has no component modes" "Modes are found on one tooth with its share of the rim and hold for all of them, which lugs are not alike for. Hold the rim rigidly or in the mean, or let the body vibrate as a rigid one."
+    "E0750" "gears in a loop that cannot be put together" "Sun, planet and ring are a loop of meshes: where the last of them closes it, teeth have to meet spaces. Between planets that mesh with the same two coaxial gears stand whole multiples of 360 deg / (Zs + Zr), the teeth of both added up; equally spaced planets go together if their number divides that sum. The message gives the nearest place."
+    "E0751" "gears that mesh with one other run into each other" "Planets that stand side by side need more than twice their tip radius between their axes. Use fewer of them, or smaller ones."
+    "E0752" "the teeth of a loop stand off each other" "Contact takes up what pins are out of their places and teeth too thin, and shares the load accordingly. From two hundredths of a module on it is told, for a spacing that was rounded does the same."
+    "E0753" "a list of positions that cannot be" "`times` gives equally spaced positions: a whole number of them, from a time to a later one."
     "E0799" "a defect of Calyx; please report it with the model" "Something inside Calyx contradicts itself. It is not the model's fault."
 };

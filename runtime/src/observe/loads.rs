@@ -23,6 +23,20 @@ impl Observable for LoadShare {
     }
 }
 
+/// The normal force of a mesh, over all pairs of its teeth, on the sides of the pair of surfaces. N.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MeshForce(pub PairId);
+
+impl Observable for MeshForce {
+    fn quantity(&self) -> Quantity {
+        Quantity::repeating("mesh_force", "N")
+    }
+
+    fn value(&self, at: &Equilibrium<'_>) -> Observed {
+        Observed::number(at.contacts(self.0).map(|contact| contact.force()).fold(0.0, Add::add))
+    }
+}
+
 /// The normal force on a pair of teeth: that which enters at the start of the cycle (0), one that enters later (1, 2, ...) or has
 /// entered before (-1, -2, ...). N.
 #[derive(Clone, Copy, Debug, PartialEq)]

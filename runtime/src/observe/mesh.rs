@@ -73,6 +73,9 @@ impl Observable for SecantStiffness {
 
 /// Tangent stiffness: the inverse of how far the mesh gives along the line of action for a small added force, with
 /// the cells that carry load now. Zero without load. N/m.
+///
+/// Of two gears that are in no other mesh, bearings give too. Otherwise, as of a planet, the force would go on to other meshes: there it is the
+/// stiffness of these teeth alone, under a small turn of one gear with all other forces as they are.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MeshStiffness(pub PairId);
 
@@ -84,7 +87,9 @@ impl Observable for MeshStiffness {
     fn value(&self, at: &Equilibrium<'_>) -> Observed {
         let Some((mesh, [first, second])) = at.mesh(self.0) else { return Observed::number(f64::NAN) };
         let (step, freedoms) = (at.step, &at.system.freedoms);
-        let (active, n, m) = (&step.active, step.problem.cells(), freedoms.len());
+        let (n, m) = (step.problem.cells(), freedoms.len());
+        let alone = at.is_alone(self.0);
+        let active = if alone { step.active.clone() } else { at.active_cells(self.0) };
         if active.is_empty() || m == 0 {
             return Observed::number(0.0);
         }
@@ -93,15 +98,50 @@ impl Observable for MeshStiffness {
         });
         let arms = DMatrix::from_fn(active.len(), m, |i, k| step.problem.arms[active[i] * m + k]);
         let Some(factor) = compliance.cholesky() else { return Observed::number(f64::NAN) };
-        let springs = DMatrix::from_row_slice(m, m, &step.problem.stiffness);
-        let stiffness = arms.transpose() * factor.solve(&arms) + springs;
+        let teeth = arms.transpose() * factor.solve(&arms);
         // Work done by a unit force along the line of action on each freedom.
         let along = DVector::from_fn(m, |k, _| match freedoms[k] {
             Freedom { body, component: THETA_Z } if body == first.0 => mesh.base_radii[0],
             Freedom { body, component: THETA_Z } if body == second.0 => mesh.sign * mesh.base_radii[1],
             _ => 0.0,
         });
+        if !alone {
+            // Turns of one gear alone, by as much along the line of action.
+            let turned = (0..m).find(|&k| along[k] != 0.0);
+            return Observed::number(
+                turned.map_or(0.0, |k| at.system.width() * teeth[(k, k)] / along[k].powi(2)),
+            );
+        }
+        let stiffness = teeth + DMatrix::from_row_slice(m, m, &step.problem.stiffness);
         let gives = stiffness.lu().solve(&along).map_or(f64::NAN, |motion| along.dot(&motion));
         Observed::number(at.system.width() / gives)
+    }
+}
+
+impl Equilibrium<'_> {
+    /// Whether the two bodies of a mesh are in no other one.
+    fn is_alone(&self, pair: PairId) -> bool {
+        let front = self.front(pair);
+        let Some((_, bodies)) = self.mesh(front) else { return true };
+        let others =
+            (0..self.system.scene.pairs.len()).map(PairId).filter(|&other| self.front(other) != front);
+        let shares =
+            |other| self.mesh(other).is_some_and(|(_, own)| own.iter().any(|body| bodies.contains(body)));
+        !others.into_iter().any(shares)
+    }
+
+    /// Cells of a mesh that carry load, on both sides of its teeth, by index in the problem.
+    fn active_cells(&self, pair: PairId) -> Vec<usize> {
+        let front = self.front(pair);
+        let mut cells = Vec::new();
+        let mut first = 0;
+        for patch in &self.step.patches {
+            let own = first..first + patch.forces.len();
+            first = own.end;
+            if self.front(PairId(patch.pair)) == front {
+                cells.extend(self.step.active.iter().copied().filter(|cell| own.contains(cell)));
+            }
+        }
+        cells
     }
 }

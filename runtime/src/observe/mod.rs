@@ -23,7 +23,7 @@ pub use bodies::{
 pub use equilibrium::{Contact, Equilibrium, Slice};
 pub use fields::{ContactField, Fields, FilletField, FilletStress, PressedCell};
 pub use gauge::{Gauge, GaugeReading, Reading};
-pub use loads::{FaceLoadFactor, LoadShare, LoadedFace, MaxLineLoad, PairLoad, PairsInContact};
+pub use loads::{FaceLoadFactor, LoadShare, LoadedFace, MaxLineLoad, MeshForce, PairLoad, PairsInContact};
 pub use mesh::{MeshStiffness, SecantStiffness, TransmissionError, UnloadedTransmissionError};
 pub use places::{Coordinate, Maximum, PlaceOf};
 pub use pressure::{MaxContactPressure, MaxEdgePressure};
