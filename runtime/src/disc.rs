@@ -31,6 +31,7 @@ use crate::cache::{Key, KeyWriter};
 use crate::error::EngineError;
 use crate::fe::block::uniform;
 use crate::fe::{Block, Curve, ElementOrder, MeshBuilder, MeshError, PlaneMesh, PlaneModel, Side};
+use crate::inertia::Inertia;
 use crate::interrupt::Interrupt;
 use crate::material::{Material, Plane};
 use crate::profile::{Profile, ProfilePoint};
@@ -38,7 +39,7 @@ use crate::scene::{Prototype, StructureOptions};
 use crate::structure::{
     BodyModes, ElasticStructure, Hold, RigidStructure, SplitOptions, Structure, SurfaceSource,
 };
-use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 use std::sync::Arc;
 
 /// A solid elastic cylinder with its axis through the body's origin, in plane strain.
@@ -198,6 +199,13 @@ impl Prototype for Disc {
     ) -> Result<Option<Arc<BodyModes>>, EngineError> {
         let (model, surfaces, split) = self.model(options)?;
         Ok(Some(Arc::new(BodyModes::single(&model, Hold::Free, &surfaces, &split, highest, interrupt)?)))
+    }
+
+    fn inertia(&self) -> Inertia {
+        let Disc { radius, face_width, material } = *self;
+        let mass = material.density * PI * radius * radius * face_width;
+        let across = mass * (0.25 * radius * radius + face_width * face_width / 12.0);
+        Inertia::axial(mass, 0.5 * mass * radius * radius, across)
     }
 
     fn modes_key(&self, options: &StructureOptions, highest: f64) -> Option<Key> {

@@ -62,7 +62,7 @@
 //! | module | what |
 //! |---|---|
 //! | [`scene`] | what there is: [`scene::Body`], [`scene::SurfacePair`]; [`scene::Prototype`] is how a body is modelled |
-//! | [`motion`], [`load`], [`material`] | where frames are meant to be, what acts on them, what bodies are made of |
+//! | [`motion`], [`load`], [`material`], [`inertia`] | where frames are meant to be, what acts on them, what bodies are made of and weigh |
 //! | [`bearing`] | what connects bodies to each other and to ground besides contact |
 //! | [`disc`] | cylinders and platens; gears are in the crate `calyx-gears` |
 //! | [`plan`] | what of the scene is modelled, what is left out, and why |
@@ -103,6 +103,7 @@ pub mod disc;
 pub mod error;
 pub mod fe;
 pub mod holding;
+pub mod inertia;
 pub mod interrupt;
 pub mod load;
 pub mod material;

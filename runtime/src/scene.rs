@@ -3,6 +3,7 @@
 use crate::bearing::Bearing;
 use crate::cache::Key;
 use crate::error::EngineError;
+use crate::inertia::Inertia;
 use crate::interrupt::Interrupt;
 use crate::load::{Load, Wrench};
 use crate::motion::Motion;
@@ -84,6 +85,11 @@ pub trait Prototype: Any + Send + Sync {
         _interrupt: &Interrupt,
     ) -> Result<Option<Arc<BodyModes>>, EngineError> {
         Ok(None)
+    }
+
+    /// What the body weighs, in its frame; nothing unless somebody says so.
+    fn inertia(&self) -> Inertia {
+        Inertia::default()
     }
 
     /// Everything that the modes depend on, as [`Prototype::key`] of the structure; none of a body that has none.

@@ -5,55 +5,22 @@
 
 use crate::prototype::GearPrototype;
 use calyx_runtime::fe::{Section, Station};
+use calyx_runtime::inertia::Inertia;
 use calyx_runtime::material::Material;
 use calyx_runtime::scene::StructureOptions;
 
-/// Mass of a body that is the same in all directions across its axis; z is counted from mid-face.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct AxialInertia {
-    /// kg.
-    pub mass: f64,
-    /// Of the mass by z, kg m.
-    pub along: f64,
-    /// About the axis, kg m².
-    pub polar: f64,
-    /// About axes across it through mid-face, kg m².
-    pub across: f64,
-}
-
-impl AxialInertia {
-    /// A body of revolution of a density, kg/m³.
-    fn revolved(section: &Section, density: f64) -> Self {
-        let [volume, along, polar, axial] = section.moments().map(|moment| density * moment);
-        Self { mass: volume, along, polar, across: 0.5 * polar + axial }
-    }
-
-    fn and(self, other: Self) -> Self {
-        Self {
-            mass: self.mass + other.mass,
-            along: self.along + other.along,
-            polar: self.polar + other.polar,
-            across: self.across + other.across,
-        }
-    }
-}
-
 impl GearPrototype {
-    /// The whole gear. `None` if it cannot be meshed.
-    pub fn axial_inertia(&self) -> Option<AxialInertia> {
+    /// The whole gear; nothing if it cannot be meshed, which is said when its structure is built.
+    pub(crate) fn whole_inertia(&self) -> Option<Inertia> {
         let mesh = self.plane_mesh(&StructureOptions::default()).ok()?;
         let sectors = f64::from(self.gear.teeth());
         let [area, polar] = mesh.area_and_polar_moment().map(|moment| sectors * moment);
         let (density, width) = (self.material.density, self.face_width);
-        let toothed = AxialInertia {
-            mass: density * area * width,
-            along: 0.0,
-            polar: density * polar * width,
-            across: density * width * (0.5 * polar + area * width * width / 12.0),
-        };
-        let carried =
-            self.carrying().map(|(section, material)| AxialInertia::revolved(&section, material.density));
-        Some(toothed.and(carried.unwrap_or_default()))
+        let mass = density * area * width;
+        let polar = density * polar * width;
+        let toothed = Inertia::axial(mass, polar, 0.5 * polar + mass * width * width / 12.0);
+        let carried = self.carrying().map(|(section, material)| material.density * section.inertia());
+        Some(toothed + carried.unwrap_or_default())
     }
 
     /// What stands between ring and bore.
@@ -80,6 +47,7 @@ mod tests {
     use crate::fillet::Side;
     use crate::rack::Rack;
     use calyx_runtime::profile::Profile;
+    use calyx_runtime::scene::Prototype;
     use std::f64::consts::PI;
     use std::sync::Arc;
 
@@ -107,11 +75,11 @@ mod tests {
     fn a_ring_weighs_what_a_ring_does() {
         let station = |radius: f64| Station { radius, ends: [0.01, 0.04] };
         let section = Section::new(vec![station(0.05), station(0.12)]).expect("a section");
-        let found = AxialInertia::revolved(&section, DENSITY);
+        let found = DENSITY * section.inertia();
         let [mass, polar, across] = ring([0.05, 0.12], 0.03);
-        assert!(is_near(found.mass, mass) && is_near(found.polar, polar));
-        assert!(is_near(found.along, 0.025 * mass));
-        assert!(is_near(found.across, across + mass * 0.025 * 0.025));
+        assert!(is_near(found.mass, mass) && is_near(found.polar(), polar));
+        assert!(is_near(found.moment[2], 0.025 * mass));
+        assert!(is_near(found.about[0][0], across + mass * 0.025 * 0.025));
     }
 
     #[test]
@@ -120,13 +88,13 @@ mod tests {
         let (radius, height) = (0.1, 0.02);
         let station = |radius: f64, height: f64| Station { radius, ends: [-height, height] };
         let section = Section::new(vec![station(1e-9, height), station(radius, 1e-12)]).expect("a section");
-        let found = AxialInertia::revolved(&section, DENSITY);
+        let found = DENSITY * section.inertia();
         let mass = 2.0 / 3.0 * PI * DENSITY * radius * radius * height;
         assert!((found.mass / mass - 1.0).abs() < 1e-6);
-        assert!((found.polar / (0.3 * mass * radius * radius) - 1.0).abs() < 1e-6);
+        assert!((found.polar() / (0.3 * mass * radius * radius) - 1.0).abs() < 1e-6);
         // Across: 3/20 m R² + m h²/10.
         let across = mass * (0.15 * radius * radius + 0.1 * height * height);
-        assert!((found.across / across - 1.0).abs() < 1e-6);
+        assert!((found.about[0][0] / across - 1.0).abs() < 1e-6);
     }
 
     /// Area and polar moment of the outline of a gear, by a polygon of the true curves, less its bore.
@@ -169,15 +137,15 @@ mod tests {
     fn teeth_weigh_what_their_outline_holds() {
         let blank = blank();
         let [area, polar] = outline(&blank);
-        let found = blank.clone().cut().expect("a gear").axial_inertia().expect("meshed");
+        let found = blank.clone().cut().expect("a gear").inertia();
         let width = blank.face_width;
         let mass = blank.material.density * area * width;
         assert!((found.mass / mass - 1.0).abs() < 2e-5, "{} {mass}", found.mass);
         let polar = blank.material.density * polar * width;
-        assert!((found.polar / polar - 1.0).abs() < 2e-5, "{} {polar}", found.polar);
+        assert!((found.polar() / polar - 1.0).abs() < 2e-5, "{} {polar}", found.polar());
         let across = 0.5 * polar + mass * width * width / 12.0;
-        assert!((found.across / across - 1.0).abs() < 2e-5);
-        assert!(found.along == 0.0);
+        assert!((found.about[0][0] / across - 1.0).abs() < 2e-5);
+        assert!(found.moment[2] == 0.0);
     }
 
     #[test]
@@ -187,7 +155,7 @@ mod tests {
         let rim = Rim::new(diameter - MODULE, diameter - 6.0 * MODULE).expect("a rim");
         let weigh = |rim: Rim| {
             let gear: Arc<GearPrototype> = plain.clone().rim(rim).cut().expect("a gear");
-            gear.axial_inertia().expect("meshed")
+            gear.inertia()
         };
         let without = weigh(rim);
         let (bore, offset) = (10e-3, 1e-3);
@@ -195,9 +163,9 @@ mod tests {
         let [mass, polar, across] = ring(radii, 0.25 * width);
         let webbed = weigh(rim.on_web(0.25 * width, offset, bore).expect("a web"));
         assert!(is_near(webbed.mass - without.mass, mass));
-        assert!(is_near(webbed.polar - without.polar, polar));
-        assert!(is_near(webbed.along, offset * mass));
-        assert!(is_near(webbed.across - without.across, across + mass * offset * offset));
+        assert!(is_near(webbed.polar() - without.polar(), polar));
+        assert!(is_near(webbed.moment[2], offset * mass));
+        assert!(is_near(webbed.about[0][0] - without.about[0][0], across + mass * offset * offset));
         // A hub as wide as the face, and a web of another density.
         let light = Material { density: 0.5 * DENSITY, ..Material::STEEL };
         let hub = Hub { radius: 8e-3, width, offset: 0.0 };
@@ -206,7 +174,7 @@ mod tests {
         let (of_hub, of_web) =
             (ring([0.5 * bore, hub.radius], width), ring([hub.radius, rim.held_radius], 0.25 * width));
         assert!(is_near(on_hub.mass - without.mass, 0.5 * (of_hub[0] + of_web[0])));
-        assert!(is_near(on_hub.polar - without.polar, 0.5 * (of_hub[1] + of_web[1])));
-        assert!(is_near(on_hub.across - without.across, 0.5 * (of_hub[2] + of_web[2])));
+        assert!(is_near(on_hub.polar() - without.polar(), 0.5 * (of_hub[1] + of_web[1])));
+        assert!(is_near(on_hub.about[0][0] - without.about[0][0], 0.5 * (of_hub[2] + of_web[2])));
     }
 }

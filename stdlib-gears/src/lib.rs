@@ -122,7 +122,7 @@ pub mod gear;
 pub mod gear_surface;
 pub mod helix;
 pub mod host;
-pub mod inertia;
+mod inertia;
 pub mod internal;
 pub mod internal_blank;
 pub mod involute;

@@ -12,6 +12,7 @@ use crate::sector_mesh::{Refinement, TipEdge, sector_mesh};
 use calyx_runtime::cache::{Key, KeyWriter};
 use calyx_runtime::error::EngineError;
 use calyx_runtime::fe::{ElementOrder, PlaneMesh, PlaneModel};
+use calyx_runtime::inertia::Inertia;
 use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::material::{Material, Plane};
 use calyx_runtime::profile::Profile;
@@ -313,6 +314,10 @@ impl Prototype for GearPrototype {
     ) -> Result<Option<Arc<BodyModes>>, EngineError> {
         let PlaneSector { model, surfaces, ring, split } = self.plane_sector(options, interrupt)?;
         Ok(Some(Arc::new(BodyModes::ring(&model, &ring, &surfaces, &split, highest, interrupt)?)))
+    }
+
+    fn inertia(&self) -> Inertia {
+        self.whole_inertia().unwrap_or_default()
     }
 
     fn modes_key(&self, options: &StructureOptions, highest: f64) -> Option<Key> {

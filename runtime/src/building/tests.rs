@@ -6,7 +6,7 @@ use crate::error::EngineError;
 use crate::interrupt::Interrupt;
 use crate::material::Material;
 use crate::resources::Resources;
-use crate::scene::StructureOptions;
+use crate::scene::{Prototype, StructureOptions};
 use crate::structure::{BodyModes, Chart};
 use std::sync::Arc;
 
@@ -71,6 +71,9 @@ fn modes_of_a_free_disc_move_its_middle_nowhere() {
     let mass = found.rigid_mass[0][0];
     let expected = std::f64::consts::PI * DISC.radius.powi(2) * Material::STEEL.density;
     assert!((mass / expected - 1.0).abs() < 1e-4, "{mass} {expected}");
+    let whole = DISC.inertia();
+    assert!((mass * DISC.face_width / whole.mass - 1.0).abs() < 1e-4);
+    assert!((found.rigid_mass[2][2] * DISC.face_width / whole.polar() - 1.0).abs() < 1e-4);
     for coupling in &found.coupling {
         assert!(coupling[0].hypot(coupling[1]) < 1e-7 * mass.sqrt());
         assert!(coupling[2].abs() < 1e-7 * mass.sqrt() * DISC.radius);

@@ -20,6 +20,7 @@ use super::mesh::{EdgeChain, Element, PlaneMesh};
 use super::model::gradients;
 use super::quadrature::gauss_legendre;
 use super::sparse::summed;
+use crate::inertia::Inertia;
 use crate::material::Material;
 use faer::sparse::SparseColMat;
 use std::f64::consts::{PI, TAU};
@@ -115,25 +116,25 @@ impl Section {
         [self.stations[0], self.stations[last]]
     }
 
-    /// Integrals over the body: its volume (m³), of z (m⁴), of r² and of z² (m⁵), exact.
-    pub fn moments(&self) -> [f64; 4] {
+    /// What the body weighs for a density of 1 kg/m³, exactly.
+    pub fn inertia(&self) -> Inertia {
         // Of degree 4 at most.
         let rule = gauss_legendre(3);
-        let mut sums = [0.0; 4];
+        let mut inertia = Inertia::default();
         for pair in self.stations.windows(2) {
             let half = 0.5 * (pair[1].radius - pair[0].radius);
             for (x, weight) in &rule {
                 let share = 0.5 * (1.0 + x);
                 let radius = between([pair[0].radius, pair[1].radius], share);
                 let [from, to] = [0, 1].map(|end| between([pair[0].ends[end], pair[1].ends[end]], share));
-                let around = TAU * radius * half * weight;
-                sums[0] += around * (to - from);
-                sums[1] += around * 0.5 * (to * to - from * from);
-                sums[2] += around * radius * radius * (to - from);
-                sums[3] += around * (to.powi(3) - from.powi(3)) / 3.0;
+                let (around, width) = (TAU * radius * half * weight, to - from);
+                // A thin tube.
+                let (mass, square) = (around * width, radius * radius);
+                let tube = Inertia::axial(mass, mass * square, mass * (0.5 * square + width * width / 12.0));
+                inertia = inertia + tube.shifted_along(0.5 * (from + to));
             }
         }
-        sums
+        inertia
     }
 
     /// Stretches between steps, divided alike on both sides of each step.
