@@ -259,7 +259,7 @@ impl<'s> Steps<'s> {
         refuse_nan(&row, self.outputs)?;
         let certificate = step.certificate;
         self.current = Some(step);
-        Ok(Solved { row, certificate })
+        Ok(Solved { row, certificate, state: Vec::new() })
     }
 
     /// Solves the next positions, one a thread.
@@ -370,7 +370,7 @@ pub fn quasi_static(
 }
 
 /// Rows of an earlier run must be those of the first positions, bit for bit.
-fn check_solved(
+pub(crate) fn check_solved(
     solved: &[Solved],
     positions: &[Position],
     outputs: &[OutputRequest],
@@ -389,7 +389,7 @@ fn check_solved(
 }
 
 /// A result that is no number says nothing; the sooner the model's author knows where it came from the better.
-fn refuse_nan(row: &StepRow, outputs: &[OutputRequest]) -> Result<(), EngineError> {
+pub(crate) fn refuse_nan(row: &StepRow, outputs: &[OutputRequest]) -> Result<(), EngineError> {
     let Some(output) = row.outputs.iter().position(|output| output.value.is_nan()) else { return Ok(()) };
     let name = outputs.get(output).map_or("", |request| request.name.as_str());
     Err(EngineError::new(

@@ -15,7 +15,7 @@ mod placed;
 mod springs;
 
 pub(crate) use placed::Placed;
-pub(crate) use springs::{Springs, springs};
+pub(crate) use springs::{Springs, damping, springs};
 
 use crate::error::EngineError;
 use crate::scene::{BodyId, FREEDOMS, Scene};
@@ -47,7 +47,7 @@ pub struct Bearing {
     pub at: [f64; 3],
     /// K, symmetric and positive semidefinite.
     pub stiffness: BearingMatrix,
-    /// C, the same of rates. It waits for dynamics: a quasi-static analysis leaves rates out.
+    /// C, the same of rates, which a quasi-static analysis leaves out.
     pub damping: BearingMatrix,
     /// x0, the deflection at which the springs bear nothing: m and rad.
     pub unloaded: [f64; 6],

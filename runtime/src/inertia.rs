@@ -36,6 +36,23 @@ impl Inertia {
         if self.mass == 0.0 { [0.0; 3] } else { self.moment.map(|moment| moment / self.mass) }
     }
 
+    /// About a point of the body, m: the moments by the theorem of parallel axes.
+    pub fn from(&self, [x, y, z]: [f64; 3]) -> Self {
+        let Inertia { mass, moment, mut about } = *self;
+        let at = [x, y, z];
+        let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+        // Of each particle |r - p|² = r² - 2 r p + p², and so the products.
+        let spread = mass * dot(at, at) - 2.0 * dot(moment, at);
+        for (i, row) in about.iter_mut().enumerate() {
+            for (j, entry) in row.iter_mut().enumerate() {
+                let product = mass * at[i] * at[j] - moment[i] * at[j] - moment[j] * at[i];
+                *entry += if i == j { spread - product } else { -product };
+            }
+        }
+        let moment = [0, 1, 2].map(|k: usize| moment[k] - mass * at[k]);
+        Self { mass, moment, about }
+    }
+
     /// About the z axis, kg m².
     pub fn polar(&self) -> f64 {
         self.about[2][2]
@@ -84,6 +101,12 @@ mod tests {
         assert_eq!(whole.centre(), [0.0; 3]);
         assert!((whole.about[0][0] - 2.0 * 0.6 * 0.6 / 12.0).abs() < 1e-15);
         assert_eq!(half.shifted_along(0.15).centre(), [0.0, 0.0, 0.15]);
+        let seen = half.from([0.0, 0.0, -0.15]);
+        assert!((seen.about[0][0] - half.shifted_along(0.15).about[0][0]).abs() < 1e-15);
+        let off = half.from([-0.5, 0.2, 0.0]);
+        assert!((off.polar() - 0.29).abs() < 1e-15 && (off.about[0][1] - 0.1).abs() < 1e-15);
+        let back = off.from([0.5, -0.2, 0.0]);
+        assert!((back.about[0][0] - half.about[0][0]).abs() < 1e-15 && back.about[0][1].abs() < 1e-15);
         assert_eq!(2.0 * half, half + half);
         assert_eq!(Inertia::default().centre(), [0.0; 3]);
     }

@@ -100,6 +100,7 @@ pub mod cache;
 pub mod contact;
 mod dense;
 pub mod disc;
+pub mod dynamics;
 pub mod error;
 pub mod fe;
 pub mod holding;

@@ -13,6 +13,9 @@ pub trait Motion: Send + Sync {
 
     /// Rate of `frame`, per second.
     fn rate(&self, time: f64) -> [f64; 12];
+
+    /// Second derivative of `frame`, per second squared: what dynamics needs.
+    fn acceleration(&self, time: f64) -> [f64; 12];
 }
 
 /// Turning steadily about an axis parallel to e3 through a fixed point: the motion of most gear bodies.
@@ -45,6 +48,13 @@ impl Motion for SteadyRotation {
         let [x, y] = self.origin;
         [-sin, cos, 0.0, -cos, -sin, 0.0, 0.0, 0.0, 0.0, sin * x - cos * y, cos * x + sin * y, 0.0]
             .map(|entry| entry * self.speed)
+    }
+
+    fn acceleration(&self, time: f64) -> [f64; 12] {
+        let mut turning = self.frame(time).map(|entry| -entry * self.speed * self.speed);
+        // The axis rests.
+        turning[8] = 0.0;
+        turning
     }
 }
 
@@ -86,6 +96,10 @@ impl Motion for Placed {
     fn rate(&self, time: f64) -> [f64; 12] {
         self.put(self.motion.rate(time))
     }
+
+    fn acceleration(&self, time: f64) -> [f64; 12] {
+        self.put(self.motion.acceleration(time))
+    }
 }
 
 /// Velocity of the point of a moving body that is at a point in ground coordinates (m) at a time (s), m/s.
@@ -96,6 +110,29 @@ pub fn point_velocity(motion: &dyn Motion, time: f64, point: [f64; 3]) -> [f64; 
         r[9 + row] + (0..3).map(|column| r[3 * row + column] * point[column]).sum::<f64>()
     });
     std::array::from_fn(|axis| -(0..3).map(|row| f[3 * row + axis] * seen[row]).sum::<f64>())
+}
+
+/// Acceleration of the point of a moving body that is at a point in ground coordinates (m) at a time (s), m/s².
+pub fn point_acceleration(motion: &dyn Motion, time: f64, point: [f64; 3]) -> [f64; 3] {
+    let (f, r, a) = (motion.frame(time), motion.rate(time), motion.acceleration(time));
+    let velocity = point_velocity(motion, time, point);
+    // The second derivative of x' = R x + t vanishes.
+    let seen: [f64; 3] = std::array::from_fn(|row| {
+        let turning = |k: usize| a[3 * row + k] * point[k] + 2.0 * r[3 * row + k] * velocity[k];
+        a[9 + row] + (0..3).map(turning).sum::<f64>()
+    });
+    std::array::from_fn(|axis| -(0..3).map(|row| f[3 * row + axis] * seen[row]).sum::<f64>())
+}
+
+/// Rate of a motion's angular velocity along ground axes, rad/s².
+pub fn angular_acceleration(motion: &dyn Motion, time: f64) -> [f64; 3] {
+    let (f, r, a) = (motion.frame(time), motion.rate(time), motion.acceleration(time));
+    // The rate of what `angular_velocity` reads off.
+    let entry = |row: usize, column: usize| -> f64 {
+        let of = |k: usize| a[3 * k + row] * f[3 * k + column] + r[3 * k + row] * r[3 * k + column];
+        (0..3).map(of).sum()
+    };
+    [entry(2, 1), entry(0, 2), entry(1, 0)]
 }
 
 /// A pose in the plane: a body turned by `angle` with its origin at `origin`.
@@ -375,6 +412,9 @@ mod tests {
             let (before, after) = (self.frame(time - step), self.frame(time + step));
             std::array::from_fn(|k| (after[k] - before[k]) / (2.0 * step))
         }
+        fn acceleration(&self, _: f64) -> [f64; 12] {
+            [f64::NAN; 12]
+        }
     }
 
     #[test]
@@ -434,6 +474,9 @@ mod tests {
             let (before, after) = (self.frame(time - step), self.frame(time + step));
             std::array::from_fn(|k| (after[k] - before[k]) / (2.0 * step))
         }
+        fn acceleration(&self, _: f64) -> [f64; 12] {
+            [f64::NAN; 12]
+        }
     }
 
     #[test]
@@ -475,6 +518,9 @@ mod tests {
                 [1.0, 0.0, 0.0, 0.0, 0.8, 0.6, 0.0, -0.6, 0.8, 0.0, 0.0, 0.0]
             }
             fn rate(&self, _: f64) -> [f64; 12] {
+                [0.0; 12]
+            }
+            fn acceleration(&self, _: f64) -> [f64; 12] {
                 [0.0; 12]
             }
         }

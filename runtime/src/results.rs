@@ -150,6 +150,8 @@ pub struct Solved {
     pub row: StepRow,
     /// How well it is solved.
     pub certificate: Certificate,
+    /// Of a step in time: the state of its coordinates, from which the next one goes on; empty in equilibrium.
+    pub state: Vec<f64>,
 }
 
 /// An output over all positions, SI.

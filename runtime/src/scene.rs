@@ -350,6 +350,8 @@ pub struct Body {
     pub free: [bool; 6],
     /// What acts on the frame from outside.
     pub load: Arc<dyn Load>,
+    /// Masses on the frame beside the body's own.
+    pub added: Inertia,
 }
 
 impl Body {
@@ -366,6 +368,7 @@ impl Body {
             phase: 0.0,
             free: [false; 6],
             load: Arc::new(Wrench::NONE),
+            added: Inertia::default(),
         }
     }
 
@@ -375,6 +378,17 @@ impl Body {
             self.free[*component as usize] = true;
         }
         self
+    }
+
+    /// The body with masses on its frame beside its own.
+    pub fn with_added(mut self, inertia: Inertia) -> Body {
+        self.added = self.added + inertia;
+        self
+    }
+
+    /// All that it weighs.
+    pub fn inertia(&self) -> Inertia {
+        self.prototype.inertia() + self.added
     }
 
     /// The body under a load: a [`Wrench`] or a closure of time, see [`Load`].

@@ -15,12 +15,14 @@ use crate::bearing::Springs;
 use crate::contact::friction::solve_with_friction;
 use crate::contact::problem::{Certificate, ContactError, ContactProblem};
 use crate::contact::rest::{Rest, rest};
+use crate::dynamics::{Elastic, Modes};
 use crate::error::EngineError;
 use crate::holding;
 use crate::scene::{Scene, SurfacePair};
 use crate::system::{Bodies, System, Teeth};
 use drag::Action;
 use drift::{Foothold, farthest};
+use faer::Mat;
 
 /// A solved position. Keeps the contact problem and its active cells, from which sensitivities follow.
 #[derive(Clone, Debug)]
@@ -38,6 +40,13 @@ pub struct StepResult {
     pub problem: ContactProblem,
     /// Cells that carry load, by index in the problem.
     pub active: Vec<usize>,
+    /// Modal coordinates of the bodies, body after body; empty where no modes are asked for.
+    pub modal: Vec<f64>,
+    /// Rates of the freedoms and of the modal coordinates, per second; empty in equilibrium.
+    pub velocity: Vec<f64>,
+    /// What acts on the frame of each body beside contact, bearings and its whole load, in the order of [`crate::scene::FREEDOMS`]: inertia, and
+    /// the part of the load that a step leaves out; N and N m. Empty in equilibrium.
+    pub beside: Vec<[f64; 6]>,
     /// Forces on the stops of bearings, whose gaps stand behind those of the patches: N, of a plane model N per metre of face width.
     pub stops: Vec<f64>,
     /// How well it is solved.
@@ -148,16 +157,29 @@ trait Space {
         Vec::new()
     }
 
-    /// A better size for a grid whose size was left open and turns out to be unsuitable.
+    /// A better size for a grid whose size was left open and turns out to be unsuitable; where `wide` ones are as they should be, a wider one.
     fn better_size(
         &self,
         candidate: &Candidate<Self::Site>,
         grid: &Self::Grid,
         forces: &[f64],
+        wide: bool,
     ) -> Option<Self::Size>;
 
     /// What the solution says against its grid (report figures 3.40 to 3.42).
-    fn judge(&self, candidate: &Candidate<Self::Site>, grid: &Self::Grid, forces: &[f64]) -> Option<String>;
+    /// Where loads come and go, `wide` grids are as they should be.
+    fn judge(
+        &self,
+        candidate: &Candidate<Self::Site>,
+        grid: &Self::Grid,
+        forces: &[f64],
+        wide: bool,
+    ) -> Option<String>;
+
+    /// Growth of the gap of each cell by each modal coordinate of the bodies; none in space.
+    fn modal_arms(&self, _laid: &[(&Candidate<Self::Site>, &Self::Grid)], _modes: &Modes) -> Mat<f64> {
+        Mat::zeros(0, 0)
+    }
 
     /// The patch as results show it, without a grid where nothing is pressed.
     fn patch(&self, candidate: &Candidate<Self::Site>, laid: Option<(Self::Grid, Vec<f64>)>) -> Patch;
@@ -172,7 +194,7 @@ impl System<'_> {
     /// A load is not a number, nothing holds it, the problem is degenerate, or the interrupt's.
     pub fn solve(&self, time: f64) -> Result<StepResult, EngineError> {
         let load = self.load_at(time)?;
-        self.solve_under(time, &load, &load)
+        self.solve_under(time, &load, &load, None)
     }
 
     /// The scene at a time (s) where its surfaces touch as the load vanishes.
@@ -180,21 +202,72 @@ impl System<'_> {
     /// # Errors
     /// As [`System::solve`].
     pub(crate) fn touch(&self, time: f64) -> Result<StepResult, EngineError> {
-        self.solve_under(time, &vec![0.0; self.freedoms.len()], &self.load_at(time)?)
+        self.solve_under(time, &vec![0.0; self.freedoms.len()], &self.load_at(time)?, None)
     }
 
     /// Under a load, which may be the limit of one in a direction.
-    fn solve_under(&self, time: f64, load: &[f64], direction: &[f64]) -> Result<StepResult, EngineError> {
+    pub(crate) fn solve_under(
+        &self,
+        time: f64,
+        load: &[f64],
+        direction: &[f64],
+        elastic: Option<&Elastic<'_>>,
+    ) -> Result<StepResult, EngineError> {
         let springs = &self.springs_at(time)?;
         let load: Vec<f64> = load.iter().zip(&springs.load).map(|(load, own)| load + own).collect();
         match &self.bodies {
             Bodies::Plane(bodies) => {
                 let space = &plane::Plane { system: self, bodies };
-                Solver { system: self, space, direction, springs, start: &[] }.solve(time, &load)
+                Solver { system: self, space, direction, springs, start: &[], elastic, sizing: None }
+                    .solve(time, &load)
             }
             Bodies::Solid(bodies) => {
                 let space = &solid::Solid { system: self, bodies };
-                Solver { system: self, space, direction, springs, start: &[] }.solve(time, &load)
+                Solver { system: self, space, direction, springs, start: &[], elastic, sizing: None }
+                    .solve(time, &load)
+            }
+        }
+    }
+}
+
+impl System<'_> {
+    /// The end of a step in time (s) that begins where bodies are off their prescribed motions by `start`: `springs` holds the step's matrix and the stops
+    /// as seen from there, `load` what moves the freedoms from there. Its motion is counted from the prescribed one.
+    pub(crate) fn step(
+        &self,
+        time: f64,
+        springs: &Springs,
+        load: &[f64],
+        start: &[f64],
+        elastic: Option<&Elastic<'_>>,
+        sizing: &[f64],
+    ) -> Result<StepResult, EngineError> {
+        match &self.bodies {
+            Bodies::Plane(bodies) => {
+                let space = &plane::Plane { system: self, bodies };
+                Solver {
+                    system: self,
+                    space,
+                    direction: sizing,
+                    springs,
+                    start,
+                    elastic,
+                    sizing: Some(sizing),
+                }
+                .take(time, load)
+            }
+            Bodies::Solid(bodies) => {
+                let space = &solid::Solid { system: self, bodies };
+                Solver {
+                    system: self,
+                    space,
+                    direction: sizing,
+                    springs,
+                    start,
+                    elastic,
+                    sizing: Some(sizing),
+                }
+                .take(time, load)
             }
         }
     }
@@ -210,6 +283,10 @@ struct Solver<'a, S> {
     springs: &'a Springs,
     /// How far bodies are off their prescribed motions where contact is laid out, m or rad by freedom; empty if they are not.
     start: &'a [f64],
+    /// Modal coordinates that take part.
+    elastic: Option<&'a Elastic<'a>>,
+    /// Of a step in time: the load that grids are sized for, whatever the forces of the step are.
+    sizing: Option<&'a [f64]>,
 }
 
 /// A position solved with contact laid out at one place.
@@ -256,17 +333,27 @@ impl<S: Space> Solver<'_, S> {
         let candidates = self.space.candidates(time, start)?;
         // Motions are counted from there, and springs are strained already.
         let (springs, load) = self.springs.from(start, load);
-        let solver = Solver { springs: &springs, start, ..*self };
+        Solver { springs: &springs, start, ..*self }.solve_laid(time, &load, candidates)
+    }
+
+    /// With contact between these laid out at the solver's start, from where springs and load are counted.
+    fn solve_laid(
+        &self,
+        time: f64,
+        load: &[f64],
+        candidates: Vec<Candidate<S::Site>>,
+    ) -> Result<Laid, EngineError> {
+        let start = self.start;
         let near = |candidate: &Candidate<S::Site>| candidate.nearest.gap < SEARCH_DEPTH * candidate.length;
         let mut chosen: Vec<bool> = candidates.iter().map(near).collect();
-        if !chosen.contains(&true) {
+        if !chosen.contains(&true) && self.sizing.is_none() {
             // Frames leave a gap that motions have to close first.
             chosen.fill(true);
         }
         loop {
             let used: Vec<&Candidate<S::Site>> =
                 candidates.iter().zip(&chosen).filter(|(_, used)| **used).map(|(c, _)| c).collect();
-            let Laid { step, footholds } = solver.solve_candidates(time, &load, &used)?;
+            let Laid { step, footholds } = self.solve_candidates(time, load, &used)?;
             // Teeth that were left out and that the solution would push into each other.
             let mut closed = false;
             for (candidate, used) in candidates.iter().zip(&mut chosen).filter(|(_, used)| !**used) {
@@ -281,6 +368,12 @@ impl<S: Space> Solver<'_, S> {
                 return Ok(Laid { step, footholds });
             }
         }
+    }
+
+    /// A step in time.
+    fn take(&self, time: f64, load: &[f64]) -> Result<StepResult, EngineError> {
+        let candidates = self.space.candidates(time, self.start)?;
+        Ok(self.solve_laid(time, load, candidates)?.step)
     }
 
     /// Where the load has carried bodies: springs are strained as they are, stops pressed in as far, and what they leave free is where
@@ -366,23 +459,26 @@ impl<S: Space> Solver<'_, S> {
         candidates: &[&Candidate<S::Site>],
     ) -> Result<Laid, EngineError> {
         // Bodies that are all held, or sprung, where they overlap press on each other without any load.
-        let rest = rest(&self.springs.stiffness, load);
-        if rest.balanced
-            && let Some(laid) = self.touch_without_load(time, load, candidates, &rest)?
-        {
-            return Ok(laid);
+        // A step in time has inertia to balance them.
+        if self.sizing.is_none() {
+            let rest = rest(&self.springs.stiffness, load);
+            if rest.balanced
+                && let Some(laid) = self.touch_without_load(time, load, candidates, &rest)?
+            {
+                return Ok(laid);
+            }
         }
         let mut sizes = vec![None; candidates.len()];
-        let largest_forces = self.largest_forces(load, candidates);
+        let largest_forces = self.largest_forces(self.sizing.unwrap_or(load), candidates);
         let mut rounds = REGRIDS;
-        let (grids, drags, problem, solution) = loop {
+        let (grids, drags, problem, arms, solution) = loop {
             let grids: Vec<S::Grid> = candidates
                 .iter()
                 .zip(&largest_forces)
                 .zip(&sizes)
                 .map(|((candidate, &force), &size)| self.space.lay(candidate, force, size))
                 .collect();
-            let problem = self.problem(load, candidates, &grids)?;
+            let (problem, arms) = self.problem(load, candidates, &grids)?;
             let (drags, mut works) = self.friction(time, candidates, &grids);
             works.resize(problem.arms.len(), 0.0);
             let guess = self.space.guess(&problem, &grids);
@@ -391,7 +487,7 @@ impl<S: Space> Solver<'_, S> {
             // Sizes nobody asked for follow what the patches turn out to carry.
             let better = self.better_sizes(candidates, &grids, &solution.forces);
             if rounds == 0 || better.iter().all(Option::is_none) {
-                break (grids, drags, problem, solution);
+                break (grids, drags, problem, arms, solution);
             }
             for (size, better) in sizes.iter_mut().zip(better) {
                 *size = better.or(*size);
@@ -405,7 +501,7 @@ impl<S: Space> Solver<'_, S> {
         for ((candidate, grid), drag) in candidates.iter().zip(grids).zip(drags) {
             let (forces, others) = left.split_at(self.space.count(&grid));
             left = others;
-            warnings.extend(self.space.judge(candidate, &grid, forces));
+            warnings.extend(self.space.judge(candidate, &grid, forces, self.sizing.is_some()));
             if forces.iter().any(|&force| force > 0.0) {
                 footholds.push(Foothold {
                     pair: candidate.teeth.0,
@@ -416,9 +512,13 @@ impl<S: Space> Solver<'_, S> {
             patches.push(Patch { drag, ..self.space.patch(candidate, Some((grid, forces.to_vec()))) });
         }
         let stops = left.to_vec();
+        let modal = self.elastic.map(|elastic| elastic.recover(&arms, &solution.forces, &solution.motion));
         let step = StepResult {
             time,
             patches,
+            modal: modal.unwrap_or_default(),
+            velocity: Vec::new(),
+            beside: Vec::new(),
             motion: solution.motion,
             start: Vec::new(),
             problem,
@@ -464,7 +564,21 @@ impl<S: Space> Solver<'_, S> {
         let (active, stops, warnings) = (Vec::new(), Vec::new(), Vec::new());
         let start = Vec::new();
         let footholds = footholds.collect();
-        let step = StepResult { time, patches, motion, start, problem, active, stops, certificate, warnings };
+        let (modal, velocity, beside) = (Vec::new(), Vec::new(), Vec::new());
+        let step = StepResult {
+            time,
+            patches,
+            motion,
+            modal,
+            velocity,
+            beside,
+            start,
+            problem,
+            active,
+            stops,
+            certificate,
+            warnings,
+        };
         Ok(Some(Laid { step, footholds }))
     }
 
@@ -480,7 +594,7 @@ impl<S: Space> Solver<'_, S> {
         laid.map(|(candidate, grid)| {
             let (own, others) = rest.split_at(self.space.count(grid));
             rest = others;
-            self.space.better_size(candidate, grid, own)
+            self.space.better_size(candidate, grid, own, self.sizing.is_some())
         })
         .collect()
     }
@@ -517,7 +631,7 @@ impl<S: Space> Solver<'_, S> {
         load: &[f64],
         candidates: &[&Candidate<S::Site>],
         grids: &[S::Grid],
-    ) -> Result<ContactProblem, EngineError> {
+    ) -> Result<(ContactProblem, Mat<f64>), EngineError> {
         let laid: Vec<(&Candidate<S::Site>, &S::Grid)> = candidates.iter().copied().zip(grids).collect();
         let count: usize = grids.iter().map(|grid| self.space.count(grid)).sum();
         self.system.interrupt.room_for(MATRICES * (count * count * size_of::<f64>()) as u64)?;
@@ -528,7 +642,15 @@ impl<S: Space> Solver<'_, S> {
             stiffness: self.springs.stiffness.clone(),
             load: load.to_vec(),
         };
-        Ok(self.springs.behind(cells))
+        let mut problem = self.springs.behind(cells);
+        let arms = match self.elastic {
+            Some(elastic) => self.space.modal_arms(&laid, elastic.modes),
+            None => Mat::zeros(0, 0),
+        };
+        if let Some(elastic) = self.elastic {
+            elastic.eliminate(&mut problem, &arms);
+        }
+        Ok((problem, arms))
     }
 
     /// Friction of each patch's cells, see [`Patch::drag`], and what of it is on the freedoms, see [`solve_with_friction`].

@@ -92,6 +92,10 @@ impl Motion for At {
         let [x, y, z] = self.1;
         [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -x, -y, -z]
     }
+
+    fn acceleration(&self, _: f64) -> [f64; 12] {
+        [0.0; 12]
+    }
 }
 
 /// Places of the spheres under the plate, m.

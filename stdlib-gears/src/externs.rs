@@ -2,13 +2,16 @@
 
 use crate::assembly::{MeshOptions, Misalignment, Pairing, add_body};
 use crate::bearings::GROUND;
+use crate::dynamics_externs::{How, lumped, motion_in_time};
 use crate::error::Severity;
 use crate::host::{Asked, Finding, Meeting, ModelHost, keep};
 use calyx_abi::externs::{Handle, SymbolicNumber, SymbolicTransform};
 use calyx_abi::{Context, RuntimeError, SymbolicValue};
-use calyx_runtime::analysis::{AnalysisOptions, Position, mesh_cycle, quasi_static};
+use calyx_runtime::analysis::{AnalysisOptions, Observer, Position, mesh_cycle, quasi_static};
+use calyx_runtime::dynamics::dynamic;
 use calyx_runtime::error::{EngineError, Subject};
 use calyx_runtime::holding;
+use calyx_runtime::inertia::Inertia;
 use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::load::{Load, Wrench};
 use calyx_runtime::material::Material;
@@ -28,18 +31,20 @@ calyx_abi::externs! {
 
     Scene fn calyx_gears_body(
         context, name: String, blank: Handle, frame: SymbolicTransform, free: Vec<String>, force: [f64; 3],
-        moment: [f64; 3], host_load: String,
+        moment: [f64; 3], mass: f64, inertia: f64, host_load: String,
     ) -> Handle {
         let prototype = entry(&host(context)?.gears, blank)?.clone();
-        let frame = Placed { name, frame, free, load: Wrench { force, moment }, host_load };
+        let added = lumped(mass, inertia)?;
+        let frame = Placed { name, frame, free, load: Wrench { force, moment }, added, host_load };
         frame.add(context, prototype, Some(blank.0 as usize))
     }
 
     Scene fn calyx_gears_rigid_body(
         context, name: String, frame: SymbolicTransform, free: Vec<String>, force: [f64; 3], moment: [f64; 3],
-        host_load: String,
+        mass: f64, inertia: f64, host_load: String,
     ) -> Handle {
-        let frame = Placed { name, frame, free, load: Wrench { force, moment }, host_load };
+        let added = lumped(mass, inertia)?;
+        let frame = Placed { name, frame, free, load: Wrench { force, moment }, added, host_load };
         frame.add(context, Arc::new(RigidBody), None)
     }
 
@@ -126,11 +131,8 @@ calyx_abi::externs! {
     /// A function of the scene, though it solves: checking plans the analysis, and stops there.
     Scene fn calyx_std_analyze(
         context, method: String, over: Handle, fidelity: String, face_elements: f64, displacement_order: f64,
+        newmark: String, rayleigh_mass: f64, rayleigh_stiffness: f64, highest_frequency: f64, start: String,
     ) -> () {
-        if method != "quasi_static" {
-            return Err(refusal("E0679", "method", &format!("there is no analysis called \"{method}\""),
-                "choose \"quasi_static\""));
-        }
         let fidelity = fidelity_named(&fidelity)?;
         let face_elements = count_or_default("face_elements", face_elements)?;
         let axial_order = count_or_default("displacement_order", displacement_order)?;
@@ -144,8 +146,15 @@ calyx_abi::externs! {
         structure.check().map_err(engine)?;
         let options = AnalysisOptions { fidelity, structure, ..host.analysis.clone() };
         let positions = entry(&host.positions, over)?.clone();
+        let rayleigh = [rayleigh_mass, rayleigh_stiffness];
+        let how = match method.as_str() {
+            "quasi_static" => How::QuasiStatic(positions),
+            "dynamic" => How::Dynamic(motion_in_time(host, over, &newmark, rayleigh, highest_frequency, &start)?),
+            _ => return Err(refusal("E0679", "method", &format!("there is no analysis called \"{method}\""),
+                "choose \"quasi_static\" or \"dynamic\"")),
+        };
         host.asked = Some(Asked { fidelity, structure });
-        if host.checking { Ok(()) } else { analyze(host, &positions, &options) }
+        if host.checking { Ok(()) } else { analyze(host, &how, &options) }
     }
 }
 
@@ -155,6 +164,7 @@ struct Placed {
     frame: SymbolicTransform,
     free: Vec<String>,
     load: Wrench,
+    added: Inertia,
     host_load: String,
 }
 
@@ -181,7 +191,7 @@ impl Placed {
         let motion = Arc::new(FrameMotion { value: self.frame.0, params: context.params.clone() });
         let (place, host) = (context.place, host(context)?);
         let load = load(host, self.load, &self.host_load, place);
-        let body = Body { name: self.name, prototype, motion, phase: 0.0, free, load };
+        let body = Body { name: self.name, prototype, motion, phase: 0.0, free, load, added: self.added };
         let id = add_body(&mut host.scene, body).map_err(|refusal| host.refused(refusal, place))?;
         host.body_gears.push(gear);
         host.body_places.push(place);
@@ -193,21 +203,16 @@ impl Placed {
 const MOST_TIMES: f64 = 1e6;
 
 /// Plans and runs an analysis of the scene, and keeps its result.
-fn analyze(
-    host: &mut ModelHost,
-    positions: &[Position],
-    options: &AnalysisOptions,
-) -> Result<(), RuntimeError> {
+fn analyze(host: &mut ModelHost, how: &How, options: &AnalysisOptions) -> Result<(), RuntimeError> {
     check_unheld(host);
     let mut observer = host.observer.take();
     let mut unobserved = ();
-    let result = quasi_static(
-        &host.scene,
-        positions,
-        &host.outputs,
-        options,
-        observer.as_mut().map_or(&mut unobserved, |observer| observer.as_mut()),
-    );
+    let watching =
+        observer.as_mut().map_or(&mut unobserved as &mut dyn Observer, |observer| observer.as_mut());
+    let result = match how {
+        How::QuasiStatic(positions) => quasi_static(&host.scene, positions, &host.outputs, options, watching),
+        How::Dynamic(dynamics) => dynamic(&host.scene, &host.outputs, options, dynamics, watching),
+    };
     host.observer = observer;
     host.failed_analyses += usize::from(result.is_err());
     host.result = Some(result.map_err(|error| host.engine_error(error))?);
@@ -295,10 +300,10 @@ struct FrameMotion {
 }
 
 impl FrameMotion {
-    /// Frame and rate, 12 numbers each.
+    /// Frame, rate and acceleration, 12 numbers each.
     fn eval(&self, time: f64) -> Vec<f64> {
         let mut outputs = self.value.evaluate(time, &self.params, &|_| f64::NAN).unwrap_or_default();
-        outputs.resize(outputs.len().max(24), f64::NAN);
+        outputs.resize(outputs.len().max(36), f64::NAN);
         outputs
     }
 }
@@ -312,6 +317,11 @@ impl Motion for FrameMotion {
     fn rate(&self, time: f64) -> [f64; 12] {
         let outputs = self.eval(time);
         std::array::from_fn(|i| outputs[12 + i])
+    }
+
+    fn acceleration(&self, time: f64) -> [f64; 12] {
+        let outputs = self.eval(time);
+        std::array::from_fn(|i| outputs[24 + i])
     }
 }
 

@@ -13,6 +13,7 @@ use crate::tables::Table;
 use calyx_abi::RuntimeError;
 use calyx_abi::externs::Handle;
 use calyx_runtime::analysis::{AnalysisOptions, Observer, Position};
+use calyx_runtime::dynamics::TimeRange;
 use calyx_runtime::error::{EngineError, Subject};
 use calyx_runtime::load::Load;
 use calyx_runtime::material::Material;
@@ -91,6 +92,10 @@ pub struct ModelHost {
     pub tables: Vec<Table>,
     /// Lists of positions to analyse.
     pub positions: Vec<Vec<Position>>,
+    /// Ranges of time.
+    pub time_ranges: Vec<TimeRange>,
+    /// Of those positions that stand in ranges of time, by their handle: when these begin (s), and which they are.
+    pub histories: BTreeMap<u64, (f64, Vec<TimeRange>)>,
     /// Strain gauges.
     pub gauges: Vec<Gauge>,
     /// Bodies of lumped models.

@@ -112,6 +112,7 @@ pub mod cutting;
 pub mod derived;
 pub mod deviation;
 pub mod disc_web;
+pub mod dynamics_externs;
 pub mod error;
 pub mod external;
 pub mod externs;

@@ -28,6 +28,7 @@ const TABLES: &[&[Extern]] = &[
     crate::cutting::EXTERNS,
     crate::gauging::EXTERNS,
     crate::lumped_externs::EXTERNS,
+    crate::dynamics_externs::EXTERNS,
     crate::mesh_externs::EXTERNS,
     crate::modifying::EXTERNS,
     crate::observables::EXTERNS,

@@ -124,6 +124,9 @@ struct Entry {
     warnings: Vec<String>,
     /// Complementarity, penetration, tension, equilibrium.
     certificate: [Exact; 4],
+    /// Of a step in time.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    state: Vec<Exact>,
 }
 
 /// A place on a body.
@@ -138,7 +141,7 @@ struct At {
 
 impl Entry {
     fn of(step: usize, solved: &Solved) -> Entry {
-        let Solved { row: StepRow { position, outputs, warnings }, certificate } = solved;
+        let Solved { row: StepRow { position, outputs, warnings }, certificate, state } = solved;
         let at = |place: &Place| At {
             body: place.body.clone(),
             tooth: place.tooth,
@@ -159,6 +162,7 @@ impl Entry {
                 .collect(),
             warnings: warnings.clone(),
             certificate: [complementarity, penetration, tension, equilibrium].map(Exact),
+            state: state.iter().copied().map(Exact).collect(),
         }
     }
 
@@ -183,6 +187,7 @@ impl Entry {
         Solved {
             row: StepRow { position, outputs: outputs.collect(), warnings: self.warnings },
             certificate: Certificate { complementarity, penetration, tension, equilibrium },
+            state: self.state.into_iter().map(|Exact(number)| number).collect(),
         }
     }
 }
@@ -236,7 +241,8 @@ mod tests {
         let certificate =
             Certificate { complementarity: 1e-17, penetration: 0.0, tension: 3e300, equilibrium: 7.1e-15 };
         let warnings = vec!["a \"quoted\"\nline".into()];
-        Solved { row: StepRow { position, outputs, warnings }, certificate }
+        let state = vec![0.1, -3e-300];
+        Solved { row: StepRow { position, outputs, warnings }, certificate, state }
     }
 
     #[test]

@@ -7,8 +7,8 @@ use calyx_runtime::results::{AnalysisResult, Place};
 
 /// One line per output, in the model's units, with the position of its maximum.
 pub fn summary(description: &ModelDescription, result: &AnalysisResult) -> String {
-    let mut rows =
-        vec![["output", "unit", "min", "mean", "max", "peak to peak", "maximum at roll"].map(String::from)];
+    let at = if passes_no_cycle(result) { "maximum at time" } else { "maximum at roll" };
+    let mut rows = vec![["output", "unit", "min", "mean", "max", "peak to peak", at].map(String::from)];
     for (output, summary) in description.outputs.iter().zip(&result.summaries) {
         let shown = |si: f64| number(from_si(si, output.unit.factor));
         rows.push([
@@ -24,6 +24,11 @@ pub fn summary(description: &ModelDescription, result: &AnalysisResult) -> Strin
     align(&rows)
 }
 
+/// Whether positions are places in time alone, as those of a dynamic analysis.
+fn passes_no_cycle(result: &AnalysisResult) -> bool {
+    result.rows.iter().all(|row| row.position.cycle == 0.0 && row.position.roll == 0.0)
+}
+
 /// Five significant digits.
 fn number(value: f64) -> String {
     let rounded: f64 = format!("{value:.4e}").parse().unwrap_or(value);
@@ -34,7 +39,10 @@ fn number(value: f64) -> String {
 /// place itself stand in `run.json`: the table is to fit a terminal.
 fn place(result: &AnalysisResult, step: usize, place: Option<&Place>) -> String {
     let Some(row) = result.rows.get(step) else { return String::new() };
-    let mut text = format!("{:.2} deg", row.position.roll.to_degrees());
+    let mut text = match passes_no_cycle(result) {
+        true => format!("{} s", number(row.position.time)),
+        false => format!("{:.2} deg", row.position.roll.to_degrees()),
+    };
     if !row.position.name.is_empty() {
         text += &format!(" {}", row.position.name);
     }

@@ -1,6 +1,6 @@
 //! All bearings of a scene as the contact problem sees them: a stiffness and loads on the freedoms, and gap equations of their own.
 
-use super::{Bearing, Placed};
+use super::{Bearing, BearingMatrix, Placed};
 use crate::contact::problem::ContactProblem;
 use crate::error::EngineError;
 use crate::scene::Scene;
@@ -75,6 +75,39 @@ pub(crate) fn springs(
     Ok(springs)
 }
 
+/// The damping of the planned bearings between freedoms, row-major, as [`springs`].
+///
+/// # Errors
+/// As [`Placed::at`].
+pub(crate) fn damping(
+    scene: &Scene,
+    bearings: &[usize],
+    freedoms: &[Freedom],
+    width: f64,
+    time: f64,
+) -> Result<Vec<f64>, EngineError> {
+    let m = freedoms.len();
+    let mut damping = vec![0.0; m * m];
+    for bearing in bearings.iter().filter_map(|&bearing| scene.bearings.get(bearing)) {
+        if bearing.damping.iter().flatten().all(|&entry| entry == 0.0) {
+            continue;
+        }
+        let placed = Placed::at(scene, bearing, time)?;
+        let columns: Vec<[f64; 6]> = freedoms.iter().map(|freedom| placed.deflection(freedom)).collect();
+        for (k, column) in columns.iter().enumerate() {
+            let force = symmetric(&bearing.damping, column);
+            for (l, other) in columns.iter().enumerate().skip(k) {
+                let entry = dot(&force, other) / width;
+                damping[k * m + l] += entry;
+                if l > k {
+                    damping[l * m + k] += entry;
+                }
+            }
+        }
+    }
+    Ok(damping)
+}
+
 impl Springs {
     /// The same as seen from a position of the freedoms, and what is left of a load there.
     pub fn from(&self, start: &[f64], load: &[f64]) -> (Springs, Vec<f64>) {
@@ -84,6 +117,12 @@ impl Springs {
         let opened = |(wall, gap): (usize, &f64)| gap + along(&self.arms[wall * m..(wall + 1) * m]);
         let gaps = self.gaps.iter().enumerate().map(opened).collect();
         (Springs { gaps, ..self.clone() }, load.iter().enumerate().map(left).collect())
+    }
+
+    /// The stops as seen from a position of the freedoms, with another matrix in place of the springs and no loads: for a step in time.
+    pub fn stepping(&self, start: &[f64], matrix: Vec<f64>) -> Springs {
+        let (seen, _) = self.from(start, &vec![0.0; start.len()]);
+        Springs { stiffness: matrix, load: vec![0.0; start.len()], ..seen }
     }
 
     /// Adds the stops to a problem, behind its cells.
@@ -116,6 +155,11 @@ impl Bearing {
         std::array::from_fn(|k| sprung[k] + self.load[k])
     }
 
+    /// What damping takes at a rate of the deflection, along the bearing's axes: N and N m.
+    pub(crate) fn damping_at(&self, rate: &[f64; 6]) -> [f64; 6] {
+        symmetric(&self.damping, rate)
+    }
+
     /// What the springs and the stops do to the first race at a deflection and forces on the walls (N), along the bearing's axes: N and
     /// N m.
     pub(crate) fn push(&self, deflection: &[f64; 6], walls: &[f64]) -> [f64; 6] {
@@ -131,9 +175,13 @@ impl Bearing {
     }
 }
 
-/// `K x`, of the symmetric part of K: what printed digits leave of the other one is none.
+/// `K x` of a bearing.
 fn stiffly(bearing: &Bearing, x: &[f64; 6]) -> [f64; 6] {
-    let matrix = &bearing.stiffness;
+    symmetric(&bearing.stiffness, x)
+}
+
+/// `K x`, of the symmetric part of K: what printed digits leave of the other one is none.
+fn symmetric(matrix: &BearingMatrix, x: &[f64; 6]) -> [f64; 6] {
     std::array::from_fn(|i| (0..6).map(|j| 0.5 * (matrix[i][j] + matrix[j][i]) * x[j]).sum())
 }
 

@@ -47,18 +47,24 @@ impl Equilibrium<'_> {
         let system = self.system;
         let own = system.scene.bearings.get(bearing.0)?;
         let placed = Placed::at(system.scene, own, self.step.time).ok()?;
-        let mut deflection = [0.0; 6];
-        for (freedom, motion) in system.freedoms.iter().zip(&self.step.motion) {
-            for (sum, part) in deflection.iter_mut().zip(placed.deflection(freedom)) {
-                *sum += part * motion;
+        let of = |motions: &[f64]| {
+            let mut deflection = [0.0; 6];
+            for (freedom, motion) in system.freedoms.iter().zip(motions) {
+                for (sum, part) in deflection.iter_mut().zip(placed.deflection(freedom)) {
+                    *sum += part * motion;
+                }
             }
-        }
+            deflection
+        };
+        let (deflection, rate) = (of(&self.step.motion), of(&self.step.velocity));
         let before = system.bearings.iter().take_while(|&&other| other != bearing.0);
         let skipped: usize = before.map(|&other| system.scene.bearings[other].walls()).sum();
         let width = system.width();
         let walls: Vec<f64> = self.step.stops.iter().skip(skipped).map(|force| width * force).collect();
         let walls = if system.bearings.contains(&bearing.0) { &walls[..] } else { &[] };
-        Some(Borne { deflection, push: own.push(&deflection, walls), placed })
+        let (sprung, damped) = (own.push(&deflection, walls), own.damping_at(&rate));
+        let push = std::array::from_fn(|k| sprung[k] - damped[k]);
+        Some(Borne { deflection, push, placed })
     }
 
     /// What all bearings of a body do to its frame, as [`Borne::wrench_on`].

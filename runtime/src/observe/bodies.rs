@@ -21,7 +21,7 @@ impl Equilibrium<'_> {
     }
 
     /// What holds a body, in the order of [`crate::scene::FREEDOMS`]: force (N) and moment about the body's axle (N m), along ground
-    /// axes. With contact, bearings and external load it is in equilibrium, so it is zero along freedoms.
+    /// axes. With contact, bearings, external load and inertia it is in equilibrium, so it is zero along freedoms.
     pub fn support(self, body: BodyId) -> [f64; 6] {
         let (contact, load) =
             (self.contact_force(body), self.system.scene.bodies[body.0].load.at(self.step.time));
@@ -29,8 +29,10 @@ impl Equilibrium<'_> {
         let [mx, my, mz] = load.moment;
         let load = [fx, fy, fz, mx, my, mz];
         let bearings = self.bearings_on(body);
+        let beside = self.step.beside.get(body.0).copied().unwrap_or_default();
         // Not -(a + b): nothing that holds against nothing is 0, not -0.
-        std::array::from_fn(|component| 0.0 - contact[component] - load[component] - bearings[component])
+        let all = |k: usize| 0.0 - contact[k] - load[k] - bearings[k] - beside[k];
+        std::array::from_fn(all)
     }
 }
 

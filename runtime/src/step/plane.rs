@@ -6,12 +6,14 @@ use crate::contact::approach::{self, PlacedProfile, closest_approach};
 use crate::contact::assembly::{self, compliance};
 use crate::contact::grid::{self, Grid, GridOptions, Width, assess, lay, pressures};
 use crate::contact::{ContactFrame, Placement};
+use crate::dynamics::Modes;
 use crate::error::EngineError;
 use crate::motion::PlanePose;
 use crate::profile::Profile;
 use crate::scene::SurfacePair;
 use crate::structure::{Chart, Structure};
 use crate::system::{Freedom, PlaneBodies, System, pose};
+use faer::Mat;
 use std::f64::consts::PI;
 use std::sync::Arc;
 
@@ -153,15 +155,41 @@ impl Space for Plane<'_> {
         Ok(compliance(&patches))
     }
 
-    fn better_size(&self, candidate: &Candidate<Site>, grid: &Grid, forces: &[f64]) -> Option<f64> {
-        let open = self.pair(candidate).grid.width.is_none();
-        open.then(|| assess(grid, &pressures(&grid.cells, forces)).recommended_width).flatten()
+    fn better_size(
+        &self,
+        candidate: &Candidate<Site>,
+        grid: &Grid,
+        forces: &[f64],
+        wide: bool,
+    ) -> Option<f64> {
+        let report = assess(grid, &pressures(&grid.cells, forces));
+        let asked = self.pair(candidate).grid.width.is_none() && !(wide && report.under_resolved);
+        report.recommended_width.filter(|_| asked)
     }
 
-    fn judge(&self, candidate: &Candidate<Site>, grid: &Grid, forces: &[f64]) -> Option<String> {
+    fn judge(&self, candidate: &Candidate<Site>, grid: &Grid, forces: &[f64], wide: bool) -> Option<String> {
         let report = assess(grid, &pressures(&grid.cells, forces));
-        let better = report.recommended_width?;
+        let better = report.recommended_width.filter(|_| !(wide && report.under_resolved))?;
         Some(super::unsuitable(self.system.scene, self.pair(candidate), report.under_resolved, better))
+    }
+
+    fn modal_arms(&self, laid: &[(&Candidate<Site>, &Grid)], modes: &Modes) -> Mat<f64> {
+        let cells = laid.iter().map(|(_, grid)| grid.cells.len()).sum();
+        let mut arms = Mat::zeros(cells, modes.count());
+        let mut first = 0;
+        for (candidate, grid) in laid {
+            let pair = self.pair(candidate);
+            for side in 0..2 {
+                let Some((own, from)) = modes.of_body(pair.bodies[side].0) else { continue };
+                let chart = Chart { tooth: candidate.teeth.1[side], surface: pair.surfaces[side] };
+                let places: Vec<f64> = grid.cells.iter().map(|cell| cell.s[side]).collect();
+                let seen = own.displacements(chart, &places);
+                let mut target = arms.as_mut().submatrix_mut(first, from, places.len(), own.count());
+                target += seen;
+            }
+            first += grid.cells.len();
+        }
+        arms
     }
 
     fn patch(&self, candidate: &Candidate<Site>, laid: Option<(Grid, Vec<f64>)>) -> Patch {

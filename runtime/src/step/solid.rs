@@ -192,8 +192,11 @@ impl Space for Solid<'_> {
         candidate: &Candidate<Site>,
         grid: &Grid,
         forces: &[f64],
+        wide: bool,
     ) -> Option<[Option<f64>; 2]> {
-        let [width, length] = assess(grid, &pressures(&grid.cells, forces)).recommended;
+        let report = assess(grid, &pressures(&grid.cells, forces));
+        let asked = |k: usize| report.recommended[k].filter(|_| !(wide && report.under_resolved[k]));
+        let [width, length] = [asked(0), asked(1)];
         let width = width.filter(|_| self.pair(candidate).grid.width.is_none());
         if width.is_none() && length.is_none() {
             return None;
@@ -202,9 +205,9 @@ impl Space for Solid<'_> {
         Some([Some(width.unwrap_or(own_width)), Some(length.unwrap_or(own_length))])
     }
 
-    fn judge(&self, candidate: &Candidate<Site>, grid: &Grid, forces: &[f64]) -> Option<String> {
+    fn judge(&self, candidate: &Candidate<Site>, grid: &Grid, forces: &[f64], wide: bool) -> Option<String> {
         let report = assess(grid, &pressures(&grid.cells, forces));
-        let better = report.recommended[0]?;
+        let better = report.recommended[0].filter(|_| !(wide && report.under_resolved[0]))?;
         Some(super::unsuitable(self.system.scene, self.pair(candidate), report.under_resolved[0], better))
     }
 

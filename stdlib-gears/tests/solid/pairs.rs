@@ -77,6 +77,10 @@ impl Motion for Eccentric {
     fn rate(&self, time: f64) -> [f64; 12] {
         self.shaft.rate(time)
     }
+
+    fn acceleration(&self, time: f64) -> [f64; 12] {
+        self.shaft.acceleration(time)
+    }
 }
 
 /// How a pair is built.

@@ -1,0 +1,418 @@
+//! A dynamic analysis from its start through all steps, row by row.
+
+use super::matrices::{Matrices, check};
+use super::modal::{Elastic, Modes};
+use super::newmark::{Scheme, State};
+use super::ranges::{Step, TimeRange, kept_positions, steps};
+use crate::analysis::{AnalysisOptions, Event, Observer, Position, check_solved, refuse_nan};
+use crate::contact::problem::Certificate;
+use crate::error::EngineError;
+use crate::inertia::Inertia;
+use crate::load::Wrench;
+use crate::observe::Equilibrium;
+use crate::plan::Plan;
+use crate::resources::Resources;
+use crate::results::{AnalysisResult, OutputRequest, Solved, StepRow, Timing};
+use crate::scene::Scene;
+use crate::step::StepResult;
+use crate::summary::summarize;
+use crate::system::System;
+use std::time::{Duration, Instant};
+
+/// What a history begins with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Start {
+    /// The equilibrium under the loads of the first time, at rest against the prescribed motion.
+    #[default]
+    Equilibrium,
+    /// Where frames are meant to be, at rest against the prescribed motion.
+    Frames,
+}
+
+/// How motion in time is analysed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DynamicOptions {
+    /// When it begins, s.
+    pub from: f64,
+    /// One after the other.
+    pub ranges: Vec<TimeRange>,
+    /// The integrator.
+    pub scheme: Scheme,
+    /// Rayleigh's damping: of mass, 1/s, and of stiffness, s. The latter is of bearings and modes.
+    pub rayleigh: [f64; 2],
+    /// Natural frequencies up to which bodies have modes, Hz; 0 for bodies that vibrate as rigid ones with elastic teeth.
+    pub highest_frequency: f64,
+    /// What it begins with.
+    pub start: Start,
+}
+
+/// A history under way: an iterator over the rows that are kept, in order. After an error it is at its end.
+pub struct History<'s> {
+    outputs: &'s [OutputRequest],
+    options: DynamicOptions,
+    resources: Resources,
+    plan: Plan,
+    timing: Timing,
+    system: System<'s>,
+    /// Of the bodies, about their axles.
+    inertias: Vec<Inertia>,
+    modes: Modes,
+    positions: Vec<Position>,
+    steps: Vec<Step>,
+    /// Steps taken.
+    taken: usize,
+    state: State,
+    /// The load that contact grids are sized for.
+    sizing: Vec<f64>,
+    solved: Vec<Solved>,
+    current: Option<StepResult>,
+    failed: bool,
+    /// Time spent on steps.
+    solving: Duration,
+}
+
+impl<'s> History<'s> {
+    /// Plans the analysis, builds the structures and finds the modes.
+    ///
+    /// # Errors
+    /// E0761 to E0764: the scene or what is asked cannot be analysed in time; those of [`crate::analysis::Planned`]; the interrupt's.
+    pub fn new(
+        scene: &'s Scene,
+        outputs: &'s [OutputRequest],
+        options: &AnalysisOptions,
+        dynamics: &DynamicOptions,
+        observer: &mut dyn Observer,
+    ) -> Result<Self, EngineError> {
+        let mut timing = Timing::default();
+        dynamics.ranges.iter().try_for_each(TimeRange::check)?;
+        check_numbers(dynamics)?;
+        let positions = kept_positions(dynamics.from, &dynamics.ranges);
+        check_solved(&options.solved, &positions, outputs)?;
+        let plan = timing.stage("plan", || Plan::new(scene, options.fidelity, options.structure))?;
+        observer.observe(Event::Planned(&plan))?;
+        if dynamics.start == Start::Equilibrium {
+            crate::holding::check(scene, &plan, dynamics.from, &options.resources.interrupt)?;
+        }
+        observer.observe(Event::Stage("structures"))?;
+        let system = timing.stage("structures", || System::with(scene, &plan, &options.resources))?;
+        timing.structures = system.structure_counts();
+        let bodies = scene.bodies.iter().enumerate();
+        let inertias: Vec<Inertia> =
+            bodies.map(|(index, body)| body.inertia().from(system.axle(index))).collect();
+        check(&system, &inertias)?;
+        let modes = timing.stage("modes", || find_modes(scene, &plan, options, dynamics))?;
+        let count = system.freedoms.len() + modes.count();
+        let sizing = system.load_at(dynamics.from)?;
+        let all: Vec<Step> = steps(dynamics.from, &dynamics.ranges).collect();
+        let mut history = History {
+            outputs,
+            options: dynamics.clone(),
+            resources: options.resources.clone(),
+            plan,
+            timing,
+            system,
+            inertias,
+            modes,
+            positions,
+            solving: Duration::ZERO,
+            steps: all,
+            taken: 0,
+            state: State::at_rest(vec![0.0; count]),
+            sizing,
+            solved: Vec::new(),
+            current: None,
+            failed: false,
+        };
+        history.go_on_behind(options.solved.clone())?;
+        observer.observe(Event::Stage("positions"))?;
+        Ok(history)
+    }
+
+    /// Behind rows that an earlier run kept, in the state that the last of them left.
+    fn go_on_behind(&mut self, solved: Vec<Solved>) -> Result<(), EngineError> {
+        let Some(last) = solved.last() else { return Ok(()) };
+        let count = self.state.displacement.len();
+        let state = State::of_row(&last.state, count).ok_or_else(|| {
+            EngineError::new("E0724", "the rows kept before are not of this analysis in time", "begin anew")
+        })?;
+        let kept = solved.len() - 1;
+        let ends = self.steps.iter().enumerate().filter(|(_, step)| step.kept).map(|(index, _)| index + 1);
+        self.taken = std::iter::once(0).chain(ends).nth(kept).unwrap_or(self.steps.len());
+        (self.state, self.solved) = (state, solved);
+        Ok(())
+    }
+
+    /// What is modelled, and why.
+    pub fn plan(&self) -> &Plan {
+        &self.plan
+    }
+
+    /// How many modal coordinates there are.
+    pub fn modal_coordinates(&self) -> usize {
+        self.modes.count()
+    }
+
+    /// The state at the end of the step taken last.
+    pub fn state(&self) -> &State {
+        &self.state
+    }
+
+    /// Rows there will be.
+    pub fn rows(&self) -> usize {
+        self.positions.len()
+    }
+
+    /// Rows kept so far.
+    pub fn solved(&self) -> &[Solved] {
+        &self.solved
+    }
+
+    /// The end of the last kept step as observables see it.
+    pub fn equilibrium(&self) -> Option<Equilibrium<'_>> {
+        Some(Equilibrium::new(&self.system, self.current.as_ref()?))
+    }
+
+    /// The next row.
+    fn advance(&mut self) -> Result<(), EngineError> {
+        let step = match self.solved.len() {
+            0 => self.begin()?,
+            _ => loop {
+                self.resources.interrupt.check()?;
+                let Some(next) = self.steps.get(self.taken).copied() else { return Ok(()) };
+                let (result, state) = self.step(&next, &self.state)?;
+                self.state = state;
+                self.taken += 1;
+                if next.kept {
+                    break result;
+                }
+            },
+        };
+        let position = self.positions[self.solved.len()].clone();
+        let observables = &self.system.scene.observables;
+        let observed: Vec<_> = observables.iter().map(|o| self.system.value(&step, o.as_ref())).collect();
+        self.resources.interrupt.check()?;
+        let row = StepRow::new(position, self.outputs, &observed, step.warnings.clone());
+        refuse_nan(&row, self.outputs)?;
+        self.solved.push(Solved { row, certificate: step.certificate, state: self.state.to_row() });
+        self.current = Some(step);
+        Ok(())
+    }
+
+    /// The start, and the state there.
+    fn begin(&mut self) -> Result<StepResult, EngineError> {
+        let time = self.options.from;
+        let part = self.options.ranges.first().map_or(1.0, |range| range.load_at(0.0));
+        match self.options.start {
+            Start::Equilibrium => {
+                let matrices = Matrices::at(&self.system, &self.inertias, &self.modes, time)?;
+                let mut load = self.system.load_at(time)?;
+                load.iter_mut().zip(&matrices.load).for_each(|(load, own)| *load = *load * part + own);
+                let squares = self.modes.squares.clone();
+                let (m, count) = (load.len(), squares.len());
+                let elastic = Elastic {
+                    modes: &self.modes,
+                    coupling: vec![0.0; m * count],
+                    load: matrices.modal_load.clone(),
+                    start: vec![0.0; count],
+                    stiffness: squares,
+                };
+                let with = Some(&elastic).filter(|_| count > 0);
+                let mut step = self.system.solve_under(time, &load, &load, with)?;
+                if step.modal.len() != count {
+                    step.modal = elastic.load.iter().zip(&elastic.stiffness).map(|(g, d)| g / d).collect();
+                }
+                self.state = State::at_rest([step.motion.as_slice(), &step.modal].concat());
+                step.velocity = self.state.velocity.clone();
+                let at = Step { time, length: 0.0, load: part, kept: true };
+                step.beside = self.beside(&matrices, &at, &self.state);
+                Ok(step)
+            }
+            Start::Frames => {
+                // The accelerations it begins with are those of a step that is over at once.
+                let at_once = 1e-6 * self.steps.first().map_or(1.0, |step| step.length);
+                let step = Step { time, length: at_once, load: part, kept: true };
+                let (mut result, state) = self.step(&step, &self.state)?;
+                self.state.acceleration = state.acceleration;
+                result.motion = self.state.displacement[..result.motion.len()].to_vec();
+                result.velocity = self.state.velocity.clone();
+                Ok(result)
+            }
+        }
+    }
+
+    /// A step from a state: what it ends in, and the state there.
+    fn step(&self, step: &Step, state: &State) -> Result<(StepResult, State), EngineError> {
+        let (h, scheme, system) = (step.length, self.options.scheme, &self.system);
+        let (m, count) = (system.freedoms.len(), self.modes.count());
+        let matrices = Matrices::at(system, &self.inertias, &self.modes, step.time)?;
+        let springs = system.springs_at(step.time)?;
+        let predicted = scheme.predicted(state, h);
+        let [of_mass, of_damping, _] = scheme.weights(h);
+        let [by_mass, by_stiffness] = self.options.rayleigh;
+        let (x, v) = (&predicted.displacement, &predicted.velocity);
+
+        // Freedoms: M y'' + (C + a M + b K) y' + K y.
+        let mut matrix = vec![0.0; m * m];
+        let mut load = system.load_at(step.time)?;
+        for i in 0..m {
+            load[i] = load[i] * step.load + springs.load[i] + matrices.load[i];
+            for j in 0..m {
+                let (mass, spring) = (matrices.mass[i * m + j], springs.stiffness[i * m + j]);
+                let damping = matrices.damping[i * m + j] + by_mass * mass + by_stiffness * spring;
+                matrix[i * m + j] = of_mass * mass + of_damping * damping + spring;
+                load[i] -= damping * v[j] + spring * x[j];
+            }
+            for k in 0..count {
+                load[i] -= by_mass * matrices.coupling[i * count + k] * v[m + k];
+            }
+        }
+        // Modal coordinates, of unit mass.
+        let mut modal_load = matrices.modal_load.clone();
+        let ahead: Vec<f64> =
+            (0..count).map(|k| state.velocity[m + k] + h * state.acceleration[m + k]).collect();
+        matrices.add_coriolis(&self.modes, &ahead, &mut modal_load);
+        let mut stiffness = vec![0.0; count];
+        for k in 0..count {
+            let square = self.modes.squares[k];
+            let damping = by_mass + by_stiffness * square;
+            stiffness[k] = of_mass + of_damping * damping + square;
+            modal_load[k] -= damping * v[m + k] + square * x[m + k];
+            for i in 0..m {
+                modal_load[k] -= by_mass * matrices.coupling[i * count + k] * v[i];
+            }
+        }
+        let coupled = of_mass + of_damping * by_mass;
+        let elastic = Elastic {
+            modes: &self.modes,
+            stiffness,
+            coupling: matrices.coupling.iter().map(|entry| coupled * entry).collect(),
+            load: modal_load,
+            start: x[m..].to_vec(),
+        };
+        let start = &x[..m];
+        let moving = springs.stepping(start, matrix);
+        let with = Some(&elastic).filter(|_| count > 0);
+        let mut result = system.step(step.time, &moving, &load, start, with, &self.sizing)?;
+        let freedoms = result.motion.iter().zip(start).map(|(end, start)| end - start);
+        let y: Vec<f64> = freedoms.chain(result.modal.iter().copied()).collect();
+        let state = scheme.corrected(predicted, &y, h);
+        result.modal = state.displacement[m..].to_vec();
+        result.velocity = state.velocity.clone();
+        result.beside = self.beside(&matrices, step, &state);
+        // Observables see the springs of the scene and not the matrix of a step.
+        result.problem.stiffness = springs.stiffness;
+        Ok((result, state))
+    }
+
+    /// What acts on each body beside contact, bearings and its whole load.
+    fn beside(&self, matrices: &Matrices, step: &Step, state: &State) -> Vec<[f64; 6]> {
+        let mut all = matrices.inertia(&self.system, &self.modes, &state.acceleration);
+        for (wrench, body) in all.iter_mut().zip(&self.system.scene.bodies) {
+            let Wrench { force: [fx, fy, fz], moment: [mx, my, mz] } = body.load.at(step.time);
+            for (part, whole) in wrench.iter_mut().zip([fx, fy, fz, mx, my, mz]) {
+                *part += (step.load - 1.0) * whole;
+            }
+        }
+        all
+    }
+
+    /// Sums up.
+    pub fn finish(mut self) -> AnalysisResult {
+        let first = Certificate::default();
+        let certificate = self.solved.iter().fold(first, |worst, solved| worst.worst(&solved.certificate));
+        let rows: Vec<StepRow> = self.solved.into_iter().map(|solved| solved.row).collect();
+        let summaries = summarize(&rows, self.outputs, &self.system.scene.observables);
+        self.timing.add("positions", self.solving);
+        self.timing.memory = self.resources.interrupt.most_asked();
+        AnalysisResult { plan: self.plan, rows, summaries, certificate, timing: self.timing }
+    }
+}
+
+impl Iterator for History<'_> {
+    type Item = Result<Solved, EngineError>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        if self.failed || self.solved.len() >= self.positions.len() {
+            return None;
+        }
+        let started = Instant::now();
+        let advanced = self.advance();
+        self.solving += started.elapsed();
+        match advanced {
+            Ok(()) => self.solved.last().cloned().map(Ok),
+            Err(error) => {
+                self.failed = true;
+                Some(Err(error))
+            }
+        }
+    }
+}
+
+/// A dynamic analysis from beginning to end, watched.
+///
+/// # Errors
+/// Those of [`History::new`] and of its steps, and of the observer.
+pub fn dynamic(
+    scene: &Scene,
+    outputs: &[OutputRequest],
+    options: &AnalysisOptions,
+    dynamics: &DynamicOptions,
+    observer: &mut dyn Observer,
+) -> Result<AnalysisResult, EngineError> {
+    let mut history = History::new(scene, outputs, options, dynamics, observer)?;
+    while let Some(solved) = history.next() {
+        let solved = &solved?;
+        let (index, count) = (history.solved().len() - 1, history.rows());
+        let fields = history.equilibrium().filter(|_| options.fields).map(Equilibrium::fields);
+        observer.observe(Event::Step { index, count, solved, fields: fields.as_ref() })?;
+    }
+    Ok(history.finish())
+}
+
+fn find_modes(
+    scene: &Scene,
+    plan: &Plan,
+    options: &AnalysisOptions,
+    dynamics: &DynamicOptions,
+) -> Result<Modes, EngineError> {
+    if dynamics.highest_frequency == 0.0 {
+        return Ok(Modes::default());
+    }
+    let highest = std::f64::consts::TAU * dynamics.highest_frequency;
+    let bodies = scene.bodies.iter().zip(&plan.bodies);
+    let of = bodies.map(|(body, plan)| match plan.is_elastic() {
+        true => options.resources.modes(body.prototype.as_ref(), &plan.options, highest),
+        false => Ok(None),
+    });
+    Ok(Modes::new(of.collect::<Result<_, _>>()?))
+}
+
+fn check_numbers(dynamics: &DynamicOptions) -> Result<(), EngineError> {
+    let refuse = |argument: &'static str, message: String, help: &str| {
+        Err(EngineError::new("E0764", message, help).blame(argument))
+    };
+    if dynamics.ranges.is_empty() {
+        return refuse(
+            "over",
+            "a dynamic analysis needs a range of time".into(),
+            "give one: `gears.time_ranges([gears.time_range(...)])`",
+        );
+    }
+    let positive = |number: f64| number.is_finite() && number >= 0.0;
+    if !dynamics.rayleigh.iter().copied().all(positive) {
+        return refuse(
+            "rayleigh_mass",
+            "damping cannot be negative".into(),
+            "give positive numbers, or 0 for none",
+        );
+    }
+    if !positive(dynamics.highest_frequency) {
+        let given = dynamics.highest_frequency;
+        return refuse(
+            "highest_frequency",
+            format!("modes up to {given} Hz cannot be found"),
+            "give a positive frequency, or 0 for no modes",
+        );
+    }
+    Ok(())
+}

@@ -1,0 +1,25 @@
+//! Motion in time: contact solved in every step, inertia, damping and modes of the bodies beside it.
+//!
+//! The unknowns are the freedoms of statics and, where modes are asked for, the modal coordinates of every body. Contact sees the residual
+//! flexibility of what the modes leave out, so its points have no mass of their own and contact is well posed in time. A step of Newmark's family
+//! in acceleration form ([`newmark`]) is the contact problem of statics with the step's matrix in place of the springs, laid out where the state
+//! predicts bodies to be; nothing of a mesh is touched by it.
+//!
+//! | Module | What |
+//! |---|---|
+//! | `newmark` | the integrators, on numbers alone |
+//! | `ranges` | over which times, in which steps, under which part of the loads |
+//! | `matrices` | mass, damping, loads by inertia |
+//! | `modal` | modal coordinates in a contact problem |
+//! | `history` | the analysis: start in equilibrium, steps, rows |
+
+mod history;
+mod matrices;
+mod modal;
+mod newmark;
+mod ranges;
+
+pub use history::{DynamicOptions, History, Start, dynamic};
+pub(crate) use modal::{Elastic, Modes};
+pub use newmark::{Scheme, State};
+pub use ranges::{TimeRange, kept_positions};

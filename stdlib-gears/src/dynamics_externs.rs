@@ -1,0 +1,151 @@
+//! Times and blows of dynamic analyses, as programs call them.
+
+use crate::externs::{body, entry, host, refusal};
+use crate::host::{ModelHost, keep};
+use calyx_abi::RuntimeError;
+use calyx_abi::externs::Handle;
+use calyx_runtime::analysis::Position;
+use calyx_runtime::dynamics::{DynamicOptions, Scheme, Start, TimeRange, kept_positions};
+use calyx_runtime::error::EngineError;
+use calyx_runtime::inertia::Inertia;
+use calyx_runtime::load::{Load, Wrench};
+use std::f64::consts::PI;
+use std::sync::Arc;
+
+calyx_abi::externs! {
+    Pure fn calyx_gears_time_range(
+        context, duration: f64, step: f64, load_from: f64, load_to: f64, keep_every: f64,
+    ) -> Handle {
+        if !(step.is_finite() && step > 0.0) {
+            return Err(refusal("E0763", "step", &format!("a step cannot take {step} s"),
+                "give a positive time, a twentieth of the shortest period that matters or less"));
+        }
+        if !(keep_every.fract() == 0.0 && keep_every >= 1.0) {
+            return Err(refusal("E0763", "keep_every", &format!("every {keep_every} steps is not possible"),
+                "give a whole number of at least 1"));
+        }
+        let steps = (duration / step).round();
+        if steps > MOST_STEPS {
+            return Err(refusal("E0763", "step", &format!("{steps} steps are too many"),
+                "take longer steps, or shorter ranges"));
+        }
+        let range = TimeRange {
+            duration,
+            steps: steps.max(1.0) as usize,
+            load: [load_from, load_to],
+            keep: keep_every as usize,
+        };
+        range.check().map_err(refused)?;
+        Ok(keep(&mut host(context)?.time_ranges, range))
+    }
+
+    Pure fn calyx_gears_time_ranges(context, ranges: Vec<Handle>, from: f64) -> Handle {
+        let host = host(context)?;
+        let ranges: Vec<TimeRange> = ranges
+            .into_iter()
+            .map(|range| entry(&host.time_ranges, range).copied())
+            .collect::<Result<_, _>>()?;
+        if ranges.is_empty() {
+            return Err(refusal("E0763", "ranges", "there is no range", "give at least one `gears.time_range(...)`"));
+        }
+        let positions = keep(&mut host.positions, kept_positions(from, &ranges));
+        host.histories.insert(positions.0, (from, ranges));
+        Ok(positions)
+    }
+
+    Scene fn calyx_gears_impulse(
+        context, on: Handle, at: f64, duration: f64, momentum: [f64; 3], angular_momentum: [f64; 3],
+    ) -> () {
+        if !(duration.is_finite() && duration > 0.0) {
+            return Err(refusal("E0766", "duration", &format!("a blow cannot take {duration} s"),
+                "give a positive time, a few steps long and much shorter than the periods that are looked at"));
+        }
+        let id = body(context, "on", on)?;
+        let host = host(context)?;
+        let blow = Blow { at, duration, total: Wrench { force: momentum, moment: angular_momentum } };
+        let Some(body) = host.scene.bodies.get_mut(id.0) else { return Ok(()) };
+        let load = body.load.clone();
+        body.load = Arc::new(move |time: f64| load.at(time) + blow.at(time));
+        Ok(())
+    }
+}
+
+/// What an analysis does with inertia.
+pub(crate) enum How {
+    QuasiStatic(Vec<Position>),
+    Dynamic(DynamicOptions),
+}
+
+/// A dynamic analysis as `analyze` asks for it.
+pub(crate) fn motion_in_time(
+    host: &ModelHost,
+    over: Handle,
+    newmark: &str,
+    rayleigh: [f64; 2],
+    highest_frequency: f64,
+    start: &str,
+) -> Result<DynamicOptions, RuntimeError> {
+    let Some((from, ranges)) = host.histories.get(&over.0).cloned() else {
+        return Err(refusal(
+            "E0765",
+            "over",
+            "a dynamic analysis goes through ranges of time, and these are positions",
+            "give it ranges: `over = gears.time_ranges([gears.time_range(10 ms, step = 5 us)])`",
+        ));
+    };
+    let Some(scheme) = Scheme::named(newmark) else {
+        let known: Vec<String> = Scheme::ALL.iter().map(|(name, _)| format!("\"{name}\"")).collect();
+        let message = format!("there is no integrator called \"{newmark}\"");
+        return Err(refusal("E0764", "newmark", &message, &format!("choose one of {}", known.join(", "))));
+    };
+    let start = match start {
+        "equilibrium" => Start::Equilibrium,
+        "frames" => Start::Frames,
+        _ => {
+            let message = format!("a dynamic analysis cannot start from \"{start}\"");
+            return Err(refusal("E0764", "start", &message, "choose \"equilibrium\" or \"frames\""));
+        }
+    };
+    Ok(DynamicOptions { from, ranges, scheme, rayleigh, highest_frequency, start })
+}
+
+/// Masses on a body's frame: kg, and kg m² about its axis.
+pub(crate) fn lumped(mass: f64, inertia: f64) -> Result<Inertia, RuntimeError> {
+    for (argument, given) in [("mass", mass), ("inertia", inertia)] {
+        if !(given.is_finite() && given >= 0.0) {
+            return Err(refusal(
+                "E0760",
+                argument,
+                &format!("the {argument} added to a body cannot be {given}"),
+                "give a positive number, or 0 for none",
+            ));
+        }
+    }
+    Ok(Inertia::axial(mass, inertia, 0.0))
+}
+
+/// Steps of a range, at most.
+const MOST_STEPS: f64 = 1e9;
+
+/// A half wave of a sine over its duration, which in the end has passed on a momentum (N s and N m s).
+#[derive(Clone, Copy)]
+struct Blow {
+    at: f64,
+    duration: f64,
+    total: Wrench,
+}
+
+impl Load for Blow {
+    fn at(&self, time: f64) -> Wrench {
+        let passed = (time - self.at) / self.duration;
+        if !(0.0..=1.0).contains(&passed) {
+            return Wrench::NONE;
+        }
+        let rate = 0.5 * PI / self.duration * (PI * passed).sin();
+        Wrench { force: self.total.force.map(|f| f * rate), moment: self.total.moment.map(|m| m * rate) }
+    }
+}
+
+fn refused(error: EngineError) -> RuntimeError {
+    crate::externs::engine(error)
+}
