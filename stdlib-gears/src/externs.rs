@@ -115,6 +115,10 @@ calyx_abi::externs! {
         Ok(keep(&mut host(context)?.positions, (0..count as usize).map(at).collect()))
     }
 
+    Pure fn calyx_gears_teeth(context, gear: Handle) -> f64 {
+        Ok(f64::from(entry(&host(context)?.gears, gear)?.gear.teeth()))
+    }
+
     Pure fn calyx_gears_base_radius(context, gear: Handle) -> f64 {
         Ok(entry(&host(context)?.gears, gear)?.form().base_radius)
     }

@@ -18,7 +18,7 @@ use std::f64::consts::TAU;
 /// what the wrong spacing of as many as nine planets makes.
 const OUT_OF_PLACE: f64 = 0.1;
 /// The part of a module from which on it is told: pins and teeth are made to less.
-const TELLING: f64 = 0.02;
+const TELLING: f64 = 0.05;
 /// Axes nearer to each other than this part of the distance to a planet are one.
 const COAXIAL: f64 = 1e-2;
 

@@ -135,7 +135,7 @@ pub const CODES: &[Explanation] = codes! {
     "E0759" "a body that lugs hold has no component modes" "Modes are found on one tooth with its share of the rim and hold for all of them, which lugs are not alike for. Hold the rim rigidly or in the mean, or let the body vibrate as a rigid one."
     "E0750" "gears in a loop that cannot be put together" "Sun, planet and ring are a loop of meshes: where the last of them closes it, teeth have to meet spaces. Between planets that mesh with the same two coaxial gears stand whole multiples of 360 deg / (Zs + Zr), the teeth of both added up; equally spaced planets go together if their number divides that sum. The message gives the nearest place."
     "E0751" "gears that mesh with one other run into each other" "Planets that stand side by side need more than twice their tip radius between their axes. Use fewer of them, or smaller ones."
-    "E0752" "the teeth of a loop stand off each other" "Contact takes up what pins are out of their places and teeth too thin, and shares the load accordingly. From two hundredths of a module on it is told, for a spacing that was rounded does the same."
+    "E0752" "the teeth of a loop stand off each other" "Contact takes up what pins are out of their places and teeth too thin, and shares the load accordingly. From a twentieth of a module on it is told, for a spacing that was rounded does the same."
     "E0753" "a list of positions that cannot be" "`times` gives equally spaced positions: a whole number of them, from a time to a later one."
     "E0799" "a defect of Calyx; please report it with the model" "Something inside Calyx contradicts itself. It is not the model's fault."
 };

@@ -102,8 +102,8 @@ fn planets_go_together_where_teeth_meet_spaces() {
     );
     // Seven would go together by their teeth if they had room.
     assert_eq!(refused((0..7).map(|k| TAU * f64::from(k) / 7.0).collect()).0, "E0751");
-    // The spacing to three digits is told, to five it is not.
-    assert_eq!(refused(vec![0.0, 88.6_f64.to_radians()]).0, "E0752");
+    // A spacing that is off by a twentieth of a degree is told, one to five digits is not.
+    assert_eq!(refused(vec![0.0, 88.63_f64.to_radians()]).0, "E0752");
     assert_eq!(refused(vec![0.0, 88.5714_f64.to_radians()]).0, "none");
 }
 
