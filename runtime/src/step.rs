@@ -599,17 +599,34 @@ impl<S: Space> Solver<'_, S> {
         .collect()
     }
 
-    /// For each patch the force that would balance the whole load alone. A patch that no load acts on directly passes
-    /// on what others carry.
+    /// For each patch the force that would balance the whole load alone, or its part where several meshes bear one load, as planets do. A
+    /// patch that no load acts on directly passes on what others carry.
     fn largest_forces(&self, load: &[f64], candidates: &[&Candidate<S::Site>]) -> Vec<f64> {
         let largest_arm = |freedom: usize| {
             candidates.iter().map(|candidate| candidate.nearest.arms[freedom].abs()).fold(0.0, f64::max)
         };
         let worth: Vec<f64> = (0..load.len()).map(|freedom| WORTH_LOADING * largest_arm(freedom)).collect();
+        // Meshes, with both sides of their teeth, that bear on a freedom.
+        let mesh = |candidate: &&Candidate<S::Site>| {
+            let pair = candidate.teeth.0;
+            self.system.scene.pairs[pair].front.map_or(pair, |front| front.0)
+        };
+        let meshes: Vec<f64> = (0..load.len())
+            .map(|freedom| {
+                let bears = |candidate: &&&Candidate<S::Site>| {
+                    let arm = candidate.nearest.arms[freedom];
+                    arm != 0.0 && arm.abs() >= worth[freedom]
+                };
+                let mut bearing: Vec<usize> = candidates.iter().filter(bears).map(mesh).collect();
+                bearing.sort_unstable();
+                bearing.dedup();
+                bearing.len() as f64
+            })
+            .collect();
         let alone = |candidate: &&Candidate<S::Site>| {
-            let all = candidate.nearest.arms.iter().zip(load).zip(&worth);
-            let balancing = all.filter(|((arm, _), worth)| **arm != 0.0 && arm.abs() >= **worth);
-            balancing.map(|((arm, load), _)| (load / arm).abs()).fold(0.0, f64::max)
+            let all = candidate.nearest.arms.iter().zip(load).zip(worth.iter().zip(&meshes));
+            let balancing = all.filter(|((arm, _), (worth, _))| **arm != 0.0 && arm.abs() >= **worth);
+            balancing.map(|((arm, load), (_, meshes))| (load / arm).abs() / meshes).fold(0.0, f64::max)
         };
         let mut forces: Vec<f64> = candidates.iter().map(alone).collect();
         // Where there is no load, the overlaps tell the size of the forces.

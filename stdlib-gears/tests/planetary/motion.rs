@@ -102,5 +102,11 @@ fn a_planet_off_its_pin_turns_about_the_pin() {
             (0..12).all(|k| ((after[k] - before[k]) / 2e-6 - rate[k]).abs() < 1e-6),
             "the test's own rate"
         );
+        let (before, after, second) =
+            (motion.rate(0.3 - 1e-6), motion.rate(0.3 + 1e-6), motion.acceleration(0.3));
+        assert!(
+            (0..12).all(|k| ((after[k] - before[k]) / 2e-6 - second[k]).abs() < 1e-3),
+            "nor its second derivative"
+        );
     }
 }

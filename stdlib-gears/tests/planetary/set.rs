@@ -103,8 +103,8 @@ pub struct Planet {
 }
 
 impl Planet {
-    /// Frame and rate.
-    fn at(&self, time: f64) -> [[f64; 12]; 2] {
+    /// Frame, rate and second derivative.
+    fn at(&self, time: f64) -> [[f64; 12]; 3] {
         let [carrier, own] = [self.carrier, self.own].map(|[start, speed]| start + speed * time);
         let (sine, cosine) = (carrier + own).sin_cos();
         // Ground to body: x' = R(carrier + own) x - R(own) pin - off.
@@ -117,7 +117,10 @@ impl Planet {
         let place = [-pin[0] - self.off[0], -pin[1] - self.off[1], 0.0];
         let moving = [-pin[1] * self.own[1], pin[0] * self.own[1], 0.0];
         let join = |r: [f64; 9], t: [f64; 3]| std::array::from_fn(|k| if k < 9 { r[k] } else { t[k - 9] });
-        [join(turned, place), join(rate, moving)]
+        let turning = turned.map(|entry| -entry * speed * speed);
+        let turning = std::array::from_fn(|k| if k == 8 { 0.0 } else { turning[k] });
+        let falling = [pin[0] * self.own[1].powi(2), pin[1] * self.own[1].powi(2), 0.0];
+        [join(turned, place), join(rate, moving), join(turning, falling)]
     }
 }
 
@@ -128,6 +131,10 @@ impl Motion for Planet {
 
     fn rate(&self, time: f64) -> [f64; 12] {
         self.at(time)[1]
+    }
+
+    fn acceleration(&self, time: f64) -> [f64; 12] {
+        self.at(time)[2]
     }
 }
 
