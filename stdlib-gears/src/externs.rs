@@ -105,7 +105,8 @@ calyx_abi::externs! {
 
     Pure fn calyx_gears_times(context, from: f64, to: f64, count: f64) -> Handle {
         let whole = count.fract() == 0.0 && (1.0..=MOST_TIMES).contains(&count);
-        if !whole || !(from.is_finite() && to.is_finite()) || (count > 1.0 && to <= from) {
+        let range = from.is_finite() && to.is_finite() && (count == 1.0 || to > from);
+        if !(whole && range) {
             return Err(refusal("E0753", if whole { "to" } else { "count" },
                 &format!("there are no {count} positions from {from} s to {to} s"),
                 "give a whole number of positions, at least 1, and an end after the beginning"));
