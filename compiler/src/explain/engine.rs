@@ -137,5 +137,12 @@ pub const CODES: &[Explanation] = codes! {
     "E0751" "gears that mesh with one other run into each other" "Planets that stand side by side need more than twice their tip radius between their axes. Use fewer of them, or smaller ones."
     "E0752" "the teeth of a loop stand off each other" "Contact takes up what pins are out of their places and teeth too thin, and shares the load accordingly. From a twentieth of a module on it is told, for a spacing that was rounded does the same."
     "E0753" "a list of positions that cannot be" "`times` gives equally spaced positions: a whole number of them, from a time to a later one."
+    "E0760" "a mass that cannot be" "What is fixed to a body has a mass and a moment of inertia that are positive, or 0 where there is none."
+    "E0761" "no dynamics in space" "Dynamic analyses are of plane models: choose the fidelity \"plane\". Bodies in space are analysed quasi-statically."
+    "E0762" "something free has no mass" "In a dynamic analysis whatever is free to move has a mass, and whatever is free to turn a moment of inertia. Gears have their own; a rigid body has what its `mass` and `inertia` say. Give it some, or hold it."
+    "E0763" "a range of time that cannot be" "A dynamic analysis goes through ranges of time one after the other. Each takes a positive time in a whole number of equal steps, keeps a row every so many of them, and has finite parts of the load at its ends."
+    "E0764" "a dynamic analysis that cannot be" "Its integrator is one of Newmark's family, it begins in equilibrium or where frames stand, and neither damping nor the highest frequency is negative. The message names the argument."
+    "E0765" "a dynamic analysis over mere positions" "Motion under inertia follows from time to time, so a dynamic analysis goes through `gears.time_ranges([gears.time_range(10 ms, step = 5 us)])`, which say how long and in which steps."
+    "E0766" "a blow that takes no time" "An impulse is half a wave of a sine over a positive time: a few steps, and much shorter than the periods that are looked at."
     "E0799" "a defect of Calyx; please report it with the model" "Something inside Calyx contradicts itself. It is not the model's fault."
 };

@@ -1,6 +1,6 @@
 //! A dynamic analysis from its start through all steps, row by row.
 
-use super::matrices::{Matrices, check};
+use super::matrices::{Matrices, check, check_section};
 use super::modal::{Elastic, Modes};
 use super::newmark::{Scheme, State};
 use super::ranges::{Step, TimeRange, kept_positions, steps};
@@ -84,6 +84,7 @@ impl<'s> History<'s> {
         observer: &mut dyn Observer,
     ) -> Result<Self, EngineError> {
         let mut timing = Timing::default();
+        check_section(options.fidelity)?;
         dynamics.ranges.iter().try_for_each(TimeRange::check)?;
         check_numbers(dynamics)?;
         let positions = kept_positions(dynamics.from, &dynamics.ranges);
@@ -299,6 +300,12 @@ impl<'s> History<'s> {
         result.modal = state.displacement[m..].to_vec();
         result.velocity = state.velocity.clone();
         result.beside = self.beside(&matrices, step, &state);
+        // Damping in proportion to the stiffness of bearings, which these do not tell of themselves.
+        for (i, freedom) in system.freedoms.iter().enumerate() {
+            let row = &springs.stiffness[i * m..(i + 1) * m];
+            let rate: f64 = row.iter().zip(&state.velocity).map(|(k, v)| k * v).sum();
+            result.beside[freedom.body][freedom.component] -= system.width() * by_stiffness * rate;
+        }
         // Observables see the springs of the scene and not the matrix of a step.
         result.problem.stiffness = springs.stiffness;
         Ok((result, state))
@@ -306,7 +313,11 @@ impl<'s> History<'s> {
 
     /// What acts on each body beside contact, bearings and its whole load.
     fn beside(&self, matrices: &Matrices, step: &Step, state: &State) -> Vec<[f64; 6]> {
-        let mut all = matrices.inertia(&self.system, &self.modes, &state.acceleration);
+        // Damping in proportion to mass acts as an acceleration by the rate.
+        let [by_mass, _] = self.options.rayleigh;
+        let rates = state.acceleration.iter().zip(&state.velocity);
+        let resisted: Vec<f64> = rates.map(|(a, v)| a + by_mass * v).collect();
+        let mut all = matrices.inertia(&self.system, &self.modes, &resisted);
         for (wrench, body) in all.iter_mut().zip(&self.system.scene.bodies) {
             let Wrench { force: [fx, fy, fz], moment: [mx, my, mz] } = body.load.at(step.time);
             for (part, whole) in wrench.iter_mut().zip([fx, fy, fz, mx, my, mz]) {

@@ -17,7 +17,8 @@ use crate::bearing::damping;
 use crate::error::EngineError;
 use crate::inertia::Inertia;
 use crate::motion::{angular_acceleration, angular_velocity, point_acceleration};
-use crate::system::{Bodies, System, pose};
+use crate::scene::Fidelity;
+use crate::system::{System, pose};
 
 /// At a time, per width of the model: freedoms first, then modal coordinates.
 pub(super) struct Matrices {
@@ -176,19 +177,27 @@ impl Matrices {
     }
 }
 
-/// What dynamics asks of a model: a section whose free bodies have mass.
+/// What dynamics asks of a model before its structures are built: that it is a section.
 ///
 /// # Errors
-/// E0761: the model is in space; E0762: a free freedom has no inertia.
-pub(super) fn check(system: &System<'_>, inertias: &[Inertia]) -> Result<(), EngineError> {
-    if !matches!(system.bodies, Bodies::Plane(_)) {
-        return Err(EngineError::new(
+/// E0761: the model is in space.
+pub(super) fn check_section(fidelity: Fidelity) -> Result<(), EngineError> {
+    match fidelity {
+        Fidelity::Plane => Ok(()),
+        Fidelity::Solid(_) => Err(EngineError::new(
             "E0761",
             "dynamic analyses are of plane models",
             "choose the fidelity \"plane\", or the method \"quasi_static\"",
         )
-        .blame("fidelity"));
+        .blame("fidelity")),
     }
+}
+
+/// That free bodies have mass.
+///
+/// # Errors
+/// E0762: a free freedom has no inertia.
+pub(super) fn check(system: &System<'_>, inertias: &[Inertia]) -> Result<(), EngineError> {
     for freedom in &system.freedoms {
         let body = &system.scene.bodies[freedom.body];
         let inertia = inertias.get(freedom.body).copied().unwrap_or_default();
