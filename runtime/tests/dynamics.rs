@@ -116,9 +116,9 @@ fn damping_of_each_kind_is_that_of_the_closed_form() {
         let body = scene.add_body(
             Body::new("frame", Arc::new(RigidBody), SteadyRotation::at_rest([0.5, 0.0]))
                 .free_in(&[Component::Ux])
-                .loaded(Wrench::of_force([force, 0.0, 0.0]))
-                .weighing(Inertia::axial(mass, 0.1, 0.0)),
+                .loaded(Wrench::of_force([force, 0.0, 0.0])),
         );
+        scene.bodies[body.0].added = Inertia::axial(mass, 0.1, 0.0);
         let bearing =
             Bearing { damping: along_x(damping), ..Bearing::new("support", body, 0.0, along_x(stiffness)) };
         scene.add_bearing(bearing).expect("a bearing");
