@@ -9,6 +9,7 @@ use calyx_gears::modification::{Modification, ReliefShape, TipRelief};
 use calyx_gears::mounting::{Mounting, mount};
 use calyx_gears::prototype::GearPrototype;
 use calyx_runtime::error::EngineError;
+use calyx_runtime::inertia::Inertia;
 use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::load::Wrench;
 use calyx_runtime::material::Material;
@@ -23,7 +24,7 @@ use calyx_runtime::scene::{
     StructureOptions, SurfacePair, Template,
 };
 use calyx_runtime::step::StepResult;
-use calyx_runtime::structure::{BoreHold, Structure};
+use calyx_runtime::structure::{BodyModes, BoreHold, Structure};
 use calyx_runtime::system::System;
 use std::f64::consts::TAU;
 use std::sync::{Arc, LazyLock, Mutex};
@@ -106,6 +107,19 @@ impl Prototype for Member {
 
     fn face_width(&self) -> f64 {
         self.prototype.face_width()
+    }
+
+    fn inertia(&self) -> Inertia {
+        self.prototype.inertia()
+    }
+
+    fn modes(
+        &self,
+        options: &StructureOptions,
+        highest: f64,
+        interrupt: &Interrupt,
+    ) -> Result<Option<Arc<BodyModes>>, EngineError> {
+        self.prototype.modes(options, highest, interrupt)
     }
 
     fn pitch_error(&self, tooth: u32) -> f64 {

@@ -1,0 +1,273 @@
+//! Motion in time: against closed forms, against statics where nothing is fast, and against the reduced model of a pair with one degree of
+//! freedom.
+
+mod common;
+
+use calyx_runtime::analysis::AnalysisOptions;
+use calyx_runtime::bearing::{Bearing, Stop, axisymmetric};
+use calyx_runtime::dynamics::{DynamicOptions, History, Scheme, Start, TimeRange};
+use calyx_runtime::inertia::Inertia;
+use calyx_runtime::load::Wrench;
+use calyx_runtime::motion::SteadyRotation;
+use calyx_runtime::observe::{Displacement, Rotation, SupportMoment, TransmissionError};
+use calyx_runtime::results::{OutputRequest, Solved};
+use calyx_runtime::rigid::RigidBody;
+use calyx_runtime::scene::{Body, BodyId, Component, GearMesh, Scene};
+use common::pair::{COARSE, FIRST, MESH, PLAIN, PairOptions, RELIEVED, SECOND, TORQUE, pair, system};
+use std::f64::consts::TAU;
+use std::sync::Arc;
+
+/// A coarse pair at a speed of the first gear, rad/s.
+fn at_speed(speed: f64, gears: &[common::pair::Member; 2]) -> (Scene, GearMesh) {
+    let (mut scene, mesh) = pair(&PairOptions { speed, ..PairOptions::chapter_5(gears) });
+    scene.pairs[0].grid.half_cells = Some(8);
+    // Statics fits grids to its forces, steps in time do not.
+    scene.pairs[0].grid.width = Some(8e-4);
+    scene.observables.clear();
+    (scene, mesh)
+}
+
+fn options() -> AnalysisOptions {
+    AnalysisOptions { structure: COARSE, ..AnalysisOptions::default() }
+}
+
+fn moving(ranges: Vec<TimeRange>) -> DynamicOptions {
+    DynamicOptions {
+        from: 0.0,
+        ranges,
+        scheme: Scheme::AVERAGE,
+        rayleigh: [0.0; 2],
+        highest_frequency: 0.0,
+        start: Start::Equilibrium,
+    }
+}
+
+/// Rows of values of the scene's observables.
+fn rows(scene: &Scene, dynamics: &DynamicOptions) -> Vec<(f64, Vec<f64>)> {
+    let outputs = requests(scene);
+    let history = History::new(scene, &outputs, &options(), dynamics, &mut ()).expect("it is analysed");
+    history
+        .map(|solved| {
+            let Solved { row, .. } = solved.expect("it is solved");
+            (row.position.time, row.outputs.iter().map(|output| output.value).collect())
+        })
+        .collect()
+}
+
+fn requests(scene: &Scene) -> Vec<OutputRequest> {
+    let observable =
+        |index| OutputRequest::observing(format!("{index}"), calyx_runtime::scene::ObservableId(index));
+    (0..scene.observables.len()).map(observable).collect()
+}
+
+/// A rigid body on a bearing beside a pair that is at rest.
+fn with_rigid(body: Body, bearing: Option<Bearing>) -> (Scene, BodyId) {
+    let (mut scene, _) = at_speed(1e-3, &PLAIN);
+    let id = scene.add_body(body);
+    if let Some(bearing) = bearing {
+        scene.add_bearing(Bearing { body: id, ..bearing }).expect("a bearing");
+    }
+    scene.observe(Displacement(id, 0));
+    scene.observe(Displacement(id, 1));
+    scene.observe(Rotation(id, 2));
+    scene.observe(TransmissionError(MESH));
+    (scene, id)
+}
+
+fn rigid(free: &[Component], motion: SteadyRotation) -> Body {
+    Body::new("rotor", Arc::new(RigidBody), motion).free_in(free)
+}
+
+#[test]
+fn a_torque_on_a_free_body_turns_it_as_newton_says() {
+    let (torque, inertia) = (3.0, 0.02);
+    let body = rigid(&[Component::ThetaZ], SteadyRotation::at_rest([0.5, 0.0]))
+        .with_added(Inertia::axial(1.0, inertia, 0.0))
+        .loaded(Wrench::of_moment([0.0, 0.0, torque]));
+    // It holds what is held anyhow: what nothing holds takes no part.
+    let bearing = Bearing::new("journal", BodyId(0), 0.0, axisymmetric(1e6, 0.0, 0.0, 0.0));
+    let (scene, _) = with_rigid(body, Some(bearing));
+    let dynamics = DynamicOptions { start: Start::Frames, ..moving(vec![TimeRange::steady(1e-3, 20)]) };
+    for (time, values) in rows(&scene, &dynamics) {
+        let turned = 0.5 * torque / inertia * time * time;
+        assert!((values[2] - turned).abs() <= 1e-9 * turned + 1e-18, "{time} {} {turned}", values[2]);
+    }
+}
+
+/// An unbalanced rotor on a bearing that is stiffer along y: undamped and from rest, x = A (cos wt - cos px t) with A = u w² / (kx - m w²).
+#[test]
+fn an_unbalance_shakes_a_rotor_in_a_bearing_at_its_own_speed() {
+    let (mass, unbalance, speed) = (2.0, 1e-4, 150.0);
+    let [kx, ky] = [4e5, 9e5];
+    let mut stiffness = axisymmetric(kx, 0.0, 0.0, 0.0);
+    stiffness[1][1] = ky;
+    let added = Inertia { moment: [unbalance, 0.0, 0.0], ..Inertia::axial(mass, 1e-3, 0.0) };
+    let motion = SteadyRotation { origin: [0.5, 0.0], start: 0.0, speed };
+    let body = rigid(&[Component::Ux, Component::Uy], motion).with_added(added);
+    let (scene, id) = with_rigid(body, Some(Bearing::new("bearing", BodyId(0), 0.0, stiffness)));
+    assert_eq!(id, BodyId(2));
+    let dynamics = DynamicOptions { start: Start::Frames, ..moving(vec![TimeRange::steady(0.05, 2000)]) };
+    let exact = |k: f64, time: f64, phase: fn(f64) -> f64| {
+        let (natural, drive) = ((k / mass).sqrt(), unbalance * speed * speed / (k - mass * speed * speed));
+        match phase(0.0) {
+            1.0 => drive * ((speed * time).cos() - (natural * time).cos()),
+            _ => drive * ((speed * time).sin() - speed / natural * (natural * time).sin()),
+        }
+    };
+    let size = unbalance * speed * speed / (kx - mass * speed * speed);
+    for (time, values) in rows(&scene, &dynamics) {
+        let (x, y) = (exact(kx, time, f64::cos), exact(ky, time, f64::sin));
+        assert!(
+            (values[0] - x).abs() < 2e-3 * size && (values[1] - y).abs() < 2e-3 * size,
+            "{time} {values:?} {x} {y}"
+        );
+    }
+}
+
+/// A mass between two walls, undamped: what impacts change of its energy is of the order of the step, and does not grow into a gain.
+#[test]
+fn a_mass_between_walls_keeps_its_energy() {
+    let (mass, stiffness, gap, speed) = (1.0, 1e7, 1e-4, 0.1);
+    let wall =
+        |sign: f64| Stop::Wall { clearance: gap, direction: [sign, 0.0, 0.0, 0.0, 0.0, 0.0], stiffness };
+    let body = rigid(&[Component::Ux], SteadyRotation::at_rest([0.5, 0.0]))
+        .with_added(Inertia::axial(mass, 1e-3, 0.0))
+        // What gives it its speed, over at once.
+        .loaded(move |time: f64| match time < 1e-5 {
+            true => Wrench::of_force([mass * speed / 1e-5, 0.0, 0.0]),
+            false => Wrench::NONE,
+        });
+    let bearing = Bearing {
+        stops: vec![wall(1.0), wall(-1.0)],
+        ..Bearing::new("walls", BodyId(0), 0.0, [[0.0; 6]; 6])
+    };
+    let (scene, _) = with_rigid(body, Some(bearing));
+    let step = 4e-6;
+    let dynamics =
+        DynamicOptions { start: Start::Frames, ..moving(vec![TimeRange::steady(20_000.0 * step, 20_000)]) };
+    let values: Vec<f64> = rows(&scene, &dynamics).into_iter().map(|(_, values)| values[0]).collect();
+    let free: Vec<f64> = values
+        .windows(2)
+        .filter(|pair| pair.iter().all(|x| x.abs() < 0.9 * gap))
+        .map(|pair| ((pair[1] - pair[0]) / step).abs())
+        .skip(20)
+        .collect();
+    let passages = values.windows(2).filter(|pair| (pair[0] < 0.0) != (pair[1] < 0.0)).count();
+    let first = free[0];
+    let gain = free.iter().map(|v| (v / first).powi(2) - 1.0).fold(0.0, f64::max);
+    let loss = free.iter().map(|v| 1.0 - (v / first).powi(2)).fold(0.0, f64::max);
+    assert!(passages > 20, "{passages}");
+    assert!(gain < 1e-3 && loss < 5e-3, "gained {gain:e}, lost {loss:e} over {passages} passages");
+}
+
+/// Where nothing is fast, motion in time is statics: with bodies that vibrate as rigid ones, and with modes, whose static part and the residual
+/// flexibility make up the whole.
+#[test]
+fn slow_motion_is_statics() {
+    // A turn in half an hour; steps of minutes, by a scheme that damps what they cannot follow.
+    let (mut scene, mesh) = at_speed(TAU / 2000.0, &RELIEVED);
+    scene.observe(TransmissionError(MESH));
+    scene.observe(SupportMoment(SECOND, 2));
+    let system = system(&scene);
+    let [rigid, modal] = [0.0, 60e3].map(|highest_frequency| {
+        let dynamics = DynamicOptions {
+            scheme: Scheme::named("backward_difference").expect("known"),
+            highest_frequency,
+            ..moving(vec![TimeRange { keep: 4, ..TimeRange::steady(0.4 * mesh.period, 16) }])
+        };
+        rows(&scene, &dynamics)
+    });
+    for ((time, rigid), (_, modal)) in rigid.iter().zip(&modal) {
+        let step = system.solve(*time).expect("equilibrium");
+        let statics = [
+            system.value(&step, &TransmissionError(MESH)).value,
+            system.value(&step, &SupportMoment(SECOND, 2)).value,
+        ];
+        // Statics lays contact out where frames are meant to be, a step in time where the bodies are.
+        let near = |k: usize, by: f64| (rigid[k] - statics[k]).abs() <= by * statics[k].abs();
+        assert!(near(0, 1e-3) && near(1, 1e-4), "{time}: {rigid:?} {statics:?}");
+        let same = |k: usize| (rigid[k] - modal[k]).abs() <= 1e-5 * rigid[k].abs();
+        assert!(same(0) && same(1), "{time}: {rigid:?} {modal:?}");
+    }
+}
+
+/// The reduced model: J theta'' + c theta' = T - k(t) rb² (theta - theta_s(t)), with stiffness and deflection from statics.
+#[test]
+fn a_pair_vibrates_as_its_reduced_model_says() {
+    let speed = 300.0;
+    let (mut scene, mesh) = at_speed(speed, &RELIEVED);
+    scene.bodies[FIRST.0] = scene.bodies[FIRST.0].clone().with_added(Inertia::axial(0.0, 2e-3, 0.0));
+    scene.observe(Rotation(FIRST, 2));
+    let inertia = scene.bodies[FIRST.0].inertia().polar();
+    let cycles = 3.0;
+    let (steps, damping) = (240, 2000.0);
+    let dynamics = DynamicOptions {
+        rayleigh: [damping, 0.0],
+        ..moving(vec![TimeRange::steady(cycles * mesh.period, steps)])
+    };
+    let found: Vec<f64> = rows(&scene, &dynamics).into_iter().map(|(_, values)| values[0]).collect();
+    // Statics at every step, and its stiffness against turning.
+    let system = system(&scene);
+    let statics: Vec<[f64; 2]> = (0..=steps)
+        .map(|k| {
+            let step = system.solve(cycles * mesh.period * k as f64 / steps as f64).expect("equilibrium");
+            let turn = system.value(&step, &Rotation(FIRST, 2)).value;
+            let lever = mesh.base_radii[0];
+            let stiffness = system.value(&step, &calyx_runtime::observe::MeshStiffness(MESH)).value;
+            [turn, stiffness * lever * lever]
+        })
+        .collect();
+    // The same integrator, on one equation.
+    let h = cycles * mesh.period / steps as f64;
+    let (mut x, mut v, mut a) = (statics[0][0], 0.0, 0.0);
+    let mut worst = 0.0f64;
+    let swing = |values: &mut dyn Iterator<Item = f64>| {
+        let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
+        values.for_each(|value| (low, high) = (low.min(value), high.max(value)));
+        high - low
+    };
+    let size = swing(&mut found.iter().copied());
+    for k in 1..=steps {
+        let [rest, stiffness] = statics[k];
+        let (px, pv) = (x + h * v + 0.25 * h * h * a, v + 0.5 * h * a);
+        let force = stiffness * (rest - px) - damping * inertia * pv;
+        a = force / (inertia + 0.5 * h * damping * inertia + 0.25 * h * h * stiffness);
+        (x, v) = (px + 0.25 * h * h * a, pv + 0.5 * h * a);
+        worst = worst.max((x - found[k]).abs());
+    }
+    assert!(size > 0.2 * TORQUE / statics[0][1], "it vibrates: {size:e}");
+    assert!(worst < 0.03 * size, "{worst:e} of {size:e}");
+}
+
+/// What was kept of an earlier run is gone on with to the bit.
+#[test]
+fn a_history_goes_on_where_it_was_left() {
+    let (mut scene, mesh) = at_speed(200.0, &PLAIN);
+    scene.observe(TransmissionError(MESH));
+    let outputs = requests(&scene);
+    let dynamics = moving(vec![TimeRange { keep: 3, ..TimeRange::steady(0.2 * mesh.period, 10) }]);
+    let all: Vec<Solved> = History::new(&scene, &outputs, &options(), &dynamics, &mut ())
+        .expect("it is analysed")
+        .map(|solved| solved.expect("it is solved"))
+        .collect();
+    assert_eq!(all.len(), 5);
+    for kept in [1, 3, 5] {
+        let options = AnalysisOptions { solved: all[..kept].to_vec(), ..options() };
+        let history = History::new(&scene, &outputs, &options, &dynamics, &mut ()).expect("it goes on");
+        let rest: Vec<Solved> = history.map(|solved| solved.expect("it is solved")).collect();
+        assert_eq!(rest, all[kept..], "{kept}");
+    }
+}
+
+#[test]
+fn what_has_no_mass_cannot_move_in_time() {
+    let body = rigid(&[Component::Ux], SteadyRotation::at_rest([0.5, 0.0]));
+    let (scene, _) =
+        with_rigid(body, Some(Bearing::new("soft", BodyId(0), 0.0, axisymmetric(1e5, 0.0, 0.0, 0.0))));
+    let outputs = requests(&scene);
+    let refused =
+        History::new(&scene, &outputs, &options(), &moving(vec![TimeRange::steady(1.0, 10)]), &mut ());
+    assert_eq!(refused.err().map(|error| error.code), Some("E0762"));
+    let none = History::new(&scene, &outputs, &options(), &moving(Vec::new()), &mut ());
+    assert_eq!(none.err().map(|error| error.code), Some("E0764"));
+}
