@@ -158,6 +158,7 @@ calyx_abi::externs! {
             _ => return Err(refusal("E0679", "method", &format!("there is no analysis called \"{method}\""),
                 "choose \"quasi_static\" or \"dynamic\"")),
         };
+        crate::signal_externs::check(host)?;
         host.asked = Some(Asked { fidelity, structure });
         if host.checking { Ok(()) } else { analyze(host, &how, &options) }
     }
@@ -221,7 +222,7 @@ fn analyze(host: &mut ModelHost, how: &How, options: &AnalysisOptions) -> Result
     host.observer = observer;
     host.failed_analyses += usize::from(result.is_err());
     host.result = Some(result.map_err(|error| host.engine_error(error))?);
-    Ok(())
+    crate::signal_externs::answer(host)
 }
 
 /// A whole number, or `None` for 0, which leaves it to the fidelity.

@@ -20,6 +20,7 @@ use calyx_runtime::material::Material;
 use calyx_runtime::observe::Gauge;
 use calyx_runtime::results::{AnalysisResult, OutputRequest};
 use calyx_runtime::scene::{BodyId, Fidelity, Scene, StructureOptions};
+use calyx_runtime::signal::{Signal, SignalRequest};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -106,6 +107,10 @@ pub struct ModelHost {
     pub scene: Scene,
     /// What the model wants to know.
     pub outputs: Vec<OutputRequest>,
+    /// What it wants to know of outputs in the frequency domain.
+    pub asked_signals: Vec<AskedSignal>,
+    /// The answers, once the analysis is done.
+    pub signals: Vec<Signal>,
     /// Findings beside the one that stopped the model, if any did.
     pub findings: Vec<Finding>,
     /// Watches the analysis; without one it runs unobserved.
@@ -226,6 +231,15 @@ impl ModelHost {
             .for_each(|other| self.note(std::slice::from_ref(other), place));
         self.told(first, place)
     }
+}
+
+/// A request for a signal, with the place of its call.
+#[derive(Clone, Debug, PartialEq)]
+pub struct AskedSignal {
+    /// What is asked.
+    pub request: SignalRequest,
+    /// Place of the call.
+    pub place: (u32, u32, u32),
 }
 
 /// How an analysis models bodies.

@@ -143,6 +143,7 @@ pub mod rack;
 mod root_finding;
 pub mod sector_mesh;
 pub mod shaper;
+pub mod signal_externs;
 mod size;
 pub mod solid_prototype;
 pub mod tables;

@@ -32,6 +32,7 @@ const TABLES: &[&[Extern]] = &[
     crate::mesh_externs::EXTERNS,
     crate::modifying::EXTERNS,
     crate::observables::EXTERNS,
+    crate::signal_externs::EXTERNS,
     crate::tables::EXTERNS,
     standard::EXTERNS,
 ];

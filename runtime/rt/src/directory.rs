@@ -18,6 +18,9 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
+/// Below a run directory: tables and pictures in the frequency domain.
+pub const SIGNALS: &str = "signals";
+
 /// Names of stages, in order, and the time each took.
 pub type StageTimes = Vec<(&'static str, Duration)>;
 
@@ -32,6 +35,10 @@ pub fn default_directory(model: &Path) -> PathBuf {
 pub fn prepare(directory: &Path) -> io::Result<()> {
     fs::create_dir_all(directory)?;
     vtu::remove(directory)?;
+    match fs::remove_dir_all(directory.join(SIGNALS)) {
+        Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(error),
+        _ => {}
+    }
     for name in ["run.json", "timing.json", "steps.csv"].into_iter().chain(field_tables::NAMES) {
         match fs::remove_file(directory.join(name)) {
             Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(error),

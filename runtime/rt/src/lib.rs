@@ -40,6 +40,8 @@ pub mod run;
 #[cfg(feature = "command")]
 pub mod schema;
 pub mod seen;
+#[cfg(feature = "command")]
+pub mod signals;
 pub mod stepping;
 pub mod table;
 pub mod vtu;

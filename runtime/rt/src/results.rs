@@ -11,6 +11,7 @@ use calyx_gears::host::{Finding, ModelHost};
 use calyx_runtime::contact::problem::Certificate;
 use calyx_runtime::plan::Plan;
 use calyx_runtime::results::{AnalysisResult, OutputSummary, Timing};
+use calyx_runtime::signal::Signal;
 use calyx_runtime::summary::Harmonic;
 use std::sync::Arc;
 use std::time::Duration;
@@ -22,6 +23,7 @@ pub struct Results {
     params: Vec<ParamValue>,
     analysis: Option<AnalysisResult>,
     findings: Vec<Finding>,
+    signals: Vec<Signal>,
     time: Duration,
 }
 
@@ -34,14 +36,17 @@ impl Results {
         context: &mut Context,
         time: Duration,
     ) -> Result<Results, Error> {
-        let (analysis, findings, failed) = match context.host::<ModelHost>() {
-            Some(host) => (host.result.take(), std::mem::take(&mut host.findings), host.failed_analyses > 0),
-            None => (None, Vec::new(), false),
-        };
+        let (mut analysis, mut findings, mut signals, mut failed) = (None, Vec::new(), Vec::new(), false);
+        if let Some(host) = context.host::<ModelHost>() {
+            analysis = host.result.take();
+            findings = std::mem::take(&mut host.findings);
+            signals = std::mem::take(&mut host.signals);
+            failed = host.failed_analyses > 0;
+        }
         if analysis.is_none() && !program.description().outputs.is_empty() {
             return Err(no_analysis(program.description(), failed).into());
         }
-        Ok(Results { program, shape, params, analysis, findings, time })
+        Ok(Results { program, shape, params, analysis, findings, signals, time })
     }
 
     pub fn description(&self) -> &ModelDescription {
@@ -112,6 +117,11 @@ impl Results {
         let summary = self.analysis.as_ref().and_then(|result| result.summaries.get(index));
         let summary = summary.ok_or_else(|| Error::from(no_analysis(self.description(), false)))?;
         Ok((index, summary))
+    }
+
+    /// What the model asked of its outputs in the frequency domain, in SI.
+    pub fn signals(&self) -> &[Signal] {
+        &self.signals
     }
 
     /// The worst residuals of all positions; `None` for a model without an analysis.

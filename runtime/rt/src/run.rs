@@ -10,7 +10,7 @@ use crate::program::Program;
 use crate::progress::{Progress, ProgressFormat};
 use crate::results::Results;
 use crate::resume::{self, Begun};
-use crate::table;
+use crate::{signals, table};
 use calyx_abi::description::OutputDescription;
 use calyx_abi::{Cancel, Status};
 use calyx_gears::host::Finding;
@@ -141,13 +141,15 @@ pub fn run(program: Arc<dyn Program>, options: &RunOptions) -> Result<RunReport,
         findings.map(|finding| format!("{}: {}", finding.error.code, finding.error.message)).collect();
     written.extend(all_warnings.iter().cloned());
     let result = results.analysis();
+    signals::write(directory, description, results.signals()).map_err(unwritable)?;
     write_run(directory, description, results.params(), result, &written, &stages).map_err(unwritable)?;
     journal::remove(directory).map_err(unwritable)?;
     let ignored = result.iter().flat_map(|result| &result.plan.ignored);
     let ignored =
         ignored.map(|ignored| format!("`{}` is not seen as given: {}", ignored.input, ignored.reason));
     Ok(RunReport {
-        summary: result.map(|result| table::summary(description, result)).unwrap_or_default(),
+        summary: result.map(|result| table::summary(description, result)).unwrap_or_default()
+            + &signals::summary(description, results.signals()),
         warnings: ignored.chain(all_warnings).collect(),
         findings: results.findings().to_vec(),
         finished_before: false,

@@ -1,0 +1,130 @@
+//! What programs ask of outputs in the frequency domain: spectra, spectrograms, order maps, transfer functions.
+
+use crate::externs::{body, host, refusal};
+use crate::host::{AskedSignal, ModelHost};
+use calyx_abi::externs::Handle;
+use calyx_abi::{Context, RuntimeError};
+use calyx_runtime::motion::{Stance, pose_in_space};
+use calyx_runtime::signal::{Signal, SignalKind, SignalRequest, Span, Window, evaluate};
+
+calyx_abi::externs! {
+    Scene fn calyx_gears_spectrum(
+        context, of: String, from: f64, to: f64, window: String, piece: f64, highest: f64,
+    ) -> () {
+        let piece = (positive("piece", piece)? > 0.0).then_some(piece);
+        ask(context, of, [from, to], highest, SignalKind::Spectrum { window: named(&window)?, piece })
+    }
+
+    Scene fn calyx_gears_spectrogram(
+        context, of: String, piece: f64, from: f64, to: f64, window: String, highest: f64,
+    ) -> () {
+        let piece = more_than_none("piece", piece)?;
+        ask(context, of, [from, to], highest, SignalKind::Spectrogram { window: named(&window)?, piece })
+    }
+
+    Scene fn calyx_gears_order_map(
+        context, of: String, shaft: Handle, from: f64, to: f64, turns: f64, highest: f64, window: String,
+    ) -> () {
+        let shaft = body(context, "shaft", shaft)?;
+        let (turns, highest) = (more_than_none("turns", turns)?, more_than_none("highest", highest)?);
+        let window = named(&window)?;
+        ask(context, of, [from, to], highest, SignalKind::OrderMap { shaft, turns, highest, window })
+    }
+
+    Scene fn calyx_gears_transfer_function(
+        context, of: String, from: f64, momentum: f64, to: f64, highest: f64,
+    ) -> () {
+        if momentum == 0.0 || !momentum.is_finite() {
+            return Err(refusal("E0778", "momentum", "a blow without momentum shows no transfer function",
+                "give what `gears.impulse` passes on"));
+        }
+        ask(context, of, [from, to], highest, SignalKind::TransferFunction { momentum })
+    }
+}
+
+fn named(window: &str) -> Result<Window, RuntimeError> {
+    Window::named(window).ok_or_else(|| {
+        let known: Vec<String> = Window::ALL.iter().map(|(name, _)| format!("\"{name}\"")).collect();
+        let message = format!("there is no window called \"{window}\"");
+        refusal("E0778", "window", &message, &format!("choose one of {}", known.join(", ")))
+    })
+}
+
+fn positive(argument: &str, number: f64) -> Result<f64, RuntimeError> {
+    match number >= 0.0 {
+        true => Ok(number),
+        false => Err(refusal(
+            "E0778",
+            argument,
+            &format!("`{argument}` cannot be {number}"),
+            "give a positive number",
+        )),
+    }
+}
+
+fn more_than_none(argument: &str, number: f64) -> Result<f64, RuntimeError> {
+    positive(argument, if number.is_finite() && number > 0.0 { number } else { f64::NAN })
+}
+
+fn ask(
+    context: &mut Context,
+    of: String,
+    [from, to]: [f64; 2],
+    highest: f64,
+    kind: SignalKind,
+) -> Result<(), RuntimeError> {
+    if to.is_nan() || from.is_nan() || to <= from {
+        return Err(refusal(
+            "E0778",
+            "to",
+            "the range of time ends before it begins",
+            "let `to` be later than `from`",
+        ));
+    }
+    let highest = more_than_none("highest", highest.min(f64::MAX))?;
+    let place = context.place;
+    let request = SignalRequest { of, span: Span { from, to }, highest, kind };
+    host(context)?.asked_signals.push(AskedSignal { request, place });
+    Ok(())
+}
+
+/// Whether all signals are of outputs that there are.
+///
+/// # Errors
+/// E0775: one is not.
+pub(crate) fn check(host: &ModelHost) -> Result<(), RuntimeError> {
+    for AskedSignal { request, place } in &host.asked_signals {
+        if host.outputs.iter().any(|output| output.name == request.of) {
+            continue;
+        }
+        let known: Vec<&str> = host.outputs.iter().map(|output| output.name.as_str()).collect();
+        let message = format!("the model has no output called \"{}\"", request.of);
+        let help = format!("its outputs are {}", known.join(", "));
+        let error = refusal("E0775", "of", &message, &help);
+        return Err(RuntimeError { place: Some(*place), ..error });
+    }
+    Ok(())
+}
+
+/// Answers all requests from the rows of the analysis that is done.
+///
+/// # Errors
+/// E0776 and E0777: the rows do not suit a request.
+pub(crate) fn answer(host: &mut ModelHost) -> Result<(), RuntimeError> {
+    let Some(result) = &host.result else { return Ok(()) };
+    let mut answers: Vec<Signal> = Vec::with_capacity(host.asked_signals.len());
+    for AskedSignal { request, place } in &host.asked_signals {
+        let Some(output) = host.outputs.iter().position(|output| output.name == request.of) else { continue };
+        let angle = |time: f64| {
+            let SignalKind::OrderMap { shaft, .. } = request.kind else { return 0.0 };
+            let body = host.scene.bodies.get(shaft.0);
+            let pose = body.and_then(|body| pose_in_space(body.motion.as_ref(), time).ok());
+            pose.map_or(f64::NAN, |pose| Stance::of(&pose).angle)
+        };
+        let answer = evaluate(request, &result.rows, output, angle)
+            .map_err(|error| RuntimeError { place: Some(*place), ..crate::externs::engine(error) })?;
+        answers.push(answer);
+    }
+    host.signals = answers;
+    Ok(())
+}
