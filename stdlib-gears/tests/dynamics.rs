@@ -12,7 +12,7 @@ use calyx_runtime::motion::SteadyRotation;
 use calyx_runtime::observe::{Displacement, Rotation, SupportMoment, TransmissionError};
 use calyx_runtime::results::{OutputRequest, Solved};
 use calyx_runtime::rigid::RigidBody;
-use calyx_runtime::scene::{Body, BodyId, Component, GearMesh, Scene};
+use calyx_runtime::scene::{Body, BodyId, Component, Fidelity, GearMesh, Scene};
 use common::pair::{COARSE, FIRST, MESH, PLAIN, PairOptions, RELIEVED, SECOND, TORQUE, pair, system};
 use std::f64::consts::TAU;
 use std::sync::Arc;
@@ -268,6 +268,10 @@ fn what_has_no_mass_cannot_move_in_time() {
     let refused =
         History::new(&scene, &outputs, &options(), &moving(vec![TimeRange::steady(1.0, 10)]), &mut ());
     assert_eq!(refused.err().map(|error| error.code), Some("E0762"));
+    let solid = AnalysisOptions { fidelity: Fidelity::Solid(Default::default()), ..options() };
+    let (scene, _) = at_speed(1.0, &PLAIN);
+    let refused = History::new(&scene, &[], &solid, &moving(vec![TimeRange::steady(1.0, 10)]), &mut ());
+    assert_eq!(refused.err().map(|error| error.code), Some("E0761"));
     let none = History::new(&scene, &outputs, &options(), &moving(Vec::new()), &mut ());
     assert_eq!(none.err().map(|error| error.code), Some("E0764"));
 }
