@@ -269,12 +269,10 @@ fn range(values: impl Iterator<Item = f64>) -> (f64, f64) {
 
 /// From white over blue to dark: `part` from 0 to 1, in 32 steps.
 fn shade(part: f64) -> RGBColor {
-    let step = (part.clamp(0.0, 1.0) * 31.0).round() / 31.0;
-    let mix = |from: f64, to: f64| (from + (to - from) * step).round() as u8;
-    if step < 0.5 {
-        let half = 2.0 * step;
-        let mix = |from: f64, to: f64| (from + (to - from) * half).round() as u8;
-        return RGBColor(mix(255.0, 65.0), mix(255.0, 125.0), mix(255.0, 200.0));
-    }
-    RGBColor(mix(110.0, 20.0), mix(210.0, 10.0), mix(300.0, 60.0).min(255))
+    const STOPS: [[f64; 3]; 3] = [[255.0, 255.0, 255.0], [65.0, 125.0, 200.0], [20.0, 10.0, 60.0]];
+    let step = (part.clamp(0.0, 1.0) * 31.0).round() / 15.5;
+    let (from, to, passed) =
+        if step < 1.0 { (STOPS[0], STOPS[1], step) } else { (STOPS[1], STOPS[2], step - 1.0) };
+    let [red, green, blue] = [0, 1, 2].map(|k: usize| (from[k] + (to[k] - from[k]) * passed).round() as u8);
+    RGBColor(red, green, blue)
 }
