@@ -6,9 +6,9 @@ use calyx_abi::{Context, RuntimeError};
 use calyx_runtime::observe::{
     Coordinate, Displacement, Efficiency, FaceLoadFactor, FrictionLoss, HighestContact, LoadShare,
     LoadedFace, LowestContact, LugLoad, MaxContactPressure, MaxEdgePressure, MaxLineLoad, MaxRootCompression,
-    MaxRootStress, MaxSlidingVelocity, Maximum, MeshForce, MeshStiffness, Observable, PairLoad,
-    PairsInContact, PlaceOf, Rotation, SecantStiffness, SlidingVelocity, SupportForce, SupportMoment,
-    ToothLoad, TransmissionError, UnloadedTransmissionError,
+    MaxRootStress, MaxSlidingVelocity, Maximum, MeshForce, MeshStiffness, ModeShare, NaturalFrequency,
+    Observable, PairLoad, PairsInContact, PlaceOf, Rotation, SecantStiffness, SlidingVelocity, SupportForce,
+    SupportMoment, ToothLoad, TransmissionError, UnloadedTransmissionError,
 };
 use calyx_runtime::scene::{BodyId, PairId};
 
@@ -46,6 +46,21 @@ calyx_abi::externs! {
 
     Scene fn calyx_gears_mesh_stiffness(context, mesh: Handle) -> Handle {
         observe(context, MeshStiffness(pair(mesh)))
+    }
+
+    Scene fn calyx_gears_natural_frequency(context, mode: f64) -> Handle {
+        let mode = mode_number(mode)?;
+        observe(context, NaturalFrequency(mode))
+    }
+
+    Scene fn calyx_gears_mode_share(context, body: Handle, mode: f64, motion: String) -> Handle {
+        let (id, mode) = (externs::body(context, "body", body)?, mode_number(mode)?);
+        let components = match motion.as_str() {
+            "translation" => [true, true, true, false, false, false],
+            "rotation" => [false, false, false, true, true, true],
+            _ => [true; 6],
+        };
+        observe(context, ModeShare { mode, body: id, components })
     }
 
     Scene fn calyx_gears_secant_mesh_stiffness(context, mesh: Handle) -> Handle {
@@ -179,6 +194,19 @@ fn pair(mesh: Handle) -> PairId {
 
 fn body(context: &mut Context, body: Handle) -> Result<BodyId, RuntimeError> {
     externs::body(context, "body", body)
+}
+
+/// A mode's number, which counts from 1.
+fn mode_number(mode: f64) -> Result<usize, RuntimeError> {
+    match mode.fract() == 0.0 && (1.0..1e6).contains(&mode) {
+        true => Ok(mode as usize - 1),
+        false => Err(refusal(
+            "E0770",
+            "mode",
+            &format!("there is no mode {mode}"),
+            "modes are counted from 1, from the lowest natural frequency up; there are as many as free freedoms",
+        )),
+    }
 }
 
 /// A body that carries a gear.

@@ -9,7 +9,9 @@ use calyx_runtime::dynamics::{DynamicOptions, History, Scheme, Start, TimeRange}
 use calyx_runtime::inertia::Inertia;
 use calyx_runtime::load::Wrench;
 use calyx_runtime::motion::SteadyRotation;
-use calyx_runtime::observe::{Displacement, Rotation, SupportMoment, TransmissionError};
+use calyx_runtime::observe::{
+    Displacement, Equilibrium, ModeShare, NaturalFrequency, Rotation, SupportMoment, TransmissionError,
+};
 use calyx_runtime::results::{OutputRequest, Solved};
 use calyx_runtime::rigid::RigidBody;
 use calyx_runtime::scene::{Body, BodyId, Component, Fidelity, GearMesh, Scene};
@@ -274,4 +276,50 @@ fn what_has_no_mass_cannot_move_in_time() {
     assert_eq!(refused.err().map(|error| error.code), Some("E0761"));
     let none = History::new(&scene, &outputs, &options(), &moving(Vec::new()), &mut ());
     assert_eq!(none.err().map(|error| error.code), Some("E0764"));
+}
+
+/// Two gears that turn on their mesh, the second on a spring besides: a two-by-two problem with the mesh stiffness that statics says.
+#[test]
+fn natural_frequencies_are_those_of_the_closed_form() {
+    let (mut scene, mesh) = at_speed(1.0, &PLAIN);
+    scene.bodies[SECOND.0] = scene.bodies[SECOND.0].clone().free_in(&[Component::ThetaZ, Component::Ux]);
+    let (torsional, radial) = (4e5, 3e8);
+    let spring = Bearing::new("spring", SECOND, 0.0, axisymmetric(radial, 0.0, 0.0, torsional));
+    scene.add_bearing(spring).expect("a bearing");
+    let system = system(&scene);
+    let step = system.solve(0.3 * mesh.period).expect("equilibrium");
+    let found = Equilibrium::new(&system, &step).vibrations().expect("they vibrate");
+    // M and K orthogonality, and the equations themselves.
+    let (mass, stiffness) = (&found.mass, &found.stiffness);
+    let unit = found.shapes.transpose() * mass * &found.shapes;
+    let squares = found.shapes.transpose() * stiffness * &found.shapes;
+    for i in 0..3 {
+        for j in 0..3 {
+            let (one, square) = if i == j { (1.0, found.frequencies[i].powi(2)) } else { (0.0, 0.0) };
+            assert!((unit[(i, j)] - one).abs() < 1e-12);
+            assert!((squares[(i, j)] - square).abs() < 1e-11 * found.frequencies[2].powi(2));
+        }
+    }
+    // By hand: the stiffness of the teeth along the line of action, both gears' levers, and the direction of the line.
+    let [one, two] = [FIRST, SECOND].map(|id| scene.bodies[id.0].inertia());
+    let [r1, r2] = mesh.base_radii;
+    let alone = stiffness[(0, 0)] / (r1 * r1);
+    let cosine = (r1 + r2) / (3.0 * 0.0254);
+    // In the order of the freedoms: the first one's turn, the second one's shift and turn.
+    let along = [r1, (1.0 - cosine * cosine).sqrt(), r2];
+    let by_hand = nalgebra::Matrix3::from_fn(|i, j| {
+        let masses = [one.polar(), two.mass, two.polar()];
+        let own = if i == j { [0.0, radial, torsional][i] } else { 0.0 };
+        (alone * along[i] * along[j] + own) / (masses[i] * masses[j]).sqrt()
+    });
+    let mut squares: Vec<f64> = by_hand.symmetric_eigenvalues().iter().copied().collect();
+    squares.sort_by(f64::total_cmp);
+    for (square, omega) in squares.iter().zip(&found.frequencies) {
+        assert!((square.sqrt() / omega - 1.0).abs() < 1e-9, "{} {omega}", square.sqrt());
+    }
+    let share = |body, components| system.value(&step, &ModeShare { mode: 0, body, components }).value;
+    let all = share(FIRST, [true; 6]) + share(SECOND, [true; 6]);
+    assert!((all - 1.0).abs() < 1e-12, "{all}");
+    let lowest = system.value(&step, &NaturalFrequency(0)).value;
+    assert!((lowest * TAU / found.frequencies[0] - 1.0).abs() < 1e-14);
 }

@@ -144,6 +144,7 @@ pub const CODES: &[Explanation] = codes! {
     "E0764" "a dynamic analysis that cannot be" "Its integrator is one of Newmark's family, it begins in equilibrium or where frames stand, and neither damping nor the highest frequency is negative. The message names the argument."
     "E0765" "a dynamic analysis over mere positions" "Motion under inertia follows from time to time, so a dynamic analysis goes through `gears.time_ranges([gears.time_range(10 ms, step = 5 us)])`, which say how long and in which steps."
     "E0766" "a blow that takes no time" "An impulse is half a wave of a sine over a positive time: a few steps, and much shorter than the periods that are looked at."
+    "E0770" "a mode that there is not" "Modes about an equilibrium are counted from 1, from the lowest natural frequency up; there are as many as freedoms that are not held."
     "E0775" "a signal of an output that there is not" "Spectra are of outputs, by their names. The message lists those that the model has."
     "E0776" "too few samples for a spectrum" "A spectrum needs several samples in its range of time, and maps as many as their pieces are long. Analyse a longer time, widen the range, or shorten the pieces."
     "E0777" "samples that are not equally far apart" "Spectra are of equal steps. Where an analysis has ranges of different steps, take one of them by `from` and `to`; `mesh_cycle` and `times` are uniform."

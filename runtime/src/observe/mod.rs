@@ -15,6 +15,7 @@ mod places;
 mod pressure;
 mod sliding;
 mod stress;
+mod vibration;
 
 pub use bearings::{BearingDeflection, BearingForce, BearingMoment, BearingTilt, Borne, Direction};
 pub use bodies::{
@@ -29,6 +30,7 @@ pub use places::{Coordinate, Maximum, PlaceOf};
 pub use pressure::{MaxContactPressure, MaxEdgePressure};
 pub use sliding::{Efficiency, FrictionLoss, MaxSlidingVelocity, SlidingVelocity};
 pub use stress::{MaxRootCompression, MaxRootStress};
+pub use vibration::{ModeShare, NaturalFrequency, Vibrations};
 
 use crate::results::Observed;
 use crate::scene::{BearingId, BodyId};
