@@ -222,7 +222,8 @@ fn analyze(host: &mut ModelHost, how: &How, options: &AnalysisOptions) -> Result
     host.observer = observer;
     host.failed_analyses += usize::from(result.is_err());
     host.result = Some(result.map_err(|error| host.engine_error(error))?);
-    crate::signal_externs::answer(host)
+    crate::signal_externs::answer(host);
+    Ok(())
 }
 
 /// A whole number, or `None` for 0, which leaves it to the fidelity.

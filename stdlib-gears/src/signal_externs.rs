@@ -1,7 +1,8 @@
 //! What programs ask of outputs in the frequency domain: spectra, spectrograms, order maps, transfer functions.
 
+use crate::error::Severity;
 use crate::externs::{body, host, refusal};
-use crate::host::{AskedSignal, ModelHost};
+use crate::host::{AskedSignal, Finding, ModelHost};
 use calyx_abi::externs::Handle;
 use calyx_abi::{Context, RuntimeError};
 use calyx_runtime::motion::{Stance, pose_in_space};
@@ -106,13 +107,12 @@ pub(crate) fn check(host: &ModelHost) -> Result<(), RuntimeError> {
     Ok(())
 }
 
-/// Answers all requests from the rows of the analysis that is done.
-///
-/// # Errors
-/// E0776 and E0777: the rows do not suit a request.
-pub(crate) fn answer(host: &mut ModelHost) -> Result<(), RuntimeError> {
-    let Some(result) = &host.result else { return Ok(()) };
+/// Answers all requests from the rows of the analysis that is done. What the rows cannot show is told (E0776, E0777), and takes nothing else of the
+/// results away.
+pub(crate) fn answer(host: &mut ModelHost) {
+    let Some(result) = &host.result else { return };
     let mut answers: Vec<Signal> = Vec::with_capacity(host.asked_signals.len());
+    let mut findings = Vec::new();
     for AskedSignal { request, place } in &host.asked_signals {
         let Some(output) = host.outputs.iter().position(|output| output.name == request.of) else { continue };
         let angle = |time: f64| {
@@ -121,10 +121,14 @@ pub(crate) fn answer(host: &mut ModelHost) -> Result<(), RuntimeError> {
             let pose = body.and_then(|body| pose_in_space(body.motion.as_ref(), time).ok());
             pose.map_or(f64::NAN, |pose| Stance::of(&pose).angle)
         };
-        let answer = evaluate(request, &result.rows, output, angle)
-            .map_err(|error| RuntimeError { place: Some(*place), ..crate::externs::engine(error) })?;
-        answers.push(answer);
+        match evaluate(request, &result.rows, output, angle) {
+            Ok(answer) => answers.push(answer),
+            Err(error) => findings.push(Finding {
+                severity: Severity::Warning,
+                error: RuntimeError { place: Some(*place), ..crate::externs::engine(error) },
+            }),
+        }
     }
     host.signals = answers;
-    Ok(())
+    host.findings.extend(findings);
 }
