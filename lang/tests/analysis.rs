@@ -144,7 +144,8 @@ fn calls_of_the_library_are_described() {
         let place = member.declared.clone().expect("a place");
         if member.kind == NameKind::Extern {
             let callable = database.callable(&place).expect("callable");
-            assert!(callable.doc.is_some() && callable.result.is_some(), "{callable:?}");
+            // Some only add to the model, and hand nothing back.
+            assert!(callable.doc.is_some(), "{callable:?}");
             // What is observed speaks for itself.
             let several = callable.parameters.len() > 1;
             for parameter in &callable.parameters {
