@@ -36,7 +36,7 @@ pub struct StepResult {
     /// The part of it after which contact was laid out: nothing, unless teeth may touch on both sides with backlash between, or the
     /// load carries bodies off the grids that would lie where their frames are without load.
     pub start: Vec<f64>,
-    /// What was solved.
+    /// What was solved; with modal coordinates the problem that statics has of the same cells.
     pub problem: ContactProblem,
     /// Cells that carry load, by index in the problem.
     pub active: Vec<usize>,
@@ -289,6 +289,14 @@ struct Solver<'a, S> {
     sizing: Option<&'a [f64]>,
 }
 
+/// What modal coordinates are to the cells of a problem from which they are eliminated.
+struct Modal {
+    /// Growth of gaps, cells by coordinates.
+    arms: Mat<f64>,
+    /// Compliance and arms of the problem before.
+    statics: Option<[Vec<f64>; 2]>,
+}
+
 /// A position solved with contact laid out at one place.
 struct Laid {
     step: StepResult,
@@ -471,14 +479,14 @@ impl<S: Space> Solver<'_, S> {
         let mut sizes = vec![None; candidates.len()];
         let largest_forces = self.largest_forces(self.sizing.unwrap_or(load), candidates);
         let mut rounds = REGRIDS;
-        let (grids, drags, problem, arms, solution) = loop {
+        let (grids, drags, mut problem, modal, solution) = loop {
             let grids: Vec<S::Grid> = candidates
                 .iter()
                 .zip(&largest_forces)
                 .zip(&sizes)
                 .map(|((candidate, &force), &size)| self.space.lay(candidate, force, size))
                 .collect();
-            let (problem, arms) = self.problem(load, candidates, &grids)?;
+            let (problem, modal) = self.problem(load, candidates, &grids)?;
             let (drags, mut works) = self.friction(time, candidates, &grids);
             works.resize(problem.arms.len(), 0.0);
             let guess = self.space.guess(&problem, &grids);
@@ -487,7 +495,7 @@ impl<S: Space> Solver<'_, S> {
             // Sizes nobody asked for follow what the patches turn out to carry.
             let better = self.better_sizes(candidates, &grids, &solution.forces);
             if rounds == 0 || better.iter().all(Option::is_none) {
-                break (grids, drags, problem, arms, solution);
+                break (grids, drags, problem, modal, solution);
             }
             for (size, better) in sizes.iter_mut().zip(better) {
                 *size = better.or(*size);
@@ -512,7 +520,12 @@ impl<S: Space> Solver<'_, S> {
             patches.push(Patch { drag, ..self.space.patch(candidate, Some((grid, forces.to_vec()))) });
         }
         let stops = left.to_vec();
+        let Modal { arms, statics } = modal;
         let modal = self.elastic.map(|elastic| elastic.recover(&arms, &solution.forces, &solution.motion));
+        // What looks at stiffness sees that of the bodies, not what inertia leaves of it in a step.
+        if let Some([compliance, arms]) = statics {
+            (problem.compliance, problem.arms) = (compliance, arms);
+        }
         let step = StepResult {
             time,
             patches,
@@ -648,7 +661,7 @@ impl<S: Space> Solver<'_, S> {
         load: &[f64],
         candidates: &[&Candidate<S::Site>],
         grids: &[S::Grid],
-    ) -> Result<(ContactProblem, Mat<f64>), EngineError> {
+    ) -> Result<(ContactProblem, Modal), EngineError> {
         let laid: Vec<(&Candidate<S::Site>, &S::Grid)> = candidates.iter().copied().zip(grids).collect();
         let count: usize = grids.iter().map(|grid| self.space.count(grid)).sum();
         self.system.interrupt.room_for(MATRICES * (count * count * size_of::<f64>()) as u64)?;
@@ -660,14 +673,15 @@ impl<S: Space> Solver<'_, S> {
             load: load.to_vec(),
         };
         let mut problem = self.springs.behind(cells);
-        let arms = match self.elastic {
-            Some(elastic) => self.space.modal_arms(&laid, elastic.modes),
-            None => Mat::zeros(0, 0),
+        let Some(elastic) = self.elastic else {
+            return Ok((problem, Modal { arms: Mat::zeros(0, 0), statics: None }));
         };
-        if let Some(elastic) = self.elastic {
-            elastic.eliminate(&mut problem, &arms);
-        }
-        Ok((problem, arms))
+        let modal = Modal {
+            arms: self.space.modal_arms(&laid, elastic.modes),
+            statics: Some([problem.compliance.clone(), problem.arms.clone()]),
+        };
+        elastic.eliminate(&mut problem, &modal.arms);
+        Ok((problem, modal))
     }
 
     /// Friction of each patch's cells, see [`Patch::drag`], and what of it is on the freedoms, see [`solve_with_friction`].

@@ -127,7 +127,8 @@ pub(crate) fn lumped(mass: f64, inertia: f64) -> Result<Inertia, RuntimeError> {
 /// Steps of a range, at most.
 const MOST_STEPS: f64 = 1e9;
 
-/// A half wave of a sine over its duration, which in the end has passed on a momentum (N s and N m s).
+/// The square of a half wave of a sine over its duration, which in the end has passed on a momentum (N s and N m s): to steps of which a
+/// whole number of at least two fill the duration, exactly.
 #[derive(Clone, Copy)]
 struct Blow {
     at: f64,
@@ -141,7 +142,7 @@ impl Load for Blow {
         if !(0.0..=1.0).contains(&passed) {
             return Wrench::NONE;
         }
-        let rate = 0.5 * PI / self.duration * (PI * passed).sin();
+        let rate = 2.0 / self.duration * (PI * passed).sin().powi(2);
         Wrench { force: self.total.force.map(|f| f * rate), moment: self.total.moment.map(|m| m * rate) }
     }
 }

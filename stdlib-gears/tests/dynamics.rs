@@ -323,3 +323,17 @@ fn natural_frequencies_are_those_of_the_closed_form() {
     let lowest = system.value(&step, &NaturalFrequency(0)).value;
     assert!((lowest * TAU / found.frequencies[0] - 1.0).abs() < 1e-14);
 }
+
+/// What modes and inertia leave of a step's problem is not the stiffness of the teeth.
+#[test]
+fn the_stiffness_of_a_mesh_in_time_is_that_of_statics() {
+    let (mut scene, mesh) = at_speed(100.0, &PLAIN);
+    scene.observe(calyx_runtime::observe::MeshStiffness(MESH));
+    let ranges = vec![TimeRange::steady(0.02 * mesh.period, 4)];
+    let [rigid, modal] = [0.0, 60e3].map(|highest_frequency| {
+        rows(&scene, &DynamicOptions { highest_frequency, ..moving(ranges.clone()) })
+    });
+    for ((time, rigid), (_, modal)) in rigid.iter().zip(&modal) {
+        assert!((rigid[0] / modal[0] - 1.0).abs() < 0.01, "{time}: {rigid:?} {modal:?}");
+    }
+}

@@ -93,7 +93,7 @@ impl Shown {
     /// What the values are, for an axis.
     fn label(&self, kind: &SignalKind) -> String {
         let of = match kind {
-            SignalKind::TransferFunction { .. } => "by N s or N m s",
+            SignalKind::TransferFunction { .. } => "by N or N m",
             _ => "",
         };
         match self.unit.as_str() {

@@ -175,15 +175,25 @@ impl<'s> History<'s> {
 
     /// The next row.
     fn advance(&mut self) -> Result<(), EngineError> {
+        let (mut passed, mut warnings) = (Certificate::default(), Vec::new());
         let step = match self.solved.len() {
             0 => self.begin()?,
             _ => loop {
                 self.resources.interrupt.check()?;
                 let Some(next) = self.steps.get(self.taken).copied() else { return Ok(()) };
-                let (result, state) = self.step(&next, &self.state)?;
+                let (mut result, state) = self.step(&next, &self.state)?;
+                // What was wrong in steps of which no row is kept is told with the next one that is.
+                passed = passed.worst(&result.certificate);
+                for warning in std::mem::take(&mut result.warnings) {
+                    if !warnings.contains(&warning) {
+                        warnings.push(warning);
+                    }
+                }
                 self.state = state;
                 self.taken += 1;
                 if next.kept {
+                    result.certificate = passed;
+                    result.warnings = std::mem::take(&mut warnings);
                     break result;
                 }
             },

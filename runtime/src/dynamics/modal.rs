@@ -1,6 +1,6 @@
 //! Modal coordinates of bodies in a contact problem: eliminated, for each of them is a spring and a mass of its own.
 //!
-//! A modal coordinate q opens the gap of a cell by the inward displacement of the surface, C_q. It obeys `d y - S y_r = g + C_q' p`, with d
+//! A modal coordinate q opens the gap of a cell by the inward displacement of the surface, C_q. It obeys `d y + S' y_r = g + C_q' p`, with d
 //! the diagonal of the step's matrix and S what couples it to the rigid freedoms by mass. So the cells see the compliance `C_q d^-1 C_q'` in
 //! place of the part `C_q omega^-2 C_q'` that statics gives these modes, and what modes leave out stays as statics has it: that is the
 //! residual flexibility.

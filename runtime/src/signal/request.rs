@@ -9,6 +9,8 @@ use crate::results::StepRow;
 use crate::scene::BodyId;
 use std::f64::consts::TAU;
 
+/// Of a turn, rad: what is known up to whole turns is followed no further from one sample to the next.
+const QUARTER: f64 = 0.25 * TAU;
 /// Peaks that are told of a spectrum.
 const PEAKS: usize = 8;
 
@@ -174,6 +176,13 @@ pub fn evaluate(
         }
         SignalKind::OrderMap { shaft: _, turns, highest, window } => {
             let angles = unwrapped(times.iter().map(|&time| angle(time)));
+            if angles.windows(2).any(|pair| (pair[1] - pair[0]).abs() > QUARTER) {
+                return Err(EngineError::new(
+                    "E0776",
+                    "the shaft turns by more than a quarter of a turn from one sample to the next",
+                    "keep more rows, or take shorter steps",
+                ));
+            }
             let OrderMap { speeds, orders, amplitudes } = order_map(&signal, &angles, turns, highest, window);
             map(speeds, orders, amplitudes, "the turns of a piece of the order map are")?
         }
