@@ -62,6 +62,7 @@ fn a_pair_shows_the_harmonics_of_its_mesh_in_tables_and_pictures() {
     }
 }
 
+/// E0776 and E0777, as warnings.
 #[test]
 fn what_the_rows_cannot_show_is_said_at_the_request_and_spoils_nothing() {
     for (asked, code) in [
