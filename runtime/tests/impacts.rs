@@ -1,0 +1,141 @@
+//! Impacts without damping: whoever integrates them must not make energy of them. Oscillators with clearance through a thousand impacts, on
+//! hard stops and on the contact of elastic cylinders; where nothing touches, energy is read off speed and height alone.
+
+use calyx_runtime::analysis::AnalysisOptions;
+use calyx_runtime::bearing::{Bearing, Stop};
+use calyx_runtime::disc::{Disc, Facing, Platen};
+use calyx_runtime::dynamics::{DynamicOptions, History, Scheme, Start, TimeRange};
+use calyx_runtime::inertia::Inertia;
+use calyx_runtime::load::Wrench;
+use calyx_runtime::material::Material;
+use calyx_runtime::motion::SteadyRotation;
+use calyx_runtime::observe::Displacement;
+use calyx_runtime::results::OutputRequest;
+use calyx_runtime::rigid::RigidBody;
+use calyx_runtime::scene::{Body, BodyId, Component, GridOptions, Scene, StructureOptions, SurfacePair};
+use std::f64::consts::PI;
+use std::sync::Arc;
+
+const RADIUS: f64 = 0.02;
+const WIDTH: f64 = 0.01;
+/// Of most that the rules allow to be gained.
+const GAIN: f64 = 1e-3;
+const IMPACTS: usize = 1000;
+
+/// A cylinder this far above a platen, free to move up and down.
+fn cylinder(height: f64) -> (Scene, BodyId) {
+    let mut scene = Scene::default();
+    let platen = Arc::new(Platen::new(0.1, WIDTH, Facing::Up));
+    let below = scene.add_body(Body::new("platen", platen, SteadyRotation::at_rest([0.0; 2])));
+    let disc = Arc::new(Disc::new(RADIUS, WIDTH, Material::STEEL));
+    let above = Body::new("cylinder", disc, SteadyRotation::at_rest([0.0, RADIUS + height]));
+    let above = scene.add_body(above.free_in(&[Component::Uy]));
+    scene.add_pair(SurfacePair::new([below, above], [Platen::SURFACE, Disc::BOTTOM]));
+    (scene, above)
+}
+
+/// Times, places and speeds of the only freedom that moves, step by step, until it has passed `impacts` times from where nothing touches to where
+/// something does.
+fn followed(
+    mut scene: Scene,
+    (body, component, freedom): (BodyId, usize, usize),
+    step: f64,
+    touches: impl Fn(f64) -> bool,
+) -> Vec<[f64; 3]> {
+    let outputs = [OutputRequest::observing("place", scene.observe(Displacement(body, component)))];
+    let dynamics = DynamicOptions {
+        from: 0.0,
+        ranges: vec![TimeRange::steady(200_000.0 * step, 200_000)],
+        scheme: Scheme::AVERAGE,
+        rayleigh: [0.0; 2],
+        highest_frequency: 0.0,
+        start: Start::Frames,
+    };
+    let coarse = StructureOptions { refinement: 0.5, order: 2, ..StructureOptions::default() };
+    let options = AnalysisOptions { structure: coarse, ..AnalysisOptions::default() };
+    let mut history = History::new(&scene, &outputs, &options, &dynamics, &mut ()).expect("it can begin");
+    let (mut states, mut impacts, mut touched) = (Vec::new(), 0, false);
+    while impacts <= IMPACTS {
+        let row = history.next().expect("there is time enough").expect("it goes on");
+        assert!(row.certificate.largest() < 1e-10, "{:?}", row.certificate);
+        let (place, speed) = (row.row.outputs[0].value, history.state().velocity[freedom]);
+        impacts += usize::from(touches(place) && !touched);
+        touched = touches(place);
+        states.push([row.row.position.time, place, speed]);
+    }
+    states
+}
+
+/// Most that was gained and lost of the first of some energies.
+fn changes(energies: &[f64]) -> [f64; 2] {
+    let first = energies[0];
+    let most = |sign: f64| energies.iter().map(|energy| sign * (energy / first - 1.0)).fold(0.0, f64::max);
+    [most(1.0), most(-1.0)]
+}
+
+/// A mass that flies to and fro between the walls of its bearing.
+#[test]
+fn a_mass_between_walls_keeps_its_energy() {
+    let (mass, stiffness, clearance, speed, step) = (1.0, 1e7, 2e-5, 0.1, 2e-5);
+    let (mut scene, _) = cylinder(1.0);
+    let blow = 4.0 * step;
+    let body = Body::new("frame", Arc::new(RigidBody), SteadyRotation::at_rest([0.5, 0.0]))
+        .free_in(&[Component::Ux])
+        .with_added(Inertia::axial(mass, 1e-3, 0.0))
+        .loaded(move |time: f64| match time < blow {
+            true => Wrench::of_force([mass * speed / blow, 0.0, 0.0]),
+            false => Wrench::NONE,
+        });
+    let body = scene.add_body(body);
+    let wall = |sign: f64| Stop::Wall { clearance, direction: [sign, 0.0, 0.0, 0.0, 0.0, 0.0], stiffness };
+    let walls = Bearing {
+        stops: vec![wall(1.0), wall(-1.0)],
+        ..Bearing::new("walls", body, 0.0, [[0.0; 6]; 6])
+    };
+    scene.add_bearing(walls).expect("a bearing");
+    let states = followed(scene, (body, 0, 1), step, |place| place.abs() >= clearance);
+    let flying = states.iter().filter(|[time, place, _]| *time > blow && place.abs() < clearance);
+    let energies: Vec<f64> = flying.map(|[_, _, speed]| speed * speed).collect();
+    let [gained, lost] = changes(&energies);
+    assert!(gained < GAIN && lost < 3.0 * GAIN, "gained {gained:e}, lost {lost:e}");
+}
+
+/// A cylinder that a force lets bounce on a platen, by the contact of its elastic surface: its energy is known from where it is let go.
+#[test]
+fn a_bouncing_cylinder_rises_no_higher_than_it_fell_from() {
+    let (height, force, step) = (2e-5, 2e3, 2.5e-6);
+    let (mut scene, body) = cylinder(height);
+    scene.bodies[body.0] = scene.bodies[body.0].clone().loaded(Wrench::of_force([0.0, -force, 0.0]));
+    scene.pairs[0].grid = GridOptions { half_cells: Some(6), width: Some(6e-4), ..GridOptions::default() };
+    let states = followed(scene, (body, 1, 0), step, |place| place <= -height);
+    let mass = Material::STEEL.density * PI * RADIUS * RADIUS * WIDTH;
+    let flying = states.iter().filter(|[_, place, _]| *place > -height);
+    let energies: Vec<f64> =
+        flying.map(|[_, place, speed]| 0.5 * mass * speed * speed + force * (height + place)).collect();
+    assert!((energies[0] / (force * height) - 1.0).abs() < 1e-9, "{:e}", energies[0]);
+    let [gained, lost] = changes(&energies);
+    assert!(gained < GAIN && lost < 3.0 * GAIN, "gained {gained:e}, lost {lost:e}");
+}
+
+#[test]
+fn debug_bounces() {
+    for (step, cells) in [(2.5e-6, 6), (1.25e-6, 6), (0.6e-6, 6), (2.5e-6, 16), (1.25e-6, 16)] {
+        let (height, force) = (2e-5, 2e3);
+        let (mut scene, body) = cylinder(height);
+        scene.bodies[body.0] = scene.bodies[body.0].clone().loaded(Wrench::of_force([0.0, -force, 0.0]));
+        scene.pairs[0].grid = GridOptions { half_cells: Some(cells), width: Some(6e-4), ..GridOptions::default() };
+        let begun = std::time::Instant::now();
+        let states = followed(scene, (body, 1, 0), step, |place| place <= -height);
+        let mass = Material::STEEL.density * PI * RADIUS * RADIUS * WIDTH;
+        let flying = states.iter().filter(|[_, place, _]| *place > -height);
+        let energies: Vec<f64> =
+            flying.map(|[_, place, speed]| 0.5 * mass * speed * speed + force * (height + place)).collect();
+        let n = energies.len();
+        let lowest = states.iter().map(|s| s[1]).fold(0.0, f64::min) + height;
+        print!("BOUNCE {step:e} {cells} {} steps {:.2}s deepest {lowest:e}:", states.len(), begun.elapsed().as_secs_f64());
+        for k in [0, n / 100, n / 20, n / 8, n / 4, n / 2, 3 * n / 4, n - 1] {
+            print!(" {:.2e}", energies[k] / energies[0] - 1.0);
+        }
+        println!();
+    }
+}
