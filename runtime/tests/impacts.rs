@@ -1,5 +1,8 @@
-//! Impacts without damping: whoever integrates them must not make energy of them. Oscillators with clearance through a thousand impacts, on
-//! hard stops and on the contact of elastic cylinders; where nothing touches, energy is read off speed and height alone.
+//! Impacts without damping: whoever integrates them must not make energy of them. Oscillators with clearance through many impacts, on hard
+//! stops and on the contact of an elastic cylinder; where nothing touches, energy is read off speed and height alone.
+//!
+//! A step in which contact begins does some work too little, one in which it ends some too much, of the order of the square of the step by the time
+//! of contact. Both have to even out: the bar is that of one impact, whatever their number.
 
 use calyx_runtime::analysis::AnalysisOptions;
 use calyx_runtime::bearing::{Bearing, Stop};
@@ -18,9 +21,8 @@ use std::sync::Arc;
 
 const RADIUS: f64 = 0.02;
 const WIDTH: f64 = 0.01;
-/// Of most that the rules allow to be gained.
+/// The part of its energy that an oscillator may gain.
 const GAIN: f64 = 1e-3;
-const IMPACTS: usize = 1000;
 
 /// A cylinder this far above a platen, free to move up and down.
 fn cylinder(height: f64) -> (Scene, BodyId) {
@@ -39,7 +41,7 @@ fn cylinder(height: f64) -> (Scene, BodyId) {
 fn followed(
     mut scene: Scene,
     (body, component, freedom): (BodyId, usize, usize),
-    step: f64,
+    (step, impacts): (f64, usize),
     touches: impl Fn(f64) -> bool,
 ) -> Vec<[f64; 3]> {
     let outputs = [OutputRequest::observing("place", scene.observe(Displacement(body, component)))];
@@ -54,12 +56,12 @@ fn followed(
     let coarse = StructureOptions { refinement: 0.5, order: 2, ..StructureOptions::default() };
     let options = AnalysisOptions { structure: coarse, ..AnalysisOptions::default() };
     let mut history = History::new(&scene, &outputs, &options, &dynamics, &mut ()).expect("it can begin");
-    let (mut states, mut impacts, mut touched) = (Vec::new(), 0, false);
-    while impacts <= IMPACTS {
+    let (mut states, mut seen, mut touched) = (Vec::new(), 0, false);
+    while seen <= impacts {
         let row = history.next().expect("there is time enough").expect("it goes on");
         assert!(row.certificate.largest() < 1e-10, "{:?}", row.certificate);
         let (place, speed) = (row.row.outputs[0].value, history.state().velocity[freedom]);
-        impacts += usize::from(touches(place) && !touched);
+        seen += usize::from(touches(place) && !touched);
         touched = touches(place);
         states.push([row.row.position.time, place, speed]);
     }
@@ -88,12 +90,10 @@ fn a_mass_between_walls_keeps_its_energy() {
         });
     let body = scene.add_body(body);
     let wall = |sign: f64| Stop::Wall { clearance, direction: [sign, 0.0, 0.0, 0.0, 0.0, 0.0], stiffness };
-    let walls = Bearing {
-        stops: vec![wall(1.0), wall(-1.0)],
-        ..Bearing::new("walls", body, 0.0, [[0.0; 6]; 6])
-    };
+    let walls =
+        Bearing { stops: vec![wall(1.0), wall(-1.0)], ..Bearing::new("walls", body, 0.0, [[0.0; 6]; 6]) };
     scene.add_bearing(walls).expect("a bearing");
-    let states = followed(scene, (body, 0, 1), step, |place| place.abs() >= clearance);
+    let states = followed(scene, (body, 0, 1), (step, 1000), |place| place.abs() >= clearance);
     let flying = states.iter().filter(|[time, place, _]| *time > blow && place.abs() < clearance);
     let energies: Vec<f64> = flying.map(|[_, _, speed]| speed * speed).collect();
     let [gained, lost] = changes(&energies);
@@ -103,11 +103,11 @@ fn a_mass_between_walls_keeps_its_energy() {
 /// A cylinder that a force lets bounce on a platen, by the contact of its elastic surface: its energy is known from where it is let go.
 #[test]
 fn a_bouncing_cylinder_rises_no_higher_than_it_fell_from() {
-    let (height, force, step) = (2e-5, 2e3, 2.5e-6);
+    let (height, force, step) = (4e-6, 1e4, 5e-7);
     let (mut scene, body) = cylinder(height);
     scene.bodies[body.0] = scene.bodies[body.0].clone().loaded(Wrench::of_force([0.0, -force, 0.0]));
-    scene.pairs[0].grid = GridOptions { half_cells: Some(6), width: Some(6e-4), ..GridOptions::default() };
-    let states = followed(scene, (body, 1, 0), step, |place| place <= -height);
+    scene.pairs[0].grid = GridOptions { half_cells: Some(4), width: Some(6e-4), ..GridOptions::default() };
+    let states = followed(scene, (body, 1, 0), (step, 200), |place| place <= -height);
     let mass = Material::STEEL.density * PI * RADIUS * RADIUS * WIDTH;
     let flying = states.iter().filter(|[_, place, _]| *place > -height);
     let energies: Vec<f64> =
@@ -115,27 +115,4 @@ fn a_bouncing_cylinder_rises_no_higher_than_it_fell_from() {
     assert!((energies[0] / (force * height) - 1.0).abs() < 1e-9, "{:e}", energies[0]);
     let [gained, lost] = changes(&energies);
     assert!(gained < GAIN && lost < 3.0 * GAIN, "gained {gained:e}, lost {lost:e}");
-}
-
-#[test]
-fn debug_bounces() {
-    for (step, cells) in [(2.5e-6, 6), (1.25e-6, 6), (0.6e-6, 6), (2.5e-6, 16), (1.25e-6, 16)] {
-        let (height, force) = (2e-5, 2e3);
-        let (mut scene, body) = cylinder(height);
-        scene.bodies[body.0] = scene.bodies[body.0].clone().loaded(Wrench::of_force([0.0, -force, 0.0]));
-        scene.pairs[0].grid = GridOptions { half_cells: Some(cells), width: Some(6e-4), ..GridOptions::default() };
-        let begun = std::time::Instant::now();
-        let states = followed(scene, (body, 1, 0), step, |place| place <= -height);
-        let mass = Material::STEEL.density * PI * RADIUS * RADIUS * WIDTH;
-        let flying = states.iter().filter(|[_, place, _]| *place > -height);
-        let energies: Vec<f64> =
-            flying.map(|[_, place, speed]| 0.5 * mass * speed * speed + force * (height + place)).collect();
-        let n = energies.len();
-        let lowest = states.iter().map(|s| s[1]).fold(0.0, f64::min) + height;
-        print!("BOUNCE {step:e} {cells} {} steps {:.2}s deepest {lowest:e}:", states.len(), begun.elapsed().as_secs_f64());
-        for k in [0, n / 100, n / 20, n / 8, n / 4, n / 2, 3 * n / 4, n - 1] {
-            print!(" {:.2e}", energies[k] / energies[0] - 1.0);
-        }
-        println!();
-    }
 }

@@ -322,11 +322,7 @@ impl Whole {
     }
 
     /// A matrix of the mesh in the unknowns, and what the frame has beside it.
-    fn reduced(
-        &self,
-        matrix: &SparseColMat<usize, f64>,
-        frame: [f64; 3],
-    ) -> BTreeMap<(usize, usize), f64> {
+    fn reduced(&self, matrix: &SparseColMat<usize, f64>, frame: [f64; 3]) -> BTreeMap<(usize, usize), f64> {
         let mut entries = BTreeMap::new();
         for entry in matrix.triplet_iter() {
             for &(row, a) in &self.seen[entry.row] {
