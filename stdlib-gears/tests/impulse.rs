@@ -1,0 +1,104 @@
+//! A small blow on a loaded pair whose shafts run in bearings: the transfer function that the response shows has its peaks where the natural frequencies
+//! about the equilibrium are, which the eigenvalue problem knows without any motion in time.
+
+mod common;
+
+use calyx_runtime::analysis::AnalysisOptions;
+use calyx_runtime::bearing::{Bearing, axisymmetric};
+use calyx_runtime::dynamics::{DynamicOptions, History, Scheme, Start, TimeRange};
+use calyx_runtime::inertia::Inertia;
+use calyx_runtime::load::Wrench;
+use calyx_runtime::observe::{Displacement, NaturalFrequency, Rotation};
+use calyx_runtime::results::OutputRequest;
+use calyx_runtime::scene::{Component, Scene};
+use calyx_runtime::signal::{Uniform, peaks, transfer_function};
+use common::pair::{COARSE, FIRST, PLAIN, PairOptions, SECOND, TORQUE, pair, system};
+
+/// s
+const STEP: f64 = 5e-6;
+const STEPS: usize = 8192;
+/// N m s: the teeth keep together, and the same cells carry.
+const BLOW: f64 = 1e-6;
+/// Steps that the blow takes.
+const TAKES: f64 = 4.0;
+/// How many modes a pair has whose gears move in the plane.
+const MODES: usize = 6;
+
+/// A pair that hardly turns, each gear on a bearing of its own, the second one on a spring against turning.
+fn on_bearings() -> Scene {
+    let (mut scene, _) = pair(&PairOptions { speed: 1e-6, ..PairOptions::chapter_5(&PLAIN) });
+    scene.pairs[0].grid.half_cells = Some(3);
+    scene.pairs[0].grid.width = Some(8e-4);
+    scene.observables.clear();
+    for (body, stiffness) in [(FIRST, [1.5e8, 0.0]), (SECOND, [4e8, 2e6])] {
+        let free = scene.bodies[body.0].clone().free_in(&[Component::Ux, Component::Uy, Component::ThetaZ]);
+        scene.bodies[body.0] = free.with_added(Inertia::axial(2.0, 2e-3, 0.0));
+        let [radial, torsional] = stiffness;
+        let mut matrix = axisymmetric(radial, 0.0, 0.0, torsional);
+        // Of housings that are stiffer on one side: no two modes are alike.
+        matrix[1][1] *= 1.7;
+        scene.add_bearing(Bearing::new(format!("bearing {}", body.0), body, 0.0, matrix)).expect("a bearing");
+    }
+    scene
+}
+
+#[test]
+fn peaks_of_the_transfer_function_are_the_natural_frequencies() {
+    let mut scene = on_bearings();
+    let system_scene = scene.clone();
+    let system = system(&system_scene);
+    let step = system.solve(0.0).expect("equilibrium");
+    let natural: Vec<f64> =
+        (0..MODES).map(|mode| system.value(&step, &NaturalFrequency(mode)).value).collect();
+
+    let struck = scene.bodies[FIRST.0].clone();
+    scene.bodies[FIRST.0] = struck.loaded(|time: f64| {
+        let passed = time / (TAKES * STEP);
+        let blow = match (0.0..1.0).contains(&passed) {
+            true => 2.0 * BLOW / (TAKES * STEP) * (std::f64::consts::PI * passed).sin().powi(2),
+            false => 0.0,
+        };
+        Wrench::of_moment([0.0, 0.0, TORQUE + blow])
+    });
+    let observed = [
+        scene.observe(Rotation(FIRST, 2)),
+        scene.observe(Displacement(FIRST, 0)),
+        scene.observe(Displacement(FIRST, 1)),
+        scene.observe(Rotation(SECOND, 2)),
+        scene.observe(Displacement(SECOND, 0)),
+        scene.observe(Displacement(SECOND, 1)),
+    ];
+    let outputs = observed.map(|id| OutputRequest::observing(format!("{}", id.0), id));
+    let duration = STEP * STEPS as f64;
+    let dynamics = DynamicOptions {
+        from: 0.0,
+        ranges: vec![TimeRange::steady(duration, STEPS)],
+        scheme: Scheme::AVERAGE,
+        // It has died down at the end.
+        rayleigh: [10.0 / duration, 0.0],
+        highest_frequency: 0.0,
+        start: Start::Equilibrium,
+    };
+    let options = AnalysisOptions { structure: COARSE, ..AnalysisOptions::default() };
+    let history = History::new(&scene, &outputs, &options, &dynamics, &mut ()).expect("it can begin");
+    let rows: Vec<Vec<f64>> = history
+        .map(|solved| solved.expect("it goes on").row.outputs.iter().map(|output| output.value).collect())
+        .collect();
+
+    let mut seen = [false; MODES];
+    for output in 0..outputs.len() {
+        let response =
+            Uniform { start: 0.0, step: STEP, values: rows.iter().map(|row| row[output]).collect() };
+        let transfer = transfer_function(&response, rows[0][output], BLOW);
+        let found = peaks(&transfer.magnitudes, 2 * MODES);
+        for peak in &found {
+            let frequency = peak.line * transfer.resolution;
+            let mode = natural.iter().position(|natural| (frequency - natural).abs() < transfer.resolution);
+            mode.into_iter().for_each(|mode| seen[mode] = true);
+            // Small ones stand somewhat off, for they stand on the slopes of larger ones.
+            let large = peak.amplitude > 0.4 * found[0].amplitude;
+            assert!(mode.is_some() || !large, "output {output}: {frequency} Hz is none of {natural:?}");
+        }
+    }
+    assert_eq!(seen, [true; MODES], "{natural:?}");
+}
