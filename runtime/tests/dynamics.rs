@@ -1,7 +1,8 @@
 //! Motion in time of cylinders and frames on bearings: closed forms, bits of runs that go on, and what is refused.
 
 use calyx_runtime::analysis::AnalysisOptions;
-use calyx_runtime::bearing::Bearing;
+use calyx_runtime::bearing::{Bearing, BearingMatrix};
+use calyx_runtime::cache::OperatorCache;
 use calyx_runtime::disc::{Disc, Facing, Platen};
 use calyx_runtime::dynamics::{DynamicOptions, History, Scheme, Start, TimeRange};
 use calyx_runtime::inertia::Inertia;
@@ -9,14 +10,19 @@ use calyx_runtime::load::Wrench;
 use calyx_runtime::material::Material;
 use calyx_runtime::motion::SteadyRotation;
 use calyx_runtime::observe::{Displacement, Rotation, SupportForce};
+use calyx_runtime::resources::Resources;
 use calyx_runtime::results::{OutputRequest, Solved};
 use calyx_runtime::rigid::RigidBody;
 use calyx_runtime::scene::{Body, BodyId, Component, Fidelity, Scene, SurfacePair, Template};
+use nalgebra::Complex;
 use std::f64::consts::{PI, TAU};
-use std::sync::Arc;
+use std::sync::{Arc, LazyLock};
 
 const RADIUS: f64 = 0.02;
 const WIDTH: f64 = 0.01;
+
+/// The cylinder is condensed once for all tests.
+static CACHE: LazyLock<Arc<OperatorCache>> = LazyLock::new(|| Arc::new(OperatorCache::new(usize::MAX)));
 
 /// A steel cylinder above a platen, on which a force drives it.
 fn cylinder(height: f64, force: f64) -> (Scene, BodyId) {
@@ -50,7 +56,8 @@ fn run(
     dynamics: &DynamicOptions,
     solved: Vec<Solved>,
 ) -> Vec<Solved> {
-    let options = AnalysisOptions { solved, ..AnalysisOptions::default() };
+    let resources = Resources { cache: Some(CACHE.clone()), ..Resources::default() };
+    let options = AnalysisOptions { solved, resources, ..AnalysisOptions::default() };
     let mut history = History::new(scene, outputs, &options, dynamics, &mut ()).expect("it can begin");
     for row in history.by_ref() {
         let certificate = row.expect("it goes on").certificate;
@@ -164,4 +171,145 @@ fn what_cannot_move_in_time_is_refused() {
     assert_eq!(refused(&massless, AnalysisOptions::default(), plain()), Some("E0762"));
     let solid = AnalysisOptions { fidelity: Fidelity::Solid(Template::Medium), ..AnalysisOptions::default() };
     assert_eq!(refused(&scene, solid, plain()), Some("E0761"));
+}
+
+/// A frame with a mass at x = 0.5 m, free across, before it hangs on anything.
+fn frame(motion: SteadyRotation, mass: f64) -> Body {
+    Body::new("frame", Arc::new(RigidBody), motion)
+        .free_in(&[Component::Ux, Component::Uy])
+        .with_added(Inertia::axial(mass, 0.1, 0.0))
+}
+
+/// Stiffer along x than along y, N/m.
+fn across(x: f64, y: f64) -> BearingMatrix {
+    let mut matrix = [[0.0; 6]; 6];
+    (matrix[0][0], matrix[1][1]) = (x, y);
+    matrix
+}
+
+/// Two masses on bearings, from rest under a force that is there at once: the error of the whole engine falls with the square of the step, and what
+/// steps go towards is the exact motion.
+#[test]
+fn steps_are_of_the_second_order_and_go_towards_the_exact_motion() {
+    let (masses, ground, between, force, until) = ([2.0, 1.0], 3e5, 2e5, 3.0, 0.03);
+    let (mut scene, _) = cylinder(1.0, 0.0);
+    let rest = SteadyRotation::at_rest([0.5, 0.0]);
+    let first = scene.add_body(frame(rest, masses[0]).loaded(Wrench::of_force([force, 0.0, 0.0])));
+    let second = scene.add_body(frame(rest, masses[1]));
+    scene.bodies[second.0].name = "second".into();
+    scene.add_bearing(Bearing::new("ground", first, 0.0, across(ground, ground))).expect("a bearing");
+    let spring = Bearing::new("between", second, 0.0, across(between, between)).between(first);
+    scene.add_bearing(spring).expect("a bearing");
+    let outputs = [first, second]
+        .map(|body| OutputRequest::observing(format!("{}", body.0), scene.observe(Displacement(body, 0))));
+    let found: Vec<[f64; 2]> = (0..6)
+        .map(|halvings| {
+            let steps = 500 << halvings;
+            let range = TimeRange { keep: steps, ..TimeRange::steady(until, steps) };
+            let solved = run(&scene, &outputs, &from_frames(vec![range]), Vec::new());
+            [0, 1].map(|output: usize| solved[1].row.outputs[output].value)
+        })
+        .collect();
+    // By modes (1, shape): roots of det(K - square M).
+    let exact = {
+        let [m1, m2] = masses;
+        let (trace, product) = ((ground + between) / m1 + between / m2, ground * between / (m1 * m2));
+        let root = (0.25 * trace * trace - product).sqrt();
+        let mut x = [0.0; 2];
+        for square in [0.5 * trace - root, 0.5 * trace + root] {
+            let shape = [1.0, between / (between - square * m2)];
+            let mass = m1 + m2 * shape[1] * shape[1];
+            let amplitude = force / mass / square * (1.0 - (square.sqrt() * until).cos());
+            x = [0, 1].map(|k: usize| x[k] + amplitude * shape[k]);
+        }
+        x
+    };
+    let error = |k: usize| (found[k][0] - exact[0]).hypot(found[k][1] - exact[1]);
+    for k in 0..5 {
+        let order = (error(k) / error(k + 1)).log2();
+        assert!((order - 2.0).abs() < 0.02, "halving {k}: {order}");
+    }
+    // What Richardson makes of the last three.
+    let once = |k: usize, i: usize| found[k + 1][i] + (found[k + 1][i] - found[k][i]) / 3.0;
+    for i in 0..2 {
+        let towards = once(4, i) + (once(4, i) - once(3, i)) / 15.0;
+        assert!((towards - exact[i]).abs() < 1e-8 * exact[0].hypot(exact[1]), "{towards} {}", exact[i]);
+    }
+}
+
+/// Orders from -4 to 4 of the path (x + i y) of a body, once what it began with has died down, in a turn of so many steps.
+fn orders_of_path(
+    mut scene: Scene,
+    body: BodyId,
+    steps: usize,
+    step: f64,
+    damping: f64,
+) -> Vec<Complex<f64>> {
+    let outputs = [0, 1]
+        .map(|axis| OutputRequest::observing(format!("{axis}"), scene.observe(Displacement(body, axis))));
+    let turns = (60.0 / damping / (step * steps as f64)).ceil() as usize;
+    let before =
+        TimeRange { keep: turns * steps, ..TimeRange::steady((turns * steps) as f64 * step, turns * steps) };
+    let ranges = vec![before, TimeRange::steady(steps as f64 * step, steps)];
+    let dynamics = DynamicOptions { rayleigh: [damping, 0.0], ..from_frames(ranges) };
+    let solved = run(&scene, &outputs, &dynamics, Vec::new());
+    let path: Vec<Complex<f64>> = solved[solved.len() - steps..]
+        .iter()
+        .map(|solved| Complex::new(solved.row.outputs[0].value, solved.row.outputs[1].value))
+        .collect();
+    let order = |n: i32| {
+        let turned = |(k, place): (usize, &Complex<f64>)| {
+            place * Complex::from_polar(1.0, -TAU * f64::from(n) * (k + 1) as f64 / steps as f64)
+        };
+        path.iter().enumerate().map(turned).sum::<Complex<f64>>() / steps as f64
+    };
+    (-4..=4).map(order).collect()
+}
+
+/// Of two orders that there are, what they are; of all others that they are not.
+fn assert_orders(found: &[Complex<f64>], expected: [(i32, Complex<f64>); 2]) {
+    let size = expected[0].1.norm().max(expected[1].1.norm());
+    for (order, found) in (-4..).zip(found) {
+        let meant =
+            expected.iter().find(|(there, _)| *there == order).map_or(Complex::default(), |(_, z)| *z);
+        assert!((found - meant).norm() < 1e-9 * size, "order {order}: {found} {meant}");
+    }
+}
+
+/// The trapezoidal rule gives a steady vibration the frequency `2/h tan(omega h/2)` in place of omega, and is exact beside that: so are orders.
+#[test]
+fn orders_of_turning_bodies_seen_from_ground_are_exact() {
+    let (mass, [kx, ky], damping) = (2.0, [2e5, 1e5], 80.0);
+    let (mean, half) = (0.5 * (kx + ky), 0.5 * (kx - ky));
+    let (steps, step) = (240, 2.5e-4);
+    let speed = TAU / (steps as f64 * step);
+    let answer = |order: f64| {
+        let omega = 2.0 / step * (0.5 * order * speed * step).tan();
+        Complex::new(mean - mass * omega * omega, mass * damping * omega)
+    };
+    let turning = SteadyRotation { origin: [0.5, 0.0], start: 0.0, speed };
+
+    // An unbalance in a bearing that stands: once a turn, forwards and backwards.
+    let unbalance = 1e-4;
+    let (mut scene, _) = cylinder(1.0, 0.0);
+    let off = Inertia { moment: [unbalance, 0.0, 0.0], ..Inertia::default() };
+    let rotor = scene.add_body(frame(turning, mass).with_added(off));
+    scene.add_bearing(Bearing::new("standing", rotor, 0.0, across(kx, ky))).expect("a bearing");
+    let pull = unbalance * speed * speed;
+    let forwards = Complex::from(pull) / (answer(1.0) - half * half / answer(-1.0).conj());
+    let backwards = -half * forwards.conj() / answer(-1.0);
+    let found = orders_of_path(scene, rotor, steps, step, damping);
+    assert_orders(&found, [(1, forwards), (-1, backwards)]);
+
+    // A weight on a shaft that bends more easily one way: its sag, and twice a turn.
+    let weight = 20.0;
+    let (mut scene, _) = cylinder(1.0, 0.0);
+    let shaft = scene.add_body(Body::new("shaft", Arc::new(RigidBody), turning));
+    let disc = frame(turning, mass).loaded(Wrench::of_force([0.0, -weight, 0.0]));
+    let disc = scene.add_body(disc);
+    scene.add_bearing(Bearing::new("bending", disc, 0.0, across(kx, ky)).between(shaft)).expect("a bearing");
+    let sag = Complex::new(0.0, -weight) / (Complex::from(mean) - half * half / answer(2.0).conj());
+    let twice = -half * sag.conj() / answer(2.0);
+    let found = orders_of_path(scene, disc, steps, step, damping);
+    assert_orders(&found, [(0, sag), (2, twice)]);
 }
