@@ -26,7 +26,7 @@ pub fn check(scene: &Scene, plan: &Plan, time: f64, interrupt: &Interrupt) -> Re
         return Ok(());
     }
     let springs = springs(scene, &plan.modelled_bearings(), &freedoms, 1.0, time)?;
-    let mut load = loads_on(scene, &freedoms, time)?;
+    let mut load = loads_on(scene, &freedoms, time, 1.0)?;
     for (load, own) in load.iter_mut().zip(&springs.load) {
         *load += own;
     }

@@ -1,6 +1,7 @@
-//! External loads on bodies: constant, or any function of time.
+//! External loads on bodies: constant, any function of time, or blows.
 
-use std::ops::Add;
+use std::f64::consts::PI;
+use std::ops::{Add, Mul};
 
 /// A force on the origin of a body's frame and a moment about it, along ground axes.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -39,6 +40,37 @@ impl Add for Wrench {
     fn add(self, other: Wrench) -> Wrench {
         let sum = |a: [f64; 3], b: [f64; 3]| [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
         Wrench { force: sum(self.force, other.force), moment: sum(self.moment, other.moment) }
+    }
+}
+
+/// So many times as large.
+impl Mul<Wrench> for f64 {
+    type Output = Wrench;
+
+    fn mul(self, Wrench { force, moment }: Wrench) -> Wrench {
+        Wrench { force: force.map(|part| self * part), moment: moment.map(|part| self * part) }
+    }
+}
+
+/// The square of a half wave of a sine over its duration, which in the end has passed on a momentum: to steps of which a whole number of at
+/// least two fill the duration, exactly.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Blow {
+    /// When it begins, s.
+    pub at: f64,
+    /// How long it takes, s.
+    pub duration: f64,
+    /// What it passes on: N s and N m s.
+    pub momentum: Wrench,
+}
+
+impl Load for Blow {
+    fn at(&self, time: f64) -> Wrench {
+        let passed = (time - self.at) / self.duration;
+        if !(0.0..=1.0).contains(&passed) {
+            return Wrench::NONE;
+        }
+        2.0 / self.duration * (PI * passed).sin().powi(2) * self.momentum
     }
 }
 

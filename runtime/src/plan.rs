@@ -20,6 +20,9 @@ pub struct Plan {
     pub ignored: Vec<Ignored>,
 }
 
+/// What an analysis without rates leaves out of a bearing.
+const DAMPING: &str = "damping";
+
 /// How a body is modelled.
 #[derive(Clone, Debug)]
 pub struct BodyPlan {
@@ -99,6 +102,12 @@ impl Plan {
         ignored.sort();
         ignored.dedup();
         Ok(Plan { fidelity, bodies, bearings, ignored })
+    }
+
+    /// The plan of an analysis in time, which sees rates.
+    pub fn in_time(mut self) -> Plan {
+        self.ignored.retain(|unseen| unseen.input != DAMPING);
+        self
     }
 
     /// Indices of the bearings that are modelled.
@@ -186,7 +195,7 @@ fn unseen_of(bearing: &Bearing, fidelity: Fidelity) -> Vec<Ignored> {
     let mut unseen = Vec::new();
     if bearing.damping.iter().flatten().any(|&entry| entry != 0.0) {
         unseen.push(Ignored {
-            input: "damping".into(),
+            input: DAMPING.into(),
             reason: "a quasi-static analysis leaves rates out, and with them what bearings damp".into(),
         });
     }

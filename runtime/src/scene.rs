@@ -5,7 +5,7 @@ use crate::cache::Key;
 use crate::error::EngineError;
 use crate::inertia::Inertia;
 use crate::interrupt::Interrupt;
-use crate::load::{Load, Wrench};
+use crate::load::{Blow, Load, Wrench};
 use crate::motion::Motion;
 use crate::observe::Observable;
 use crate::structure::solid::SolidStructure;
@@ -350,6 +350,8 @@ pub struct Body {
     pub free: [bool; 6],
     /// What acts on the frame from outside.
     pub load: Arc<dyn Load>,
+    /// What hits the frame besides; ramps of the load leave it as it is.
+    pub blows: Vec<Blow>,
     /// Masses on the frame beside the body's own.
     pub added: Inertia,
 }
@@ -368,6 +370,7 @@ impl Body {
             phase: 0.0,
             free: [false; 6],
             load: Arc::new(Wrench::NONE),
+            blows: Vec::new(),
             added: Inertia::default(),
         }
     }
@@ -389,6 +392,13 @@ impl Body {
     /// All that it weighs.
     pub fn inertia(&self) -> Inertia {
         self.prototype.inertia() + self.added
+    }
+
+    /// What acts on the frame from outside at a time (s), if so large a part of the load is on it.
+    pub fn acted_on(&self, time: f64, part: f64) -> Wrench {
+        let load = self.load.at(time);
+        let load = if part == 1.0 { load } else { part * load };
+        self.blows.iter().fold(load, |sum, blow| sum + blow.at(time))
     }
 
     /// The body under a load: a [`Wrench`] or a closure of time, see [`Load`].

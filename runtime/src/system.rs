@@ -3,6 +3,7 @@
 use crate::bearing::{Springs, springs};
 use crate::building::{Structures, build_structures};
 use crate::contact::solid::Pose;
+use crate::dynamics::Modes;
 use crate::error::{EngineError, Subject};
 use crate::interrupt::Interrupt;
 use crate::motion::{PlanePose, Stance, axle, moved_by, point_velocity, pose_in_space};
@@ -38,6 +39,8 @@ pub struct System<'s> {
     /// Those that the plan models, by index in the scene.
     pub(crate) bearings: Vec<usize>,
     pub(crate) interrupt: Interrupt,
+    /// In which bodies vibrate; none but in dynamic analyses.
+    pub(crate) modes: Modes,
     structure_counts: StructureCounts,
 }
 
@@ -133,9 +136,9 @@ impl<'s> System<'s> {
         let interrupt = resources.interrupt.clone();
         let bearings = plan.modelled_bearings();
         let axles = scene.bodies.iter().map(|body| axle(body.motion.as_ref())).collect();
-        let lines = Vec::new();
+        let (lines, modes) = (Vec::new(), Modes::default());
         let mut system =
-            System { scene, bodies, freedoms, axles, lines, bearings, interrupt, structure_counts };
+            System { scene, bodies, freedoms, axles, lines, bearings, interrupt, modes, structure_counts };
         let turns = |pair: &SurfacePair| pair.mesh.as_ref().is_some_and(|mesh| mesh.orbit != 0.0);
         let line = |pair| turns(pair).then(|| system.line_of_centres(pair, 0.0));
         system.lines = scene.pairs.iter().map(line).collect();
@@ -157,7 +160,12 @@ impl<'s> System<'s> {
 
     /// External generalised forces on the freedoms at a time, per [`System::width`].
     pub(crate) fn load_at(&self, time: f64) -> Result<Vec<f64>, EngineError> {
-        let (loads, width) = (loads_on(self.scene, &self.freedoms, time)?, self.width());
+        self.load_in_part(time, 1.0)
+    }
+
+    /// The same with a part of the loads, and all blows.
+    pub(crate) fn load_in_part(&self, time: f64, part: f64) -> Result<Vec<f64>, EngineError> {
+        let (loads, width) = (loads_on(self.scene, &self.freedoms, time, part)?, self.width());
         Ok(loads.into_iter().map(|load| load / width).collect())
     }
 
@@ -322,11 +330,16 @@ pub(crate) fn number_freedoms(scene: &Scene, plan: &Plan) -> Vec<Freedom> {
         .collect()
 }
 
-/// The external forces and moments on freedoms at a time (s), in their order.
+/// The external forces and moments on freedoms at a time (s), in their order, where so large a part of the loads is on, see [`Body::acted_on`].
 ///
 /// # Errors
 /// E0710 if a frame is not a number there, E0723 if a load is none.
-pub(crate) fn loads_on(scene: &Scene, freedoms: &[Freedom], time: f64) -> Result<Vec<f64>, EngineError> {
+pub(crate) fn loads_on(
+    scene: &Scene,
+    freedoms: &[Freedom],
+    time: f64,
+    part: f64,
+) -> Result<Vec<f64>, EngineError> {
     let mut loads = Vec::with_capacity(freedoms.len());
     let mut latest: Option<(usize, [f64; 6])> = None;
     for freedom in freedoms {
@@ -335,7 +348,7 @@ pub(crate) fn loads_on(scene: &Scene, freedoms: &[Freedom], time: f64) -> Result
             Some((body, along)) if body == freedom.body => along,
             _ => {
                 let stance = Stance::of(&solid_pose(scene, freedom.body, time)?);
-                scene.bodies[freedom.body].load.at(time).along(&stance.axes)
+                scene.bodies[freedom.body].acted_on(time, part).along(&stance.axes)
             }
         };
         latest = Some((freedom.body, along));

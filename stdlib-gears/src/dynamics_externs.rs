@@ -8,9 +8,7 @@ use calyx_runtime::analysis::Position;
 use calyx_runtime::dynamics::{DynamicOptions, Scheme, Start, TimeRange, kept_positions};
 use calyx_runtime::error::EngineError;
 use calyx_runtime::inertia::Inertia;
-use calyx_runtime::load::{Load, Wrench};
-use std::f64::consts::PI;
-use std::sync::Arc;
+use calyx_runtime::load::{Blow, Wrench};
 
 calyx_abi::externs! {
     Pure fn calyx_gears_time_range(
@@ -62,10 +60,10 @@ calyx_abi::externs! {
         }
         let id = body(context, "on", on)?;
         let host = host(context)?;
-        let blow = Blow { at, duration, total: Wrench { force: momentum, moment: angular_momentum } };
-        let Some(body) = host.scene.bodies.get_mut(id.0) else { return Ok(()) };
-        let load = body.load.clone();
-        body.load = Arc::new(move |time: f64| load.at(time) + blow.at(time));
+        let momentum = Wrench { force: momentum, moment: angular_momentum };
+        if let Some(body) = host.scene.bodies.get_mut(id.0) {
+            body.blows.push(Blow { at, duration, momentum });
+        }
         Ok(())
     }
 }
@@ -126,26 +124,6 @@ pub(crate) fn lumped(mass: f64, inertia: f64) -> Result<Inertia, RuntimeError> {
 
 /// Steps of a range, at most.
 const MOST_STEPS: f64 = 1e9;
-
-/// The square of a half wave of a sine over its duration, which in the end has passed on a momentum (N s and N m s): to steps of which a
-/// whole number of at least two fill the duration, exactly.
-#[derive(Clone, Copy)]
-struct Blow {
-    at: f64,
-    duration: f64,
-    total: Wrench,
-}
-
-impl Load for Blow {
-    fn at(&self, time: f64) -> Wrench {
-        let passed = (time - self.at) / self.duration;
-        if !(0.0..=1.0).contains(&passed) {
-            return Wrench::NONE;
-        }
-        let rate = 2.0 / self.duration * (PI * passed).sin().powi(2);
-        Wrench { force: self.total.force.map(|f| f * rate), moment: self.total.moment.map(|m| m * rate) }
-    }
-}
 
 fn refused(error: EngineError) -> RuntimeError {
     crate::externs::engine(error)

@@ -159,7 +159,7 @@ calyx_abi::externs! {
                 "choose \"quasi_static\" or \"dynamic\"")),
         };
         crate::signal_externs::check(host)?;
-        host.asked = Some(Asked { fidelity, structure });
+        host.asked = Some(Asked { fidelity, structure, in_time: matches!(how, How::Dynamic(_)) });
         if host.checking { Ok(()) } else { analyze(host, &how, &options) }
     }
 }
@@ -197,7 +197,16 @@ impl Placed {
         let motion = Arc::new(FrameMotion { value: self.frame.0, params: context.params.clone() });
         let (place, host) = (context.place, host(context)?);
         let load = load(host, self.load, &self.host_load, place);
-        let body = Body { name: self.name, prototype, motion, phase: 0.0, free, load, added: self.added };
+        let body = Body {
+            name: self.name,
+            prototype,
+            motion,
+            phase: 0.0,
+            free,
+            load,
+            blows: Vec::new(),
+            added: self.added,
+        };
         let id = add_body(&mut host.scene, body).map_err(|refusal| host.refused(refusal, place))?;
         host.body_gears.push(gear);
         host.body_places.push(place);
@@ -244,9 +253,10 @@ fn count_or_default(argument: &str, count: f64) -> Result<Option<usize>, Runtime
 /// # Errors
 /// What the analysis would fail with before its first position is solved, or the interrupt's.
 pub fn check_plan(host: &ModelHost, interrupt: &Interrupt) -> Result<Plan, RuntimeError> {
-    let unasked = Asked { fidelity: Fidelity::Plane, structure: host.analysis.structure };
-    let Asked { fidelity, structure } = host.asked.unwrap_or(unasked);
+    let unasked = Asked { fidelity: Fidelity::Plane, structure: host.analysis.structure, in_time: false };
+    let Asked { fidelity, structure, in_time } = host.asked.unwrap_or(unasked);
     let plan = Plan::new(&host.scene, fidelity, structure);
+    let plan = plan.map(|plan| if in_time { plan.in_time() } else { plan });
     // A mesh cycle begins where its first pair of teeth enters.
     let starts = host.scene.pairs.iter().filter_map(|pair| Some(pair.mesh.as_ref()?.start));
     let start = starts.fold(f64::INFINITY, f64::min);

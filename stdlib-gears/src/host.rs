@@ -249,6 +249,8 @@ pub struct Asked {
     pub fidelity: Fidelity,
     /// How finely.
     pub structure: StructureOptions,
+    /// Whether with inertia and damping.
+    pub in_time: bool,
 }
 
 /// Two bodies whose gears meet.

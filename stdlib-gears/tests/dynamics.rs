@@ -8,9 +8,11 @@ use calyx_runtime::bearing::{Bearing, axisymmetric};
 use calyx_runtime::dynamics::{DynamicOptions, History, Scheme, Start, TimeRange};
 use calyx_runtime::inertia::Inertia;
 use calyx_runtime::load::Wrench;
+use calyx_runtime::material::Material;
 use calyx_runtime::motion::SteadyRotation;
 use calyx_runtime::observe::{
-    Displacement, Equilibrium, ModeShare, NaturalFrequency, Rotation, SupportMoment, TransmissionError,
+    Displacement, Equilibrium, Gauge, GaugeReading, MaxRootStress, ModeShare, NaturalFrequency, Reading,
+    Rotation, SupportMoment, TransmissionError,
 };
 use calyx_runtime::results::{OutputRequest, Solved};
 use calyx_runtime::rigid::RigidBody;
@@ -134,6 +136,18 @@ fn slow_motion_is_statics() {
     let (mut scene, mesh) = at_speed(TAU / 2000.0, &RELIEVED);
     scene.observe(TransmissionError(MESH));
     scene.observe(SupportMoment(SECOND, 2));
+    // What teeth are stressed by: the one that carries most, and one beside the mesh.
+    scene.observe(MaxRootStress(FIRST));
+    let gauge = Gauge {
+        body: FIRST,
+        place: [0.5e-3, 0.0],
+        direction: 0.0,
+        length: 0.5e-3,
+        loaded_side: true,
+        tooth: None,
+        material: Material::STEEL,
+    };
+    scene.observe(GaugeReading(gauge, Reading::Strain));
     let system = system(&scene);
     let [rigid, modal] = [0.0, 60e3].map(|highest_frequency| {
         let dynamics = DynamicOptions {
@@ -148,12 +162,17 @@ fn slow_motion_is_statics() {
         let statics = [
             system.value(&step, &TransmissionError(MESH)).value,
             system.value(&step, &SupportMoment(SECOND, 2)).value,
+            system.value(&step, &MaxRootStress(FIRST)).value,
+            system.value(&step, &GaugeReading(gauge, Reading::Strain)).value,
         ];
         // Statics lays contact out where frames are meant to be, a step in time where the bodies are.
         let near = |k: usize, by: f64| (rigid[k] - statics[k]).abs() <= by * statics[k].abs();
-        assert!(near(0, 1e-3) && near(1, 1e-4), "{time}: {rigid:?} {statics:?}");
+        assert!(
+            near(0, 1e-3) && near(1, 1e-4) && near(2, 2e-3) && near(3, 2e-3),
+            "{time}: {rigid:?} {statics:?}"
+        );
         let same = |k: usize| (rigid[k] - modal[k]).abs() <= 1e-5 * rigid[k].abs();
-        assert!(same(0) && same(1), "{time}: {rigid:?} {modal:?}");
+        assert!((0..4).all(same), "{time}: {rigid:?} {modal:?}");
     }
 }
 

@@ -1,6 +1,7 @@
 //! A dynamic analysis from its start through all steps, row by row.
 
-use super::matrices::{Matrices, check, check_section};
+use super::effective::Effective;
+use super::matrices::{Forces, Matrices, check, check_section};
 use super::modal::{Elastic, Modes};
 use super::newmark::{Scheme, State};
 use super::ranges::{Step, TimeRange, kept_positions, steps};
@@ -56,12 +57,13 @@ pub struct History<'s> {
     system: System<'s>,
     /// Of the bodies, about their axles.
     inertias: Vec<Inertia>,
-    modes: Modes,
     positions: Vec<Position>,
     steps: Vec<Step>,
     /// Steps taken.
     taken: usize,
     state: State,
+    /// What contact did to all coordinates there, per width of the model.
+    contact: Vec<f64>,
     /// The load that contact grids are sized for.
     sizing: Vec<f64>,
     solved: Vec<Solved>,
@@ -75,7 +77,7 @@ impl<'s> History<'s> {
     /// Plans the analysis, builds the structures and finds the modes.
     ///
     /// # Errors
-    /// E0761 to E0764: the scene or what is asked cannot be analysed in time; those of [`crate::analysis::Planned`]; the interrupt's.
+    /// E0761 to E0764, E0767: the scene or what is asked cannot be analysed in time; those of [`crate::analysis::Planned`]; the interrupt's.
     pub fn new(
         scene: &'s Scene,
         outputs: &'s [OutputRequest],
@@ -89,20 +91,20 @@ impl<'s> History<'s> {
         check_numbers(dynamics)?;
         let positions = kept_positions(dynamics.from, &dynamics.ranges);
         check_solved(&options.solved, &positions, outputs)?;
-        let plan = timing.stage("plan", || Plan::new(scene, options.fidelity, options.structure))?;
+        let plan = timing.stage("plan", || Plan::new(scene, options.fidelity, options.structure))?.in_time();
         observer.observe(Event::Planned(&plan))?;
         if dynamics.start == Start::Equilibrium {
             crate::holding::check(scene, &plan, dynamics.from, &options.resources.interrupt)?;
         }
         observer.observe(Event::Stage("structures"))?;
-        let system = timing.stage("structures", || System::with(scene, &plan, &options.resources))?;
+        let mut system = timing.stage("structures", || System::with(scene, &plan, &options.resources))?;
         timing.structures = system.structure_counts();
         let bodies = scene.bodies.iter().enumerate();
         let inertias: Vec<Inertia> =
             bodies.map(|(index, body)| body.inertia().from(system.axle(index))).collect();
         check(&system, &inertias)?;
-        let modes = timing.stage("modes", || find_modes(scene, &plan, options, dynamics))?;
-        let count = system.freedoms.len() + modes.count();
+        system.modes = timing.stage("modes", || find_modes(scene, &plan, options, dynamics))?;
+        let count = system.freedoms.len() + system.modes.count();
         let sizing = system.load_at(dynamics.from)?;
         let all: Vec<Step> = steps(dynamics.from, &dynamics.ranges).collect();
         let mut history = History {
@@ -113,12 +115,12 @@ impl<'s> History<'s> {
             timing,
             system,
             inertias,
-            modes,
             positions,
             solving: Duration::ZERO,
             steps: all,
             taken: 0,
             state: State::at_rest(vec![0.0; count]),
+            contact: vec![0.0; count],
             sizing,
             solved: Vec::new(),
             current: None,
@@ -133,9 +135,11 @@ impl<'s> History<'s> {
     fn go_on_behind(&mut self, solved: Vec<Solved>) -> Result<(), EngineError> {
         let Some(last) = solved.last() else { return Ok(()) };
         let count = self.state.displacement.len();
-        let state = State::of_row(&last.state, count).ok_or_else(|| {
+        let (state, contact) = last.state.split_at(3 * count.min(last.state.len() / 3));
+        let state = State::of_row(state, count).filter(|_| contact.len() == count).ok_or_else(|| {
             EngineError::new("E0724", "the rows kept before are not of this analysis in time", "begin anew")
         })?;
+        self.contact = contact.to_vec();
         let kept = solved.len() - 1;
         let ends = self.steps.iter().enumerate().filter(|(_, step)| step.kept).map(|(index, _)| index + 1);
         self.taken = std::iter::once(0).chain(ends).nth(kept).unwrap_or(self.steps.len());
@@ -150,7 +154,7 @@ impl<'s> History<'s> {
 
     /// How many modal coordinates there are.
     pub fn modal_coordinates(&self) -> usize {
-        self.modes.count()
+        self.system.modes.count()
     }
 
     /// The state at the end of the step taken last.
@@ -181,7 +185,7 @@ impl<'s> History<'s> {
             _ => loop {
                 self.resources.interrupt.check()?;
                 let Some(next) = self.steps.get(self.taken).copied() else { return Ok(()) };
-                let (mut result, state) = self.step(&next, &self.state)?;
+                let Taken { mut result, state, contact } = self.step(&next, &self.state)?;
                 // What was wrong in steps of which no row is kept is told with the next one that is.
                 passed = passed.worst(&result.certificate);
                 for warning in std::mem::take(&mut result.warnings) {
@@ -189,7 +193,7 @@ impl<'s> History<'s> {
                         warnings.push(warning);
                     }
                 }
-                self.state = state;
+                (self.state, self.contact) = (state, contact);
                 self.taken += 1;
                 if next.kept {
                     result.certificate = passed;
@@ -204,46 +208,60 @@ impl<'s> History<'s> {
         self.resources.interrupt.check()?;
         let row = StepRow::new(position, self.outputs, &observed, step.warnings.clone());
         refuse_nan(&row, self.outputs)?;
-        self.solved.push(Solved { row, certificate: step.certificate, state: self.state.to_row() });
+        let state = [self.state.to_row().as_slice(), &self.contact].concat();
+        self.solved.push(Solved { row, certificate: step.certificate, state });
         self.current = Some(step);
         Ok(())
     }
 
     /// The start, and the state there.
     fn begin(&mut self) -> Result<StepResult, EngineError> {
-        let time = self.options.from;
+        let (time, system) = (self.options.from, &self.system);
         let part = self.options.ranges.first().map_or(1.0, |range| range.load_at(0.0));
         match self.options.start {
             Start::Equilibrium => {
-                let matrices = Matrices::at(&self.system, &self.inertias, &self.modes, time)?;
-                let mut load = self.system.load_at(time)?;
-                load.iter_mut().zip(&matrices.load).for_each(|(load, own)| *load = *load * part + own);
-                let squares = self.modes.squares.clone();
+                let matrices = Matrices::at(system, &self.inertias, time)?;
+                let springs = system.springs_at(time)?;
+                let mut load = system.load_in_part(time, part)?;
+                load.iter_mut().zip(&matrices.load).for_each(|(load, own)| *load += own);
+                let squares = system.modes.squares.clone();
                 let (m, count) = (load.len(), squares.len());
                 let elastic = Elastic {
-                    modes: &self.modes,
+                    modes: &system.modes,
                     coupling: vec![0.0; m * count],
                     load: matrices.modal_load.clone(),
                     start: vec![0.0; count],
                     stiffness: squares,
                 };
                 let with = Some(&elastic).filter(|_| count > 0);
-                let mut step = self.system.solve_under(time, &load, &load, with)?;
+                let mut step = system.solve_under(time, &load, &load, with)?;
                 if step.modal.len() != count {
                     step.modal = elastic.load.iter().zip(&elastic.stiffness).map(|(g, d)| g / d).collect();
                 }
-                self.state = State::at_rest([step.motion.as_slice(), &step.modal].concat());
-                step.velocity = self.state.velocity.clone();
                 let at = Step { time, length: 0.0, load: part, kept: true };
-                step.beside = self.beside(&matrices, &at, &self.state);
+                let state = State::at_rest([step.motion.as_slice(), &step.modal].concat());
+                step.velocity = state.velocity.clone();
+                // It is at rest by what statics knows of.
+                let nothing = matrices.following(system, &state.velocity, &state.velocity);
+                step.beside = self.beside(&matrices, &at, &nothing, &state);
+                let rest = Effective {
+                    matrix: &springs.stiffness,
+                    coupling: &elastic.coupling,
+                    stiffness: &elastic.stiffness,
+                };
+                load.iter_mut().zip(&springs.load).for_each(|(load, own)| *load += own);
+                load.extend(&elastic.load);
+                self.contact = difference(&rest.times(&state.displacement), &load);
+                self.state = state;
                 Ok(step)
             }
             Start::Frames => {
                 // The accelerations it begins with are those of a step that is over at once.
                 let at_once = 1e-6 * self.steps.first().map_or(1.0, |step| step.length);
                 let step = Step { time, length: at_once, load: part, kept: true };
-                let (mut result, state) = self.step(&step, &self.state)?;
+                let Taken { mut result, state, contact } = self.step(&step, &self.state)?;
                 self.state.acceleration = state.acceleration;
+                self.contact = contact;
                 result.motion = self.state.displacement[..result.motion.len()].to_vec();
                 result.velocity = self.state.velocity.clone();
                 Ok(result)
@@ -252,10 +270,11 @@ impl<'s> History<'s> {
     }
 
     /// A step from a state: what it ends in, and the state there.
-    fn step(&self, step: &Step, state: &State) -> Result<(StepResult, State), EngineError> {
+    fn step(&self, step: &Step, state: &State) -> Result<Taken, EngineError> {
         let (h, scheme, system) = (step.length, self.options.scheme, &self.system);
-        let (m, count) = (system.freedoms.len(), self.modes.count());
-        let matrices = Matrices::at(system, &self.inertias, &self.modes, step.time)?;
+        let (m, count) = (system.freedoms.len(), system.modes.count());
+        let matrices = Matrices::at(system, &self.inertias, step.time)?;
+        let fast = matrices.softening(system)?;
         let springs = system.springs_at(step.time)?;
         let predicted = scheme.predicted(state, h);
         let [of_mass, of_damping, _] = scheme.weights(h);
@@ -264,9 +283,9 @@ impl<'s> History<'s> {
 
         // Freedoms: M y'' + (C + a M + b K) y' + K y.
         let mut matrix = vec![0.0; m * m];
-        let mut load = system.load_at(step.time)?;
+        let mut load = system.load_in_part(step.time, step.load)?;
         for i in 0..m {
-            load[i] = load[i] * step.load + springs.load[i] + matrices.load[i];
+            load[i] += springs.load[i] + matrices.load[i];
             for j in 0..m {
                 let (mass, spring) = (matrices.mass[i * m + j], springs.stiffness[i * m + j]);
                 let damping = matrices.damping[i * m + j] + by_mass * mass + by_stiffness * spring;
@@ -278,56 +297,75 @@ impl<'s> History<'s> {
             }
         }
         // Modal coordinates, of unit mass.
-        let mut modal_load = matrices.modal_load.clone();
-        let ahead: Vec<f64> =
-            (0..count).map(|k| state.velocity[m + k] + h * state.acceleration[m + k]).collect();
-        matrices.add_coriolis(&self.modes, &ahead, &mut modal_load);
         let mut stiffness = vec![0.0; count];
+        load.extend(&matrices.modal_load);
         for k in 0..count {
-            let square = self.modes.squares[k];
+            let square = system.modes.squares[k];
             let damping = by_mass + by_stiffness * square;
             stiffness[k] = of_mass + of_damping * damping + square;
-            modal_load[k] -= damping * v[m + k] + square * x[m + k];
+            load[m + k] -= damping * v[m + k] + square * x[m + k];
             for i in 0..m {
-                modal_load[k] -= by_mass * matrices.coupling[i * count + k] * v[i];
+                load[m + k] -= by_mass * matrices.coupling[i * count + k] * v[i];
             }
         }
         let coupled = of_mass + of_damping * by_mass;
+        let coupling: Vec<f64> = matrices.coupling.iter().map(|entry| coupled * entry).collect();
+
+        // Terms that would make the matrix unsymmetric, where the step would end if contact did what it did before.
+        let effective = Effective { matrix: &matrix, coupling: &coupling, stiffness: &stiffness };
+        let following = |y: &[f64]| {
+            let rates: Vec<f64> = y.iter().map(|y| of_damping * y).collect();
+            matrices.following(system, y, &rates).on_coordinates(system)
+        };
+        let known = matrices.following(system, x, v).on_coordinates(system);
+        let meanwhile: Vec<f64> = (0..m + count).map(|i| load[i] + known[i] + self.contact[i]).collect();
+        let untouched = effective.free(&meanwhile, following);
+        let end = |from: &[f64], by: f64| match &untouched {
+            Some(y) => from.iter().zip(y).map(|(from, y)| from + by * y).collect(),
+            None => from.to_vec(),
+        };
+        let following: Forces = matrices.following(system, &end(x, 1.0), &end(v, of_damping));
+        load.iter_mut().zip(following.on_coordinates(system)).for_each(|(load, more)| *load += more);
+
+        let modal_load = load.split_off(m);
         let elastic = Elastic {
-            modes: &self.modes,
-            stiffness,
-            coupling: matrices.coupling.iter().map(|entry| coupled * entry).collect(),
+            modes: &system.modes,
+            stiffness: stiffness.clone(),
+            coupling: coupling.clone(),
             load: modal_load,
             start: x[m..].to_vec(),
         };
         let start = &x[..m];
-        let moving = springs.stepping(start, matrix);
+        let moving = springs.stepping(start, matrix.clone());
         let with = Some(&elastic).filter(|_| count > 0);
         let mut result = system.step(step.time, &moving, &load, start, with, &self.sizing)?;
-        let freedoms = result.motion.iter().zip(start).map(|(end, start)| end - start);
-        let y: Vec<f64> = freedoms.chain(result.modal.iter().copied()).collect();
-        let state = scheme.corrected(predicted, &y, h);
+        let mut y = difference(&result.motion, start);
+        y.extend(&result.modal);
+        load.extend(&elastic.load);
+        let contact = difference(&effective.times(&y), &load);
+        let state = scheme.corrected(predicted.clone(), &y, h);
         result.modal = state.displacement[m..].to_vec();
         result.velocity = state.velocity.clone();
-        result.beside = self.beside(&matrices, step, &state);
+        result.beside = self.beside(&matrices, step, &following, &state);
         // Damping in proportion to the stiffness of bearings, which these do not tell of themselves.
         for (i, freedom) in system.freedoms.iter().enumerate() {
             let row = &springs.stiffness[i * m..(i + 1) * m];
             let rate: f64 = row.iter().zip(&state.velocity).map(|(k, v)| k * v).sum();
             result.beside[freedom.body][freedom.component] -= system.width() * by_stiffness * rate;
         }
+        result.warnings.extend(fast);
         // Observables see the springs of the scene and not the matrix of a step.
         result.problem.stiffness = springs.stiffness;
-        Ok((result, state))
+        Ok(Taken { result, state, contact })
     }
 
     /// What acts on each body beside contact, bearings and its whole load.
-    fn beside(&self, matrices: &Matrices, step: &Step, state: &State) -> Vec<[f64; 6]> {
+    fn beside(&self, matrices: &Matrices, step: &Step, following: &Forces, state: &State) -> Vec<[f64; 6]> {
         // Damping in proportion to mass acts as an acceleration by the rate.
         let [by_mass, _] = self.options.rayleigh;
         let rates = state.acceleration.iter().zip(&state.velocity);
         let resisted: Vec<f64> = rates.map(|(a, v)| a + by_mass * v).collect();
-        let mut all = matrices.inertia(&self.system, &self.modes, &resisted);
+        let mut all = matrices.inertia(&self.system, following, &resisted);
         for (wrench, body) in all.iter_mut().zip(&self.system.scene.bodies) {
             let Wrench { force: [fx, fy, fz], moment: [mx, my, mz] } = body.load.at(step.time);
             for (part, whole) in wrench.iter_mut().zip([fx, fy, fz, mx, my, mz]) {
@@ -347,6 +385,18 @@ impl<'s> History<'s> {
         self.timing.memory = self.resources.interrupt.most_asked();
         AnalysisResult { plan: self.plan, rows, summaries, certificate, timing: self.timing }
     }
+}
+
+/// A step, and what it ends in.
+struct Taken {
+    result: StepResult,
+    state: State,
+    /// What contact does to all coordinates, per width of the model.
+    contact: Vec<f64>,
+}
+
+fn difference(one: &[f64], other: &[f64]) -> Vec<f64> {
+    one.iter().zip(other).map(|(one, other)| one - other).collect()
 }
 
 impl Iterator for History<'_> {
@@ -437,3 +487,8 @@ fn check_numbers(dynamics: &DynamicOptions) -> Result<(), EngineError> {
     }
     Ok(())
 }
+
+#[cfg(test)]
+mod ring_tests;
+#[cfg(test)]
+mod tests;

@@ -1,24 +1,35 @@
 //! Mass, damping and the loads by inertia of all coordinates of a plane model at a time.
 //!
-//! A body moves by its prescribed motion, by the deviations of its frame (two displacements along ground axes of its axle, a turn), and by its
-//! modal coordinates, in its own axes. To the first order in what deviates, with s the first moment of mass about the axle in ground axes, a the
-//! acceleration of the axle, omega and alpha the angular velocity and acceleration of the prescribed motion:
+//! A particle of a body is at `A + u + R(phi + theta) (X + sum phi_k q_k)`: A the axle's prescribed place, phi the prescribed turn, u and theta the
+//! deviations of the frame (u along ground axes), X the particle's place from the axle and phi_k its displacement by modal coordinate q_k, both in
+//! the body's axes. With a the acceleration of A, omega and alpha the angular velocity and acceleration of phi, e the turn by a right angle
+//! (`e3 x`), and the virtual work of the particles' inertia kept to the first order in u, theta, q and their rates, forces of inertia are,
+//! negative,
 //!
-//! - mass of the frame: `[m, 0, -s_y; 0, m, s_x; -s_y, s_x, J]`; with a mode `phi' M r`, turned to ground axes;
-//! - load on the frame: `-(m a + alpha e3 x s - omega² s)` and `-(J alpha + s x a)`;
-//! - load on a mode: `-(phi' M r) (a, alpha) + omega² phi' M (x - axle) - 2 omega phi' M (e3 x phi) q'`.
+//! - on u: `m u'' + theta'' e s - 2 omega theta' s - (alpha s + omega² e s) theta + m a + alpha e s - omega² s
+//!   + sum (c q'' + 2 omega e c q' + (alpha e - omega²) c q)`;
+//! - on theta: `J theta'' + e s . u'' - (s . a) theta + J alpha + e s . a + sum (b q'' + 2 omega x q' + (2 alpha x + e c . a) q)`;
+//! - on q_k: `q_k'' + c . u'' + b theta'' - 2 omega x theta' + (e c . a) theta + c . a + b alpha - omega² x + sum (2 omega g q_l' + alpha g q_l)`,
 //!
-//! The last one, of Coriolis, is taken at the velocities that the step begins with, gone on by their accelerations: it is of the second order in
-//! the step as all else. That centrifugal tension stiffens a ring, and that its modes soften as they turn, is left out: both are of the order of
-//! `(omega / omega_n)²`.
+//! m the mass, `s = R int X` the first moment and J the second one about the axle; of a mode `c = R int phi`, `b = int phi . e X`,
+//! `x = int phi . X` and `g = int phi_k . e phi_l`, all integrals by mass. So frames and modes meet in terms of Coriolis, of Euler and of
+//! centrifugal force; forces and moments on all of a body are the rates of its momentum and of its moment of momentum. Whether a frame is free
+//! along a component or held makes no difference: what is held feels the same as a reaction.
+//!
+//! **What is left out.** On q_k the same gives `- omega² q_k`, by which modes soften as they turn. That tension of a turning body stiffens it, by
+//! more than that if the mode bends a rim, is of the second order of displacements and not among the modes' numbers; both change a natural
+//! frequency by parts of the order of `(omega / omega_n)²`, and one without the other would be wrong in sign. Both are left out: at a tenth of the
+//! lowest natural frequency that is a hundredth, and from there on a step says so ([`Matrices::softening`]). What the acceleration of a path does to the
+//! stiffness of modes is left out for the same reason. External loads act on the axle along ground axes, so they do not depend on deviations.
+//!
+//! Damping in proportion to mass (Rayleigh) acts on the rates of deviations: it brakes what departs from the prescribed motion, not that motion.
 
-use super::modal::Modes;
 use crate::bearing::damping;
-use crate::error::EngineError;
+use crate::error::{EngineError, Subject};
 use crate::inertia::Inertia;
 use crate::motion::{angular_acceleration, angular_velocity, point_acceleration};
 use crate::scene::Fidelity;
-use crate::system::{System, pose};
+use crate::system::{Freedom, System, pose};
 
 /// At a time, per width of the model: freedoms first, then modal coordinates.
 pub(super) struct Matrices {
@@ -30,17 +41,22 @@ pub(super) struct Matrices {
     pub damping: Vec<f64>,
     /// Loads by the prescribed motion on freedoms.
     pub load: Vec<f64>,
-    /// The same on modal coordinates, but for those of Coriolis.
+    /// The same on modal coordinates.
     pub modal_load: Vec<f64>,
     /// Of every body.
     bodies: Vec<Moving>,
+    /// Of every modal coordinate.
+    arms: Vec<Arm>,
 }
 
 /// A body at a time.
 #[derive(Clone, Copy, Default)]
 struct Moving {
-    /// Angular velocity, rad/s.
+    /// Angular velocity, rad/s, and acceleration, rad/s².
     spin: f64,
+    spinning_up: f64,
+    /// Of the axle, m/s².
+    acceleration: [f64; 2],
     /// kg, kg m and kg m², about the axle along ground axes.
     mass: f64,
     first: [f64; 2],
@@ -49,22 +65,46 @@ struct Moving {
     load: [f64; 3],
 }
 
+/// What a modal coordinate has to do with its frame, along ground axes about the axle.
+#[derive(Clone, Copy, Default)]
+struct Arm {
+    /// `c`.
+    along: [f64; 2],
+    /// `b`.
+    about: f64,
+    /// `x`.
+    outwards: f64,
+}
+
+/// Forces on the frame of every body along x and y (N) and moments about its axle (N m), and forces on modal coordinates.
+pub(super) struct Forces {
+    frames: Vec<[f64; 3]>,
+    pub modal: Vec<f64>,
+}
+
+/// Parts of a body's lowest natural frequency at which it turns: from the first on what is left out is told, beyond the other it is too much.
+const FAST: f64 = 0.1;
+const TOO_FAST: f64 = 0.5;
 /// Where the components of a frame in the plane stand among those of [`crate::scene::FREEDOMS`].
 const IN_PLANE: [usize; 3] = [0, 1, 5];
+
+fn dot([a, b]: [f64; 2], [c, d]: [f64; 2]) -> f64 {
+    a * c + b * d
+}
+
+/// Turned by a right angle.
+fn across([x, y]: [f64; 2]) -> [f64; 2] {
+    [-y, x]
+}
 
 impl Matrices {
     /// `inertias` are those of the bodies about their axles.
     ///
     /// # Errors
     /// A frame is not a number.
-    pub fn at(
-        system: &System<'_>,
-        inertias: &[Inertia],
-        modes: &Modes,
-        time: f64,
-    ) -> Result<Matrices, EngineError> {
-        let (freedoms, width, count) = (&system.freedoms, system.width(), modes.count());
-        let m = freedoms.len();
+    pub fn at(system: &System<'_>, inertias: &[Inertia], time: f64) -> Result<Matrices, EngineError> {
+        let (freedoms, width, modes) = (&system.freedoms, system.width(), &system.modes);
+        let (m, count) = (freedoms.len(), modes.count());
         let mut matrices = Matrices {
             mass: vec![0.0; m * m],
             coupling: vec![0.0; m * count],
@@ -72,10 +112,10 @@ impl Matrices {
             load: vec![0.0; m],
             modal_load: vec![0.0; count],
             bodies: Vec::with_capacity(system.scene.bodies.len()),
+            arms: vec![Arm::default(); count],
         };
         for index in 0..system.scene.bodies.len() {
             let body = &system.scene.bodies[index];
-            let modal = modes.of_body(index);
             let spin = angular_velocity(body.motion.as_ref(), time)[2];
             let axle = system.axle(index);
             let (angle, ground) = (pose(system.scene, index, time)?.angle, system.origin(index, time));
@@ -101,80 +141,156 @@ impl Matrices {
             ];
             matrices.bodies.push(Moving {
                 spin,
+                spinning_up: alpha,
+                acceleration: [ax, ay],
                 mass: own.mass,
                 first: s,
                 polar: own.polar(),
                 load: by_motion,
             });
-            let load = |component: usize| {
-                IN_PLANE.iter().position(|c| *c == component).map_or(0.0, |at| by_motion[at])
-            };
             for (i, one) in freedoms.iter().enumerate().filter(|(_, freedom)| freedom.body == index) {
-                matrices.load[i] += load(one.component) / width;
                 for (j, other) in freedoms.iter().enumerate().filter(|(_, freedom)| freedom.body == index) {
                     matrices.mass[i * m + j] += entry(one.component, other.component) / width;
                 }
             }
-            let Some((own, first)) = modal else { continue };
+            let Some((own, first)) = modes.of_body(index) else { continue };
             // Modes are told in the axes of the teeth.
             let stands = angle + body.phase;
             let [px, py] = turned([axle[0], axle[1]], -body.phase);
-            let [bx, by] = turned([ax, ay], -stands);
             for (k, &[cx, cy, about]) in own.coupling.iter().enumerate() {
-                let about = about - (px * cy - py * cx);
-                let [gx, gy] = turned([cx, cy], stands);
-                let swung = own.centrifugal[k] - (px * cx + py * cy);
-                matrices.modal_load[first + k] = spin * spin * swung - (cx * bx + cy * by) - about * alpha;
+                let arm = Arm {
+                    along: turned([cx, cy], stands),
+                    about: about - (px * cy - py * cx),
+                    outwards: own.centrifugal[k] - (px * cx + py * cy),
+                };
+                matrices.arms[first + k] = arm;
+                matrices.modal_load[first + k] =
+                    spin * spin * arm.outwards - dot(arm.along, [ax, ay]) - arm.about * alpha;
                 for (i, freedom) in freedoms.iter().enumerate().filter(|(_, freedom)| freedom.body == index) {
                     matrices.coupling[i * count + first + k] = match freedom.component {
-                        0 => gx,
-                        1 => gy,
-                        5 => about,
+                        0 => arm.along[0],
+                        1 => arm.along[1],
+                        5 => arm.about,
                         _ => 0.0,
                     };
                 }
             }
         }
+        let by_motion: Vec<[f64; 3]> = matrices.bodies.iter().map(|body| body.load).collect();
+        matrices.load = on_freedoms(system, &by_motion);
         Ok(matrices)
     }
 
-    /// Adds the loads of Coriolis on modal coordinates that move with these velocities.
-    pub fn add_coriolis(&self, modes: &Modes, velocity: &[f64], load: &mut [f64]) {
-        let turning = self.bodies.iter().map(|body| body.spin).enumerate();
-        for (body, spin) in turning.filter(|(_, spin)| *spin != 0.0) {
-            let Some((own, first)) = modes.of_body(body) else { continue };
-            for k in 0..own.count() {
-                let across: f64 =
-                    (0..own.count()).map(|l| own.gyroscopic[(k, l)] * velocity[first + l]).sum();
-                load[first + k] -= 2.0 * spin * across;
+    /// What inertia does by displacements and rates of all coordinates: everything of the module's equations but what belongs to their
+    /// accelerations and to the prescribed motion. Linear in both.
+    pub fn following(&self, system: &System<'_>, displacement: &[f64], rate: &[f64]) -> Forces {
+        let (m, width) = (system.freedoms.len(), system.width());
+        let mut forces =
+            Forces { frames: vec![[0.0; 3]; self.bodies.len()], modal: vec![0.0; self.arms.len()] };
+        for (index, body) in self.bodies.iter().enumerate() {
+            let Moving { spin, spinning_up, acceleration, first: s, .. } = *body;
+            if spin == 0.0 && spinning_up == 0.0 && acceleration == [0.0; 2] {
+                continue;
+            }
+            let turn = system.moved(index, &displacement[..m])[5];
+            let turning = system.moved(index, &rate[..m])[5];
+            let (by, ahead) = (2.0 * spin * turning + spinning_up * turn, spin * spin * turn);
+            let mut frame = [
+                by * s[0] + ahead * across(s)[0],
+                by * s[1] + ahead * across(s)[1],
+                dot(s, acceleration) * turn,
+            ];
+            if let Some((own, from)) = system.modes.of_body(index) {
+                let count = own.count();
+                let (q, rates) = (&displacement[m + from..][..count], &rate[m + from..][..count]);
+                for (k, arm) in self.arms[from..from + count].iter().enumerate() {
+                    let sideways = across(arm.along);
+                    let (by, out) = (2.0 * spin * rates[k] + spinning_up * q[k], spin * spin * q[k]);
+                    frame[0] += width * (out * arm.along[0] - by * sideways[0]);
+                    frame[1] += width * (out * arm.along[1] - by * sideways[1]);
+                    let pulled = dot(sideways, acceleration);
+                    let about = 2.0 * spin * rates[k] + 2.0 * spinning_up * q[k];
+                    frame[2] -= width * (about * arm.outwards + pulled * q[k]);
+                    let among: f64 = (0..count)
+                        .map(|l| own.gyroscopic[(k, l)] * (2.0 * spin * rates[l] + spinning_up * q[l]))
+                        .sum();
+                    forces.modal[from + k] = 2.0 * spin * arm.outwards * turning - pulled * turn - among;
+                }
+            }
+            forces.frames[index] = frame;
+        }
+        forces
+    }
+
+    /// What should be known of what is left out, in sentences.
+    ///
+    /// # Errors
+    /// E0767: a body turns so fast that its modes are not those it has at rest.
+    pub fn softening(&self, system: &System<'_>) -> Result<Vec<String>, EngineError> {
+        let mut warnings = Vec::new();
+        for (index, body) in self.bodies.iter().enumerate() {
+            let Some((own, _)) = system.modes.of_body(index) else { continue };
+            let part = own.frequencies.first().map_or(0.0, |lowest| body.spin.abs() / lowest);
+            let name = &system.scene.bodies[index].name;
+            if part > TOO_FAST {
+                return Err(EngineError::new(
+                    "E0767",
+                    format!("body \"{name}\" turns at more than half of its lowest natural frequency"),
+                    "its modes are those of a body that hardly turns: let it turn slower, make it stiffer, or leave modes out by `highest_frequency = 0 Hz`",
+                )
+                .blame("highest_frequency")
+                .about(Subject::Body(index)));
+            }
+            if part > FAST {
+                warnings.push(format!(
+                    "body \"{name}\" turns at more than a tenth of its lowest natural frequency: that tension stiffens its modes and turning softens them is left out, and changes the lowest ones by more than a hundredth"
+                ));
             }
         }
+        Ok(warnings)
     }
-}
 
-impl Matrices {
-    /// What the inertia of every body does to its frame, in the order of [`crate::scene::FREEDOMS`], N and N m: by the prescribed motion and by
-    /// the accelerations of freedoms and modal coordinates.
-    pub fn inertia(&self, system: &System<'_>, modes: &Modes, acceleration: &[f64]) -> Vec<[f64; 6]> {
-        let (m, count) = (system.freedoms.len(), modes.count());
+    /// What the inertia of every body does to its frame, in the order of [`crate::scene::FREEDOMS`], N and N m: by the prescribed motion, by
+    /// displacements and rates, and by the accelerations of freedoms and modal coordinates.
+    pub fn inertia(&self, system: &System<'_>, following: &Forces, acceleration: &[f64]) -> Vec<[f64; 6]> {
+        let (m, width) = (system.freedoms.len(), system.width());
         let of = |(index, body): (usize, &Moving)| {
             let [ax, ay, .., turn] = system.moved(index, &acceleration[..m]);
-            let [sx, sy] = body.first;
+            let ([sx, sy], Moving { load, mass, polar, .. }) = (body.first, *body);
+            let own = [mass * ax - sy * turn, mass * ay + sx * turn, polar * turn + sx * ay - sy * ax];
             let mut wrench = [0.0; 6];
-            wrench[0] = body.load[0] - (body.mass * ax - sy * turn);
-            wrench[1] = body.load[1] - (body.mass * ay + sx * turn);
-            wrench[5] = body.load[2] - (body.polar * turn + sx * ay - sy * ax);
-            for (i, freedom) in
-                system.freedoms.iter().enumerate().filter(|(_, freedom)| freedom.body == index)
-            {
-                let modal =
-                    (0..count).map(|k| self.coupling[i * count + k] * acceleration[m + k]).sum::<f64>();
-                wrench[freedom.component] -= system.width() * modal;
+            for (k, component) in IN_PLANE.into_iter().enumerate() {
+                wrench[component] = load[k] + following.frames[index][k] - own[k];
+            }
+            if let Some((own, from)) = system.modes.of_body(index) {
+                for (arm, q) in self.arms[from..from + own.count()].iter().zip(&acceleration[m + from..]) {
+                    wrench[0] -= width * arm.along[0] * q;
+                    wrench[1] -= width * arm.along[1] * q;
+                    wrench[5] -= width * arm.about * q;
+                }
             }
             wrench
         };
         self.bodies.iter().enumerate().map(of).collect()
     }
+}
+
+impl Forces {
+    /// On freedoms, per width of the model, then on modal coordinates.
+    pub fn on_coordinates(&self, system: &System<'_>) -> Vec<f64> {
+        let mut all = on_freedoms(system, &self.frames);
+        all.extend(&self.modal);
+        all
+    }
+}
+
+/// Of forces and moments on frames those on freedoms, per width of the model.
+fn on_freedoms(system: &System<'_>, frames: &[[f64; 3]]) -> Vec<f64> {
+    let of = |freedom: &Freedom| {
+        let component = IN_PLANE.iter().position(|component| *component == freedom.component);
+        component.map_or(0.0, |component| frames[freedom.body][component] / system.width())
+    };
+    system.freedoms.iter().map(of).collect()
 }
 
 /// What dynamics asks of a model before its structures are built: that it is a section.
@@ -212,7 +328,7 @@ pub(super) fn check(system: &System<'_>, inertias: &[Inertia]) -> Result<(), Eng
                 "give it a `mass` and an `inertia`, or hold it",
             )
             .blame("free")
-            .about(crate::error::Subject::Body(freedom.body)));
+            .about(Subject::Body(freedom.body)));
         }
     }
     Ok(())

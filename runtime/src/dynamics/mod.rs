@@ -10,9 +10,11 @@
 //! | `newmark` | the integrators, on numbers alone |
 //! | `ranges` | over which times, in which steps, under which part of the loads |
 //! | `matrices` | mass, damping, loads by inertia |
+//! | `effective` | the matrix of a step, and terms that would make it unsymmetric |
 //! | `modal` | modal coordinates in a contact problem |
 //! | `history` | the analysis: start in equilibrium, steps, rows |
 
+mod effective;
 mod history;
 mod matrices;
 mod modal;

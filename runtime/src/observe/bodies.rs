@@ -24,7 +24,7 @@ impl Equilibrium<'_> {
     /// axes. With contact, bearings, external load and inertia it is in equilibrium, so it is zero along freedoms.
     pub fn support(self, body: BodyId) -> [f64; 6] {
         let (contact, load) =
-            (self.contact_force(body), self.system.scene.bodies[body.0].load.at(self.step.time));
+            (self.contact_force(body), self.system.scene.bodies[body.0].acted_on(self.step.time, 1.0));
         let [fx, fy, fz] = load.force;
         let [mx, my, mz] = load.moment;
         let load = [fx, fy, fz, mx, my, mz];

@@ -3,7 +3,7 @@
 use super::{Equilibrium, Observable, Quantity};
 use crate::results::{Observed, Place};
 use crate::scene::BodyId;
-use crate::structure::Chart;
+use crate::structure::{BodyModes, Chart, StressPlace, SurfaceLoad};
 use crate::system::Bodies;
 
 /// A stress in a fillet.
@@ -59,16 +59,63 @@ impl Fillets {
     }
 }
 
-/// The stresses in fillets of a body, those of one fillet together. `None` of a body that is not modelled.
+/// Surfaces of a body that the meshes it is in are made for.
+fn driving_surfaces<'a>(at: &Equilibrium<'a>, body: BodyId) -> impl Iterator<Item = u32> + use<'a> {
+    let pairs = at.system.scene.pairs.iter().filter(|pair| pair.front.is_none());
+    pairs.flat_map(move |pair| {
+        (0..2).filter(move |&side| pair.bodies[side] == body).map(|side| pair.surfaces[side])
+    })
+}
+
+/// By how much the modal coordinates of a body differ from what they would be if its contact forces rested: what of its stress statics
+/// does not know.
+struct Vibration<'a> {
+    modes: &'a BodyModes,
+    beyond: Vec<f64>,
+}
+
+impl<'a> Vibration<'a> {
+    /// `None` of a body without modes, and in equilibrium.
+    fn of(at: &Equilibrium<'a>, body: BodyId, loads: &[SurfaceLoad]) -> Option<Vibration<'a>> {
+        let (modes, first) = at.system.modes.of_body(body.0)?;
+        let mut beyond = at.step.modal.get(first..first + modes.count())?.to_vec();
+        for loads in loads.chunk_by(|one, next| one.chart == next.chart) {
+            let places: Vec<f64> = loads.iter().map(|load| load.s).collect();
+            let seen = modes.displacements(loads[0].chart, &places);
+            for (k, beyond) in beyond.iter_mut().enumerate() {
+                let pushed: f64 = loads.iter().zip(seen.col(k).iter()).map(|(load, c)| load.force * c).sum();
+                *beyond -= pushed / modes.frequencies[k].powi(2);
+            }
+        }
+        Some(Vibration { modes, beyond })
+    }
+
+    fn add_stresses(&self, tooth: u32, surface: u32, recovered: &mut [(StressPlace, f64)]) {
+        let by_modes = self.modes.stresses(tooth, surface);
+        for (row, (_, stress)) in recovered.iter_mut().enumerate().take(by_modes.nrows()) {
+            *stress += by_modes.row(row).iter().zip(&self.beyond).map(|(by, q)| by * q).sum::<f64>();
+        }
+    }
+}
+
+/// The stresses in fillets of a body, those of one fillet together, of a body that vibrates those of its modes too. `None` of a body that is not modelled.
 pub(super) fn stresses(at: &Equilibrium<'_>, body: BodyId, of: Fillets) -> Option<Vec<RootStress>> {
     let mut all = Vec::new();
     match &at.system.bodies {
         Bodies::Plane(bodies) => {
             let structure = bodies.structures.get(body.0)?.as_ref()?;
             let loads = at.surface_loads(body);
-            let charts = loads.iter().map(|load| load.chart);
-            for (tooth, surface) in of.near(charts, structure.teeth()) {
-                let recovered = structure.stresses(tooth, surface, &loads);
+            let vibration = Vibration::of(at, body, &loads);
+            let mut charts: Vec<Chart> = loads.iter().map(|load| load.chart).collect();
+            // A tooth that is looked at vibrates without load, too.
+            if charts.is_empty() && vibration.is_some() && matches!(of.teeth, Teeth::One(_)) {
+                charts.extend(driving_surfaces(at, body).map(|surface| Chart { tooth: 0, surface }));
+            }
+            for (tooth, surface) in of.near(charts.into_iter(), structure.teeth()) {
+                let mut recovered = structure.stresses(tooth, surface, &loads);
+                if let Some(vibration) = &vibration {
+                    vibration.add_stresses(tooth, surface, &mut recovered);
+                }
                 all.extend(recovered.into_iter().map(|(place, along)| RootStress {
                     place: at.place(body, place.tooth, place.position),
                     surface,

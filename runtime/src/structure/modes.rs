@@ -153,4 +153,28 @@ impl BodyModes {
 }
 
 #[cfg(test)]
+impl BodyModes {
+    /// Of a body whose modes no surface sees, by what frames see of them.
+    pub(crate) fn unseen(
+        frequencies: Vec<f64>,
+        coupling: Vec<[f64; 3]>,
+        gyroscopic: Mat<f64>,
+        centrifugal: Vec<f64>,
+    ) -> BodyModes {
+        let fields = SectorFields {
+            teeth: 1,
+            harmonics: Vec::new(),
+            modes: Vec::new(),
+            surfaces: Vec::new(),
+            directions: 1,
+            displacements: Vec::new(),
+            stresses: Vec::new(),
+        };
+        let fields = Arc::new(fields);
+        let rigid_mass = [[0.0; 3]; 3];
+        BodyModes { frequencies, coupling, rigid_mass, gyroscopic, centrifugal, fields, reshaped: None }
+    }
+}
+
+#[cfg(test)]
 mod tests;

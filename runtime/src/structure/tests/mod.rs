@@ -1,5 +1,6 @@
 //! Structures against exact solutions, whole meshes and brute force.
 
+pub(crate) mod annulus;
 pub(crate) mod bodies;
 mod bore;
 mod disc;

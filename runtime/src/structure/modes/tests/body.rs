@@ -1,11 +1,11 @@
 //! What contact, frames and stresses see of modes.
 
-use super::Annulus;
+use super::{Annulus, THIN};
 use crate::dense::product;
 use crate::error::EngineError;
 use crate::interrupt::Interrupt;
-use crate::material::{Material, Plane};
 use crate::profile::Profile;
+use crate::structure::tests::annulus::STEEL;
 use crate::structure::tests::bodies::{COARSE, ring_source, toothed_sector};
 use crate::structure::{
     BodyModes, BoreHold, Chart, ElasticStructure, Lugs, ReshapedSurface, RingSource, SplitOptions, Structure,
@@ -15,18 +15,7 @@ use faer::{Mat, Side};
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 
-const STEEL: Material = Material { youngs_modulus: 2.10e11, poissons_ratio: 0.3, density: 7850.0 };
 const TEETH: u32 = 9;
-
-const THIN: Annulus = Annulus {
-    radii: [0.99, 1.01],
-    sectors: 16,
-    elements: [1, 2],
-    order: 3,
-    material: STEEL,
-    plane: Plane::Stress,
-    turned: 0.0,
-};
 
 fn modes_of(ring: Annulus, hold: BoreHold, highest: f64) -> BodyModes {
     let source = RingSource { hold, ..ring_source(ring.sectors) };
