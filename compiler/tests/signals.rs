@@ -13,9 +13,59 @@ var one = gears.body(\"one\", blank, free = [\"theta_z\"], moment = 50 N*m*e3, f
 var two = gears.body(\"two\", blank, frame := Rotate(-60 rpm*Time, e3)*Translate(60.3 mm*e1));
 var mesh = gears.mesh(one, two, cells = 6, tip_corner_contact = FALSE);
 output te := gears.transmission_error(mesh);
+output still := 0*gears.rotation(one, \"z\");
 SIGNALS
 analyze(\"quasi_static\", over = gears.times(to = 0.1 s - 0.1 s/32, count = 32));
 ";
+
+/// A shaft that swings about what is prescribed: its orders are those of the angle it has, as a tachometer sees it.
+#[test]
+fn orders_are_counted_by_the_angle_that_an_output_gives() {
+    let directory = tempfile::tempdir().unwrap();
+    // 2 turns a second that swing by a twentieth of a turn, three times a turn, and something that happens seven times a turn of them.
+    let model = "import gears;
+units SI;
+var shaft = gears.rigid_body(\"shaft\", frame := Rotate(4*pi*Time*1 rad/s, e3), free = [\"theta_z\"]);
+var turned := 4*pi*Time/(1 s) + 0.3*sin(12*pi*Time/(1 s));
+output ahead := 1 rad*(0.3*sin(12*pi*Time/(1 s))) + 0*gears.rotation(shaft, \"z\");
+output whole := 1 rad*(turned - 60*pi) + 0*gears.rotation(shaft, \"z\");
+output events := cos(7*turned) + 0*gears.support_moment(shaft, \"z\")/(1 N*m);
+gears.order_map(\"events\", shaft = shaft, angle = \"ahead\", turns = 2, highest = 20);
+gears.order_map(\"events\", angle = \"whole\", turns = 2, highest = 20);
+gears.order_map(\"events\", shaft = shaft, turns = 2, highest = 20);
+analyze(\"quasi_static\", over = gears.times(to = 4 s, count = 2001));
+";
+    let path = directory.path().join("model.cx");
+    fs::write(&path, model).unwrap();
+    let output =
+        Command::new(env!("CARGO_BIN_EXE_calyx")).arg("run").arg(&path).arg("--no-cache").output().unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let largest = |name: &str| {
+        let table = fs::read_to_string(directory.path().join("model.cx.run/signals").join(name)).unwrap();
+        let rows = table
+            .lines()
+            .skip(1)
+            .map(|row| row.split(',').map(|cell| cell.parse::<f64>().unwrap()).collect());
+        let rows: Vec<Vec<f64>> = rows.collect();
+        let on = |order: f64| {
+            rows.iter().filter(|row| (row[1] - order).abs() < 1e-9).map(|row| row[2]).collect::<Vec<f64>>()
+        };
+        (on(7.0), on(10.0))
+    };
+    for name in ["events_order_map.csv", "events_order_map_2.csv"] {
+        let (seventh, tenth) = largest(name);
+        assert!(
+            seventh.len() > 3 && seventh.iter().all(|amplitude| (amplitude - 1.0).abs() < 1e-4),
+            "{name} {seventh:?}"
+        );
+        assert!(tenth.iter().all(|amplitude| *amplitude < 1e-4), "{name} {tenth:?}");
+    }
+    // By the prescribed angle it is spread by its swinging.
+    let (seventh, tenth) = largest("events_order_map_3.csv");
+    assert!(
+        seventh.iter().all(|amplitude| *amplitude < 0.5) && tenth.iter().all(|amplitude| *amplitude > 0.1)
+    );
+}
 
 fn run(directory: &Path, signals: &str) -> Output {
     let model = directory.join("model.cx");
@@ -33,6 +83,7 @@ fn run(directory: &Path, signals: &str) -> Output {
 fn a_pair_shows_the_harmonics_of_its_mesh_in_tables_and_pictures() {
     let directory = tempfile::tempdir().unwrap();
     let asked = "gears.spectrum(\"te\", window = \"rectangular\");
+        gears.spectrum(\"te\", window = \"rectangular\", scaling = \"density\");
         gears.spectrogram(\"te\", piece = 0.05 s);";
     let output = run(directory.path(), asked);
     let told = String::from_utf8(output.stderr).unwrap();
@@ -54,7 +105,25 @@ fn a_pair_shows_the_harmonics_of_its_mesh_in_tables_and_pictures() {
     for row in rows.iter().skip(1).step_by(2) {
         assert!(row[1] < 1e-6 * largest, "{row:?} {largest}");
     }
-    for name in ["te_spectrum", "te_spectrogram"] {
+    // The density of what is no noise is its mean square by the width of a line.
+    let density = fs::read_to_string(below.join("te_spectral_density.csv")).unwrap();
+    assert_eq!(density.lines().next(), Some("frequency,density"));
+    let densities: Vec<Vec<f64>> = density.lines().skip(1).map(numbers).collect();
+    assert!((densities[2][1] / (0.5 * largest * largest / 10.0) - 1.0).abs() < 1e-9, "{densities:?}");
+    // What there is stands in the record of the run.
+    let record = fs::read_to_string(directory.path().join("run/run.json")).unwrap();
+    let record: serde_json::Value = serde_json::from_str(&record).unwrap();
+    let listed = record["signals"].as_array().unwrap();
+    let kinds: Vec<&str> = listed.iter().filter_map(|signal| signal["kind"].as_str()).collect();
+    assert_eq!(kinds, ["spectrum", "spectral_density", "spectrogram"]);
+    assert_eq!(listed[1]["unit"], "rad^2/Hz");
+    for signal in listed {
+        for file in ["table", "picture"] {
+            assert!(directory.path().join("run").join(signal[file].as_str().unwrap()).exists(), "{signal}");
+        }
+    }
+    assert_eq!(listed[0]["peaks"][0]["frequency"].as_f64().map(f64::round), Some(20.0));
+    for name in ["te_spectrum", "te_spectral_density", "te_spectrogram"] {
         let picture = fs::read_to_string(below.join(format!("{name}.svg"))).unwrap();
         let shapes = picture.matches("<rect").count() + picture.matches("<polyline").count();
         assert!(picture.starts_with("<svg") && picture.trim_end().ends_with("</svg>"), "{name}");
@@ -65,18 +134,31 @@ fn a_pair_shows_the_harmonics_of_its_mesh_in_tables_and_pictures() {
 /// E0776 and E0777, as warnings.
 #[test]
 fn what_the_rows_cannot_show_is_said_at_the_request_and_spoils_nothing() {
-    for (asked, code) in [
-        ("gears.spectrum(\"te\", from = 0.09 s);", "W0776"),
-        ("gears.spectrogram(\"te\", piece = 1 s);", "W0776"),
-        ("gears.order_map(\"te\", shaft = two, turns = 8);", "W0776"),
-    ] {
-        let directory = tempfile::tempdir().unwrap();
-        let output = run(directory.path(), asked);
-        let said = String::from_utf8(output.stderr).unwrap();
-        assert!(
-            output.status.success() && said.contains(code) && said.contains("model.cx:10"),
-            "{asked}: {said}"
-        );
+    let directory = tempfile::tempdir().unwrap();
+    let asked = [
+        ("gears.spectrum(\"te\", from = 0.09 s);", "at least 4 samples, and there are"),
+        (
+            "gears.spectrum(\"te\", piece = 1 ms);",
+            "a piece of 0.001 s has 0 samples, which are 0.003125 s apart",
+        ),
+        (
+            "gears.spectrum(\"te\", piece = 1 s);",
+            "a piece of 1 s is longer than the 32 samples, which last 0.1 s",
+        ),
+        ("gears.spectrogram(\"te\", piece = 9 ms);", "a piece of 0.009 s has 3 samples"),
+        ("gears.order_map(\"te\", shaft = two, turns = 8);", "longer than what the samples show"),
+        ("gears.order_map(\"te\", angle = \"still\");", "the shaft rests or turns back"),
+    ];
+    // Each in a line of its own, from the tenth on.
+    let all: Vec<&str> = asked.iter().map(|(asked, _)| *asked).collect();
+    let output = run(directory.path(), &all.join("\n"));
+    let said = String::from_utf8(output.stderr).unwrap();
+    assert!(output.status.success(), "{said}");
+    let warnings: Vec<&str> = said.split("warning[W0776]: ").skip(1).collect();
+    assert_eq!(warnings.len(), asked.len(), "{said}");
+    for (index, (warning, (asked, expected))) in warnings.iter().zip(asked).enumerate() {
+        let place = format!("model.cx:{}:", 11 + index);
+        assert!(warning.contains(expected) && warning.contains(&place), "{asked}: {warning}");
     }
     // Ranges of different steps.
     let directory = tempfile::tempdir().unwrap();

@@ -10,6 +10,7 @@ use crate::mesh_geometry::{MeshGeometry, Wound};
 use crate::mounting::{Mounting, mesh_as_placed, stand_off};
 use crate::phasing;
 use crate::prototype::GearPrototype;
+use calyx_runtime::bearing::Support;
 use calyx_runtime::error::{EngineError, Subject};
 use calyx_runtime::motion::{PlanePose, pose_in_space, turning_speed};
 use calyx_runtime::scene::{Body, BodyId, Component, GearMesh, GridOptions, PairId, Scene, SurfacePair};
@@ -380,8 +381,8 @@ fn meet_once(scene: &Scene, ids: [BodyId; 2]) -> Result<(), EngineError> {
     Ok(())
 }
 
-/// Which way the first body pushes: as its moment turns it, else against the second one's moment, else so that it passes on what an earlier
-/// mesh does to one of them, else as it moves. `sign` is -1 if the second gear is a ring.
+/// Which way the first body pushes: as its moment turns it, else against the second one's moment, else so that it passes on what loads and earlier
+/// meshes do to the shaft of one of them, else as it moves. `sign` is -1 if the second gear is a ring.
 fn drive_sense(scene: &Scene, bodies: [BodyId; 2], sign: f64, speed: f64) -> Result<f64, EngineError> {
     for (id, sign) in bodies.into_iter().zip([1.0, sign]) {
         let body = &scene.bodies[id.0];
@@ -409,17 +410,39 @@ fn drive_sense(scene: &Scene, bodies: [BodyId; 2], sign: f64, speed: f64) -> Res
     Ok(if speed == 0.0 { 1.0 } else { speed.signum() })
 }
 
-/// Which way earlier meshes drive a gear that is free to turn, as a sum of signs: what it has to pass on to the next one, as an idler or a
-/// planet.
+/// Which way loads and earlier meshes drive a gear that is free to turn, its shaft and all that is on it, as a sum of signs: what it has to
+/// pass on to the next one, as an idler or a planet.
 fn driven(scene: &Scene, id: BodyId) -> f64 {
-    if !scene.bodies[id.0].free[Component::ThetaZ as usize] {
-        return 0.0;
+    let free = |id: &BodyId| scene.bodies[id.0].free[Component::ThetaZ as usize];
+    let on_shaft: Vec<BodyId> = on_shaft(scene, id).into_iter().filter(free).collect();
+    let moments = on_shaft.iter().map(|id| scene.bodies[id.0].load.at(0.0).moment[2]);
+    let moment: f64 = moments.filter(|moment| !moment.is_nan()).sum();
+    if moment != 0.0 {
+        return moment.signum();
     }
     let driving = scene.pairs.iter().filter(|pair| pair.front.is_none());
     let torque = |pair: &SurfacePair| {
         let mesh = pair.mesh.as_ref()?;
-        let side = pair.bodies.iter().position(|body| *body == id)?;
+        let side = pair.bodies.iter().position(|body| on_shaft.contains(body))?;
         Some(-mesh.drive_sense * if side == 0 { 1.0 } else { mesh.sign })
     };
     driving.filter_map(torque).sum()
+}
+
+/// A body, and those that bearings which are stiff against turning join to it: what is on one shaft.
+fn on_shaft(scene: &Scene, id: BodyId) -> Vec<BodyId> {
+    let mut found = vec![id];
+    let mut next = 0;
+    while let Some(&body) = found.get(next) {
+        for bearing in scene.bearings.iter().filter(|bearing| bearing.stiffness[5][5] > 0.0) {
+            let Support::Body(to) = bearing.to else { continue };
+            for (one, other) in [(bearing.body, to), (to, bearing.body)] {
+                if one == body && !found.contains(&other) {
+                    found.push(other);
+                }
+            }
+        }
+        next += 1;
+    }
+    found
 }

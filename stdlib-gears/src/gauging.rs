@@ -11,7 +11,7 @@ use crate::host::keep;
 use crate::observables::observe;
 use crate::prototype::GearPrototype;
 use calyx_abi::externs::Handle;
-use calyx_runtime::observe::{Gauge, GaugeReading, Reading};
+use calyx_runtime::observe::{FilletSide, Gauge, GaugeReading, Reading};
 use calyx_runtime::profile::Profile;
 
 /// What a gauge is at, along a fillet.
@@ -128,6 +128,16 @@ fn crossing(value: impl Fn(f64) -> f64, [mut low, mut high]: [f64; 2], tolerance
     Some(0.5 * (low + high))
 }
 
+/// A side of teeth as it is declared. Seen against e3 with the tip up, the counter-clockwise flank, which is number 0, is on the left of a tooth that points
+/// outwards.
+fn side_named(side: &str, internal: bool) -> FilletSide {
+    match side {
+        "loaded" => FilletSide::Loaded,
+        "other" => FilletSide::Other,
+        _ => FilletSide::Flank(u32::from((side == "left") == internal)),
+    }
+}
+
 calyx_abi::externs! {
     Scene fn calyx_gears_gauge(
         context, body: Handle, radius: f64, tangent_angle: f64, axial: f64, direction: f64, length: f64, side: String,
@@ -141,7 +151,8 @@ calyx_abi::externs! {
         let placed = Placing { along, axial, direction, length }.on(&gear);
         let placed = placed.map_err(|error| host.refused(Refusal::from(error), place))?;
         let gauge = Gauge {
-            body: id, place: placed, direction, length, loaded_side: side == "loaded", tooth, material: gear.material,
+            body: id, place: placed, direction, length, side: side_named(&side, gear.form().internal), tooth,
+            material: gear.material,
         };
         Ok(keep(&mut host.gauges, gauge))
     }

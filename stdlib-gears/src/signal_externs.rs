@@ -1,19 +1,22 @@
 //! What programs ask of outputs in the frequency domain: spectra, spectrograms, order maps, transfer functions.
 
+use crate::bearings::GROUND;
 use crate::error::Severity;
 use crate::externs::{body, host, refusal};
 use crate::host::{AskedSignal, Finding, ModelHost};
 use calyx_abi::externs::Handle;
 use calyx_abi::{Context, RuntimeError};
 use calyx_runtime::motion::{Stance, pose_in_space};
-use calyx_runtime::signal::{Signal, SignalKind, SignalRequest, Span, Window, evaluate};
+use calyx_runtime::results::StepRow;
+use calyx_runtime::signal::{Scaling, Signal, SignalKind, SignalRequest, Span, Window, evaluate};
 
 calyx_abi::externs! {
     Scene fn calyx_gears_spectrum(
-        context, of: String, from: f64, to: f64, window: String, piece: f64, highest: f64,
+        context, of: String, from: f64, to: f64, window: String, piece: f64, scaling: String, highest: f64,
     ) -> () {
         let piece = (positive("piece", piece)? > 0.0).then_some(piece);
-        ask(context, of, [from, to], highest, SignalKind::Spectrum { window: named(&window)?, piece })
+        let scaling = if scaling == "density" { Scaling::Density } else { Scaling::Amplitude };
+        ask(context, of, [from, to], highest, SignalKind::Spectrum { window: named(&window)?, piece, scaling })
     }
 
     Scene fn calyx_gears_spectrogram(
@@ -24,12 +27,17 @@ calyx_abi::externs! {
     }
 
     Scene fn calyx_gears_order_map(
-        context, of: String, shaft: Handle, from: f64, to: f64, turns: f64, highest: f64, window: String,
+        context, of: String, shaft: Handle, angle: String, from: f64, to: f64, turns: f64, highest: f64, window: String,
     ) -> () {
-        let shaft = body(context, "shaft", shaft)?;
+        let shaft = if shaft == GROUND { None } else { Some(body(context, "shaft", shaft)?) };
+        let ahead = (!angle.is_empty()).then_some(angle);
+        if shaft.is_none() && ahead.is_none() {
+            return Err(refusal("E0778", "shaft", "it is not said whose turns are counted",
+                "give the `shaft`, or the name of an output that is its `angle`"));
+        }
         let (turns, highest) = (more_than_none("turns", turns)?, more_than_none("highest", highest)?);
         let window = named(&window)?;
-        ask(context, of, [from, to], highest, SignalKind::OrderMap { shaft, turns, highest, window })
+        ask(context, of, [from, to], highest, SignalKind::OrderMap { shaft, ahead, turns, highest, window })
     }
 
     Scene fn calyx_gears_transfer_function(
@@ -93,18 +101,31 @@ fn ask(
 ///
 /// # Errors
 /// E0775: one is not.
-pub(crate) fn check(host: &ModelHost) -> Result<(), RuntimeError> {
+pub fn check(host: &ModelHost) -> Result<(), RuntimeError> {
     for AskedSignal { request, place } in &host.asked_signals {
-        if host.outputs.iter().any(|output| output.name == request.of) {
-            continue;
+        let ahead = match &request.kind {
+            SignalKind::OrderMap { ahead: Some(ahead), .. } => Some(("angle", ahead)),
+            _ => None,
+        };
+        for (argument, name) in [("of", &request.of)].into_iter().chain(ahead) {
+            if output(host, name).is_some() {
+                continue;
+            }
+            let known: Vec<&str> = host.outputs.iter().map(|output| output.name.as_str()).collect();
+            let message = format!("the model has no output called \"{name}\"");
+            let help = match known.is_empty() {
+                true => "declare one, such as `output te := gears.transmission_error(mesh);`".to_owned(),
+                false => format!("its outputs are {}", known.join(", ")),
+            };
+            let error = refusal("E0775", argument, &message, &help);
+            return Err(RuntimeError { place: Some(*place), ..error });
         }
-        let known: Vec<&str> = host.outputs.iter().map(|output| output.name.as_str()).collect();
-        let message = format!("the model has no output called \"{}\"", request.of);
-        let help = format!("its outputs are {}", known.join(", "));
-        let error = refusal("E0775", "of", &message, &help);
-        return Err(RuntimeError { place: Some(*place), ..error });
     }
     Ok(())
+}
+
+fn output(host: &ModelHost, name: &str) -> Option<usize> {
+    host.outputs.iter().position(|output| output.name == name)
 }
 
 /// Answers all requests from the rows of the analysis that is done. What the rows cannot show is told (E0776, E0777), and takes nothing else of the
@@ -114,14 +135,19 @@ pub(crate) fn answer(host: &mut ModelHost) {
     let mut answers: Vec<Signal> = Vec::with_capacity(host.asked_signals.len());
     let mut findings = Vec::new();
     for AskedSignal { request, place } in &host.asked_signals {
-        let Some(output) = host.outputs.iter().position(|output| output.name == request.of) else { continue };
-        let angle = |time: f64| {
-            let SignalKind::OrderMap { shaft, .. } = request.kind else { return 0.0 };
-            let body = host.scene.bodies.get(shaft.0);
-            let pose = body.and_then(|body| pose_in_space(body.motion.as_ref(), time).ok());
-            pose.map_or(f64::NAN, |pose| Stance::of(&pose).angle)
+        let Some(of) = output(host, &request.of) else { continue };
+        let angle = |row: &StepRow| {
+            let SignalKind::OrderMap { shaft, ahead, .. } = &request.kind else { return 0.0 };
+            let framed = shaft.map_or(0.0, |shaft| {
+                let body = host.scene.bodies.get(shaft.0);
+                let pose = body.and_then(|body| pose_in_space(body.motion.as_ref(), row.position.time).ok());
+                pose.map_or(f64::NAN, |pose| Stance::of(&pose).angle)
+            });
+            let ahead =
+                ahead.as_ref().map_or(Some(0.0), |ahead| Some(row.outputs.get(output(host, ahead)?)?.value));
+            framed + ahead.unwrap_or(f64::NAN)
         };
-        match evaluate(request, &result.rows, output, angle) {
+        match evaluate(request, &result.rows, of, angle) {
             Ok(answer) => answers.push(answer),
             Err(error) => findings.push(Finding {
                 severity: Severity::Warning,

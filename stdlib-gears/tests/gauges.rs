@@ -10,7 +10,7 @@ use calyx_gears::rack::Rack;
 use calyx_runtime::load::Wrench;
 use calyx_runtime::material::Material;
 use calyx_runtime::motion::SteadyRotation;
-use calyx_runtime::observe::{Gauge, GaugeReading, MaxRootStress, Observable, Reading};
+use calyx_runtime::observe::{FilletSide, Gauge, GaugeReading, MaxRootStress, Observable, Reading};
 use calyx_runtime::plan::Plan;
 use calyx_runtime::profile::Profile;
 use calyx_runtime::results::Observed;
@@ -70,7 +70,7 @@ fn with_pair(
 fn gauge(body: BodyId, gear: &GearPrototype, placing: Placing) -> Gauge {
     let place = placing.on(gear).expect("within the fillet");
     let Placing { direction, length, .. } = placing;
-    Gauge { body, place, direction, length, loaded_side: true, tooth: None, material: gear.material }
+    Gauge { body, place, direction, length, side: FilletSide::Loaded, tooth: None, material: gear.material }
 }
 
 #[test]

@@ -11,6 +11,7 @@ use calyx_abi::description::{FileDescription, ModelDescription};
 use calyx_abi::{Cancel, Context, Purity, RuntimeError};
 use calyx_gears::externs::{check_plan, check_unheld};
 use calyx_gears::host::ModelHost;
+use calyx_gears::signal_externs::check as check_signals;
 use calyx_lang::diagnostic::Diagnostic;
 use calyx_lang::ir::{Program, SiteId};
 use calyx_lang::span::Span;
@@ -162,6 +163,10 @@ fn elaborate_with(
                     Ok(plan) => planned = Some(Planned::of(host, &plan, interpreted.description())),
                     Err(error) => found.push(at_place(&error)),
                 }
+            }
+            // An analysis says it itself; there may be none yet.
+            if host.asked.is_none() {
+                found.extend(check_signals(host).err().iter().map(at_place));
             }
         }
         let tables = host.tables.iter();

@@ -146,9 +146,9 @@ pub const CODES: &[Explanation] = codes! {
     "E0766" "a blow that takes no time" "An impulse is half a wave of a sine over a positive time: a few steps, and much shorter than the periods that are looked at."
     "E0767" "a body that turns too fast for its modes" "Component modes are those of a body at rest, with forces of Coriolis and the load of centrifugal force. That tension stiffens a turning body and turning softens it is left out; both change a natural frequency by parts of the order of the square of angular velocity by natural angular frequency. Beyond a tenth of a body's lowest one positions say so, beyond half of it an analysis ends. Let the body turn slower, make it stiffer, or leave modes out by `highest_frequency = 0 Hz`."
     "E0770" "a mode that there is not" "Modes about an equilibrium are counted from 1, from the lowest natural frequency up; there are as many as freedoms that are not held."
-    "E0775" "a signal of an output that there is not" "Spectra are of outputs, by their names. The message lists those that the model has."
-    "E0776" "too few samples for a spectrum" "A spectrum needs several samples in its range of time, and maps as many as their pieces are long. Analyse a longer time, widen the range, or shorten the pieces."
+    "E0775" "a signal of an output that there is not" "Spectra are of outputs, by their names; so is the angle of an order map. The message lists those that the model has."
+    "E0776" "too few samples for a spectrum" "A spectrum needs at least 4 samples in its range of time, and in each of its pieces; no piece is longer than the range. Orders need a shaft that turns one way, by less than a quarter of a turn a sample. Analyse a longer time, widen the range, keep more rows, or take pieces of another length."
     "E0777" "samples that are not equally far apart" "Spectra are of equal steps. Where an analysis has ranges of different steps, take one of them by `from` and `to`; `mesh_cycle` and `times` are uniform."
-    "E0778" "a request for a signal that cannot be" "Pieces, turns, frequencies and momenta are positive numbers, and a range ends after it begins."
+    "E0778" "a request for a signal that cannot be" "Pieces, turns, frequencies and momenta are positive numbers, a range ends after it begins, and an order map has a shaft or an angle."
     "E0799" "a defect of Calyx; please report it with the model" "Something inside Calyx contradicts itself. It is not the model's fault."
 };

@@ -221,12 +221,14 @@ pub fn head(description: &ModelDescription, params: &[ParamValue]) -> Value {
     })
 }
 
-/// Writes `run.json` and `timing.json` of a finished run. `result` is `None` for a model without an analysis.
+/// Writes `run.json` and `timing.json` of a finished run. `result` is `None` for a model without an analysis; `signals` are those of
+/// [`crate::signals::list`].
 pub fn write_run(
     directory: &Path,
     description: &ModelDescription,
     params: &[ParamValue],
     result: Option<&AnalysisResult>,
+    signals: Value,
     warnings: &[String],
     stages: &Stages,
 ) -> io::Result<()> {
@@ -247,6 +249,7 @@ pub fn write_run(
             "equilibrium": result.certificate.equilibrium,
         });
         run["ignored_inputs"] = json!(ignored.collect::<Map<_, _>>());
+        run["signals"] = signals;
     }
     run["warnings"] = json!(warnings);
     write_json(directory.join("run.json"), &run)?;

@@ -142,7 +142,9 @@ pub fn run(program: Arc<dyn Program>, options: &RunOptions) -> Result<RunReport,
     written.extend(all_warnings.iter().cloned());
     let result = results.analysis();
     signals::write(directory, description, results.signals()).map_err(unwritable)?;
-    write_run(directory, description, results.params(), result, &written, &stages).map_err(unwritable)?;
+    let listed = signals::list(description, results.signals());
+    write_run(directory, description, results.params(), result, listed, &written, &stages)
+        .map_err(unwritable)?;
     journal::remove(directory).map_err(unwritable)?;
     let ignored = result.iter().flat_map(|result| &result.plan.ignored);
     let ignored =

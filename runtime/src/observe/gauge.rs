@@ -4,7 +4,7 @@
 //! them the components are cubics through the nearest places, which recovered stress follows to well below what the mesh leaves of it. A gauge
 //! of some length reads the mean along its line, as its foil does.
 
-use super::stress::{Fillets, RootStress, Teeth, stresses};
+use super::stress::{FilletSide, Fillets, RootStress, Teeth, stresses};
 use super::{Equilibrium, Observable, Quantity};
 use crate::fe::quadrature::gauss_legendre;
 use crate::material::Material;
@@ -26,8 +26,8 @@ pub struct Gauge {
     pub direction: f64,
     /// Over which it averages, m; 0 reads a point.
     pub length: f64,
-    /// Beside the loaded flank, or beside the other one.
-    pub loaded_side: bool,
+    /// On which side of the tooth: of [`FilletSide::Both`] and of a planet's loaded flanks it reads two fillets, and tells the larger value.
+    pub side: FilletSide,
     /// On which tooth; of `None`, on all of them: the loaded teeth and two neighbours on either side are what one tooth goes through.
     pub tooth: Option<u32>,
     /// Of the body: makes strain of stress, and the stress across a plane model's section.
@@ -67,11 +67,7 @@ impl Observable for GaugeReading {
 
     fn value(&self, at: &Equilibrium<'_>) -> Observed {
         let GaugeReading(gauge, reading) = self;
-        let of = Fillets {
-            teeth: gauge.tooth.map_or(Teeth::Near(2), Teeth::One),
-            loaded_side: gauge.loaded_side,
-            other_side: !gauge.loaded_side,
-        };
+        let of = Fillets { teeth: gauge.tooth.map_or(Teeth::Near(2), Teeth::One), side: gauge.side };
         let Some(stresses) = stresses(at, gauge.body, of) else { return Observed::number(f64::NAN) };
         let fillets = stresses.chunk_by(|a, b| (a.place.tooth, a.surface) == (b.place.tooth, b.surface));
         let read = |fillet: &[RootStress]| {
@@ -265,7 +261,7 @@ mod tests {
     fn gauge(direction: f64) -> Gauge {
         let place = [1.13e-3, 2.7e-3];
         let (body, material) = (BodyId(0), STEEL);
-        Gauge { body, place, direction, length: 0.0, loaded_side: true, tooth: None, material }
+        Gauge { body, place, direction, length: 0.0, side: FilletSide::Loaded, tooth: None, material }
     }
 
     #[test]

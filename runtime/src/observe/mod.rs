@@ -29,7 +29,7 @@ pub use mesh::{MeshStiffness, SecantStiffness, TransmissionError, UnloadedTransm
 pub use places::{Coordinate, Maximum, PlaceOf};
 pub use pressure::{MaxContactPressure, MaxEdgePressure};
 pub use sliding::{Efficiency, FrictionLoss, MaxSlidingVelocity, SlidingVelocity};
-pub use stress::{MaxRootCompression, MaxRootStress};
+pub use stress::{FilletSide, MaxRootCompression, MaxRootStress};
 pub use vibration::{ModeShare, NaturalFrequency, Vibrations};
 
 use crate::results::Observed;

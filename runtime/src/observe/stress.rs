@@ -30,12 +30,24 @@ pub(super) enum Teeth {
     One(u32),
 }
 
+/// On which sides of the teeth fillets are looked at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FilletSide {
+    /// Beside the flanks that carry load: both, of a planet that is pressed on from both sides.
+    Loaded,
+    /// On the other side of the teeth from those.
+    Other,
+    /// Beside one flank, as [`Chart::surface`] counts them, loaded or not.
+    Flank(u32),
+    /// Both.
+    Both,
+}
+
 /// The fillets of a gear that are looked at.
 #[derive(Clone, Copy)]
 pub(super) struct Fillets {
     pub teeth: Teeth,
-    pub loaded_side: bool,
-    pub other_side: bool,
+    pub side: FilletSide,
 }
 
 impl Fillets {
@@ -49,8 +61,13 @@ impl Fillets {
             };
             for step in 0..count {
                 let tooth = (first + step) % teeth;
-                near.extend(self.loaded_side.then_some((tooth, surface)));
-                near.extend((self.other_side && surface < 2).then(|| (tooth, 1 - surface)));
+                let other = (surface < 2).then(|| (tooth, 1 - surface));
+                match self.side {
+                    FilletSide::Loaded => near.push((tooth, surface)),
+                    FilletSide::Other => near.extend(other),
+                    FilletSide::Flank(flank) => near.push((tooth, flank)),
+                    FilletSide::Both => near.extend([(tooth, surface)].into_iter().chain(other)),
+                }
             }
         }
         near.sort_unstable();
@@ -148,7 +165,7 @@ pub(super) fn stresses(at: &Equilibrium<'_>, body: BodyId, of: Fillets) -> Optio
 
 /// The stresses in the fillets on both sides of the loaded teeth and their neighbours. `None` of a body that is not modelled.
 pub(super) fn around_contact(at: &Equilibrium<'_>, body: BodyId) -> Option<Vec<RootStress>> {
-    stresses(at, body, Fillets { teeth: Teeth::Near(1), loaded_side: true, other_side: true })
+    stresses(at, body, Fillets { teeth: Teeth::Near(1), side: FilletSide::Both })
 }
 
 /// The largest principal stress in the fillets of a body, on its loaded side. Pa.
@@ -161,10 +178,9 @@ impl Observable for MaxRootStress {
     }
 
     fn value(&self, at: &Equilibrium<'_>) -> Observed {
-        largest(
-            stresses(at, self.0, Fillets { teeth: Teeth::Near(1), loaded_side: true, other_side: false }),
-            |stress| stress.principal[0],
-        )
+        largest(stresses(at, self.0, Fillets { teeth: Teeth::Near(1), side: FilletSide::Loaded }), |stress| {
+            stress.principal[0]
+        })
     }
 
     fn stresses_of(&self) -> Option<BodyId> {

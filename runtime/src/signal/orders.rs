@@ -2,16 +2,19 @@
 //!
 //! What a tachometer does with pulses the angle of the shaft does here, which is known at every sample.
 
-use super::spectrum::{pieces, spectrum};
+use super::spectrum::{padded_spectrum, pieces_of_map};
 use super::{Uniform, Window};
 use std::f64::consts::{PI, TAU};
 
 /// Samples on either side that a value between samples is made of.
-const REACH: isize = 24;
+pub(super) const REACH: isize = 24;
 /// Shape of Kaiser's window over them: what it lets through is right to a few millionths up to 0.4 of the sampling rate.
 const KAISER: f64 = 12.0;
 /// Points of the polynomial by which the angle is found between samples: it is smooth.
 const STENCIL: usize = 6;
+
+/// Parts of a turn that pieces may be whole numbers of.
+const PARTS: u32 = 64;
 
 /// Amplitudes over speed and order.
 #[derive(Clone, Debug, PartialEq)]
@@ -24,15 +27,20 @@ pub struct OrderMap {
     pub amplitudes: Vec<Vec<f64>>,
 }
 
-/// Order spectra of pieces of `turns` turns, which overlap by half. `angles` (rad) are those of the shaft at the samples, going one way.
+/// Order spectra of pieces of `turns` turns, which overlap. `angles` (rad) are those of the shaft at the samples, going one way.
 /// Empty where the shaft does not turn so far.
+///
+/// Every whole order has a line, on which a sine of that order shows its amplitude: of pieces that are no whole number of turns the lines are
+/// those of the next one.
 pub fn order_map(signal: &Uniform, angles: &[f64], turns: f64, highest: f64, window: Window) -> OrderMap {
     let mut map = OrderMap { speeds: Vec::new(), orders: Vec::new(), amplitudes: Vec::new() };
-    let Some((by_angle, times)) = resample_by_angle(signal, angles, highest) else { return map };
-    let count = (turns * TAU / by_angle.step).round() as usize;
-    for first in pieces(&by_angle, count) {
-        let spectrum = spectrum(&by_angle.part(first, count), window);
-        let lines = (highest / (spectrum.resolution * TAU)).floor() as usize + 1;
+    let Some((by_angle, times)) = resample_by_angle(signal, angles, highest, turns) else { return map };
+    let a_turn = (TAU / by_angle.step).round();
+    let (count, lines_of) = ((turns * a_turn).round() as usize, (turns.ceil() * a_turn) as usize);
+    for first in pieces_of_map(&by_angle, count) {
+        let spectrum = padded_spectrum(&by_angle.part(first, count), window, lines_of);
+        // The highest order is a whole number of lines more often than its digits say.
+        let lines = (highest / (spectrum.resolution * TAU) + 1e-9).floor() as usize + 1;
         let shown = lines.min(spectrum.amplitudes.len());
         map.speeds.push(by_angle.step * (count - 1) as f64 / (times[first + count - 1] - times[first]));
         map.orders = (0..shown).map(|line| spectrum.frequency(line) * TAU).collect();
@@ -42,9 +50,15 @@ pub fn order_map(signal: &Uniform, angles: &[f64], turns: f64, highest: f64, win
 }
 
 /// The signal at equal steps of the angle (rad) through which the shaft has turned, in the direction in which it turns, and the times (s) of
-/// these samples. As many a turn as show orders up to `highest`, and no fewer than there were. Of both ends a few samples are left out, for want of neighbours.
+/// these samples. As many a turn as show orders up to `highest`, no fewer than there were, and a whole number of them in pieces of so many `turns` where that
+/// can be. Of both ends a few samples are left out, for want of neighbours.
 /// `None` if the shaft rests or turns back, or there are too few samples.
-pub fn resample_by_angle(signal: &Uniform, angles: &[f64], highest: f64) -> Option<(Uniform, Vec<f64>)> {
+pub fn resample_by_angle(
+    signal: &Uniform,
+    angles: &[f64],
+    highest: f64,
+    turns: f64,
+) -> Option<(Uniform, Vec<f64>)> {
     let count = signal.values.len().min(angles.len());
     let margin = REACH as usize;
     let sense = (angles.last()? - angles.first()?).signum();
@@ -55,7 +69,9 @@ pub fn resample_by_angle(signal: &Uniform, angles: &[f64], highest: f64) -> Opti
     let slowest = turned.windows(2).map(|pair| pair[1] - pair[0]).fold(f64::INFINITY, f64::min);
     let (first, last) = (turned[margin], turned[count - 1 - margin]);
     // What the signal shows at the slowest speed must not be mistaken for a lower order; nor is more kept than can be told apart.
-    let a_turn = (2.56 * highest).max(TAU / slowest).min(count as f64 * 64.0 * TAU / (last - first)).ceil();
+    let enough = (2.56 * highest).max(TAU / slowest).min(count as f64 * 64.0 * TAU / (last - first)).ceil();
+    let whole = |a_turn: f64| (turns * a_turn - (turns * a_turn).round()).abs() < 1e-9;
+    let a_turn = (0..PARTS).map(|more| enough + f64::from(more)).find(|more| whole(*more)).unwrap_or(enough);
     let step = TAU / a_turn;
     let samples = ((last - first) / step).floor() as usize + 1;
     let mut at = margin;

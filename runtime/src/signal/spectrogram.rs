@@ -1,6 +1,6 @@
 //! How a spectrum changes with time: spectra of short pieces, side by side.
 
-use super::spectrum::pieces;
+use super::spectrum::pieces_of_map;
 use super::{Uniform, Window, spectrum};
 
 /// Amplitudes over time and frequency.
@@ -14,10 +14,10 @@ pub struct Spectrogram {
     pub amplitudes: Vec<Vec<f64>>,
 }
 
-/// Spectra of pieces of `count` samples that overlap by half; empty where the signal is shorter than one.
+/// Spectra of pieces of `count` samples that overlap; empty where the signal is shorter than one.
 pub fn spectrogram(signal: &Uniform, window: Window, count: usize) -> Spectrogram {
     let mut map = Spectrogram { times: Vec::new(), frequencies: Vec::new(), amplitudes: Vec::new() };
-    for first in pieces(signal, count) {
+    for first in pieces_of_map(signal, count) {
         let spectrum = spectrum(&signal.part(first, count), window);
         map.times.push(signal.start + signal.step * (first as f64 + 0.5 * (count - 1) as f64));
         map.frequencies = spectrum.frequencies();

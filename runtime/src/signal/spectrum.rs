@@ -1,8 +1,9 @@
 //! Amplitude spectra: a windowed Fourier transform, corrected so that sines show their amplitude.
 
 use super::Uniform;
+use super::uniform::FEWEST;
 use realfft::RealFftPlanner;
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 /// Weights of the samples over the length of a signal (Harris, Proc. IEEE 66(1), 1978), in the periodic form.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
@@ -48,6 +49,29 @@ impl Window {
         };
         (0..count).map(weight).collect()
     }
+
+    /// What a long window shows of a sine of amplitude 1 that is `off` lines away: 1 on its line.
+    pub fn response(self, off: f64) -> f64 {
+        let nearest = off.round();
+        // Between lines each term of the series has a sine by its distance; on the line of a term that term alone is seen.
+        let beside = off - nearest;
+        if beside.abs() < 1e-9 {
+            let term = self.terms().get(nearest.abs() as usize).copied().unwrap_or(0.0);
+            return if nearest == 0.0 { 1.0 } else { 0.5 * term / self.terms()[0] };
+        }
+        let term = |(n, term): (usize, &f64)| {
+            let sign = if n.is_multiple_of(2) { 1.0 } else { -1.0 };
+            sign * term * off / (off * off - (n * n) as f64)
+        };
+        let sum: f64 = self.terms().iter().enumerate().map(term).sum();
+        ((PI * off).sin() / PI * sum) / self.terms()[0]
+    }
+
+    /// The width of a line that lets through as much of a noise, in lines: 1 of the rectangular window.
+    pub fn noise_width(self) -> f64 {
+        let (first, others) = self.terms().split_first().unwrap_or((&1.0, &[]));
+        1.0 + others.iter().map(|term| 0.5 * (term / first).powi(2)).sum::<f64>()
+    }
 }
 
 /// One-sided amplitudes at uniform frequencies from 0 to half of the sampling rate.
@@ -59,12 +83,27 @@ pub struct Spectrum {
     pub amplitudes: Vec<f64>,
     /// Of each line, rad: of `cos(2 pi f t + phase)` from the first sample on. Of averages, none: all are 0.
     pub phases: Vec<f64>,
+    /// How many samples it is of; an even number of them has a line at half of the sampling rate.
+    pub samples: usize,
 }
 
 impl Spectrum {
     /// Of a line.
     pub fn frequency(&self, line: usize) -> f64 {
         self.resolution * line as f64
+    }
+
+    /// The power spectral density of a signal that was seen through a window, one-sided: mean square by frequency, in the unit of the signal
+    /// squared by that of the resolution. Without the mean; of noise the same whatever the resolution.
+    pub fn density(&self, window: Window) -> Vec<f64> {
+        let width = window.noise_width() * self.resolution;
+        let square = |(line, amplitude): (usize, &f64)| match line {
+            0 => 0.0,
+            // The line at half of the sampling rate: its sine is sampled where it is largest.
+            line if 2 * line == self.samples => amplitude * amplitude / width,
+            _ => 0.5 * amplitude * amplitude / width,
+        };
+        self.amplitudes.iter().enumerate().map(square).collect()
     }
 
     /// All lines.
@@ -75,45 +114,65 @@ impl Spectrum {
 
 /// The spectrum of a signal. Its mean is taken out before it is weighted, so that it does not leak into the lines beside it.
 pub fn spectrum(signal: &Uniform, window: Window) -> Spectrum {
-    let count = signal.values.len();
-    let weights = window.weights(count);
+    padded_spectrum(signal, window, signal.values.len())
+}
+
+/// The same with lines as of a signal of at least as many samples: zeros behind it show what is between its own lines.
+pub(super) fn padded_spectrum(signal: &Uniform, window: Window, lines_of: usize) -> Spectrum {
+    let count = lines_of.max(signal.values.len());
+    let weights = window.weights(signal.values.len());
     let gain: f64 = weights.iter().sum();
     let mean = signal.mean();
     let mut input: Vec<f64> =
         signal.values.iter().zip(&weights).map(|(value, weight)| (value - mean) * weight).collect();
+    input.resize(count, 0.0);
     let transform = RealFftPlanner::<f64>::new().plan_fft_forward(count);
     let mut lines = transform.make_output_vec();
     // It fails for buffers of other lengths alone, and these are its own.
     let _ = transform.process(&mut input, &mut lines);
-    let last = lines.len().saturating_sub(1);
     let amplitude = |(line, value): (usize, &realfft::num_complex::Complex<f64>)| match line {
         0 => mean,
         // The line at half of the sampling rate has no twin.
-        line if line == last && count.is_multiple_of(2) => value.norm() / gain,
+        line if 2 * line == count => value.norm() / gain,
         _ => 2.0 * value.norm() / gain,
     };
     let amplitudes = lines.iter().enumerate().map(amplitude).collect();
     let phases = lines.iter().enumerate().map(|(line, value)| if line == 0 { 0.0 } else { value.arg() });
-    Spectrum { resolution: 1.0 / signal.duration(), amplitudes, phases: phases.collect() }
+    let (resolution, phases) = (1.0 / (signal.step * count as f64), phases.collect());
+    Spectrum { resolution, amplitudes, phases, samples: count }
 }
 
 /// The root mean square of the spectra of pieces of `count` samples that overlap by half (Welch, IEEE Trans. Audio 15(2), 1967): noise
-/// evens out, and lines are as wide as a piece is short. The whole signal if it is no longer than a piece.
-pub fn averaged_spectrum(signal: &Uniform, window: Window, count: usize) -> Spectrum {
+/// evens out, and lines are as wide as a piece is short. `None` of a signal shorter than a piece, or pieces of fewer than four samples.
+pub fn averaged_spectrum(signal: &Uniform, window: Window, count: usize) -> Option<Spectrum> {
     let spectra: Vec<Spectrum> =
         pieces(signal, count).map(|first| spectrum(&signal.part(first, count), window)).collect();
-    let Some(one) = spectra.first() else { return spectrum(signal, window) };
+    let one = spectra.first()?;
     let mean = |line: usize| {
         let square: f64 = spectra.iter().map(|spectrum| spectrum.amplitudes[line].powi(2)).sum();
         (square / spectra.len() as f64).sqrt()
     };
     let mut amplitudes: Vec<f64> = (0..one.amplitudes.len()).map(mean).collect();
     amplitudes[0] = spectra.iter().map(|spectrum| spectrum.amplitudes[0]).sum::<f64>() / spectra.len() as f64;
-    Spectrum { resolution: one.resolution, phases: vec![0.0; amplitudes.len()], amplitudes }
+    Some(Spectrum { phases: vec![0.0; amplitudes.len()], amplitudes, ..*one })
 }
 
 /// First samples of pieces of `count` that overlap by half.
-pub(super) fn pieces(signal: &Uniform, count: usize) -> impl Iterator<Item = usize> {
-    let (hop, length) = ((count / 2).max(1), signal.values.len());
-    (0..length).step_by(hop).take_while(move |first| count >= 4 && first + count <= length)
+fn pieces(signal: &Uniform, count: usize) -> impl Iterator<Item = usize> {
+    pieces_every(signal, count, count / 2)
+}
+
+/// First samples of the pieces of a map. They overlap by seven eighths, so that what rises and falls within a piece is seen to, but for long
+/// signals of which that would be many: those overlap less, and by half at least.
+pub(super) fn pieces_of_map(signal: &Uniform, count: usize) -> impl Iterator<Item = usize> {
+    let between = signal.values.len().saturating_sub(count) / MOST_PIECES;
+    pieces_every(signal, count, between.max(count / 8).min(count / 2))
+}
+
+/// Pieces of a map, unless they would overlap by less than half.
+const MOST_PIECES: usize = 400;
+
+fn pieces_every(signal: &Uniform, count: usize, hop: usize) -> impl Iterator<Item = usize> {
+    let (hop, length) = (hop.max(1), signal.values.len());
+    (0..length).step_by(hop).take_while(move |first| count >= FEWEST && first + count <= length)
 }

@@ -5,6 +5,9 @@ use crate::error::EngineError;
 /// Samples stand off their uniform places by no more than this part of a step.
 const UNIFORM: f64 = 1e-6;
 
+/// Samples that a spectrum needs.
+pub(super) const FEWEST: usize = 4;
+
 /// Samples at `start + k step`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Uniform {
@@ -23,10 +26,10 @@ impl Uniform {
     /// E0776: there are fewer than four, E0777: they are not uniform.
     pub fn of(times: &[f64], values: &[f64]) -> Result<Uniform, EngineError> {
         let count = times.len().min(values.len());
-        if count < 4 {
+        if count < FEWEST {
             return Err(EngineError::new(
                 "E0776",
-                format!("a spectrum needs at least 4 samples, and there are {count}"),
+                format!("a spectrum needs at least {FEWEST} samples, and there are {count}"),
                 "analyse more positions, or widen the range from `from` to `to`",
             ));
         }

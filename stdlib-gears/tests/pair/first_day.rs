@@ -7,10 +7,11 @@ use calyx_gears::gauging::{Along, Placing};
 use calyx_gears::mesh_geometry::MeshGeometry;
 use calyx_runtime::analysis::mesh_cycle;
 use calyx_runtime::observe::{
-    Coordinate, Displacement, Efficiency, FaceLoadFactor, FrictionLoss, Gauge, GaugeReading, HighestContact,
-    LoadedFace, LowestContact, MaxLineLoad, MaxRootCompression, MaxRootStress, MaxSlidingVelocity, Maximum,
-    Observable, PairLoad, PairsInContact, PlaceOf, Reading, Rotation, SecantStiffness, SlidingVelocity,
-    SupportForce, SupportMoment, ToothLoad, TransmissionError, UnloadedTransmissionError,
+    Coordinate, Displacement, Efficiency, FaceLoadFactor, FilletSide, FrictionLoss, Gauge, GaugeReading,
+    HighestContact, LoadedFace, LowestContact, MaxLineLoad, MaxRootCompression, MaxRootStress,
+    MaxSlidingVelocity, Maximum, Observable, PairLoad, PairsInContact, PlaceOf, Reading, Rotation,
+    SecantStiffness, SlidingVelocity, SupportForce, SupportMoment, ToothLoad, TransmissionError,
+    UnloadedTransmissionError,
 };
 use calyx_runtime::results::Observed;
 use calyx_runtime::scene::{BodyId, GearMesh};
@@ -34,11 +35,11 @@ fn at_each(
 }
 
 /// A gauge along the profile of the chapter 5 pair without modifications.
-fn gauge(body: BodyId, radius: f64, loaded_side: bool) -> Gauge {
+fn gauge(body: BodyId, radius: f64, side: FilletSide) -> Gauge {
     let placing = Placing { along: Along::Radius(radius), axial: 0.0, direction: 0.0, length: 0.0 };
     let gear = &PLAIN[body.0].prototype;
     let place = placing.on(gear).expect("a place in the fillet");
-    Gauge { body, place, direction: 0.0, length: 0.0, loaded_side, tooth: None, material: gear.material }
+    Gauge { body, place, direction: 0.0, length: 0.0, side, tooth: None, material: gear.material }
 }
 
 fn close(a: f64, b: f64, tolerance: f64) -> bool {
@@ -193,17 +194,18 @@ fn places_are_those_of_the_maxima() {
             let compression = value(&MaxRootCompression(body));
             assert!(compression.value > stress.value, "cycle {cycle}: compression is the larger one");
             // A gauge at the place of the largest stress, and one on the other side of the tooth.
-            let gauge_value = value(&GaugeReading(gauge(body, place.radius, true), Reading::Stress));
+            let gauge_value =
+                value(&GaugeReading(gauge(body, place.radius, FilletSide::Loaded), Reading::Stress));
             // As far as the coarse mesh's curve is the fillet's.
             assert!(close(gauge_value.value, stress.value, 1e-3));
             assert!(gauge_value.least.is_some_and(|least| least < 0.0 && least > -stress.value));
             let radius = compression.place.expect("it has a place").radius;
-            let other = gauge(body, radius, false);
+            let other = gauge(body, radius, FilletSide::Other);
             let least = value(&GaugeReading(other, Reading::Stress)).least;
             assert!(least.is_some_and(|least| close(-least, compression.value, 1e-3)), "{least:?}");
             // Plane strain: along the profile (1 - nu^2) / E of the stress, along the face none, half of it in between.
             let strain = |direction, length| {
-                let gauge = Gauge { direction, length, ..gauge(body, place.radius, true) };
+                let gauge = Gauge { direction, length, ..gauge(body, place.radius, FilletSide::Loaded) };
                 value(&GaugeReading(gauge, Reading::Strain)).value
             };
             let along = gauge_value.value * (1.0 - 0.09) / (3e7 * PSI);
@@ -214,7 +216,7 @@ fn places_are_those_of_the_maxima() {
             assert!((0.9..1.0).contains(&mean), "{mean}");
             // On the loaded tooth it reads the same, on one far off nothing.
             let on = |tooth| {
-                let gauge = Gauge { tooth: Some(tooth), ..gauge(body, place.radius, true) };
+                let gauge = Gauge { tooth: Some(tooth), ..gauge(body, place.radius, FilletSide::Loaded) };
                 value(&GaugeReading(gauge, Reading::LargestPrincipal)).value
             };
             assert!(close(on(place.tooth), stress.value, 1e-3));
@@ -254,7 +256,7 @@ fn a_pair_without_load_has_no_places_and_loses_nothing() {
             &SecantStiffness(MESH),
             &MaxRootCompression(FIRST),
             &LowestContact(SECOND),
-            &GaugeReading(gauge(FIRST, 0.023, true), Reading::Strain),
+            &GaugeReading(gauge(FIRST, 0.023, FilletSide::Loaded), Reading::Strain),
         ] {
             assert_eq!(value(observable).value, 0.0, "{observable:?}");
         }

@@ -1,8 +1,9 @@
 //! How planets share the load: by symmetry where there is one, by linear theory where pins are out of place.
 
-use crate::set::{DISTANCE, SUN_SPEED, SUN_TEETH, Set, SetOptions, TORQUE};
-use calyx_runtime::observe::Equilibrium;
-use calyx_runtime::scene::PairId;
+use crate::set::{DISTANCE, PLANET_TEETH, SUN_SPEED, SUN_TEETH, Set, SetOptions, TORQUE};
+use calyx_runtime::material::Material;
+use calyx_runtime::observe::{Equilibrium, FilletSide, Gauge, GaugeReading, Observable, Reading};
+use calyx_runtime::scene::{BodyId, PairId};
 use calyx_runtime::step::StepResult;
 use calyx_runtime::system::System;
 use std::f64::consts::TAU;
@@ -40,8 +41,7 @@ fn every_body_and_the_ground_are_in_equilibrium() {
             let at = Equilibrium::new(&system, &step);
             let scale = TORQUE / DISTANCE;
             let mut total = [0.0, 0.0, TORQUE];
-            let bodies =
-                set.planets.iter().copied().chain([set.sun, set.ring, calyx_runtime::scene::BodyId(2)]);
+            let bodies = set.planets.iter().copied().chain([set.sun, set.ring, BodyId(2)]);
             for body in bodies {
                 let of = &set.scene.bodies[body.0];
                 let support = at.support(body);
@@ -99,57 +99,142 @@ fn of_four_planets_only_opposite_ones_share_equally() {
     assert!((means[0] - means[1]).abs() > 1e-5, "{means:?}");
 }
 
-/// A planet whose pin is moved on around by `e` gives way by `e (cos a + cos b)` along its two lines of action. Of springs side by side it then
-/// bears less by their stiffness times that, less what all share of it: a sun that rests between three planets leaves two thirds. One that
-/// floats goes where all bear the same.
-#[test]
-fn a_pin_out_of_place_shifts_load_as_linear_theory_says() {
-    let error = 1e-6;
-    let part = 0.3;
-    let with = |error: f64, floating: bool, moment: f64| {
-        let options = SetOptions { floating, moment, ..SetOptions::three() };
-        // Not of the first one, which phases the ring.
-        let pin_errors = vec![[0.0; 2], [0.0, error], [0.0; 2]];
-        let set = Set::of(&SetOptions { pin_errors, ..options }).expect("it goes together");
+/// The part of the cycle at which errors of planets are looked at.
+const PART: f64 = 0.3;
+
+/// Forces of the sun on the planets of a set of three whose second planet is not as it should be.
+fn with_errors(options: SetOptions) -> Vec<f64> {
+    let set = Set::of(&options).expect("it goes together");
+    forces(&set.system(), &set.sun_meshes, PART)
+}
+
+/// Of a set without errors: how far force on a planet grows by what the sun turns, along the line of action, with the forces.
+fn stiffness() -> (f64, Vec<f64>) {
+    let with = |moment: f64| {
+        let set = Set::of(&SetOptions { moment, ..SetOptions::three() }).expect("it goes together");
         let system = set.system();
-        let step = solve(&system, part);
-        let turned = step.motion[0];
-        let radius = set.mesh(set.sun_meshes[0]).base_radii[0];
-        let found = forces(&system, &set.sun_meshes, part);
-        (found, turned * radius, set.mesh(set.ring_meshes[1]).clone())
+        let turned = solve(&system, PART).motion[0] * set.mesh(set.sun_meshes[0]).base_radii[0];
+        (forces(&system, &set.sun_meshes, PART), turned)
     };
-    let (even, low, _) = with(0.0, false, TORQUE);
-    let (more, high, _) = with(0.0, false, 1.05 * TORQUE);
-    let stiffness = (more[0] - even[0]) / (high - low);
-    let (found, _, ring) = with(error, false, TORQUE);
-    // Operating pressure angles, by the base radii.
-    let [planet_radius, ring_radius] = ring.base_radii;
-    let sun_radius = planet_radius * 27.0 / 35.0;
-    let cosines = [(sun_radius + planet_radius) / DISTANCE, (ring_radius - planet_radius) / DISTANCE];
-    let gives = error * (cosines[0] + cosines[1]);
-    assert!((ring.stand_off.abs() * ring_radius / gives - 1.0).abs() < 1e-3, "{} {gives}", ring.stand_off);
+    let ((even, low), (more, high)) = (with(TORQUE), with(1.05 * TORQUE));
+    ((more[0] - even[0]) / (high - low), even)
+}
+
+/// Of springs side by side the second one gives way by `gives`: it bears less by their stiffness times that, less what all share of it. A sun that
+/// rests between three planets leaves two thirds.
+fn bears_less(found: &[f64], gives: f64) {
+    let (stiffness, even) = stiffness();
     let shift: Vec<f64> = found.iter().zip(&even).map(|(found, even)| found - even).collect();
     let expected = -2.0 / 3.0 * stiffness * gives;
     assert!((shift[1] / expected - 1.0).abs() < 0.03, "{shift:?} {expected}");
     for other in [shift[0], shift[2]] {
         assert!((other / shift[1] + 0.5).abs() < 0.02, "{shift:?}");
     }
+}
+
+/// By how much a planet whose pin stands further on around by `error` gives way along its two lines of action, by the operating pressure
+/// angles.
+fn gives_by_pin(error: f64) -> f64 {
+    let set = Set::of(&SetOptions::three()).expect("it goes together");
+    let [planet_radius, ring_radius] = set.mesh(set.ring_meshes[1]).base_radii;
+    let sun_radius = planet_radius * 27.0 / 35.0;
+    error * ((sun_radius + planet_radius) / DISTANCE + (ring_radius - planet_radius) / DISTANCE)
+}
+
+/// A set of three; of the second planet, for the first one phases the ring, the pin stands further on around by `error`.
+fn with_pin(error: f64) -> SetOptions {
+    SetOptions { pin_errors: vec![[0.0; 2], [0.0, error], [0.0; 2]], ..SetOptions::three() }
+}
+
+/// A planet whose pin is moved on around by `e` gives way by `e (cos a + cos b)` along its two lines of action. A sun that floats goes where
+/// all planets bear the same.
+#[test]
+fn a_pin_out_of_place_shifts_load_as_linear_theory_says() {
+    let error = 1e-6;
+    let found = with_errors(with_pin(error));
+    bears_less(&found, gives_by_pin(error));
+    let set = Set::of(&with_pin(error)).expect("it goes together");
+    let mesh = set.mesh(set.ring_meshes[1]);
+    let stand_off = mesh.stand_off.abs() * mesh.base_radii[1];
+    assert!((stand_off / gives_by_pin(error) - 1.0).abs() < 1e-3, "{stand_off}");
     // Opposite errors shift opposite ways.
-    let (back, ..) = with(-error, false, TORQUE);
-    assert!(((back[1] - even[1]) / shift[1] + 1.0).abs() < 0.02, "{back:?}");
+    bears_less(&with_errors(with_pin(-error)), gives_by_pin(-error));
     // A floating sun shares out evenly what it bears, but for the tenth of a thousandth that directions turn.
-    let (floating, ..) = with(10.0 * error, true, TORQUE);
+    let floating = with_errors(SetOptions { floating: true, ..with_pin(10.0 * error) });
     for force in &floating {
         assert!((force / floating[0] - 1.0).abs() < 2e-3, "{floating:?}");
     }
 }
 
-/// Thinner teeth come late in both meshes: that planet bears less.
+/// Teeth that are thinner by `d` at the pitch circle come late in both meshes, by `d cos(a)` together.
 #[test]
-fn a_planet_with_thinner_teeth_bears_less() {
-    let thicknesses = vec![None, Some(4.446e-3), None];
-    let set = Set::of(&SetOptions { thicknesses, ..SetOptions::three() }).expect("it goes together");
+fn thinner_teeth_of_a_planet_shift_load_as_linear_theory_says() {
+    let thinner = 1e-6;
+    let thicknesses = vec![None, Some(4.45e-3 - thinner), None];
+    let found = with_errors(SetOptions { thicknesses, ..SetOptions::three() });
+    bears_less(&found, thinner * 24.6_f64.to_radians().cos());
+}
+
+/// The middle of a planet's teeth is off its axis: where it happens to stand further on around, all is as if the pin did; half a turn of the planet
+/// later it is the other way round.
+#[test]
+fn runout_of_a_planet_is_a_pin_out_of_place_that_turns_with_it() {
+    let error = 1e-6;
+    // As the planet sees the direction around, at the time looked at.
+    let turned = -SUN_SPEED * f64::from(SUN_TEETH) / f64::from(PLANET_TEETH) * PART * PERIOD;
+    let around = |size: f64| [-size * (-turned).sin(), size * (-turned).cos()];
+    for size in [error, -error] {
+        let runouts = vec![[0.0; 2], around(size), [0.0; 2]];
+        let found = with_errors(SetOptions { runouts, ..SetOptions::three() });
+        let as_pin = with_errors(with_pin(size));
+        bears_less(&found, gives_by_pin(size));
+        for (found, expected) in found.iter().zip(&as_pin) {
+            assert!((found / expected - 1.0).abs() < 1e-5, "{found} {expected}");
+        }
+    }
+}
+
+/// Planets anywhere they go together: all of them a place further on are the same set at another time, for a place is 27/126 of a pitch of the
+/// sun.
+#[test]
+fn unequally_spaced_planets_a_place_further_on_bear_the_same_later() {
+    let places = [0.0, 31.0, 60.0, 94.0];
+    let set = |by: f64| {
+        let options = SetOptions::of(places.map(|place| TAU * (place + by) / 126.0).to_vec());
+        Set::of(&options).expect("it goes together")
+    };
+    let (now, further) = (set(0.0), set(1.0));
+    for part in [0.1, 0.6] {
+        let expected = shares(&now.system(), &now.sun_meshes, part);
+        let found = shares(&further.system(), &further.sun_meshes, part + 27.0 / 126.0);
+        for (found, expected) in found.iter().zip(&expected) {
+            assert!((found - expected).abs() < 1e-9, "{part}: {found} {expected}");
+        }
+        // No symmetry makes them equal.
+        assert!(expected.iter().any(|share| (share - expected[0]).abs() > 1e-4), "{expected:?}");
+    }
+}
+
+/// The sun presses on one flank of a planet's teeth, the ring on the other.
+#[test]
+fn a_gauge_names_the_flank_beside_which_it_is() {
+    let set = Set::of(&SetOptions::three()).expect("it goes together");
     let system = set.system();
-    let found = shares(&system, &set.sun_meshes, 0.3);
-    assert!(found[1] < found[0] - 1e-3 && (found[0] - found[2]).abs() < 2e-3, "{found:?}");
+    let step = solve(&system, PART);
+    let at = Equilibrium::new(&system, &step);
+    let read = |body: BodyId, side: FilletSide| {
+        let material = Material::new(206e9, 0.3, 7850.0).expect("steel");
+        let place = [1e-3, 0.0];
+        let gauge = Gauge { body, place, direction: 0.0, length: 0.0, side, tooth: None, material };
+        GaugeReading(gauge, Reading::Stress).value(&at).value
+    };
+    let [planet, sun, ring] = [set.planets[0], set.sun, set.ring].map(|body| {
+        [FilletSide::Flank(0), FilletSide::Flank(1), FilletSide::Loaded, FilletSide::Other]
+            .map(|side| read(body, side))
+    });
+    // The sun pushes counter-clockwise, and is loaded on that flank; the ring is pushed so, on the other.
+    assert!(sun[0] == sun[2] && sun[1] == sun[3] && sun[0] > sun[1], "{sun:?}");
+    assert!(ring[1] == ring[2] && ring[0] == ring[3] && ring[1] > ring[0], "{ring:?}");
+    assert!(planet[2] == planet[0].max(planet[1]) && planet[3] == planet[2], "{planet:?}");
+    assert!(planet[0] > 0.0 && planet[1] > 0.0 && planet[0] != planet[1], "{planet:?}");
 }

@@ -145,6 +145,8 @@ pub struct SetOptions {
     pub spacing: Vec<f64>,
     /// Of each pin from its place, outwards and around, m.
     pub pin_errors: Vec<[f64; 2]>,
+    /// Of each planet from the axis on which it turns, in its own axes, m.
+    pub runouts: Vec<[f64; 2]>,
     /// Of the frame from which all is seen, against the carrier, rad/s.
     pub seen_from: f64,
     /// The sun may move in the plane.
@@ -162,6 +164,7 @@ impl SetOptions {
         SetOptions {
             pin_errors: vec![[0.0; 2]; spacing.len()],
             thicknesses: vec![None; spacing.len()],
+            runouts: vec![[0.0; 2]; spacing.len()],
             spacing,
             seen_from: 0.0,
             floating: false,
@@ -229,7 +232,7 @@ impl Set {
             let radius = DISTANCE + out;
             let pin = [radius * cosine - around * sine, radius * sine + around * cosine];
             let own = [angle, -SUN_SPEED * ratio(PLANET_TEETH)];
-            let motion = Planet { pin, carrier, own, off: [0.0; 2] };
+            let motion = Planet { pin, carrier, own, off: options.runouts[index] };
             let blank = match options.thicknesses[index] {
                 Some(thickness) => external(PLANET_TEETH, thickness, 32e-3),
                 None => PLANET.clone(),

@@ -4,6 +4,7 @@ pub(crate) mod annulus;
 pub(crate) mod bodies;
 mod bore;
 mod disc;
+mod far_stress;
 mod lugs;
 mod revolved_web;
 mod ring;

@@ -1,0 +1,78 @@
+//! Stress in the fillets of teeth far from the load, off the condensed tables, against one mesh of the whole ring.
+
+use super::bodies::{COARSE, STEEL, ring_source, toothed_ring, toothed_sector};
+use super::bore::Direct;
+use crate::fe::{PlaneModel, SparseVector};
+use crate::interrupt::Interrupt;
+use crate::material::Plane;
+use crate::structure::bore::{BoreMeans, Wanted};
+use crate::structure::condense::Assembled;
+use crate::structure::elastic::prepare;
+use crate::structure::{BoreHold, Chart, ElasticStructure, RingSource, SplitOptions, Structure, SurfaceLoad};
+use std::f64::consts::TAU;
+
+const TEETH: u32 = 12;
+
+/// The load of a mesh on its first tooth, on the tooth that stands further on by an angle.
+fn turned(model: &PlaneModel, load: &SparseVector, angle: f64) -> Vec<f64> {
+    let (sin, cos) = angle.sin_cos();
+    let full = load.to_full(model.dof_count());
+    let nodes = &model.mesh.nodes;
+    let mut there = vec![0.0; full.len()];
+    for (node, force) in full.chunks_exact(2).enumerate().filter(|(_, force)| **force != [0.0, 0.0]) {
+        let [x, y] = nodes[node];
+        let [x, y] = [cos * x - sin * y, sin * x + cos * y];
+        let distance = |other: &usize| (nodes[*other][0] - x).hypot(nodes[*other][1] - y);
+        let other = (0..nodes.len()).min_by(|a, b| distance(a).total_cmp(&distance(b))).unwrap();
+        assert!(distance(&other) < 1e-9, "the ring is made of equal sectors");
+        there[2 * other] += cos * force[0] - sin * force[1];
+        there[2 * other + 1] += sin * force[0] + cos * force[1];
+    }
+    there
+}
+
+/// On a bore that gives way the whole ring turns oval, and fillets far from the load with it. Loads stand at the nodes of the tables, where
+/// splines are what was condensed.
+#[test]
+fn stress_on_teeth_far_from_the_load_is_that_of_the_whole_mesh() {
+    let hold = BoreHold::Means { waves: None, degree: 0 };
+    let (model, surfaces) = toothed_sector(TEETH, 1.0, COARSE);
+    let (options, never) = (SplitOptions { samples: 8, ..SplitOptions::default() }, Interrupt::never());
+    let source = RingSource { hold, ..ring_source(TEETH) };
+    let structure = ElasticStructure::ring(&model, &source, &surfaces, &options, &never).unwrap();
+
+    let whole = PlaneModel::new(toothed_ring(TEETH, COARSE), STEEL, Plane::Strain);
+    let bore = whole.mesh.chain("bore").unwrap();
+    let wanted = Wanted { waves: None, degree: 0, coupled: None, lugs: None };
+    let means = BoreMeans::plane(&whole, bore, wanted, &never).unwrap().unwrap();
+    let direct = Direct::new(&Assembled::plane(&whole), &whole.rigid_body_modes(), &means.forms);
+    let prepared = prepare(&whole, &surfaces, &options, &never).unwrap();
+    let (flank, sample) = (1, 5);
+    let (load, s) = (&prepared[flank].loads[0][sample], prepared[flank].surface.spline.nodes()[sample]);
+
+    let mut largest = 0.0_f64;
+    // From the loaded tooth over the last one with a table to the opposite one.
+    for tooth in [0, 1, 3, 4, 5, 6, 8, 11] {
+        let angle = TAU * f64::from(tooth) / f64::from(TEETH);
+        let (displacement, _) = direct.solve(&turned(&whole, load, angle));
+        let loads = [SurfaceLoad { chart: Chart { tooth, surface: flank as u32 }, s, force: 1.0 }];
+        for (surface, prepared) in prepared.iter().enumerate() {
+            let found = structure.stresses(0, surface as u32, &loads);
+            assert!(!found.is_empty() && found.len() == prepared.stress_rows.len());
+            for ((place, stress), row) in found.iter().zip(&prepared.stress_rows) {
+                let expected = row.dot(&displacement);
+                if tooth == 0 {
+                    largest = largest.max(expected.abs());
+                }
+                let error = (stress - expected).abs() / largest;
+                assert!(
+                    error < 1e-8,
+                    "load on tooth {tooth}, {place:?}: {stress:e} {expected:e} ({error:.1e})"
+                );
+            }
+            // There is something to compare.
+            let far = found.iter().fold(0.0_f64, |most, (_, stress)| most.max(stress.abs()));
+            assert!(far > 1e-3 * largest, "tooth {tooth}: {far:e} {largest:e}");
+        }
+    }
+}
