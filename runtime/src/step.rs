@@ -213,17 +213,40 @@ impl System<'_> {
         direction: &[f64],
         elastic: Option<&Elastic<'_>>,
     ) -> Result<StepResult, EngineError> {
+        self.equilibrium(time, load, direction, elastic, None)
+    }
+
+    /// The equilibrium in which a motion in time begins: `sizing` is the load that grids are sized for, as those of its steps, for `load` has inertia in it,
+    /// and may have nothing else.
+    pub(crate) fn begin(
+        &self,
+        time: f64,
+        load: &[f64],
+        elastic: Option<&Elastic<'_>>,
+        sizing: &[f64],
+    ) -> Result<StepResult, EngineError> {
+        self.equilibrium(time, load, load, elastic, Some(sizing))
+    }
+
+    fn equilibrium(
+        &self,
+        time: f64,
+        load: &[f64],
+        direction: &[f64],
+        elastic: Option<&Elastic<'_>>,
+        sizing: Option<&[f64]>,
+    ) -> Result<StepResult, EngineError> {
         let springs = &self.springs_at(time)?;
         let load: Vec<f64> = load.iter().zip(&springs.load).map(|(load, own)| load + own).collect();
         match &self.bodies {
             Bodies::Plane(bodies) => {
                 let space = &plane::Plane { system: self, bodies };
-                Solver { system: self, space, direction, springs, start: &[], elastic, sizing: None }
+                Solver { system: self, space, direction, springs, start: &[], elastic, sizing, in_time: false }
                     .solve(time, &load)
             }
             Bodies::Solid(bodies) => {
                 let space = &solid::Solid { system: self, bodies };
-                Solver { system: self, space, direction, springs, start: &[], elastic, sizing: None }
+                Solver { system: self, space, direction, springs, start: &[], elastic, sizing, in_time: false }
                     .solve(time, &load)
             }
         }
@@ -253,6 +276,7 @@ impl System<'_> {
                     start,
                     elastic,
                     sizing: Some(sizing),
+                    in_time: true,
                 }
                 .take(time, load)
             }
@@ -266,6 +290,7 @@ impl System<'_> {
                     start,
                     elastic,
                     sizing: Some(sizing),
+                    in_time: true,
                 }
                 .take(time, load)
             }
@@ -285,8 +310,10 @@ struct Solver<'a, S> {
     start: &'a [f64],
     /// Modal coordinates that take part.
     elastic: Option<&'a Elastic<'a>>,
-    /// Of a step in time: the load that grids are sized for, whatever the forces of the step are.
+    /// Of motion in time: the load that grids are sized for, whatever the forces of the step are.
     sizing: Option<&'a [f64]>,
+    /// It is a step in time, in which teeth may part.
+    in_time: bool,
 }
 
 /// What modal coordinates are to the cells of a problem from which they are eliminated.
@@ -354,7 +381,7 @@ impl<S: Space> Solver<'_, S> {
         let start = self.start;
         let near = |candidate: &Candidate<S::Site>| candidate.nearest.gap < SEARCH_DEPTH * candidate.length;
         let mut chosen: Vec<bool> = candidates.iter().map(near).collect();
-        if !chosen.contains(&true) && self.sizing.is_none() {
+        if !chosen.contains(&true) && !self.in_time {
             // Frames leave a gap that motions have to close first.
             chosen.fill(true);
         }
@@ -468,7 +495,7 @@ impl<S: Space> Solver<'_, S> {
     ) -> Result<Laid, EngineError> {
         // Bodies that are all held, or sprung, where they overlap press on each other without any load.
         // A step in time has inertia to balance them.
-        if self.sizing.is_none() {
+        if !self.in_time {
             let rest = rest(&self.springs.stiffness, load);
             if rest.balanced
                 && let Some(laid) = self.touch_without_load(time, load, candidates, &rest)?
@@ -509,7 +536,7 @@ impl<S: Space> Solver<'_, S> {
         for ((candidate, grid), drag) in candidates.iter().zip(grids).zip(drags) {
             let (forces, others) = left.split_at(self.space.count(&grid));
             left = others;
-            warnings.extend(self.space.judge(candidate, &grid, forces, self.sizing.is_some()));
+            warnings.extend(self.space.judge(candidate, &grid, forces, self.in_time));
             if forces.iter().any(|&force| force > 0.0) {
                 footholds.push(Foothold {
                     pair: candidate.teeth.0,
@@ -607,7 +634,7 @@ impl<S: Space> Solver<'_, S> {
         laid.map(|(candidate, grid)| {
             let (own, others) = rest.split_at(self.space.count(grid));
             rest = others;
-            self.space.better_size(candidate, grid, own, self.sizing.is_some())
+            self.space.better_size(candidate, grid, own, self.in_time)
         })
         .collect()
     }

@@ -234,7 +234,7 @@ impl<'s> History<'s> {
                     stiffness: squares,
                 };
                 let with = Some(&elastic).filter(|_| count > 0);
-                let mut step = system.solve_under(time, &load, &load, with)?;
+                let mut step = system.begin(time, &load, with, &self.sizing)?;
                 if step.modal.len() != count {
                     step.modal = elastic.load.iter().zip(&elastic.stiffness).map(|(g, d)| g / d).collect();
                 }
