@@ -69,7 +69,8 @@ fn close(found: f64, expected: f64, part: f64) {
 fn a_torque_on_the_ring_is_one_on_the_sun() {
     let analysis = "analyze(\"quasi_static\", over = gears.times(from = 1 ms, to = 5 ms, count = 2));";
     let by_sun = set("sun_speed = 400 rpm, sun_torque = 100 N*m, pin_stiffness = 1e9 N/m", OUTPUTS, analysis);
-    let by_ring = set("sun_speed = 400 rpm, ring_torque = 300 N*m, pin_stiffness = 1e9 N/m", OUTPUTS, analysis);
+    let by_ring =
+        set("sun_speed = 400 rpm, ring_torque = 300 N*m, pin_stiffness = 1e9 N/m", OUTPUTS, analysis);
     for row in 0..2 {
         close(by_sun["ring_moment"][row], 300.0, 1e-3);
         close(by_sun["carrier_moment"][row], -400.0, 1e-3);
@@ -95,7 +96,9 @@ fn whichever_member_is_held_teeth_bear_the_same() {
         "sun_speed = 400 rpm",
         "sun_speed = 0 rpm, ring_speed = -400 rpm",
     ];
-    let all = held.map(|speeds| set(&format!("{speeds}, sun_torque = 100 N*m, pin_stiffness = 1e9 N/m"), OUTPUTS, analysis));
+    let all = held.map(|speeds| {
+        set(&format!("{speeds}, sun_torque = 100 N*m, pin_stiffness = 1e9 N/m"), OUTPUTS, analysis)
+    });
     for other in &all[1..] {
         for force in ["one", "two", "three", "sun_turn", "carrier_moment"] {
             close(other[force][0], all[0][force][0], 1e-8);

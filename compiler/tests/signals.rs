@@ -31,7 +31,8 @@ gears.order_map(\"events\", shaft = one, angle = \"ahead\", turns = 2, highest =
 gears.order_map(\"events\", angle = \"whole\", turns = 2, highest = 20);
 gears.order_map(\"events\", shaft = one, turns = 2, highest = 20);";
     let path = directory.path().join("model.cx");
-    let model = MODEL.replace("SIGNALS", asked).replace("to = 0.1 s - 0.1 s/32, count = 32", "to = 8 s, count = 801");
+    let model =
+        MODEL.replace("SIGNALS", asked).replace("to = 0.1 s - 0.1 s/32, count = 32", "to = 8 s, count = 801");
     fs::write(&path, model).unwrap();
     let output =
         Command::new(env!("CARGO_BIN_EXE_calyx")).arg("run").arg(&path).arg("--no-cache").output().unwrap();

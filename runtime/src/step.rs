@@ -241,13 +241,31 @@ impl System<'_> {
         match &self.bodies {
             Bodies::Plane(bodies) => {
                 let space = &plane::Plane { system: self, bodies };
-                Solver { system: self, space, direction, springs, start: &[], elastic, sizing, in_time: false }
-                    .solve(time, &load)
+                Solver {
+                    system: self,
+                    space,
+                    direction,
+                    springs,
+                    start: &[],
+                    elastic,
+                    sizing,
+                    in_time: false,
+                }
+                .solve(time, &load)
             }
             Bodies::Solid(bodies) => {
                 let space = &solid::Solid { system: self, bodies };
-                Solver { system: self, space, direction, springs, start: &[], elastic, sizing, in_time: false }
-                    .solve(time, &load)
+                Solver {
+                    system: self,
+                    space,
+                    direction,
+                    springs,
+                    start: &[],
+                    elastic,
+                    sizing,
+                    in_time: false,
+                }
+                .solve(time, &load)
             }
         }
     }

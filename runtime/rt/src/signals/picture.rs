@@ -10,6 +10,8 @@ use std::path::Path;
 
 /// Of a picture, in pixels.
 const SIZE: (u32, u32) = (960, 540);
+/// Of what of it the magnitudes of a transfer function take, above its phases.
+const MAGNITUDES: u32 = 330;
 /// Of the legend of a map.
 const LEGEND: u32 = 130;
 /// Orders of magnitude that line spectra show below the largest value.
@@ -32,7 +34,15 @@ pub(super) fn draw(path: &Path, shown: &Shown, signal: &Signal) -> Result<(), Bo
     area.draw(&Text::new(how, (24, 36), ("sans-serif", 13).into_font().color(&BLACK.mix(0.7))))?;
     let below = area.margin(52, 0, 0, 0);
     match &signal.table {
-        SignalTable::Lines { places, values, .. } => lines(&below, shown, signal, places, values)?,
+        SignalTable::Lines { places, values, phases } => match signal.request.kind {
+            // As Bode draws it.
+            SignalKind::TransferFunction { .. } => {
+                let (above, under) = below.split_vertically(MAGNITUDES);
+                lines(&above, shown, signal, places, values)?;
+                phase(&under, places, phases)?;
+            }
+            _ => lines(&below, shown, signal, places, values)?,
+        },
         SignalTable::Map { rows, columns, values } => map(&below, shown, signal, rows, columns, values)?,
     }
     area.present()?;
@@ -110,6 +120,33 @@ fn lines(
             + Text::new(name, (6, -16), ("sans-serif", 12));
         chart.draw_series(std::iter::once(element))?;
     }
+    Ok(())
+}
+
+/// Phases of a transfer function, in degrees.
+fn phase(area: &Area<'_>, places: &[f64], phases: &[f64]) -> Result<(), Box<dyn Error>> {
+    let end = places.last().copied().unwrap_or(1.0);
+    let (scale, unit) = hertz(end);
+    let mut chart = ChartBuilder::on(area)
+        .margin(12)
+        .margin_right(24)
+        .x_label_area_size(44)
+        .y_label_area_size(84)
+        .build_cartesian_2d(0.0..end / scale, -180.0..180.0)?;
+    chart
+        .configure_mesh()
+        .x_desc(format!("frequency [{unit}]"))
+        .y_desc("phase [deg]")
+        .y_labels(5)
+        .axis_desc_style(("sans-serif", 15))
+        .label_style(("sans-serif", 13))
+        .x_label_formatter(&|value| tick(*value))
+        .y_label_formatter(&|value| tick(*value))
+        .light_line_style(BLACK.mix(0.05))
+        .bold_line_style(BLACK.mix(0.15))
+        .draw()?;
+    let drawn = places.iter().zip(phases).map(|(place, phase)| (place / scale, phase.to_degrees()));
+    chart.draw_series(LineSeries::new(drawn, &BLUE))?;
     Ok(())
 }
 
