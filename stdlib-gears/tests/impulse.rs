@@ -11,7 +11,7 @@ use calyx_runtime::load::Wrench;
 use calyx_runtime::observe::{Displacement, NaturalFrequency, Rotation};
 use calyx_runtime::results::OutputRequest;
 use calyx_runtime::scene::{Component, Scene};
-use calyx_runtime::signal::{Uniform, peaks, transfer_function};
+use calyx_runtime::signal::{Shape, Uniform, peaks, transfer_function};
 use common::pair::{COARSE, FIRST, PLAIN, PairOptions, SECOND, TORQUE, pair, system};
 
 /// s
@@ -90,7 +90,7 @@ fn peaks_of_the_transfer_function_are_the_natural_frequencies() {
         let response =
             Uniform { start: 0.0, step: STEP, values: rows.iter().map(|row| row[output]).collect() };
         let transfer = transfer_function(&response, rows[0][output], BLOW);
-        let found = peaks(&transfer.magnitudes, 2 * MODES);
+        let found = peaks(&transfer.magnitudes, 2 * MODES, Shape::Resonance);
         for peak in &found {
             let frequency = peak.line * transfer.resolution;
             let mode = natural.iter().position(|natural| (frequency - natural).abs() < transfer.resolution);
