@@ -143,7 +143,7 @@ fn what_the_rows_cannot_show_is_said_at_the_request_and_spoils_nothing() {
     let output = run(directory.path(), &all.join("\n"));
     let said = String::from_utf8(output.stderr).unwrap();
     assert!(output.status.success(), "{said}");
-    let warnings: Vec<&str> = said.split("warning[W0776]: ").skip(1).collect();
+    let warnings: Vec<&str> = said.split("[W0776] Warning: ").skip(1).collect();
     assert_eq!(warnings.len(), asked.len(), "{said}");
     for (index, (warning, (asked, expected))) in warnings.iter().zip(asked).enumerate() {
         let place = format!("model.cx:{}:", 11 + index);
