@@ -11,8 +11,8 @@ use calyx_runtime::load::Wrench;
 use calyx_runtime::material::Material;
 use calyx_runtime::motion::SteadyRotation;
 use calyx_runtime::observe::{
-    Displacement, Equilibrium, Gauge, GaugeReading, MaxRootStress, ModeShare, NaturalFrequency, Reading,
-    Rotation, SupportMoment, TransmissionError,
+    Displacement, Equilibrium, FilletSide, Gauge, GaugeReading, MaxRootStress, ModeShare, NaturalFrequency,
+    Reading, Rotation, SupportMoment, TransmissionError,
 };
 use calyx_runtime::results::{OutputRequest, Solved};
 use calyx_runtime::rigid::RigidBody;
@@ -143,7 +143,7 @@ fn slow_motion_is_statics() {
         place: [0.5e-3, 0.0],
         direction: 0.0,
         length: 0.5e-3,
-        loaded_side: true,
+        side: FilletSide::Loaded,
         tooth: None,
         material: Material::STEEL,
     };

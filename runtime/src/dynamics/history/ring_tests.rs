@@ -5,7 +5,7 @@ use crate::disc::{Disc, Facing, Platen};
 use crate::interrupt::Interrupt;
 use crate::material::Material;
 use crate::motion::SteadyRotation;
-use crate::observe::{Gauge, GaugeReading, Reading};
+use crate::observe::{FilletSide, Gauge, GaugeReading, Reading};
 use crate::scene::{Body, BodyId, Component, Prototype, StructureOptions, SurfacePair};
 use crate::structure::tests::annulus::{Annulus, THIN};
 use crate::structure::tests::bodies::{COARSE, ring_source, toothed_sector};
@@ -187,7 +187,7 @@ fn a_gauge_on_a_ring_that_vibrates_follows_its_mode() {
         place: [0.0, 0.0],
         direction: 0.0,
         length: 0.0,
-        loaded_side: true,
+        side: FilletSide::Loaded,
         tooth: Some(2),
         material: Material::STEEL,
     };
