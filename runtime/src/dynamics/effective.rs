@@ -78,7 +78,7 @@ impl Effective<'_> {
             let change: Vec<f64> = next.iter().zip(&y).map(|(next, y)| next - y).collect();
             let moved = energy(&change);
             // What does not shrink is rounding, or frames turn by radians in a step and nothing is resolved anyhow.
-            if !(moved < 0.25 * last) {
+            if moved.is_nan() || moved >= 0.25 * last {
                 break;
             }
             (y, last) = (next, moved);

@@ -211,10 +211,12 @@ impl Matrices {
                     let pulled = dot(sideways, acceleration);
                     let about = 2.0 * spin * rates[k] + 2.0 * spinning_up * q[k];
                     frame[2] -= width * (about * arm.outwards + pulled * q[k]);
-                    let among: f64 = (0..count)
-                        .map(|l| own.gyroscopic[(k, l)] * (2.0 * spin * rates[l] + spinning_up * q[l]))
-                        .sum();
-                    forces.modal[from + k] = 2.0 * spin * arm.outwards * turning - pulled * turn - among;
+                    forces.modal[from + k] = 2.0 * spin * arm.outwards * turning - pulled * turn;
+                }
+                let modal = &mut forces.modal[from..from + count];
+                for l in 0..count {
+                    let by = 2.0 * spin * rates[l] + spinning_up * q[l];
+                    modal.iter_mut().zip(own.gyroscopic.col_as_slice(l)).for_each(|(sum, g)| *sum -= g * by);
                 }
             }
             forces.frames[index] = frame;

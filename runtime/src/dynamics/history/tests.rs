@@ -407,6 +407,25 @@ fn a_frame_that_goes_round_and_turns_faster_and_faster_is_one_too() {
     follows(&Rotor { motion, springs: [0.0; 3], ..swinging() }, 0.03, 500);
 }
 
+#[test]
+fn an_analysis_in_time_sees_what_bearings_damp() {
+    let mut scene = eccentric().scene();
+    scene.bearings[0].damping[0][0] = 10.0;
+    let still = Plan::new(&scene, crate::scene::Fidelity::Plane, FEW).expect("a plan");
+    let asked = DynamicOptions {
+        from: 0.0,
+        ranges: vec![TimeRange::steady(1e-3, 1)],
+        scheme: Scheme::AVERAGE,
+        rayleigh: [0.0; 2],
+        highest_frequency: 0.0,
+        start: Start::Frames,
+    };
+    let analysis = AnalysisOptions { structure: FEW, ..AnalysisOptions::default() };
+    let history = History::new(&scene, &[], &analysis, &asked, &mut ()).expect("it can begin");
+    let unseen = |plan: &Plan| plan.ignored.iter().filter(|unseen| unseen.input == "damping").count();
+    assert_eq!((unseen(&still), unseen(history.plan())), (1, 0));
+}
+
 /// What holds a frame is the rate of the momentum of all that moves on it.
 #[test]
 fn a_held_frame_feels_what_vibrates_on_it() {
