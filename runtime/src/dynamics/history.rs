@@ -23,7 +23,8 @@ use std::time::{Duration, Instant};
 /// What a history begins with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum Start {
-    /// The equilibrium under the loads of the first time, at rest against the prescribed motion.
+    /// The equilibrium under the loads of the first time, at rest against the prescribed motion. What the deflections there do to inertia sets
+    /// in with the first step: it is of the order of `(omega / omega_n)²` of them.
     #[default]
     Equilibrium,
     /// Where frames are meant to be, at rest against the prescribed motion.
