@@ -3,9 +3,10 @@
 //! [`Steps`] is the analysis as an iterator; [`quasi_static`] runs it to its end and tells an observer.
 
 use crate::contact::problem::Certificate;
+use crate::dynamics::check_modes;
 use crate::error::{EngineError, Subject};
 use crate::holding;
-use crate::observe::{Equilibrium, Fields};
+use crate::observe::{Equilibrium, Fields, ModesTable, check_vibrations};
 use crate::plan::Plan;
 use crate::resources::Resources;
 use crate::results::{AnalysisResult, Observed, OutputRequest, Solved, StepRow, Timing};
@@ -73,6 +74,9 @@ pub struct AnalysisOptions {
     pub fidelity: Fidelity,
     /// How finely.
     pub structure: StructureOptions,
+    /// Natural frequencies of bodies up to which the vibrations about an equilibrium see their modes, Hz; 0 takes bodies as rigid ones on
+    /// elastic teeth. No equilibrium depends on it.
+    pub highest_frequency: f64,
     /// Threads, kept structures, an interrupt: no result depends on them.
     pub resources: Resources,
     /// What an earlier run of the same analysis solved of its first positions; it goes on behind them, and its result is that
@@ -87,6 +91,7 @@ impl Default for AnalysisOptions {
         AnalysisOptions {
             fidelity: Fidelity::Plane,
             structure: StructureOptions::default(),
+            highest_frequency: 0.0,
             resources: Resources::default(),
             solved: Vec::new(),
             fields: false,
@@ -101,6 +106,7 @@ pub struct Planned<'s> {
     outputs: &'s [OutputRequest],
     resources: Resources,
     solved: Vec<Solved>,
+    highest_frequency: f64,
     plan: Plan,
     timing: Timing,
 }
@@ -118,12 +124,14 @@ impl<'s> Planned<'s> {
     ) -> Result<Self, EngineError> {
         let mut timing = Timing::default();
         check_solved(&options.solved, positions, outputs)?;
+        let highest_frequency = options.highest_frequency;
+        check_modes(options.fidelity, highest_frequency)?;
         let plan = timing.stage("plan", || Plan::new(scene, options.fidelity, options.structure))?;
         // Structures take long, and this is known without them.
         let first = positions.first().map_or(0.0, |position| position.time);
         holding::check(scene, &plan, first, &options.resources.interrupt)?;
         let (resources, solved) = (options.resources.clone(), options.solved.clone());
-        Ok(Planned { scene, positions, outputs, resources, solved, plan, timing })
+        Ok(Planned { scene, positions, outputs, resources, solved, highest_frequency, plan, timing })
     }
 
     /// What is modelled, and why.
@@ -136,9 +144,15 @@ impl<'s> Planned<'s> {
     /// # Errors
     /// A structure cannot be built, or the interrupt's.
     pub fn build(self) -> Result<Steps<'s>, EngineError> {
-        let Planned { scene, positions, outputs, resources, solved, plan, mut timing } = self;
+        let Planned { scene, positions, outputs, resources, solved, highest_frequency, plan, mut timing } =
+            self;
         let system = timing.stage("structures", || System::with(scene, &plan, &resources))?;
         timing.structures = system.structure_counts();
+        let system = match highest_frequency {
+            0.0 => system,
+            highest => timing.stage("modes", || system.vibrating(&plan, &resources, highest))?,
+        };
+        check_vibrations(&system)?;
         Ok(Steps {
             positions,
             outputs,
@@ -238,11 +252,21 @@ impl<'s> Steps<'s> {
         }
         let first = Certificate::default();
         let certificate = self.solved.iter().fold(first, |worst, solved| worst.worst(&solved.certificate));
+        let modes = self.first_modes()?;
         let rows: Vec<StepRow> = self.solved.into_iter().map(|solved| solved.row).collect();
         let summaries = summarize(&rows, self.outputs, &self.system.scene.observables);
         self.timing.add("positions", self.solving);
         self.timing.memory = self.resources.interrupt.most_asked();
-        Ok(AnalysisResult { plan: self.plan, rows, summaries, certificate, timing: self.timing })
+        Ok(AnalysisResult { plan: self.plan, rows, summaries, certificate, modes, timing: self.timing })
+    }
+
+    /// The table of modes about the first position, which is solved once more for it: a run that goes on has not seen it.
+    fn first_modes(&self) -> Result<Option<ModesTable>, EngineError> {
+        let (Some(request), Some(first)) = (&self.system.scene.modes_table, self.positions.first()) else {
+            return Ok(None);
+        };
+        let step = self.system.solve(first.time)?;
+        Ok(Equilibrium::new(&self.system, &step).modes_table(request))
     }
 
     fn solve(&mut self, position: &Position) -> Result<Solved, EngineError> {

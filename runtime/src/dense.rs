@@ -3,8 +3,12 @@
 //! Large operations are cut into pieces that are worked on side by side. How they are cut depends on their sizes alone, and each
 //! piece is sequential, so that results have the same bits at any number of threads.
 
+use faer::diag::Diag;
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt::factor::{self, LltParams, cholesky_in_place_scratch};
+use faer::linalg::evd::{
+    ComputeEigenvectors, SelfAdjointEvdParams, self_adjoint_evd, self_adjoint_evd_scratch,
+};
 use faer::linalg::matmul::matmul;
 use faer::linalg::matmul::triangular::{self, BlockStructure};
 use faer::linalg::triangular_solve::{solve_lower_triangular_in_place, solve_upper_triangular_in_place};
@@ -136,6 +140,19 @@ pub(crate) fn product(a: MatRef<'_, f64>, b: MatRef<'_, f64>) -> Mat<f64> {
     let mut result = Mat::zeros(a.nrows(), b.ncols());
     add_product(result.as_mut(), 1.0, a, b);
     result
+}
+
+/// Eigenvalues of a symmetric matrix, ascending, and unit eigenvectors; its lower triangle is read. `None` if it is not of numbers.
+pub(crate) fn symmetric_eigen(matrix: MatRef<'_, f64>) -> Option<(Vec<f64>, Mat<f64>)> {
+    let size = matrix.nrows();
+    let params: Spec<SelfAdjointEvdParams, f64> = Spec::default();
+    let scratch = self_adjoint_evd_scratch::<f64>(size, ComputeEigenvectors::Yes, Par::Seq, params);
+    let mut memory = MemBuffer::new(scratch);
+    let (mut values, mut vectors) = (Diag::<f64>::zeros(size), Mat::zeros(size, size));
+    let stack = MemStack::new(&mut memory);
+    self_adjoint_evd(matrix, values.as_mut(), Some(vectors.as_mut()), Par::Seq, stack, params).ok()?;
+    let values: Vec<f64> = values.column_vector().iter().copied().collect();
+    values.iter().all(|value| value.is_finite()).then_some((values, vectors))
 }
 
 /// Copies the lower triangle of a matrix that is symmetric up to rounding onto the upper one.

@@ -2,7 +2,7 @@
 
 use crate::analysis::Position;
 use crate::contact::problem::Certificate;
-use crate::observe::{Course, Observable};
+use crate::observe::{Course, ModesTable, Observable};
 use crate::plan::Plan;
 use crate::scene::ObservableId;
 use crate::summary::Harmonic;
@@ -185,6 +185,8 @@ pub struct AnalysisResult {
     pub summaries: Vec<OutputSummary>,
     /// The worst residuals of all positions.
     pub certificate: Certificate,
+    /// Modes about the first position, if the scene asks for them.
+    pub modes: Option<ModesTable>,
     /// How long it took.
     pub timing: Timing,
 }

@@ -7,7 +7,7 @@ use crate::inertia::Inertia;
 use crate::interrupt::Interrupt;
 use crate::load::{Blow, Load, Wrench};
 use crate::motion::Motion;
-use crate::observe::Observable;
+use crate::observe::{ModesRequest, Observable};
 use crate::structure::solid::SolidStructure;
 use crate::structure::{BodyModes, Structure, StructureSize};
 use std::any::Any;
@@ -536,6 +536,8 @@ pub struct Scene {
     pub pairs: Vec<SurfacePair>,
     /// By [`ObservableId`].
     pub observables: Vec<Arc<dyn Observable>>,
+    /// Whether a table of the modes at the first position is wanted.
+    pub modes_table: Option<ModesRequest>,
 }
 
 impl Scene {

@@ -18,11 +18,13 @@ use crate::contact::rest::{Rest, rest};
 use crate::dynamics::{Elastic, Modes};
 use crate::error::EngineError;
 use crate::holding;
+use crate::observe::Vibrations;
 use crate::scene::{Scene, SurfacePair};
 use crate::system::{Bodies, System, Teeth};
 use drag::Action;
 use drift::{Foothold, farthest};
 use faer::Mat;
+use std::sync::{Arc, OnceLock};
 
 /// A solved position. Keeps the contact problem and its active cells, from which sensitivities follow.
 #[derive(Clone, Debug)]
@@ -47,6 +49,8 @@ pub struct StepResult {
     /// What acts on the frame of each body beside contact, bearings and its whole load, in the order of [`crate::scene::FREEDOMS`]: inertia, and
     /// the part of the load that a step leaves out; N and N m. Empty in equilibrium.
     pub beside: Vec<[f64; 6]>,
+    /// The free vibrations about it once somebody has asked for them, see [`crate::observe::Equilibrium::vibrations`].
+    pub(crate) vibrations: OnceLock<Option<Arc<Vibrations>>>,
     /// Forces on the stops of bearings, whose gaps stand behind those of the patches: N, of a plane model N per metre of face width.
     pub stops: Vec<f64>,
     /// How well it is solved.
@@ -577,6 +581,7 @@ impl<S: Space> Solver<'_, S> {
             modal: modal.unwrap_or_default(),
             velocity: Vec::new(),
             beside: Vec::new(),
+            vibrations: OnceLock::new(),
             motion: solution.motion,
             start: Vec::new(),
             problem,
@@ -630,6 +635,7 @@ impl<S: Space> Solver<'_, S> {
             modal,
             velocity,
             beside,
+            vibrations: OnceLock::new(),
             start,
             problem,
             active,

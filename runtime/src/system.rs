@@ -145,6 +145,20 @@ impl<'s> System<'s> {
         Ok(system)
     }
 
+    /// The same system with the modes of its bodies up to a natural frequency (Hz), which vibrations about an equilibrium see; none up to 0.
+    ///
+    /// # Errors
+    /// E0764: there is no such frequency. E0771: the system is in space. Those of [`Resources::modes`].
+    pub fn vibrating(
+        mut self,
+        plan: &Plan,
+        resources: &Resources,
+        highest_frequency: f64,
+    ) -> Result<Self, EngineError> {
+        self.modes = Modes::find(self.scene, plan, resources, highest_frequency)?;
+        Ok(self)
+    }
+
     /// How many structures were built for this system, and how many there were already.
     pub fn structure_counts(&self) -> StructureCounts {
         self.structure_counts

@@ -149,7 +149,7 @@ calyx_abi::externs! {
         }
         let structure = StructureOptions { face_elements, axial_order, ..host.analysis.structure };
         structure.check().map_err(engine)?;
-        let options = AnalysisOptions { fidelity, structure, ..host.analysis.clone() };
+        let options = AnalysisOptions { fidelity, structure, highest_frequency, ..host.analysis.clone() };
         let positions = entry(&host.positions, over)?.clone();
         let rayleigh = [rayleigh_mass, rayleigh_stiffness];
         let how = match method.as_str() {

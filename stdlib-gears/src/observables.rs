@@ -55,12 +55,13 @@ calyx_abi::externs! {
 
     Scene fn calyx_gears_mode_share(context, body: Handle, mode: f64, motion: String) -> Handle {
         let (id, mode) = (externs::body(context, "body", body)?, mode_number(mode)?);
-        let components = match motion.as_str() {
-            "translation" => [true, true, true, false, false, false],
-            "rotation" => [false, false, false, true, true, true],
-            _ => [true; 6],
+        let (components, elastic) = match motion.as_str() {
+            "translation" => ([true, true, true, false, false, false], false),
+            "rotation" => ([false, false, false, true, true, true], false),
+            "elastic" => ([false; 6], true),
+            _ => ([true; 6], true),
         };
-        observe(context, ModeShare { mode, body: id, components })
+        observe(context, ModeShare { mode, body: id, components, elastic })
     }
 
     Scene fn calyx_gears_secant_mesh_stiffness(context, mesh: Handle) -> Handle {

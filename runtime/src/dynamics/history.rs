@@ -1,8 +1,8 @@
 //! A dynamic analysis from its start through all steps, row by row.
 
 use super::effective::Effective;
-use super::matrices::{Forces, Matrices, check, check_section};
-use super::modal::{Elastic, Modes};
+use super::matrices::{Forces, Matrices, check_inertia, check_section};
+use super::modal::{Elastic, Modes, check_modes};
 use super::newmark::{Scheme, State};
 use super::ranges::{Step, TimeRange, kept_positions, steps};
 use crate::analysis::{AnalysisOptions, Event, Observer, Position, check_solved, refuse_nan};
@@ -10,11 +10,11 @@ use crate::contact::problem::Certificate;
 use crate::error::EngineError;
 use crate::inertia::Inertia;
 use crate::load::Wrench;
-use crate::observe::Equilibrium;
+use crate::observe::{Equilibrium, check_vibrations};
 use crate::plan::Plan;
 use crate::resources::Resources;
 use crate::results::{AnalysisResult, OutputRequest, Solved, StepRow, Timing};
-use crate::scene::Scene;
+use crate::scene::{Fidelity, Scene};
 use crate::step::StepResult;
 use crate::summary::summarize;
 use crate::system::System;
@@ -103,8 +103,10 @@ impl<'s> History<'s> {
         let bodies = scene.bodies.iter().enumerate();
         let inertias: Vec<Inertia> =
             bodies.map(|(index, body)| body.inertia().from(system.axle(index))).collect();
-        check(&system, &inertias)?;
-        system.modes = timing.stage("modes", || find_modes(scene, &plan, options, dynamics))?;
+        check_inertia(&system, &inertias)?;
+        let highest = dynamics.highest_frequency;
+        system.modes = timing.stage("modes", || Modes::find(scene, &plan, &options.resources, highest))?;
+        check_vibrations(&system)?;
         let count = system.freedoms.len() + system.modes.count();
         let sizing = system.load_at(dynamics.from)?;
         let all: Vec<Step> = steps(dynamics.from, &dynamics.ranges).collect();
@@ -441,24 +443,6 @@ pub fn dynamic(
     Ok(history.finish())
 }
 
-fn find_modes(
-    scene: &Scene,
-    plan: &Plan,
-    options: &AnalysisOptions,
-    dynamics: &DynamicOptions,
-) -> Result<Modes, EngineError> {
-    if dynamics.highest_frequency == 0.0 {
-        return Ok(Modes::default());
-    }
-    let highest = std::f64::consts::TAU * dynamics.highest_frequency;
-    let bodies = scene.bodies.iter().zip(&plan.bodies);
-    let of = bodies.map(|(body, plan)| match plan.is_elastic() {
-        true => options.resources.modes(body.prototype.as_ref(), &plan.options, highest),
-        false => Ok(None),
-    });
-    Ok(Modes::new(of.collect::<Result<_, _>>()?))
-}
-
 fn check_numbers(dynamics: &DynamicOptions) -> Result<(), EngineError> {
     let refuse = |argument: &'static str, message: String, help: &str| {
         Err(EngineError::new("E0764", message, help).blame(argument))
@@ -478,15 +462,7 @@ fn check_numbers(dynamics: &DynamicOptions) -> Result<(), EngineError> {
             "give positive numbers, or 0 for none",
         );
     }
-    if !positive(dynamics.highest_frequency) {
-        let given = dynamics.highest_frequency;
-        return refuse(
-            "highest_frequency",
-            format!("modes up to {given} Hz cannot be found"),
-            "give a positive frequency, or 0 for no modes",
-        );
-    }
-    Ok(())
+    check_modes(Fidelity::Plane, dynamics.highest_frequency)
 }
 
 #[cfg(test)]

@@ -107,25 +107,20 @@ impl Matrices {
         let (m, count) = (freedoms.len(), modes.count());
         let mut matrices = Matrices {
             mass: vec![0.0; m * m],
-            coupling: vec![0.0; m * count],
+            coupling: Vec::new(),
             damping: damping(system.scene, &system.bearings, freedoms, width, time)?,
             load: vec![0.0; m],
             modal_load: vec![0.0; count],
             bodies: Vec::with_capacity(system.scene.bodies.len()),
-            arms: vec![Arm::default(); count],
+            arms: modal_arms(system, time)?,
         };
         for index in 0..system.scene.bodies.len() {
             let body = &system.scene.bodies[index];
             let spin = angular_velocity(body.motion.as_ref(), time)[2];
-            let axle = system.axle(index);
             let (angle, ground) = (pose(system.scene, index, time)?.angle, system.origin(index, time));
             let [ax, ay, _] = point_acceleration(body.motion.as_ref(), time, ground);
             let alpha = angular_acceleration(body.motion.as_ref(), time)[2];
             let own = inertias.get(index).copied().unwrap_or_default();
-            let turned = |[x, y]: [f64; 2], by: f64| {
-                let (sine, cosine) = by.sin_cos();
-                [cosine * x - sine * y, sine * x + cosine * y]
-            };
             let s = turned([own.moment[0], own.moment[1]], angle);
             let entry = |one: usize, other: usize| match (one.min(other), one.max(other)) {
                 (0, 0) | (1, 1) => own.mass,
@@ -154,28 +149,13 @@ impl Matrices {
                 }
             }
             let Some((own, first)) = modes.of_body(index) else { continue };
-            // Modes are told in the axes of the teeth.
-            let stands = angle + body.phase;
-            let [px, py] = turned([axle[0], axle[1]], -body.phase);
-            for (k, &[cx, cy, about]) in own.coupling.iter().enumerate() {
-                let arm = Arm {
-                    along: turned([cx, cy], stands),
-                    about: about - (px * cy - py * cx),
-                    outwards: own.centrifugal[k] - (px * cx + py * cy),
-                };
-                matrices.arms[first + k] = arm;
-                matrices.modal_load[first + k] =
+            for k in first..first + own.count() {
+                let arm = matrices.arms[k];
+                matrices.modal_load[k] =
                     spin * spin * arm.outwards - dot(arm.along, [ax, ay]) - arm.about * alpha;
-                for (i, freedom) in freedoms.iter().enumerate().filter(|(_, freedom)| freedom.body == index) {
-                    matrices.coupling[i * count + first + k] = match freedom.component {
-                        0 => arm.along[0],
-                        1 => arm.along[1],
-                        5 => arm.about,
-                        _ => 0.0,
-                    };
-                }
             }
         }
+        matrices.coupling = on_freedoms_by_modes(system, &matrices.arms);
         let by_motion: Vec<[f64; 3]> = matrices.bodies.iter().map(|body| body.load).collect();
         matrices.load = on_freedoms(system, &by_motion);
         Ok(matrices)
@@ -286,6 +266,54 @@ impl Forces {
     }
 }
 
+fn turned([x, y]: [f64; 2], by: f64) -> [f64; 2] {
+    let (sine, cosine) = by.sin_cos();
+    [cosine * x - sine * y, sine * x + cosine * y]
+}
+
+/// What every modal coordinate has to do with its frame at a time.
+fn modal_arms(system: &System<'_>, time: f64) -> Result<Vec<Arm>, EngineError> {
+    let mut arms = Vec::with_capacity(system.modes.count());
+    for (index, body) in system.scene.bodies.iter().enumerate() {
+        let Some((own, _)) = system.modes.of_body(index) else { continue };
+        // Modes are told in the axes of the teeth.
+        let stands = pose(system.scene, index, time)?.angle + body.phase;
+        let [px, py, _] = system.axle(index);
+        let [px, py] = turned([px, py], -body.phase);
+        arms.extend(own.coupling.iter().zip(&own.centrifugal).map(|(&[cx, cy, about], outwards)| Arm {
+            along: turned([cx, cy], stands),
+            about: about - (px * cy - py * cx),
+            outwards: outwards - (px * cx + py * cy),
+        }));
+    }
+    Ok(arms)
+}
+
+/// Mass between freedoms and modal coordinates of a plane model at a time, row-major, per width of the model.
+///
+/// # Errors
+/// A frame is not a number.
+pub(crate) fn coupling(system: &System<'_>, time: f64) -> Result<Vec<f64>, EngineError> {
+    Ok(on_freedoms_by_modes(system, &modal_arms(system, time)?))
+}
+
+fn on_freedoms_by_modes(system: &System<'_>, arms: &[Arm]) -> Vec<f64> {
+    let count = arms.len();
+    let mut coupling = vec![0.0; system.freedoms.len() * count];
+    for (i, freedom) in system.freedoms.iter().enumerate() {
+        let Some((own, first)) = system.modes.of_body(freedom.body) else { continue };
+        for k in first..first + own.count() {
+            coupling[i * count + k] = match freedom.component {
+                0 => arms[k].along[0],
+                1 => arms[k].along[1],
+                5 => arms[k].about,
+                _ => 0.0,
+            };
+        }
+    }
+    coupling
+}
+
 /// Of forces and moments on frames those on freedoms, per width of the model.
 fn on_freedoms(system: &System<'_>, frames: &[[f64; 3]]) -> Vec<f64> {
     let of = |freedom: &Freedom| {
@@ -315,13 +343,16 @@ pub(super) fn check_section(fidelity: Fidelity) -> Result<(), EngineError> {
 ///
 /// # Errors
 /// E0762: a free freedom has no inertia.
-pub(super) fn check(system: &System<'_>, inertias: &[Inertia]) -> Result<(), EngineError> {
+pub(crate) fn check_inertia(system: &System<'_>, inertias: &[Inertia]) -> Result<(), EngineError> {
     for freedom in &system.freedoms {
         let body = &system.scene.bodies[freedom.body];
         let inertia = inertias.get(freedom.body).copied().unwrap_or_default();
         let (resists, what) = match freedom.component {
             0..3 => (inertia.mass, "mass"),
-            _ => (inertia.polar(), "moment of inertia"),
+            component => {
+                let about = component.saturating_sub(3).min(2);
+                (inertia.about[about][about], "moment of inertia")
+            }
         };
         if !(resists.is_finite() && resists > 0.0) {
             return Err(EngineError::new(

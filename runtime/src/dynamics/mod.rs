@@ -22,6 +22,8 @@ mod newmark;
 mod ranges;
 
 pub use history::{DynamicOptions, History, Start, dynamic};
+pub(crate) use matrices::{check_inertia, coupling};
+pub use modal::check_modes;
 pub(crate) use modal::{Elastic, Modes};
 pub use newmark::{Scheme, State};
 pub use ranges::{TimeRange, kept_positions};

@@ -5,10 +5,16 @@
 //! place of the part `C_q omega^-2 C_q'` that statics gives these modes, and what modes leave out stays as statics has it: that is the
 //! residual flexibility.
 
+use crate::contact::grid::Cell;
 use crate::contact::problem::ContactProblem;
-use crate::structure::BodyModes;
+use crate::error::EngineError;
+use crate::plan::Plan;
+use crate::resources::Resources;
+use crate::scene::{Fidelity, Scene};
+use crate::structure::{BodyModes, Chart};
 use faer::linalg::matmul::matmul;
 use faer::{Accum, Mat, MatMut, MatRef, Par};
+use std::f64::consts::TAU;
 use std::sync::Arc;
 
 /// Modes of all bodies, and where each body's coordinates begin among those of all.
@@ -34,6 +40,28 @@ impl Modes {
         Modes { of, first, squares }
     }
 
+    /// Of all bodies that are modelled as elastic, up to a natural frequency, Hz; none at all up to 0.
+    ///
+    /// # Errors
+    /// Those of [`check_modes`] and [`Resources::modes`].
+    pub fn find(
+        scene: &Scene,
+        plan: &Plan,
+        resources: &Resources,
+        highest: f64,
+    ) -> Result<Modes, EngineError> {
+        check_modes(plan.fidelity, highest)?;
+        if highest == 0.0 {
+            return Ok(Modes::default());
+        }
+        let bodies = scene.bodies.iter().zip(&plan.bodies);
+        let of = bodies.map(|(body, plan)| match plan.is_elastic() {
+            true => resources.modes(body.prototype.as_ref(), &plan.options, TAU * highest),
+            false => Ok(None),
+        });
+        Ok(Modes::new(of.collect::<Result<_, _>>()?))
+    }
+
     /// How many coordinates there are.
     pub fn count(&self) -> usize {
         self.squares.len()
@@ -43,6 +71,37 @@ impl Modes {
     pub fn of_body(&self, body: usize) -> Option<(&BodyModes, usize)> {
         Some((self.of.get(body)?.as_deref()?, self.first[body]))
     }
+
+    /// Adds how the coordinates of the bodies on both sides of a patch grow the gaps of its cells, which begin at a row of `arms`.
+    pub fn add_arms(&self, arms: &mut Mat<f64>, row: usize, sides: [(usize, Chart); 2], cells: &[Cell]) {
+        for (side, (body, chart)) in sides.into_iter().enumerate() {
+            let Some((own, from)) = self.of_body(body) else { continue };
+            let places: Vec<f64> = cells.iter().map(|cell| cell.s[side]).collect();
+            let mut target = arms.as_mut().submatrix_mut(row, from, places.len(), own.count());
+            target += own.displacements(chart, &places);
+        }
+    }
+}
+
+/// That there may be modes of bodies up to this natural frequency, Hz.
+///
+/// # Errors
+/// E0764: it is negative, or no number. E0771: the model is in space.
+pub fn check_modes(fidelity: Fidelity, highest: f64) -> Result<(), EngineError> {
+    let (code, message, help) = match fidelity {
+        _ if !(highest.is_finite() && highest >= 0.0) => (
+            "E0764",
+            format!("modes up to {highest} Hz cannot be found"),
+            "give a positive frequency, or 0 for no modes",
+        ),
+        Fidelity::Solid(_) if highest > 0.0 => (
+            "E0771",
+            "the modes of bodies are those of a section, and this model is in space".into(),
+            "choose the fidelity \"plane\", or leave `highest_frequency` at 0: bodies then vibrate as rigid ones",
+        ),
+        _ => return Ok(()),
+    };
+    Err(EngineError::new(code, message, help).blame("highest_frequency"))
 }
 
 /// What a step, or a position in equilibrium, makes of the modal coordinates.

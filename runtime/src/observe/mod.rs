@@ -30,6 +30,7 @@ pub use places::{Coordinate, Maximum, PlaceOf};
 pub use pressure::{MaxContactPressure, MaxEdgePressure};
 pub use sliding::{Efficiency, FrictionLoss, MaxSlidingVelocity, SlidingVelocity};
 pub use stress::{FilletSide, MaxRootCompression, MaxRootStress};
+pub(crate) use vibration::check_vibrations;
 pub use vibration::{ModeShare, NaturalFrequency, Vibrations};
 
 use crate::results::Observed;

@@ -1,27 +1,39 @@
-//! Natural vibrations of a scene about an equilibrium: its bodies as rigid ones, on bearings and on the contact that carries load now.
+//! Natural vibrations of a scene about an equilibrium: its bodies on bearings and on the contact that carries load now, as rigid ones or
+//! with their own modes.
 //!
-//! A small motion x of the freedoms finds the stiffness `K = K_bearings + C' A^-1 C`, with C and A the arms and the compliance of the cells and
-//! stops that carry load, which stay in contact; what resists it is the inertia of the bodies. So the frequencies are those at one position: as teeth enter and
-//! leave, stiffness and frequencies change with them.
+//! A small motion of the freedoms x and of the modal coordinates q finds the stiffness `K = diag(K_bearings, omega²) + C' A^-1 C`. C are the arms of
+//! the cells and stops that carry load, which stay in contact, and A is their compliance less what the modes answer, `sum phi phi' / omega²`: together
+//! they give as in statics. What resists is the inertia of the bodies, with `phi' M r` between modes and frames. So frequencies
+//! are those at one position: as teeth enter and leave, stiffness and frequencies change with them. What turning does
+//! (gyroscopic terms) and damping are left out.
 
 use super::{Equilibrium, Observable, Quantity};
+use crate::dense::{
+    add_product_lower, cholesky, half_solve, mirror_lower, other_half_solve, symmetric_eigen,
+};
+use crate::dynamics::{check_inertia, coupling};
+use crate::error::EngineError;
 use crate::inertia::Inertia;
 use crate::results::Observed;
 use crate::scene::BodyId;
+use crate::step::{PatchGrid, StepResult};
+use crate::structure::Chart;
 use crate::system::System;
-use nalgebra::{DMatrix, DVector, SymmetricEigen};
+use faer::Mat;
+use nalgebra::DMatrix;
 use std::f64::consts::TAU;
+use std::sync::Arc;
 
-/// Free vibrations: freedoms by modes.
+/// Free vibrations: coordinates by modes. Coordinates are the freedoms, then the modal coordinates of the bodies, body after body.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Vibrations {
     /// Natural frequencies, rad/s, ascending; those of free rigid motions are 0 but for rounding.
     pub frequencies: Vec<f64>,
-    /// A column a mode, of unit modal mass: m and rad by freedom, per square root of kg.
+    /// A column a mode, of unit modal mass: m and rad by freedom, m kg^1/2 per root of a metre by modal coordinate, per square root of kg.
     pub shapes: DMatrix<f64>,
-    /// Between freedoms: kg, kg m and kg m².
+    /// Between coordinates: kg, kg m and kg m² of freedoms.
     pub mass: DMatrix<f64>,
-    /// Between freedoms: N/m, N and N m.
+    /// Between coordinates: N/m, N and N m of freedoms.
     pub stiffness: DMatrix<f64>,
 }
 
@@ -80,41 +92,134 @@ fn entry(inertia: &Inertia, axes: &[[f64; 3]; 3], one: usize, other: usize) -> f
     }
 }
 
+impl System<'_> {
+    /// Growth of the gaps of all cells of a solved position by the modal coordinates of the bodies.
+    fn modal_arms(&self, step: &StepResult) -> Mat<f64> {
+        let cells = step.patches.iter().map(|patch| patch.forces.len()).sum();
+        let mut arms = Mat::zeros(cells, self.modes.count());
+        let mut first = 0;
+        for patch in &step.patches {
+            if let PatchGrid::Plane { cells, .. } = &patch.grid {
+                let bodies = self.scene.pairs[patch.pair].bodies;
+                let side = |side: usize| {
+                    let chart = Chart { tooth: patch.teeth[side], surface: patch.surfaces[side] };
+                    (bodies[side].0, chart)
+                };
+                self.modes.add_arms(&mut arms, first, [side(0), side(1)], cells);
+            }
+            first += patch.forces.len();
+        }
+        arms
+    }
+
+    /// Mass matrix of all coordinates at a time (s).
+    fn whole_mass(&self, time: f64) -> Option<Mat<f64>> {
+        let (own, width) = (self.mass_matrix(time), self.width());
+        let (m, count) = (own.nrows(), self.modes.count());
+        let between = coupling(self, time).ok()?;
+        let entry = |row: usize, column: usize| match (row.checked_sub(m), column.checked_sub(m)) {
+            (None, None) => own[(row, column)],
+            (None, Some(mode)) => width * between[row * count + mode],
+            (Some(mode), None) => width * between[column * count + mode],
+            (Some(one), Some(other)) => {
+                if one == other {
+                    width
+                } else {
+                    0.0
+                }
+            }
+        };
+        Some(Mat::from_fn(m + count, m + count, entry))
+    }
+}
+
 impl Equilibrium<'_> {
-    /// The free vibrations about the equilibrium; `None` if a freedom has no inertia or nothing is free.
-    pub fn vibrations(self) -> Option<Vibrations> {
-        let (problem, active) = (&self.step.problem, &self.step.active);
-        let (n, m, width) = (problem.cells(), self.system.freedoms.len(), self.system.width());
-        if m == 0 || problem.stiffness.len() != m * m {
+    /// The free vibrations about the equilibrium; `None` if a freedom has no inertia or nothing vibrates. They are found once a position.
+    pub fn vibrations(self) -> Option<Arc<Vibrations>> {
+        self.step.vibrations.get_or_init(|| self.find_vibrations().map(Arc::new)).clone()
+    }
+
+    /// Stiffness between coordinates, per width of the model.
+    fn stiffness(self) -> Option<Mat<f64>> {
+        let (problem, active, modes) = (&self.step.problem, &self.step.active, &self.system.modes);
+        let (n, m, count) = (problem.cells(), self.system.freedoms.len(), modes.count());
+        if problem.stiffness.len() != m * m {
             return None;
         }
-        let mut stiffness = DMatrix::from_row_slice(m, m, &problem.stiffness);
-        if !active.is_empty() {
-            let compliance = DMatrix::from_fn(active.len(), active.len(), |i, j| {
-                problem.compliance[active[i] * n + active[j]]
-            });
-            let arms = DMatrix::from_fn(active.len(), m, |i, k| problem.arms[active[i] * m + k]);
-            stiffness += arms.transpose() * compliance.cholesky()?.solve(&arms);
+        let bearings = |i: usize, j: usize| problem.stiffness[i * m + j];
+        let mut stiffness = Mat::from_fn(m + count, m + count, |i, j| match (i.max(j) < m, i == j) {
+            (true, _) => 0.5 * (bearings(i, j) + bearings(j, i)),
+            (false, true) => modes.squares[i - m],
+            (false, false) => 0.0,
+        });
+        if active.is_empty() {
+            return Some(stiffness);
         }
-        let stiffness = 0.5 * width * (&stiffness + stiffness.transpose());
-        let mass = self.system.mass_matrix(self.step.time);
-        // Every freedom in a unit in which its own inertia is 1: metres and radians are alike then.
-        let scale = DVector::from_iterator(m, mass.diagonal().iter().map(|own| own.sqrt().recip()));
-        if !scale.iter().all(|scale| scale.is_finite()) {
+        let own = self.system.modal_arms(self.step);
+        // Stops of bearings come behind the cells.
+        let modal = |cell: usize, k: usize| if cell < own.nrows() { own[(cell, k)] } else { 0.0 };
+        let mut residual =
+            Mat::from_fn(active.len(), active.len(), |i, j| problem.compliance[active[i] * n + active[j]]);
+        let answered =
+            Mat::from_fn(active.len(), count, |i, k| modal(active[i], k) / modes.squares[k].sqrt());
+        add_product_lower(residual.as_mut(), -1.0, answered.as_ref(), answered.transpose());
+        let arms = Mat::from_fn(active.len(), m + count, |i, k| match k.checked_sub(m) {
+            None => problem.arms[active[i] * m + k],
+            Some(mode) => modal(active[i], mode),
+        });
+        let pressed = half_solve(cholesky(residual)?.as_ref(), arms);
+        add_product_lower(stiffness.as_mut(), 1.0, pressed.transpose(), pressed.as_ref());
+        mirror_lower(&mut stiffness);
+        Some(stiffness)
+    }
+
+    fn find_vibrations(self) -> Option<Vibrations> {
+        let (mass, stiffness) = (self.system.whole_mass(self.step.time)?, self.stiffness()?);
+        let (size, width) = (mass.nrows(), self.system.width());
+        // Every coordinate in a unit in which its own inertia is 1: metres and radians are alike then.
+        let scale: Vec<f64> = (0..size).map(|k| mass[(k, k)].sqrt().recip()).collect();
+        if size == 0 || !scale.iter().all(|scale| scale.is_finite()) {
             return None;
         }
-        let scaled =
-            |matrix: &DMatrix<f64>| DMatrix::from_fn(m, m, |i, j| scale[i] * matrix[(i, j)] * scale[j]);
-        let lower = scaled(&mass).cholesky()?.unpack();
-        let half = lower.solve_lower_triangular(&scaled(&stiffness))?;
-        let whole = lower.solve_lower_triangular(&half.transpose())?;
-        let eigen = SymmetricEigen::new(0.5 * (&whole + whole.transpose()));
-        let mut order: Vec<usize> = (0..m).collect();
-        order.sort_by(|&a, &b| eigen.eigenvalues[a].total_cmp(&eigen.eigenvalues[b]));
-        let vectors = lower.tr_solve_lower_triangular(&eigen.eigenvectors)?;
-        let shapes = DMatrix::from_fn(m, m, |freedom, mode| scale[freedom] * vectors[(freedom, order[mode])]);
-        let frequencies = order.iter().map(|&mode| eigen.eigenvalues[mode].max(0.0).sqrt()).collect();
-        Some(Vibrations { frequencies, shapes, mass, stiffness })
+        let scaled = |matrix: &Mat<f64>, by: f64| {
+            Mat::from_fn(size, size, |i, j| by * scale[i] * matrix[(i, j)] * scale[j])
+        };
+        let lower = cholesky(scaled(&mass, 1.0))?;
+        let half = half_solve(lower.as_ref(), scaled(&stiffness, width));
+        let mut whole = half_solve(lower.as_ref(), half.transpose().to_owned());
+        whole = Mat::from_fn(size, size, |i, j| 0.5 * (whole[(i, j)] + whole[(j, i)]));
+        let (squares, vectors) = symmetric_eigen(whole.as_ref())?;
+        let vectors = other_half_solve(lower.as_ref(), vectors);
+        Some(Vibrations {
+            frequencies: squares.iter().map(|square| square.max(0.0).sqrt()).collect(),
+            shapes: DMatrix::from_fn(size, size, |i, mode| scale[i] * vectors[(i, mode)]),
+            mass: DMatrix::from_fn(size, size, |i, j| mass[(i, j)]),
+            stiffness: DMatrix::from_fn(size, size, |i, j| width * stiffness[(i, j)]),
+        })
+    }
+}
+
+/// That a system whose vibrations are asked for has inertia where it is free, and as many modes as are asked for.
+///
+/// # Errors
+/// E0762: a free freedom has no inertia. E0770: there are fewer modes.
+pub(crate) fn check_vibrations(system: &System<'_>) -> Result<(), EngineError> {
+    let scene = system.scene;
+    let highest = scene.observables.iter().filter_map(|observable| observable.mode()).max();
+    if highest.is_none() && scene.modes_table.is_none() {
+        return Ok(());
+    }
+    let inertias =
+        scene.bodies.iter().enumerate().map(|(index, body)| body.inertia().from(system.axle(index)));
+    check_inertia(system, &inertias.collect::<Vec<_>>())?;
+    let count = system.freedoms.len() + system.modes.count();
+    match highest {
+        Some(mode) if mode >= count => Err(EngineError::new(
+            "E0770",
+            format!("there is no mode {}: the scene has {count}", mode + 1),
+            "modes are as many as free freedoms, and modes of the bodies up to `highest_frequency` beside them",
+        )),
+        _ => Ok(()),
     }
 }
 
@@ -127,26 +232,36 @@ impl Observable for NaturalFrequency {
         Quantity::repeating("natural_frequency", "Hz")
     }
 
+    fn mode(&self) -> Option<usize> {
+        Some(self.0)
+    }
+
     fn value(&self, at: &Equilibrium<'_>) -> Observed {
         let found = at.vibrations().and_then(|all| all.frequencies.get(self.0).copied());
         Observed::number(found.map_or(f64::NAN, |omega| omega / TAU))
     }
 }
 
-/// The part of a mode's kinetic energy in some components of a body's motion.
+/// The part of a mode's kinetic energy in some of a body's motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ModeShare {
     /// From the lowest frequency up, from 0.
     pub mode: usize,
     /// Whose.
     pub body: BodyId,
-    /// Which components count, in the order of [`crate::scene::FREEDOMS`].
+    /// Which components of its frame count, in the order of [`crate::scene::FREEDOMS`].
     pub components: [bool; 6],
+    /// Whether its modal coordinates do: what it vibrates against its frame.
+    pub elastic: bool,
 }
 
 impl Observable for ModeShare {
     fn quantity(&self) -> Quantity {
         Quantity::repeating("mode_share", "1")
+    }
+
+    fn mode(&self) -> Option<usize> {
+        Some(self.mode)
     }
 
     fn frame_of(&self) -> Option<BodyId> {
@@ -157,11 +272,26 @@ impl Observable for ModeShare {
         let Some(all) = at.vibrations().filter(|all| self.mode < all.frequencies.len()) else {
             return Observed::number(f64::NAN);
         };
-        let shape = all.shapes.column(self.mode);
-        let momentum = &all.mass * shape;
-        let freedoms = at.system.freedoms.iter().enumerate();
-        let own =
-            freedoms.filter(|(_, freedom)| freedom.body == self.body.0 && self.components[freedom.component]);
-        Observed::number(own.map(|(i, _)| shape[i] * momentum[i]).sum())
+        let energies = all.energies(self.mode);
+        let freedoms = &at.system.freedoms;
+        let own = freedoms
+            .iter()
+            .zip(&energies)
+            .filter(|(freedom, _)| freedom.body == self.body.0 && self.components[freedom.component]);
+        let rigid: f64 = own.map(|(_, energy)| energy).sum();
+        let modal = at.system.modes.of_body(self.body.0).filter(|_| self.elastic);
+        let elastic = modal.map_or(0.0, |(own, first)| {
+            energies[freedoms.len() + first..].iter().take(own.count()).sum::<f64>()
+        });
+        Observed::number(rigid + elastic)
+    }
+}
+
+impl Vibrations {
+    /// What each coordinate has of a mode's kinetic energy, the whole being 1.
+    pub fn energies(&self, mode: usize) -> Vec<f64> {
+        let shape = self.shapes.column(mode);
+        let momentum = &self.mass * shape;
+        shape.iter().zip(momentum.iter()).map(|(moved, momentum)| moved * momentum).collect()
     }
 }

@@ -179,14 +179,11 @@ impl Space for Plane<'_> {
         let mut first = 0;
         for (candidate, grid) in laid {
             let pair = self.pair(candidate);
-            for side in 0..2 {
-                let Some((own, from)) = modes.of_body(pair.bodies[side].0) else { continue };
+            let side = |side: usize| {
                 let chart = Chart { tooth: candidate.teeth.1[side], surface: pair.surfaces[side] };
-                let places: Vec<f64> = grid.cells.iter().map(|cell| cell.s[side]).collect();
-                let seen = own.displacements(chart, &places);
-                let mut target = arms.as_mut().submatrix_mut(first, from, places.len(), own.count());
-                target += seen;
-            }
+                (pair.bodies[side].0, chart)
+            };
+            modes.add_arms(&mut arms, first, [side(0), side(1)], &grid.cells);
             first += grid.cells.len();
         }
         arms

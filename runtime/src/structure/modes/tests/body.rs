@@ -86,6 +86,30 @@ fn the_mass_matrix_is_definite_and_modes_take_up_the_mass() {
     }
 }
 
+/// What all modes together make of a motion of the frame is that motion, away from the bore: the sign in which contact sees modes is that of their
+/// coupling.
+#[test]
+fn modes_make_up_the_motions_of_the_frame() {
+    let (structure, modes) = toothed(150_000.0);
+    let profile = structure.profile(0);
+    let s = [0.4, 0.6].map(|part| part * profile.length());
+    for tooth in [0, 2] {
+        let seen = modes.displacements(Chart { tooth, surface: 0 }, &s);
+        let (sin, cos) = structure.tooth_angle(tooth).sin_cos();
+        for (row, &s) in s.iter().enumerate() {
+            let turned = |[x, y]: [f64; 2]| [cos * x - sin * y, sin * x + cos * y];
+            let (point, [nx, ny]) = (turned(profile.at(s).position), turned(profile.at(s).normal));
+            // Inwards.
+            let expected = [-nx, -ny, nx * point[1] - ny * point[0]];
+            for (motion, expected) in expected.into_iter().enumerate() {
+                let coupling = modes.coupling.iter().zip(seen.row(row).iter());
+                let sum: f64 = coupling.map(|(coupling, seen)| coupling[motion] * seen).sum();
+                assert!((sum - expected).abs() < 0.1, "tooth {tooth}, motion {motion}: {sum} {expected}");
+            }
+        }
+    }
+}
+
 #[test]
 fn coupling_turns_with_the_ring() {
     let plain = modes_of(Annulus { radii: [0.5, 1.0], elements: [2, 2], ..THIN }, BoreHold::Rigid, 20_000.0);

@@ -2,6 +2,7 @@
 
 mod body;
 mod rings;
+mod vibrations;
 mod whole;
 
 use super::body::RingFields;
