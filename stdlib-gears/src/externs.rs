@@ -8,6 +8,7 @@ use crate::host::{Asked, Finding, Meeting, ModelHost, keep};
 use calyx_abi::externs::{Handle, SymbolicNumber, SymbolicTransform};
 use calyx_abi::{Context, RuntimeError, SymbolicValue};
 use calyx_runtime::analysis::{AnalysisOptions, Observer, Position, mesh_cycle, quasi_static};
+use calyx_runtime::dynamics::check_modes;
 use calyx_runtime::dynamics::dynamic;
 use calyx_runtime::error::{EngineError, Subject};
 use calyx_runtime::holding;
@@ -153,7 +154,10 @@ calyx_abi::externs! {
         let positions = entry(&host.positions, over)?.clone();
         let rayleigh = [rayleigh_mass, rayleigh_stiffness];
         let how = match method.as_str() {
-            "quasi_static" => How::QuasiStatic(positions),
+            "quasi_static" => {
+                check_modes(fidelity, highest_frequency).map_err(engine)?;
+                How::QuasiStatic(positions)
+            }
             "dynamic" => How::Dynamic(motion_in_time(host, over, &newmark, rayleigh, highest_frequency, &start)?),
             _ => return Err(refusal("E0679", "method", &format!("there is no analysis called \"{method}\""),
                 "choose \"quasi_static\" or \"dynamic\"")),

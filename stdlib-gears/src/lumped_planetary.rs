@@ -10,6 +10,7 @@
 //! stiffness, the singular values are the circular frequencies: to rounding of the largest one, which a stiffness matrix, where frequencies
 //! stand squared, gives the lowest ones with half as many digits.
 
+use calyx_runtime::observe::ModeKind;
 use nalgebra::{DMatrix, SVD};
 use std::f64::consts::TAU;
 
@@ -58,31 +59,6 @@ pub struct LumpedPlanetary {
     pub sun_mesh: LumpedMesh,
     /// Ring and planets.
     pub ring_mesh: LumpedMesh,
-}
-
-/// What the central members do in a mode.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ModeKind {
-    /// They turn, and do not move sideways.
-    Rotational,
-    /// They move sideways, and do not turn.
-    Translational,
-    /// They rest.
-    Planet,
-    /// They turn and move sideways, as happens if planets differ or do not stand symmetrically.
-    Mixed,
-}
-
-impl ModeKind {
-    /// In a word.
-    pub fn name(self) -> &'static str {
-        match self {
-            ModeKind::Rotational => "rotational",
-            ModeKind::Translational => "translational",
-            ModeKind::Planet => "planet",
-            ModeKind::Mixed => "mixed",
-        }
-    }
 }
 
 /// A free vibration.

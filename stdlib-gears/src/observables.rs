@@ -4,11 +4,12 @@ use crate::externs::{self, host, lug_number, refusal, tooth_number};
 use calyx_abi::externs::Handle;
 use calyx_abi::{Context, RuntimeError};
 use calyx_runtime::observe::{
-    Coordinate, Displacement, Efficiency, FaceLoadFactor, FrictionLoss, HighestContact, LoadShare,
-    LoadedFace, LowestContact, LugLoad, MaxContactPressure, MaxEdgePressure, MaxLineLoad, MaxRootCompression,
-    MaxRootStress, MaxSlidingVelocity, Maximum, MeshForce, MeshStiffness, ModeShare, NaturalFrequency,
-    Observable, PairLoad, PairsInContact, PlaceOf, Rotation, SecantStiffness, SlidingVelocity, SupportForce,
-    SupportMoment, ToothLoad, TransmissionError, UnloadedTransmissionError,
+    Coordinate, Displacement, Efficiency, FaceLoadFactor, FrictionLoss, HighestContact, KindOfMode,
+    LoadShare, LoadedFace, LowestContact, LugLoad, MaxContactPressure, MaxEdgePressure, MaxLineLoad,
+    MaxRootCompression, MaxRootStress, MaxSlidingVelocity, Maximum, MeshForce, MeshStiffness, ModeShare,
+    ModesRequest, NaturalFrequency, Observable, PairLoad, PairsInContact, PlaceOf, PlanetSet, Rotation,
+    SecantStiffness, SlidingVelocity, SupportForce, SupportMoment, ToothLoad, TransmissionError,
+    UnloadedTransmissionError,
 };
 use calyx_runtime::scene::{BodyId, PairId};
 
@@ -62,6 +63,24 @@ calyx_abi::externs! {
             _ => ([true; 6], true),
         };
         observe(context, ModeShare { mode, body: id, components, elastic })
+    }
+
+    Scene fn calyx_gears_mode_kind(context, mode: f64, around: Handle, planets: Vec<Handle>) -> Handle {
+        let (mode, set) = (mode_number(mode)?, planet_set(context, around, planets)?);
+        observe(context, KindOfMode { mode, set })
+    }
+
+    Scene fn calyx_gears_modes_table(context, modes: f64, around: Handle, planets: Vec<Handle>) -> () {
+        if modes.fract() != 0.0 {
+            return Err(refusal("E0770", "modes", &format!("there are no {modes} modes"), "give a whole number, or 0 for all"));
+        }
+        let set = match planets.is_empty() {
+            true => None,
+            false => Some(planet_set(context, around, planets)?),
+        };
+        let count = (modes > 0.0).then_some(modes as usize);
+        host(context)?.scene.modes_table = Some(ModesRequest { count, set });
+        Ok(())
     }
 
     Scene fn calyx_gears_secant_mesh_stiffness(context, mesh: Handle) -> Handle {
@@ -195,6 +214,23 @@ fn pair(mesh: Handle) -> PairId {
 
 fn body(context: &mut Context, body: Handle) -> Result<BodyId, RuntimeError> {
     externs::body(context, "body", body)
+}
+
+fn planet_set(
+    context: &mut Context,
+    around: Handle,
+    planets: Vec<Handle>,
+) -> Result<PlanetSet, RuntimeError> {
+    let around = externs::body(context, "around", around)?;
+    let planets: Vec<BodyId> = planets
+        .into_iter()
+        .map(|planet| externs::body(context, "planets", planet))
+        .collect::<Result<_, _>>()?;
+    if planets.contains(&around) || planets.is_empty() {
+        let message = "planets are bodies around another one";
+        return Err(refusal("E0772", "planets", message, "give the planets, and sun or carrier as `around`"));
+    }
+    Ok(PlanetSet { around, planets })
 }
 
 /// A mode's number, which counts from 1.

@@ -321,3 +321,50 @@ fn the_stiffness_of_a_mesh_in_time_is_that_of_statics() {
         assert!((rigid[0] / modal[0] - 1.0).abs() < 0.01, "{time}: {rigid:?} {modal:?}");
     }
 }
+
+/// Modes of the bodies leave statics as it is, to the bit, and its stiffness: with all they answer at rest it is that of rigid ones. They lower
+/// frequencies, and have their part of the energy.
+#[test]
+fn modes_of_bodies_lower_natural_frequencies_and_leave_statics_as_it_is() {
+    let (mut scene, mesh) = at_speed(1.0, &PLAIN);
+    let journal = Bearing::new("journal", SECOND, 0.0, axisymmetric(3e8, 0.0, 0.0, 4e5));
+    scene.bodies[SECOND.0] = scene.bodies[SECOND.0].clone().free_in(&[Component::ThetaZ, Component::Ux]);
+    scene.add_bearing(journal).expect("a bearing");
+    let plan = calyx_runtime::plan::Plan::new(&scene, Fidelity::Plane, COARSE).expect("a plan");
+    let resources = calyx_runtime::resources::Resources::default();
+    let rigid = system(&scene);
+    let time = 0.3 * mesh.period;
+    let step = rigid.solve(time).expect("equilibrium");
+    let plain = Equilibrium::new(&rigid, &step).vibrations().expect("they vibrate");
+    let mut last = plain.frequencies[..3].to_vec();
+    for highest in [40e3, 80e3] {
+        let elastic = system(&scene).vibrating(&plan, &resources, highest).expect("modes");
+        let again = elastic.solve(time).expect("equilibrium");
+        assert_eq!((&again.motion, &again.problem.compliance), (&step.motion, &step.problem.compliance));
+        let found = Equilibrium::new(&elastic, &again).vibrations().expect("they vibrate");
+        let count = found.frequencies.len();
+        assert!(count > 3, "{count}");
+        // What is left of the stiffness where modal coordinates give way.
+        let block = |i: usize, j: usize, rows: usize, columns: usize| {
+            found.stiffness.view((i, j), (rows, columns)).into_owned()
+        };
+        let modal = block(3, 3, count - 3, count - 3).cholesky().expect("definite");
+        let left = block(0, 0, 3, 3) - block(0, 3, 3, count - 3) * modal.solve(&block(3, 0, count - 3, 3));
+        let error = (&left - &plain.stiffness).amax() / plain.stiffness.amax();
+        assert!(error < 1e-9, "{error:e}");
+        for (mode, last) in last.iter_mut().enumerate() {
+            assert!(
+                found.frequencies[mode] < *last * (1.0 + 1e-9),
+                "{mode}: {} {last}",
+                found.frequencies[mode]
+            );
+            *last = found.frequencies[mode];
+        }
+        let share = |body, elastic_too| {
+            let share = ModeShare { mode: 2, body, components: [true; 6], elastic: elastic_too };
+            elastic.value(&again, &share).value
+        };
+        let all = share(FIRST, true) + share(SECOND, true);
+        assert!((all - 1.0).abs() < 1e-9 && share(FIRST, false) + share(SECOND, false) < 1.0 - 1e-5, "{all}");
+    }
+}

@@ -2,6 +2,7 @@
 
 use crate::field_tables::{self, FieldTables};
 use crate::journal::{self, Found, Journal};
+use crate::modes_table;
 use crate::vtu::{self, Pictures};
 use calyx_abi::RuntimeError;
 use calyx_abi::description::{
@@ -39,6 +40,7 @@ pub fn prepare(directory: &Path) -> io::Result<()> {
         Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(error),
         _ => {}
     }
+    modes_table::remove(directory)?;
     for name in ["run.json", "timing.json", "steps.csv"].into_iter().chain(field_tables::NAMES) {
         match fs::remove_file(directory.join(name)) {
             Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(error),

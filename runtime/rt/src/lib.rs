@@ -23,7 +23,8 @@ pub mod instance;
 pub mod interrupt;
 pub mod journal;
 pub mod linked;
-pub mod names;
+pub mod modes_table;
+mod names;
 #[cfg(feature = "command")]
 pub mod options;
 pub mod params;

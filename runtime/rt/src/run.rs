@@ -10,7 +10,7 @@ use crate::program::Program;
 use crate::progress::{Progress, ProgressFormat};
 use crate::results::Results;
 use crate::resume::{self, Begun};
-use crate::{signals, table};
+use crate::{modes_table, signals, table};
 use calyx_abi::description::OutputDescription;
 use calyx_abi::{Cancel, Status};
 use calyx_gears::host::Finding;
@@ -141,6 +141,8 @@ pub fn run(program: Arc<dyn Program>, options: &RunOptions) -> Result<RunReport,
         findings.map(|finding| format!("{}: {}", finding.error.code, finding.error.message)).collect();
     written.extend(all_warnings.iter().cloned());
     let result = results.analysis();
+    let modes = result.and_then(|result| result.modes.as_ref());
+    modes.map_or(Ok(()), |modes| modes_table::write(directory, modes)).map_err(unwritable)?;
     signals::write(directory, description, results.signals()).map_err(unwritable)?;
     let listed = signals::list(description, results.signals());
     write_run(directory, description, results.params(), result, listed, &written, &stages)
@@ -151,6 +153,7 @@ pub fn run(program: Arc<dyn Program>, options: &RunOptions) -> Result<RunReport,
         ignored.map(|ignored| format!("`{}` is not seen as given: {}", ignored.input, ignored.reason));
     Ok(RunReport {
         summary: result.map(|result| table::summary(description, result)).unwrap_or_default()
+            + &modes.map(modes_table::summary).unwrap_or_default()
             + &signals::summary(description, results.signals()),
         warnings: ignored.chain(all_warnings).collect(),
         findings: results.findings().to_vec(),

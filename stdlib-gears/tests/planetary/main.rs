@@ -1,6 +1,7 @@
 //! Planetary systems in the plane: sun, planets and ring in one contact problem, seen from the ground, from the carrier and from anywhere.
 
 mod loads;
+mod modes;
 mod motion;
 mod phases;
 mod set;

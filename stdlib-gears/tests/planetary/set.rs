@@ -69,7 +69,10 @@ fn external(teeth: u32, thickness: f64, bore: f64) -> Arc<GearPrototype> {
 
 static SUN: LazyLock<Arc<GearPrototype>> = LazyLock::new(|| external(SUN_TEETH, 4.45e-3, 22e-3));
 static PLANET: LazyLock<Arc<GearPrototype>> = LazyLock::new(|| external(PLANET_TEETH, 4.45e-3, 32e-3));
-static RING: LazyLock<Arc<GearPrototype>> = LazyLock::new(|| {
+static RING: LazyLock<Arc<GearPrototype>> = LazyLock::new(|| ring(155e-3, BoreHold::Rigid));
+
+/// A ring of an outer radius (m) at which it is held.
+pub fn ring(outer: f64, hold: BoreHold) -> Arc<GearPrototype> {
     // The operating circle of the mesh with the planets is its pitch circle: the base pitch is that of the rack.
     let module = 2.0 * DISTANCE / f64::from(RING_TEETH - PLANET_TEETH);
     let angle = (25.4e-3 / 8.857 * 24.6_f64.to_radians().cos() / module).acos();
@@ -82,9 +85,9 @@ static RING: LazyLock<Arc<GearPrototype>> = LazyLock::new(|| {
         tip_edge_radius: None,
     })
     .expect("a sound ring");
-    let rim = Rim { radius: 145.5e-3, held_radius: 155e-3, web: None, hold: BoreHold::Rigid };
+    let rim = Rim { radius: 145.5e-3, held_radius: outer, web: None, hold };
     Arc::new(GearPrototype::new(gear, Vec::new(), steel(), rim, FACE, Vec::new()).expect("a gear"))
-});
+}
 
 /// Structures are condensed once for all tests.
 static CACHE: LazyLock<Arc<OperatorCache>> = LazyLock::new(|| Arc::new(OperatorCache::new(usize::MAX)));
@@ -263,6 +266,13 @@ impl Set {
         let plan = Plan::new(&self.scene, Fidelity::Plane, COARSE).expect("it can be planned");
         let resources = Resources { cache: Some(CACHE.clone()), ..Resources::default() };
         System::with(&self.scene, &plan, &resources).expect("it can be built")
+    }
+
+    /// The same with the modes of its bodies up to a frequency, Hz.
+    pub fn vibrating(&self, highest: f64) -> System<'_> {
+        let plan = Plan::new(&self.scene, Fidelity::Plane, COARSE).expect("it can be planned");
+        let resources = Resources { cache: Some(CACHE.clone()), ..Resources::default() };
+        self.system().vibrating(&plan, &resources, highest).expect("bodies have modes")
     }
 
     pub fn mesh(&self, pair: PairId) -> &GearMesh {

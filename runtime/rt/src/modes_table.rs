@@ -1,0 +1,44 @@
+//! The modes about the first position as a table of the run directory, where the model asks for it.
+
+use calyx_runtime::observe::{ModeKind, ModesTable};
+use std::fs;
+use std::io;
+use std::path::Path;
+
+/// Its name in a run directory.
+pub const NAME: &str = "modes.csv";
+/// Modes that people are told of.
+const SHOWN: usize = 12;
+
+/// Writes the table: a row a mode, frequencies in Hz.
+pub fn write(directory: &Path, table: &ModesTable) -> io::Result<()> {
+    let mut writer = csv::Writer::from_path(directory.join(NAME))?;
+    let columns = ["mode", "frequency", "kind", "translation", "rotation", "elastic"];
+    writer.write_record(columns.into_iter().chain(table.bodies.iter().map(String::as_str)))?;
+    for (index, mode) in table.modes.iter().enumerate() {
+        let parts = [mode.translation, mode.rotation, mode.elastic];
+        let kind = mode.kind.map_or("", ModeKind::name).to_owned();
+        let mut record = vec![(index + 1).to_string(), mode.frequency.to_string(), kind];
+        record.extend(parts.iter().chain(&mode.bodies).map(f64::to_string));
+        writer.write_record(record)?;
+    }
+    writer.flush()
+}
+
+/// Takes away that of an earlier run.
+pub fn remove(directory: &Path) -> io::Result<()> {
+    match fs::remove_file(directory.join(NAME)) {
+        Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
+        _ => Ok(()),
+    }
+}
+
+/// The lowest modes in a line.
+pub fn summary(table: &ModesTable) -> String {
+    let mode = |mode: &calyx_runtime::observe::ModeRow| {
+        let kind = mode.kind.map(|kind| format!(" {}", kind.name())).unwrap_or_default();
+        format!("{:.1}{kind}", mode.frequency)
+    };
+    let shown: Vec<String> = table.modes.iter().take(SHOWN).map(mode).collect();
+    format!("modes [Hz]: {}\n", shown.join(", "))
+}
