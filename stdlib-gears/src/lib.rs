@@ -130,6 +130,7 @@ pub mod involute;
 pub mod library;
 pub mod lumped_externs;
 pub mod lumped_planetary;
+pub mod lumped_scene;
 pub mod mesh_externs;
 pub mod mesh_geometry;
 pub mod modification;

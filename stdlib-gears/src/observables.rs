@@ -1,6 +1,7 @@
 //! What programs can ask of bodies and meshes at each position: the Rust side of the observables of `gears.cx`.
 
 use crate::externs::{self, host, lug_number, refusal, tooth_number};
+use crate::lumped_scene::{LumpedFrequency, LumpedSet};
 use calyx_abi::externs::Handle;
 use calyx_abi::{Context, RuntimeError};
 use calyx_runtime::observe::{
@@ -68,6 +69,26 @@ calyx_abi::externs! {
     Scene fn calyx_gears_mode_kind(context, mode: f64, around: Handle, planets: Vec<Handle>) -> Handle {
         let (mode, set) = (mode_number(mode)?, planet_set(context, around, planets)?);
         observe(context, KindOfMode { mode, set })
+    }
+
+    Scene fn calyx_gears_lumped_natural_frequency(
+        context, mode: f64, sun: Handle, ring: Handle, carrier: Handle, planets: Vec<Handle>, sun_meshes: Vec<Handle>,
+        ring_meshes: Vec<Handle>,
+    ) -> Handle {
+        let mode = mode_number(mode)?;
+        let planets = planet_set(context, carrier, planets)?;
+        let count = planets.planets.len();
+        let (sun, ring) = (externs::body(context, "sun", sun)?, externs::body(context, "ring", ring)?);
+        for (argument, meshes) in [("sun_meshes", &sun_meshes), ("ring_meshes", &ring_meshes)] {
+            if meshes.len() != count {
+                let message = format!("there are {count} planets and {} of the meshes", meshes.len());
+                return Err(refusal("E0772", argument, &message, "give one for each planet, in their order"));
+            }
+        }
+        let [sun_meshes, ring_meshes] = [sun_meshes, ring_meshes].map(|all| all.into_iter().map(pair).collect());
+        let PlanetSet { around: carrier, planets } = planets;
+        let set = LumpedSet { sun, ring, carrier, planets, sun_meshes, ring_meshes };
+        observe(context, LumpedFrequency { mode, set })
     }
 
     Scene fn calyx_gears_modes_table(context, modes: f64, around: Handle, planets: Vec<Handle>) -> () {

@@ -10,7 +10,7 @@ use crate::contact::problem::Certificate;
 use crate::error::EngineError;
 use crate::inertia::Inertia;
 use crate::load::Wrench;
-use crate::observe::{Equilibrium, check_vibrations};
+use crate::observe::{Equilibrium, ModesTable, check_vibrations};
 use crate::plan::Plan;
 use crate::resources::Resources;
 use crate::results::{AnalysisResult, OutputRequest, Solved, StepRow, Timing};
@@ -378,15 +378,23 @@ impl<'s> History<'s> {
         all
     }
 
+    /// The table of modes about the start, which is had once more for it: a run that goes on has not seen it.
+    fn first_modes(&mut self) -> Option<ModesTable> {
+        let request = self.system.scene.modes_table.as_ref()?;
+        let first = self.begin().ok()?;
+        Equilibrium::new(&self.system, &first).modes_table(request)
+    }
+
     /// Sums up.
     pub fn finish(mut self) -> AnalysisResult {
         let first = Certificate::default();
         let certificate = self.solved.iter().fold(first, |worst, solved| worst.worst(&solved.certificate));
+        let modes = self.first_modes();
         let rows: Vec<StepRow> = self.solved.into_iter().map(|solved| solved.row).collect();
         let summaries = summarize(&rows, self.outputs, &self.system.scene.observables);
         self.timing.add("positions", self.solving);
         self.timing.memory = self.resources.interrupt.most_asked();
-        AnalysisResult { plan: self.plan, rows, summaries, certificate, timing: self.timing }
+        AnalysisResult { plan: self.plan, rows, summaries, certificate, modes, timing: self.timing }
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::contact::pressure::Peak;
 use crate::contact::solid::Grid;
 use crate::results::Place;
-use crate::scene::{BodyId, GearMesh, PairId};
+use crate::scene::{BodyId, GearMesh, PairId, Scene};
 use crate::step::{Patch, PatchGrid, StepResult};
 use crate::structure::solid::SpotLoad;
 use crate::structure::{Chart, SurfaceLoad};
@@ -21,6 +21,11 @@ impl<'a> Equilibrium<'a> {
     /// A position that this system has solved.
     pub fn new(system: &'a System<'a>, step: &'a StepResult) -> Self {
         Equilibrium { system, step }
+    }
+
+    /// What is solved.
+    pub fn scene(&self) -> &'a Scene {
+        self.system.scene
     }
 
     /// s
@@ -75,7 +80,7 @@ impl<'a> Equilibrium<'a> {
 
     /// Where a body's axle was when contact was laid out, m: where it is meant to be, but for backlash it has gone
     /// through and for where the load carries it.
-    pub(crate) fn origin(&self, body: BodyId) -> [f64; 3] {
+    pub fn origin(&self, body: BodyId) -> [f64; 3] {
         self.system.origin_moved(body.0, self.time(), &self.step.start)
     }
 

@@ -11,6 +11,7 @@ mod fields;
 mod gauge;
 mod loads;
 mod mesh;
+mod mode_kind;
 mod places;
 mod pressure;
 mod sliding;
@@ -26,6 +27,7 @@ pub use fields::{ContactField, Fields, FilletField, FilletStress, PressedCell};
 pub use gauge::{Gauge, GaugeReading, Reading};
 pub use loads::{FaceLoadFactor, LoadShare, LoadedFace, MaxLineLoad, MeshForce, PairLoad, PairsInContact};
 pub use mesh::{MeshStiffness, SecantStiffness, TransmissionError, UnloadedTransmissionError};
+pub use mode_kind::{KindOfMode, KindShares, ModeKind, ModeRow, ModesRequest, ModesTable, PlanetSet};
 pub use places::{Coordinate, Maximum, PlaceOf};
 pub use pressure::{MaxContactPressure, MaxEdgePressure};
 pub use sliding::{Efficiency, FrictionLoss, MaxSlidingVelocity, SlidingVelocity};
@@ -89,6 +91,11 @@ pub trait Observable: Comparable + Debug + Send + Sync {
 
     /// The body whose frame it looks at, whether or not the body touches anything.
     fn frame_of(&self) -> Option<BodyId> {
+        None
+    }
+
+    /// The mode that it tells of, from 0: vibrations need inertia, and have so many modes.
+    fn mode(&self) -> Option<usize> {
         None
     }
 
