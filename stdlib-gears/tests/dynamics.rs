@@ -352,7 +352,6 @@ fn modes_of_bodies_change_natural_frequencies_and_leave_statics_as_it_is() {
         let left = block(0, 0, 3, 3) - block(0, 3, 3, count - 3) * modal.solve(&block(3, 0, count - 3, 3));
         let error = (&left - &plain.stiffness).amax() / plain.stiffness.amax();
         assert!(error < 1e-9, "{error:e}");
-        println!("{:?} {:?}", plain.frequencies, &found.frequencies[..4]);
         // The lowest ones, which are far below those of the bodies alone.
         for (mode, last) in last.iter_mut().enumerate() {
             let changed = (found.frequencies[mode] / plain.frequencies[mode] - 1.0).abs();

@@ -149,10 +149,9 @@ impl Matrices {
                 }
             }
             let Some((own, first)) = modes.of_body(index) else { continue };
-            for k in first..first + own.count() {
-                let arm = matrices.arms[k];
-                matrices.modal_load[k] =
-                    spin * spin * arm.outwards - dot(arm.along, [ax, ay]) - arm.about * alpha;
+            let loads = matrices.modal_load.iter_mut().zip(&matrices.arms);
+            for (load, arm) in loads.skip(first).take(own.count()) {
+                *load = spin * spin * arm.outwards - dot(arm.along, [ax, ay]) - arm.about * alpha;
             }
         }
         matrices.coupling = on_freedoms_by_modes(system, &matrices.arms);
@@ -302,11 +301,11 @@ fn on_freedoms_by_modes(system: &System<'_>, arms: &[Arm]) -> Vec<f64> {
     let mut coupling = vec![0.0; system.freedoms.len() * count];
     for (i, freedom) in system.freedoms.iter().enumerate() {
         let Some((own, first)) = system.modes.of_body(freedom.body) else { continue };
-        for k in first..first + own.count() {
+        for (k, arm) in arms.iter().enumerate().skip(first).take(own.count()) {
             coupling[i * count + k] = match freedom.component {
-                0 => arms[k].along[0],
-                1 => arms[k].along[1],
-                5 => arms[k].about,
+                0 => arm.along[0],
+                1 => arm.along[1],
+                5 => arm.about,
                 _ => 0.0,
             };
         }

@@ -114,7 +114,6 @@ fn flexible_rims_lower_frequencies_and_stiffer_ones_do_less() {
             1.0 - lowest(&flexible, turning) / lowest(&on_teeth, turning),
             1.0 - first(&flexible) / first(&on_teeth),
         ];
-        println!("{outer}: {gaps:?}");
         for (gap, last) in gaps.into_iter().zip(&mut last) {
             assert!(gap > 0.0 && gap < *last, "{outer}: {gap} after {last}");
             *last = gap;
