@@ -2,7 +2,9 @@
 
 use crate::set::{DISTANCE, PLANET_TEETH, SUN_SPEED, SUN_TEETH, Set, SetOptions, TORQUE};
 use calyx_runtime::material::Material;
-use calyx_runtime::observe::{Equilibrium, FilletSide, Gauge, GaugeReading, Observable, Reading};
+use calyx_runtime::observe::{
+    Equilibrium, FilletSide, Gauge, GaugeReading, MaxRootStress, Observable, Reading,
+};
 use calyx_runtime::scene::{BodyId, PairId};
 use calyx_runtime::step::StepResult;
 use calyx_runtime::system::System;
@@ -218,7 +220,11 @@ fn unequally_spaced_planets_a_place_further_on_bear_the_same_later() {
 /// The sun presses on one flank of a planet's teeth, the ring on the other.
 #[test]
 fn a_gauge_names_the_flank_beside_which_it_is() {
-    let set = Set::of(&SetOptions::three()).expect("it goes together");
+    let mut set = Set::of(&SetOptions::three()).expect("it goes together");
+    for body in [set.planets[0], set.sun, set.ring] {
+        // Stress is recovered where somebody asks for it.
+        set.scene.observe(MaxRootStress(body));
+    }
     let system = set.system();
     let step = solve(&system, PART);
     let at = Equilibrium::new(&system, &step);

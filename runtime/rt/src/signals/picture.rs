@@ -12,6 +12,8 @@ use std::path::Path;
 const SIZE: (u32, u32) = (960, 540);
 /// Of what of it the magnitudes of a transfer function take, above its phases.
 const MAGNITUDES: u32 = 330;
+/// Degrees at which phases have a line.
+const QUARTERS: [f64; 5] = [-180.0, -90.0, 0.0, 90.0, 180.0];
 /// Of the legend of a map.
 const LEGEND: u32 = 130;
 /// Orders of magnitude that line spectra show below the largest value.
@@ -132,7 +134,7 @@ fn phase(area: &Area<'_>, places: &[f64], phases: &[f64]) -> Result<(), Box<dyn 
         .margin_right(24)
         .x_label_area_size(44)
         .y_label_area_size(84)
-        .build_cartesian_2d(0.0..end / scale, -180.0..180.0)?;
+        .build_cartesian_2d(0.0..end / scale, (-190.0..190.0).with_key_points(QUARTERS.to_vec()))?;
     chart
         .configure_mesh()
         .x_desc(format!("frequency [{unit}]"))
