@@ -12,8 +12,8 @@ use std::path::Path;
 const SIZE: (u32, u32) = (960, 540);
 /// Of what of it the magnitudes of a transfer function take, above its phases.
 const MAGNITUDES: u32 = 330;
-/// Degrees at which phases have a line.
-const QUARTERS: [f64; 5] = [-180.0, -90.0, 0.0, 90.0, 180.0];
+/// Degrees from one line of phases to the next.
+const QUARTER: f64 = 90.0;
 /// Of the legend of a map.
 const LEGEND: u32 = 130;
 /// Orders of magnitude that line spectra show below the largest value.
@@ -134,7 +134,7 @@ fn phase(area: &Area<'_>, places: &[f64], phases: &[f64]) -> Result<(), Box<dyn 
         .margin_right(24)
         .x_label_area_size(44)
         .y_label_area_size(84)
-        .build_cartesian_2d(0.0..end / scale, (-190.0..190.0).with_key_points(QUARTERS.to_vec()))?;
+        .build_cartesian_2d(0.0..end / scale, -2.1..2.1)?;
     chart
         .configure_mesh()
         .x_desc(format!("frequency [{unit}]"))
@@ -143,11 +143,11 @@ fn phase(area: &Area<'_>, places: &[f64], phases: &[f64]) -> Result<(), Box<dyn 
         .axis_desc_style(("sans-serif", 15))
         .label_style(("sans-serif", 13))
         .x_label_formatter(&|value| tick(*value))
-        .y_label_formatter(&|value| tick(*value))
+        .y_label_formatter(&|value| tick(QUARTER * value))
         .light_line_style(BLACK.mix(0.05))
         .bold_line_style(BLACK.mix(0.15))
         .draw()?;
-    let drawn = places.iter().zip(phases).map(|(place, phase)| (place / scale, phase.to_degrees()));
+    let drawn = places.iter().zip(phases).map(|(place, phase)| (place / scale, phase.to_degrees() / QUARTER));
     chart.draw_series(LineSeries::new(drawn, &BLUE))?;
     Ok(())
 }
