@@ -161,3 +161,62 @@ fn what_the_rows_cannot_show_is_said_at_the_request_and_spoils_nothing() {
     let said = String::from_utf8(output.stderr).unwrap();
     assert!(output.status.success() && said.contains("W0777"), "{said}");
 }
+
+/// A blow on a loaded pair: the transfer function of what follows has its peaks where the natural frequencies are.
+#[test]
+fn a_blow_shows_the_natural_frequencies() {
+    let directory = tempfile::tempdir().unwrap();
+    let model = directory.path().join("model.cx");
+    let (pair, _) = MODEL.split_once("output te").unwrap();
+    let slow = pair.replace("60 rpm", "1e-6 rpm").replace(
+        "free = [\"theta_z\"]",
+        "free = [\"u_x\", \"u_y\", \"theta_z\"], mass = 1 kg, inertia = 1e-3 kg*m^2",
+    );
+    // 4096 steps of 5 us, after which a damping of 600 Hz has left a thousandth of the vibration.
+    let text = format!(
+        "{slow}gears.bearing(\"shaft\", one, radial_stiffness = 1e8 N/m);
+var blow = 1e-6 N*m*s;
+gears.impulse(one, at = 0.1 ms, duration = 20 us, angular_momentum = blow*e3);
+output turn := gears.rotation(one, \"z\");
+output lowest := gears.natural_frequency(1);
+output highest := gears.natural_frequency(3);
+gears.transfer_function(\"turn\", from = 0.1 ms, momentum = blow/(1 N*m*s));
+analyze(\"dynamic\", over = gears.time_ranges([gears.time_range(20.58 ms, step = 5 us)]), rayleigh_mass = 600 Hz);
+"
+    );
+    fs::write(&model, text).unwrap();
+    let run = directory.path().join("run");
+    let output = Command::new(env!("CARGO_BIN_EXE_calyx"))
+        .arg("run")
+        .arg(&model)
+        .args(["--no-cache", "--out"])
+        .arg(&run)
+        .output()
+        .unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let table = |name: &str| -> Vec<Vec<f64>> {
+        let text = fs::read_to_string(run.join(name)).unwrap();
+        let rows = text.lines().filter(|line| !line.starts_with('#')).skip(1);
+        rows.map(|row| row.split(',').map(|cell| cell.parse().unwrap_or(f64::NAN)).collect()).collect()
+    };
+    let lines = table("signals/turn_transfer_function.csv");
+    let resolution = lines[1][0];
+    let peaks: Vec<f64> = lines
+        .windows(3)
+        .filter(|near| near[1][1] > near[0][1] && near[1][1] >= near[2][1])
+        .map(|near| near[1][0])
+        .collect();
+    let results = fs::read_to_string(run.join("steps.csv")).unwrap();
+    let column = |name: &str| {
+        results.lines().next().unwrap().split(',').position(|known| known.starts_with(name)).unwrap()
+    };
+    let natural = |name: &str| -> f64 {
+        results.lines().nth(2).unwrap().split(',').nth(column(name)).unwrap().parse().unwrap()
+    };
+    for frequency in [natural("lowest"), natural("highest")] {
+        assert!(
+            peaks.iter().any(|peak| (peak - frequency).abs() <= resolution),
+            "{frequency} Hz is none of {peaks:?}, to {resolution} Hz"
+        );
+    }
+}

@@ -1,0 +1,51 @@
+//! How long examples of planetary systems and of motion in time take at the lengths that are asked of them, from a cold start:
+//! `cargo bench -p calyx --bench examples`. Times of this machine, with shares of structures and positions, which travel.
+
+use calyx::{Engine, Instance, Module};
+use std::path::Path;
+use std::time::Instant;
+
+fn main() {
+    println!(
+        "{:<52} {:>8} {:>10} {:>12} {:>10} {:>14}",
+        "", "rows", "all, s", "structures", "positions", "us by position"
+    );
+    measure("planetary.cx, 600 positions in equilibrium", "planetary.cx", 600, |instance| {
+        instance.set("cycles", 25)?;
+        instance.set("steps", 600)
+    });
+    measure("the same with 17 cells across each contact", "planetary.cx", 600, |instance| {
+        instance.set("cycles", 25)?;
+        instance.set("steps", 600)?;
+        instance.set("cells", 8)
+    });
+    measure("spur_dynamics.cx, 10,000 steps in time", "spur_dynamics.cx", 10_000, |instance| {
+        instance.set("run_up", (50.0, "ms"))?;
+        instance.set("steps", 10_000)
+    });
+}
+
+/// An example with some params, and how many positions or steps that makes.
+fn measure(what: &str, example: &str, count: usize, set: impl Fn(&mut Instance) -> Result<(), calyx::Error>) {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples").join(example);
+    // An engine of its own keeps nothing of another run.
+    let engine = Engine::default();
+    let begun = Instant::now();
+    let module = Module::from_file(&engine, &path).expect("the example compiles");
+    let mut instance = module.instantiate();
+    set(&mut instance).expect("in range");
+    let results = instance.solve().expect("it is solved");
+    let whole = begun.elapsed().as_secs_f64();
+    let timing = results.timing().expect("an analysis");
+    let stage = |name: &str| {
+        timing.stages.iter().find(|(known, _)| *known == name).map_or(0.0, |(_, time)| time.as_secs_f64())
+    };
+    let [structures, positions] = ["structures", "positions"].map(stage);
+    println!(
+        "{what:<52} {:>8} {whole:>10.2} {:>12.3} {:>10.3} {:>14.1}",
+        results.steps().len(),
+        structures / whole,
+        positions / whole,
+        1e6 * positions / count as f64
+    );
+}

@@ -1,0 +1,88 @@
+//! Motion in time of the chapter 5 pair: what a step costs when the mesh has four times the unknowns, and how long 10,000 steps take. The former is
+//! a ratio, of the fastest of chunks of steps that take turns, and travels between machines.
+
+#[path = "../tests/common/mod.rs"]
+#[allow(dead_code, reason = "tests use the rest")]
+mod common;
+
+use calyx_runtime::analysis::AnalysisOptions;
+use calyx_runtime::dynamics::{DynamicOptions, History, Scheme, Start, TimeRange};
+use calyx_runtime::observe::TransmissionError;
+use calyx_runtime::plan::Plan;
+use calyx_runtime::results::OutputRequest;
+use calyx_runtime::scene::{Fidelity, Scene, StructureOptions};
+use common::pair::{COARSE, MESH, PairOptions, RELIEVED, pair};
+use std::time::Instant;
+
+const STEPS: usize = 10_000;
+/// A row is kept of each: what is timed at once.
+const CHUNK: usize = 100;
+
+fn main() {
+    // Rigid bodies with elastic teeth, and with their modes up to three times the highest frequency that is looked at.
+    println!(
+        "{:>12} {:>10} {:>8} {:>18} {:>18} {:>22}",
+        "modes to", "modes", "cells", "step, us", "4 x unknowns", "10,000 steps, s"
+    );
+    for highest in [0.0, 20e3] {
+        for half_cells in [8, 24] {
+            measure(highest, half_cells);
+        }
+    }
+}
+
+fn measure(highest_frequency: f64, half_cells: usize) {
+    let (mut scene, mesh) = pair(&PairOptions { speed: 300.0, ..PairOptions::chapter_5(&RELIEVED) });
+    scene.pairs[0].grid.half_cells = Some(half_cells);
+    scene.pairs[0].grid.width = Some(8e-4);
+    scene.observables.clear();
+    let outputs = [OutputRequest::observing("transmission_error", scene.observe(TransmissionError(MESH)))];
+    let dynamics = DynamicOptions {
+        from: 0.0,
+        ranges: vec![TimeRange { keep: CHUNK, ..TimeRange::steady(5.0 * mesh.period, STEPS) }],
+        scheme: Scheme::AVERAGE,
+        rayleigh: [2000.0, 0.0],
+        highest_frequency,
+        start: Start::Equilibrium,
+    };
+    let meshes = [COARSE, StructureOptions { refinement: 2.0 * COARSE.refinement, ..COARSE }];
+    let unknowns = meshes.map(|structure| unknowns(&scene, structure));
+    let options = meshes.map(|structure| AnalysisOptions { structure, ..AnalysisOptions::default() });
+    let [mut coarse, mut fine] = options
+        .each_ref()
+        .map(|options| History::new(&scene, &outputs, options, &dynamics, &mut ()).expect("it can begin"));
+    let modes = coarse.modal_coordinates();
+    let (mut fastest, mut whole) = ([f64::INFINITY; 2], [0.0; 2]);
+    for chunk in 0..=STEPS / CHUNK {
+        for (history, (fastest, whole)) in
+            [&mut coarse, &mut fine].into_iter().zip(fastest.iter_mut().zip(&mut whole))
+        {
+            let begun = Instant::now();
+            history.next().expect("a row").expect("it goes on");
+            let took = begun.elapsed().as_secs_f64();
+            // The first row is the start.
+            if chunk > 0 {
+                *fastest = fastest.min(took / CHUNK as f64);
+                *whole += took;
+            }
+        }
+    }
+    let [one, other] = fastest;
+    let ratio = format!("{:.3} ({:.1} x)", other / one, unknowns[1] as f64 / unknowns[0] as f64);
+    println!(
+        "{:>9} Hz {modes:>10} {:>8} {:>18.1} {ratio:>18} {:>22.2}",
+        highest_frequency,
+        2 * half_cells + 1,
+        1e6 * one,
+        whole[0]
+    );
+}
+
+/// Of both gears.
+fn unknowns(scene: &Scene, structure: StructureOptions) -> usize {
+    let plan = Plan::new(scene, Fidelity::Plane, structure).expect("it can be planned");
+    let sizes = RELIEVED.iter().zip(&plan.bodies).filter_map(|(member, body)| {
+        calyx_runtime::scene::Prototype::size(member.prototype.as_ref(), Fidelity::Plane, &body.options)
+    });
+    sizes.map(|size| size.body_freedoms()).sum()
+}
