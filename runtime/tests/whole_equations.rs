@@ -2,7 +2,7 @@
 //! a hard roller, by component modes with the residual flexibility, and by Newmark's rule at every unknown of the whole ring's mesh.
 //!
 //! In common are the mesh, the cells of the contact and what they give way by in statics. Mass, stiffness, their solution and the search for the
-//! cells that carry load are the check's own.
+//! cells that carry load are the check's own. The ring turns in a second check, where its own vibration feels that it does.
 
 use calyx_runtime::analysis::AnalysisOptions;
 use calyx_runtime::bearing::{Bearing, axisymmetric};
@@ -479,4 +479,116 @@ fn modes_and_residual_flexibility_answer_as_all_unknowns_of_the_mesh_do() {
     assert!(with_modes.iter().all(|difference| *difference < 0.01), "{with_modes:?}");
     // The ring's own vibration is no small part of it.
     assert!(rigid[3] > 0.03, "{rigid:?}");
+}
+
+/// Of the ring that turns: rad/s, and N on its frame after a rise.
+const SPEED: f64 = 2500.0;
+const FORCE: f64 = 1e4;
+
+fn force(time: f64) -> f64 {
+    FORCE / MOMENT * moment(time)
+}
+
+/// Path of the frame of a ring that turns at a speed and touches nothing, seen from ground, m: with its modes.
+fn turning_by_modes(inertia: Inertia, speed: f64) -> Vec<[f64; 2]> {
+    let mut scene = Scene::default();
+    let motion = SteadyRotation { origin: [0.0; 2], start: 0.0, speed };
+    let ring = Body::new("ring", Arc::new(Toothed { inertia }), motion)
+        .free_in(&[Component::Ux, Component::Uy])
+        .loaded(|time: f64| Wrench::of_force([force(time), 0.0, 0.0]));
+    let ring = scene.add_body(ring);
+    let roller = scene.add_body(Body::new("roller", Arc::new(Roller), SteadyRotation::at_rest([0.5, 0.0])));
+    let support = Bearing::new("support", ring, 0.0, axisymmetric(SUPPORT, 0.0, 0.0, 0.0));
+    scene.add_bearing(support).expect("a bearing");
+    scene.add_pair(SurfacePair::new([ring, roller], [0, 0]));
+    let outputs = [
+        OutputRequest::observing("x", scene.observe(Displacement(BodyId(0), 0))),
+        OutputRequest::observing("y", scene.observe(Displacement(BodyId(0), 1))),
+    ];
+    let dynamics = DynamicOptions {
+        from: 0.0,
+        ranges: vec![TimeRange::steady(STEPS as f64 * STEP, STEPS)],
+        scheme: Scheme::AVERAGE,
+        rayleigh: [0.0; 2],
+        highest_frequency: 100e3,
+        start: Start::Frames,
+    };
+    let options = AnalysisOptions::default();
+    let history = History::new(&scene, &outputs, &options, &dynamics, &mut ()).expect("it can begin");
+    history
+        .map(|solved| {
+            let outputs = solved.expect("it goes on").row.outputs;
+            [outputs[0].value, outputs[1].value]
+        })
+        .collect()
+}
+
+/// The same with all unknowns in axes that turn with the ring: `M (w'' + 2 W e3 x w' - W² w) + K w = f`. What it grows by is left out: that
+/// does not move its frame.
+fn turning_by_all_unknowns(whole: &Whole, speed: f64) -> Vec<[f64; 2]> {
+    let (stiffness, mass) = (whole.model.stiffness(), whole.model.mass());
+    let across: Vec<_> = mass
+        .triplet_iter()
+        .map(|entry| match entry.col % 2 {
+            0 => Triplet::new(entry.row, entry.col + 1, -entry.val),
+            _ => Triplet::new(entry.row, entry.col - 1, *entry.val),
+        })
+        .collect();
+    let size = whole.model.dof_count();
+    let across = SparseColMat::try_new_from_triplets(size, size, &across).expect("a matrix");
+    let support = SUPPORT / WIDTH;
+    let mut k = whole.reduced(&stiffness, [support, support, 0.0]);
+    let m = whole.reduced(&mass, [0.0; 3]);
+    for (at, value) in &m {
+        *k.entry(*at).or_insert(0.0) -= speed * speed * value;
+    }
+    let Scheme { beta, gamma } = Scheme::AVERAGE;
+    let of_mass = (beta * STEP * STEP).recip();
+    let mut step = k.clone();
+    for (at, value) in &m {
+        *step.entry(*at).or_insert(0.0) += of_mass * value;
+    }
+    // Its turn is prescribed.
+    let mut held = Constraints::new();
+    held.prescribe(whole.count - 1, 0.0);
+    let solver = Solver::new(&whole.matrix(&step), held).expect("definite");
+    let coriolis = whole.matrix(&whole.reduced(&across, [0.0; 3]));
+    let (k, count) = (whole.matrix(&k), whole.count);
+    let [mut x, mut v, mut a] = [0, 1, 2].map(|_| Mat::<f64>::zeros(count, 1));
+    let mut path = vec![[0.0; 2]];
+    for number in 1..=STEPS {
+        let time = number as f64 * STEP;
+        let ahead = &x + STEP * &v + (0.5 - beta) * STEP * STEP * &a;
+        let speeds = &v + STEP * &a;
+        let mut load = -(&k * &ahead) - 2.0 * speed * (&coriolis * &speeds);
+        let (sin, cos) = (speed * time).sin_cos();
+        load[(count - 3, 0)] += cos * force(time) / WIDTH;
+        load[(count - 2, 0)] -= sin * force(time) / WIDTH;
+        let y = solver.solve(load.as_ref()).expect("solved");
+        v = &v + (1.0 - gamma) * STEP * &a + gamma * STEP * of_mass * &y;
+        a = of_mass * &y;
+        x = &ahead + &y;
+        let [along, beside] = [x[(count - 3, 0)], x[(count - 2, 0)]];
+        path.push([cos * along - sin * beside, sin * along + cos * beside]);
+    }
+    path
+}
+
+#[test]
+fn a_ring_that_turns_feels_it_as_all_unknowns_of_the_mesh_do() {
+    let whole = Whole::new();
+    let [[by_modes, at_rest], [expected, expected_at_rest]] = [
+        [SPEED, 0.0].map(|speed| turning_by_modes(whole.inertia(), speed)),
+        [SPEED, 0.0].map(|speed| turning_by_all_unknowns(&whole, speed)),
+    ];
+    let most = |one: &[[f64; 2]], other: &[[f64; 2]]| {
+        let off = one.iter().zip(other).map(|(a, b)| (a[0] - b[0]).hypot(a[1] - b[1]));
+        off.fold(0.0, f64::max)
+    };
+    let size = most(&expected, &vec![[0.0; 2]; STEPS + 1]);
+    let rest = most(&at_rest, &expected_at_rest) / size;
+    let felt = most(&expected, &expected_at_rest) / size;
+    let off = most(&by_modes, &expected) / size;
+    println!("TURNING size {size:e} rest {rest:e} felt {felt:e} off {off:e} off/size of what turning does");
+    assert!(rest < 0.01 && off < 0.01 && off < 0.25 * felt + rest, "{rest:e} {felt:e} {off:e}");
 }
