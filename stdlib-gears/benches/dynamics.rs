@@ -2,7 +2,6 @@
 //! a ratio, of the fastest of chunks of steps that take turns, and travels between machines.
 
 #[path = "../tests/common/mod.rs"]
-#[allow(dead_code, reason = "tests use the rest")]
 mod common;
 
 use calyx_runtime::analysis::AnalysisOptions;
