@@ -559,15 +559,20 @@ fn turning_by_all_unknowns(whole: &Whole, speed: f64) -> Vec<[f64; 2]> {
     for number in 1..=STEPS {
         let time = number as f64 * STEP;
         let ahead = &x + STEP * &v + (0.5 - beta) * STEP * STEP * &a;
-        let speeds = &v + STEP * &a;
-        let mut load = -(&k * &ahead) - 2.0 * speed * (&coriolis * &speeds);
+        let begun = &v + (1.0 - gamma) * STEP * &a;
         let (sin, cos) = (speed * time).sin_cos();
-        load[(count - 3, 0)] += cos * force(time) / WIDTH;
-        load[(count - 2, 0)] -= sin * force(time) / WIDTH;
-        let y = solver.solve(load.as_ref()).expect("solved");
-        v = &v + (1.0 - gamma) * STEP * &a + gamma * STEP * of_mass * &y;
-        a = of_mass * &y;
-        x = &ahead + &y;
+        let mut end = &v + STEP * &a;
+        // By the speeds at the end of the step, which it has to find: all of the frame's motion feels them in these axes.
+        for _ in 0..4 {
+            let mut load = -(&k * &ahead) - 2.0 * speed * (&coriolis * &end);
+            load[(count - 3, 0)] += cos * force(time) / WIDTH;
+            load[(count - 2, 0)] -= sin * force(time) / WIDTH;
+            let y = solver.solve(load.as_ref()).expect("solved");
+            a = of_mass * &y;
+            end = &begun + gamma * STEP * &a;
+            x = &ahead + &y;
+        }
+        v = end;
         let [along, beside] = [x[(count - 3, 0)], x[(count - 2, 0)]];
         path.push([cos * along - sin * beside, sin * along + cos * beside]);
     }
@@ -581,14 +586,15 @@ fn a_ring_that_turns_feels_it_as_all_unknowns_of_the_mesh_do() {
         [SPEED, 0.0].map(|speed| turning_by_modes(whole.inertia(), speed)),
         [SPEED, 0.0].map(|speed| turning_by_all_unknowns(&whole, speed)),
     ];
-    let most = |one: &[[f64; 2]], other: &[[f64; 2]]| {
-        let off = one.iter().zip(other).map(|(a, b)| (a[0] - b[0]).hypot(a[1] - b[1]));
-        off.fold(0.0, f64::max)
+    let less = |one: &[[f64; 2]], other: &[[f64; 2]]| -> Vec<[f64; 2]> {
+        one.iter().zip(other).map(|(a, b)| [a[0] - b[0], a[1] - b[1]]).collect()
     };
-    let size = most(&expected, &vec![[0.0; 2]; STEPS + 1]);
-    let rest = most(&at_rest, &expected_at_rest) / size;
-    let felt = most(&expected, &expected_at_rest) / size;
-    let off = most(&by_modes, &expected) / size;
-    println!("TURNING size {size:e} rest {rest:e} felt {felt:e} off {off:e} off/size of what turning does");
-    assert!(rest < 0.01 && off < 0.01 && off < 0.25 * felt + rest, "{rest:e} {felt:e} {off:e}");
+    let most = |path: &[[f64; 2]]| path.iter().map(|[x, y]| x.hypot(*y)).fold(0.0, f64::max);
+    let rest = most(&less(&at_rest, &expected_at_rest)) / most(&expected_at_rest);
+    assert!(rest < 1e-3, "{rest:e}");
+    // It is little that turning does to the path of so stiff a ring, and that little is the same but for what the modes are known to leave out:
+    // that they soften as they turn, and those above them.
+    let (felt, meant) = (less(&by_modes, &at_rest), less(&expected, &expected_at_rest));
+    let off = most(&less(&felt, &meant)) / most(&meant);
+    assert!(off < 0.12, "{off:e}");
 }
