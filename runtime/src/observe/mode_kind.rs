@@ -258,10 +258,11 @@ impl Equilibrium<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::f64::consts::PI;
 
     #[test]
     fn patterns_of_planets_are_at_right_angles() {
-        for places in [vec![0.0, 1.5459, 3.1416, 4.6874], vec![0.3, 2.4, 4.5], vec![0.0, 3.1416], vec![1.0]] {
+        for places in [vec![0.0, 1.5459, PI, 4.6874], vec![0.3, 2.4, 4.5], vec![0.0, PI], vec![1.0]] {
             let found = patterns(&places);
             for (a, one) in found.iter().enumerate() {
                 for (b, other) in found.iter().enumerate() {

@@ -411,7 +411,7 @@ fn a_frame_that_goes_round_and_turns_faster_and_faster_is_one_too() {
 fn an_analysis_in_time_sees_what_bearings_damp() {
     let mut scene = eccentric().scene();
     scene.bearings[0].damping[0][0] = 10.0;
-    let still = Plan::new(&scene, crate::scene::Fidelity::Plane, FEW).expect("a plan");
+    let still = Plan::new(&scene, Fidelity::Plane, FEW).expect("a plan");
     let asked = DynamicOptions {
         from: 0.0,
         ranges: vec![TimeRange::steady(1e-3, 1)],
