@@ -9,6 +9,7 @@ use crate::contact::problem::{ContactError, FreeMotion};
 use crate::contact::rest::{Rest, rest};
 use crate::error::{EngineError, Subject};
 use crate::interrupt::Interrupt;
+use crate::lug_contact::{add_flanks, lug_contacts};
 use crate::plan::Plan;
 use crate::scene::{FREEDOMS, Fidelity, Scene, SurfacePair};
 use crate::system::{Freedom, loads_on, number_freedoms, solid_pose};
@@ -25,7 +26,10 @@ pub fn check(scene: &Scene, plan: &Plan, time: f64, interrupt: &Interrupt) -> Re
     if freedoms.is_empty() {
         return Ok(());
     }
-    let springs = springs(scene, &plan.modelled_bearings(), &freedoms, 1.0, time)?;
+    let mut springs = springs(scene, &plan.modelled_bearings(), &freedoms, 1.0, time)?;
+    for (body, contact) in &lug_contacts(scene, plan) {
+        add_flanks(&mut springs, scene, (*body, contact), &freedoms, time, None)?;
+    }
     let mut load = loads_on(scene, &freedoms, time, 1.0)?;
     for (load, own) in load.iter_mut().zip(&springs.load) {
         *load += own;

@@ -107,6 +107,7 @@ pub mod holding;
 pub mod inertia;
 pub mod interrupt;
 pub mod load;
+pub mod lug_contact;
 pub mod material;
 pub mod motion;
 pub mod observe;

@@ -78,6 +78,10 @@ impl Plan {
                     .and_then(|()| check_in_plane(body.motion.as_ref()))
                     .map_err(|error| error.about(Subject::Body(index)))?;
             }
+            if !untouched && !left_out && body.prototype.lug_contact().is_some() {
+                refuse_lugs(&body.name, fidelity, body.free)
+                    .map_err(|error| error.about(Subject::Body(index)))?;
+            }
             bodies.push(BodyPlan {
                 options: StructureOptions { stresses, sharp_edges, template, ..options },
                 reason: match (left_out, stresses) {
@@ -225,6 +229,26 @@ fn refuse_motion_out_of_plane(body: &str, free: [bool; 6]) -> Result<(), EngineE
         .blame("free")),
         None => Ok(()),
     }
+}
+
+/// Lugs with clearance carry a body that its frame lets go, and are contact in the plane.
+fn refuse_lugs(body: &str, fidelity: Fidelity, free: [bool; 6]) -> Result<(), EngineError> {
+    if fidelity != Fidelity::Plane {
+        return Err(EngineError::new(
+            "E0756",
+            format!("the lugs of body \"{body}\" have clearance, and in space they cannot"),
+            "choose the fidelity \"plane\", or leave `clearance` out: then lugs bear both ways, without play",
+        ));
+    }
+    if !free[5] {
+        return Err(EngineError::new(
+            "E0755",
+            format!("the lugs of body \"{body}\" have clearance, and its frame cannot turn to use it up"),
+            "free it, `free = [\"u_x\", \"u_y\", \"theta_z\"]`: the lugs carry it; or leave `clearance` out: then they hold it as the frame does",
+        )
+        .blame("free"));
+    }
+    Ok(())
 }
 
 /// A plane model spreads every force over one width, the smallest: what is wider is not seen to be.

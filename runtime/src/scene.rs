@@ -6,6 +6,7 @@ use crate::error::EngineError;
 use crate::inertia::Inertia;
 use crate::interrupt::Interrupt;
 use crate::load::{Blow, Load, Wrench};
+use crate::lug_contact::LugContact;
 use crate::motion::Motion;
 use crate::observe::{ModesRequest, Observable};
 use crate::structure::solid::SolidStructure;
@@ -176,6 +177,12 @@ pub trait Prototype: Any + Send + Sync {
     /// Angle by which tooth `tooth` stands off its nominal place, rad, counter-clockwise.
     fn pitch_error(&self, _tooth: u32) -> f64 {
         0.0
+    }
+
+    /// The lugs by which the body rests in what is around it by contact, if it does: those of its structure's
+    /// [`BoreHold::LooseLugs`](crate::structure::BoreHold::LooseLugs).
+    fn lug_contact(&self) -> Option<LugContact> {
+        None
     }
 
     /// Inputs that a model of this fidelity cannot see, and why.

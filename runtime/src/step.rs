@@ -51,7 +51,8 @@ pub struct StepResult {
     pub beside: Vec<[f64; 6]>,
     /// The free vibrations about it once somebody has asked for them, see [`crate::observe::Equilibrium::vibrations`].
     pub(crate) vibrations: OnceLock<Option<Arc<Vibrations>>>,
-    /// Forces on the stops of bearings, whose gaps stand behind those of the patches: N, of a plane model N per metre of face width.
+    /// Forces on the stops of bearings, whose gaps stand behind those of the patches, and behind them on the flanks of lugs: N, of a plane
+    /// model N per metre of face width.
     pub stops: Vec<f64>,
     /// How well it is solved.
     pub certificate: Certificate,
@@ -155,6 +156,11 @@ trait Space {
 
     /// Growth of gaps by the forces on cells, see [`ContactProblem::compliance`].
     fn compliance(&self, laid: &[(&Candidate<Self::Site>, &Self::Grid)]) -> Result<Vec<f64>, EngineError>;
+
+    /// Growth of the gap of each cell by the forces on the flanks of all lugs; none in space.
+    fn by_lugs(&self, _laid: &[(&Candidate<Self::Site>, &Self::Grid)]) -> Mat<f64> {
+        Mat::zeros(0, 0)
+    }
 
     /// Cells that probably carry force, by index in the problem, to begin the search with: no more than time depends on it.
     fn guess(&self, _problem: &ContactProblem, _grids: &[Self::Grid]) -> Vec<usize> {
@@ -494,7 +500,7 @@ impl<S: Space> Solver<'_, S> {
         Ok(start)
     }
 
-    /// Gaps of rigid bodies and of the stops of bearings, and their arms.
+    /// Gaps of rigid bodies, of the stops of bearings and of the flanks of lugs, and their arms.
     fn rigid_contacts<'c>(
         &self,
         candidates: impl IntoIterator<Item = &'c Candidate<S::Site>>,
@@ -538,7 +544,7 @@ impl<S: Space> Solver<'_, S> {
             let (problem, modal) = self.problem(load, candidates, &grids)?;
             let (drags, mut works) = self.friction(time, candidates, &grids);
             works.resize(problem.arms.len(), 0.0);
-            let guess = self.space.guess(&problem, &grids);
+            let guess = self.guess(load, candidates, &problem, &grids);
             let solved = solve_with_friction(problem, &works, Some(&guess), &self.system.interrupt);
             let (problem, solution) = solved.map_err(|error| self.explain(&error))?;
             // Sizes nobody asked for follow what the patches turn out to carry.
@@ -723,7 +729,7 @@ impl<S: Space> Solver<'_, S> {
             stiffness: self.springs.stiffness.clone(),
             load: load.to_vec(),
         };
-        let mut problem = self.springs.behind(cells);
+        let mut problem = self.springs.behind(cells, self.space.by_lugs(&laid).as_ref());
         let Some(elastic) = self.elastic else {
             return Ok((problem, Modal { arms: Mat::zeros(0, 0), statics: None }));
         };
@@ -733,6 +739,32 @@ impl<S: Space> Solver<'_, S> {
         };
         elastic.eliminate(&mut problem, &modal.arms);
         Ok((problem, modal))
+    }
+
+    /// Cells to begin the search with. Of a lug one flank bears at most; to begin with both is to begin with none. In equilibrium those
+    /// bear that stop rigid bodies, in a step in time what bears follows with the step.
+    fn guess(
+        &self,
+        load: &[f64],
+        candidates: &[&Candidate<S::Site>],
+        problem: &ContactProblem,
+        grids: &[S::Grid],
+    ) -> Vec<usize> {
+        let flanks = self.system.flanks();
+        if flanks == 0 {
+            return self.space.guess(problem, grids);
+        }
+        let first = problem.cells() - flanks;
+        let mut guess: Vec<usize> = (0..first).collect();
+        if self.sizing.is_none() {
+            let (gaps, arms) = self.rigid_contacts(candidates.iter().copied());
+            let rest = rest(&self.springs.stiffness, load);
+            if let Ok(Some(limit)) = rest.rigid_limit(&gaps, &arms, load, &self.system.interrupt) {
+                let of_flanks = limit.touching.iter().filter_map(|at| at.checked_sub(gaps.len() - flanks));
+                guess.extend(of_flanks.map(|flank| first + flank));
+            }
+        }
+        guess
     }
 
     /// Friction of each patch's cells, see [`Patch::drag`], and what of it is on the freedoms, see [`solve_with_friction`].

@@ -6,6 +6,7 @@ use crate::contact::solid::Pose;
 use crate::dynamics::Modes;
 use crate::error::{EngineError, Subject};
 use crate::interrupt::Interrupt;
+use crate::lug_contact::{LugContact, add_flanks, lug_contacts};
 use crate::motion::{PlanePose, Stance, axle, moved_by, point_velocity, pose_in_space};
 use crate::plan::Plan;
 use crate::resources::Resources;
@@ -38,6 +39,8 @@ pub struct System<'s> {
     lines: Vec<Option<f64>>,
     /// Those that the plan models, by index in the scene.
     pub(crate) bearings: Vec<usize>,
+    /// Of bodies that rest on lugs by contact, by their index.
+    pub(crate) lugs: Vec<(usize, LugContact)>,
     pub(crate) interrupt: Interrupt,
     /// In which bodies vibrate; none but in dynamic analyses.
     pub(crate) modes: Modes,
@@ -136,9 +139,19 @@ impl<'s> System<'s> {
         let interrupt = resources.interrupt.clone();
         let bearings = plan.modelled_bearings();
         let axles = scene.bodies.iter().map(|body| axle(body.motion.as_ref())).collect();
-        let (lines, modes) = (Vec::new(), Modes::default());
-        let mut system =
-            System { scene, bodies, freedoms, axles, lines, bearings, interrupt, modes, structure_counts };
+        let (lines, lugs, modes) = (Vec::new(), lug_contacts(scene, plan), Modes::default());
+        let mut system = System {
+            scene,
+            bodies,
+            freedoms,
+            axles,
+            lines,
+            bearings,
+            lugs,
+            interrupt,
+            modes,
+            structure_counts,
+        };
         let turns = |pair: &SurfacePair| pair.mesh.as_ref().is_some_and(|mesh| mesh.orbit != 0.0);
         let line = |pair| turns(pair).then(|| system.line_of_centres(pair, 0.0));
         system.lines = scene.pairs.iter().map(line).collect();
@@ -183,9 +196,28 @@ impl<'s> System<'s> {
         Ok(loads.into_iter().map(|load| load / width).collect())
     }
 
-    /// What bearings do to the freedoms at a time, per [`System::width`].
+    /// What bearings, and lugs by contact, do to the freedoms at a time, per [`System::width`].
     pub(crate) fn springs_at(&self, time: f64) -> Result<Springs, EngineError> {
-        springs(self.scene, &self.bearings, &self.freedoms, self.width(), time)
+        let mut springs = springs(self.scene, &self.bearings, &self.freedoms, self.width(), time)?;
+        for (body, contact) in &self.lugs {
+            let structure = match &self.bodies {
+                Bodies::Plane(bodies) => bodies.structures.get(*body).and_then(Option::as_deref),
+                Bodies::Solid(_) => None,
+            };
+            let between = structure.and_then(Structure::lug_compliance);
+            add_flanks(&mut springs, self.scene, (*body, contact), &self.freedoms, time, between)?;
+        }
+        Ok(springs)
+    }
+
+    /// How many gap equations the stops of bearings are; those of lugs follow on them.
+    pub(crate) fn stops(&self) -> usize {
+        self.bearings.iter().map(|&bearing| self.scene.bearings[bearing].walls()).sum()
+    }
+
+    /// How many the flanks of lugs are.
+    pub(crate) fn flanks(&self) -> usize {
+        self.lugs.iter().map(|(_, contact)| contact.flanks()).sum()
     }
 
     /// Angle by which a tooth stands off its nominal place, rad.

@@ -30,7 +30,7 @@ pub struct Rim {
 /// Waves around of lugs' series that the mesh of any gear resolves for each of its teeth.
 const LUG_WAVES_BY_TOOTH: u32 = 4;
 
-/// How lugs hold a rim: the teeth of a spline, or keys, evenly around, which bear both ways, without play.
+/// How lugs hold a rim: the teeth of a spline, or keys, evenly around, which bear both ways, without play unless they have clearance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spline {
     /// How many, three at least; they need not be commensurate with the teeth.
@@ -45,6 +45,9 @@ pub struct Spline {
     pub radial: Option<RadialFit>,
     /// Degree of polynomials along the bore up to which lugs hold it: 0 holds their mean, 1 their leaning too.
     pub axial_order: u8,
+    /// By how much the spaces that they stand in are wider, along the circle of the bore, m: half of it is at either flank of a lug in the
+    /// middle. With any, lugs are contact in the plane, and carry a body whose frame is free. 0 holds them without play.
+    pub clearance: f64,
 }
 
 /// How lugs hold a bore from moving inwards and outwards.
@@ -57,7 +60,15 @@ pub struct RadialFit {
 impl Spline {
     /// Rigid lugs that hold a bore by their flanks.
     pub fn new(lugs: u16) -> Spline {
-        Spline { lugs, width: None, first: 0.0, stiffness: None, radial: None, axial_order: 1 }
+        Spline {
+            lugs,
+            width: None,
+            first: 0.0,
+            stiffness: None,
+            radial: None,
+            axial_order: 1,
+            clearance: 0.0,
+        }
     }
 
     /// The lugs at a radius, m.
@@ -79,6 +90,18 @@ impl Spline {
                     "lugs that are ", length width, " wide do not fit side by side around the rim, where each has ", length pitch
                 ],
                 sentence!["reduce `width`, or leave it out for lugs as wide as the spaces between them"],
+            ));
+        }
+        let fits = self.clearance > 0.0 && width + self.clearance < pitch;
+        if self.clearance != 0.0 && !fits {
+            return Err(GeometryError::error(
+                "E0754",
+                "clearance",
+                sentence![
+                    "spaces wider by ", length self.clearance, " than lugs of ", length width, " there cannot be where each lug has ",
+                    length pitch
+                ],
+                sentence!["give the difference of a space and a lug, or 0 for lugs without play"],
             ));
         }
         let compliance = |argument: &'static str, stiffness: Option<f64>| match stiffness {
@@ -183,7 +206,7 @@ impl Rim {
     /// The ring held by the lugs of a spline at its bore, or its outside.
     ///
     /// # Errors
-    /// E0655: it is held in the mean there, or the lugs are none that can hold it.
+    /// E0655: it is held in the mean there, or the lugs are none that can hold it. E0754: they cannot have such a clearance.
     pub fn splined(self, spline: &Spline) -> Result<Rim, GeometryError> {
         if self.hold != BoreHold::Rigid {
             return Err(GeometryError::error(
@@ -201,7 +224,22 @@ impl Rim {
                 sentence!["take a `webbed_rim`, whose web is in the mesh of the teeth"],
             ));
         }
-        Ok(self.held(BoreHold::Lugs(spline.at(self.held_radius)?)))
+        let (lugs, clearance) = (spline.at(self.held_radius)?, spline.clearance);
+        if clearance == 0.0 {
+            return Ok(self.held(BoreHold::Lugs(lugs)));
+        }
+        if lugs.radial.is_some() || self.web.is_some() {
+            let what = if lugs.radial.is_some() { "hold a diameter" } else { "are in the bore of a web" };
+            return Err(GeometryError::error(
+                "E0754",
+                "clearance",
+                sentence!["lugs that ", text what, " cannot have clearance"],
+                sentence![
+                    "with it they are contact of flanks in the plane, which has no room for a web; leave it out"
+                ],
+            ));
+        }
+        Ok(self.held(BoreHold::LooseLugs { lugs, clearance }))
     }
 
     /// How a plane model is held: with a web, which it has no room for, rigidly where that begins.
@@ -211,6 +249,10 @@ impl Rim {
             // There is one place along the axis.
             (None, BoreHold::Means { waves, .. }) => BoreHold::Means { waves, degree: 0 },
             (None, BoreHold::Lugs(lugs)) => BoreHold::Lugs(Lugs { degree: 0, ..lugs }),
+            // Contact knows how they yield, and by how much they stand off.
+            (None, BoreHold::LooseLugs { lugs, .. }) => {
+                BoreHold::LooseLugs { lugs: Lugs { degree: 0, tangential: 0.0, ..lugs }, clearance: 0.0 }
+            }
             (None, BoreHold::Rigid) => BoreHold::Rigid,
         }
     }
@@ -221,12 +263,18 @@ impl Rim {
             BoreHold::Rigid => vec![0.0; 3],
             BoreHold::Means { waves: None, .. } => vec![1.0, 0.0, 0.0],
             BoreHold::Means { waves: Some(waves), degree } => vec![2.0, f64::from(waves), f64::from(degree)],
-            BoreHold::Lugs(Lugs { count, first, width, tangential, radial, degree }) => {
-                let outwards = radial.map_or([0.0; 2], |radial| [1.0, radial]);
-                let around = [3.0, f64::from(count), first, width, tangential];
-                [&around[..], &outwards, &[f64::from(degree)]].concat()
+            BoreHold::Lugs(lugs) => Self::lug_numbers(3.0, lugs),
+            BoreHold::LooseLugs { lugs, clearance } => {
+                [Self::lug_numbers(4.0, lugs), vec![clearance]].concat()
             }
         }
+    }
+
+    fn lug_numbers(kind: f64, lugs: Lugs) -> Vec<f64> {
+        let Lugs { count, first, width, tangential, radial, degree } = lugs;
+        let outwards = radial.map_or([0.0; 2], |radial| [1.0, radial]);
+        let around = [kind, f64::from(count), first, width, tangential];
+        [&around[..], &outwards, &[f64::from(degree)]].concat()
     }
 
     /// Whether there are teeth enough for the waves around by which it is held: each brings three nodes at least; eight where lugs hold it.
@@ -244,7 +292,9 @@ impl Rim {
                     sentence!["reduce the circumferential order, or hold the rim rigidly"],
                 ))
             }
-            BoreHold::Lugs(lugs) if u32::from(lugs.waves()) > LUG_WAVES_BY_TOOTH * teeth => {
+            BoreHold::Lugs(lugs) | BoreHold::LooseLugs { lugs, .. }
+                if u32::from(lugs.waves()) > LUG_WAVES_BY_TOOTH * teeth =>
+            {
                 Err(GeometryError::error(
                     "E0656",
                     "rim",

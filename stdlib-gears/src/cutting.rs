@@ -103,7 +103,7 @@ calyx_abi::externs! {
 
     Pure fn calyx_gears_splined(
         context, rim: Handle, lugs: f64, width: f64, first: f64, centring: String, stiffness: f64,
-        radial_stiffness: f64, axial_order: f64,
+        radial_stiffness: f64, axial_order: f64, clearance: f64,
     ) -> Handle {
         for (name, number) in [("lugs", lugs), ("axial_order", axial_order)] {
             if number.fract() != 0.0 {
@@ -128,6 +128,7 @@ calyx_abi::externs! {
             stiffness: given(stiffness),
             radial,
             axial_order: axial_order as u8,
+            clearance,
         };
         let (place, host) = (context.place, host(context)?);
         let rim = *entry(&host.rims, rim)?;

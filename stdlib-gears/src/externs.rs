@@ -385,7 +385,7 @@ pub(crate) fn tooth_number(host: &ModelHost, body: BodyId, tooth: f64) -> Result
 /// Checks the number of a lug of a body's rim.
 pub(crate) fn lug_number(host: &ModelHost, body: BodyId, lug: f64) -> Result<u32, RuntimeError> {
     let lugs = match host.gear_on("body", body)?.rim.hold {
-        BoreHold::Lugs(lugs) => u32::from(lugs.count),
+        BoreHold::Lugs(lugs) | BoreHold::LooseLugs { lugs, .. } => u32::from(lugs.count),
         BoreHold::Rigid | BoreHold::Means { .. } => 0,
     };
     match lug.fract() == 0.0 && (0.0..f64::from(lugs)).contains(&lug) {

@@ -14,6 +14,7 @@ use calyx_runtime::error::EngineError;
 use calyx_runtime::fe::{ElementOrder, PlaneMesh, PlaneModel};
 use calyx_runtime::inertia::Inertia;
 use calyx_runtime::interrupt::Interrupt;
+use calyx_runtime::lug_contact::LugContact;
 use calyx_runtime::material::{Material, Plane};
 use calyx_runtime::profile::Profile;
 use calyx_runtime::scene::{Fidelity, Ignored, Prototype, StructureOptions};
@@ -408,6 +409,15 @@ impl Prototype for GearPrototype {
 
     fn pitch_error(&self, tooth: u32) -> f64 {
         self.pitch_errors.get(tooth as usize).copied().unwrap_or(0.0)
+    }
+
+    fn lug_contact(&self) -> Option<LugContact> {
+        match self.rim.hold {
+            BoreHold::LooseLugs { lugs, clearance } => {
+                Some(LugContact { lugs, clearance, radius: self.rim.held_radius })
+            }
+            _ => None,
+        }
     }
 
     fn ignored(&self, fidelity: Fidelity) -> Vec<Ignored> {

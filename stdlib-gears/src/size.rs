@@ -18,7 +18,7 @@ impl GearPrototype {
         let hold = self.rim.hold_in_plane();
         let held: BTreeSet<usize> = match hold {
             BoreHold::Rigid => nodes("bore")?.into_iter().collect(),
-            BoreHold::Means { .. } | BoreHold::Lugs(_) => BTreeSet::new(),
+            BoreHold::Means { .. } | BoreHold::Lugs(_) | BoreHold::LooseLugs { .. } => BTreeSet::new(),
         };
         let split = self.split_options(options);
         let directions = if split.reshapable { 2 } else { 1 };

@@ -240,4 +240,9 @@ fn how_a_bore_is_held_is_part_of_what_a_structure_is() {
     assert!(lugs != free && lugs != turned && turned == mean);
     assert!(rigid != free && free != third && rigid != third);
     assert!(third == fourth, "there is nothing along the axis in the plane");
+    // Contact alone knows by how much lugs stand off, and how they yield.
+    let loose = [(50e-6, None), (80e-6, Some(1e9))].map(|(clearance, stiffness)| {
+        gear(TEETH, 1.0, splined(&Spline { clearance, stiffness, ..Spline::new(9) }, 1.0)).key(&options)
+    });
+    assert!(loose[0] == loose[1] && loose[0] != lugs && loose[0] != free);
 }

@@ -1,19 +1,21 @@
-//! All bearings of a scene as the contact problem sees them: a stiffness and loads on the freedoms, and gap equations of their own.
+//! All bearings of a scene as the contact problem sees them: a stiffness and loads on the freedoms, and gap equations of their own, behind
+//! which those of lugs are added ([`crate::lug_contact`]).
 
 use super::{Bearing, BearingMatrix, Placed};
 use crate::contact::problem::ContactProblem;
 use crate::error::EngineError;
 use crate::scene::Scene;
 use crate::system::Freedom;
+use faer::MatRef;
 
-/// What bearings add to a contact problem. Forces are per width of a plane model, as the problem's are.
+/// What bearings, and lugs with clearance, add to a contact problem. Forces are per width of a plane model, as the problem's are.
 #[derive(Clone)]
 pub(crate) struct Springs {
     /// K, freedoms by freedoms, row-major.
     pub stiffness: Vec<f64>,
     /// Generalised forces by unloaded deformations and loads of the bearings themselves.
     pub load: Vec<f64>,
-    /// Gaps of the stops, m.
+    /// Gaps of the stops, and behind them of the flanks of lugs, m.
     pub gaps: Vec<f64>,
     /// Their growth by each freedom, row by row.
     pub arms: Vec<f64>,
@@ -35,13 +37,7 @@ pub(crate) fn springs(
     let m = freedoms.len();
     let planned = || bearings.iter().filter_map(|&bearing| scene.bearings.get(bearing));
     let walls: usize = planned().map(Bearing::walls).sum();
-    let mut springs = Springs {
-        stiffness: vec![0.0; m * m],
-        load: vec![0.0; m],
-        gaps: Vec::with_capacity(walls),
-        arms: Vec::with_capacity(walls * m),
-        compliance: vec![0.0; walls * walls],
-    };
+    let mut springs = Springs { compliance: vec![0.0; walls * walls], ..Springs::none(m) };
     for bearing in planned() {
         let placed = Placed::at(scene, bearing, time)?;
         let columns: Vec<[f64; 6]> = freedoms.iter().map(|freedom| placed.deflection(freedom)).collect();
@@ -109,6 +105,17 @@ pub(crate) fn damping(
 }
 
 impl Springs {
+    /// None, on so many freedoms.
+    pub fn none(freedoms: usize) -> Springs {
+        Springs {
+            stiffness: vec![0.0; freedoms * freedoms],
+            load: vec![0.0; freedoms],
+            gaps: Vec::new(),
+            arms: Vec::new(),
+            compliance: Vec::new(),
+        }
+    }
+
     /// The same as seen from a position of the freedoms, and what is left of a load there.
     pub fn from(&self, start: &[f64], load: &[f64]) -> (Springs, Vec<f64>) {
         let m = start.len();
@@ -125,8 +132,28 @@ impl Springs {
         Springs { stiffness: matrix, load: vec![0.0; start.len()], ..seen }
     }
 
-    /// Adds the stops to a problem, behind its cells.
-    pub fn behind(&self, cells: ContactProblem) -> ContactProblem {
+    /// Adds gap equations behind those that there are, with their arms and what they do to each other, both row-major.
+    pub fn add_walls(&mut self, gaps: &[f64], arms: impl Iterator<Item = f64>, compliance: &[f64]) {
+        let (first, own) = (self.gaps.len(), gaps.len());
+        let all = first + own;
+        let mut grown = vec![0.0; all * all];
+        for row in 0..all {
+            if row < first {
+                grown[row * all..row * all + first]
+                    .copy_from_slice(&self.compliance[row * first..(row + 1) * first]);
+            } else {
+                grown[row * all + first..(row + 1) * all]
+                    .copy_from_slice(&compliance[(row - first) * own..(row - first + 1) * own]);
+            }
+        }
+        self.compliance = grown;
+        self.gaps.extend(gaps);
+        self.arms.extend(arms);
+    }
+
+    /// Adds the gap equations to a problem, behind its cells. `across` is the growth of gaps of cells by forces on the last of these equations,
+    /// cells by equations; others do nothing to cells but through the freedoms.
+    pub fn behind(&self, cells: ContactProblem, across: MatRef<'_, f64>) -> ContactProblem {
         let (n, more) = (cells.gaps.len(), self.gaps.len());
         if more == 0 {
             return cells;
@@ -139,6 +166,13 @@ impl Springs {
             } else {
                 let own = row - n;
                 entries[n..].copy_from_slice(&self.compliance[own * more..(own + 1) * more]);
+            }
+        }
+        let first = n + more - across.ncols();
+        for row in 0..across.nrows() {
+            for column in 0..across.ncols() {
+                compliance[row * (n + more) + first + column] = across[(row, column)];
+                compliance[(first + column) * (n + more) + row] = across[(row, column)];
             }
         }
         problem.compliance = compliance;

@@ -4,8 +4,7 @@ use super::{Equilibrium, Observable, Quantity};
 use crate::results::{Observed, Place};
 use crate::scene::BodyId;
 use crate::step::StepResult;
-use crate::structure::LugForce;
-use crate::system::{Bodies, System};
+use crate::system::System;
 use std::ops::Add;
 
 impl Equilibrium<'_> {
@@ -21,17 +20,17 @@ impl Equilibrium<'_> {
     }
 
     /// What holds a body, in the order of [`crate::scene::FREEDOMS`]: force (N) and moment about the body's axle (N m), along ground
-    /// axes. With contact, bearings, external load and inertia it is in equilibrium, so it is zero along freedoms.
+    /// axes. With contact, bearings, lugs by contact, external load and inertia it is in equilibrium, so it is zero along freedoms.
     pub fn support(self, body: BodyId) -> [f64; 6] {
         let (contact, load) =
             (self.contact_force(body), self.system.scene.bodies[body.0].acted_on(self.step.time, 1.0));
         let [fx, fy, fz] = load.force;
         let [mx, my, mz] = load.moment;
         let load = [fx, fy, fz, mx, my, mz];
-        let bearings = self.bearings_on(body);
+        let (bearings, lugs) = (self.bearings_on(body), self.lugs_on(body));
         let beside = self.step.beside.get(body.0).copied().unwrap_or_default();
         // Not -(a + b): nothing that holds against nothing is 0, not -0.
-        let all = |k: usize| 0.0 - contact[k] - load[k] - bearings[k] - beside[k];
+        let all = |k: usize| 0.0 - contact[k] - load[k] - bearings[k] - lugs[k] - beside[k];
         std::array::from_fn(all)
     }
 }
@@ -61,40 +60,6 @@ impl Observable for SupportForce {
 
     fn value(&self, at: &Equilibrium<'_>) -> Observed {
         Observed::number(at.support(self.0)[self.1])
-    }
-}
-
-/// The force of one of the lugs that hold a body on it, N: around, counter-clockwise, or outwards; 0 of a body without such a lug. It is
-/// the contact that lugs bear, not the inertia nor what acts on the frame.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct LugLoad {
-    /// Which body.
-    pub body: BodyId,
-    /// Which lug, from the first one on counter-clockwise.
-    pub lug: u32,
-    /// Outwards instead of around.
-    pub radial: bool,
-}
-
-impl Observable for LugLoad {
-    fn quantity(&self) -> Quantity {
-        Quantity::passing("lug_force", "N")
-    }
-
-    fn value(&self, at: &Equilibrium<'_>) -> Observed {
-        let forces = match &at.system.bodies {
-            Bodies::Plane(bodies) => {
-                let structure = bodies.structures.get(self.body.0).and_then(Option::as_ref);
-                structure.map(|structure| structure.lug_forces(&at.surface_loads(self.body)))
-            }
-            Bodies::Solid(bodies) => {
-                let structure = bodies.structures.get(self.body.0).and_then(Option::as_ref);
-                structure.map(|structure| structure.lug_forces(&at.spot_loads(self.body)))
-            }
-        };
-        let force = forces.unwrap_or_default().get(self.lug as usize).copied();
-        let along = |force: LugForce| if self.radial { force.radial } else { force.tangential };
-        Observed::number(at.system.width() * force.map_or(0.0, along))
     }
 }
 

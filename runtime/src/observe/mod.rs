@@ -10,6 +10,7 @@ mod equilibrium;
 mod fields;
 mod gauge;
 mod loads;
+mod lugs;
 mod mesh;
 mod mode_kind;
 mod places;
@@ -20,12 +21,13 @@ mod vibration;
 
 pub use bearings::{BearingDeflection, BearingForce, BearingMoment, BearingTilt, Borne, Direction};
 pub use bodies::{
-    Displacement, HighestContact, LowestContact, LugLoad, Rotation, SupportForce, SupportMoment, ToothLoad,
+    Displacement, HighestContact, LowestContact, Rotation, SupportForce, SupportMoment, ToothLoad,
 };
 pub use equilibrium::{Contact, Equilibrium, Slice};
 pub use fields::{ContactField, Fields, FilletField, FilletStress, PressedCell};
 pub use gauge::{Gauge, GaugeReading, Reading};
 pub use loads::{FaceLoadFactor, LoadShare, LoadedFace, MaxLineLoad, MeshForce, PairLoad, PairsInContact};
+pub use lugs::LugLoad;
 pub use mesh::{MeshStiffness, SecantStiffness, TransmissionError, UnloadedTransmissionError};
 pub use mode_kind::{KindOfMode, KindShares, ModeKind, ModeRow, ModesRequest, ModesTable, PlanetSet};
 pub use places::{Coordinate, Maximum, PlaceOf};

@@ -121,7 +121,7 @@ pub(super) fn stresses(at: &Equilibrium<'_>, body: BodyId, of: Fillets) -> Optio
     match &at.system.bodies {
         Bodies::Plane(bodies) => {
             let structure = bodies.structures.get(body.0)?.as_ref()?;
-            let loads = at.surface_loads(body);
+            let (loads, lugs) = (at.surface_loads(body), at.loose_lug_forces(body));
             let vibration = Vibration::of(at, body, &loads);
             let mut charts: Vec<Chart> = loads.iter().map(|load| load.chart).collect();
             // A tooth that is looked at vibrates without load, too.
@@ -130,6 +130,8 @@ pub(super) fn stresses(at: &Equilibrium<'_>, body: BodyId, of: Fillets) -> Optio
             }
             for (tooth, surface) in of.near(charts.into_iter(), structure.teeth()) {
                 let mut recovered = structure.stresses(tooth, surface, &loads);
+                let by_lugs = structure.stresses_by_lugs(tooth, surface, &lugs);
+                recovered.iter_mut().zip(by_lugs).for_each(|((_, stress), more)| *stress += more);
                 if let Some(vibration) = &vibration {
                     vibration.add_stresses(tooth, surface, &mut recovered);
                 }

@@ -155,6 +155,33 @@ impl Space for Plane<'_> {
         Ok(compliance(&patches))
     }
 
+    fn by_lugs(&self, laid: &[(&Candidate<Site>, &Grid)]) -> Mat<f64> {
+        let cells = laid.iter().map(|(_, grid)| grid.cells.len()).sum();
+        let mut growth = Mat::zeros(cells, self.system.flanks());
+        let mut from = 0;
+        for (body, contact) in &self.system.lugs {
+            let Some(structure) = self.bodies.structures[*body].as_deref() else { continue };
+            let mut first = 0;
+            for (candidate, grid) in laid {
+                let pair = self.pair(candidate);
+                for side in (0..2).filter(|&side| pair.bodies[side].0 == *body) {
+                    let chart = Chart { tooth: candidate.teeth.1[side], surface: pair.surfaces[side] };
+                    let places: Vec<f64> = grid.cells.iter().map(|cell| cell.s[side]).collect();
+                    let moved = structure.lug_displacements(chart, &places);
+                    // A body that does not give way has none.
+                    for cell in 0..if moved.nrows() > 0 { places.len() } else { 0 } {
+                        for (flank, value) in contact.by_flanks(|lug| moved[(lug, cell)]).enumerate() {
+                            growth[(first + cell, from + flank)] = value;
+                        }
+                    }
+                }
+                first += grid.cells.len();
+            }
+            from += contact.flanks();
+        }
+        growth
+    }
+
     fn better_size(
         &self,
         candidate: &Candidate<Site>,

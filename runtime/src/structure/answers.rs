@@ -7,7 +7,7 @@ use super::reshaped::Reshaped;
 use super::spline::Weights;
 use super::{Chart, LugForce, ReshapedSurface, StressPlace, Structure, SurfaceLoad};
 use crate::profile::Profile;
-use faer::Mat;
+use faer::{Mat, MatRef};
 use std::cmp::Ordering;
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
@@ -206,6 +206,13 @@ impl ElasticStructure {
         bore.lug_forces(&all)
     }
 
+    /// [`Structure::lug_displacements`] under loads as the tables see them.
+    pub(super) fn lug_displacements_by(&self, chart: Chart, loads: &[Local]) -> Mat<f64> {
+        let Some(bore) = &self.bore else { return Mat::zeros(0, loads.len()) };
+        let held = self.held_against(bore, chart.surface, loads.iter().copied());
+        bore.lug_displacements(chart.tooth, &held)
+    }
+
     pub(super) fn surface(&self, chart: Chart) -> Option<&Surface> {
         self.surfaces.get(chart.surface as usize)
     }
@@ -272,6 +279,22 @@ impl Structure for ElasticStructure {
             .iter()
             .filter_map(|load| Some((load.chart, self.surface(load.chart)?.local(load.s), load.force)));
         self.lug_forces_by(seen)
+    }
+
+    fn lug_compliance(&self) -> Option<MatRef<'_, f64>> {
+        Some(self.bore.as_ref()?.loose.as_ref()?.compliance.as_ref())
+    }
+
+    fn lug_displacements(&self, load: Chart, load_s: &[f64]) -> Mat<f64> {
+        let local = |&s: &f64| Some(self.surface(load)?.local(s));
+        self.lug_displacements_by(load, &load_s.iter().filter_map(local).collect::<Vec<_>>())
+    }
+
+    fn stresses_by_lugs(&self, tooth: u32, surface: u32, forces: &[f64]) -> Vec<f64> {
+        let all = MatRef::from_column_major_slice(forces, forces.len(), 1);
+        let stresses = |bore: &BoreCoupling| bore.stresses_by_lugs(surface as usize, tooth, all);
+        let stresses = self.bore.as_ref().filter(|_| !forces.is_empty()).and_then(stresses);
+        stresses.map_or_else(Vec::new, |stresses| stresses.col(0).iter().copied().collect())
     }
 
     fn reshaped(self: Arc<Self>, surfaces: Vec<ReshapedSurface>) -> Option<Arc<dyn Structure>> {

@@ -35,6 +35,14 @@ pub enum BoreHold {
     /// Lugs hold it. What they let go of the motion as a whole, along the axis and what they do not reach with their degree, is held in the
     /// mean.
     Lugs(Lugs),
+    /// Lugs hold it that stand in wider spaces, as contact beside the structure ([`super::loose_lugs`]), which knows the bore to be held in
+    /// the mean. In the plane only.
+    LooseLugs {
+        /// Their compliance, and whatever they do outwards, is no part of the structure.
+        lugs: Lugs,
+        /// See [`LugContact::clearance`](crate::lug_contact::LugContact::clearance); no part of the structure.
+        clearance: f64,
+    },
 }
 
 impl BoreHold {
@@ -50,7 +58,9 @@ impl BoreHold {
     /// An error in condensing a ring that is held so: of a coarse bore it tells what the mesh is too coarse for.
     pub(super) fn blamed(self, error: StructureError) -> StructureError {
         match (self, error) {
-            (BoreHold::Lugs(_), StructureError::CoarseBore) => StructureError::CoarseLugs,
+            (BoreHold::Lugs(_) | BoreHold::LooseLugs { .. }, StructureError::CoarseBore) => {
+                StructureError::CoarseLugs
+            }
             (_, error) => error,
         }
     }
@@ -73,6 +83,8 @@ pub(super) struct BoreMeans {
     pub carried: Option<Mat<f64>>,
     /// What holds those that are let go, if anything does.
     pub lugs: Option<LugForms>,
+    /// Whether these lugs are loose: then nothing does.
+    pub loose: bool,
 }
 
 /// Which means of a bore are wanted.
@@ -83,8 +95,10 @@ pub(super) struct Wanted {
     pub degree: u8,
     /// Waves around up to which there are to be more that are let go, if any.
     pub coupled: Option<u16>,
-    /// What they are let go against; then the motion as a whole is let go with them.
+    /// What they are let go against; then the motion as a whole is let go with them, unless lugs are `loose`.
     pub lugs: Option<Lugs>,
+    /// Whether lugs have clearance: then they hold nothing of themselves.
+    pub loose: bool,
 }
 
 impl Wanted {
@@ -95,6 +109,9 @@ impl Wanted {
             BoreHold::Rigid => None,
             BoreHold::Means { waves, degree } => Some(means(waves, degree)),
             BoreHold::Lugs(lugs) => Some(Self { lugs: Some(lugs), ..means(None, 0) }),
+            BoreHold::LooseLugs { lugs, .. } => {
+                Some(Self { lugs: Some(lugs), loose: true, ..means(None, 0) })
+            }
         }
     }
 
@@ -102,7 +119,7 @@ impl Wanted {
     pub fn of_means(waves: Option<u16>, degree: u8, sectors: u32, coupled: u32) -> Self {
         let most = u16::try_from(sectors).unwrap_or(u16::MAX);
         let coupled = (coupled < sectors / 2).then_some(COUPLED_WAVES.min(most));
-        Self { waves, degree, coupled, lugs: None }
+        Self { waves, degree, coupled, lugs: None, loose: false }
     }
 
     /// The same where there is one place along the axis.
@@ -119,6 +136,7 @@ pub(super) struct Patterns {
     /// How many of them are held.
     pub held: usize,
     lugs: Option<LugForms>,
+    loose: bool,
 }
 
 impl Patterns {
@@ -133,7 +151,7 @@ impl Patterns {
             _ => degree,
         };
         let series = Series::new(surface, most_waves, highest)?;
-        let (mut held, mut free) = match (lugs, in_plane) {
+        let (mut held, mut free) = match (lugs.filter(|_| !wanted.loose), in_plane) {
             (None, true) => (vec![0, 1, 5], vec![]),
             (None, false) => ((0..6).collect::<Vec<_>>(), vec![]),
             (Some(_), true) => (vec![], vec![0, 1, 5]),
@@ -161,7 +179,7 @@ impl Patterns {
             Some(lugs) => Some(lugs.on(&series, &held)?),
             None => None,
         };
-        Some(Patterns { series, places: held, held: count, lugs })
+        Some(Patterns { series, places: held, held: count, lugs, loose: wanted.loose })
     }
 
     fn at(&self, position: [f64; 3]) -> Vec<[f64; 3]> {
@@ -286,20 +304,29 @@ impl BoreMeans {
             let mut points = known.iter();
             forms.push(load(&mut |_| points.next().map_or([0.0; 3], |values| values[pattern])));
         }
-        let (shared, lugs) = (patterns.shared(), patterns.lugs.clone());
-        Ok(BoreMeans { forms, shared, held: patterns.held, carried: None, lugs })
+        let (shared, lugs, loose) = (patterns.shared(), patterns.lugs.clone(), patterns.loose);
+        Ok(BoreMeans { forms, shared, held: patterns.held, carried: None, lugs, loose })
     }
 
-    /// Lets the means go that are not to be held: freely or against what carries them, which becomes part of what the ring answers, or against
-    /// lugs, which does not. `None` if there are none.
+    /// Lets the means go that are not to be held: freely, with loose lugs or without, or against what carries them, which becomes part of what
+    /// the ring answers, or against lugs, which does not. `None` if there are none.
     ///
     /// # Errors
     /// The ring is free to move then, or the lugs cannot be told apart.
     pub fn let_go(&self, ring: &mut RingFlexibility) -> Result<Option<Released>, StructureError> {
-        let Some(lugs) = &self.lugs else { return ring.release(self.held, self.carried.as_ref()) };
-        let Some(bound) = ring.bound(self.held) else { return Ok(None) };
-        let (release, lugs) = lugs.hold(bound.stiffness.as_ref(), self.held)?;
-        Ok(Some(Released { shared: bound.shared, release, holding: bound.holding, lugs: Some(lugs) }))
+        match &self.lugs {
+            Some(lugs) if !self.loose => {
+                let Some(bound) = ring.bound(self.held) else { return Ok(None) };
+                let (release, lugs) = lugs.hold(bound.stiffness.as_ref(), self.held)?;
+                let (shared, holding) = (bound.shared, bound.holding);
+                Ok(Some(Released { shared, release, holding, lugs: Some(lugs), loose: None }))
+            }
+            lugs => {
+                let Some(released) = ring.release(self.held, self.carried.as_ref())? else { return Ok(None) };
+                let loose = lugs.as_ref().map(|lugs| lugs.loose(self.held, released.release.as_ref()));
+                Ok(Some(Released { loose: loose.transpose()?, ..released }))
+            }
+        }
     }
 }
 

@@ -11,6 +11,7 @@
 //! the observed one is. Then no table has anything of it: it is added for near teeth as for distant ones, by the number of both.
 
 use super::dense::{add_product, product};
+use super::loose_lugs::LooseLugs;
 use super::lugs::{LugForce, LugSet};
 use super::ring::{Released, Shared};
 use faer::{Mat, MatRef};
@@ -27,6 +28,8 @@ pub(crate) struct BoreCoupling {
     pub release: Mat<f64>,
     /// What holds the amplitudes, if anything does.
     pub lugs: Option<LugSet>,
+    /// Lugs with clearance, if there are any.
+    pub loose: Option<LooseLugs>,
     /// Forces by the unknowns of a table, for each loadable side.
     pub loads: Vec<Mat<f64>>,
     /// Stress by amplitudes, for each surface.
@@ -36,8 +39,8 @@ pub(crate) struct BoreCoupling {
 impl BoreCoupling {
     /// Without loads and stresses.
     pub fn new(released: Released, sectors: u32, pitch: f64) -> Self {
-        let Released { shared, release, lugs, .. } = released;
-        Self { sectors, pitch, shared, release, lugs, loads: Vec::new(), stress: Vec::new() }
+        let Released { shared, release, lugs, loose, .. } = released;
+        Self { sectors, pitch, shared, release, lugs, loose, loads: Vec::new(), stress: Vec::new() }
     }
 
     /// Whether tables of near teeth have in them what teeth do to each other through the bore.
@@ -93,10 +96,27 @@ impl BoreCoupling {
         self.lugs.as_ref().map_or_else(Vec::new, |lugs| lugs.forces(in_body.as_ref()))
     }
 
+    /// Displacements of loose lugs under loads on a tooth: lugs by loads; no rows without such lugs.
+    pub fn lug_displacements(&self, tooth: u32, forces: &Mat<f64>) -> Mat<f64> {
+        match &self.loose {
+            Some(lugs) => product(lugs.by_amplitudes.as_ref(), self.in_body(tooth, forces).as_ref()),
+            None => Mat::zeros(0, forces.ncols()),
+        }
+    }
+
+    /// Stresses on a surface of a tooth under forces of all loose lugs on the ring, a column.
+    pub fn stresses_by_lugs(&self, surface: usize, tooth: u32, forces: MatRef<'_, f64>) -> Option<Mat<f64>> {
+        let (stress, lugs) = (self.stress.get(surface)?, self.loose.as_ref()?);
+        let mut amplitudes = product(lugs.by_amplitudes.transpose(), forces);
+        self.shared.turn_rows(amplitudes.as_mut(), f64::from(tooth % self.sectors) * self.pitch);
+        Some(product(stress.as_ref(), amplitudes.as_ref()))
+    }
+
     /// Memory, in bytes.
     pub fn bytes(&self) -> usize {
         let matrices = self.loads.iter().chain(&self.stress).chain([&self.release]);
-        let lugs = self.lugs.as_ref().map_or(0, LugSet::bytes);
+        let lugs =
+            self.lugs.as_ref().map_or(0, LugSet::bytes) + self.loose.as_ref().map_or(0, LooseLugs::bytes);
         matrices.map(|matrix| matrix.nrows() * matrix.ncols() * size_of::<f64>()).sum::<usize>() + lugs
     }
 }

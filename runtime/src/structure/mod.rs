@@ -9,6 +9,7 @@ pub(crate) mod bore_coupling;
 mod condense;
 pub(crate) mod elastic;
 pub(crate) mod kernel;
+pub(crate) mod loose_lugs;
 pub(crate) mod lugs;
 mod modes;
 mod reshaped;
@@ -35,6 +36,7 @@ use crate::dense;
 use crate::error::EngineError;
 use crate::fe::SolveError;
 use crate::profile::Profile;
+use faer::{Mat, MatRef};
 use ring::FreeRing;
 use solid::SolidStructure;
 use std::sync::Arc;
@@ -180,6 +182,23 @@ pub trait Structure: Send + Sync {
 
     /// What the lugs that hold the body exert on it under the given loads, each in turn; none if no lugs hold it.
     fn lug_forces(&self, _loads: &[SurfaceLoad]) -> Vec<LugForce> {
+        Vec::new()
+    }
+
+    /// Displacements of the body's loose lugs ([`BoreHold::LooseLugs`]) by forces on them, all counter-clockwise, m/(N/m): square and
+    /// symmetric to the bit; `None` of a body that has none.
+    fn lug_compliance(&self) -> Option<MatRef<'_, f64>> {
+        None
+    }
+
+    /// Displacements of the same lugs by unit inward normal forces at points of a chart, lugs by points; and so the inward displacements there
+    /// by forces of lugs.
+    fn lug_displacements(&self, _load: Chart, load_s: &[f64]) -> Mat<f64> {
+        Mat::zeros(0, load_s.len())
+    }
+
+    /// What forces of these lugs on the body, one each, counter-clockwise, add to [`Structure::stresses`], Pa. Empty where they add nothing.
+    fn stresses_by_lugs(&self, _tooth: u32, _surface: u32, _forces: &[f64]) -> Vec<f64> {
         Vec::new()
     }
 

@@ -9,6 +9,7 @@ use super::answers::{Local, Turned};
 use super::elastic::{ElasticStructure, Surface};
 use super::{Chart, LugForce, StressPlace, Structure, SurfaceLoad};
 use crate::profile::Profile;
+use faer::{Mat, MatRef};
 use std::sync::Arc;
 
 /// A surface to take the place of another.
@@ -101,6 +102,18 @@ impl Structure for Reshaped {
         let seen =
             loads.iter().filter_map(|load| Some((load.chart, self.local(load.chart, load.s)?, load.force)));
         self.body.lug_forces_by(seen)
+    }
+
+    fn lug_compliance(&self) -> Option<MatRef<'_, f64>> {
+        self.body.lug_compliance()
+    }
+
+    fn lug_displacements(&self, load: Chart, load_s: &[f64]) -> Mat<f64> {
+        self.body.lug_displacements_by(load, &self.locals(load, load_s))
+    }
+
+    fn stresses_by_lugs(&self, tooth: u32, surface: u32, forces: &[f64]) -> Vec<f64> {
+        self.body.stresses_by_lugs(tooth, surface, forces)
     }
 
     fn bytes(&self) -> usize {

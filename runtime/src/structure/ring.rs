@@ -18,6 +18,7 @@ use super::StructureError;
 use super::dense::{
     add_product, add_product_lower, cholesky, half_solve, mirror_lower, other_half_solve, product, solve,
 };
+use super::loose_lugs::LooseLugs;
 use super::lugs::LugSet;
 use crate::interrupt::Interrupt;
 use faer::{Mat, MatRef};
@@ -197,6 +198,8 @@ pub(crate) struct Released {
     pub holding: Mat<f64>,
     /// What holds them now; if nothing does, the ring's answers have become those with them let go.
     pub lugs: Option<LugSet>,
+    /// Lugs with clearance, which hold nothing of themselves.
+    pub loose: Option<LooseLugs>,
 }
 
 impl RingFlexibility {
@@ -327,7 +330,7 @@ impl RingFlexibility {
             let by_amplitudes = flexibility.as_ref().subcols(from, count).to_owned();
             add_product(flexibility.as_mut(), 1.0, by_amplitudes.as_ref(), amplitudes.as_ref());
         }
-        Ok(Some(Released { shared, release, holding, lugs: None }))
+        Ok(Some(Released { shared, release, holding, lugs: None, loose: None }))
     }
 
     /// The largest offset known.

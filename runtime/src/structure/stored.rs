@@ -3,6 +3,7 @@
 
 use super::bore_coupling::BoreCoupling;
 use super::elastic::{ElasticStructure, OffsetTables, Surface};
+use super::loose_lugs::LooseLugs;
 use super::lugs::{LugSet, Lugs};
 use super::ring::Shared;
 use super::sampling::Stretch;
@@ -88,6 +89,9 @@ pub(super) struct StoredBore<'a> {
     /// With their forces.
     #[serde(borrow)]
     lugs: Option<(Lugs, Table<'a>)>,
+    /// Displacements by amplitudes, and compliance.
+    #[serde(borrow)]
+    loose: Option<[Table<'a>; 2]>,
     #[serde(borrow)]
     loads: Vec<Table<'a>>,
     #[serde(borrow)]
@@ -104,6 +108,7 @@ impl StoredBore<'_> {
             pairs: bore.shared.pairs.clone(),
             release: Table::from(&bore.release),
             lugs: bore.lugs.as_ref().map(|set| (set.lugs, Table::from(&set.reactions))),
+            loose: bore.loose.as_ref().map(|lugs| [&lugs.by_amplitudes, &lugs.compliance].map(Table::from)),
             loads: tables(&bore.loads),
             stress: tables(&bore.stress),
         }
@@ -119,9 +124,16 @@ impl StoredBore<'_> {
             Some((lugs, reactions)) => Some(LugSet { lugs, reactions: reactions.matrix()? }),
             None => None,
         };
+        let loose = match &self.loose {
+            Some([by_amplitudes, compliance]) => {
+                Some(LooseLugs { by_amplitudes: by_amplitudes.matrix()?, compliance: compliance.matrix()? })
+            }
+            None => None,
+        };
         Some(BoreCoupling {
             sectors: self.sectors,
             lugs,
+            loose,
             pitch: self.pitch,
             shared: Shared { count, pairs: self.pairs },
             release: self.release.matrix()?,

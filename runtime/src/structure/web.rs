@@ -80,14 +80,14 @@ impl RevolvedWeb {
     ) -> Result<Mat<f64>, StructureError> {
         let model = self.model().map_err(|error| StructureError::Web { error: error.to_string() })?;
         let bore = match self.hold {
-            BoreHold::Lugs(_) => {
+            BoreHold::Lugs(_) | BoreHold::LooseLugs { .. } => {
                 return Err(StructureError::Web { error: "lugs do not hold a web of its own mesh".into() });
             }
             BoreHold::Rigid => None,
             BoreHold::Means { waves, degree } => {
                 let [inside, _] = self.section.outermost();
                 let cylinder = RevolutionSurface::cylinder(inside.radius, inside.ends);
-                let wanted = Wanted { waves, degree, coupled: None, lugs: None };
+                let wanted = Wanted { waves, degree, coupled: None, lugs: None, loose: false };
                 Some(Patterns::new(cylinder, wanted, false).ok_or(StructureError::NoArea)?)
             }
         };

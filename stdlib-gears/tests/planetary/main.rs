@@ -5,3 +5,4 @@ mod modes;
 mod motion;
 mod phases;
 mod set;
+mod splined;

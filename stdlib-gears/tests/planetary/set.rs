@@ -1,7 +1,7 @@
 //! The set of the tests: the final stage of a helicopter's transmission, 27/35/99 teeth, as a scene of the engine.
 
 use calyx_gears::assembly::{MeshOptions, add_body, mesh};
-use calyx_gears::blank::Rim;
+use calyx_gears::blank::{Rim, Spline};
 use calyx_gears::error::Refusal;
 use calyx_gears::external::{ExternalGear, ExternalGearData};
 use calyx_gears::internal::{InternalGear, InternalGearData};
@@ -89,6 +89,12 @@ pub fn ring(outer: f64, hold: BoreHold) -> Arc<GearPrototype> {
     Arc::new(GearPrototype::new(gear, Vec::new(), steel(), rim, FACE, Vec::new()).expect("a gear"))
 }
 
+/// The usual ring on lugs.
+fn splined(spline: &Spline) -> Arc<GearPrototype> {
+    let rim = Rim { radius: 145.5e-3, held_radius: 155e-3, web: None, hold: BoreHold::Rigid };
+    ring(155e-3, rim.splined(spline).expect("lugs that hold").hold)
+}
+
 /// Structures are condensed once for all tests.
 static CACHE: LazyLock<Arc<OperatorCache>> = LazyLock::new(|| Arc::new(OperatorCache::new(usize::MAX)));
 
@@ -160,6 +166,8 @@ pub struct SetOptions {
     pub mesh: MeshOptions,
     /// Of each planet's blank, in place of the usual one, by its tooth thickness, m.
     pub thicknesses: Vec<Option<f64>>,
+    /// Lugs of the ring, which is held rigidly without; with clearance they alone carry it.
+    pub ring: Option<Spline>,
 }
 
 impl SetOptions {
@@ -172,6 +180,7 @@ impl SetOptions {
             seen_from: 0.0,
             floating: false,
             bearings: None,
+            ring: None,
             moment: TORQUE,
             mesh: MeshOptions { tip_corner_contact: false, half_cells: Some(8), ..MeshOptions::default() },
         }
@@ -217,7 +226,11 @@ impl Set {
         let moment = Wrench::of_moment([0.0, 0.0, options.moment]);
         let sun = Body::new("sun", SUN.clone(), central(SUN_SPEED)).free_in(&free).loaded(moment);
         let sun = add_body(&mut scene, sun)?;
-        let ring = Body::new("ring", RING.clone(), central(-SUN_SPEED * ratio(RING_TEETH)));
+        let blank = options.ring.as_ref().map_or_else(|| RING.clone(), splined);
+        let mut ring = Body::new("ring", blank, central(-SUN_SPEED * ratio(RING_TEETH)));
+        if options.ring.is_some_and(|spline| spline.clearance > 0.0) {
+            ring = ring.free_in(&[Component::Ux, Component::Uy, Component::ThetaZ]);
+        }
         let ring = add_body(&mut scene, ring)?;
         let held = add_body(&mut scene, Body::new("carrier", Arc::new(RigidBody), central(0.0)))?;
         let mut set = Set {

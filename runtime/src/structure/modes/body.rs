@@ -113,7 +113,7 @@ pub(super) fn ring_sector(
         BoreHold::Rigid => bore,
         BoreHold::Means { .. } => Vec::new(),
         // They couple modes of all numbers of waves.
-        BoreHold::Lugs(_) => return Err(StructureError::ModesOnLugs),
+        BoreHold::Lugs(_) | BoreHold::LooseLugs { .. } => return Err(StructureError::ModesOnLugs),
     };
     let assembled = Assembled::plane(model);
     let cuts = match_cuts(&assembled.positions, &first, &last, &held, TAU / f64::from(count))

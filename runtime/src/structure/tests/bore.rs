@@ -174,7 +174,7 @@ fn condensed_sectors_on_a_bore_held_in_the_mean_agree_with_the_whole_mesh() {
     {
         let means = |model: &PlaneModel, coupled| {
             let bore = model.mesh.chain("bore").unwrap();
-            let wanted = Wanted { waves, degree: 0, coupled, lugs: None };
+            let wanted = Wanted { waves, degree: 0, coupled, lugs: None, loose: false };
             BoreMeans::plane(model, bore, wanted, &Interrupt::never()).unwrap().unwrap()
         };
         let of_sector = means(&sector, coupled);
@@ -248,7 +248,7 @@ fn solid_rings_agree(teeth: u32, sector: &SolidModel, whole: &SolidModel) {
     for (waves, coupled) in [(None, None), (Some(2), None), (Some(1), Some(2))] {
         let means = |model: &SolidModel, coupled| {
             let bore = model.mesh.face_set("bore").unwrap();
-            let wanted = Wanted { waves, degree: 1, coupled, lugs: None };
+            let wanted = Wanted { waves, degree: 1, coupled, lugs: None, loose: false };
             BoreMeans::solid(model, bore, wanted, &Interrupt::never()).unwrap().unwrap()
         };
         let of_sector = means(sector, coupled);
@@ -483,7 +483,7 @@ fn a_series_beyond_the_mesh_is_refused() {
     let cuts =
         match_cuts(&equations.positions, &nodes("cut_first"), &nodes("cut_last"), &[], FRAC_PI_2).unwrap();
     let bore = model.mesh.chain("bore").unwrap();
-    let wanted = Wanted { waves: Some(9), degree: 0, coupled: None, lugs: None };
+    let wanted = Wanted { waves: Some(9), degree: 0, coupled: None, lugs: None, loose: false };
     let means = BoreMeans::plane(&model, bore, wanted, &Interrupt::never()).unwrap().unwrap();
     let support = Support::Means { held: &[], means: &means };
     let condensed = condense(&equations, &support, Some(&cuts), &[], &[], &Interrupt::never()).unwrap();

@@ -53,7 +53,7 @@ fn stress_on_teeth_far_from_the_load_is_that_of_the_whole_mesh() {
 
     let whole = PlaneModel::new(toothed_ring(TEETH, COARSE), STEEL, Plane::Strain);
     let bore = whole.mesh.chain("bore").unwrap();
-    let wanted = Wanted { waves: None, degree: 0, coupled: None, lugs: None };
+    let wanted = Wanted { waves: None, degree: 0, coupled: None, lugs: None, loose: false };
     let means = BoreMeans::plane(&whole, bore, wanted, &never).unwrap().unwrap();
     let direct = Direct::new(&Assembled::plane(&whole), &whole.rigid_body_modes(), &means.forms);
     let prepared = prepare(&whole, &surfaces, &options, &never).unwrap();

@@ -19,20 +19,21 @@ use crate::structure::{
 use faer::Mat;
 use std::f64::consts::TAU;
 
-const SMALL: Divisions = Divisions { rim: 2, tooth_root: 1, flank: 2, thickness: 4, grading: 1.0 };
+pub(super) const SMALL: Divisions = Divisions { rim: 2, tooth_root: 1, flank: 2, thickness: 4, grading: 1.0 };
 /// Four rigid lugs as wide as the spaces between them.
-const FOUR: Lugs = Lugs { count: 4, first: 0.3, width: TAU / 8.0, tangential: 0.0, radial: None, degree: 0 };
+pub(super) const FOUR: Lugs =
+    Lugs { count: 4, first: 0.3, width: TAU / 8.0, tangential: 0.0, radial: None, degree: 0 };
 
 /// Condensed sectors of a ring, and loads on the one at the x axis: a point and a direction each.
-struct Ring {
+pub(super) struct Ring {
     condensed: Condensed,
     flexibility: RingFlexibility,
-    coupling: BoreCoupling,
+    pub coupling: BoreCoupling,
     /// Forces that hold the bore against each load.
     felt: Mat<f64>,
 }
 
-type Points<'a> = &'a [([f64; 3], [f64; 3])];
+pub(super) type Points<'a> = &'a [([f64; 3], [f64; 3])];
 
 impl Ring {
     fn new(
@@ -52,25 +53,24 @@ impl Ring {
         let mut flexibility = RingFlexibility::new(stiffness, sectors, sectors / 2, &Interrupt::never())?;
         let released: Released = means.let_go(&mut flexibility)?.unwrap();
         let felt = product(released.holding.as_ref(), condensed.on_cuts.as_ref());
+        let stress = product(condensed.rows_cuts.as_ref(), released.holding.transpose());
         let mut coupling = BoreCoupling::new(released, sectors, pitch);
-        let stress = product(condensed.rows_cuts.as_ref(), flexibility.at(0));
-        let from = stress.ncols() - coupling.shared.count;
-        coupling.stress.push(stress.as_ref().subcols(from, coupling.shared.count).to_owned());
+        coupling.stress.push(stress);
         Ok(Self { condensed, flexibility, coupling, felt })
     }
 
-    fn plane(
+    pub fn plane(
         model: &PlaneModel,
-        lugs: Lugs,
+        hold: BoreHold,
         sectors: u32,
         points: Points<'_>,
     ) -> Result<Self, StructureError> {
         let nodes = |name: &str| model.mesh.chain_nodes(model.mesh.chain(name).unwrap());
-        let means = plane_means(model, lugs, sectors, sectors);
+        let means = plane_means(model, hold, sectors, sectors);
         Self::new(&Assembled::plane(model), ["cut_first", "cut_last"].map(nodes), &means, sectors, points)
     }
 
-    fn felt(&self, load: usize) -> Mat<f64> {
+    pub fn felt(&self, load: usize) -> Mat<f64> {
         self.felt.as_ref().subcols(load, 1).to_owned()
     }
 
@@ -92,29 +92,34 @@ impl Ring {
         ]
     }
 
-    fn lug_forces(&self, (load, tooth): (usize, u32)) -> Vec<LugForce> {
+    pub fn lug_forces(&self, (load, tooth): (usize, u32)) -> Vec<LugForce> {
         self.coupling.lug_forces(&self.coupling.in_body(tooth, &self.felt(load)))
     }
 }
 
-fn plane_means(model: &PlaneModel, lugs: Lugs, sectors: u32, coupled: u32) -> BoreMeans {
-    let wanted = Wanted::of_ring(BoreHold::Lugs(lugs), sectors, coupled).unwrap();
+pub(super) fn plane_means(model: &PlaneModel, hold: BoreHold, sectors: u32, coupled: u32) -> BoreMeans {
+    let wanted = Wanted::of_ring(hold, sectors, coupled).unwrap();
     let bore = model.mesh.chain("bore").unwrap();
     BoreMeans::plane(model, bore, wanted, &Interrupt::never()).unwrap().unwrap()
+}
+
+/// The displacement of a lug by those of the nodes, and so the load by its force.
+pub(super) fn lug_form(means: &BoreMeans, row: usize, size: usize) -> Vec<f64> {
+    let lugs = means.lugs.as_ref().unwrap();
+    let mut form = vec![0.0; size];
+    for (column, mean) in means.forms.iter().enumerate() {
+        for (value, part) in form.iter_mut().zip(mean.to_full(size)) {
+            *value += lugs.displacements[(row, column)] * part;
+        }
+    }
+    form
 }
 
 /// The whole mesh held by the same forms, first those held in the mean, then the lugs.
 fn direct(equations: &Assembled, motions: &[Vec<f64>], means: &BoreMeans) -> Direct {
     let lugs = means.lugs.as_ref().unwrap();
-    let lug = |row: usize| -> SparseVector {
-        let mut form = vec![0.0; equations.stiffness.nrows()];
-        for (column, mean) in means.forms.iter().enumerate() {
-            for (value, part) in form.iter_mut().zip(mean.to_full(equations.stiffness.nrows())) {
-                *value += lugs.displacements[(row, column)] * part;
-            }
-        }
-        form.into_iter().enumerate().collect()
-    };
+    let size = equations.stiffness.nrows();
+    let lug = |row: usize| -> SparseVector { lug_form(means, row, size).into_iter().enumerate().collect() };
     let rows = 0..lugs.displacements.nrows();
     let forms: Vec<_> = means.forms[..means.held].iter().cloned().chain(rows.map(lug)).collect();
     let compliance = vec![0.0; means.held].into_iter().chain(lugs.compliance.iter().copied()).collect();
@@ -168,7 +173,7 @@ fn agree(ring: &Ring, whole: &Assembled, motions: &[Vec<f64>], means: &BoreMeans
     }
 }
 
-const PLANE_POINTS: [([f64; 3], [f64; 3]); 3] = [
+pub(super) const PLANE_POINTS: [([f64; 3], [f64; 3]); 3] = [
     ([1.1, 0.2, 0.0], [0.3, -1.0, 0.0]),
     ([1.3, -0.1, 0.0], [-0.5, 0.7, 0.0]),
     ([0.75, 0.3, 0.0], [1.0, 0.2, 0.0]),
@@ -187,8 +192,8 @@ fn condensed_sectors_on_lugs_agree_with_the_whole_mesh() {
         Lugs { count: 5, tangential: 0.0, radial: Some(yielding), ..FOUR },
         Lugs { count: 3, tangential: 1e2 * yielding, radial: Some(yielding), ..FOUR },
     ] {
-        let ring = Ring::plane(&sector, lugs, teeth, &PLANE_POINTS).unwrap();
-        let means = plane_means(&whole, lugs, teeth, teeth);
+        let ring = Ring::plane(&sector, BoreHold::Lugs(lugs), teeth, &PLANE_POINTS).unwrap();
+        let means = plane_means(&whole, BoreHold::Lugs(lugs), teeth, teeth);
         agree(&ring, &Assembled::plane(&whole), &whole.rigid_body_modes(), &means, &PLANE_POINTS);
     }
 }
@@ -238,7 +243,7 @@ fn three_lugs_bear_what_equilibrium_demands() {
     };
     for compliance in [0.0, 1e-3 / STEEL.youngs_modulus, 1e2 / STEEL.youngs_modulus] {
         let lugs = Lugs { tangential: compliance, ..three };
-        let ring = Ring::plane(&model, lugs, sectors, &[(at, along)]).unwrap();
+        let ring = Ring::plane(&model, BoreHold::Lugs(lugs), sectors, &[(at, along)]).unwrap();
         for tooth in [0, 3] {
             let turn = TAU * f64::from(tooth) / f64::from(sectors);
             let ([x, y, _], [px, py, _]) = (turned(point, turn), turned(along, turn));
@@ -271,7 +276,7 @@ fn turning_by_what_lugs_and_teeth_have_in_common_changes_nothing() {
     let sectors = 12;
     let model = plain_sector([0.8, 1.0], sectors, [2, 1]);
     let points = [([1.0, 0.1, 0.0], [1.0, 0.4, 0.0]), ([0.9, -0.1, 0.0], [0.0, 1.0, 0.0])];
-    let ring = |lugs| Ring::plane(&model, lugs, sectors, &points).unwrap();
+    let ring = |lugs| Ring::plane(&model, BoreHold::Lugs(lugs), sectors, &points).unwrap();
     let pitch = TAU / f64::from(sectors);
     let own = ring(FOUR);
     let counted_on = ring(Lugs { first: FOUR.first + 2.0 * TAU / 4.0, ..FOUR });
@@ -302,7 +307,8 @@ fn many_lugs_make_a_bore_rigid() {
     let (sectors, radii) = (24, [0.85, 1.0]);
     let model = plain_sector(radii, sectors, [3, 2]);
     let point = [([1.0, 0.0, 0.0], [1.0, 0.0, 0.0])];
-    let compliance = |lugs| Ring::plane(&model, lugs, sectors, &point).unwrap().between((0, 0), (0, 0))[0];
+    let compliance =
+        |lugs| Ring::plane(&model, BoreHold::Lugs(lugs), sectors, &point).unwrap().between((0, 0), (0, 0))[0];
     let held = |count: u16, tangential| Lugs {
         count,
         first: 0.0,
@@ -354,7 +360,7 @@ fn a_ring_on_soft_lugs_moves_as_a_rigid_body() {
     let model = plain_sector([inner, outer], sectors, [3, 2]);
     let point = [([outer, 0.0, 0.0], [0.0, 1.0, 0.0])];
     let lugs = Lugs { count: 6, width: 0.3, tangential: 1e4 / STEEL.youngs_modulus, ..FOUR };
-    let ring = Ring::plane(&model, lugs, sectors, &point).unwrap();
+    let ring = Ring::plane(&model, BoreHold::Lugs(lugs), sectors, &point).unwrap();
     let chord = (0.5 * lugs.width).sin() / (0.5 * lugs.width);
     let by_turning = (outer / inner).powi(2);
     let by_shifting = 2.0 / (chord * chord);
@@ -367,7 +373,7 @@ fn a_ring_on_soft_lugs_moves_as_a_rigid_body() {
 fn two_lugs_do_not_hold_a_ring() {
     let model = plain_sector([0.8, 1.0], 8, [2, 1]);
     let two = Lugs { count: 2, ..FOUR };
-    let error = Ring::plane(&model, two, 8, &[]).err().unwrap();
+    let error = Ring::plane(&model, BoreHold::Lugs(two), 8, &[]).err().unwrap();
     assert!(matches!(error, StructureError::Ring(_)), "{error}");
 }
 
@@ -385,7 +391,7 @@ fn lugs_seen_through_the_series_are_nearly_those_with_sharp_ends() {
     for (count, width) in [(12, 0.55 * pitch), (6, 0.55 * pitch), (3, 0.55 * pitch), (4, 1.45 * pitch)] {
         for radial in [None, Some(0.0)] {
             let lugs = Lugs { count, first: 0.0, width, tangential: 0.0, radial, degree: 0 };
-            let ring = Ring::plane(&sector, lugs, teeth, &PLANE_POINTS).unwrap();
+            let ring = Ring::plane(&sector, BoreHold::Lugs(lugs), teeth, &PLANE_POINTS).unwrap();
             let mut forms = Vec::new();
             for lug in 0..count {
                 let angle = lugs.angle(lug);

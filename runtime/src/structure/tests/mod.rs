@@ -5,6 +5,7 @@ pub(crate) mod bodies;
 mod bore;
 mod disc;
 mod far_stress;
+mod loose_lugs;
 mod lugs;
 mod revolved_web;
 mod ring;

@@ -26,7 +26,8 @@ fn disc([a, b]: [f64; 2], [from, to]: [f64; 2], hold: BoreHold) -> RevolvedWeb {
 fn stiffness(web: &RevolvedWeb) -> [f64; 6] {
     let [_, outside] = web.section.outermost();
     let cylinder = RevolutionSurface::cylinder(outside.radius, outside.ends);
-    let wanted = Wanted { waves: Some(web.waves), degree: web.degree, coupled: None, lugs: None };
+    let wanted =
+        Wanted { waves: Some(web.waves), degree: web.degree, coupled: None, lugs: None, loose: false };
     let patterns = Patterns::new(cylinder, wanted, false).unwrap();
     let all = web.stiffness(&patterns, &Interrupt::never()).unwrap();
     [0, 1, 2, 3, 4, 5].map(|motion| all[(motion, motion)])

@@ -1,0 +1,118 @@
+//! A ring on the lugs of a spline with clearance: carried by them alone, in one contact problem with the teeth.
+
+use crate::set::{DISTANCE, RING_TEETH, SUN_SPEED, SUN_TEETH, Set, SetOptions, TORQUE};
+use calyx_gears::blank::Spline;
+use calyx_runtime::contact::clarabel_check;
+use calyx_runtime::observe::{Equilibrium, LugLoad, MaxRootStress, Observable};
+use calyx_runtime::scene::BodyId;
+use calyx_runtime::step::StepResult;
+use calyx_runtime::system::System;
+use std::f64::consts::TAU;
+
+/// s, of one pitch.
+const PERIOD: f64 = TAU / SUN_TEETH as f64 / SUN_SPEED;
+const LUGS: u16 = 12;
+/// Of the ring's outside, m.
+const RADIUS: f64 = 155e-3;
+/// On the ring, N m.
+const RING_TORQUE: f64 = TORQUE * RING_TEETH as f64 / SUN_TEETH as f64;
+
+fn spline(clearance: f64) -> Spline {
+    Spline { clearance, stiffness: Some(6e8), first: 0.05, ..Spline::new(LUGS) }
+}
+
+fn solve(system: &System<'_>, part: f64) -> StepResult {
+    let step = system.solve(part * PERIOD).expect("equilibrium");
+    assert!(step.certificate.largest() <= 1e-12, "{:?}", step.certificate);
+    step
+}
+
+fn lug_forces(set: &Set, at: &Equilibrium<'_>) -> Vec<f64> {
+    let force = |lug| LugLoad { body: set.ring, lug, radial: false }.value(at).value;
+    (0..u32::from(LUGS)).map(force).collect()
+}
+
+#[test]
+fn lugs_carry_the_ring_and_the_ground_is_in_equilibrium() {
+    let options = SetOptions { floating: true, seen_from: 23.0, ..SetOptions::four() };
+    // Lugs that yield, and rigid ones.
+    for (clearance, stiffness) in [(20e-6, Some(6e8)), (150e-6, Some(2e9)), (50e-6, None)] {
+        let spline = Spline { stiffness, ..spline(clearance) };
+        let set = Set::of(&SetOptions { ring: Some(spline), ..options.clone() }).expect("a set");
+        let system = set.system();
+        for part in [0.2, 11.7] {
+            let step = solve(&system, part);
+            let at = Equilibrium::new(&system, &step);
+            let scale = TORQUE / DISTANCE;
+            let mut total = [0.0, 0.0, TORQUE];
+            for body in set.planets.iter().copied().chain([set.sun, set.ring, BodyId(2)]) {
+                let of = &set.scene.bodies[body.0];
+                let (support, lugs) = (at.support(body), at.lugs_on(body));
+                for (component, _) in of.free.into_iter().enumerate().filter(|(_, free)| *free) {
+                    let size = if component < 3 { scale } else { TORQUE };
+                    assert!(support[component].abs() <= 1e-10 * size, "{}: {support:?}", of.name);
+                }
+                let frame = of.motion.frame(step.time);
+                let [x, y] = [0, 1].map(|axis| -(frame[axis] * frame[9] + frame[3 + axis] * frame[10]));
+                let [fx, fy, moment] = [0, 1, 5].map(|component| support[component] + lugs[component]);
+                total[0] += fx;
+                total[1] += fy;
+                total[2] += moment + x * fy - y * fx;
+            }
+            assert!(
+                total[0].hypot(total[1]) <= 1e-10 * scale && total[2].abs() <= 1e-10 * TORQUE,
+                "{total:?}"
+            );
+            // The torque on the ring turns it through half the clearance but for what its bore gives, and its lugs bear that torque.
+            let forces = lug_forces(&set, &at);
+            let torque: f64 = forces.iter().map(|force| RADIUS * force).sum();
+            assert!((torque.abs() / RING_TORQUE - 1.0).abs() < 0.02, "{torque} {RING_TORQUE}");
+            let turned = at.deviation(set.ring, 5);
+            assert!(turned * torque < 0.0 && turned.abs() > 0.3 * clearance / RADIUS, "{turned}");
+            // The same problem by an interior-point solver.
+            let (independent, _) = clarabel_check::solve(&step.problem).expect("a solution");
+            let flanks = 2 * usize::from(LUGS);
+            let independent = &independent[independent.len() - flanks..];
+            let largest = independent.iter().copied().fold(0.0, f64::max);
+            for (found, expected) in step.stops.iter().zip(independent) {
+                assert!((found - expected).abs() < 1e-5 * largest, "{found} {expected}");
+            }
+        }
+    }
+}
+
+/// Three planets and twelve lugs are alike after a third of a turn. With next to no clearance, and the torque pressing all lugs one way, they
+/// bear what lugs do that bear both ways; the mesh's outside being a circle but for a millionth. The load is small, for what turns with its frame is
+/// laid out where it is, and what gives way is not.
+#[test]
+fn without_clearance_lugs_bear_as_those_without_play() {
+    let options = |clearance| SetOptions {
+        ring: Some(spline(clearance)),
+        moment: TORQUE / 30.0,
+        ..SetOptions::three()
+    };
+    let sets = [1e-9, 0.0].map(|clearance| {
+        let mut set = Set::of(&options(clearance)).expect("a set");
+        set.scene.observe(MaxRootStress(set.ring));
+        set
+    });
+    let [loose, bound] = [0, 1].map(|k: usize| {
+        let system = sets[k].system();
+        let step = solve(&system, 0.3);
+        let at = Equilibrium::new(&system, &step);
+        let stress = MaxRootStress(sets[k].ring).value(&at).value;
+        let shares: Vec<f64> = sets[k].ring_meshes.iter().map(|&pair| at.force(pair)).collect();
+        (lug_forces(&sets[k], &at), stress, shares)
+    });
+    let largest = bound.0.iter().fold(0.0_f64, |most, force| most.max(force.abs()));
+    assert!(bound.0.iter().all(|force| force * bound.0[0] > 0.0), "{:?}", bound.0);
+    for (lug, (found, expected)) in loose.0.iter().zip(&bound.0).enumerate() {
+        assert!((found - expected).abs() < 3e-5 * largest, "{found} {expected}");
+        let third = loose.0[(lug + 4) % 12];
+        assert!((found - third).abs() < 1e-9 * largest, "{found} {third}");
+    }
+    assert!(bound.1 > 0.0 && (loose.1 / bound.1 - 1.0).abs() < 3e-5, "{} {}", loose.1, bound.1);
+    for share in &loose.2 {
+        assert!((share / loose.2[0] - 1.0).abs() < 1e-9, "{:?}", loose.2);
+    }
+}
