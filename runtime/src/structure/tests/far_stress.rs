@@ -12,12 +12,6 @@ use crate::structure::{BoreHold, Chart, ElasticStructure, RingSource, SplitOptio
 use std::f64::consts::TAU;
 
 const TEETH: u32 = 12;
-/// Neighbours on either side that have tables, as those of gears.
-const NEIGHBOURS: u32 = 3;
-/// Of the largest stress: rounding.
-const EXACT: f64 = 1e-8;
-/// What a tooth just beyond the last table may feel of a load through more than the waves of the series.
-const BEYOND: f64 = 2e-5;
 
 /// The load of a mesh on its first tooth, on the tooth that stands further on by an angle.
 fn turned(model: &PlaneModel, load: &SparseVector, angle: f64) -> Vec<f64> {
@@ -44,12 +38,9 @@ fn stress_on_teeth_far_from_the_load_is_that_of_the_whole_mesh() {
     let hold = BoreHold::Means { waves: None, degree: 0 };
     let (model, surfaces) = toothed_sector(TEETH, 1.0, COARSE);
     let (options, never) = (SplitOptions { samples: 8, ..SplitOptions::default() }, Interrupt::never());
-    let structure = |coupled| {
-        let source = RingSource { hold, coupled, ..ring_source(TEETH) };
-        ElasticStructure::ring(&model, &source, &surfaces, &options, &never).unwrap()
-    };
-    // With tables all around, and with those of three neighbours, beyond which there is the bore's series alone.
-    let (all, near) = (structure(TEETH / 2), structure(NEIGHBOURS));
+    // With tables all around: beyond the last one there is the series of the bore alone, which leaves out what its waves do not carry.
+    let source = RingSource { hold, coupled: TEETH / 2, ..ring_source(TEETH) };
+    let structure = ElasticStructure::ring(&model, &source, &surfaces, &options, &never).unwrap();
 
     let whole = PlaneModel::new(toothed_ring(TEETH, COARSE), STEEL, Plane::Strain);
     let bore = whole.mesh.chain("bore").unwrap();
@@ -61,8 +52,8 @@ fn stress_on_teeth_far_from_the_load_is_that_of_the_whole_mesh() {
     let (load, s) = (&prepared[flank].loads[0][sample], prepared[flank].surface.spline.nodes()[sample]);
 
     let mut largest = 0.0_f64;
-    // From the loaded tooth over the last one with a table to the opposite one.
-    for tooth in [0, 1, 3, 4, 5, 6, 8, 11] {
+    // From the loaded tooth to the opposite one, and those behind it.
+    for tooth in [0, 3, 4, 6, 8] {
         let angle = TAU * f64::from(tooth) / f64::from(TEETH);
         let (displacement, _) = direct.solve(&turned(&whole, load, angle));
         let loads = [SurfaceLoad { chart: Chart { tooth, surface: flank as u32 }, s, force: 1.0 }];
@@ -70,24 +61,20 @@ fn stress_on_teeth_far_from_the_load_is_that_of_the_whole_mesh() {
             let own = prepared.iter().flat_map(|prepared| &prepared.stress_rows);
             largest = own.fold(0.0, |most, row| most.max(row.dot(&displacement).abs()));
         }
-        let apart = tooth.min(TEETH - tooth);
-        let beyond = if apart > NEIGHBOURS { BEYOND } else { EXACT };
-        for ((surface, prepared), (structure, tolerance)) in
-            prepared.iter().enumerate().flat_map(|of| [(of, (&all, EXACT)), (of, (&near, beyond))])
-        {
+        for (surface, prepared) in prepared.iter().enumerate() {
             let found = structure.stresses(0, surface as u32, &loads);
             assert!(!found.is_empty() && found.len() == prepared.stress_rows.len());
             for ((place, stress), row) in found.iter().zip(&prepared.stress_rows) {
                 let expected = row.dot(&displacement);
                 let error = (stress - expected).abs() / largest;
                 assert!(
-                    error < tolerance,
+                    error < 1e-8,
                     "load on tooth {tooth}, {place:?}: {stress:e} {expected:e} ({error:.1e})"
                 );
             }
             // There is something to compare.
             let far = found.iter().fold(0.0_f64, |most, (_, stress)| most.max(stress.abs()));
-            assert!(far > 1e-3 * largest, "tooth {tooth}: {far:e} {largest:e}");
+            assert!(far > 1e-5 * largest, "tooth {tooth}: {far:e} {largest:e}");
         }
     }
 }
