@@ -376,7 +376,8 @@ pub(crate) fn number_freedoms(scene: &Scene, plan: &Plan) -> Vec<Freedom> {
         .collect()
 }
 
-/// The external forces and moments on freedoms at a time (s), in their order, where so large a part of the loads is on, see [`Body::acted_on`].
+/// The external forces and moments on freedoms at a time (s), in their order, where so large a part of the loads is on, see
+/// [`crate::scene::Body::acted_on`].
 ///
 /// # Errors
 /// E0710 if a frame is not a number there, E0723 if a load is none.
