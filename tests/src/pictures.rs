@@ -8,13 +8,14 @@ use vtkio::model::{Attribute, Attributes, CellType, DataSet, Piece, Unstructured
 /// Values by name.
 type Values = BTreeMap<String, Vec<f64>>;
 
-/// Reads all pictures of a run of so many positions.
+/// Reads all pictures of a run of so many positions; those of stress are there if an output asks for it.
 ///
 /// # Panics
 /// If a file is missing, is no grid of quadrilaterals (in section, of lines), or holds what cannot be.
-pub fn check(directory: &Path, positions: usize) {
+pub fn check(directory: &Path, positions: usize, stress: bool) {
     let folder = directory.join("vtu");
-    for kind in ["contact", "root_stress"] {
+    assert_eq!(folder.join("root_stress.pvd").exists(), stress, "{}", directory.display());
+    for kind in ["contact", "root_stress"].into_iter().take(1 + usize::from(stress)) {
         let list = std::fs::read_to_string(folder.join(format!("{kind}.pvd"))).expect("a list of pictures");
         let entries: Vec<&str> = list.lines().filter(|line| line.starts_with("<DataSet ")).collect();
         assert_eq!(entries.len(), positions, "{list}");
