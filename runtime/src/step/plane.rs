@@ -1,7 +1,8 @@
 //! What of a position belongs to the plane: profiles that approach each other, grids along their common tangent.
 
 use super::drag::Action;
-use super::{Approach, Candidate, Patch, PatchGrid, Space};
+use super::space::{Approach, Candidate, Space, unsuitable};
+use super::{Patch, PatchGrid};
 use crate::contact::approach::{self, PlacedProfile, closest_approach};
 use crate::contact::assembly::{self, compliance};
 use crate::contact::grid::{self, Grid, GridOptions, Width, assess, lay, pressures};
@@ -197,7 +198,7 @@ impl Space for Plane<'_> {
     fn judge(&self, candidate: &Candidate<Site>, grid: &Grid, forces: &[f64], wide: bool) -> Option<String> {
         let report = assess(grid, &pressures(&grid.cells, forces));
         let better = report.recommended_width.filter(|_| !(wide && report.under_resolved))?;
-        Some(super::unsuitable(self.system.scene, self.pair(candidate), report.under_resolved, better))
+        Some(unsuitable(self.system.scene, self.pair(candidate), report.under_resolved, better))
     }
 
     fn modal_arms(&self, laid: &[(&Candidate<Site>, &Grid)], modes: &Modes) -> Mat<f64> {

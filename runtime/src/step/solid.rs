@@ -2,7 +2,8 @@
 
 use super::drag::Action;
 use super::patch::solid_arm;
-use super::{Approach, Candidate, Patch, PatchGrid, Space};
+use super::space::{Approach, Candidate, Space, unsuitable};
+use super::{Patch, PatchGrid};
 use crate::contact::problem::ContactProblem;
 use crate::contact::solid::{
     self, Grid, GridOptions, PatchFrame, PlacedSurface, Pose, Ridge, assess, compliance, contact_modulus,
@@ -208,7 +209,7 @@ impl Space for Solid<'_> {
     fn judge(&self, candidate: &Candidate<Site>, grid: &Grid, forces: &[f64], wide: bool) -> Option<String> {
         let report = assess(grid, &pressures(&grid.cells, forces));
         let better = report.recommended[0].filter(|_| !(wide && report.under_resolved[0]))?;
-        Some(super::unsuitable(self.system.scene, self.pair(candidate), report.under_resolved[0], better))
+        Some(unsuitable(self.system.scene, self.pair(candidate), report.under_resolved[0], better))
     }
 
     fn patch(&self, candidate: &Candidate<Site>, laid: Option<(Grid, Vec<f64>)>) -> Patch {
