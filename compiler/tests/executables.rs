@@ -8,6 +8,8 @@ use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::thread;
 
 fn examples() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples")
@@ -49,50 +51,64 @@ fn shown(path: &Path) -> &str {
     path.to_str().unwrap()
 }
 
+/// Two at a time: most of an example is done by one thread.
 #[test]
 fn every_example_runs_alone_and_writes_the_same_bits() {
     let models = models(&examples());
     assert!(models.len() > 1, "{models:?}");
-    for model in models {
-        let directory = tempfile::tempdir().unwrap();
-        let elsewhere = directory.path().join("elsewhere");
-        fs::create_dir(&elsewhere).unwrap();
-        // Few positions on small meshes, where the example lets them be chosen.
-        let text = fs::read_to_string(&model).unwrap();
-        let small = ["steps=3", "face_elements=2", "displacement_order=2"];
-        let set = small
-            .iter()
-            .filter(|given| {
-                given.split('=').next().is_some_and(|name| text.contains(&format!("param {name}")))
-            })
-            .flat_map(|given| ["--set", given])
-            .collect::<Vec<_>>();
-        let set = set.as_slice();
-        let results = directory.path().join("results");
-        // What the first run condensed serves the others: it is the same for all of them, to the bit.
-        let cache = directory.path().join("cache");
-        let keeping = ["--quiet", "--cache", shown(&cache), "--out", shown(&results)];
-        let told = calyx(&[&["run", shown(&model)], &keeping[..], set].concat());
-
-        for how in [&[][..], &["--bundle"]] {
-            let (executable, here) = (directory.path().join("model"), elsewhere.join("here"));
-            calyx(&[&["build", shown(&model), "-o", shown(&executable)], how].concat());
-            let options = [&["--quiet", "--out", "here"], set].concat();
-            let output = alone_with(shown(&cache), &executable, &elsewhere, &options);
-            assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-            assert_eq!(output.stdout, told.stdout, "{} {how:?}", model.display());
-            assert!(output.stderr.is_empty(), "{}", String::from_utf8_lossy(&output.stderr));
-
-            let steps = |run: &Path| fs::read(run.join("steps.csv")).ok();
-            assert_eq!(steps(&here), steps(&results), "{} {how:?}", model.display());
-            let outputs = |run: &Path| {
-                let json: Value = serde_json::from_slice(&fs::read(run.join("run.json")).unwrap()).unwrap();
-                (json["outputs"].clone(), json["params"].clone(), json["source"]["sha256"].clone())
-            };
-            assert_eq!(outputs(&here), outputs(&results), "{} {how:?}", model.display());
-            fs::remove_dir_all(here).unwrap();
+    let next = AtomicUsize::new(0);
+    let work = || {
+        while let Some(model) = models.get(next.fetch_add(1, Ordering::Relaxed)) {
+            // Few positions on small meshes, where the example lets them be chosen.
+            let text = fs::read_to_string(model).unwrap();
+            let set: Vec<&str> = ["steps=3", "face_elements=2", "displacement_order=2"]
+                .into_iter()
+                .filter(|given| {
+                    given.split('=').next().is_some_and(|name| text.contains(&format!("param {name}")))
+                })
+                .collect();
+            runs_alone_and_writes_the_same_bits(model, &set, &[]);
         }
-    }
+    };
+    thread::scope(|scope| {
+        scope.spawn(work);
+        scope.spawn(work);
+    });
+}
+
+/// A bundle of a model does what its linked executable does.
+#[test]
+fn a_bundle_runs_alone_and_writes_the_same_bits() {
+    let model = examples().join("spur_pair.cx");
+    runs_alone_and_writes_the_same_bits(&model, &["steps=2", "fidelity=plane"], &["--bundle"]);
+}
+
+/// Of a model with these params set, built with these options.
+fn runs_alone_and_writes_the_same_bits(model: &Path, set: &[&str], how: &[&str]) {
+    let directory = tempfile::tempdir().unwrap();
+    let [elsewhere, results, cache, executable] =
+        ["elsewhere", "results", "cache", "model"].map(|name| directory.path().join(name));
+    fs::create_dir(&elsewhere).unwrap();
+    let set: Vec<&str> = set.iter().flat_map(|given| ["--set", given]).collect();
+    // What the first run condensed serves the other: it is the same for both, to the bit.
+    let keeping = ["--quiet", "--cache", shown(&cache), "--out", shown(&results)];
+    let told = calyx(&[&["run", shown(model)], &keeping[..], &set].concat());
+
+    calyx(&[&["build", shown(model), "-o", shown(&executable)], how].concat());
+    let options = [&["--quiet", "--out", "here"], &set[..]].concat();
+    let output = alone_with(shown(&cache), &executable, &elsewhere, &options);
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    assert_eq!(output.stdout, told.stdout, "{}", model.display());
+    assert!(output.stderr.is_empty(), "{}", String::from_utf8_lossy(&output.stderr));
+
+    let here = elsewhere.join("here");
+    let steps = |run: &Path| fs::read(run.join("steps.csv")).ok();
+    assert_eq!(steps(&here), steps(&results), "{}", model.display());
+    let outputs = |run: &Path| {
+        let json: Value = serde_json::from_slice(&fs::read(run.join("run.json")).unwrap()).unwrap();
+        (json["outputs"].clone(), json["params"].clone(), json["source"]["sha256"].clone())
+    };
+    assert_eq!(outputs(&here), outputs(&results), "{}", model.display());
 }
 
 /// An executable for this machine's own instructions writes the bits of one for all machines.
