@@ -1,8 +1,7 @@
 //! An analysis as its users see it: positions one by one, ended at any checkpoint, gone on with after an earlier run, on any
 //! number of threads, with structures made for it or taken from a cache. Whatever is done, a result has the same bits.
 
-mod common;
-
+use crate::common::pair::{PLAIN, PairOptions, RELIEVED, TORQUE, pair};
 use calyx_gears::external::ExternalGear;
 use calyx_gears::gear::Gear;
 use calyx_gears::modification::Modification;
@@ -19,7 +18,6 @@ use calyx_runtime::scene::{Fidelity, ObservableId, Prototype, Scene, StructureOp
 use calyx_runtime::structure::Chart;
 use calyx_runtime::structure::solid::{SolidStructure, Spot, SpotLoad};
 use calyx_runtime::system::System;
-use common::pair::{PLAIN, PairOptions, RELIEVED, TORQUE, pair};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, LazyLock, Mutex};
 
@@ -336,8 +334,8 @@ fn another_relief_needs_no_new_structure() {
     let cache = Arc::new(OperatorCache::new(usize::MAX));
     let with_cache = options(Resources { cache: Some(cache), ..Resources::default() });
     for (run, relief) in [0.0005, 0.0012].into_iter().enumerate() {
-        let gears =
-            [20, 40].map(|teeth| common::pair::chapter_5_member(teeth, relief, common::pair::UNSCALED));
+        let gears = [20, 40]
+            .map(|teeth| crate::common::pair::chapter_5_member(teeth, relief, crate::common::pair::UNSCALED));
         let mut case = Case::new(&PairOptions::chapter_5(&gears));
         for (body, gear) in case.scene.bodies.iter_mut().zip(&gears) {
             body.prototype = gear.prototype.clone();
@@ -429,10 +427,11 @@ fn what_a_structure_depends_on_is_in_its_key_and_nothing_else() {
 
 #[test]
 fn equal_gears_share_a_structure_whoever_made_them() {
-    let (gears, other) = (&PLAIN[0], common::pair::chapter_5_member(20, 0.0, common::pair::UNSCALED));
+    let (gears, other) =
+        (&PLAIN[0], crate::common::pair::chapter_5_member(20, 0.0, crate::common::pair::UNSCALED));
     let mut case = Case::new(&PairOptions {
         gears: [gears.clone(), other],
-        center_distance: 2.0 * common::INCH,
+        center_distance: 2.0 * crate::common::INCH,
         ..PairOptions::chapter_5(&PLAIN)
     });
     let counts = |case: &Case| {

@@ -1,8 +1,7 @@
 //! A load that reverses, in time: the gear lets go of one side of its teeth, flies through the backlash, strikes the other side and comes back, again
 //! and again where nothing damps it. What statics says of springs and of backlash accounts for all of its energy.
 
-mod common;
-
+use crate::common::pair::{COARSE, FIRST, PLAIN, TORQUE, system};
 use calyx_gears::assembly::{MeshOptions, add_body, mesh};
 use calyx_runtime::analysis::AnalysisOptions;
 use calyx_runtime::dynamics::{DynamicOptions, History, Scheme, Start, TimeRange};
@@ -13,11 +12,10 @@ use calyx_runtime::motion::SteadyRotation;
 use calyx_runtime::observe::{MeshForce, Rotation};
 use calyx_runtime::results::OutputRequest;
 use calyx_runtime::scene::{Body, BodyId, Component, PairId, Scene};
-use common::pair::{COARSE, FIRST, PLAIN, TORQUE, system};
 
 /// m; the teeth fill their spaces at 3 inches.
-const DISTANCE: f64 = 3.005 * common::INCH;
-const STANDARD: f64 = 3.0 * common::INCH;
+const DISTANCE: f64 = 3.005 * crate::common::INCH;
+const STANDARD: f64 = 3.0 * crate::common::INCH;
 /// What the load reverses to, by what it was.
 const REVERSED: f64 = -0.25;
 /// s

@@ -1,7 +1,6 @@
 //! What is wrong with a gear or a pair: the code, the argument to blame and the sentence, one row a mistake.
 
-mod common;
-
+use crate::common::{INCH, chapter_5, chapter_5_data, standard_data};
 use calyx_gears::blank::Rim;
 use calyx_gears::error::{GeometryError, Severity};
 use calyx_gears::external::{ExternalGear, ExternalGearData, check_rim};
@@ -15,7 +14,6 @@ use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::material::Material;
 use calyx_runtime::scene::{Prototype, StructureOptions};
 use calyx_runtime::structure::BoreHold;
-use common::{INCH, chapter_5, chapter_5_data, standard_data};
 
 fn expect(row: &str, errors: &[GeometryError], code: &str, argument: &str, says: &str) {
     let found = errors.iter().find(|error| error.code == code);

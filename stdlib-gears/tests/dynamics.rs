@@ -1,8 +1,7 @@
 //! Motion in time: against closed forms, against statics where nothing is fast, and against the reduced model of a pair with one degree of
 //! freedom.
 
-mod common;
-
+use crate::common::pair::{COARSE, FIRST, MESH, PLAIN, PairOptions, RELIEVED, SECOND, TORQUE, pair, system};
 use calyx_runtime::analysis::AnalysisOptions;
 use calyx_runtime::bearing::{Bearing, axisymmetric};
 use calyx_runtime::dynamics::{DynamicOptions, History, Scheme, Start, TimeRange};
@@ -17,12 +16,11 @@ use calyx_runtime::observe::{
 use calyx_runtime::results::{OutputRequest, Solved};
 use calyx_runtime::rigid::RigidBody;
 use calyx_runtime::scene::{Body, BodyId, Component, Fidelity, GearMesh, Scene};
-use common::pair::{COARSE, FIRST, MESH, PLAIN, PairOptions, RELIEVED, SECOND, TORQUE, pair, system};
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
 /// A coarse pair at a speed of the first gear, rad/s.
-fn at_speed(speed: f64, gears: &[common::pair::Member; 2]) -> (Scene, GearMesh) {
+fn at_speed(speed: f64, gears: &[crate::common::pair::Member; 2]) -> (Scene, GearMesh) {
     let (mut scene, mesh) = pair(&PairOptions { speed, ..PairOptions::chapter_5(gears) });
     scene.pairs[0].grid.half_cells = Some(8);
     // Statics fits grids to its forces, steps in time do not.

@@ -1,14 +1,12 @@
 //! The true curves: consistent differential geometry, conjugate action, and the fillet as the rack's envelope.
 
-mod common;
-
+use crate::common::{INCH, chapter_5, chapter_5_data, standard_data};
 use calyx_gears::external::ExternalGear;
 use calyx_gears::fillet::Side;
 use calyx_gears::flank::Flank;
 use calyx_gears::mesh_geometry::MeshGeometry;
 use calyx_gears::modification::{LINEAR_BLEND, Modification, ReliefShape, TipRelief};
 use calyx_runtime::profile::{Profile, ProfilePoint};
-use common::{INCH, chapter_5, chapter_5_data, standard_data};
 use std::f64::consts::PI;
 
 fn relief(shape: ReliefShape, start_deg: f64) -> Modification {

@@ -1,14 +1,12 @@
 //! Flanks in space: derivatives and normals of modified, twisted surfaces, and where two of them touch.
 
-mod common;
-
+use crate::common::{INCH, chapter_5};
 use calyx_gears::external::ExternalGear;
 use calyx_gears::fillet::Side;
 use calyx_gears::flank::Flank;
 use calyx_gears::gear_surface::GearSurface;
 use calyx_gears::modification::{LeadModification, Modification, ReliefShape};
 use calyx_runtime::surface::Surface;
-use common::{INCH, chapter_5};
 use std::sync::Arc;
 
 const FACE: f64 = INCH;

@@ -1,7 +1,5 @@
 //! Helical gears: tools given across the teeth, what follows from the helix, and which gears fit each other.
 
-mod common;
-
 use calyx_gears::assembly::{MeshOptions, add_body, mesh};
 use calyx_gears::blank::{GearBlank, Thickness};
 use calyx_gears::derived::{of_gear, of_mesh};

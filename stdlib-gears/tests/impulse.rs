@@ -1,8 +1,7 @@
 //! A small blow on a loaded pair whose shafts run in bearings: the transfer function that the response shows has its peaks where the natural frequencies
 //! about the equilibrium are, which the eigenvalue problem knows without any motion in time.
 
-mod common;
-
+use crate::common::pair::{COARSE, FIRST, PLAIN, PairOptions, SECOND, TORQUE, pair, system};
 use calyx_runtime::analysis::AnalysisOptions;
 use calyx_runtime::bearing::{Bearing, axisymmetric};
 use calyx_runtime::dynamics::{DynamicOptions, History, Scheme, Start, TimeRange};
@@ -12,7 +11,6 @@ use calyx_runtime::observe::{Displacement, NaturalFrequency, Rotation};
 use calyx_runtime::results::OutputRequest;
 use calyx_runtime::scene::{Component, Scene};
 use calyx_runtime::signal::{Shape, Uniform, peaks, transfer_function};
-use common::pair::{COARSE, FIRST, PLAIN, PairOptions, SECOND, TORQUE, pair, system};
 
 /// s
 const STEP: f64 = 5e-6;

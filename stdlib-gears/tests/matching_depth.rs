@@ -1,8 +1,8 @@
 //! What must not depend on how a pair is discretised: the matching depth of near and far field, the fineness of the mesh, the
 //! order of its elements. And what a wrong split would show first: contact pressure near the tips.
 
-mod common;
-
+use crate::common::pair::{Member, PLAIN, PairOptions, Values, pair, steel};
+use crate::common::{INCH, chapter_5_data};
 use calyx_gears::blank::Rim;
 use calyx_gears::external::ExternalGear;
 use calyx_gears::prototype::GearPrototype;
@@ -13,8 +13,6 @@ use calyx_runtime::plan::Plan;
 use calyx_runtime::scene::{Fidelity, Prototype, StructureOptions};
 use calyx_runtime::structure::BoreHold;
 use calyx_runtime::system::System;
-use common::pair::{Member, PLAIN, PairOptions, Values, pair, steel};
-use common::{INCH, chapter_5_data};
 use std::f64::consts::PI;
 
 fn with(change: impl Fn(&mut StructureOptions)) -> StructureOptions {
@@ -186,7 +184,8 @@ fn root_stress_is_that_of_a_fine_mesh() {
         for cycle in [0.95, 0.9999] {
             let step = system.solve(mesh.start + cycle * mesh.period).expect("it is in equilibrium");
             let values = Values::of(&system, &step);
-            largest = [0, 1].map(|body| largest[body].max(values.root_stress[body] / common::pair::PSI));
+            largest =
+                [0, 1].map(|body| largest[body].max(values.root_stress[body] / crate::common::pair::PSI));
         }
         for body in 0..2 {
             let error = largest[body] / expected[body] - 1.0;

@@ -4,8 +4,7 @@
 //!
 //! A sweep meets its jumps late, the later the faster it is; the reduced model is swept as the pair is.
 
-mod common;
-
+use crate::common::pair::{COARSE, FIRST, MESH, PLAIN, PairOptions, SECOND, TORQUE, pair, system};
 use calyx_runtime::analysis::AnalysisOptions;
 use calyx_runtime::dynamics::{DynamicOptions, History, Scheme, Start, TimeRange};
 use calyx_runtime::inertia::Inertia;
@@ -13,7 +12,6 @@ use calyx_runtime::motion::Motion;
 use calyx_runtime::observe::{MeshForce, MeshStiffness, Rotation};
 use calyx_runtime::results::OutputRequest;
 use calyx_runtime::scene::Scene;
-use common::pair::{COARSE, FIRST, MESH, PLAIN, PairOptions, SECOND, TORQUE, pair, system};
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
@@ -130,7 +128,7 @@ type Course = Vec<[f64; 2]>;
 
 fn course_of_the_pair(from: f64, rate: f64, step: f64, damping: f64) -> Course {
     let mut scene = coarse_pair();
-    let centers = [[0.0; 2], [3.0 * common::INCH, 0.0]];
+    let centers = [[0.0; 2], [3.0 * crate::common::INCH, 0.0]];
     for (body, ratio) in [(FIRST, 1.0), (SECOND, -0.5)] {
         let sweep = Sweep { origin: centers[body.0], ratio, from, rate };
         scene.bodies[body.0].motion = Arc::new(sweep);

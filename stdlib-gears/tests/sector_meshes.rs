@@ -1,8 +1,7 @@
 //! Sector meshes over the whole range of teeth: sound elements (the builder refuses folds), conforming cuts, chains
 //! on the true profiles, and the right area.
 
-mod common;
-
+use crate::common::{INCH, chapter_5, chapter_5_data, standard_data};
 use calyx_gears::external::{ExternalGear, ExternalGearData};
 use calyx_gears::fillet::Side;
 use calyx_gears::flank::Flank;
@@ -10,7 +9,6 @@ use calyx_gears::rack::Rack;
 use calyx_gears::sector_mesh::{Refinement, THINNEST_RIM, sector_mesh};
 use calyx_runtime::fe::{Place, PlaneMesh};
 use calyx_runtime::profile::Profile;
-use common::{INCH, chapter_5, chapter_5_data, standard_data};
 use std::sync::Arc;
 
 fn flanks(gear: &ExternalGear) -> [Arc<Flank>; 2] {

@@ -1,8 +1,7 @@
 //! With Poisson's ratio 0 a load that is uniform along the face of a spur gear makes no stress across it: tooth compliance and root
 //! stress in space are those of the plane, edges of the face included.
 
-mod common;
-
+use crate::common::INCH;
 use calyx_gears::blank::{GearBlank, Rim};
 use calyx_gears::prototype::GearPrototype;
 use calyx_gears::rack::Rack;
@@ -12,7 +11,6 @@ use calyx_runtime::material::Material;
 use calyx_runtime::scene::{Prototype, StructureOptions};
 use calyx_runtime::structure::solid::{SolidStructure, Spot, SpotLoad};
 use calyx_runtime::structure::{Chart, Structure, SurfaceLoad};
-use common::INCH;
 use std::f64::consts::PI;
 use std::sync::Arc;
 

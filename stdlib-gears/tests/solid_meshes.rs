@@ -1,7 +1,6 @@
 //! Meshes in space: sections swept along the helix have conforming cuts and lie on the flanks that contact sees.
 
-mod common;
-
+use crate::common::INCH;
 use calyx_gears::blank::{GearBlank, Rim};
 use calyx_gears::helix::{Hand, Helix};
 use calyx_gears::internal_blank::InternalBlank;
@@ -11,7 +10,6 @@ use calyx_gears::shaper::Shaper;
 use calyx_runtime::fe::solid::{Cell, SolidPlace};
 use calyx_runtime::scene::{Prototype, StructureOptions, Template};
 use calyx_runtime::surface::Surface;
-use common::INCH;
 use std::f64::consts::PI;
 use std::sync::Arc;
 

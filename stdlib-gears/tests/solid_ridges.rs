@@ -1,7 +1,7 @@
 //! True flanks in contact in space, with tip edges: from before a pair of teeth enters to after it has left.
 
-mod common;
-
+use crate::common::pair::{PLAIN, PairOptions, pair};
+use crate::common::{INCH, chapter_5};
 use calyx_gears::external::ExternalGear;
 use calyx_gears::fillet::Side;
 use calyx_gears::flank::Flank;
@@ -10,8 +10,6 @@ use calyx_gears::modification::{LeadModification, Modification, ReliefShape};
 use calyx_runtime::contact::solid::{GridOptions, PlacedSurface, Pose, find_ridge, lay};
 use calyx_runtime::motion::pose_in_space;
 use calyx_runtime::scene::GearMesh;
-use common::pair::{PLAIN, PairOptions, pair};
-use common::{INCH, chapter_5};
 use std::f64::consts::TAU;
 use std::sync::Arc;
 

@@ -1,8 +1,7 @@
 //! Sections of the solid templates, alone in the plane: how far root stress and compliance of a tooth are off the limit, how many
 //! elements they take, and that every gear is meshed by them.
 
-mod common;
-
+use crate::common::{INCH, chapter_5, chapter_5_data, standard_data};
 use calyx_gears::external::{ExternalGear, ExternalGearData};
 use calyx_gears::fillet::Side;
 use calyx_gears::flank::Flank;
@@ -17,7 +16,6 @@ use calyx_runtime::scene::Template;
 use calyx_runtime::structure::{
     BoreHold, Chart, ElasticStructure, RingSource, SplitOptions, Structure, SurfaceLoad, SurfaceSource,
 };
-use common::{INCH, chapter_5, chapter_5_data, standard_data};
 use std::sync::Arc;
 
 fn flanks(gear: &ExternalGear) -> [Arc<Flank>; 2] {

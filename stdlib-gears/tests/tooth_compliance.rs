@@ -1,7 +1,6 @@
 //! What the meshes are for: compliance of a tooth and stress in its fillet, converging under refinement.
 
-mod common;
-
+use crate::common::{INCH, chapter_5};
 use calyx_gears::fillet::Side;
 use calyx_gears::flank::Flank;
 use calyx_gears::mesh_geometry::MeshGeometry;
@@ -13,7 +12,6 @@ use calyx_runtime::profile::Profile;
 use calyx_runtime::structure::{
     BoreHold, Chart, ElasticStructure, RingSource, SplitOptions, Structure, SurfaceLoad, SurfaceSource,
 };
-use common::{INCH, chapter_5};
 use std::sync::Arc;
 
 const PSI: f64 = 6894.757293168361;

@@ -4,7 +4,7 @@
 //! What is not installed is skipped, visibly; with `CALYX_CI_STRICT=1`, which `.ci/run` sets after having installed all of it, that is
 //! a failure.
 
-use crate::editors;
+use super::editors;
 use std::path::Path;
 use std::process::{Command, Stdio};
 

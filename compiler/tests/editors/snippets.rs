@@ -1,6 +1,6 @@
 //! Snippets, as they stand before anything is typed into their places, are Calyx laid out as `calyx fmt` would.
 
-use crate::read;
+use super::read;
 use calyx_lang::format::format;
 use calyx_lang::parser::parse;
 use calyx_lang::span::FileId;

@@ -1,6 +1,6 @@
 //! Highlighting repeats the language's words in three notations; each must hold all of them and no others.
 
-use crate::read;
+use super::read;
 use calyx_lang::check::builtin_names;
 use calyx_lang::dimension::Dimension;
 use calyx_lang::lexer::keywords;

@@ -1,6 +1,6 @@
 //! The pair far from where it was published: every case is in equilibrium to rounding, and goes where mechanics says.
 
-use crate::pair::{AT_HIGHEST, CHAPTER_5, PLAIN, Pair, Values};
+use super::pair::{AT_HIGHEST, CHAPTER_5, PLAIN, Pair, Values};
 use calyx_runtime::scene::StructureOptions;
 
 /// Just before the next pair enters, on the coarsest template.

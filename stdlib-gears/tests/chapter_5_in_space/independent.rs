@@ -1,6 +1,6 @@
 //! Against independent finite-element models in space, and against the plane where both see the same.
 
-use crate::pair::{AT_HIGHEST, AT_LOWEST, CHAPTER_5, PLAIN, Pair, Values, reference};
+use super::pair::{AT_HIGHEST, AT_LOWEST, CHAPTER_5, PLAIN, Pair, Values, reference};
 use calyx_runtime::scene::StructureOptions;
 
 fn near(name: &str, found: f64, expected: f64, tolerance: f64) {

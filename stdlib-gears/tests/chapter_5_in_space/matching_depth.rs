@@ -1,6 +1,6 @@
 //! Near and far field in space meet at a depth that results must hardly depend on: by the same bands as in the plane.
 
-use crate::pair::{AT_HIGHEST, AT_LOWEST, PLAIN, Values};
+use super::pair::{AT_HIGHEST, AT_LOWEST, PLAIN, Values};
 use calyx_runtime::scene::StructureOptions;
 
 /// From near one end of the path of contact to near the other, degrees.

@@ -1,6 +1,6 @@
 //! The chapter 5 pair in space: its parameters, the scene, and what is observed at roll angles of the pinion.
 
-use super::common::INCH;
+use crate::common::INCH;
 use calyx_gears::assembly::{MeshOptions, add_body, mesh};
 use calyx_gears::blank::{GearBlank, Rim, Thickness};
 use calyx_gears::modification::{Modification, ReliefShape};

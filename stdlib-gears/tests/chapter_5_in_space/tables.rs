@@ -1,7 +1,7 @@
 //! Tables 5.10 to 5.13 of the report: root stress by tip radius of the rack, by tooth thickness, by elements along the face and by
 //! their order. Its column of the finest template is not the converged one; what counts is the one before it.
 
-use crate::pair::{CHAPTER_5, Pair, reference};
+use super::pair::{CHAPTER_5, Pair, reference};
 use calyx_runtime::scene::StructureOptions;
 
 /// By the first column of a table: the stress of its fineroot column, psi.

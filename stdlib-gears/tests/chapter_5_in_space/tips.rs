@@ -1,7 +1,7 @@
 //! Teeth without relief where they enter and leave contact: patches end at tip edges, or lie on them. Without transverse contraction the
 //! plane says what they do, on a mesh of its own that is much finer there.
 
-use crate::pair::{PLAIN, Pair};
+use super::pair::{PLAIN, Pair};
 use calyx_runtime::scene::StructureOptions;
 
 /// Where a pair enters, where the leaving one is clear of the tip edge, comes to it and has left the nominal path, where the next one is early.

@@ -1,7 +1,7 @@
 //! What must hold at every position: kinematics of involutes, action and reaction, the certificate, the response to a
 //! pitch error.
 
-use crate::CYCLE;
+use super::CYCLE;
 use crate::common::INCH;
 use crate::common::pair::{FIRST, PLAIN, PairOptions, RELIEVED, SECOND, TORQUE, Values, pair, system};
 use calyx_runtime::analysis::mesh_cycle;

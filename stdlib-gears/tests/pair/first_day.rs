@@ -1,6 +1,6 @@
 //! What an engineer asks of a pair on the first day, against closed forms and against what it is made of.
 
-use crate::CYCLE;
+use super::CYCLE;
 use crate::common::INCH;
 use crate::common::pair::{FIRST, MESH, PLAIN, PSI, PairOptions, RELIEVED, SECOND, TORQUE, pair, system};
 use calyx_gears::gauging::{Along, Placing};

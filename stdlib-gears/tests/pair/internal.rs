@@ -1,6 +1,6 @@
 //! A pinion in a ring: what holds for external pairs holds for internal ones.
 
-use crate::CYCLE;
+use super::CYCLE;
 use crate::common::pair::{
     COARSE, FIRST, Member, PairOptions, SECOND, Values, member, pair, solve_at, steel, system,
 };

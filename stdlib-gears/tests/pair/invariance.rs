@@ -1,7 +1,7 @@
 //! What must not change the answer: another pitch, the other flanks, the other order, another place, another scale,
 //! positions solved before.
 
-use crate::CYCLE;
+use super::CYCLE;
 use crate::common::INCH;
 use crate::common::pair::{
     PLAIN, PairOptions, RELIEVED, Scale, TORQUE, Values, chapter_5_member, pair, solve_at, system,

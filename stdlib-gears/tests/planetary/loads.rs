@@ -1,6 +1,6 @@
 //! How planets share the load: by symmetry where there is one, by linear theory where pins are out of place.
 
-use crate::set::{DISTANCE, PLANET_TEETH, SUN_SPEED, SUN_TEETH, Set, SetOptions, TORQUE};
+use super::set::{DISTANCE, PLANET_TEETH, SUN_SPEED, SUN_TEETH, Set, SetOptions, TORQUE};
 use calyx_runtime::material::Material;
 use calyx_runtime::observe::{
     Equilibrium, FilletSide, Gauge, GaugeReading, MaxRootStress, Observable, Reading,

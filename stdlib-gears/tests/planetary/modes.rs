@@ -1,6 +1,6 @@
 //! Vibrations of planetary sets: against rigid bodies on springs (Lin and Parker), and what flexible rims make of them.
 
-use crate::set::{DISTANCE, SUN_SPEED, SUN_TEETH, Set, SetOptions, ring};
+use super::set::{DISTANCE, SUN_SPEED, SUN_TEETH, Set, SetOptions, ring};
 use calyx_gears::lumped_planetary::LumpedPlanetary;
 use calyx_gears::lumped_scene::LumpedSet;
 use calyx_runtime::bearing::{Bearing, axisymmetric};

@@ -1,6 +1,6 @@
 //! Axes that move: whoever watches sees the same loads, and the cycle of a mesh is that of its teeth.
 
-use crate::set::{DISTANCE, Planet, RING_TEETH, SUN_SPEED, SUN_TEETH, Set, SetOptions};
+use super::set::{DISTANCE, Planet, RING_TEETH, SUN_SPEED, SUN_TEETH, Set, SetOptions};
 use calyx_runtime::motion::{Motion, axle};
 use calyx_runtime::observe::{
     Efficiency, Equilibrium, LoadShare, MaxContactPressure, MaxRootStress, MaxSlidingVelocity, MeshStiffness,

@@ -1,6 +1,6 @@
 //! Assembly and phasing: which spacings go together, and which harmonics of the mesh turn the sun or move it sideways.
 
-use crate::set::{PLANET_TEETH, RING_TEETH, SUN_SPEED, SUN_TEETH, Set, SetOptions};
+use super::set::{PLANET_TEETH, RING_TEETH, SUN_SPEED, SUN_TEETH, Set, SetOptions};
 use calyx_gears::error::Refusal;
 use std::f64::consts::TAU;
 

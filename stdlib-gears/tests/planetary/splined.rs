@@ -1,6 +1,6 @@
 //! A ring on the lugs of a spline with clearance: carried by them alone, in one contact problem with the teeth.
 
-use crate::set::{DISTANCE, RING_TEETH, SUN_SPEED, SUN_TEETH, Set, SetOptions, TORQUE};
+use super::set::{DISTANCE, RING_TEETH, SUN_SPEED, SUN_TEETH, Set, SetOptions, TORQUE};
 use calyx_gears::blank::Spline;
 use calyx_runtime::contact::clarabel_check;
 use calyx_runtime::observe::{Equilibrium, LugLoad, MaxRootStress, Observable};

@@ -1,6 +1,6 @@
 //! Gears on bearings in space: levers, tilt, and where the load goes along the face.
 
-use crate::pairs::{FIRST, MESH, MODULE, Options, SECOND, TORQUE, system};
+use super::pairs::{FIRST, MESH, MODULE, Options, SECOND, TORQUE, system};
 use calyx_gears::assembly::Misalignment;
 use calyx_gears::helix::Hand;
 use calyx_runtime::bearing::{Bearing, BearingMatrix, axisymmetric};

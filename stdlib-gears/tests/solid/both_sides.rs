@@ -1,7 +1,7 @@
 //! Teeth that may touch on both sides: loads that reverse, and meshes without backlash.
 
-use crate::helical::{CYCLE, solved};
-use crate::pairs::{FIRST, MESH, MODULE, Options, SECOND, TEETH, TORQUE, system};
+use super::helical::{CYCLE, solved};
+use super::pairs::{FIRST, MESH, MODULE, Options, SECOND, TEETH, TORQUE, system};
 use calyx_gears::helix::Hand;
 use calyx_runtime::bearing::{Bearing, axisymmetric};
 use calyx_runtime::load::Wrench;

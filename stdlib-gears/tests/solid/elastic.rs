@@ -1,6 +1,6 @@
 //! Pairs with their finite elements, on coarse meshes.
 
-use crate::pairs::{FIRST, MESH, Options, SECOND, TORQUE, system};
+use super::pairs::{FIRST, MESH, Options, SECOND, TORQUE, system};
 use calyx_runtime::observe::{
     LoadShare, MaxContactPressure, MaxRootStress, MeshStiffness, Observable, TransmissionError,
 };

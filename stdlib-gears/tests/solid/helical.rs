@@ -1,6 +1,6 @@
 //! What must hold exactly of helical and spur pairs in space, whatever the teeth are made of.
 
-use crate::pairs::{FIRST, MESH, MODULE, Options, SECOND, TEETH, TORQUE, system};
+use super::pairs::{FIRST, MESH, MODULE, Options, SECOND, TEETH, TORQUE, system};
 use calyx_gears::helix::Hand;
 use calyx_runtime::observe::TransmissionError;
 use calyx_runtime::scene::{Component, Scene, StructureOptions};

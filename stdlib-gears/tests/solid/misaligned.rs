@@ -1,7 +1,7 @@
 //! Axes that are not quite parallel: load that moves to one end of the face, and what must not change.
 
-use crate::helical::{CYCLE, solved, total};
-use crate::pairs::{FIRST, MESH, MODULE, Options, SECOND, TEETH, TORQUE, system};
+use super::helical::{CYCLE, solved, total};
+use super::pairs::{FIRST, MESH, MODULE, Options, SECOND, TEETH, TORQUE, system};
 use calyx_gears::assembly::Misalignment;
 use calyx_gears::helix::Hand;
 use calyx_runtime::contact::solid::Pose;

@@ -1,7 +1,7 @@
 //! Gears that do not sit on the middle of their shafts, and axes at the wrong distance.
 
-use crate::helical::{CYCLE, solved};
-use crate::pairs::{FIRST, MESH, MODULE, Options, SECOND, TEETH, TORQUE};
+use super::helical::{CYCLE, solved};
+use super::pairs::{FIRST, MESH, MODULE, Options, SECOND, TEETH, TORQUE};
 use calyx_gears::helix::Hand;
 use calyx_runtime::observe::{Observable, TransmissionError, UnloadedTransmissionError};
 use calyx_runtime::plan::Plan;

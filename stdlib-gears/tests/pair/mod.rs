@@ -1,8 +1,5 @@
 //! Pairs of gears in equilibrium: what must hold exactly, what must not change the answer, and reference values.
 
-#[path = "../common/mod.rs"]
-mod common;
-
 mod bearings;
 mod chapter_5;
 mod equilibrium;

@@ -1,8 +1,5 @@
 //! Pairs of gears in space, analysed.
 
-#[path = "../common/mod.rs"]
-mod common;
-
 mod bearings;
 mod both_sides;
 mod elastic;

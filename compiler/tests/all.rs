@@ -1,0 +1,17 @@
+//! All tests of the command and of the embedding API but those that count the memory of their process, as one program: it is linked
+//! once, and what takes long in one file goes beside what does in another.
+
+mod artifact;
+mod cli;
+mod editors;
+mod embed_c;
+mod embedding;
+mod executables;
+mod explain;
+mod host;
+mod kernels;
+mod library;
+mod lsp;
+mod planetary;
+mod runner;
+mod signals;

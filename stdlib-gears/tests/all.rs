@@ -1,0 +1,33 @@
+//! All tests of gears, as one program: it is linked once, and what takes long in one file goes beside what does in another.
+
+mod analysis;
+mod backlash;
+mod chapter_5_in_space;
+mod common;
+mod derived;
+mod diagnostics;
+mod disc_webs;
+mod dynamics;
+mod first_day_in_space;
+mod flank_and_fillet;
+mod gauges;
+mod gear_surface;
+mod helical_gears;
+mod impulse;
+mod internal_gears;
+mod internal_solid;
+mod matching_depth;
+mod modes;
+mod modifications;
+mod pair;
+mod planetary;
+mod reference_geometry;
+mod resonance;
+mod rims;
+mod sector_meshes;
+mod solid;
+mod solid_compliance;
+mod solid_meshes;
+mod solid_ridges;
+mod templates;
+mod tooth_compliance;
