@@ -97,3 +97,21 @@ fn every_member_is_listed_here() {
         assert!(known, "{member} is not in the table of allowed arrows");
     }
 }
+
+/// Where the tests of a crate are one program, a file that it does not name would never run.
+#[test]
+fn every_file_of_tests_is_run() {
+    for folder in ["stdlib-gears", "compiler"] {
+        let tests = root().join(folder).join("tests");
+        let all = std::fs::read_to_string(tests.join("all.rs")).expect("all.rs names the files");
+        let manifest = manifest(folder);
+        for entry in std::fs::read_dir(&tests).expect("the folder of tests") {
+            let path = entry.expect("an entry").path();
+            let is_test = path.extension().is_some_and(|rs| rs == "rs") || path.join("mod.rs").exists();
+            let name = path.file_stem().and_then(|stem| stem.to_str()).expect("a name");
+            let named = all.contains(&format!("\nmod {name};\n"))
+                || manifest.contains(&format!("[[test]]\nname = \"{name}\"\n"));
+            assert!(!is_test || named, "{folder}/tests/all.rs does not name `{name}`");
+        }
+    }
+}
