@@ -1,5 +1,6 @@
 //! What an engineer asks of a pair on the first day, in three dimensions: the same questions, answered from cells on surfaces.
 
+use crate::common::built;
 use calyx_gears::assembly::{MeshOptions, add_body, mesh};
 use calyx_gears::blank::{GearBlank, Rim, Thickness};
 use calyx_gears::helix::{Hand, Helix};
@@ -12,9 +13,7 @@ use calyx_runtime::observe::{
     PairLoad, PairsInContact, PlaceOf, SecantStiffness, SupportForce, SupportMoment, TransmissionError,
     UnloadedTransmissionError,
 };
-use calyx_runtime::plan::Plan;
 use calyx_runtime::scene::{Body, BodyId, Component, Fidelity, PairId, Scene, StructureOptions, Template};
-use calyx_runtime::system::System;
 
 const TORQUE: f64 = 200.0;
 const SPEED: f64 = 10.0;
@@ -64,8 +63,7 @@ fn what_is_asked_in_the_plane_is_answered_in_space() {
         let scene = scene(helix_angle);
         let structure =
             StructureOptions { face_elements: Some(2), axial_order: Some(2), ..StructureOptions::default() };
-        let plan = Plan::new(&scene, Fidelity::Solid(Template::Medium), structure).expect("a plan");
-        let system = System::new(&scene, &plan).expect("it can be built");
+        let system = built(&scene, Fidelity::Solid(Template::Medium), structure);
         let cycle = scene.pairs[0].mesh.as_ref().expect("a mesh");
         for part in [0.1, 0.6] {
             let step = system.solve(cycle.start + part * cycle.period).expect("equilibrium");

@@ -1,5 +1,6 @@
 //! Strain gauges in fillets: where they are, against the plane, against what stress is recovered beside them, and mirrored.
 
+use crate::common::built;
 use calyx_gears::assembly::{MeshOptions, add_body, mesh};
 use calyx_gears::blank::{GearBlank, Rim, Thickness};
 use calyx_gears::fillet::Side;
@@ -11,11 +12,9 @@ use calyx_runtime::load::Wrench;
 use calyx_runtime::material::Material;
 use calyx_runtime::motion::SteadyRotation;
 use calyx_runtime::observe::{FilletSide, Gauge, GaugeReading, MaxRootStress, Observable, Reading};
-use calyx_runtime::plan::Plan;
 use calyx_runtime::profile::Profile;
 use calyx_runtime::results::Observed;
 use calyx_runtime::scene::{Body, BodyId, Component, Fidelity, Scene, StructureOptions, Template};
-use calyx_runtime::system::System;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 use std::sync::Arc;
 
@@ -60,8 +59,7 @@ fn with_pair(
     }
     let structure =
         StructureOptions { face_elements: Some(2), axial_order: Some(2), ..StructureOptions::default() };
-    let plan = Plan::new(&scene, fidelity, structure).expect("a plan");
-    let system = System::new(&scene, &plan).expect("it can be built");
+    let system = built(&scene, fidelity, structure);
     let cycle = scene.pairs[0].mesh.as_ref().expect("a mesh");
     let step = system.solve(cycle.start + 0.6 * cycle.period).expect("equilibrium");
     test(&|observable| system.value(&step, observable));

@@ -1,5 +1,6 @@
 //! A pinion in a ring in three dimensions, straight and helical: the same exact ratios as in the plane.
 
+use crate::common::built;
 use calyx_gears::assembly::{MeshOptions, add_body, mesh};
 use calyx_gears::blank::{GearBlank, Rim, Thickness};
 use calyx_gears::helix::{Hand, Helix};
@@ -13,9 +14,7 @@ use calyx_runtime::observe::{
     MaxContactPressure, MaxRootStress, MeshStiffness, PairsInContact, SecantStiffness, TransmissionError,
     UnloadedTransmissionError,
 };
-use calyx_runtime::plan::Plan;
 use calyx_runtime::scene::{Body, BodyId, Component, Fidelity, PairId, Scene, StructureOptions, Template};
-use calyx_runtime::system::System;
 use std::f64::consts::PI;
 
 const MODULE: f64 = 4e-3;
@@ -62,8 +61,7 @@ fn ratios_of_torques_and_axial_forces_are_exact() {
         let scene = scene(helix_angle, moment);
         let structure =
             StructureOptions { face_elements: Some(2), axial_order: Some(2), ..StructureOptions::default() };
-        let plan = Plan::new(&scene, Fidelity::Solid(Template::Medium), structure).expect("a plan");
-        let system = System::new(&scene, &plan).expect("it can be built");
+        let system = built(&scene, Fidelity::Solid(Template::Medium), structure);
         let cycle = scene.pairs[0].mesh.as_ref().expect("a mesh");
         for part in [0.1, 0.7] {
             let step = system.solve(cycle.start + part * cycle.period).expect("equilibrium");

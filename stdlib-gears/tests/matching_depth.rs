@@ -2,7 +2,7 @@
 //! order of its elements. And what a wrong split would show first: contact pressure near the tips.
 
 use crate::common::pair::{Member, PLAIN, PairOptions, Values, pair, steel};
-use crate::common::{INCH, chapter_5_data};
+use crate::common::{INCH, built, chapter_5_data, resources};
 use calyx_gears::blank::Rim;
 use calyx_gears::external::ExternalGear;
 use calyx_gears::prototype::GearPrototype;
@@ -31,8 +31,7 @@ struct Summary {
 impl Summary {
     fn of(gears: &[Member; 2], structure: StructureOptions) -> Self {
         let (scene, mesh) = pair(&PairOptions::chapter_5(gears));
-        let plan = Plan::new(&scene, Fidelity::Plane, structure).expect("it can be planned");
-        let system = System::new(&scene, &plan).expect("it can be built");
+        let system = built(&scene, Fidelity::Plane, structure);
         let values: Vec<Values> = mesh_cycle(&mesh, 16)
             .iter()
             .map(|position| {
@@ -74,7 +73,7 @@ fn matching_depth_hardly_matters() {
 fn pressures_over_hertz(edges: bool, structure: StructureOptions, cycles: &[f64]) -> Vec<[f64; 2]> {
     let (scene, mesh) = pair(&PairOptions { edges, ..PairOptions::chapter_5(&PLAIN) });
     let plan = Plan::new(&scene, Fidelity::Plane, structure).expect("it can be planned");
-    let system = System::new(&scene, &plan).expect("it can be built");
+    let system = System::with(&scene, &plan, &resources()).expect("it can be built");
     let profiles = [0, 1].map(|body: usize| {
         let built =
             PLAIN[body].build(&plan.bodies[body].options, &Interrupt::never()).expect("it was built before");
@@ -177,9 +176,7 @@ fn root_stress_is_that_of_a_fine_mesh() {
             Member::new(GearPrototype::new(gear, Vec::new(), steel(), rim, INCH, Vec::new()).expect("a gear"))
         });
         let (scene, mesh) = pair(&PairOptions::chapter_5(&gears));
-        let plan =
-            Plan::new(&scene, Fidelity::Plane, StructureOptions::default()).expect("it can be planned");
-        let system = System::new(&scene, &plan).expect("it can be built");
+        let system = built(&scene, Fidelity::Plane, StructureOptions::default());
         let mut largest = [0.0_f64; 2];
         for cycle in [0.95, 0.9999] {
             let step = system.solve(mesh.start + cycle * mesh.period).expect("it is in equilibrium");

@@ -1,5 +1,6 @@
 //! Rims and how they are held: thin ones on free bores, and what their pairs' supports bear.
 
+use crate::common::built;
 use calyx_gears::assembly::{MeshOptions, add_body, mesh};
 use calyx_gears::blank::{GearBlank, RadialFit, Rim, Spline};
 use calyx_gears::prototype::GearPrototype;
@@ -10,13 +11,11 @@ use calyx_runtime::motion::SteadyRotation;
 use calyx_runtime::observe::{
     LugLoad, MaxRootCompression, Observable, SupportForce, SupportMoment, TransmissionError,
 };
-use calyx_runtime::plan::Plan;
 use calyx_runtime::profile::Profile;
 use calyx_runtime::scene::{
     Body, BodyId, Component, Fidelity, PairId, Prototype, Scene, StructureOptions, Template,
 };
 use calyx_runtime::structure::{BoreHold, Chart, SurfaceLoad};
-use calyx_runtime::system::System;
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
@@ -122,8 +121,7 @@ fn solved(hold: BoreHold, fidelity: Fidelity) -> ([f64; 3], f64, f64) {
     };
     let mut scene = pair(hold);
     scene.observe(MaxRootCompression(BodyId(1)));
-    let plan = Plan::new(&scene, fidelity, coarse).expect("a plan");
-    let system = System::new(&scene, &plan).expect("it can be built");
+    let system = built(&scene, fidelity, coarse);
     let mesh = scene.pairs[0].mesh.clone().expect("a mesh");
     let step = system.solve(mesh.start + 0.8 * mesh.period).expect("it can be solved");
     assert!(step.certificate.largest() <= 1e-11, "{:?}", step.certificate);

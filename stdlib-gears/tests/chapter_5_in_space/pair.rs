@@ -1,6 +1,6 @@
 //! The chapter 5 pair in space: its parameters, the scene, and what is observed at roll angles of the pinion.
 
-use crate::common::INCH;
+use crate::common::{INCH, resources};
 use calyx_gears::assembly::{MeshOptions, add_body, mesh};
 use calyx_gears::blank::{GearBlank, Rim, Thickness};
 use calyx_gears::modification::{Modification, ReliefShape};
@@ -8,26 +8,21 @@ use calyx_gears::prototype::GearPrototype;
 use calyx_gears::rack::Rack;
 use calyx_runtime::analysis::{AnalysisOptions, Position, quasi_static};
 use calyx_runtime::bearing::{Bearing, axisymmetric};
-use calyx_runtime::cache::OperatorCache;
 use calyx_runtime::load::Wrench;
 use calyx_runtime::material::Material;
 use calyx_runtime::motion::SteadyRotation;
 use calyx_runtime::observe::{
     MaxContactPressure, MaxEdgePressure, MaxRootStress, MeshStiffness, TransmissionError,
 };
-use calyx_runtime::resources::Resources;
 use calyx_runtime::results::OutputRequest;
 use calyx_runtime::scene::{Body, Component, Fidelity, GearMesh, Scene, StructureOptions};
 use serde_json::Value;
 use std::borrow::Cow;
 use std::f64::consts::TAU;
-use std::sync::{Arc, LazyLock};
+use std::sync::Arc;
 
 pub const PSI: f64 = 6894.757293168361;
 const LBF: f64 = 4.4482216152605;
-
-/// Structures of all tests: some are used by several.
-static CACHE: LazyLock<Arc<OperatorCache>> = LazyLock::new(|| Arc::new(OperatorCache::new(1 << 30)));
 
 /// What varies of the pair. Inches.
 #[derive(Clone, Copy, Debug)]
@@ -151,7 +146,7 @@ impl Pair {
         let options = AnalysisOptions {
             fidelity: Fidelity::named(fidelity).expect("a fidelity"),
             structure,
-            resources: Resources { cache: Some(CACHE.clone()), ..Resources::default() },
+            resources: resources(),
             ..AnalysisOptions::default()
         };
         let result = quasi_static(&scene, &positions, &outputs, &options, &mut ()).expect("equilibrium");

@@ -5,6 +5,25 @@ pub mod pair;
 
 use calyx_gears::external::{ExternalGear, ExternalGearData};
 use calyx_gears::rack::Rack;
+use calyx_runtime::cache::OperatorCache;
+use calyx_runtime::plan::Plan;
+use calyx_runtime::resources::Resources;
+use calyx_runtime::scene::{Fidelity, Scene, StructureOptions};
+use calyx_runtime::system::System;
+use std::sync::{Arc, LazyLock};
+
+/// Structures of all tests: some are used by several, and those that are kept have the bits of new ones.
+static STRUCTURES: LazyLock<Arc<OperatorCache>> = LazyLock::new(|| Arc::new(OperatorCache::new(1 << 30)));
+
+pub fn resources() -> Resources {
+    Resources { cache: Some(STRUCTURES.clone()), ..Resources::default() }
+}
+
+/// A scene that can be planned, and built.
+pub fn built(scene: &Scene, fidelity: Fidelity, structure: StructureOptions) -> System<'_> {
+    let plan = Plan::new(scene, fidelity, structure).expect("it can be planned");
+    System::with(scene, &plan, &resources()).expect("it can be built")
+}
 
 pub const INCH: f64 = 0.0254;
 

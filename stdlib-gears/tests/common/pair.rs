@@ -1,6 +1,6 @@
 //! A pair of gears as a scene of the engine, without the language: the second gear phased, the mesh found.
 
-use super::{INCH, chapter_5_data};
+use super::{INCH, built, chapter_5_data};
 use calyx_gears::blank::Rim;
 use calyx_gears::external::{ExternalGear, ExternalGearData};
 use calyx_gears::gear::{Gear, ToothForm};
@@ -18,7 +18,6 @@ use calyx_runtime::observe::{
     LoadShare, MaxContactPressure, MaxEdgePressure, MaxRootStress, MeshStiffness, Observable,
     TransmissionError,
 };
-use calyx_runtime::plan::Plan;
 use calyx_runtime::scene::{
     Body, BodyId, Component, Fidelity, GearMesh, GridOptions, Ignored, PairId, Prototype, Scene,
     StructureOptions, SurfacePair, Template,
@@ -355,8 +354,7 @@ pub fn system(scene: &Scene) -> System<'_> {
 }
 
 pub fn system_of(scene: &Scene, structure: StructureOptions) -> System<'_> {
-    let plan = Plan::new(scene, Fidelity::Plane, structure).expect("it can be planned");
-    System::new(scene, &plan).expect("it can be built")
+    built(scene, Fidelity::Plane, structure)
 }
 
 /// The values of a pair at parts of its mesh cycle, on a coarse mesh.

@@ -1,7 +1,7 @@
 //! What is said when a scene is not held, not loaded, or its grids do not suit.
 
 use crate::common::pair::{COARSE, FIRST, PLAIN, PairOptions, TORQUE, member, pair, system};
-use crate::common::{INCH, chapter_5_data};
+use crate::common::{INCH, chapter_5_data, resources};
 use calyx_runtime::error::EngineError;
 use calyx_runtime::load::Wrench;
 use calyx_runtime::plan::Plan;
@@ -17,7 +17,7 @@ fn failure(options: &PairOptions, change: impl Fn(&mut Vec<Body>)) -> EngineErro
         Ok(plan) => plan,
         Err(error) => return error,
     };
-    let system = System::new(&scene, &plan).expect("it can be built");
+    let system = System::with(&scene, &plan, &resources()).expect("it can be built");
     system.solve(mesh.start + 0.6 * mesh.period).expect_err("nothing holds it")
 }
 

@@ -1,5 +1,6 @@
 //! The set of the tests: the final stage of a helicopter's transmission, 27/35/99 teeth, as a scene of the engine.
 
+use crate::common::{built, resources};
 use calyx_gears::assembly::{MeshOptions, add_body, mesh};
 use calyx_gears::blank::{Rim, Spline};
 use calyx_gears::error::Refusal;
@@ -9,12 +10,10 @@ use calyx_gears::prototype::GearPrototype;
 use calyx_gears::rack::Rack;
 use calyx_gears::shaper::Shaper;
 use calyx_runtime::bearing::{Bearing, axisymmetric};
-use calyx_runtime::cache::OperatorCache;
 use calyx_runtime::load::Wrench;
 use calyx_runtime::material::Material;
 use calyx_runtime::motion::Motion;
 use calyx_runtime::plan::Plan;
-use calyx_runtime::resources::Resources;
 use calyx_runtime::rigid::RigidBody;
 use calyx_runtime::scene::{
     Body, BodyId, Component, Fidelity, GearMesh, PairId, Scene, StructureOptions, Template,
@@ -94,9 +93,6 @@ fn splined(spline: &Spline) -> Arc<GearPrototype> {
     let rim = Rim { radius: 145.5e-3, held_radius: 155e-3, web: None, hold: BoreHold::Rigid };
     ring(155e-3, rim.splined(spline).expect("lugs that hold").hold)
 }
-
-/// Structures are condensed once for all tests.
-static CACHE: LazyLock<Arc<OperatorCache>> = LazyLock::new(|| Arc::new(OperatorCache::new(usize::MAX)));
 
 /// Turning steadily on a pin that goes round the ground's origin; `off` is where the body's origin sits from its pin, in the body.
 #[derive(Clone, Copy, Debug, Default)]
@@ -276,16 +272,13 @@ impl Set {
     }
 
     pub fn system(&self) -> System<'_> {
-        let plan = Plan::new(&self.scene, Fidelity::Plane, COARSE).expect("it can be planned");
-        let resources = Resources { cache: Some(CACHE.clone()), ..Resources::default() };
-        System::with(&self.scene, &plan, &resources).expect("it can be built")
+        built(&self.scene, Fidelity::Plane, COARSE)
     }
 
     /// The same with the modes of its bodies up to a frequency, Hz.
     pub fn vibrating(&self, highest: f64) -> System<'_> {
         let plan = Plan::new(&self.scene, Fidelity::Plane, COARSE).expect("it can be planned");
-        let resources = Resources { cache: Some(CACHE.clone()), ..Resources::default() };
-        self.system().vibrating(&plan, &resources, highest).expect("bodies have modes")
+        self.system().vibrating(&plan, &resources(), highest).expect("bodies have modes")
     }
 
     pub fn mesh(&self, pair: PairId) -> &GearMesh {

@@ -2,6 +2,7 @@
 
 use super::helical::{CYCLE, solved};
 use super::pairs::{FIRST, MESH, MODULE, Options, SECOND, TEETH, TORQUE, system};
+use crate::common::built;
 use calyx_gears::helix::Hand;
 use calyx_runtime::bearing::{Bearing, axisymmetric};
 use calyx_runtime::load::Wrench;
@@ -9,7 +10,6 @@ use calyx_runtime::observe::{
     Equilibrium, LoadShare, MaxContactPressure, MeshStiffness, Observable, TransmissionError,
     UnloadedTransmissionError,
 };
-use calyx_runtime::plan::Plan;
 use calyx_runtime::scene::{Component, Fidelity, GearMesh, PairId, Scene, StructureOptions};
 use calyx_runtime::step::StepResult;
 use calyx_runtime::system::System;
@@ -209,8 +209,7 @@ fn a_gear_pressed_into_its_mate_wedges() {
 fn both_sides_carry_in_the_plane() {
     let structure = StructureOptions { refinement: 0.5, order: 2, ..StructureOptions::default() };
     let plane = |scene: &Scene, part: f64, mesh: &GearMesh| {
-        let plan = Plan::new(scene, Fidelity::Plane, structure).expect("a plan");
-        let system = System::new(scene, &plan).expect("it can be built");
+        let system = built(scene, Fidelity::Plane, structure);
         let step = system.solve(mesh.start + part * mesh.period).expect("it is held");
         assert!(step.certificate.largest() <= 1e-10, "{:?}", step.certificate);
         let error = system.value(&step, &TransmissionError(MESH)).value;

@@ -1,6 +1,7 @@
 //! Pairs as these tests need them: with the teeth's own finite elements, or as half-spaces behind the true flanks, which cost nothing to
 //! build and on which everything that is exact in contact must hold as well.
 
+use crate::common::built;
 use calyx_gears::assembly::{MeshOptions, Misalignment, add_body, mesh};
 use calyx_gears::blank::{GearBlank, Rim};
 use calyx_gears::helix::{Hand, Helix};
@@ -12,7 +13,6 @@ use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::load::Wrench;
 use calyx_runtime::material::{Material, Plane};
 use calyx_runtime::motion::{Motion, Placed, SteadyRotation};
-use calyx_runtime::plan::Plan;
 use calyx_runtime::scene::{
     Body, BodyId, Component, Fidelity, GearMesh, PairId, Prototype, Scene, StructureOptions, Template,
 };
@@ -181,6 +181,5 @@ impl Options {
 
 /// The system of a scene in space.
 pub fn system(scene: &Scene, structure: StructureOptions) -> System<'_> {
-    let plan = Plan::new(scene, Fidelity::Solid(Template::Medium), structure).expect("a plan");
-    System::new(scene, &plan).expect("it can be built")
+    built(scene, Fidelity::Solid(Template::Medium), structure)
 }

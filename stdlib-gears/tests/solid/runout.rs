@@ -2,9 +2,9 @@
 
 use super::helical::{CYCLE, solved};
 use super::pairs::{FIRST, MESH, MODULE, Options, SECOND, TEETH, TORQUE};
+use crate::common::built;
 use calyx_gears::helix::Hand;
 use calyx_runtime::observe::{Observable, TransmissionError, UnloadedTransmissionError};
-use calyx_runtime::plan::Plan;
 use calyx_runtime::scene::{Fidelity, StructureOptions};
 use calyx_runtime::step::StepResult;
 use calyx_runtime::system::System;
@@ -16,8 +16,7 @@ const COS: f64 = 0.939_692_620_785_908_4;
 fn in_section(options: &Options, parts: &[f64], mut look: impl FnMut(&System<'_>, &StepResult)) {
     let (scene, mesh) = options.scene();
     let structure = StructureOptions { refinement: 0.5, order: 2, ..StructureOptions::default() };
-    let plan = Plan::new(&scene, Fidelity::Plane, structure).expect("a plan");
-    let system = System::new(&scene, &plan).expect("it can be built");
+    let system = built(&scene, Fidelity::Plane, structure);
     for part in parts {
         look(&system, &system.solve(mesh.start + part * mesh.period).expect("it can be solved"));
     }
