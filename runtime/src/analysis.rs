@@ -127,6 +127,7 @@ impl<'s> Planned<'s> {
         let highest_frequency = options.highest_frequency;
         check_modes(options.fidelity, highest_frequency)?;
         let plan = timing.stage("plan", || Plan::new(scene, options.fidelity, options.structure))?;
+        let plan = plan.yielding(scene, outputs)?;
         // Structures take long, and this is known without them.
         let first = positions.first().map_or(0.0, |position| position.time);
         holding::check(scene, &plan, first, &options.resources.interrupt)?;
@@ -280,7 +281,7 @@ impl<'s> Steps<'s> {
             _ => self.solve_alone(position)?,
         };
         let row = StepRow::new(position.clone(), self.outputs, &observed, step.warnings.clone());
-        refuse_nan(&row, self.outputs)?;
+        refuse_nan(&row, self.outputs, &self.plan)?;
         let certificate = step.certificate;
         self.current = Some(step);
         Ok(Solved { row, certificate, state: Vec::new() })
@@ -297,8 +298,7 @@ impl<'s> Steps<'s> {
 
     fn solve_alone(&self, position: &Position) -> Result<Found, EngineError> {
         let step = self.system.solve(position.time)?;
-        let observables = &self.system.scene.observables;
-        let observed = observables.iter().map(|o| self.system.value(&step, o.as_ref())).collect();
+        let observed = self.plan.observe(&self.system, &step);
         // An observable that was interrupted has no value, and that is not the model's fault.
         self.resources.interrupt.check()?;
         Ok(Found { step, observed })
@@ -413,8 +413,12 @@ pub(crate) fn check_solved(
 }
 
 /// A result that is no number says nothing; the sooner the model's author knows where it came from the better.
-pub(crate) fn refuse_nan(row: &StepRow, outputs: &[OutputRequest]) -> Result<(), EngineError> {
-    let Some(output) = row.outputs.iter().position(|output| output.value.is_nan()) else { return Ok(()) };
+///
+/// Outputs that the plan refuses are expected to be none.
+pub(crate) fn refuse_nan(row: &StepRow, outputs: &[OutputRequest], plan: &Plan) -> Result<(), EngineError> {
+    let refused = |output: usize| plan.refused.iter().any(|refused| refused.output == output);
+    let nan = |output: &usize| row.outputs[*output].value.is_nan() && !refused(*output);
+    let Some(output) = (0..row.outputs.len()).find(nan) else { return Ok(()) };
     let name = outputs.get(output).map_or("", |request| request.name.as_str());
     Err(EngineError::new(
         "E0721",

@@ -6,7 +6,7 @@ use crate::interrupt::Interrupt;
 use crate::plan::{BodyPlan, Plan};
 use crate::resources::Resources;
 use crate::results::StructureCounts;
-use crate::scene::{Body, Fidelity, Prototype, Scene, StructureOptions};
+use crate::scene::{Body, Prototype, Scene, StructureOptions};
 use crate::structure::{AnyStructure, BodyModes};
 use rayon::prelude::*;
 use std::sync::Arc;
@@ -65,7 +65,7 @@ pub(crate) fn build_structures(
             None => wanted.push(Wanted {
                 prototype: body.prototype.as_ref(),
                 options: planned.options,
-                solid: plan.fidelity != Fidelity::Plane,
+                solid: plan.in_space,
             }),
         }
     }

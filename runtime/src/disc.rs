@@ -35,7 +35,7 @@ use crate::inertia::Inertia;
 use crate::interrupt::Interrupt;
 use crate::material::{Material, Plane};
 use crate::profile::{Profile, ProfilePoint};
-use crate::scene::{Prototype, StructureOptions};
+use crate::scene::{BodyModel, Prototype, StructureOptions};
 use crate::structure::{
     BodyModes, ElasticStructure, Hold, RigidStructure, SplitOptions, Structure, SurfaceSource,
 };
@@ -179,6 +179,17 @@ impl Prototype for Disc {
         options: &StructureOptions,
         interrupt: &Interrupt,
     ) -> Result<Arc<dyn Structure>, EngineError> {
+        match options.model {
+            BodyModel::Rigid => return Ok(Arc::new(RigidStructure::new(self.quarters().to_vec(), 1))),
+            BodyModel::Analytic => {
+                return Err(EngineError::new(
+                    "E0783",
+                    "a disc has no closed form among those of the fidelity \"analytic\"",
+                    "choose the fidelity \"plane\", or \"rigid\"",
+                ));
+            }
+            BodyModel::Elements => {}
+        }
         let (model, surfaces, split) = self.model(options)?;
         Ok(Arc::new(ElasticStructure::single(&model, Hold::Free, &surfaces, &split, interrupt)?))
     }
@@ -188,7 +199,7 @@ impl Prototype for Disc {
     }
 
     fn key(&self, options: &StructureOptions) -> Option<Key> {
-        Some(self.content("disc", options).finish())
+        (options.model == BodyModel::Elements).then(|| self.content("disc", options).finish())
     }
 
     fn modes(

@@ -11,7 +11,7 @@ use crate::error::{EngineError, Subject};
 use crate::interrupt::Interrupt;
 use crate::lug_contact::{add_flanks, lug_contacts};
 use crate::plan::Plan;
-use crate::scene::{FREEDOMS, Fidelity, Scene, SurfacePair};
+use crate::scene::{FREEDOMS, Scene, SurfacePair};
 use crate::system::{Freedom, loads_on, number_freedoms, solid_pose};
 use std::f64::consts::PI;
 
@@ -39,7 +39,7 @@ pub fn check(scene: &Scene, plan: &Plan, time: f64, interrupt: &Interrupt) -> Re
     let out_of_plane = |free: &Vec<f64>| {
         freedoms.iter().zip(free).any(|(freedom, part)| (2..5).contains(&freedom.component) && *part != 0.0)
     };
-    if plan.fidelity != Fidelity::Plane && rest.free.iter().any(out_of_plane) {
+    if plan.in_space && rest.free.iter().any(out_of_plane) {
         return Ok(());
     }
     // Clearances are used up, and what is behind them holds as teeth do.

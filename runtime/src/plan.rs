@@ -4,7 +4,13 @@ use crate::bearing::Bearing;
 use crate::cache::Key;
 use crate::error::{EngineError, Subject};
 use crate::motion::check_in_plane;
-use crate::scene::{BodyId, FREEDOMS, Fidelity, Ignored, Prototype, Scene, StructureOptions};
+use crate::observe::{Needs, Observable};
+use crate::results::{Observed, OutputRequest};
+use crate::scene::{
+    Body, BodyId, BodyModel, FREEDOMS, Fidelity, Ignored, Prototype, Scene, StructureOptions,
+};
+use crate::step::StepResult;
+use crate::system::System;
 use std::sync::Arc;
 
 /// The decision of how a scene is analysed. Nothing has been solved yet.
@@ -12,6 +18,10 @@ use std::sync::Arc;
 pub struct Plan {
     /// How bodies are modelled.
     pub fidelity: Fidelity,
+    /// Whether bodies are in space, and not a section of them in the plane.
+    pub in_space: bool,
+    /// Outputs that have no value, as this fidelity has not what they need.
+    pub refused: Vec<Refused>,
     /// One per body of the scene, in order.
     pub bodies: Vec<BodyPlan>,
     /// One per bearing of the scene, in order.
@@ -43,6 +53,50 @@ impl BodyPlan {
     }
 }
 
+/// An output that the chosen fidelity has no value of.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Refused {
+    /// By its index.
+    pub output: usize,
+    /// As results call it.
+    pub name: String,
+    /// What it needs.
+    pub needs: Needs,
+}
+
+impl Refused {
+    /// What is told of it.
+    pub fn error(&self, fidelity: Fidelity) -> EngineError {
+        EngineError::new(
+            "E0780",
+            format!(
+                "output `{}` has no value: it needs {}, which the fidelity \"{}\" does not have",
+                self.name,
+                self.needs.name(),
+                fidelity.name()
+            ),
+            format!("choose the fidelity \"{}\", or leave the output out", self.least().name()),
+        )
+        .about(Subject::Output(self.output))
+    }
+
+    /// The cheapest fidelity that has what it needs.
+    fn least(&self) -> Fidelity {
+        Fidelity::ALL.into_iter().find(|fidelity| fidelity.gives() >= self.needs).unwrap_or(Fidelity::Plane)
+    }
+
+    /// Of these outputs those that need more than a fidelity gives.
+    pub fn of(scene: &Scene, outputs: &[OutputRequest], fidelity: Fidelity) -> Vec<Refused> {
+        let needs = |observable: usize| scene.observables.get(observable).map(|seen| seen.needs());
+        let refused = |(output, request): (usize, &OutputRequest)| {
+            let needs = request.value.observes().into_iter().filter_map(needs).max()?;
+            let name = request.name.clone();
+            (needs > fidelity.gives()).then_some(Refused { output, name, needs })
+        };
+        outputs.iter().enumerate().filter_map(refused).collect()
+    }
+}
+
 /// How a bearing is modelled.
 #[derive(Clone, Debug)]
 pub struct BearingPlan {
@@ -56,9 +110,10 @@ impl Plan {
     /// Plans a scene at a fidelity with the given discretisation (its `stresses` and `sharp_edges` are decided here).
     pub fn new(scene: &Scene, fidelity: Fidelity, options: StructureOptions) -> Result<Plan, EngineError> {
         let pairs_of = |id: BodyId| scene.pairs.iter().filter(move |pair| pair.bodies.contains(&id));
+        let (model, in_space) = (fidelity.body_model(), lies_in_space(scene, fidelity));
         let template = match fidelity {
-            Fidelity::Plane => options.template,
             Fidelity::Solid(template) => template,
+            Fidelity::Rigid | Fidelity::Analytic | Fidelity::Plane => options.template,
         };
         let wanted = wanted_bodies(scene);
         let mut bodies = Vec::new();
@@ -72,22 +127,29 @@ impl Plan {
             let sharp_edges = pairs_of(id).all(|pair| !pair.grid.edges);
             if !untouched {
                 ignored.extend(body.prototype.ignored(fidelity));
+                // What a section does not show, where something else keeps the scene in the plane.
+                if !in_space && fidelity != Fidelity::Plane && body.prototype.needs_space() {
+                    ignored.extend(body.prototype.ignored(Fidelity::Plane));
+                }
             }
-            if fidelity == Fidelity::Plane && !left_out {
+            if !in_space && !left_out {
                 refuse_motion_out_of_plane(&body.name, body.free)
                     .and_then(|()| check_in_plane(body.motion.as_ref()))
                     .map_err(|error| error.about(Subject::Body(index)))?;
             }
             if !untouched && !left_out && body.prototype.lug_contact().is_some() {
-                refuse_lugs(&body.name, fidelity, body.free)
+                refuse_lugs(&body.name, in_space, body.free)
                     .map_err(|error| error.about(Subject::Body(index)))?;
             }
             bodies.push(BodyPlan {
-                options: StructureOptions { stresses, sharp_edges, template, ..options },
+                options: StructureOptions { stresses, sharp_edges, model, template, ..options },
                 reason: match (left_out, stresses) {
                     (true, _) => "left out: it touches nothing",
                     (false, _) if rigid => {
                         "rigid: no surface of it touches anything, and bearings hold its frame"
+                    }
+                    (false, _) if model == BodyModel::Rigid => {
+                        "rigid, as the fidelity has it: its surfaces touch others as the load vanishes"
                     }
                     (false, true) => "elastic, with stress recovery: an output asks for its root stress",
                     (false, false) => "elastic, without stress recovery: no output asks for its stress",
@@ -96,16 +158,37 @@ impl Plan {
                 rigid,
             });
         }
-        if fidelity == Fidelity::Plane {
+        if !in_space {
             ignored.extend(unequal_widths(scene, &bodies));
         }
         let bearings: Vec<BearingPlan> =
             scene.bearings.iter().map(|bearing| plan_bearing(scene, &bodies, bearing)).collect();
         let modelled = scene.bearings.iter().zip(&bearings).filter(|(_, plan)| !plan.left_out);
-        ignored.extend(modelled.flat_map(|(bearing, _)| unseen_of(bearing, fidelity)));
+        ignored.extend(modelled.flat_map(|(bearing, _)| unseen_of(bearing, in_space)));
         ignored.sort();
         ignored.dedup();
-        Ok(Plan { fidelity, bodies, bearings, ignored })
+        Ok(Plan { fidelity, in_space, refused: Vec::new(), bodies, bearings, ignored })
+    }
+
+    /// The plan of an analysis that is to yield these outputs.
+    ///
+    /// # Errors
+    /// E0780: the fidelity has a value of none of them.
+    pub fn yielding(mut self, scene: &Scene, outputs: &[OutputRequest]) -> Result<Plan, EngineError> {
+        self.refused = Refused::of(scene, outputs, self.fidelity);
+        match self.refused.first().filter(|_| self.refused.len() == outputs.len()) {
+            Some(refused) => Err(refused.error(self.fidelity)),
+            None => Ok(self),
+        }
+    }
+
+    /// The values of all observables of a scene at a solved position; none (not a number) of those that need what the fidelity does not have.
+    pub(crate) fn observe(&self, system: &System<'_>, step: &StepResult) -> Vec<Observed> {
+        let value = |observable: &Arc<dyn Observable>| match observable.needs() > self.fidelity.gives() {
+            true => Observed::number(f64::NAN),
+            false => system.value(step, observable.as_ref()),
+        };
+        system.scene.observables.iter().map(value).collect()
     }
 
     /// The plan of an analysis in time, which sees rates.
@@ -125,7 +208,7 @@ impl Plan {
         let mut known: Vec<Identity> = Vec::new();
         let planned = scene.bodies.iter().zip(&self.bodies);
         let number = planned.map(|(body, plan)| {
-            let key = Identity::of(&body.prototype, self.fidelity, &plan.options);
+            let key = Identity::of(&body.prototype, self.in_space, &plan.options);
             plan.is_elastic().then(|| {
                 known.iter().position(|other| *other == key).unwrap_or_else(|| {
                     known.push(key);
@@ -145,15 +228,34 @@ enum Identity {
 }
 
 impl Identity {
-    fn of(prototype: &Arc<dyn Prototype>, fidelity: Fidelity, options: &StructureOptions) -> Identity {
+    fn of(prototype: &Arc<dyn Prototype>, in_space: bool, options: &StructureOptions) -> Identity {
         let without_stresses = StructureOptions { stresses: false, ..*options };
-        let key = match fidelity {
-            Fidelity::Plane => prototype.key(&without_stresses),
-            Fidelity::Solid(_) => prototype.solid_key(&without_stresses),
+        let key = match in_space {
+            false => prototype.key(&without_stresses),
+            true => prototype.solid_key(&without_stresses),
         };
         match key {
             Some(key) => Identity::Content(key),
             None => Identity::Prototype(Arc::as_ptr(prototype).cast::<()>(), options.sharp_edges),
+        }
+    }
+}
+
+/// Whether a scene is analysed in space: where the fidelity leaves it open, if a section does not show all of it.
+///
+/// Lugs with clearance are contact in the plane, and stay there.
+fn lies_in_space(scene: &Scene, fidelity: Fidelity) -> bool {
+    let leaves_plane = |body: &Body| {
+        body.prototype.needs_space()
+            || [2, 3, 4].iter().any(|&freedom| body.free[freedom])
+            || check_in_plane(body.motion.as_ref()).is_err_and(|error| error.code == "E0610")
+    };
+    match fidelity {
+        Fidelity::Plane => false,
+        Fidelity::Solid(_) => true,
+        Fidelity::Rigid | Fidelity::Analytic => {
+            let loose = scene.bodies.iter().any(|body| body.prototype.lug_contact().is_some());
+            !loose && scene.bodies.iter().any(leaves_plane)
         }
     }
 }
@@ -195,7 +297,7 @@ fn plan_bearing(scene: &Scene, bodies: &[BodyPlan], bearing: &Bearing) -> Bearin
 }
 
 /// What of a bearing an analysis cannot see.
-fn unseen_of(bearing: &Bearing, fidelity: Fidelity) -> Vec<Ignored> {
+fn unseen_of(bearing: &Bearing, in_space: bool) -> Vec<Ignored> {
     let mut unseen = Vec::new();
     if bearing.damping.iter().flatten().any(|&entry| entry != 0.0) {
         unseen.push(Ignored {
@@ -204,7 +306,7 @@ fn unseen_of(bearing: &Bearing, fidelity: Fidelity) -> Vec<Ignored> {
         });
     }
     let out_of_plane = |row: &usize| bearing.stiffness[*row].iter().any(|&entry| entry != 0.0);
-    if fidelity == Fidelity::Plane && [2, 3, 4].iter().any(out_of_plane) {
+    if !in_space && [2, 3, 4].iter().any(out_of_plane) {
         unseen.push(Ignored {
             input: "bearing".into(),
             reason:
@@ -232,8 +334,8 @@ fn refuse_motion_out_of_plane(body: &str, free: [bool; 6]) -> Result<(), EngineE
 }
 
 /// Lugs with clearance carry a body that its frame lets go, and are contact in the plane.
-fn refuse_lugs(body: &str, fidelity: Fidelity, free: [bool; 6]) -> Result<(), EngineError> {
-    if fidelity != Fidelity::Plane {
+fn refuse_lugs(body: &str, in_space: bool, free: [bool; 6]) -> Result<(), EngineError> {
+    if in_space {
         return Err(EngineError::new(
             "E0756",
             format!("the lugs of body \"{body}\" have clearance, and in space they cannot"),

@@ -174,6 +174,14 @@ pub struct OutputSummary {
     pub harmonics: Vec<Harmonic>,
 }
 
+impl OutputSummary {
+    /// Of an output that has no value at the fidelity of the analysis: its numbers are none.
+    pub fn none() -> OutputSummary {
+        let [min, max, mean, peak_to_peak] = [f64::NAN; 4];
+        OutputSummary { min, max, mean, peak_to_peak, at_max: 0, place: None, harmonics: Vec::new() }
+    }
+}
+
 /// Everything an analysis yields.
 #[derive(Clone, Debug)]
 pub struct AnalysisResult {

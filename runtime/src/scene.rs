@@ -8,7 +8,7 @@ use crate::interrupt::Interrupt;
 use crate::load::{Blow, Load, Wrench};
 use crate::lug_contact::LugContact;
 use crate::motion::Motion;
-use crate::observe::{ModesRequest, Observable};
+use crate::observe::{ModesRequest, Needs, Observable};
 use crate::structure::solid::SolidStructure;
 use crate::structure::{BodyModes, Structure, StructureSize};
 use std::any::Any;
@@ -185,6 +185,11 @@ pub trait Prototype: Any + Send + Sync {
         None
     }
 
+    /// Whether a section in the plane does not show what it is, so that a scene with it lies in space unless the fidelity is of the plane.
+    fn needs_space(&self) -> bool {
+        false
+    }
+
     /// Inputs that a model of this fidelity cannot see, and why.
     fn ignored(&self, _fidelity: Fidelity) -> Vec<Ignored> {
         Vec::new()
@@ -203,6 +208,11 @@ pub struct Ignored {
 /// How bodies are modelled: the ladder from cheap to exact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Fidelity {
+    /// Bodies that do not deform, where they touch as the load vanishes: tooth contact analysis. In the plane if the scene lies in one, else
+    /// in space.
+    Rigid,
+    /// Teeth and what carries them in closed forms, with the near field that all levels have. In the plane if the scene lies in one, else in space.
+    Analytic,
     /// Plane finite elements with the semi-analytic near field.
     Plane,
     /// Finite elements in space with the semi-analytic near field, on meshes of this kind.
@@ -237,7 +247,9 @@ impl Template {
 
 impl Fidelity {
     /// From cheap to exact.
-    pub const ALL: [Fidelity; 5] = [
+    pub const ALL: [Fidelity; 7] = [
+        Fidelity::Rigid,
+        Fidelity::Analytic,
         Fidelity::Plane,
         Fidelity::Solid(Template::Medium),
         Fidelity::Solid(Template::ThinRim),
@@ -253,10 +265,42 @@ impl Fidelity {
     /// Its name.
     pub fn name(self) -> &'static str {
         match self {
+            Fidelity::Rigid => "rigid",
+            Fidelity::Analytic => "analytic",
             Fidelity::Plane => "plane",
             Fidelity::Solid(template) => template.name(),
         }
     }
+
+    /// What bodies are made of.
+    pub fn body_model(self) -> BodyModel {
+        match self {
+            Fidelity::Rigid => BodyModel::Rigid,
+            Fidelity::Analytic => BodyModel::Analytic,
+            Fidelity::Plane | Fidelity::Solid(_) => BodyModel::Elements,
+        }
+    }
+
+    /// The most that an observable may need.
+    pub fn gives(self) -> Needs {
+        match self {
+            Fidelity::Rigid => Needs::Motions,
+            Fidelity::Analytic => Needs::RootStress,
+            Fidelity::Plane | Fidelity::Solid(_) => Needs::Stresses,
+        }
+    }
+}
+
+/// What a structure is made of.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum BodyModel {
+    /// Nothing that deforms.
+    Rigid,
+    /// Closed forms.
+    Analytic,
+    /// Finite elements.
+    #[default]
+    Elements,
 }
 
 /// Knobs of a structure's discretisation.
@@ -266,6 +310,8 @@ pub struct StructureOptions {
     pub refinement: f64,
     /// Order of displacement interpolation in the section, 1 to 3.
     pub order: usize,
+    /// What it is made of; without elements all that is said of meshes is idle.
+    pub model: BodyModel,
     /// The mesh of a body in space; a plane one has no use for it and for the next two.
     pub template: Template,
     /// Elements along the face, 1 to 64; `None` takes the template's.
@@ -285,6 +331,7 @@ impl Default for StructureOptions {
         StructureOptions {
             refinement: 1.0,
             order: 3,
+            model: BodyModel::default(),
             template: Template::default(),
             face_elements: None,
             axial_order: None,

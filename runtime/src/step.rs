@@ -66,6 +66,9 @@ impl System<'_> {
     /// # Errors
     /// A load is not a number, nothing holds it, the problem is degenerate, or the interrupt's.
     pub fn solve(&self, time: f64) -> Result<StepResult, EngineError> {
+        if self.rigid {
+            return self.touch(time);
+        }
         let load = self.load_at(time)?;
         self.solve_under(time, &load, &load, None)
     }

@@ -32,6 +32,9 @@ pub fn summarize(
     let cycle = Cycle::of(rows);
     let summary = |(output, request): (usize, &OutputRequest)| {
         let values: Vec<f64> = rows.iter().map(|row| row.outputs[output].value).collect();
+        if values.iter().any(|value| value.is_nan()) {
+            return OutputSummary::none();
+        }
         let closed = cycle.as_ref().filter(|cycle| request.repeats(observables, [0.0, cycle.period]));
         let mut summary = OutputSummary {
             min: f64::INFINITY,

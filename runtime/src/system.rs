@@ -42,6 +42,8 @@ pub struct System<'s> {
     /// Of bodies that rest on lugs by contact, by their index.
     pub(crate) lugs: Vec<(usize, LugContact)>,
     pub(crate) interrupt: Interrupt,
+    /// Bodies do not deform, and touch as the load vanishes.
+    pub(crate) rigid: bool,
     /// In which bodies vibrate; none but in dynamic analyses.
     pub(crate) modes: Modes,
     structure_counts: StructureCounts,
@@ -123,12 +125,12 @@ impl<'s> System<'s> {
         }
         let all = 0..scene.bodies.len();
         // Frames are looked at before what takes long.
-        let bodies = match plan.fidelity {
-            Fidelity::Plane => {
+        let bodies = match plan.in_space {
+            false => {
                 let initial = all.map(|body| pose(scene, body, 0.0)).collect::<Result<_, _>>()?;
                 Bodies::Plane(PlaneBodies { structures: Vec::new(), face_width, initial })
             }
-            Fidelity::Solid(_) => {
+            true => {
                 let angle = |body| solid_pose(scene, body, 0.0).map(|pose| Stance::of(&pose).angle);
                 let initial = all.map(angle).collect::<Result<_, _>>()?;
                 Bodies::Solid(SolidBodies { structures: Vec::new(), initial })
@@ -149,6 +151,7 @@ impl<'s> System<'s> {
             bearings,
             lugs,
             interrupt,
+            rigid: plan.fidelity == Fidelity::Rigid,
             modes,
             structure_counts,
         };

@@ -1,5 +1,6 @@
 //! What an analysis of the chapter 5 pair in space is made of, from a cold start: shares of the whole, which travel between machines.
-//! Name templates to see theirs: `cargo bench -p calyx-gears --bench spur_pair -- medium finest`.
+//! Name templates to see theirs: `cargo bench -p calyx-gears --bench spur_pair -- medium finest`. Before, what levels without meshes cost
+//! beside the plane, of the pair without crowns, and in space with them.
 
 #[path = "../tests/common/mod.rs"]
 mod common;
@@ -31,7 +32,42 @@ const STEPS: usize = 7;
 fn main() {
     let named: Vec<String> = std::env::args().skip(1).filter(|name| !name.starts_with("--")).collect();
     let named = if named.is_empty() { vec!["medium".to_owned()] } else { named };
+    ladder();
     named.iter().for_each(|name| measure(name));
+}
+
+/// Whole analyses from a cold start at the cheap levels, over that in the plane.
+fn ladder() {
+    let whole = |crown: f64, fidelity: Fidelity| {
+        let (scene, cycle, _) = pair::Pair { crown, ..pair::CHAPTER_5 }.scene();
+        let plan = Plan::new(&scene, fidelity, StructureOptions::default()).expect("a plan");
+        let mut system = None;
+        let structures = timed(|| system = Some(System::new(&scene, &plan).expect("structures")));
+        let Some(system) = system else { return [f64::NAN; 2] };
+        let positions = timed(|| {
+            for at in mesh_cycle(&cycle, STEPS) {
+                let step = system.solve(at.time).expect("equilibrium");
+                for observable in scene.observables.iter().filter(|o| o.needs() <= fidelity.gives()) {
+                    black_box(system.value(&step, observable.as_ref()));
+                }
+            }
+        });
+        [structures, positions]
+    };
+    let plane: f64 = whole(0.0, Fidelity::Plane).iter().sum();
+    println!("{:>44} {:>12} {:>12} {:>14}", "milliseconds", "structures", "positions", "over plane");
+    for (crown, place) in [(0.0, "in the plane"), (pair::CHAPTER_5.crown, "in space")] {
+        for fidelity in [Fidelity::Rigid, Fidelity::Analytic, Fidelity::Plane] {
+            let [structures, positions] = whole(crown, fidelity);
+            let name = format!(
+                "{}, {}",
+                fidelity.name(),
+                if fidelity == Fidelity::Plane { "in the plane" } else { place }
+            );
+            let share = (structures + positions) / plane;
+            println!("{name:>44} {:>12.3} {:>12.3} {share:>14.4}", 1e3 * structures, 1e3 * positions);
+        }
+    }
 }
 
 fn measure(template: &str) {

@@ -8,8 +8,8 @@ use crate::host::{Asked, Finding, Meeting, ModelHost, keep};
 use calyx_abi::externs::{Handle, SymbolicNumber, SymbolicTransform};
 use calyx_abi::{Context, RuntimeError, SymbolicValue};
 use calyx_runtime::analysis::{AnalysisOptions, Observer, Position, mesh_cycle, quasi_static};
-use calyx_runtime::dynamics::check_modes;
 use calyx_runtime::dynamics::dynamic;
+use calyx_runtime::dynamics::{check_modes, check_section};
 use calyx_runtime::error::{EngineError, Subject};
 use calyx_runtime::holding;
 use calyx_runtime::inertia::Inertia;
@@ -17,7 +17,7 @@ use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::load::{Load, Wrench};
 use calyx_runtime::material::Material;
 use calyx_runtime::motion::Motion;
-use calyx_runtime::plan::Plan;
+use calyx_runtime::plan::{Plan, Refused};
 use calyx_runtime::results::OutputRequest;
 use calyx_runtime::rigid::RigidBody;
 use calyx_runtime::scene::{Body, BodyId, FREEDOMS, Fidelity, PairId, Prototype, StructureOptions};
@@ -158,11 +158,15 @@ calyx_abi::externs! {
                 check_modes(fidelity, highest_frequency).map_err(engine)?;
                 How::QuasiStatic(positions)
             }
-            "dynamic" => How::Dynamic(motion_in_time(host, over, &newmark, rayleigh, highest_frequency, &start)?),
+            "dynamic" => {
+                check_section(fidelity).map_err(engine)?;
+                How::Dynamic(motion_in_time(host, over, &newmark, rayleigh, highest_frequency, &start)?)
+            }
             _ => return Err(refusal("E0679", "method", &format!("there is no analysis called \"{method}\""),
                 "choose \"quasi_static\" or \"dynamic\"")),
         };
         crate::signal_externs::check(host)?;
+        refuse_outputs(host, fidelity)?;
         host.asked = Some(Asked { fidelity, structure, in_time: matches!(how, How::Dynamic(_)) });
         if host.checking { Ok(()) } else { analyze(host, &how, &options) }
     }
@@ -239,6 +243,24 @@ fn analyze(host: &mut ModelHost, how: &How, options: &AnalysisOptions) -> Result
     Ok(())
 }
 
+/// Says of which outputs a fidelity has no value.
+///
+/// # Errors
+/// E0780: of none of them.
+fn refuse_outputs(host: &mut ModelHost, fidelity: Fidelity) -> Result<(), RuntimeError> {
+    let refused = Refused::of(&host.scene, &host.outputs, fidelity);
+    let errors = refused.iter().map(|refused| host.engine_error(refused.error(fidelity)));
+    let errors: Vec<RuntimeError> = errors.collect();
+    match errors.first().filter(|_| errors.len() == host.outputs.len()) {
+        Some(first) => Err(first.clone()),
+        None => {
+            let told = errors.into_iter().map(|error| Finding { severity: Severity::Warning, error });
+            host.findings.extend(told);
+            Ok(())
+        }
+    }
+}
+
 /// A whole number, or `None` for 0, which leaves it to the fidelity.
 fn count_or_default(argument: &str, count: f64) -> Result<Option<usize>, RuntimeError> {
     if count.fract() != 0.0 || count < 0.0 {
@@ -260,6 +282,7 @@ pub fn check_plan(host: &ModelHost, interrupt: &Interrupt) -> Result<Plan, Runti
     let unasked = Asked { fidelity: Fidelity::Plane, structure: host.analysis.structure, in_time: false };
     let Asked { fidelity, structure, in_time } = host.asked.unwrap_or(unasked);
     let plan = Plan::new(&host.scene, fidelity, structure);
+    let plan = plan.and_then(|plan| plan.yielding(&host.scene, &host.outputs));
     let plan = plan.map(|plan| if in_time { plan.in_time() } else { plan });
     // A mesh cycle begins where its first pair of teeth enters.
     let starts = host.scene.pairs.iter().filter_map(|pair| Some(pair.mesh.as_ref()?.start));

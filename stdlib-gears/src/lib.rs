@@ -104,6 +104,7 @@
 
 #![warn(missing_docs)]
 
+mod analytic;
 pub mod assembly;
 mod axes;
 pub mod bearings;

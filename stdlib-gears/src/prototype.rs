@@ -17,7 +17,7 @@ use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::lug_contact::LugContact;
 use calyx_runtime::material::{Material, Plane};
 use calyx_runtime::profile::Profile;
-use calyx_runtime::scene::{Fidelity, Ignored, Prototype, StructureOptions};
+use calyx_runtime::scene::{BodyModel, Fidelity, Ignored, Prototype, StructureOptions};
 use calyx_runtime::structure::solid::{ElasticSolid, SolidStructure};
 use calyx_runtime::structure::{
     BodyModes, BoreHold, ElasticStructure, ReshapedSurface, RingSource, SplitOptions, Structure,
@@ -161,6 +161,20 @@ impl GearPrototype {
         sector_mesh(&self.gear, flanks, self.rim.ring_radius(), &refinement).map_err(unmeshable)
     }
 
+    /// # Errors
+    /// E0623: the teeth are helical, for which the plane has no room.
+    pub(crate) fn refuse_helix(&self) -> Result<(), EngineError> {
+        if self.helix.is_spur() {
+            return Ok(());
+        }
+        Err(EngineError::new(
+            "E0623",
+            "a plane model cannot hold the teeth of a helical gear, which touch along lines that cross the face",
+            "choose a fidelity in three dimensions, or a helix angle of 0 deg",
+        )
+        .blame("helix_angle"))
+    }
+
     /// What [`Prototype::build`] condenses, and whose modes are found.
     fn plane_sector(
         &self,
@@ -169,14 +183,7 @@ impl GearPrototype {
     ) -> Result<PlaneSector, EngineError> {
         options.check()?;
         interrupt.check()?;
-        if !self.helix.is_spur() {
-            return Err(EngineError::new(
-                "E0623",
-                "a plane model cannot hold the teeth of a helical gear, which touch along lines that cross the face",
-                "choose a fidelity in three dimensions, or a helix angle of 0 deg",
-            )
-            .blame("helix_angle"));
-        }
+        self.refuse_helix()?;
         let [tip, meshed_tip] = self.roundings(options);
         let contact = self.flanks_with(tip, self.meshed_modifications())?;
         let mesh = self.plane_mesh(options)?;
@@ -246,6 +253,11 @@ impl GearPrototype {
         }
     }
 
+    /// Inputs that are not looked at.
+    fn idle(&self, inputs: &[&str], reason: &str) -> Vec<Ignored> {
+        inputs.iter().map(|&input| Ignored { input: input.into(), reason: reason.into() }).collect()
+    }
+
     fn is_modified(&self) -> bool {
         self.flanks.iter().any(|flank| flank.is_modified())
     }
@@ -303,6 +315,11 @@ impl Prototype for GearPrototype {
         options: &StructureOptions,
         interrupt: &Interrupt,
     ) -> Result<Arc<dyn Structure>, EngineError> {
+        match options.model {
+            BodyModel::Rigid => return Ok(Arc::new(self.rigid(options)?)),
+            BodyModel::Analytic => return Ok(Arc::new(self.analytic(options)?)),
+            BodyModel::Elements => {}
+        }
         let PlaneSector { model, surfaces, ring, split } = self.plane_sector(options, interrupt)?;
         Ok(Arc::new(ElasticStructure::ring(&model, &ring, &surfaces, &split, interrupt)?))
     }
@@ -348,12 +365,17 @@ impl Prototype for GearPrototype {
         shared: Arc<dyn Structure>,
         options: &StructureOptions,
     ) -> Result<Arc<dyn Structure>, EngineError> {
+        // What has no mesh has the modified flanks already.
+        if options.model != BodyModel::Elements {
+            return Ok(shared);
+        }
         let Some(surfaces) = self.own_surfaces(options)? else { return Ok(shared) };
         shared.reshaped(surfaces).ok_or_else(misshapen)
     }
 
+    /// What has no mesh is built faster than looked up.
     fn key(&self, options: &StructureOptions) -> Option<Key> {
-        Some(self.plane_content("gear on a rim", options).finish())
+        (options.model == BodyModel::Elements).then(|| self.plane_content("gear on a rim", options).finish())
     }
 
     fn restore(&self, options: &StructureOptions, stored: &[u8]) -> Option<Arc<dyn Structure>> {
@@ -365,7 +387,12 @@ impl Prototype for GearPrototype {
         options: &StructureOptions,
         interrupt: &Interrupt,
     ) -> Result<Arc<dyn SolidStructure>, EngineError> {
-        Ok(Arc::new(self.condensed_solid(options, interrupt)?))
+        options.check()?;
+        Ok(match options.model {
+            BodyModel::Rigid => Arc::new(self.rigid_solid(options)?),
+            BodyModel::Analytic => Arc::new(self.analytic_solid(options)?),
+            BodyModel::Elements => Arc::new(self.condensed_solid(options, interrupt)?),
+        })
     }
 
     fn restore_solid(&self, options: &StructureOptions, stored: &[u8]) -> Option<Arc<dyn SolidStructure>> {
@@ -378,15 +405,19 @@ impl Prototype for GearPrototype {
         shared: Arc<dyn SolidStructure>,
         options: &StructureOptions,
     ) -> Result<Arc<dyn SolidStructure>, EngineError> {
-        self.modified_solid(shared, options)
+        match options.model {
+            BodyModel::Rigid | BodyModel::Analytic => Ok(shared),
+            BodyModel::Elements => self.modified_solid(shared, options),
+        }
     }
 
     fn solid_key(&self, options: &StructureOptions) -> Option<Key> {
-        Some(self.solid_content(options))
+        (options.model == BodyModel::Elements).then(|| self.solid_content(options))
     }
 
     fn size(&self, fidelity: Fidelity, options: &StructureOptions) -> Option<StructureSize> {
         match fidelity {
+            Fidelity::Rigid | Fidelity::Analytic => None,
             Fidelity::Plane => self.size_in_plane(options),
             Fidelity::Solid(_) => self.size_in_space(options),
         }
@@ -420,8 +451,20 @@ impl Prototype for GearPrototype {
         }
     }
 
+    fn needs_space(&self) -> bool {
+        !self.helix.is_spur() || self.modifications.iter().any(|one| one.varies_along_face().is_some())
+    }
+
     fn ignored(&self, fidelity: Fidelity) -> Vec<Ignored> {
         match fidelity {
+            Fidelity::Rigid => self.idle(&["material", "rim"], "rigid bodies do not deform"),
+            Fidelity::Analytic => match self.rim.hold {
+                BoreHold::Rigid if self.rim.web.is_none() => Vec::new(),
+                _ => self.idle(
+                    &["rim"],
+                    "closed forms have a ring that is held rigidly, where its web begins if it has one",
+                ),
+            },
             Fidelity::Plane => {
                 let unseen = self.modifications.iter().filter_map(Modification::varies_along_face);
                 let along_face = |input: &str| Ignored {

@@ -16,6 +16,7 @@ mod helical_gears;
 mod impulse;
 mod internal_gears;
 mod internal_solid;
+mod ladder;
 mod matching_depth;
 mod modes;
 mod modifications;

@@ -14,7 +14,7 @@ use calyx_runtime::load::Wrench;
 use calyx_runtime::plan::Plan;
 use calyx_runtime::resources::Resources;
 use calyx_runtime::results::{OutputRequest, StructureCounts};
-use calyx_runtime::scene::{Fidelity, ObservableId, Prototype, Scene, StructureOptions, Template};
+use calyx_runtime::scene::{BodyModel, Fidelity, ObservableId, Prototype, Scene, StructureOptions, Template};
 use calyx_runtime::structure::Chart;
 use calyx_runtime::structure::solid::{SolidStructure, Spot, SpotLoad};
 use calyx_runtime::system::System;
@@ -25,6 +25,7 @@ use std::sync::{Arc, LazyLock, Mutex};
 const SMALLEST: StructureOptions = StructureOptions {
     refinement: 0.5,
     order: 1,
+    model: BodyModel::Elements,
     template: Template::Medium,
     face_elements: None,
     axial_order: None,

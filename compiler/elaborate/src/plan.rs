@@ -25,8 +25,12 @@ pub struct Planned {
     pub outputs: Vec<String>,
     /// Lengths of the lists of positions that the model makes.
     pub positions: Vec<usize>,
+    /// Whether bodies are in space, and not a section in the plane.
+    pub in_space: bool,
     /// Different elastic structures; bodies of one gear share theirs.
     pub structures: usize,
+    /// Outputs that this fidelity has no value of, each with what it needs.
+    pub refused: Vec<(String, &'static str)>,
     /// Inputs that this fidelity cannot see, each with the reason.
     pub not_seen: Vec<(String, String)>,
 }
@@ -132,11 +136,10 @@ impl Planned {
             PlannedMesh {
                 bodies: numbers
                     .map(|body| scene.bodies.get(body).map_or_else(String::new, |b| b.name.clone())),
-                cells: match plan.fidelity {
-                    Fidelity::Plane => 2 * pair.grid.half_cells_in_plane() + 1,
-                    Fidelity::Solid(_) => {
-                        (2 * pair.grid.half_cells_in_space() + 1) * (2 * pair.grid.half_slices + 1)
-                    }
+                cells: match plan.in_space {
+                    _ if plan.fidelity == Fidelity::Rigid => 0,
+                    false => 2 * pair.grid.half_cells_in_plane() + 1,
+                    true => (2 * pair.grid.half_cells_in_space() + 1) * (2 * pair.grid.half_slices + 1),
                 },
                 edges: pair.grid.edges,
                 back_sides: pair.front.is_some(),
@@ -168,6 +171,12 @@ impl Planned {
             outputs: description.outputs.iter().map(|output| output.name.clone()).collect(),
             positions: host.positions.iter().map(Vec::len).collect(),
             structures,
+            in_space: plan.in_space,
+            refused: plan
+                .refused
+                .iter()
+                .map(|refused| (refused.name.clone(), refused.needs.name()))
+                .collect(),
             not_seen: plan.ignored.iter().map(|i| (i.input.clone(), i.reason.clone())).collect(),
         }
     }
@@ -203,17 +212,28 @@ impl Planned {
         let idle =
             idle.map(|bearing| format!("bearing \"{}\": {}", bearing.name, without_verdict(bearing.reason)));
         let not_seen = self.not_seen.iter().map(|(input, reason)| format!("`{input}`: {reason}"));
-        section("Left out", left_out.chain(idle).chain(not_seen).collect());
+        let refused = self.refused.iter().map(|(output, needs)| {
+            format!(
+                "output `{output}`: it needs {needs}, which the fidelity \"{}\" does not have",
+                self.fidelity
+            )
+        });
+        section("Left out", left_out.chain(idle).chain(refused).chain(not_seen).collect());
         section("Cost", self.cost_lines(&sizes));
         text
     }
 
     fn fidelity_text(&self) -> String {
+        let place = match self.in_space {
+            false => "one transverse section in plane strain, the same all along the face",
+            true => "in three dimensions, contact of surfaces on grids along and across the face",
+        };
         match self.fidelity {
-            "plane" => {
-                "fidelity \"plane\": one transverse section in plane strain, the same all along the face"
-                    .into()
-            }
+            "rigid" => format!("fidelity \"rigid\": undeformed surfaces as the load vanishes, {place}"),
+            "analytic" => format!(
+                "fidelity \"analytic\": teeth as cantilevers on rings with Hertz's contact, in closed forms, {place}"
+            ),
+            "plane" => format!("fidelity \"plane\": {place}"),
             other => format!(
                 "fidelity \"{other}\": finite elements in three dimensions, contact of surfaces on grids along and across the face"
             ),
@@ -278,6 +298,9 @@ impl Planned {
 
     fn cost_lines(&self, sizes: &[(Vec<&str>, StructureSize)]) -> Vec<String> {
         let mut lines = vec![match self.structures {
+            _ if matches!(self.fidelity, "rigid" | "analytic") => {
+                "no meshes, and nothing to condense".to_owned()
+            }
             1 => "1 elastic structure is condensed, once".to_owned(),
             count => format!("{count} elastic structures are condensed, each once"),
         }];

@@ -155,5 +155,9 @@ pub const CODES: &[Explanation] = codes! {
     "E0776" "too few samples for a spectrum" "A spectrum needs at least 4 samples in its range of time, and in each of its pieces; no piece is longer than the range. Orders need a shaft that turns one way, by less than a quarter of a turn a sample. Analyse a longer time, widen the range, keep more rows, or take pieces of another length."
     "E0777" "samples that are not equally far apart" "Spectra are of equal steps. Where an analysis has ranges of different steps, take one of them by `from` and `to`; `mesh_cycle` and `times` are uniform."
     "E0778" "a request for a signal that cannot be" "Pieces, turns, frequencies and momenta are positive numbers, a range ends after it begins, and an order map has a shaft or an angle."
+    "E0780" "an output that a fidelity has no value of" "Not every fidelity knows everything. \"rigid\" has where bodies are and where they touch, and neither forces nor pressures, stresses, stiffnesses or natural frequencies; \"analytic\" has all of these but stresses elsewhere than the largest in the fillet of a loaded tooth. The other outputs are found; this one stands in the results without a value. If none is left, the analysis is refused. Choose the fidelity that the message names, or leave the output out."
+    "E0781" "dynamics of rigid teeth" "Motion under inertia needs teeth that give: choose the fidelity \"analytic\" or \"plane\"."
+    "E0782" "modes of bodies without meshes" "Component modes are those of a mesh: choose the fidelity \"plane\", or let bodies vibrate as rigid ones on their teeth with `highest_frequency = 0`."
+    "E0783" "a body without a closed form" "The fidelity \"analytic\" has closed forms for gears. Choose \"plane\" for other bodies."
     "E0799" "a defect of Calyx; please report it with the model" "Something inside Calyx contradicts itself. It is not the model's fault."
 };

@@ -192,8 +192,9 @@ impl StepTable {
         let mut record = vec![index.to_string()];
         record.extend([position.time, position.cycle, position.roll].map(|number| number.to_string()));
         record.push(position.name.clone().into_owned());
-        // The shortest decimal that reads back to the same bits.
-        record.extend(row.outputs.iter().map(|output| output.value.to_string()));
+        // The shortest decimal that reads back to the same bits; nothing of an output that the fidelity has no value of.
+        let shown = |value: f64| if value.is_nan() { String::new() } else { value.to_string() };
+        record.extend(row.outputs.iter().map(|output| shown(output.value)));
         self.writer.write_record(record)?;
         self.writer.flush()
     }
@@ -251,6 +252,9 @@ pub fn write_run(
             "equilibrium": result.certificate.equilibrium,
         });
         run["ignored_inputs"] = json!(ignored.collect::<Map<_, _>>());
+        let refused =
+            result.plan.refused.iter().map(|refused| (refused.name.clone(), json!(refused.needs.name())));
+        run["refused_outputs"] = json!(refused.collect::<Map<_, _>>());
         run["signals"] = signals;
     }
     run["warnings"] = json!(warnings);

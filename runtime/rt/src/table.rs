@@ -18,7 +18,11 @@ pub fn summary(description: &ModelDescription, result: &AnalysisResult) -> Strin
             shown(summary.mean),
             shown(summary.max),
             shown(summary.peak_to_peak),
-            place(result, summary.at_max, summary.place.as_ref()),
+            if summary.max.is_nan() {
+                String::new()
+            } else {
+                place(result, summary.at_max, summary.place.as_ref())
+            },
         ]);
     }
     align(&rows)
@@ -29,8 +33,11 @@ fn passes_no_cycle(result: &AnalysisResult) -> bool {
     result.rows.iter().all(|row| row.position.cycle == 0.0 && row.position.roll == 0.0)
 }
 
-/// Five significant digits.
+/// Five significant digits; a word of an output that the fidelity has no value of.
 fn number(value: f64) -> String {
+    if value.is_nan() {
+        return "none".into();
+    }
     let rounded: f64 = format!("{value:.4e}").parse().unwrap_or(value);
     shortest(rounded)
 }

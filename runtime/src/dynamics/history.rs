@@ -1,7 +1,7 @@
 //! A dynamic analysis from its start through all steps, row by row.
 
 use super::effective::Effective;
-use super::matrices::{Forces, Matrices, check_inertia, check_section};
+use super::matrices::{Forces, Matrices, check_in_section, check_inertia, check_section};
 use super::modal::{Elastic, Modes, check_modes};
 use super::newmark::{Scheme, State};
 use super::ranges::{Step, TimeRange, kept_positions, steps};
@@ -89,10 +89,12 @@ impl<'s> History<'s> {
         let mut timing = Timing::default();
         check_section(options.fidelity)?;
         dynamics.ranges.iter().try_for_each(TimeRange::check)?;
-        check_numbers(dynamics)?;
+        check_numbers(dynamics, options.fidelity)?;
         let positions = kept_positions(dynamics.from, &dynamics.ranges);
         check_solved(&options.solved, &positions, outputs)?;
-        let plan = timing.stage("plan", || Plan::new(scene, options.fidelity, options.structure))?.in_time();
+        let plan = timing.stage("plan", || Plan::new(scene, options.fidelity, options.structure))?;
+        let plan = plan.yielding(scene, outputs)?.in_time();
+        check_in_section(&plan)?;
         observer.observe(Event::Planned(&plan))?;
         if dynamics.start == Start::Equilibrium {
             crate::holding::check(scene, &plan, dynamics.from, &options.resources.interrupt)?;
@@ -206,11 +208,10 @@ impl<'s> History<'s> {
             },
         };
         let position = self.positions[self.solved.len()].clone();
-        let observables = &self.system.scene.observables;
-        let observed: Vec<_> = observables.iter().map(|o| self.system.value(&step, o.as_ref())).collect();
+        let observed = self.plan.observe(&self.system, &step);
         self.resources.interrupt.check()?;
         let row = StepRow::new(position, self.outputs, &observed, step.warnings.clone());
-        refuse_nan(&row, self.outputs)?;
+        refuse_nan(&row, self.outputs, &self.plan)?;
         let state = [self.state.to_row().as_slice(), &self.contact].concat();
         self.solved.push(Solved { row, certificate: step.certificate, state });
         self.current = Some(step);
@@ -451,7 +452,7 @@ pub fn dynamic(
     Ok(history.finish())
 }
 
-fn check_numbers(dynamics: &DynamicOptions) -> Result<(), EngineError> {
+fn check_numbers(dynamics: &DynamicOptions, fidelity: Fidelity) -> Result<(), EngineError> {
     let refuse = |argument: &'static str, message: String, help: &str| {
         Err(EngineError::new("E0764", message, help).blame(argument))
     };
@@ -470,7 +471,7 @@ fn check_numbers(dynamics: &DynamicOptions) -> Result<(), EngineError> {
             "give positive numbers, or 0 for none",
         );
     }
-    check_modes(Fidelity::Plane, dynamics.highest_frequency)
+    check_modes(fidelity, dynamics.highest_frequency)
 }
 
 #[cfg(test)]

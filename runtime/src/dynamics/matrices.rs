@@ -28,6 +28,7 @@ use crate::bearing::damping;
 use crate::error::{EngineError, Subject};
 use crate::inertia::Inertia;
 use crate::motion::{angular_acceleration, angular_velocity, point_acceleration};
+use crate::plan::Plan;
 use crate::scene::Fidelity;
 use crate::system::{Freedom, System, pose};
 
@@ -325,17 +326,35 @@ fn on_freedoms(system: &System<'_>, frames: &[[f64; 3]]) -> Vec<f64> {
 /// What dynamics asks of a model before its structures are built: that it is a section.
 ///
 /// # Errors
-/// E0761: the model is in space.
-pub(super) fn check_section(fidelity: Fidelity) -> Result<(), EngineError> {
+/// E0761: the model is in space. E0781: its bodies are rigid.
+pub fn check_section(fidelity: Fidelity) -> Result<(), EngineError> {
     match fidelity {
-        Fidelity::Plane => Ok(()),
-        Fidelity::Solid(_) => Err(EngineError::new(
-            "E0761",
-            "dynamic analyses are of plane models",
-            "choose the fidelity \"plane\", or the method \"quasi_static\"",
+        Fidelity::Analytic | Fidelity::Plane => Ok(()),
+        Fidelity::Rigid => Err(EngineError::new(
+            "E0781",
+            "bodies of the fidelity \"rigid\" bear no load, and so do not vibrate on their teeth",
+            "choose the fidelity \"analytic\" or \"plane\", or the method \"quasi_static\"",
         )
         .blame("fidelity")),
+        Fidelity::Solid(_) => Err(in_space()),
     }
+}
+
+/// The same of a plan, where the fidelity leaves open whether the model is in space.
+///
+/// # Errors
+/// E0761: it is.
+pub(super) fn check_in_section(plan: &Plan) -> Result<(), EngineError> {
+    if plan.in_space { Err(in_space()) } else { Ok(()) }
+}
+
+fn in_space() -> EngineError {
+    EngineError::new(
+        "E0761",
+        "dynamic analyses are of plane models",
+        "choose the fidelity \"plane\", or the method \"quasi_static\"",
+    )
+    .blame("fidelity")
 }
 
 /// That free bodies have mass.

@@ -22,6 +22,7 @@ mod newmark;
 mod ranges;
 
 pub use history::{DynamicOptions, History, Start, dynamic};
+pub use matrices::check_section;
 pub(crate) use matrices::{check_inertia, coupling};
 pub use modal::check_modes;
 pub(crate) use modal::{Elastic, Modes};

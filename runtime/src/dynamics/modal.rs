@@ -86,13 +86,21 @@ impl Modes {
 /// That there may be modes of bodies up to this natural frequency, Hz.
 ///
 /// # Errors
-/// E0764: it is negative, or no number. E0771: the model is in space.
+/// E0764: it is negative, or no number. E0771: the model is in space. E0782: its bodies have no meshes.
 pub fn check_modes(fidelity: Fidelity, highest: f64) -> Result<(), EngineError> {
     let (code, message, help) = match fidelity {
         _ if !(highest.is_finite() && highest >= 0.0) => (
             "E0764",
             format!("modes up to {highest} Hz cannot be found"),
             "give a positive frequency, or 0 for no modes",
+        ),
+        Fidelity::Rigid | Fidelity::Analytic if highest > 0.0 => (
+            "E0782",
+            format!(
+                "the modes of bodies are those of their meshes, and the fidelity \"{}\" has none",
+                fidelity.name()
+            ),
+            "choose the fidelity \"plane\", or leave `highest_frequency` at 0: bodies then vibrate as rigid ones",
         ),
         Fidelity::Solid(_) if highest > 0.0 => (
             "E0771",

@@ -1,6 +1,6 @@
 //! What bearings bear, and how far they give.
 
-use super::{Equilibrium, Observable, Quantity};
+use super::{Equilibrium, Needs, Observable, Quantity};
 use crate::bearing::Placed;
 use crate::results::Observed;
 use crate::scene::{BearingId, BodyId};
@@ -139,6 +139,10 @@ impl Observable for BearingDeflection {
         Quantity::repeating("bearing_deflection", "m")
     }
 
+    fn needs(&self) -> Needs {
+        Needs::Motions
+    }
+
     fn bearing_of(&self) -> Option<BearingId> {
         Some(self.0)
     }
@@ -155,6 +159,10 @@ pub struct BearingTilt(pub BearingId, pub Direction);
 impl Observable for BearingTilt {
     fn quantity(&self) -> Quantity {
         Quantity::repeating("bearing_tilt", "rad")
+    }
+
+    fn needs(&self) -> Needs {
+        Needs::Motions
     }
 
     fn bearing_of(&self) -> Option<BearingId> {

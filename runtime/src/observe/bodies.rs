@@ -1,6 +1,6 @@
 //! What bodies feel: the forces of contact on them, what holds them, and how far they give.
 
-use super::{Equilibrium, Observable, Quantity};
+use super::{Equilibrium, Needs, Observable, Quantity};
 use crate::results::{Observed, Place};
 use crate::scene::BodyId;
 use crate::step::StepResult;
@@ -90,6 +90,10 @@ impl Observable for Displacement {
         Quantity::repeating("displacement", "m")
     }
 
+    fn needs(&self) -> Needs {
+        Needs::Motions
+    }
+
     fn frame_of(&self) -> Option<BodyId> {
         Some(self.0)
     }
@@ -106,6 +110,10 @@ pub struct Rotation(pub BodyId, pub usize);
 impl Observable for Rotation {
     fn quantity(&self) -> Quantity {
         Quantity::repeating("rotation", "rad")
+    }
+
+    fn needs(&self) -> Needs {
+        Needs::Motions
     }
 
     fn frame_of(&self) -> Option<BodyId> {
@@ -141,6 +149,10 @@ impl Observable for LowestContact {
         Quantity::repeating("lowest_contact", "m")
     }
 
+    fn needs(&self) -> Needs {
+        Needs::Motions
+    }
+
     fn value(&self, at: &Equilibrium<'_>) -> Observed {
         loaded_end(at, self.0, |radius, end| radius < end)
     }
@@ -153,6 +165,10 @@ pub struct HighestContact(pub BodyId);
 impl Observable for HighestContact {
     fn quantity(&self) -> Quantity {
         Quantity::repeating("highest_contact", "m")
+    }
+
+    fn needs(&self) -> Needs {
+        Needs::Motions
     }
 
     fn value(&self, at: &Equilibrium<'_>) -> Observed {

@@ -250,8 +250,21 @@ impl Contact<'_> {
         Some((pressure, self.place(side, cell)))
     }
 
-    /// Places of the loaded cells on the body of one of its sides, with the pressure there, Pa.
+    /// Points at which the patch slides, and where each is on the first body: where its slices carry load, or where rigid surfaces touch.
+    pub(super) fn sliding_points(&self) -> Vec<([f64; 3], Option<Place>)> {
+        if self.at.system.rigid {
+            return vec![(self.touching_point(), self.touching_place(0))];
+        }
+        let loaded = self.slices().into_iter().filter(|slice| slice.force > 0.0);
+        loaded.map(|Slice { point, places: [first, _], .. }| (point, first)).collect()
+    }
+
+    /// Places of the loaded cells on the body of one of its sides, with the pressure there, Pa. Rigid surfaces have one place, without
+    /// pressure.
     pub fn loaded(&self, side: usize) -> Vec<(Place, f64)> {
+        if self.at.system.rigid {
+            return self.touching_place(side).map(|place| (place, 0.0)).into_iter().collect();
+        }
         let pressures = self.patch.pressures().into_iter().enumerate();
         let loaded = pressures.filter(|(_, pressure)| *pressure > 0.0);
         loaded.filter_map(|(cell, pressure)| Some((self.place(side, cell)?, pressure))).collect()
@@ -265,6 +278,32 @@ impl Contact<'_> {
         let normal = self.normal();
         let closing: f64 = relative.iter().zip(normal).map(|(velocity, normal)| velocity * normal).sum();
         [0, 1, 2].map(|axis| relative[axis] - closing * normal[axis])
+    }
+
+    /// Whether load presses its surfaces together, or they touch as it vanishes, being rigid.
+    pub fn touches(&self) -> bool {
+        self.at.system.rigid || self.force() > 0.0
+    }
+
+    /// Where surfaces that touch without being pressed do so, on the body of one of its sides.
+    fn touching_place(&self, side: usize) -> Option<Place> {
+        let body = self.bodies()[side];
+        let (point, origin) = (self.touching_point(), self.at.origin(body));
+        let axes = self.at.system.axes(body.0, self.at.time());
+        let from: [f64; 3] = [0, 1, 2].map(|k: usize| point[k] - origin[k]);
+        let [x, y, z] = axes.map(|axis| (0..3).map(|k| axis[k] * from[k]).sum());
+        let tooth = self.patch.teeth[side];
+        Some(match &self.patch.grid {
+            PatchGrid::Plane { .. } => self.at.place(body, tooth, [x, y]),
+            PatchGrid::Solid(_) => self.at.solid_place(body, tooth, [x, y, z]),
+        })
+    }
+
+    fn touching_point(&self) -> [f64; 3] {
+        match &self.patch.grid {
+            PatchGrid::Plane { frame, .. } => [frame.point[0], frame.point[1], 0.0],
+            PatchGrid::Solid(grid) => grid.frame.point,
+        }
     }
 
     /// Where a cell lies on one of its two surfaces.

@@ -1,6 +1,6 @@
 //! How the load of a mesh is shared: among pairs of teeth, and along the lines on which they touch.
 
-use super::{Contact, Equilibrium, Observable, Quantity, Slice};
+use super::{Contact, Equilibrium, Needs, Observable, Quantity, Slice};
 use crate::results::Observed;
 use crate::scene::{GearMesh, PairId};
 use std::ops::Add;
@@ -82,12 +82,13 @@ impl Observable for PairsInContact {
         Quantity::repeating("pairs_in_contact", "1")
     }
 
+    fn needs(&self) -> Needs {
+        Needs::Motions
+    }
+
     fn value(&self, at: &Equilibrium<'_>) -> Observed {
-        let mut loaded: Vec<[u32; 2]> = at
-            .contacts(self.0)
-            .filter(|contact| contact.force() > 0.0)
-            .map(|contact| contact.teeth())
-            .collect();
+        let mut loaded: Vec<[u32; 2]> =
+            at.contacts(self.0).filter(Contact::touches).map(|contact| contact.teeth()).collect();
         loaded.sort_unstable();
         loaded.dedup();
         Observed::number(loaded.len() as f64)

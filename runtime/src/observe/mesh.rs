@@ -1,6 +1,6 @@
 //! How a gear mesh passes on motion and load.
 
-use super::{Equilibrium, Observable, Quantity};
+use super::{Equilibrium, Needs, Observable, Quantity};
 use crate::results::Observed;
 use crate::scene::{BodyId, PairId};
 use crate::system::Freedom;
@@ -17,6 +17,10 @@ pub struct TransmissionError(pub PairId);
 impl Observable for TransmissionError {
     fn quantity(&self) -> Quantity {
         Quantity::repeating("transmission_error", "rad")
+    }
+
+    fn needs(&self) -> Needs {
+        Needs::Motions
     }
 
     fn value(&self, at: &Equilibrium<'_>) -> Observed {
@@ -42,6 +46,10 @@ pub struct UnloadedTransmissionError(pub PairId);
 impl Observable for UnloadedTransmissionError {
     fn quantity(&self) -> Quantity {
         Quantity::repeating("unloaded_transmission_error", "rad")
+    }
+
+    fn needs(&self) -> Needs {
+        Needs::Motions
     }
 
     fn value(&self, at: &Equilibrium<'_>) -> Observed {

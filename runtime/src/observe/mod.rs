@@ -76,6 +76,31 @@ impl Quantity {
     }
 }
 
+/// What of bodies an observable needs to be modelled: each of these has the ones before it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Needs {
+    /// Where bodies and surfaces are, and where they touch.
+    Motions,
+    /// With which forces bodies press on each other, which follow from how they deform.
+    Forces,
+    /// The largest stress in the fillet of a loaded tooth.
+    RootStress,
+    /// Stresses everywhere on the fillets.
+    Stresses,
+}
+
+impl Needs {
+    /// In words.
+    pub fn name(self) -> &'static str {
+        match self {
+            Needs::Motions => "motions",
+            Needs::Forces => "forces between elastic bodies",
+            Needs::RootStress => "root stresses",
+            Needs::Stresses => "stresses all over the fillets",
+        }
+    }
+}
+
 /// A quantity of a solved position.
 ///
 /// Two that are equal are observed once.
@@ -85,6 +110,11 @@ pub trait Observable: Comparable + Debug + Send + Sync {
 
     /// Its value at a solved position.
     fn value(&self, at: &Equilibrium<'_>) -> Observed;
+
+    /// What it needs of bodies: of less it has no value.
+    fn needs(&self) -> Needs {
+        if self.stresses_of().is_some() { Needs::Stresses } else { Needs::Forces }
+    }
 
     /// The body whose stresses it needs: recovering them is planned for.
     fn stresses_of(&self) -> Option<BodyId> {

@@ -1,6 +1,6 @@
 //! Where maxima are, as numbers that a program can put out.
 
-use super::{Contact, Equilibrium, MaxRootCompression, MaxRootStress, Observable, Quantity};
+use super::{Contact, Equilibrium, MaxRootCompression, MaxRootStress, Needs, Observable, Quantity};
 use crate::results::{Observed, Place};
 use crate::scene::BodyId;
 
@@ -50,6 +50,14 @@ impl Observable for PlaceOf {
             Coordinate::RollAngle => Quantity::repeating("roll_angle_at", "rad"),
             Coordinate::Radius => Quantity::repeating("radius_at", "m"),
             Coordinate::Axial => Quantity::repeating("axial_at", "m"),
+        }
+    }
+
+    fn needs(&self) -> Needs {
+        match self.maximum {
+            Maximum::RootStress => Needs::RootStress,
+            Maximum::RootCompression => Needs::Stresses,
+            Maximum::ContactPressure | Maximum::EdgePressure | Maximum::LineLoad => Needs::Forces,
         }
     }
 

@@ -1,7 +1,7 @@
 //! How flanks slide over each other, and the power that friction takes.
 
 use super::loads::pairs_teeth;
-use super::{Contact, Equilibrium, Observable, Quantity};
+use super::{Contact, Equilibrium, Needs, Observable, Quantity};
 use crate::results::{Observed, Place};
 use crate::scene::PairId;
 use std::ops::Add;
@@ -15,6 +15,10 @@ pub struct SlidingVelocity(pub PairId, pub i32);
 impl Observable for SlidingVelocity {
     fn quantity(&self) -> Quantity {
         Quantity::passing("sliding_velocity", "m/s")
+    }
+
+    fn needs(&self) -> Needs {
+        Needs::Motions
     }
 
     fn value(&self, at: &Equilibrium<'_>) -> Observed {
@@ -33,6 +37,10 @@ impl Observable for MaxSlidingVelocity {
         Quantity::repeating("max_sliding_velocity", "m/s")
     }
 
+    fn needs(&self) -> Needs {
+        Needs::Motions
+    }
+
     fn value(&self, at: &Equilibrium<'_>) -> Observed {
         let fastest = at.contacts(self.0).filter_map(|contact| fastest(&contact));
         let fastest = fastest.max_by(|(a, _), (b, _)| a.abs().total_cmp(&b.abs()));
@@ -46,13 +54,11 @@ impl Observable for MaxSlidingVelocity {
 
 /// Sliding velocity, with its sign, of the loaded slice that slides fastest, and where that is on the first body.
 fn fastest(contact: &Contact<'_>) -> Option<(f64, Option<Place>)> {
-    let loaded = contact.slices().into_iter().filter(|slice| slice.force > 0.0);
-    let sliding = loaded.map(|slice| {
-        let velocity = contact.sliding(slice.point);
-        let outward = contact.away_from_axis(0, slice.point);
+    let sliding = contact.sliding_points().into_iter().map(|(point, place)| {
+        let velocity = contact.sliding(point);
+        let outward = contact.away_from_axis(0, point);
         // The faster the contact rolls outwards, the faster the material of the flank moves inwards through it.
         let along: f64 = velocity.iter().zip(outward).map(|(velocity, outward)| -velocity * outward).sum();
-        let [place, _] = slice.places;
         (size(velocity).copysign(along), place)
     });
     sliding.max_by(|(a, _), (b, _)| a.abs().total_cmp(&b.abs()))

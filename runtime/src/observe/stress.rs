@@ -1,6 +1,6 @@
 //! Stresses in the fillets of teeth.
 
-use super::{Equilibrium, Observable, Quantity};
+use super::{Equilibrium, Needs, Observable, Quantity};
 use crate::results::{Observed, Place};
 use crate::scene::BodyId;
 use crate::structure::{BodyModes, Chart, StressPlace, SurfaceLoad};
@@ -177,6 +177,10 @@ pub struct MaxRootStress(pub BodyId);
 impl Observable for MaxRootStress {
     fn quantity(&self) -> Quantity {
         Quantity::repeating("max_root_stress", "Pa")
+    }
+
+    fn needs(&self) -> Needs {
+        Needs::RootStress
     }
 
     fn value(&self, at: &Equilibrium<'_>) -> Observed {

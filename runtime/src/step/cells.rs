@@ -2,7 +2,7 @@
 
 use super::drift::Foothold;
 use super::places::{DRIFT, Laid, SEARCH_DEPTH, Solver};
-use super::space::{Candidate, Space};
+use super::space::{Approach, Candidate, Space};
 use super::{Patch, StepResult};
 use crate::contact::friction::solve_with_friction;
 use crate::contact::problem::{ContactError, ContactProblem};
@@ -12,6 +12,8 @@ use crate::holding;
 use faer::Mat;
 use std::sync::OnceLock;
 
+/// Rigid surfaces that are nearer than this part of a profile's length touch: conjugate teeth all do, but for rounding.
+const TOUCHING: f64 = 1e-7;
 /// A patch whose arm on a freedom is below this part of the longest there is leaves the load on it to others.
 const WORTH_LOADING: f64 = 0.1;
 /// Matrices of all cells by all cells that a position has at once, at most: what its compliance is put together from, itself, and the
@@ -126,11 +128,18 @@ impl<S: Space> Solver<'_, S> {
         let (gaps, arms) = self.rigid_contacts(candidates.iter().copied());
         let motion = match rest.rigid_limit(&gaps, &arms, &self.limit_direction(), &self.system.interrupt) {
             Ok(Some(limit)) => limit.motion,
+            Ok(None) if self.system.rigid => return Err(self.explain(&ContactError::Jammed)),
             Ok(None) => return Ok(None),
-            Err(ContactError::Jammed) if self.both_sides() => return Ok(None),
+            Err(ContactError::Jammed) if self.both_sides() && !self.system.rigid => return Ok(None),
             Err(error) => return Err(self.explain(&error)),
         };
-        let patches = candidates.iter().map(|candidate| self.space.patch(candidate, None)).collect();
+        // Of rigid bodies the patches are those that touch.
+        let touches = |candidate: &&&Candidate<S::Site>| {
+            let touching = |approach: &Approach| approach.opened_by(&motion) < TOUCHING * candidate.length;
+            !self.system.rigid || candidate.approaches().any(touching)
+        };
+        let touching = candidates.iter().filter(touches);
+        let patches = touching.map(|candidate| self.space.patch(candidate, None)).collect();
         let footholds = candidates.iter().map(|candidate| Foothold {
             pair: candidate.teeth.0,
             action: self.space.approaching(candidate),

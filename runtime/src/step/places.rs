@@ -164,7 +164,8 @@ impl<S: Space> Solver<'_, S> {
 
     /// The load whose limit bodies come to rest under: with one flank of each tooth it is the one that the mesh is made for.
     pub(super) fn limit_direction(&self) -> Vec<f64> {
-        match self.both_sides() && self.under.direction.iter().any(|&load| load != 0.0) {
+        match (self.both_sides() || self.system.rigid) && self.under.direction.iter().any(|&load| load != 0.0)
+        {
             true => self.under.direction.to_vec(),
             false => holding::drive_direction(self.system.scene, &self.system.freedoms),
         }

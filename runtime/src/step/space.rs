@@ -31,9 +31,14 @@ pub(super) struct Approach {
 }
 
 impl Approach {
-    pub(super) fn closed_by(&self, motion: &[f64]) -> bool {
+    /// The gap that motions leave, m.
+    pub(super) fn opened_by(&self, motion: &[f64]) -> f64 {
         let rigid: f64 = self.arms.iter().zip(motion).map(|(arm, motion)| arm * motion).sum();
-        self.gap + rigid < 0.0
+        self.gap + rigid
+    }
+
+    pub(super) fn closed_by(&self, motion: &[f64]) -> bool {
+        self.opened_by(motion) < 0.0
     }
 }
 

@@ -3,6 +3,7 @@
 //! Displacements are elastic only: what moves the body as a whole belongs to its frame.
 //! Everything here is per unit of face width (a plane model): forces in N/m, compliances in m/(N/m). Bodies in space are in [`solid`].
 
+pub mod analytic;
 mod answers;
 mod bore;
 pub(crate) mod bore_coupling;

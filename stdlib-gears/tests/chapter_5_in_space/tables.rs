@@ -1,7 +1,7 @@
 //! Tables 5.10 to 5.13 of the report: root stress by tip radius of the rack, by tooth thickness, by elements along the face and by
 //! their order. Its column of the finest template is not the converged one; what counts is the one before it.
 
-use super::pair::{CHAPTER_5, Pair, reference};
+use super::pair::{AT_HIGHEST, AT_LOWEST, CHAPTER_5, Pair, reference};
 use calyx_runtime::scene::StructureOptions;
 
 /// By the first column of a table: the stress of its fineroot column, psi.
@@ -50,5 +50,24 @@ fn root_stress_is_flat_beyond_four_elements_of_order_three_along_the_face() {
     for (elements, order) in [(6, 3), (4, 5)] {
         let error = stress(elements, order) / start - 1.0;
         assert!(error.abs() < 0.003, "{elements} elements of order {order}: {error:+.5}");
+    }
+}
+
+/// Slices in closed forms against finite elements in space, with relief and crown.
+#[test]
+fn closed_forms_are_near_the_finite_elements() {
+    let rolls = [AT_LOWEST, 20.0, AT_HIGHEST];
+    let [given, meshed] =
+        ["analytic", "medium"].map(|level| CHAPTER_5.solve(level, StructureOptions::default(), &rolls));
+    for (given, meshed) in given.iter().zip(&meshed) {
+        println!("{given:?}\n{meshed:?}");
+        let near = |given: f64, meshed: f64, part: f64| {
+            assert!((given - meshed).abs() < part * meshed.abs(), "{given} {meshed}");
+        };
+        near(given.transmission_error, meshed.transmission_error, 0.05);
+        near(given.mesh_stiffness, meshed.mesh_stiffness, 0.05);
+        near(given.contact_pressure, meshed.contact_pressure, 0.06);
+        near(given.root_stress[0], meshed.root_stress[0], 0.15);
+        near(given.root_stress[1], meshed.root_stress[1], 0.15);
     }
 }

@@ -19,7 +19,7 @@ use calyx_runtime::observe::{
     TransmissionError,
 };
 use calyx_runtime::scene::{
-    Body, BodyId, Component, Fidelity, GearMesh, GridOptions, Ignored, PairId, Prototype, Scene,
+    Body, BodyId, BodyModel, Component, Fidelity, GearMesh, GridOptions, Ignored, PairId, Prototype, Scene,
     StructureOptions, SurfacePair, Template,
 };
 use calyx_runtime::step::StepResult;
@@ -340,6 +340,7 @@ impl Values {
 pub const COARSE: StructureOptions = StructureOptions {
     refinement: 0.5,
     order: 2,
+    model: BodyModel::Elements,
     template: Template::Medium,
     face_elements: None,
     axial_order: None,

@@ -16,7 +16,7 @@ use calyx_runtime::motion::Motion;
 use calyx_runtime::plan::Plan;
 use calyx_runtime::rigid::RigidBody;
 use calyx_runtime::scene::{
-    Body, BodyId, Component, Fidelity, GearMesh, PairId, Scene, StructureOptions, Template,
+    Body, BodyId, BodyModel, Component, Fidelity, GearMesh, PairId, Scene, StructureOptions, Template,
 };
 use calyx_runtime::structure::BoreHold;
 use calyx_runtime::system::System;
@@ -36,6 +36,7 @@ pub const TORQUE: f64 = 1800.0;
 const COARSE: StructureOptions = StructureOptions {
     refinement: 0.5,
     order: 2,
+    model: BodyModel::Elements,
     template: Template::Medium,
     face_elements: None,
     axial_order: None,

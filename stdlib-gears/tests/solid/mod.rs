@@ -4,6 +4,7 @@ mod bearings;
 mod both_sides;
 mod elastic;
 mod helical;
+mod ladder;
 mod misaligned;
 mod pairs;
 mod runout;

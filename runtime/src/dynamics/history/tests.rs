@@ -19,6 +19,7 @@ const RADIUS: f64 = 0.03;
 const FEW: StructureOptions = StructureOptions {
     refinement: 0.2,
     order: 1,
+    model: crate::scene::BodyModel::Elements,
     template: crate::scene::Template::Medium,
     face_elements: None,
     axial_order: None,

@@ -1,0 +1,135 @@
+//! A gear without a mesh: its teeth as what closed forms take them for.
+
+use crate::fillet::{RootFillet, Side};
+use crate::flank::Flank;
+use crate::prototype::GearPrototype;
+use calyx_abi::math;
+use calyx_runtime::error::EngineError;
+use calyx_runtime::material::Plane;
+use calyx_runtime::profile::Profile;
+use calyx_runtime::scene::StructureOptions;
+use calyx_runtime::structure::RigidStructure;
+use calyx_runtime::structure::analytic::{
+    AnalyticSolid, AnalyticStructure, CriticalSection, RingShape, ToothShape,
+};
+use calyx_runtime::structure::solid::SimpleSolid;
+use calyx_runtime::surface::Surface;
+use std::sync::Arc;
+
+/// Inclination of the fillet's tangent against the middle of the tooth at which the tooth ends and its ring begins: 75 degrees, as Cornell (1981)
+/// recommends.
+const FOOT: f64 = 75.0_f64.to_radians();
+/// The same where a tooth is stressed most, outside and inside: ISO 6336-3.
+const CRITICAL: [f64; 2] = [30.0_f64.to_radians(), 60.0_f64.to_radians()];
+/// Stations of the tooth's depth along a fillet and along a flank.
+const STATIONS: [usize; 2] = [24, 24];
+/// Halvings of a fillet's length to find an inclination.
+const HALVINGS: usize = 50;
+
+impl GearPrototype {
+    /// Teeth and ring in closed forms.
+    ///
+    /// # Errors
+    /// E0623: the teeth are helical. E0677: the modified flanks do not fit.
+    pub(crate) fn analytic(&self, options: &StructureOptions) -> Result<AnalyticStructure, EngineError> {
+        self.refuse_helix()?;
+        let [tip, _] = self.roundings(options);
+        let surfaces = self.flanks_with(tip, &self.modifications)?.map(|flank| flank as Arc<dyn Profile>);
+        let shape = self.tooth_shape(options)?;
+        let (surfaces, coupled) = (surfaces.to_vec(), self.coupled_teeth());
+        Ok(AnalyticStructure::new(surfaces, &shape, coupled, self.material, Plane::Strain))
+    }
+
+    /// Flanks without compliance.
+    ///
+    /// # Errors
+    /// As [`GearPrototype::analytic`].
+    pub(crate) fn rigid(&self, options: &StructureOptions) -> Result<RigidStructure, EngineError> {
+        self.refuse_helix()?;
+        let [tip, _] = self.roundings(options);
+        let surfaces = self.flanks_with(tip, &self.modifications)?.map(|flank| flank as Arc<dyn Profile>);
+        Ok(RigidStructure::new(surfaces.to_vec(), self.gear.teeth()))
+    }
+
+    /// Slices in closed forms.
+    ///
+    /// # Errors
+    /// E0677: the modified flanks do not fit.
+    pub(crate) fn analytic_solid(&self, options: &StructureOptions) -> Result<AnalyticSolid, EngineError> {
+        let surfaces = self.surfaces(options)?.map(|surface| surface as Arc<dyn Surface>);
+        let (shape, face) = (self.tooth_shape(options)?, [self.face_width, self.twist_per_length()]);
+        Ok(AnalyticSolid::new(surfaces.to_vec(), &shape, face, self.coupled_teeth(), self.material))
+    }
+
+    /// Flanks in space without compliance.
+    ///
+    /// # Errors
+    /// As [`GearPrototype::analytic_solid`].
+    pub(crate) fn rigid_solid(&self, options: &StructureOptions) -> Result<SimpleSolid, EngineError> {
+        let surfaces = self.surfaces(options)?.map(|surface| surface as Arc<dyn Surface>);
+        Ok(SimpleSolid::rigid(surfaces.to_vec(), self.gear.teeth()))
+    }
+
+    /// What the tooth of the plain gear is to closed forms, in the transverse section.
+    pub(crate) fn tooth_shape(&self, options: &StructureOptions) -> Result<ToothShape, EngineError> {
+        let form = self.form();
+        let sense = form.sense();
+        let [tip, _] = self.roundings(options);
+        let [flank, _] = self.flanks_with(tip, &[])?;
+        let fillet = self.gear.root_fillet(Side::CounterClockwise);
+        let foot = inclined(&fillet, sense, FOOT);
+        let [x, y] = fillet.at(foot).position;
+        let ring = RingShape {
+            radius: x.hypot(y),
+            held_radius: self.rim.ring_radius(),
+            half_arc: math::atan2(y, x),
+            sectors: form.teeth,
+        };
+        let root = ring.root();
+        let section = options.stresses.then(|| {
+            let s = inclined(&fillet, sense, CRITICAL[usize::from(form.internal)]);
+            let point = fillet.at(s);
+            let [x, y] = point.position;
+            CriticalSection {
+                at: sense * (x - root),
+                chord: 2.0 * y,
+                notch_radius: 1.0 / point.curvature.abs(),
+                s,
+                position: point.position,
+            }
+        });
+        Ok(ToothShape { sense, depths: depths(&fillet, foot, &flank, sense, root), ring, section })
+    }
+}
+
+/// Angle of the fillet's tangent against the middle of the tooth.
+fn inclination(fillet: &RootFillet, sense: f64, s: f64) -> f64 {
+    let [x, y] = fillet.at(s).normal;
+    math::atan2(sense * x, y)
+}
+
+/// Where on a fillet its tangent has an inclination: at one of its ends if it has none.
+fn inclined(fillet: &RootFillet, sense: f64, angle: f64) -> f64 {
+    let [mut low, mut high] = [0.0, fillet.fillet_length()];
+    if inclination(fillet, sense, high) <= angle {
+        return high;
+    }
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (low + high);
+        *(if inclination(fillet, sense, middle) < angle { &mut low } else { &mut high }) = middle;
+    }
+    high
+}
+
+/// Half depths of the tooth from its foot to where its tip edge begins, m by m from the root.
+fn depths(fillet: &RootFillet, foot: f64, flank: &Flank, sense: f64, root: f64) -> Vec<[f64; 2]> {
+    let [on_fillet, on_flank] = STATIONS;
+    let part = |k: usize, of: usize| k as f64 / of as f64;
+    let up_fillet = (0..=on_fillet).map(|k| fillet.at(foot * (1.0 - part(k, on_fillet))).position);
+    let [edge, _] = flank.edge_range();
+    let up_flank = (1..=on_flank).map(|k| flank.at(edge * part(k, on_flank)).position);
+    let mut depths: Vec<[f64; 2]> = vec![[0.0, fillet.at(foot).position[1]]];
+    depths
+        .extend(up_fillet.chain(up_flank).map(|[x, y]| [sense * (x - root), y]).filter(|[at, _]| *at > 0.0));
+    depths
+}

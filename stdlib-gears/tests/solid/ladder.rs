@@ -1,0 +1,70 @@
+//! The levels without meshes in space.
+
+use super::pairs::{FIRST, MESH, Options};
+use crate::common::built;
+use calyx_gears::assembly::Misalignment;
+use calyx_gears::helix::Hand;
+use calyx_runtime::observe::{
+    MaxRootStress, MeshStiffness, Observable, TransmissionError, UnloadedTransmissionError,
+};
+use calyx_runtime::plan::Plan;
+use calyx_runtime::scene::{Fidelity, StructureOptions};
+
+const CYCLE: [f64; 3] = [0.1, 0.4, 0.9];
+
+/// Whether the scene was in space, and at parts of its cycle transmission error, the same without load, stiffness and root stress.
+fn seen(options: &Options, fidelity: Fidelity) -> (bool, Vec<[f64; 4]>) {
+    let (mut scene, mesh) = options.scene();
+    scene.observe(MaxRootStress(FIRST));
+    let plan = Plan::new(&scene, fidelity, StructureOptions::default()).expect("a plan");
+    let system = built(&scene, fidelity, StructureOptions::default());
+    let at = |cycle: &f64| {
+        let step = system.solve(mesh.start + cycle * mesh.period).expect("equilibrium");
+        let value = |observable: &dyn Observable| system.value(&step, observable).value;
+        let elastic = fidelity != Fidelity::Rigid;
+        [
+            value(&TransmissionError(MESH)),
+            value(&UnloadedTransmissionError(MESH)),
+            if elastic { value(&MeshStiffness(MESH)) } else { 0.0 },
+            if elastic { value(&MaxRootStress(FIRST)) } else { 0.0 },
+        ]
+    };
+    (plan.in_space, CYCLE.iter().map(at).collect())
+}
+
+fn elastic(options: Options) -> Options {
+    Options { backed: false, ..options }
+}
+
+/// A helix that is hardly one takes the gears to space, and leaves them what they are in the plane, but for the ends of the face: there the
+/// half-space is softer than the plane by a part of its near field.
+#[test]
+fn slices_of_straight_teeth_are_the_plane() {
+    let (in_space, plane) = seen(&elastic(Options::spur()), Fidelity::Analytic);
+    assert!(!in_space);
+    let (in_space, space) = seen(&elastic(Options::helical(1e-7, Hand::Right)), Fidelity::Analytic);
+    assert!(in_space);
+    for ([error, unloaded, stiffness, stress], [of_plane, none, of_mesh, root]) in space.iter().zip(&plane) {
+        assert!(((error - unloaded) / (of_plane - none) - 1.0).abs() < 0.02, "{error} {of_plane}");
+        assert!((stiffness / of_mesh - 1.0).abs() < 0.02, "{stiffness} {of_mesh}");
+        assert!((stress / root - 1.0).abs() < 0.05, "{stress} {root}");
+    }
+}
+
+/// Undeformed helical teeth pass on motion evenly where axes are parallel, and elsewhere as elastic ones do without load.
+#[test]
+fn rigid_helical_teeth() {
+    let (in_space, rigid) = seen(&elastic(Options::helical(0.3, Hand::Left)), Fidelity::Rigid);
+    assert!(in_space);
+    for [error, ..] in rigid {
+        assert!(error.abs() < 1e-9, "{error}");
+    }
+    let leaning = Misalignment { in_action: 1e-3, ..Misalignment::default() };
+    let askew = elastic(Options { misalignment: leaning, ..Options::helical(0.3, Hand::Left) });
+    let (_, rigid) = seen(&askew, Fidelity::Rigid);
+    let (_, given) = seen(&askew, Fidelity::Analytic);
+    for ([error, ..], [loaded, unloaded, stiffness, _]) in rigid.into_iter().zip(given) {
+        assert_eq!(error.to_bits(), unloaded.to_bits());
+        assert!(error.abs() > 1e-6 && loaded > unloaded && stiffness > 0.0, "{error} {loaded} {unloaded}");
+    }
+}
