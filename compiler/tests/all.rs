@@ -3,6 +3,7 @@
 
 mod artifact;
 mod cli;
+mod determinism;
 mod editors;
 mod embed_c;
 mod embedding;
@@ -13,5 +14,6 @@ mod kernels;
 mod library;
 mod lsp;
 mod planetary;
+mod results;
 mod runner;
 mod signals;

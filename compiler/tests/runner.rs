@@ -2,6 +2,7 @@
 //! help, messages. What only the command line of `calyx run` says is in `cli/`.
 #![cfg(unix)]
 
+use super::results;
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::fs;
@@ -97,18 +98,9 @@ fn end_after(command: &mut Command, positions: u64, signal: &str) {
     run.wait().expect("it ends");
 }
 
-/// Final files of a run, by name; how long it took is its own.
+/// Final files of the run in a directory.
 fn results(directory: &Path) -> BTreeMap<String, String> {
-    let mut all = BTreeMap::new();
-    let folders = [directory.join("results"), directory.join("results/vtu")];
-    let entries = folders.iter().filter_map(|folder| fs::read_dir(folder).ok()).flatten();
-    for path in entries.map(|entry| entry.unwrap().path()).filter(|path| path.is_file()) {
-        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        all.insert(name, fs::read_to_string(&path).expect("text"));
-    }
-    assert!(all.contains_key("run.json") && all.remove("timing.json").is_some(), "{:?}", all.keys());
-    assert!(!all.contains_key("journal.jsonl"), "a finished run leaves no journal");
-    all
+    results::results(&directory.join("results"))
 }
 
 const SET: [&str; 5] = ["--quiet", "--set", "steps=5", "--fields", "--vtu"];
@@ -176,8 +168,8 @@ fn a_killed_run_goes_on_and_writes_the_same_bytes() {
     let expected = results(whole.path());
     let count = expected["steps.csv"].lines().count() as u64 - 1;
     assert!(count > 6, "{}", expected["steps.csv"]);
-    // Run and steps, four tables, two pictures of every position and their lists.
-    assert_eq!(expected.len() as u64, 2 + 4 + 2 * count + 2, "{:?}", expected.keys());
+    // Run, steps and report, five tables, two pictures of every position and their lists.
+    assert_eq!(expected.len() as u64, 3 + 5 + 2 * count + 2, "{:?}", expected.keys());
     let moments = [
         (Way::CalyxRun, 0),
         (Way::CalyxRun, 1),

@@ -82,8 +82,9 @@ pub struct AnalysisOptions {
     /// What an earlier run of the same analysis solved of its first positions; it goes on behind them, and its result is that
     /// of a run that solved them all.
     pub solved: Vec<Solved>,
-    /// Tell the observer of every position's fields too: pressures, line loads, stresses. They take no part in the results.
-    pub fields: bool,
+    /// Of so many positions at most, evenly spread from the first on, tell the observer the fields too: pressures, line loads, stresses.
+    /// They take no part in the results.
+    pub fields: usize,
 }
 
 impl Default for AnalysisOptions {
@@ -94,7 +95,7 @@ impl Default for AnalysisOptions {
             highest_frequency: 0.0,
             resources: Resources::default(),
             solved: Vec::new(),
-            fields: false,
+            fields: 0,
         }
     }
 }
@@ -386,11 +387,17 @@ pub fn quasi_static(
     while let Some(solved) = steps.next() {
         let solved = &solved?;
         let index = steps.solved().len() - 1;
-        let equilibrium = steps.equilibrium().filter(|_| options.fields);
+        let told = tells_fields(options.fields, index, positions.len());
+        let equilibrium = steps.equilibrium().filter(|_| told);
         let fields = equilibrium.map(Equilibrium::fields);
         observer.observe(Event::Step { index, count: positions.len(), solved, fields: fields.as_ref() })?;
     }
     steps.finish()
+}
+
+/// Whether a position is among those, so many at most, whose fields are told.
+pub(crate) fn tells_fields(wanted: usize, index: usize, count: usize) -> bool {
+    wanted > 0 && index.is_multiple_of(count.div_ceil(wanted).max(1))
 }
 
 /// Rows of an earlier run must be those of the first positions, bit for bit.

@@ -36,6 +36,8 @@ const DAMPING: &str = "damping";
 /// How a body is modelled.
 #[derive(Clone, Debug)]
 pub struct BodyPlan {
+    /// As the scene calls it.
+    pub name: String,
     /// How its structure is discretised.
     pub options: StructureOptions,
     /// Why the body is modelled the way it is, or left out.
@@ -100,6 +102,8 @@ impl Refused {
 /// How a bearing is modelled.
 #[derive(Clone, Debug)]
 pub struct BearingPlan {
+    /// As the scene calls it.
+    pub name: String,
     /// Why the bearing is modelled, or left out.
     pub reason: &'static str,
     /// Nothing depends on what it bears.
@@ -142,6 +146,7 @@ impl Plan {
                     .map_err(|error| error.about(Subject::Body(index)))?;
             }
             bodies.push(BodyPlan {
+                name: body.name.clone(),
                 options: StructureOptions { stresses, sharp_edges, model, template, ..options },
                 reason: match (left_out, stresses) {
                     (true, _) => "left out: it touches nothing",
@@ -287,6 +292,7 @@ fn plan_bearing(scene: &Scene, bodies: &[BodyPlan], bearing: &Bearing) -> Bearin
     let moves = |body: BodyId| scene.bodies.get(body.0).is_some_and(|body| body.free.contains(&true));
     let idle = !bearing.bodies().any(moves) && bearing.is_unloaded_at_rest();
     BearingPlan {
+        name: bearing.name.clone(),
         reason: match (unwanted, idle) {
             (true, _) => "left out: no output depends on what it connects",
             (_, true) => "left out: the frames on both sides are held, and it has no load of its own",

@@ -13,6 +13,7 @@ mod lsp;
 mod messages;
 mod new;
 mod repl;
+mod report;
 mod run;
 mod test;
 
@@ -51,10 +52,16 @@ enum Command {
     Check(check::Check),
     /// Run a model and write its results
     ///
-    /// Prints a summary table and writes a directory with run.json (inputs, outputs, certificate), steps.csv (one row a
-    /// position) and timing.json.
+    /// Prints a summary table and writes a directory with report.html (all of it, to be looked at), run.json (inputs, outputs,
+    /// certificate), steps.csv (one row a position) and timing.json.
     #[command(after_help = run::EXAMPLES)]
     Run(run::Run),
+    /// Make the report of a run again from its directory, as one page of HTML
+    ///
+    /// A run writes report.html by itself. This makes it anew: of a run of an earlier day, of one that was killed, or with what
+    /// `calyx tradeoff` has measured since.
+    #[command(after_help = report::EXAMPLES)]
+    Report(report::Report),
     /// Make a model an executable that runs where there is no Calyx, or a library for programs in C
     ///
     /// The executable has its own `--help`, made from the model's doc comments, params and outputs, and writes the same bits
@@ -106,6 +113,7 @@ fn main() -> ExitCode {
         Command::New(command) => command.run(),
         Command::Check(command) => command.run(),
         Command::Run(command) => command.run(),
+        Command::Report(command) => command.run(),
         Command::Build(command) => command.run(),
         Command::Fmt(command) => command.run(),
         Command::Test(command) => command.run(),

@@ -3,6 +3,7 @@
 use crate::field_tables::{self, FieldTables};
 use crate::journal::{self, Found, Journal};
 use crate::modes_table;
+use crate::stress_range::{self, StressRange};
 use crate::vtu::{self, Pictures};
 use calyx_abi::RuntimeError;
 use calyx_abi::description::{
@@ -10,6 +11,7 @@ use calyx_abi::description::{
 };
 use calyx_abi::units::from_si;
 use calyx_runtime::observe::Fields;
+use calyx_runtime::plan::Plan;
 use calyx_runtime::results::{AnalysisResult, OutputSummary, Solved, StepRow, StructureCounts, Timing};
 use calyx_runtime::summary::Harmonic;
 use serde_json::{Map, Value, json};
@@ -21,6 +23,8 @@ use std::time::Duration;
 
 /// Below a run directory: tables and pictures in the frequency domain.
 pub const SIGNALS: &str = "signals";
+/// In a run directory: all of it for people, see [`crate::page`].
+pub const REPORT: &str = "report.html";
 
 /// Names of stages, in order, and the time each took.
 pub type StageTimes = Vec<(&'static str, Duration)>;
@@ -41,7 +45,8 @@ pub fn prepare(directory: &Path) -> io::Result<()> {
         _ => {}
     }
     modes_table::remove(directory)?;
-    for name in ["run.json", "timing.json", "steps.csv"].into_iter().chain(field_tables::NAMES) {
+    let names = ["run.json", "timing.json", "steps.csv", REPORT, stress_range::NAME];
+    for name in names.into_iter().chain(field_tables::NAMES) {
         match fs::remove_file(directory.join(name)) {
             Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(error),
             _ => {}
@@ -89,24 +94,28 @@ fn cell_json(column: &str, cell: &str) -> Value {
     }
 }
 
-/// What is written of every position beside its row.
+/// Positions that contact and stress are recorded of, at most, where nobody asks for all of them: enough for every position of a mesh
+/// cycle, and few beside the steps of a long motion.
+const RECORDED: usize = 256;
+
+/// What is written of every position beside its row and what the report shows.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Details {
-    /// Tables, see [`crate::field_tables`].
+    /// Tables that are asked for, see [`crate::field_tables`].
     pub tables: bool,
     /// Pictures for ParaView, see [`crate::vtu`].
     pub pictures: bool,
 }
 
 impl Details {
-    /// Whether anything is.
-    pub fn any(self) -> bool {
-        self.tables || self.pictures
+    /// Positions whose fields are recorded, at most.
+    pub fn positions(self) -> usize {
+        if self.tables || self.pictures { usize::MAX } else { RECORDED }
     }
 
     /// Whether an earlier run has written them of its first positions.
     pub fn are_in(self, directory: &Path, positions: usize) -> bool {
-        (!self.tables || field_tables::are_in(directory))
+        (positions == 0 || field_tables::are_in(directory, self.tables))
             && (!self.pictures || vtu::are_in(directory, positions))
     }
 }
@@ -114,7 +123,8 @@ impl Details {
 /// Writes down positions as they are solved: in tables and pictures for people, and in the journal for a run that goes on.
 pub struct Record {
     table: StepTable,
-    tables: Option<FieldTables>,
+    tables: FieldTables,
+    stresses: StressRange,
     pictures: Option<Pictures>,
     journal: Journal,
 }
@@ -129,7 +139,8 @@ impl Record {
     ) -> io::Result<Record> {
         Ok(Record {
             table: StepTable::create(directory, outputs)?,
-            tables: details.tables.then(|| FieldTables::create(directory)).transpose()?,
+            tables: FieldTables::create(directory, details.tables)?,
+            stresses: StressRange::create(directory)?,
             pictures: details.pictures.then(|| Pictures::begin(directory, Vec::new())).transpose()?,
             journal: Journal::create(directory, head)?,
         })
@@ -142,14 +153,18 @@ impl Record {
         found: &Found,
         details: Details,
     ) -> io::Result<Record> {
-        let tables = details.tables.then(|| FieldTables::go_on(directory, found.solved.len())).transpose()?;
+        let tables = match found.solved.len() {
+            0 => FieldTables::create(directory, details.tables)?,
+            solved => FieldTables::go_on(directory, solved, details.tables)?,
+        };
+        let stresses = StressRange::go_on(directory)?;
         let times = found.solved.iter().map(|solved| solved.row.position.time).collect();
         let pictures = details.pictures.then(|| Pictures::begin(directory, times)).transpose()?;
         let mut table = StepTable::create(directory, outputs)?;
         for (index, solved) in found.solved.iter().enumerate() {
             table.write(index, &solved.row)?;
         }
-        Ok(Record { table, tables: tables.flatten(), pictures, journal: Journal::go_on(directory, found)? })
+        Ok(Record { table, tables, stresses, pictures, journal: Journal::go_on(directory, found)? })
     }
 
     pub fn write(
@@ -160,9 +175,8 @@ impl Record {
         fields: Option<&Fields>,
     ) -> io::Result<()> {
         if let Some(fields) = fields {
-            if let Some(tables) = &mut self.tables {
-                tables.write(index, &solved.row, outputs, fields)?;
-            }
+            self.tables.write(index, &solved.row, outputs, fields)?;
+            self.stresses.add(fields)?;
             if let Some(pictures) = &mut self.pictures {
                 pictures.write(index, solved.row.position.time, fields)?;
             }
@@ -213,15 +227,31 @@ pub fn write_unfinished(
     write_json(directory.join("run.json"), &run)
 }
 
-/// What a run is of: versions, source and params.
+/// What a run is of, and what the columns of outputs in its table of positions are: of a run that did not come to its end, nothing else
+/// tells.
 pub fn head(description: &ModelDescription, params: &[ParamValue]) -> Value {
+    let mut head = subject(description, params);
+    let columns = description.outputs.iter().map(|output| (output.name.clone(), column_json(output)));
+    head["columns"] = json!(columns.collect::<Map<_, _>>());
+    head
+}
+
+/// What a run is of: versions, source and params.
+fn subject(description: &ModelDescription, params: &[ParamValue]) -> Value {
     json!({
         "calyx": env!("CARGO_PKG_VERSION"),
         "abi": description.abi,
         "model": description.name,
+        "doc": description.doc,
+        "units": description.units,
         "source": source_json(description),
         "params": params_json(description, params),
     })
+}
+
+fn column_json(output: &OutputDescription) -> Value {
+    let display = json!({ "unit": output.unit.name, "factor": output.unit.factor });
+    json!({ "doc": output.doc, "unit": output.si, "display": display })
 }
 
 /// Writes `run.json` and `timing.json` of a finished run. `result` is `None` for a model without an analysis; `signals` are those of
@@ -235,7 +265,7 @@ pub fn write_run(
     warnings: &[String],
     stages: &Stages,
 ) -> io::Result<()> {
-    let mut run = head(description, params);
+    let mut run = subject(description, params);
     if let Some(result) = result {
         let summaries = description.outputs.iter().zip(&result.summaries);
         let outputs =
@@ -243,6 +273,7 @@ pub fn write_run(
         let ignored =
             result.plan.ignored.iter().map(|ignored| (ignored.input.clone(), json!(ignored.reason)));
         run["fidelity"] = json!(result.plan.fidelity.name());
+        run["plan"] = plan_json(&result.plan);
         run["positions"] = json!(result.rows.len());
         run["outputs"] = json!(outputs.collect::<Map<_, _>>());
         run["certificate"] = json!({
@@ -281,6 +312,18 @@ fn write_json(path: PathBuf, value: &Value) -> io::Result<()> {
     fs::rename(unfinished, path)
 }
 
+/// What of the scene is modelled how, and why.
+fn plan_json(plan: &Plan) -> Value {
+    let bodies = plan.bodies.iter().map(|body| {
+        let part = json!({ "modelled": !body.left_out, "elastic": body.is_elastic(), "reason": body.reason });
+        (body.name.clone(), part)
+    });
+    let bearings = plan.bearings.iter().map(|bearing| {
+        (bearing.name.clone(), json!({ "modelled": !bearing.left_out, "reason": bearing.reason }))
+    });
+    json!({ "bodies": bodies.collect::<Map<_, _>>(), "bearings": bearings.collect::<Map<_, _>>() })
+}
+
 fn output_json(output: &OutputDescription, summary: &OutputSummary, result: &AnalysisResult) -> Value {
     let shown = |si: f64| from_si(si, output.unit.factor);
     let row = &result.rows[summary.at_max].position;
@@ -297,6 +340,7 @@ fn output_json(output: &OutputDescription, summary: &OutputSummary, result: &Ana
         "harmonics": harmonics.collect::<Vec<_>>(),
         "display": {
             "unit": output.unit.name,
+            "factor": output.unit.factor,
             "min": shown(summary.min),
             "max": shown(summary.max),
             "mean": shown(summary.mean),
@@ -314,7 +358,14 @@ fn output_json(output: &OutputDescription, summary: &OutputSummary, result: &Ana
 
 fn params_json(description: &ModelDescription, params: &[ParamValue]) -> Map<String, Value> {
     let values = description.params.iter().zip(params);
-    values.map(|(param, value)| (param.name.clone(), param_json(param, value))).collect()
+    values
+        .map(|(param, value)| {
+            let mut entry = param_json(param, value);
+            entry["doc"] = json!(param.doc);
+            entry["at_default"] = json!(param.default.as_ref() == Some(value));
+            (param.name.clone(), entry)
+        })
+        .collect()
 }
 
 fn param_json(param: &ParamDescription, value: &ParamValue) -> Value {

@@ -1,4 +1,5 @@
-//! Tables of what every position looks like: pressures, loads along the lines of contact, stresses in fillets, places of maxima.
+//! Tables of what positions look like: loads along the lines of contact, and where they are asked for pressures cell by cell, stresses in
+//! fillets and places of maxima.
 //!
 //! Rows of a position are on disk before its line of the journal, so that a run that goes on finds them; SI throughout.
 
@@ -10,27 +11,36 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 const PRESSURE: &str = "pressure.csv";
-const LINE_LOAD: &str = "line_load.csv";
 const ROOT_STRESS: &str = "root_stress.csv";
 const PLACES: &str = "places.csv";
 
-/// Their names in a run directory.
-pub const NAMES: [&str; 4] = [PRESSURE, LINE_LOAD, ROOT_STRESS, PLACES];
+/// Loads along the lines of contact: small, and what the report shows of contact, so every run has it.
+pub const LINE_LOAD: &str = "line_load.csv";
+/// Names in a run directory of those that are asked for.
+const ASKED_FOR: [&str; 3] = [PRESSURE, ROOT_STRESS, PLACES];
+
+/// Names of all of them in a run directory.
+pub const NAMES: [&str; 4] = [LINE_LOAD, PRESSURE, ROOT_STRESS, PLACES];
 
 /// Columns of the patch that a row belongs to.
 const PATCH: [&str; 5] = ["step", "first_body", "first_tooth", "second_body", "second_tooth"];
 
 /// The tables of a run, being written.
 pub struct FieldTables {
-    pressure: csv::Writer<File>,
     line_load: csv::Writer<File>,
+    asked_for: Option<Asked>,
+}
+
+/// What is large, and written where it is asked for.
+struct Asked {
+    pressure: csv::Writer<File>,
     root_stress: csv::Writer<File>,
     places: csv::Writer<File>,
 }
 
 impl FieldTables {
-    /// Begins them with their headers.
-    pub fn create(directory: &Path) -> io::Result<FieldTables> {
+    /// Begins them with their headers, those that are asked for if they are.
+    pub fn create(directory: &Path, asked_for: bool) -> io::Result<FieldTables> {
         let begin = |name: &str, columns: Vec<&str>| -> io::Result<csv::Writer<File>> {
             let mut writer = csv::Writer::from_path(directory.join(name))?;
             writer.write_record(columns)?;
@@ -40,35 +50,35 @@ impl FieldTables {
         let on_flanks = ["first_radius", "first_roll_angle", "second_radius", "second_roll_angle", "axial"];
         let patch = |columns: &[&'static str]| [&PATCH[..], &on_flanks, columns].concat();
         let at = ["body", "tooth", "radius", "roll_angle", "axial"];
+        let asked = || -> io::Result<Asked> {
+            let stresses = ["along_profile", "along_face", "shear", "largest", "smallest"];
+            Ok(Asked {
+                pressure: begin(PRESSURE, patch(&["pressure"]))?,
+                root_stress: begin(ROOT_STRESS, [&["step"][..], &at, &stresses].concat())?,
+                places: begin(PLACES, [&["step", "output"][..], &at].concat())?,
+            })
+        };
         Ok(FieldTables {
-            pressure: begin(PRESSURE, patch(&["pressure"]))?,
-            line_load: begin(LINE_LOAD, patch(&["length", "force", "line_load"]))?,
-            root_stress: begin(
-                ROOT_STRESS,
-                [&["step"][..], &at, &["along_profile", "along_face", "shear", "largest", "smallest"]]
-                    .concat(),
-            )?,
-            places: begin(PLACES, [&["step", "output"][..], &at].concat())?,
+            line_load: begin(LINE_LOAD, patch(&["length", "force", "line_load", "pressure"]))?,
+            asked_for: asked_for.then(asked).transpose()?,
         })
     }
 
-    /// Begins them with what an earlier run has written of its first positions; `None` if it has written no such tables.
-    pub fn go_on(directory: &Path, solved: usize) -> io::Result<Option<FieldTables>> {
-        if !are_in(directory) {
-            return Ok(None);
-        }
-        for name in NAMES {
-            keep_first(&directory.join(name), solved)?;
-        }
+    /// Begins them with what an earlier run has written of its first positions, which are there as [`are_in`] says.
+    pub fn go_on(directory: &Path, solved: usize, asked_for: bool) -> io::Result<FieldTables> {
         let append = |name: &str| -> io::Result<csv::Writer<File>> {
-            Ok(csv::Writer::from_writer(File::options().append(true).open(directory.join(name))?))
+            let path = directory.join(name);
+            keep_first(&path, solved)?;
+            Ok(csv::Writer::from_writer(File::options().append(true).open(path)?))
         };
-        Ok(Some(FieldTables {
-            pressure: append(PRESSURE)?,
-            line_load: append(LINE_LOAD)?,
-            root_stress: append(ROOT_STRESS)?,
-            places: append(PLACES)?,
-        }))
+        let asked = || -> io::Result<Asked> {
+            Ok(Asked {
+                pressure: append(PRESSURE)?,
+                root_stress: append(ROOT_STRESS)?,
+                places: append(PLACES)?,
+            })
+        };
+        Ok(FieldTables { line_load: append(LINE_LOAD)?, asked_for: asked_for.then(asked).transpose()? })
     }
 
     /// Adds a position.
@@ -82,6 +92,51 @@ impl FieldTables {
         for contact in &fields.contacts {
             self.contact(step, contact)?;
         }
+        self.line_load.flush()?;
+        self.asked_for.as_mut().map_or(Ok(()), |asked| asked.write(step, row, outputs, fields))
+    }
+
+    fn contact(&mut self, step: usize, contact: &ContactField) -> io::Result<()> {
+        for slice in contact.slices.iter().filter(|slice| slice.force > 0.0) {
+            let [Some(first), Some(second)] = &slice.places else { continue };
+            let numbers = [slice.length, slice.force, slice.line_load(), slice.pressure];
+            let load = numbers.map(|number| number.to_string());
+            self.line_load
+                .write_record(patch(step, contact).into_iter().chain(on_flanks(first, second)).chain(load))?;
+        }
+        Ok(())
+    }
+}
+
+/// Columns of a patch.
+fn patch(step: usize, contact: &ContactField) -> [String; 5] {
+    let [first, second] = &contact.bodies;
+    let [first_tooth, second_tooth] = contact.teeth.map(|tooth| tooth.to_string());
+    [step.to_string(), first.clone(), first_tooth, second.clone(), second_tooth]
+}
+
+/// Columns of a place on both flanks.
+fn on_flanks(first: &Place, second: &Place) -> [String; 5] {
+    let [radius, roll, axial] = coordinates(first);
+    let [second_radius, second_roll, _] = coordinates(second);
+    [radius, roll, second_radius, second_roll, axial]
+}
+
+impl Asked {
+    fn write(
+        &mut self,
+        step: usize,
+        row: &StepRow,
+        outputs: &[OutputDescription],
+        fields: &Fields,
+    ) -> io::Result<()> {
+        for contact in &fields.contacts {
+            for cell in contact.cells.iter().filter(|cell| cell.pressure > 0.0) {
+                let [first, second] = &cell.places;
+                let record = patch(step, contact).into_iter().chain(on_flanks(first, second));
+                self.pressure.write_record(record.chain([cell.pressure.to_string()]))?;
+            }
+        }
         for fillet in &fields.fillets {
             self.fillet(step, fillet)?;
         }
@@ -92,33 +147,9 @@ impl FieldTables {
                 self.places.write_record(named.into_iter().chain(coordinates(place)))?;
             }
         }
-        for table in [&mut self.pressure, &mut self.line_load, &mut self.root_stress, &mut self.places] {
-            table.flush()?;
-        }
-        Ok(())
-    }
-
-    fn contact(&mut self, step: usize, contact: &ContactField) -> io::Result<()> {
-        let [first, second] = &contact.bodies;
-        let [first_tooth, second_tooth] = contact.teeth.map(|tooth| tooth.to_string());
-        let patch = [step.to_string(), first.clone(), first_tooth, second.clone(), second_tooth];
-        let flanks = |first: &Place, second: &Place| {
-            let [radius, roll, axial] = coordinates(first);
-            let [second_radius, second_roll, _] = coordinates(second);
-            [radius, roll, second_radius, second_roll, axial]
-        };
-        for cell in contact.cells.iter().filter(|cell| cell.pressure > 0.0) {
-            let [first, second] = &cell.places;
-            let record = patch.iter().cloned().chain(flanks(first, second));
-            self.pressure.write_record(record.chain([cell.pressure.to_string()]))?;
-        }
-        for slice in contact.slices.iter().filter(|slice| slice.force > 0.0) {
-            let [Some(first), Some(second)] = &slice.places else { continue };
-            let record = patch.iter().cloned().chain(flanks(first, second));
-            let load = [slice.length, slice.force, slice.line_load()].map(|number| number.to_string());
-            self.line_load.write_record(record.chain(load))?;
-        }
-        Ok(())
+        [&mut self.pressure, &mut self.root_stress, &mut self.places]
+            .into_iter()
+            .try_for_each(csv::Writer::flush)
     }
 
     fn fillet(&mut self, step: usize, fillet: &FilletField) -> io::Result<()> {
@@ -133,9 +164,10 @@ impl FieldTables {
     }
 }
 
-/// Whether a run has written its tables into a directory.
-pub fn are_in(directory: &Path) -> bool {
-    NAMES.iter().all(|name| directory.join(name).exists())
+/// Whether a run has written its tables into a directory, those that are asked for among them if they are.
+pub fn are_in(directory: &Path, asked_for: bool) -> bool {
+    let wanted = ASKED_FOR.iter().filter(|_| asked_for);
+    wanted.chain([&LINE_LOAD]).all(|name| directory.join(name).exists())
 }
 
 /// Radius, roll angle and axial place; what a place does not have is left empty.
@@ -166,6 +198,7 @@ mod tests {
         fs::write(&path, "step,pressure\n0,1\n0,2\n1,3\n2,4\n2,").unwrap();
         keep_first(&path, 2).unwrap();
         assert_eq!(fs::read_to_string(&path).unwrap(), "step,pressure\n0,1\n0,2\n1,3\n");
-        assert!(FieldTables::go_on(directory.path(), 2).unwrap().is_none(), "the other tables are missing");
+        fs::write(directory.path().join(LINE_LOAD), "step\n").unwrap();
+        assert!(are_in(directory.path(), false) && !are_in(directory.path(), true), "the others are missing");
     }
 }

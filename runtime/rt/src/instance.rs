@@ -56,7 +56,7 @@ pub struct Instance {
     progress: Option<ProgressSink>,
     record: Option<RecordSink>,
     solved: Vec<Solved>,
-    fields: bool,
+    fields: usize,
 }
 
 impl Instance {
@@ -77,7 +77,7 @@ impl Instance {
             progress: None,
             record: None,
             solved: Vec::new(),
-            fields: false,
+            fields: 0,
         }
     }
 
@@ -228,9 +228,10 @@ impl Instance {
         self.solved = solved;
     }
 
-    /// Has every position's fields told to [`Instance::on_solved`], which takes a little time for each.
-    pub fn tell_fields(&mut self, wanted: bool) {
-        self.fields = wanted;
+    /// Has the fields of so many positions at most, evenly spread from the first on, told to [`Instance::on_solved`], which takes a
+    /// little time for each.
+    pub fn tell_fields(&mut self, positions: usize) {
+        self.fields = positions;
     }
 
     /// Runs the model on a thread of its own, position by position: it goes on to the next one when the one before was
@@ -283,7 +284,7 @@ struct Job {
     progress: Option<ProgressSink>,
     record: Option<RecordSink>,
     solved: Vec<Solved>,
-    fields: bool,
+    fields: usize,
 }
 
 impl Job {

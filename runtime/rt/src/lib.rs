@@ -27,6 +27,8 @@ pub mod modes_table;
 mod names;
 #[cfg(feature = "command")]
 pub mod options;
+#[cfg(feature = "command")]
+pub mod page;
 pub mod params;
 #[cfg(feature = "command")]
 pub mod params_file;
@@ -44,6 +46,7 @@ pub mod seen;
 #[cfg(feature = "command")]
 pub mod signals;
 pub mod stepping;
+pub mod stress_range;
 pub mod table;
 pub mod vtu;
 mod watching;

@@ -32,7 +32,8 @@ pub struct RunArguments {
     pub print_params: bool,
     /// Directory for the results [default: the model's name and .run]
     ///
-    /// Gets run.json (inputs, outputs, certificate), steps.csv (a row a position) and timing.json.
+    /// Gets report.html (all of it, to be looked at), run.json (inputs, outputs, certificate), steps.csv (a row a position) and
+    /// timing.json.
     #[arg(long, value_name = "DIR", help_heading = RESULTS)]
     pub out: Option<PathBuf>,
     /// Go on where an earlier run was ended
@@ -43,8 +44,8 @@ pub struct RunArguments {
     pub resume: bool,
     /// Write the fields of every position too
     ///
-    /// pressure.csv (cell by cell), line_load.csv (along the lines of contact), root_stress.csv (along the fillets, if an output
-    /// asks for stress) and places.csv (where each maximum is).
+    /// pressure.csv (cell by cell), root_stress.csv (along the fillets, if an output asks for stress) and places.csv (where each
+    /// maximum is). line_load.csv (along the lines of contact) is always there; of more than 256 positions it then has all.
     #[arg(long, help_heading = RESULTS)]
     pub fields: bool,
     /// Write pictures of every position for ParaView

@@ -1,6 +1,8 @@
 //! A run for people and for those who read its directory: an instance, watched and written down.
 
-use crate::directory::{Details, Record, StageTimes, Stages, head, prepare, write_run, write_unfinished};
+use crate::directory::{
+    Details, REPORT, Record, StageTimes, Stages, head, prepare, write_run, write_unfinished,
+};
 use crate::engine::Engine;
 use crate::error::Error;
 use crate::given::Given;
@@ -10,7 +12,7 @@ use crate::program::Program;
 use crate::progress::{Progress, ProgressFormat};
 use crate::results::Results;
 use crate::resume::{self, Begun};
-use crate::{modes_table, signals, table};
+use crate::{modes_table, page, signals, table};
 use calyx_abi::description::OutputDescription;
 use calyx_abi::{Cancel, Status};
 use calyx_gears::host::Finding;
@@ -101,6 +103,10 @@ pub fn run(program: Arc<dyn Program>, options: &RunOptions) -> Result<RunReport,
     let found = match earlier(options, &head)? {
         Begun::Finished => {
             progress.finish();
+            // It may have been ended before its last file.
+            if !directory.join(REPORT).exists() {
+                page::write(directory).map_err(unwritable)?;
+            }
             return Ok(RunReport { finished_before: true, ..RunReport::default() });
         }
         Begun::Unfinished(found) => {
@@ -132,6 +138,7 @@ pub fn run(program: Arc<dyn Program>, options: &RunOptions) -> Result<RunReport,
         && solved > 0
     {
         write_unfinished(directory, head, solved, error).map_err(unwritable)?;
+        page::write(directory).map_err(unwritable)?;
     }
     let results = outcome?;
     let stages = Stages { before: options.before.clone(), program: results.time() };
@@ -148,6 +155,7 @@ pub fn run(program: Arc<dyn Program>, options: &RunOptions) -> Result<RunReport,
     write_run(directory, description, results.params(), result, listed, &written, &stages)
         .map_err(unwritable)?;
     journal::remove(directory).map_err(unwritable)?;
+    page::write(directory).map_err(unwritable)?;
     let ignored = result.iter().flat_map(|result| &result.plan.ignored);
     let ignored =
         ignored.map(|ignored| format!("`{}` is not seen as given: {}", ignored.input, ignored.reason));
@@ -190,7 +198,7 @@ fn write_steps(
 ) -> (usize, Result<Results, RunError>) {
     let unwritable = |error| RunError::Io { path: directory.to_owned(), error };
     let outputs = instance.description().outputs.clone();
-    instance.tell_fields(details.any());
+    instance.tell_fields(details.positions());
     let solved = found.map_or(0, |found| found.solved.len());
     let record = match found.map(|found| Record::go_on(directory, &outputs, found, details)).transpose() {
         Ok(record) => record,

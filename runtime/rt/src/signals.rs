@@ -3,6 +3,8 @@
 
 mod picture;
 
+pub(crate) use picture::{label, tick};
+
 use crate::directory::SIGNALS;
 use crate::params::shortest;
 use calyx_abi::description::{ModelDescription, OutputDescription};

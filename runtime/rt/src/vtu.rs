@@ -233,6 +233,7 @@ mod tests {
         let stress = |s: usize, z: usize| FilletStress {
             point: [s as f64, 0.0, z as f64],
             place: place(),
+            depth: s as f64,
             components: [1.0, 0.0, 0.0],
             principal: [1.0, 0.0],
         };
@@ -244,7 +245,7 @@ mod tests {
                 cells: vec![cell],
                 slices: Vec::new(),
             }],
-            fillets: vec![FilletField { body: "pinion".into(), tooth: 2, sections }],
+            fillets: vec![FilletField { body: "pinion".into(), tooth: 2, flank: 0, sections }],
         }
     }
 

@@ -5,7 +5,7 @@ use super::matrices::{Forces, Matrices, check_in_section, check_inertia, check_s
 use super::modal::{Elastic, Modes, check_modes};
 use super::newmark::{Scheme, State};
 use super::ranges::{Step, TimeRange, kept_positions, steps};
-use crate::analysis::{AnalysisOptions, Event, Observer, Position, check_solved, refuse_nan};
+use crate::analysis::{AnalysisOptions, Event, Observer, Position, check_solved, refuse_nan, tells_fields};
 use crate::contact::problem::Certificate;
 use crate::error::EngineError;
 use crate::inertia::Inertia;
@@ -446,7 +446,8 @@ pub fn dynamic(
     while let Some(solved) = history.next() {
         let solved = &solved?;
         let (index, count) = (history.solved().len() - 1, history.rows());
-        let fields = history.equilibrium().filter(|_| options.fields).map(Equilibrium::fields);
+        let told = tells_fields(options.fields, index, count);
+        let fields = history.equilibrium().filter(|_| told).map(Equilibrium::fields);
         observer.observe(Event::Step { index, count, solved, fields: fields.as_ref() })?;
     }
     Ok(history.finish())

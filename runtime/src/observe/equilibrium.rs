@@ -140,6 +140,8 @@ pub struct Slice {
     pub length: f64,
     /// N
     pub force: f64,
+    /// The largest across it, Pa.
+    pub pressure: f64,
     /// Where it lies in ground coordinates, m.
     pub point: [f64; 3],
     /// Where it lies on either body.
@@ -210,12 +212,14 @@ impl Contact<'_> {
                 vec![Slice {
                     length: self.at.system.width(),
                     force: self.force(),
+                    pressure: peak.pressure,
                     point: [x, y, 0.0],
                     places: [0, 1].map(|side| self.place(side, peak.cell)),
                 }]
             }
             PatchGrid::Solid(grid) => {
-                grid.slices.iter().filter_map(|slice| self.slice(grid, &slice.cells)).collect()
+                let pressures = self.patch.pressures();
+                grid.slices.iter().filter_map(|slice| self.slice(grid, &slice.cells, &pressures)).collect()
             }
         }
     }
@@ -230,7 +234,7 @@ impl Contact<'_> {
     }
 
     /// Cells beside each other across a patch in space, of which the one with the largest force says where they are. `None` of none.
-    fn slice(&self, grid: &Grid, cells: &Range<usize>) -> Option<Slice> {
+    fn slice(&self, grid: &Grid, cells: &Range<usize>, pressures: &[f64]) -> Option<Slice> {
         let force = |cell: usize| self.patch.forces[cell];
         let largest = cells.clone().max_by(|&a, &b| force(a).total_cmp(&force(b)).then(b.cmp(&a)))?;
         let total: f64 = cells.clone().map(force).sum();
@@ -241,7 +245,8 @@ impl Contact<'_> {
             false => cells.clone().map(length).sum::<f64>() / cells.len() as f64,
         };
         let places = [0, 1].map(|side| self.place(side, largest));
-        Some(Slice { length, force: total, point: grid.cells[largest].point, places })
+        let pressure = pressures[cells.clone()].iter().copied().fold(0.0, f64::max);
+        Some(Slice { length, force: total, pressure, point: grid.cells[largest].point, places })
     }
 
     /// The largest pressure (Pa) and where it is on the body of one of its sides; `None` where nothing is pressed.

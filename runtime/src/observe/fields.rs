@@ -46,6 +46,8 @@ pub struct FilletField {
     pub body: String,
     /// Counted counter-clockwise from 0.
     pub tooth: u32,
+    /// The flank that it lies beside, as [`crate::structure::Chart::surface`] counts them.
+    pub flank: u32,
     /// Along the profile, section by section along the face; a plane model has one section.
     pub sections: Vec<Vec<FilletStress>>,
 }
@@ -57,6 +59,8 @@ pub struct FilletStress {
     pub point: [f64; 3],
     /// On the body.
     pub place: Place,
+    /// Distance along the profile from the end of the flank towards the root, m.
+    pub depth: f64,
     /// Along the profile, along the face, and in shear, Pa; of a plane model only the first is known, and the others are 0.
     pub components: [f64; 3],
     /// Largest and smallest principal stress, Pa.
@@ -94,12 +98,14 @@ impl Equilibrium<'_> {
             let shown = |stress: &RootStress| FilletStress {
                 point: pose.point(stress.position),
                 place: stress.place.clone(),
+                depth: stress.chart[0],
                 components: stress.components,
                 principal: stress.principal,
             };
             FilletField {
                 body: scene.bodies[body.0].name.clone(),
                 tooth: fillet[0].place.tooth,
+                flank: fillet[0].surface,
                 sections: sections.map(|section| section.iter().map(shown).collect()).collect(),
             }
         };

@@ -59,7 +59,7 @@ fn hertz(highest: f64) -> (f64, &'static str) {
 }
 
 /// A number at an axis.
-fn tick(value: f64) -> String {
+pub(crate) fn tick(value: f64) -> String {
     // What steps of an axis add up to has digits of its own.
     let value: f64 = format!("{value:.5e}").parse().unwrap_or(value);
     if value == 0.0 || (1e-3..1e5).contains(&value.abs()) { format!("{value}") } else { format!("{value:e}") }
@@ -152,7 +152,8 @@ fn phase(area: &Area<'_>, places: &[f64], phases: &[f64]) -> Result<(), Box<dyn 
     Ok(())
 }
 
-fn label(what: &str, unit: &str) -> String {
+/// What an axis shows, with its unit.
+pub(crate) fn label(what: &str, unit: &str) -> String {
     if unit.is_empty() { what.to_owned() } else { format!("{what} [{unit}]") }
 }
 

@@ -1,0 +1,37 @@
+//! The final files of a run, for comparison byte by byte.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+
+/// Every file of a run directory by its path in it, but for what the run's own speed decides: `timing.json`, and the section of the report
+/// that shows it.
+///
+/// # Panics
+/// If the run is not finished: `run.json` or one of those is missing, or something of a run under way is left.
+pub fn results(directory: &Path) -> BTreeMap<String, String> {
+    let mut all = BTreeMap::new();
+    read(directory, "", &mut all);
+    assert!(all.contains_key("run.json") && all.remove("timing.json").is_some(), "{:?}", all.keys());
+    let left = |name: &&String| *name == "journal.jsonl" || name.ends_with(".part");
+    assert_eq!(all.keys().find(left), None, "of a run under way");
+    let report = all.get_mut("report.html").expect("a report");
+    if let Some((before, rest)) = report.split_once("<section id=\"time\">") {
+        let (_, after) = rest.split_once("</section>").expect("its end");
+        *report = format!("{before}{after}");
+    }
+    all
+}
+
+fn read(directory: &Path, below: &str, all: &mut BTreeMap<String, String>) {
+    for entry in fs::read_dir(directory).expect("a directory") {
+        let path = entry.expect("an entry").path();
+        let name = format!("{below}{}", path.file_name().unwrap_or_default().to_string_lossy());
+        match path.is_dir() {
+            true => read(&path, &format!("{name}/"), all),
+            false => {
+                all.insert(name, fs::read_to_string(&path).expect("text"));
+            }
+        }
+    }
+}

@@ -1,0 +1,267 @@
+//! The page's sections about the run itself: what went in, what was modelled, how well it was solved, how long it took.
+
+use super::read::{End, Run};
+use super::{number, paragraphs};
+use maud::{Markup, PreEscaped, html};
+use serde_json::Value;
+
+fn objects(value: &Value) -> impl Iterator<Item = (&String, &Value)> {
+    value.as_object().into_iter().flatten()
+}
+
+fn texts(value: &Value) -> impl Iterator<Item = &str> {
+    value.as_array().into_iter().flatten().filter_map(Value::as_str)
+}
+
+/// What everybody wants to know first.
+pub fn facts(run: &Run) -> Markup {
+    html! {
+        p.facts {
+            span { "model " code { (run.text("model")) } }
+            @if !run.text("fidelity").is_empty() { span { "fidelity " b { (run.text("fidelity")) } } }
+            @if !run.positions.is_empty() { span { b { (run.positions.len()) } " positions" } }
+            span { "Calyx " (run.text("calyx")) }
+        }
+    }
+}
+
+/// What must not be missed: that a run is not whole, what it could not see, what deserves a second look.
+pub fn notices(run: &Run) -> Markup {
+    let warnings: Vec<&str> = texts(&run.head["warnings"]).collect();
+    let ignored: Vec<_> = objects(&run.head["ignored_inputs"]).collect();
+    let refused: Vec<_> = objects(&run.head["refused_outputs"]).collect();
+    let solved = run.positions.len();
+    html! {
+        @match &run.end {
+            End::Finished => {},
+            End::Stopped(why) => {
+                div.notice.alarm {
+                    b { "This run is not complete: " (why) "." }
+                    " The page shows the " (solved) " positions that were solved; the same command with "
+                    code { "--resume" } " goes on after them."
+                }
+            },
+            End::Open => {
+                div.notice.alarm {
+                    b { "This run is not complete: it is under way, or was killed." }
+                    " The page shows the " (solved) " positions that were solved until now; the same command with "
+                    code { "--resume" } " goes on after them."
+                }
+            },
+        }
+        @if !warnings.is_empty() {
+            div.notice {
+                b { "Warnings" }
+                ul { @for warning in warnings { li { (warning) } } }
+            }
+        }
+        @if !refused.is_empty() {
+            div.notice {
+                b { "Outputs that this fidelity has no value of" }
+                ul { @for (output, needs) in refused { li { code { (output) } ": it needs " (needs.as_str().unwrap_or_default()) } } }
+            }
+        }
+        @if !ignored.is_empty() {
+            div.notice {
+                b { "What the model could not see" }
+                ul { @for (input, reason) in ignored { li { code { (input) } ": " (reason.as_str().unwrap_or_default()) } } }
+            }
+        }
+    }
+}
+
+/// What is modelled at which level, and what is left out.
+pub fn plan(run: &Run) -> Markup {
+    let plan = &run.head["plan"];
+    if plan.is_null() {
+        return PreEscaped(String::new());
+    }
+    let parts = |kind: &str, modelled: bool| -> Vec<(String, String)> {
+        objects(&plan[kind])
+            .filter(|(_, part)| part["modelled"].as_bool().unwrap_or(true) == modelled)
+            .map(|(name, part)| {
+                let reason = part["reason"].as_str().unwrap_or_default();
+                (name.clone(), reason.strip_prefix("left out: ").unwrap_or(reason).to_owned())
+            })
+            .collect()
+    };
+    let rows = [
+        ("body", parts("bodies", true)),
+        ("bearing", parts("bearings", true)),
+        ("left out", parts("bodies", false)),
+        ("left out", parts("bearings", false)),
+    ];
+    html! {
+        p { (level(run.text("fidelity"))) }
+        @if let Some(reason) = run.head["chosen"]["reason"].as_str() { p { (reason) } }
+        table {
+            tbody { @for (kind, parts) in &rows { @for (name, reason) in parts {
+                tr { td.faint { (kind) } th scope="row" { (name) } td.word { (reason) } }
+            } } }
+        }
+    }
+}
+
+/// A level of the ladder in words.
+fn level(fidelity: &str) -> String {
+    let words = match fidelity {
+        "rigid" => {
+            "surfaces that do not deform, under a load that vanishes: who touches where, and how motion is passed on"
+        }
+        "analytic" => {
+            "no mesh: published compliances of tooth, foundation and contact, in slices along the face"
+        }
+        "plane" => "one transverse section in plane strain, the same all along the face, by finite elements",
+        "" => return "Nothing is analysed.".into(),
+        _ => "finite elements in three dimensions, contact of surfaces on grids along and across the face",
+    };
+    format!("Fidelity \"{fidelity}\": {words}.")
+}
+
+/// Everything that was given.
+pub fn params(run: &Run) -> Markup {
+    let params: Vec<_> = objects(&run.head["params"]).collect();
+    if params.is_empty() {
+        return PreEscaped(String::new());
+    }
+    html! {
+        table {
+            thead { tr { th { "param" } th { "value" } th { "unit" } th { "what" } } }
+            tbody { @for (name, param) in params {
+                tr {
+                    th scope="row" { code { (name) } }
+                    td.number { @if changed(param) { b { (value(param)) } } @else { (value(param)) } }
+                    td { (param["display"]["unit"].as_str().unwrap_or_default()) }
+                    td.word { (paragraphs(param["doc"].as_str().unwrap_or_default()).join(" ")) }
+                }
+            } }
+        }
+        p.note { "Bold: not the model's default." }
+    }
+}
+
+fn changed(param: &Value) -> bool {
+    param["at_default"].as_bool() == Some(false)
+}
+
+/// A param as a command line takes it, without its unit.
+fn value(param: &Value) -> String {
+    let value = if param["display"].is_null() { &param["value"] } else { &param["display"]["value"] };
+    match value {
+        Value::Bool(truth) => (if *truth { "TRUE" } else { "FALSE" }).into(),
+        Value::String(text) => text.clone(),
+        Value::Number(number) => number.as_f64().map_or_else(|| number.to_string(), |n| n.to_string()),
+        _ => String::new(),
+    }
+}
+
+/// Below this a residual is that of rounding.
+const ROUNDING: f64 = 1e-9;
+/// Below this nobody sees it in a result.
+const NEGLIGIBLE: f64 = 1e-5;
+
+/// The residuals of all contact problems, in words.
+pub fn certificate(run: &Run) -> Markup {
+    let certificate = &run.head["certificate"];
+    if certificate.is_null() {
+        return PreEscaped(String::new());
+    }
+    let residual = |name: &str| certificate[name].as_f64().unwrap_or(f64::NAN);
+    let rows = [
+        (
+            "equilibrium",
+            "What is free to move is in balance: the sum of all forces on it, over their magnitudes.",
+        ),
+        (
+            "penetration",
+            "Surfaces that touch do not overlap: the largest overlap, over the displacements that it is made of.",
+        ),
+        (
+            "complementarity",
+            "Where pressure is there is no gap: the largest product of both, over the largest force and displacement.",
+        ),
+        ("tension", "Nothing pulls: the largest force that does, over the largest force."),
+    ];
+    let verdict = |residual: f64| match residual {
+        _ if residual <= ROUNDING => "solved to rounding",
+        _ if residual <= NEGLIGIBLE => "far below any other error",
+        _ => "look at this",
+    };
+    html! {
+        p { "The worst of all positions. This is how well the equations were solved; how well the equations are those of the gears is the matter of error estimates." }
+        table {
+            tbody { @for (name, what) in rows {
+                tr { th scope="row" { (name) } td.number { (number(residual(name))) } td { b { (verdict(residual(name))) } } td.word { (what) } }
+            } }
+        }
+    }
+}
+
+/// How long each stage took.
+pub fn timing(run: &Run) -> Markup {
+    let Some(timing) = &run.timing else { return PreEscaped(String::new()) };
+    let total = timing["total"].as_f64().unwrap_or(0.0);
+    let stages: Vec<(&String, f64)> =
+        objects(&timing["stages"]).filter_map(|(name, time)| Some((name, time.as_f64()?))).collect();
+    let (built, reused) = (timing["structures"]["built"].as_u64(), timing["structures"]["reused"].as_u64());
+    html! {
+        table.times {
+            tbody {
+                @for (name, time) in &stages {
+                    @let part = if total > 0.0 { (100.0 * time / total).clamp(0.0, 100.0) } else { 0.0 };
+                    tr {
+                        th scope="row" { (name) }
+                        td.number { (number(*time)) " s" }
+                        td { div.bar style={ "width:" (format!("{part:.1}")) "%" } {} }
+                    }
+                }
+                tr { th scope="row" { "total" } td.number { b { (number(total)) " s" } } td {} }
+            }
+        }
+        @if let (Some(built), Some(reused)) = (built, reused) {
+            p { (built) " structures were condensed, " (reused) " were there already." }
+        }
+        @if let Some(memory) = timing["memory"]["asked"].as_f64().filter(|bytes| *bytes > 0.0) {
+            p { "The most memory asked for at once: " (number(memory * 1e-6)) " MB." }
+        }
+    }
+}
+
+/// Versions and hashes, the files, and how to run it again.
+pub fn origin(run: &Run) -> Markup {
+    let source = &run.head["source"];
+    let files = |kind: &str| source[kind].as_array().cloned().unwrap_or_default();
+    html! {
+        p { "To run it again:" }
+        pre { code { (command(run)) } }
+        table {
+            tbody {
+                tr { th scope="row" { "Calyx" } td.word { (run.text("calyx")) ", engine " code { (shown(&run.head["abi"])) } } }
+                @for file in files("files").iter().chain(&files("tables")) {
+                    tr { th scope="row" { (shown(&file["name"])) } td.word { "sha256 " code.hash { (shown(&file["sha256"])) } } }
+                }
+            }
+        }
+        p { "In this directory: " @for (index, name) in run.files.iter().enumerate() { @if index > 0 { ", " } code { (name) } } "." }
+    }
+}
+
+fn shown(value: &Value) -> String {
+    value.as_str().map_or_else(|| value.to_string(), str::to_owned)
+}
+
+/// What gives the same results.
+pub fn command(run: &Run) -> String {
+    let mut words = vec!["calyx run".to_owned(), word(run.text("model"))];
+    for (name, param) in objects(&run.head["params"]).filter(|(_, param)| changed(param)) {
+        let unit = param["display"]["unit"].as_str().unwrap_or_default();
+        words.push(format!("--set {}", word(format!("{name}={} {unit}", value(param)).trim_end())));
+    }
+    words.join(" ")
+}
+
+/// A word of a shell's command line.
+fn word(text: &str) -> String {
+    let plain = |c: char| c.is_alphanumeric() || "._-/=+:,".contains(c);
+    if text.chars().all(plain) { text.to_owned() } else { format!("'{}'", text.replace('\'', "'\\''")) }
+}

@@ -1,0 +1,381 @@
+//! The plots of the page, as SVG: curves over the positions, bars, and maps of a flank.
+//!
+//! Nothing is filled behind them and few colours are used, by name here and in the page's style, which changes them where paper is dark.
+
+use crate::signals::{label, tick};
+use plotters::coord::Shift;
+use plotters::prelude::*;
+use std::ops::Range;
+
+/// Of a plot, in the units of its drawing: two to a pixel, because `plotters` rounds to whole ones.
+pub const WIDE: (u32, u32) = (1640, 520);
+/// Of the bars beside one.
+pub const NARROW: (u32, u32) = (640, 520);
+/// Of a map.
+pub const TALL: (u32, u32) = (1640, 720);
+const FONT: i32 = 27;
+/// Stretches of a curve that are told apart: the least and the largest value of each are drawn.
+const STRETCHES: usize = 800;
+/// Room for a name above a plot, across.
+const NAME: i32 = 90;
+/// Of a map's legend.
+const LEGEND: u32 = 230;
+
+/// The colours of curves. The page's style knows them.
+const COLOURS: [RGBColor; 6] = [
+    RGBColor(31, 95, 168),
+    RGBColor(196, 60, 46),
+    RGBColor(38, 135, 86),
+    RGBColor(138, 86, 176),
+    RGBColor(176, 116, 26),
+    RGBColor(20, 140, 150),
+];
+
+/// What an axis shows.
+pub struct Axis<'a> {
+    pub what: &'a str,
+    pub unit: &'a str,
+}
+
+/// A curve of a plot.
+#[derive(Clone, Debug, Default)]
+pub struct Curve {
+    /// In the legend; curves without a name are not in it.
+    pub name: String,
+    /// Of [`COLOURS`].
+    pub colour: usize,
+    pub points: Vec<(f64, f64)>,
+    /// How far values may be off, to both sides.
+    pub off: Option<f64>,
+}
+
+/// A plot of curves; `marks` are places that have names. Empty if there is nothing to draw.
+pub fn curves(size: (u32, u32), x: &Axis, y: &Axis, curves: &[Curve], marks: &[(f64, String)]) -> String {
+    let points =
+        || curves.iter().flat_map(|curve| &curve.points).filter(|(x, y)| x.is_finite() && y.is_finite());
+    let off = curves.iter().filter_map(|curve| curve.off).filter(|off| off.is_finite()).fold(0.0, f64::max);
+    let Some(across) = span(points().map(|point| point.0), 0.0) else { return String::new() };
+    let Some(up) = span(points().flat_map(|point| [point.1 - off, point.1 + off]), 0.06) else {
+        return String::new();
+    };
+    drawn(size, |area| {
+        let above = if marks.is_empty() { 16 } else { 44 };
+        let mut chart = ChartBuilder::on(area)
+            .margin(8)
+            .margin_right(36)
+            .margin_top(above)
+            .x_label_area_size(76)
+            .y_label_area_size(150)
+            .build_cartesian_2d(across.clone(), up.clone())?;
+        mesh(&mut chart, x, y, [small(&across), small(&up)])?;
+        let mut named = i32::MIN;
+        for (place, name) in marks.iter().filter(|(place, _)| across.contains(place)) {
+            let line = [(*place, up.start), (*place, up.end)];
+            chart.draw_series(LineSeries::new(line, BLACK.mix(0.35)))?;
+            let (at, top) = chart.backend_coord(&(*place, up.end));
+            // The first of two that stand together has its name written.
+            if at >= named {
+                named = at + NAME;
+                let style = ("sans-serif", FONT - 4).into_font().color(&BLACK.mix(0.7));
+                area.draw(&Text::new(name.clone(), (at - 16, top - 32), style))?;
+            }
+        }
+        for curve in curves {
+            let colour = COLOURS[curve.colour % COLOURS.len()];
+            let points = thinned(&curve.points);
+            if let Some(off) = curve.off.filter(|off| off.is_finite() && *off > 0.0) {
+                let over = points.iter().map(|(x, y)| (*x, y + off));
+                let under = points.iter().rev().map(|(x, y)| (*x, y - off));
+                chart.draw_series(std::iter::once(Polygon::new(
+                    over.chain(under).collect::<Vec<_>>(),
+                    colour.mix(0.22).filled(),
+                )))?;
+            }
+            let drawn = chart.draw_series(LineSeries::new(points.iter().copied(), colour.stroke_width(3)))?;
+            if !curve.name.is_empty() {
+                drawn
+                    .label(&curve.name)
+                    .legend(move |(x, y)| PathElement::new([(x, y), (x + 36, y)], colour.stroke_width(5)));
+            }
+            if points.len() < 3 {
+                let dots = points.iter().map(|point| Circle::new(*point, 6, colour.filled()));
+                chart.draw_series(dots)?;
+            }
+        }
+        if curves.iter().any(|curve| !curve.name.is_empty()) {
+            chart
+                .configure_series_labels()
+                .label_font(("sans-serif", FONT))
+                .legend_area_size(48)
+                .position(SeriesLabelPosition::UpperRight)
+                .draw()?;
+        }
+        Ok(())
+    })
+}
+
+/// Bars beside each other, by their numbers.
+pub fn bars(size: (u32, u32), x: &Axis, y: &Axis, bars: &[(u64, f64)]) -> String {
+    let largest = bars.iter().map(|bar| bar.1).filter(|height| height.is_finite()).fold(0.0, f64::max);
+    let last = bars.iter().map(|bar| bar.0).max().unwrap_or(0);
+    if largest <= 0.0 {
+        return String::new();
+    }
+    drawn(size, |area| {
+        let mut chart = ChartBuilder::on(area)
+            .margin(8)
+            .margin_top(16)
+            .x_label_area_size(76)
+            .y_label_area_size(150)
+            .build_cartesian_2d(0.4..last as f64 + 0.6, 0.0..1.08 * largest)?;
+        chart
+            .configure_mesh()
+            .disable_x_mesh()
+            .x_labels(last as usize)
+            .x_label_formatter(&|place| if place.fract() == 0.0 { format!("{place}") } else { String::new() })
+            .y_label_formatter(&|value| tick(*value))
+            .y_labels(5)
+            .x_desc(label(x.what, x.unit))
+            .y_desc(label(y.what, y.unit))
+            .axis_desc_style(("sans-serif", FONT))
+            .label_style(("sans-serif", FONT - 3))
+            .light_line_style(TRANSPARENT)
+            .bold_line_style(BLACK.mix(0.15))
+            .draw()?;
+        chart.draw_series(bars.iter().map(|&(place, height)| {
+            let place = place as f64;
+            Rectangle::new([(place - 0.3, 0.0), (place + 0.3, height)], COLOURS[0].filled())
+        }))?;
+        Ok(())
+    })
+}
+
+/// A piece of a map.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Piece {
+    /// From and to.
+    pub x: [f64; 2],
+    pub y: [f64; 2],
+    pub value: f64,
+}
+
+/// A map of a surface: pieces coloured by their values, from nought to the largest. Empty if there is nothing to draw.
+pub fn map(x: &Axis, y: &Axis, value: &Axis, pieces: &[Piece]) -> String {
+    let largest =
+        pieces.iter().map(|piece| piece.value).filter(|value| value.is_finite()).fold(0.0, f64::max);
+    let (Some(across), Some(up)) = (
+        span(pieces.iter().flat_map(|piece| piece.x), 0.0),
+        span(pieces.iter().flat_map(|piece| piece.y), 0.0),
+    ) else {
+        return String::new();
+    };
+    if largest <= 0.0 {
+        return String::new();
+    }
+    drawn(TALL, |area| {
+        let (picture, legend) = area.split_horizontally(TALL.0 - LEGEND);
+        let mut chart = ChartBuilder::on(&picture)
+            .margin(8)
+            .margin_top(16)
+            .x_label_area_size(76)
+            .y_label_area_size(130)
+            .build_cartesian_2d(across.clone(), up.clone())?;
+        for piece in merged(pieces, largest) {
+            let corners = [(piece.x[0], piece.y[0]), (piece.x[1], piece.y[1])];
+            chart.draw_series(std::iter::once(Rectangle::new(
+                corners,
+                shade(piece.value / largest).filled(),
+            )))?;
+        }
+        // Over what it shows, so that lines of the frame and ticks are seen.
+        mesh(&mut chart, x, y, [small(&across), small(&up)])?;
+        let mut key = ChartBuilder::on(&legend)
+            .margin(8)
+            .margin_top(16)
+            .margin_right(60)
+            .x_label_area_size(76)
+            .y_label_area_size(110)
+            .build_cartesian_2d(0.0..1.0, 0.0..largest)?;
+        let step = |k: usize| largest * k as f64 / SHADES as f64;
+        key.draw_series((0..SHADES).map(|k| {
+            let colour = shade((k as f64 + 0.5) / SHADES as f64);
+            Rectangle::new([(0.0, step(k)), (1.0, step(k + 1))], colour.filled())
+        }))?;
+        key.configure_mesh()
+            .disable_mesh()
+            .x_labels(0)
+            .x_desc(label(value.what, value.unit))
+            .axis_desc_style(("sans-serif", FONT))
+            .label_style(("sans-serif", FONT - 3))
+            .y_label_formatter(&|value| tick(*value))
+            .draw()?;
+        Ok(())
+    })
+}
+
+type Chart<'a, 'b> = ChartContext<
+    'a,
+    SVGBackend<'b>,
+    Cartesian2d<plotters::coord::types::RangedCoordf64, plotters::coord::types::RangedCoordf64>,
+>;
+
+/// What at an axis is nought but for rounding.
+fn small(range: &Range<f64>) -> f64 {
+    1e-9 * (range.end - range.start)
+}
+
+fn mesh(chart: &mut Chart<'_, '_>, x: &Axis, y: &Axis, nought: [f64; 2]) -> Result<(), Error> {
+    let at = |axis: usize, value: f64| tick(if value.abs() < nought[axis] { 0.0 } else { value });
+    chart
+        .configure_mesh()
+        .x_desc(label(x.what, x.unit))
+        .y_desc(label(y.what, y.unit))
+        .axis_desc_style(("sans-serif", FONT))
+        .label_style(("sans-serif", FONT - 3))
+        .x_label_formatter(&|value| at(0, *value))
+        .y_label_formatter(&|value| at(1, *value))
+        .y_labels(9)
+        .light_line_style(TRANSPARENT)
+        .bold_line_style(BLACK.mix(0.15))
+        .draw()?;
+    Ok(())
+}
+
+type Error = Box<dyn std::error::Error>;
+
+/// Drawing into a text fails on nothing but what cannot be drawn, and then there is no plot.
+fn drawn(
+    size: (u32, u32),
+    draw: impl FnOnce(&DrawingArea<SVGBackend<'_>, Shift>) -> Result<(), Error>,
+) -> String {
+    let mut text = String::new();
+    let outcome = {
+        let area = SVGBackend::with_string(&mut text, size).into_drawing_area();
+        draw(&area).and_then(|()| Ok(area.present()?))
+    };
+    if outcome.is_ok() { text } else { String::new() }
+}
+
+/// From the least to the largest, and some of it more to both sides; never nothing.
+fn span(values: impl Iterator<Item = f64>, more: f64) -> Option<Range<f64>> {
+    let (low, high) = values
+        .filter(|value| value.is_finite())
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)));
+    if low > high {
+        return None;
+    }
+    // What changes by rounding alone is drawn as what does not change.
+    let scale = low.abs().max(high.abs());
+    let room = if high - low > 1e-9 * scale {
+        more * (high - low)
+    } else if scale > 0.0 {
+        0.05 * scale
+    } else {
+        1.0
+    };
+    Some(low - room..high + room)
+}
+
+/// Of many points those that can be seen: of each stretch the least and the largest.
+fn thinned(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
+    let points: Vec<(f64, f64)> =
+        points.iter().copied().filter(|(x, y)| x.is_finite() && y.is_finite()).collect();
+    if points.len() <= 2 * STRETCHES {
+        return points;
+    }
+    let stretch = |stretch: &[(f64, f64)]| {
+        let index = |best: Option<(usize, &(f64, f64))>| best.map_or(0, |(index, _)| index);
+        let least = index(stretch.iter().enumerate().min_by(|a, b| a.1.1.total_cmp(&b.1.1)));
+        let most = index(stretch.iter().enumerate().max_by(|a, b| a.1.1.total_cmp(&b.1.1)));
+        [stretch[least.min(most)], stretch[least.max(most)]]
+    };
+    points.chunks(points.len().div_ceil(STRETCHES)).flat_map(stretch).collect()
+}
+
+/// Pieces that follow each other upwards in one colour are one: drawings stay small.
+fn merged(pieces: &[Piece], largest: f64) -> Vec<Piece> {
+    let colour = |piece: &Piece| shade(piece.value / largest);
+    let mut all: Vec<Piece> = Vec::new();
+    for piece in pieces {
+        match all.last_mut() {
+            Some(last) if last.x == piece.x && last.y[1] == piece.y[0] && colour(last) == colour(piece) => {
+                last.y[1] = piece.y[1];
+            }
+            _ => all.push(*piece),
+        }
+    }
+    all
+}
+
+/// Colours that maps have.
+const SHADES: usize = 40;
+
+/// From pale over red to dark: `part` from 0 to 1, light and dark in the order of values.
+fn shade(part: f64) -> RGBColor {
+    const STOPS: [[f64; 3]; 5] = [
+        [235.0, 240.0, 248.0],
+        [250.0, 214.0, 130.0],
+        [236.0, 130.0, 62.0],
+        [178.0, 42.0, 56.0],
+        [70.0, 10.0, 50.0],
+    ];
+    let steps = SHADES as f64;
+    let at =
+        ((part.clamp(0.0, 1.0) * steps).floor().min(steps - 1.0) / (steps - 1.0)) * (STOPS.len() - 1) as f64;
+    let from = (at.floor() as usize).min(STOPS.len() - 2);
+    let passed = at - from as f64;
+    let [red, green, blue] = [0, 1, 2]
+        .map(|k: usize| (STOPS[from][k] + (STOPS[from + 1][k] - STOPS[from][k]) * passed).round() as u8);
+    RGBColor(red, green, blue)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_long_curve_keeps_its_peaks() {
+        let mut points: Vec<(f64, f64)> = (0..100_000).map(|k| (k as f64, (k as f64 * 0.01).sin())).collect();
+        points[31_415].1 = 7.0;
+        points[92_653].1 = -9.0;
+        let thin = thinned(&points);
+        assert!(thin.len() <= 2 * STRETCHES + 2, "{}", thin.len());
+        assert!(thin.contains(&(31_415.0, 7.0)) && thin.contains(&(92_653.0, -9.0)));
+        assert!(thin.windows(2).all(|pair| pair[0].0 <= pair[1].0));
+    }
+
+    #[test]
+    fn what_cannot_be_drawn_is_no_plot() {
+        let axis = || Axis { what: "load", unit: "N" };
+        let curve = |points: Vec<(f64, f64)>| Curve { points, ..Curve::default() };
+        assert_eq!(curves(WIDE, &axis(), &axis(), &[], &[]), "");
+        assert_eq!(curves(WIDE, &axis(), &axis(), &[curve(vec![(f64::NAN, 1.0)])], &[]), "");
+        assert_eq!(bars(NARROW, &axis(), &axis(), &[(1, 0.0)]), "");
+        assert_eq!(map(&axis(), &axis(), &axis(), &[]), "");
+        // A constant is a line, and what is written in it is text.
+        let plot = curves(
+            WIDE,
+            &Axis { what: "a < b", unit: "" },
+            &axis(),
+            &[curve(vec![(0.0, 3.0), (1.0, 3.0)])],
+            &[],
+        );
+        assert!(plot.contains("<polyline") && plot.contains("a &lt; b"), "{plot}");
+    }
+
+    #[test]
+    fn a_map_draws_neighbours_of_one_colour_as_one() {
+        let piece = |k: usize, value: f64| Piece { x: [0.0, 1.0], y: [k as f64, k as f64 + 1.0], value };
+        let pieces = [piece(0, 1.0), piece(1, 1.0), piece(2, 9.0), piece(4, 9.0)];
+        let all = merged(&pieces, 9.0);
+        assert_eq!(all.len(), 3);
+        assert_eq!(all[0].y, [0.0, 2.0]);
+        let shades: Vec<f64> = (0..=10)
+            .map(|k| {
+                let RGBColor(r, g, b) = shade(k as f64 / 10.0);
+                f64::from(r) + f64::from(g) + f64::from(b)
+            })
+            .collect();
+        assert!(shades.windows(2).all(|pair| pair[0] > pair[1]), "{shades:?}");
+    }
+}

@@ -1,0 +1,310 @@
+//! What contact looked like over a run, from the loads along the lines of contact: the pattern on a flank, the load along the face, and
+//! what a pair of teeth carries on its way through the mesh.
+
+use super::chart::{Axis, Curve, Piece, TALL, WIDE, curves, map};
+use super::read::Loaded;
+use super::units::Units;
+use std::collections::BTreeMap;
+
+/// Meshes that are shown, those with the largest pressures.
+const SHOWN: usize = 4;
+/// Strips along the face that a pattern is drawn in, at most.
+const STRIPS: usize = 48;
+/// Places farther apart than this many times the usual distance have nothing between them.
+const APART: f64 = 3.0;
+
+/// The contact of two bodies.
+pub struct Mesh {
+    pub bodies: [String; 2],
+    /// Pa
+    pub largest: f64,
+    /// The largest pressure at each place of the first body's flank.
+    pub pattern: String,
+    /// The load along the face; empty in a plane model.
+    pub along_face: String,
+    /// The load of a pair of teeth along its path of contact.
+    pub path: String,
+}
+
+/// The meshes of a run, the most pressed first; and how many are left out.
+pub fn meshes(rows: &[Loaded], units: Units) -> (Vec<Mesh>, usize) {
+    let mut by_bodies: BTreeMap<[&str; 2], Vec<&Loaded>> = BTreeMap::new();
+    for row in rows {
+        by_bodies.entry([&row.first_body, &row.second_body]).or_default().push(row);
+    }
+    let mut all: Vec<([&str; 2], Vec<&Loaded>, f64)> = by_bodies
+        .into_iter()
+        .map(|(bodies, rows)| {
+            let largest = rows.iter().map(|row| row.pressure).fold(0.0, f64::max);
+            (bodies, rows, largest)
+        })
+        .collect();
+    all.sort_by(|one, other| other.2.total_cmp(&one.2));
+    let left_out = all.len().saturating_sub(SHOWN);
+    let mesh = |(bodies, rows, largest): ([&str; 2], Vec<&Loaded>, f64)| {
+        let along = Along::of(&rows, units);
+        Mesh {
+            bodies: bodies.map(str::to_owned),
+            largest,
+            pattern: pattern(&rows, &along, bodies[0], units),
+            along_face: along_face(&rows, units),
+            path: path(&rows, &along, bodies[0], units),
+        }
+    };
+    (all.into_iter().take(SHOWN).map(mesh).collect(), left_out)
+}
+
+/// The coordinate along the profile of the first body: its roll angle, or where there is no involute the radius.
+struct Along {
+    what: &'static str,
+    unit: &'static str,
+    place: Box<dyn Fn(&Loaded) -> f64>,
+}
+
+impl Along {
+    fn of(rows: &[&Loaded], units: Units) -> Along {
+        match rows.iter().all(|row| row.first_roll_angle.is_some()) {
+            true => Along {
+                what: "roll angle",
+                unit: "deg",
+                place: Box::new(|row| row.first_roll_angle.unwrap_or(f64::NAN).to_degrees()),
+            },
+            false => Along {
+                what: "radius",
+                unit: units.length.name,
+                place: Box::new(move |row| units.length.of(row.first_radius)),
+            },
+        }
+    }
+
+    fn axis<'a>(&self, what: &'a str) -> Axis<'a>
+    where
+        Self: 'a,
+    {
+        Axis { what, unit: self.unit }
+    }
+}
+
+fn pattern(rows: &[&Loaded], along: &Along, body: &str, units: Units) -> String {
+    let pressure = Axis { what: "pressure", unit: units.stress.name };
+    let what = format!("{} on {body}", along.what);
+    let Some(strips) = strips(rows) else {
+        // In a plane model a flank is a line.
+        let points = rows.iter().map(|row| ((along.place)(row), units.stress.of(row.pressure)));
+        let points = seen_along(points.collect());
+        let curve = Curve { points, ..Curve::default() };
+        return curves(WIDE, &along.axis(&what), &pressure, &[curve], &[]);
+    };
+    let mut pieces = Vec::new();
+    for (ends, rows) in strips {
+        let points = rows.iter().map(|row| ((along.place)(row), units.stress.of(row.pressure)));
+        let x = ends.map(|end| units.length.of(end));
+        pieces.extend(steps_of(&seen_along(points.collect())).into_iter().map(|(y, value)| Piece {
+            x,
+            y,
+            value,
+        }));
+    }
+    let across = Axis { what: "from mid-face", unit: units.length.name };
+    map(&across, &along.axis(&what), &pressure, &pieces)
+}
+
+/// Strips along the face with what lies in each; `None` in a plane model.
+fn strips<'r>(rows: &[&'r Loaded]) -> Option<Vec<([f64; 2], Vec<&'r Loaded>)>> {
+    let at = |row: &Loaded| row.axial.unwrap_or(f64::NAN);
+    let mut lengths: Vec<f64> = rows.iter().filter(|row| row.axial.is_some()).map(|row| row.length).collect();
+    lengths.sort_by(f64::total_cmp);
+    let usual = *lengths.get(lengths.len() / 2)?;
+    let low = rows.iter().map(|row| at(row) - 0.5 * usual).fold(f64::INFINITY, f64::min);
+    let high = rows.iter().map(|row| at(row) + 0.5 * usual).fold(f64::NEG_INFINITY, f64::max);
+    // A little more than a slice, so that none is without one.
+    let count = (((high - low) / (1.05 * usual)) as usize).clamp(1, STRIPS);
+    let width = (high - low) / count as f64;
+    let mut strips: Vec<([f64; 2], Vec<&Loaded>)> =
+        (0..count).map(|k| ([low + k as f64 * width, low + (k + 1) as f64 * width], Vec::new())).collect();
+    for row in rows.iter().filter(|row| at(row).is_finite()) {
+        let place = |z: f64| ((z - low) / width).clamp(0.0, count as f64);
+        // Those of which it covers the middle, and where it is itself: slices of other positions begin and end elsewhere.
+        let half = 0.5 * row.length.max(usual);
+        let own = (place(at(row)) as usize).min(count - 1);
+        let [from, to] = [at(row) - half, at(row) + half].map(|end| (place(end) + 0.5 - 1e-6) as usize);
+        let reached = from.min(own)..=to.saturating_sub(1).max(own);
+        strips[reached].iter_mut().for_each(|strip| strip.1.push(*row));
+    }
+    Some(strips)
+}
+
+/// Values in the order of their places, the largest where several are at one.
+fn seen_along(mut points: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
+    points.retain(|(place, value)| place.is_finite() && value.is_finite());
+    points.sort_by(|one, other| one.0.total_cmp(&other.0));
+    let (Some(first), Some(last)) = (points.first(), points.last()) else { return points };
+    // Positions of several pairs, and on both sides of a jump, fall together.
+    let together = (last.0 - first.0) / 400.0;
+    let mut seen: Vec<(f64, f64)> = Vec::new();
+    for (place, value) in points {
+        match seen.last_mut() {
+            Some(last) if place - last.0 < together => last.1 = last.1.max(value),
+            _ => seen.push((place, value)),
+        }
+    }
+    seen
+}
+
+/// What each place stands for: half the way to its neighbours, where they are near.
+fn steps_of(points: &[(f64, f64)]) -> Vec<([f64; 2], f64)> {
+    let mut gaps: Vec<f64> = points.windows(2).map(|pair| pair[1].0 - pair[0].0).collect();
+    gaps.sort_by(f64::total_cmp);
+    let Some(&usual) = gaps.get(gaps.len() / 2) else { return Vec::new() };
+    let half = |gap: f64| 0.5 * if gap > APART * usual { usual } else { gap };
+    let reach = |index: usize| {
+        let place = points[index].0;
+        let before = index.checked_sub(1).map_or(usual, |before| place - points[before].0);
+        let after = points.get(index + 1).map_or(usual, |after| after.0 - place);
+        [place - half(before), place + half(after)]
+    };
+    let mut steps: Vec<([f64; 2], f64)> =
+        (0..points.len()).map(|index| (reach(index), points[index].1)).collect();
+    // Neighbours meet to the bit.
+    for index in 1..steps.len() {
+        if points[index].0 - points[index - 1].0 <= APART * usual {
+            steps[index].0[0] = steps[index - 1].0[1];
+        }
+    }
+    steps
+}
+
+/// The load along the face: of the position with the largest, a curve a pair of teeth, and the largest of all positions.
+fn along_face(rows: &[&Loaded], units: Units) -> String {
+    let Some(strips) = strips(rows) else { return String::new() };
+    let Some(worst) = rows.iter().max_by(|one, other| one.line_load.total_cmp(&other.line_load)) else {
+        return String::new();
+    };
+    let mid = |ends: [f64; 2]| units.length.of(0.5 * (ends[0] + ends[1]));
+    let largest = strips.iter().filter_map(|(ends, rows)| {
+        let load = rows.iter().map(|row| row.line_load).max_by(f64::total_cmp)?;
+        Some((mid(*ends), units.line_load.of(load)))
+    });
+    let mut all = vec![Curve {
+        name: "largest of all positions".into(),
+        colour: 0,
+        points: largest.collect(),
+        off: None,
+    }];
+    let mut pairs: BTreeMap<[u32; 2], Vec<(f64, f64)>> = BTreeMap::new();
+    for row in rows.iter().filter(|row| row.step == worst.step) {
+        let Some(axial) = row.axial else { continue };
+        let point = (units.length.of(axial), units.line_load.of(row.line_load));
+        pairs.entry([row.first_tooth, row.second_tooth]).or_default().push(point);
+    }
+    for (index, ([first, second], mut points)) in pairs.into_iter().enumerate() {
+        points.sort_by(|one, other| one.0.total_cmp(&other.0));
+        let name = format!("teeth {first} and {second} at the largest");
+        all.push(Curve { name, colour: index + 1, points, off: None });
+    }
+    let across = Axis { what: "from mid-face", unit: units.length.name };
+    curves(TALL, &across, &Axis { what: "load", unit: units.line_load.name }, &all, &[])
+}
+
+/// What a pair of teeth carries on its way: one curve, though every position has several pairs somewhere along it.
+fn path(rows: &[&Loaded], along: &Along, body: &str, units: Units) -> String {
+    let mut of_pairs: BTreeMap<(usize, [u32; 2]), [f64; 2]> = BTreeMap::new();
+    for row in rows {
+        let [force, moment] = of_pairs.entry((row.step, [row.first_tooth, row.second_tooth])).or_default();
+        *force += row.force;
+        *moment += row.force * (along.place)(row);
+    }
+    let points = of_pairs.into_values().map(|[force, moment]| (moment / force, units.force.of(force)));
+    let mut points: Vec<(f64, f64)> = points.filter(|point| point.0.is_finite()).collect();
+    points.sort_by(|one, other| one.0.total_cmp(&other.0).then(one.1.total_cmp(&other.1)));
+    let what = format!("{} on {body}", along.what);
+    let load = Axis { what: "load of a pair", unit: units.force.name };
+    curves(WIDE, &along.axis(&what), &load, &[Curve { points, ..Curve::default() }], &[])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn row(step: usize, tooth: u32, roll: f64, axial: Option<f64>, load: f64) -> Loaded {
+        Loaded {
+            step,
+            first_body: "pinion".into(),
+            first_tooth: tooth,
+            second_body: "gear".into(),
+            second_tooth: tooth,
+            first_radius: 0.02,
+            first_roll_angle: Some(roll),
+            second_radius: 0.04,
+            second_roll_angle: None,
+            axial,
+            length: 1e-3,
+            force: 1e-3 * load,
+            line_load: load,
+            pressure: load,
+        }
+    }
+
+    #[test]
+    fn strips_hold_every_slice_and_steps_cover_the_flank() {
+        // Two teeth one after the other over one flank, four slices along the face.
+        let rows: Vec<Loaded> = (0..20)
+            .flat_map(|k| {
+                let place = |s: usize| Some(1e-3 * s as f64 - 1.5e-3);
+                (0..4).map(move |s| row(k % 10, (k / 10) as u32, 0.01 * k as f64, place(s), 1e5 + k as f64))
+            })
+            .collect();
+        let rows: Vec<&Loaded> = rows.iter().collect();
+        let strips = strips(&rows).unwrap();
+        assert!(strips.iter().all(|strip| strip.1.len() >= 20));
+        assert!((strips[0].0[0] + 2e-3).abs() < 1e-12 && (strips.last().unwrap().0[1] - 2e-3).abs() < 1e-12);
+        for (_, rows) in &strips {
+            let points = rows.iter().map(|row| (row.first_roll_angle.unwrap(), row.pressure)).collect();
+            let steps = steps_of(&seen_along(points));
+            assert!(steps.windows(2).all(|pair| pair[0].0[1] == pair[1].0[0]), "{steps:?}");
+            assert_eq!(steps.len(), 20);
+        }
+        let (meshes, left_out) =
+            meshes(&rows.iter().map(|row| (*row).clone()).collect::<Vec<_>>(), Units::of_system("SI"));
+        assert_eq!((meshes.len(), left_out), (1, 0));
+        let [mesh] = &meshes[..] else { panic!() };
+        assert!(
+            mesh.pattern.contains("<rect")
+                && mesh.along_face.contains("teeth 1 and 1")
+                && !mesh.path.is_empty()
+        );
+    }
+
+    /// Grids of positions are of different lengths, and their slices an odd number beside each other.
+    #[test]
+    fn no_strip_is_left_out_where_slices_lie_on_its_ends() {
+        let rows: Vec<Loaded> = (0..12)
+            .flat_map(|k| {
+                let length = 1e-3 * (1.0 + 0.01 * k as f64);
+                (-3..=3).map(move |s| Loaded {
+                    length,
+                    ..row(k, 0, 0.01 * k as f64, Some(length * f64::from(s) - 1e-17), 1e5)
+                })
+            })
+            .collect();
+        let rows: Vec<&Loaded> = rows.iter().collect();
+        for (ends, rows) in strips(&rows).unwrap() {
+            assert!(rows.len() >= 12, "{ends:?}: {} of 12 positions", rows.len());
+        }
+    }
+
+    #[test]
+    fn a_place_far_from_all_others_stands_for_itself() {
+        let points = [(0.0, 1.0), (1.0, 1.0), (2.0, 1.0), (10.0, 5.0)];
+        let steps = steps_of(&points);
+        assert_eq!(steps[2].0, [1.5, 2.5]);
+        assert_eq!(steps[3].0, [9.5, 10.5]);
+    }
+
+    #[test]
+    fn a_plane_model_has_a_curve_and_nothing_along_the_face() {
+        let rows: Vec<Loaded> = (0..9).map(|k| row(k, 0, 0.1 * k as f64, None, 1e5)).collect();
+        let (meshes, _) = meshes(&rows, Units::of_system("inch_lbf_s"));
+        assert!(meshes[0].pattern.contains("<polyline") && meshes[0].along_face.is_empty());
+    }
+}

@@ -1,0 +1,310 @@
+//! `report.html`: a run as a page that people read, print and send on. One file that needs no network, no other file and no script.
+//!
+//! It is made from the files of the run directory alone, so a run of last week, or one that was killed, has the same page as one that ends just
+//! now (`calyx report`). What took how long is all in the section `time`, the only part of it that two runs of one model do not share.
+
+mod about;
+mod accuracy;
+mod chart;
+mod contact;
+mod fillets;
+mod read;
+mod units;
+
+use crate::directory::REPORT;
+use chart::{Axis, Curve, NARROW, WIDE};
+use maud::{DOCTYPE, Markup, PreEscaped, html};
+use read::{End, Output, Run};
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+use units::Units;
+
+/// Makes the page of the run in a directory, anew if there is one: its path.
+///
+/// # Errors
+/// There is no run, its files cannot be read, or the page cannot be written.
+pub fn write(directory: &Path) -> io::Result<PathBuf> {
+    let page = page(&Run::read(directory)?).into_string();
+    let (path, unfinished) = (directory.join(REPORT), directory.join(format!("{REPORT}.part")));
+    fs::write(&unfinished, page)?;
+    fs::rename(unfinished, &path)?;
+    Ok(path)
+}
+
+/// What a section is called in the page's address, and on the page.
+type Section = (&'static str, &'static str, Markup);
+
+fn page(run: &Run) -> Markup {
+    let units = Units::of_system(run.text("units"));
+    let sections: Vec<Section> = [
+        ("outputs", "Outputs", summary(run)),
+        ("accuracy", "How wrong, and what less would cost", accuracy::section(run)),
+        ("cycle", if by_time(run) { "Over time" } else { "Over the mesh cycle" }, plots(run)),
+        ("contact", "Contact", contact_section(run, units)),
+        ("stress", "Root stress", stress_section(run, units)),
+        ("signals", "In the frequency domain", signals(run)),
+        ("modes", "Modes", modes(run)),
+        ("plan", "What is modelled", about::plan(run)),
+        ("params", "Params", about::params(run)),
+        ("solved", "How well it is solved", about::certificate(run)),
+        ("time", "Time and memory", about::timing(run)),
+        ("origin", "Where it comes from", about::origin(run)),
+    ]
+    .into_iter()
+    .filter(|(_, _, content)| !content.0.is_empty())
+    .collect();
+    let (title, rest) = title(run);
+    html! {
+        (DOCTYPE)
+        html lang="en" {
+            head {
+                meta charset="utf-8";
+                meta name="viewport" content="width=device-width, initial-scale=1";
+                meta name="color-scheme" content="light dark";
+                meta name="generator" content={ "Calyx " (run.text("calyx")) };
+                title { (title) }
+                style { (PreEscaped(include_str!("style.css"))) }
+            }
+            body {
+                header {
+                    h1 { (title) }
+                    @for paragraph in rest { p { (paragraph) } }
+                    (about::facts(run))
+                    (about::notices(run))
+                    nav { ul { @for (name, title, _) in &sections { li { a href={ "#" (name) } { (title) } } } } }
+                }
+                main {
+                    @for (name, title, content) in &sections {
+                        section id=(name) { h2 { (title) } (content) }
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// The first line of the model's doc comment, and what follows it.
+fn title(run: &Run) -> (String, Vec<String>) {
+    let mut paragraphs = paragraphs(run.text("doc")).into_iter();
+    let first = paragraphs.next().unwrap_or_else(|| run.text("model").to_owned());
+    (first.trim_end_matches('.').to_owned(), paragraphs.collect())
+}
+
+/// A doc comment as it is read: lines that follow each other are one.
+fn paragraphs(doc: &str) -> Vec<String> {
+    let mut all: Vec<String> = Vec::new();
+    let mut open = false;
+    for line in doc.lines().map(str::trim) {
+        match all.last_mut().filter(|_| open) {
+            Some(last) if !line.is_empty() => {
+                last.push(' ');
+                last.push_str(line);
+            }
+            _ if !line.is_empty() => all.push(line.to_owned()),
+            _ => {}
+        }
+        open = !line.is_empty();
+    }
+    all
+}
+
+/// Whether positions are places in time alone, as those of a motion.
+fn by_time(run: &Run) -> bool {
+    run.positions.iter().all(|position| position.cycle == 0.0 && position.roll == 0.0)
+}
+
+/// Four significant digits, as people write them.
+fn number(value: f64) -> String {
+    if !value.is_finite() {
+        return if value.is_nan() { "–".into() } else { format!("{value}") };
+    }
+    let rounded: f64 = format!("{value:.3e}").parse().unwrap_or(value);
+    crate::params::shortest(rounded)
+}
+
+/// What may be off, in two digits, and never nothing.
+fn error(value: f64) -> String {
+    format!("± {}", crate::params::shortest(format!("{value:.1e}").parse().unwrap_or(value)))
+}
+
+/// A part of a whole.
+fn percent(part: f64) -> String {
+    let percent = 100.0 * part;
+    match percent {
+        _ if !percent.is_finite() => "–".into(),
+        _ if percent != 0.0 && percent.abs() < 1e-3 => format!("{percent:.0e} %"),
+        _ => format!("{} %", crate::params::shortest(format!("{percent:.1e}").parse().unwrap_or(percent))),
+    }
+}
+
+/// A plot with what it shows; nothing if it is empty. The text is also what who cannot see it is told.
+fn figure(svg: &str, caption: &str) -> Markup {
+    if svg.is_empty() {
+        return PreEscaped(String::new());
+    }
+    html! { figure { (described(svg, caption)) figcaption { (caption) } } }
+}
+
+/// A drawing of the page's own, as an image that has a name.
+fn described(svg: &str, name: &str) -> Markup {
+    let opening = format!("<svg role=\"img\" aria-label=\"{}\" ", html! { (name) }.into_string());
+    // What is drawn begins with its own opening, and nothing before it belongs into a page.
+    let svg = svg.find("<svg ").map_or("", |at| &svg[at + 5..]);
+    PreEscaped(if svg.is_empty() { String::new() } else { opening + svg })
+}
+
+/// All outputs on one screen.
+fn summary(run: &Run) -> Markup {
+    if run.outputs.is_empty() {
+        return PreEscaped(String::new());
+    }
+    let estimated = run.outputs.iter().any(|output| output.error.is_some());
+    html! {
+        table.numbers {
+            thead { tr {
+                th { "output" } th { "unit" } th { "least" } th { "mean" } th { "largest" }
+                @if estimated { th { "may be off by" } th {} }
+                th { "peak to peak" }
+                th { "largest at" }
+            } }
+            tbody { @for output in &run.outputs {
+                @let of = output.statistics;
+                tr {
+                    th scope="row" { a href={ "#output-" (output.name) } { code { (output.name) } } }
+                    td.word { (output.unit) }
+                    td { (number(of.min)) }
+                    td { @match of.mean { Some(mean) => (number(mean)), None => "–" } }
+                    td.main { (number(of.max)) }
+                    @if estimated { @match &output.error {
+                        Some(of) => { td { (error(of.of_values())) } td { (percent(of.relative)) } },
+                        None => { td { "–" } td {} },
+                    } }
+                    td { (number(of.peak_to_peak)) }
+                    td.word { (output.place) }
+                }
+            } }
+        }
+        @if run.end != End::Finished {
+            p.note { "Of the positions that were solved; means are known at the end." }
+        }
+    }
+}
+
+/// A plot of each output, with its harmonics beside it.
+fn plots(run: &Run) -> Markup {
+    if run.outputs.is_empty() || run.positions.is_empty() {
+        return PreEscaped(String::new());
+    }
+    let by_time = by_time(run);
+    let x = match by_time {
+        true => Axis { what: "time", unit: "s" },
+        false => Axis { what: "roll angle of the entering pair, first gear", unit: "deg" },
+    };
+    let places: Vec<f64> = run
+        .positions
+        .iter()
+        .map(|position| if by_time { position.time } else { position.roll.to_degrees() })
+        .collect();
+    let named = run.positions.iter().zip(&places).filter(|(position, _)| !position.point.is_empty());
+    let marks: Vec<(f64, String)> = named.map(|(position, place)| (*place, position.point.clone())).collect();
+    let banded = run.outputs.iter().any(|output| output.error.is_some());
+    html! {
+        @if banded { p.note { "The band is how far values may be off, by the error estimates of this run." } }
+        @for output in &run.outputs { (plot(output, &x, &places, &marks)) }
+    }
+}
+
+fn plot(output: &Output, x: &Axis<'_>, places: &[f64], marks: &[(f64, String)]) -> Markup {
+    let points = places.iter().copied().zip(output.values.iter().copied()).collect();
+    let off = output.error.as_ref().map(read::Estimate::of_values);
+    let curve = Curve { points, off, ..Curve::default() };
+    let y = Axis { what: "", unit: &output.unit };
+    let course = chart::curves(WIDE, x, &y, &[curve], marks);
+    let order = Axis { what: "multiple of the mesh frequency", unit: "" };
+    let harmonics =
+        chart::bars(NARROW, &order, &Axis { what: "amplitude", unit: &output.unit }, &output.harmonics);
+    let unit = if output.unit.is_empty() { String::new() } else { format!(" in {}", output.unit) };
+    let name = format!(
+        "{}{unit}: {} to {}",
+        output.name,
+        number(output.statistics.min),
+        number(output.statistics.max)
+    );
+    html! {
+        article.output id={ "output-" (output.name) } {
+            h3 { code { (output.name) } @if !output.unit.is_empty() { small { " [" (output.unit) "]" } } }
+            @for paragraph in paragraphs(&output.doc) { p { (paragraph) } }
+            div.side {
+                div.wide { (described(&course, &name)) }
+                @if !harmonics.is_empty() { div.narrow { (described(&harmonics, &format!("harmonics of {}", output.name))) } }
+            }
+        }
+    }
+}
+
+fn contact_section(run: &Run, units: Units) -> Markup {
+    let (meshes, left_out) = contact::meshes(&run.contact, units);
+    if meshes.is_empty() {
+        return PreEscaped(String::new());
+    }
+    html! {
+        @for mesh in &meshes {
+            @let [first, second] = &mesh.bodies;
+            article {
+                h3 { (first) " and " (second) }
+                p { "Largest pressure: " b { (number(units.stress.of(mesh.largest))) " " (units.stress.name) } "." }
+                (figure(&mesh.pattern, &format!("Contact pattern on {first}: the largest pressure that each place of the flank sees over all positions, teeth laid over each other.")))
+                (figure(&mesh.along_face, "Load along the face: of the position with the largest load, tooth pair by tooth pair, and the largest of all positions."))
+                (figure(&mesh.path, "Sharing between teeth: the load of a pair on its way through the mesh. Its place is the middle of its load."))
+            }
+        }
+        @if left_out > 0 {
+            p.note { "Shown are the meshes with the largest pressures; " (left_out) " more are in " code { "line_load.csv" } "." }
+        }
+    }
+}
+
+fn stress_section(run: &Run, units: Units) -> Markup {
+    let (fillets, left_out) = fillets::fillets(&run.stresses, units);
+    if fillets.is_empty() {
+        return PreEscaped(String::new());
+    }
+    html! {
+        p.note { "Principal stresses in the surface of the fillets, of all positions and teeth, at each place the largest and the smallest: what a strength of fatigue is to bear. The flank that carries load is the loaded side." }
+        @for fillet in &fillets {
+            article {
+                h3 { (fillet.body) }
+                p { "From " b { (number(units.stress.of(fillet.smallest))) } " to " b { (number(units.stress.of(fillet.largest))) } " " (units.stress.name) "." }
+                (figure(&fillet.along_profile, "Along the fillet, the largest and smallest of all places along the face."))
+                (figure(&fillet.over_face, "The largest stress over fillet and face, on the loaded side."))
+            }
+        }
+        @if left_out > 0 {
+            p.note { (left_out) " more bodies are in " code { (crate::stress_range::NAME) } "." }
+        }
+    }
+}
+
+fn signals(run: &Run) -> Markup {
+    html! {
+        @for picture in &run.pictures {
+            figure.paper { (described(&picture.svg, &picture.name)) figcaption { (picture.name) } }
+        }
+    }
+}
+
+fn modes(run: &Run) -> Markup {
+    let Some((header, rows)) = run.modes.split_first() else { return PreEscaped(String::new()) };
+    let shown = |cell: &str| cell.parse().map_or_else(|_| cell.replace('_', " "), number);
+    html! {
+        p.note { "About the first position. Frequencies in Hz; what follows the kind are parts of the energy." }
+        table.numbers {
+            thead { tr { @for name in header { th { (name.replace('_', " ")) } } } }
+            tbody { @for row in rows { tr { @for cell in row { td { (shown(cell)) } } } } }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,328 @@
+//! What a run directory has to show, read from its files: of a run that is finished, was stopped, or is under way or was killed.
+
+use super::units::Units;
+use crate::directory::{SIGNALS, read_run};
+use crate::field_tables::LINE_LOAD;
+use crate::stress_range::{self, Seen};
+use crate::{journal, modes_table};
+use calyx_abi::units::from_si;
+use serde::Deserialize;
+use serde_json::Value;
+use std::fs;
+use std::io;
+use std::path::Path;
+
+/// How a run ended.
+#[derive(Clone, Debug, PartialEq)]
+pub enum End {
+    Finished,
+    /// By whom or what.
+    Stopped(String),
+    /// It is under way, or was killed.
+    Open,
+}
+
+/// A run as its files tell it.
+pub struct Run {
+    /// `run.json`, or the journal's head.
+    pub head: Value,
+    pub end: End,
+    pub timing: Option<Value>,
+    /// The rows of `steps.csv`; empty of a model without an analysis.
+    pub positions: Vec<Position>,
+    pub outputs: Vec<Output>,
+    pub contact: Vec<Loaded>,
+    pub stresses: Vec<Seen>,
+    pub pictures: Vec<Picture>,
+    /// The table of modes with its header.
+    pub modes: Vec<Vec<String>>,
+    /// What the trade-off command measured of this model.
+    pub tradeoff: Option<Value>,
+    /// Names of the files in the directory.
+    pub files: Vec<String>,
+}
+
+/// A row of `steps.csv` without its outputs.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Position {
+    /// s
+    pub time: f64,
+    pub cycle: f64,
+    /// rad
+    pub roll: f64,
+    /// Name of a characteristic point, or empty.
+    pub point: String,
+}
+
+/// An output in the unit that the model shows it in.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Output {
+    pub name: String,
+    pub doc: String,
+    pub unit: String,
+    /// By position.
+    pub values: Vec<f64>,
+    pub statistics: Statistics,
+    /// Where the largest value is, in words.
+    pub place: String,
+    /// Amplitudes by order, of what every mesh cycle repeats.
+    pub harmonics: Vec<(u64, f64)>,
+    pub error: Option<Estimate>,
+}
+
+/// What an output comes to.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Statistics {
+    pub min: f64,
+    pub max: f64,
+    /// Not known of a run that has not come to its end.
+    pub mean: Option<f64>,
+    pub peak_to_peak: f64,
+}
+
+impl Statistics {
+    /// From JSON in SI.
+    fn of(json: &Value, factor: f64) -> Option<Statistics> {
+        let number = |name: &str| Some(from_si(json[name].as_f64()?, factor));
+        Some(Statistics {
+            min: number("min")?,
+            max: number("max")?,
+            mean: number("mean"),
+            peak_to_peak: number("peak_to_peak")?,
+        })
+    }
+
+    /// Of rows, as far as they are.
+    fn of_values(values: &[f64]) -> Statistics {
+        let finite = || values.iter().copied().filter(|value| value.is_finite());
+        let (min, max) = (finite().fold(f64::INFINITY, f64::min), finite().fold(f64::NEG_INFINITY, f64::max));
+        let known = |value: f64| if min <= max { value } else { f64::NAN };
+        Statistics { min: known(min), max: known(max), mean: None, peak_to_peak: known(max - min) }
+    }
+
+    /// The largest magnitude.
+    pub fn magnitude(&self) -> f64 {
+        self.min.abs().max(self.max.abs())
+    }
+}
+
+/// How wrong an output may be.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Estimate {
+    pub total: Statistics,
+    /// Of the largest magnitude.
+    pub relative: f64,
+    /// By what it comes from.
+    pub parts: Vec<(String, Statistics)>,
+    pub not_estimated: Vec<String>,
+}
+
+impl Estimate {
+    fn of(json: &Value, factor: f64) -> Option<Estimate> {
+        let parts = json["parts"].as_object().into_iter().flatten();
+        let names = json["not_estimated"].as_array().into_iter().flatten();
+        Some(Estimate {
+            total: Statistics::of(json, factor)?,
+            relative: json["relative"].as_f64()?,
+            parts: parts
+                .filter_map(|(name, part)| Some((name.clone(), Statistics::of(part, factor)?)))
+                .collect(),
+            not_estimated: names.filter_map(Value::as_str).map(str::to_owned).collect(),
+        })
+    }
+
+    /// How far values may be off.
+    pub fn of_values(&self) -> f64 {
+        self.total.min.abs().max(self.total.max.abs())
+    }
+}
+
+/// A row of `line_load.csv`. SI.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+pub struct Loaded {
+    pub step: usize,
+    pub first_body: String,
+    pub first_tooth: u32,
+    pub second_body: String,
+    pub second_tooth: u32,
+    pub first_radius: f64,
+    pub first_roll_angle: Option<f64>,
+    pub second_radius: f64,
+    pub second_roll_angle: Option<f64>,
+    pub axial: Option<f64>,
+    pub length: f64,
+    pub force: f64,
+    pub line_load: f64,
+    pub pressure: f64,
+}
+
+/// A picture that the run has drawn.
+pub struct Picture {
+    pub name: String,
+    /// The drawing itself.
+    pub svg: String,
+}
+
+impl Run {
+    /// # Errors
+    /// There is no run in the directory, or its files are not those of a run.
+    pub fn read(directory: &Path) -> io::Result<Run> {
+        let (head, end) = match (journal::find(directory)?, read_run(directory)?) {
+            (_, Some(run)) if run.get("incomplete").is_some() => {
+                let why = run["incomplete"]["message"].as_str().unwrap_or("it was stopped").to_owned();
+                (run, End::Stopped(why))
+            }
+            // The journal goes last.
+            (None, Some(run)) => (run, End::Finished),
+            (Some(found), _) => (found.head, End::Open),
+            (None, None) => {
+                return Err(io::Error::new(
+                    io::ErrorKind::NotFound,
+                    "there is neither a run.json nor a journal",
+                ));
+            }
+        };
+        let timing = match fs::read(directory.join("timing.json")) {
+            Ok(text) if end == End::Finished => Some(serde_json::from_slice(&text)?),
+            _ => None,
+        };
+        let (positions, columns) = steps(&directory.join("steps.csv"))?;
+        let outputs = columns.into_iter().map(|(name, values)| output(&head, name, values)).collect();
+        Ok(Run {
+            end,
+            timing,
+            positions,
+            outputs,
+            contact: contact(&directory.join(LINE_LOAD))?,
+            stresses: stress_range::read(directory)?,
+            pictures: pictures(directory, &head)?,
+            modes: table(&directory.join(modes_table::NAME))?,
+            tradeoff: tradeoff(directory),
+            files: files(directory)?,
+            head,
+        })
+    }
+
+    /// A text of the head; empty if it has none.
+    pub fn text(&self, name: &str) -> &str {
+        self.head[name].as_str().unwrap_or_default()
+    }
+}
+
+/// Values by name.
+type Columns = Vec<(String, Vec<f64>)>;
+
+fn steps(path: &Path) -> io::Result<(Vec<Position>, Columns)> {
+    if !path.exists() {
+        return Ok((Vec::new(), Vec::new()));
+    }
+    let mut reader = csv::ReaderBuilder::new().flexible(true).from_path(path)?;
+    let names: Vec<String> = reader.headers()?.iter().skip(5).map(str::to_owned).collect();
+    let mut columns: Columns = names.into_iter().map(|name| (name, Vec::new())).collect();
+    let mut positions = Vec::new();
+    for record in reader.records() {
+        let record = record?;
+        // What was being written when the run ended.
+        if record.len() < 5 + columns.len() {
+            break;
+        }
+        let number = |column: usize| record[column].parse().unwrap_or(f64::NAN);
+        let [time, cycle, roll] = [1, 2, 3].map(number);
+        positions.push(Position { time, cycle, roll, point: record[4].to_owned() });
+        columns.iter_mut().enumerate().for_each(|(index, (_, values))| values.push(number(5 + index)));
+    }
+    Ok((positions, columns))
+}
+
+/// What `run.json` says of an output, or of one of a run that has not come to its end the head.
+fn output(head: &Value, name: String, values: Vec<f64>) -> Output {
+    let said = match head["outputs"].get(&name) {
+        Some(said) => said,
+        None => &head["columns"][&name],
+    };
+    let factor = said["display"]["factor"].as_f64().unwrap_or(1.0);
+    let values: Vec<f64> = values.into_iter().map(|value| from_si(value, factor)).collect();
+    let text = |value: &Value| value.as_str().unwrap_or_default().to_owned();
+    let harmonics = said["harmonics"].as_array().into_iter().flatten();
+    let harmonic = |one: &Value| Some((one["order"].as_u64()?, from_si(one["amplitude"].as_f64()?, factor)));
+    Output {
+        doc: text(&said["doc"]),
+        unit: text(&said["display"]["unit"]),
+        statistics: Statistics::of(said, factor).unwrap_or_else(|| Statistics::of_values(&values)),
+        place: place(&said["max_at"], Units::of_system(head["units"].as_str().unwrap_or_default())),
+        harmonics: harmonics.filter_map(harmonic).collect(),
+        error: Estimate::of(&said["error_estimate"], factor),
+        values,
+        name,
+    }
+}
+
+/// Where a maximum is, in words.
+fn place(at: &Value, units: Units) -> String {
+    let mut words = Vec::new();
+    match at["roll_angle"].as_f64() {
+        Some(roll) if roll != 0.0 => words.push(format!("roll angle {:.2}°", roll.to_degrees())),
+        _ => words.extend(at["time"].as_f64().map(|time| format!("{time:.5} s"))),
+    }
+    words.extend(at["point"].as_str().filter(|point| !point.is_empty()).map(str::to_owned));
+    if let (Some(body), Some(tooth)) = (at["place"]["body"].as_str(), at["place"]["tooth"].as_u64()) {
+        words.push(format!("{body}, tooth {tooth}"));
+    }
+    let length = |si: f64| format!("{} {}", super::number(units.length.of(si)), units.length.name);
+    words.extend(at["place"]["radius"].as_f64().map(|radius| format!("radius {}", length(radius))));
+    words.extend(at["place"]["axial"].as_f64().map(|axial| format!("{} from mid-face", length(axial))));
+    words.join(", ")
+}
+
+fn contact(path: &Path) -> io::Result<Vec<Loaded>> {
+    if !path.exists() {
+        return Ok(Vec::new());
+    }
+    let mut reader = csv::ReaderBuilder::new().flexible(true).from_path(path)?;
+    // A row that was being written when the run ended is none.
+    Ok(reader.deserialize().map_while(Result::ok).collect())
+}
+
+fn table(path: &Path) -> io::Result<Vec<Vec<String>>> {
+    if !path.exists() {
+        return Ok(Vec::new());
+    }
+    let mut reader = csv::ReaderBuilder::new().has_headers(false).from_path(path)?;
+    let cells = |record: csv::StringRecord| record.iter().map(str::to_owned).collect();
+    reader.records().map(|record| Ok(cells(record?))).collect()
+}
+
+/// Those that the run lists, in its order.
+fn pictures(directory: &Path, head: &Value) -> io::Result<Vec<Picture>> {
+    let listed = head["signals"].as_array().into_iter().flatten();
+    let named = listed.filter_map(|signal| signal["picture"].as_str());
+    let names = named.filter_map(|path| path.strip_prefix(SIGNALS)?.strip_prefix('/')?.strip_suffix(".svg"));
+    // Nothing from outside of the directory.
+    let names = names.filter(|name| !name.contains(['/', '\\']));
+    names
+        .map(|name| {
+            let svg = fs::read_to_string(directory.join(SIGNALS).join(format!("{name}.svg")))?;
+            Ok(Picture { name: name.replace('_', " "), svg })
+        })
+        .collect()
+}
+
+/// What lies beside a run directory of the same model.
+fn tradeoff(directory: &Path) -> Option<Value> {
+    let name = directory.file_name()?.to_str()?.strip_suffix(".run")?;
+    let text = fs::read(directory.with_file_name(format!("{name}.tradeoff")).join("tradeoff.json")).ok()?;
+    serde_json::from_slice(&text).ok()
+}
+
+fn files(directory: &Path) -> io::Result<Vec<String>> {
+    let mut names = Vec::new();
+    for entry in fs::read_dir(directory)? {
+        let entry = entry?;
+        let slash = if entry.file_type()?.is_dir() { "/" } else { "" };
+        names.push(format!("{}{slash}", entry.file_name().to_string_lossy()));
+    }
+    // Itself is there once it is written, and so is what a later command leaves.
+    names.retain(|name| name != crate::directory::REPORT && !name.ends_with(".part"));
+    names.sort();
+    Ok(names)
+}

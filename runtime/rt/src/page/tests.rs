@@ -1,0 +1,204 @@
+//! Pages of made-up runs: what they say, that they stand alone, and that they are whole HTML.
+
+use super::*;
+use serde_json::{Value, json};
+
+/// Tags that have no end.
+const VOID: [&str; 4] = ["meta", "br", "hr", "!DOCTYPE"];
+
+/// Every tag is closed, in order, and nothing is fetched.
+fn check(page: &str) {
+    let mut open: Vec<&str> = Vec::new();
+    let mut rest = page;
+    while let Some(at) = rest.find('<') {
+        rest = &rest[at + 1..];
+        let end = rest.find('>').expect("a tag ends");
+        let tag = &rest[..end];
+        let name = tag.trim_start_matches('/').split([' ', '\n', '/']).next().unwrap();
+        match tag {
+            _ if tag.starts_with('/') => {
+                assert_eq!(open.pop(), Some(name), "near {}", &rest[..80.min(rest.len())])
+            }
+            _ if VOID.contains(&name) || tag.ends_with('/') => {}
+            _ => open.push(name),
+        }
+        rest = &rest[end + 1..];
+        // Style is no markup.
+        if open.last() == Some(&"style") {
+            rest = &rest[rest.find("</style").unwrap()..];
+        }
+    }
+    assert!(open.is_empty(), "{open:?}");
+    for fetching in ["<script", "<link", "src=", "url(", "@import", "href=\"http"] {
+        assert!(!page.contains(fetching), "{fetching}");
+    }
+    let elsewhere = page.matches("http").count();
+    assert_eq!(elsewhere, page.matches("xmlns=\"http://www.w3.org/2000/svg\"").count(), "an address");
+}
+
+fn run_json() -> Value {
+    let display =
+        json!({ "unit": "urad", "factor": 1e-6, "min": 1.0, "max": 3.0, "mean": 2.0, "peak_to_peak": 2.0 });
+    json!({
+        "calyx": "1.2.3", "abi": "0123", "model": "pair.cx", "units": "inch_lbf_s",
+        "doc": "A pair <b>& its</b> gear.\n\nOf two\nlines.",
+        "source": { "files": [{ "name": "pair.cx", "sha256": "abc" }], "tables": [] },
+        "params": {
+            "torque": { "value": 5.0, "display": { "unit": "N*m", "value": 5.0 }, "doc": "How hard.", "at_default": false },
+            "edges": { "value": true, "doc": "", "at_default": true },
+            "name": { "value": "it's", "doc": "", "at_default": false },
+        },
+        "fidelity": "plane",
+        "plan": {
+            "bodies": { "pinion": { "modelled": true, "reason": "elastic" }, "idle": { "modelled": false, "reason": "left out: it touches nothing" } },
+            "bearings": {},
+        },
+        "outputs": { "te": {
+            "doc": "How far it is off.", "unit": "rad", "display": display,
+            "min": 1e-6, "max": 3e-6, "mean": 2e-6, "peak_to_peak": 2e-6,
+            "harmonics": [{ "order": 1, "amplitude": 1e-6, "phase": 0.0 }, { "order": 2, "amplitude": 1e-7, "phase": 0.0 }],
+            "max_at": { "step": 2, "time": 0.2, "roll_angle": 0.4, "point": "LPSTC", "place": { "body": "pinion", "tooth": 3, "radius": 0.02, "axial": null } },
+        } },
+        "certificate": { "complementarity": 1e-17, "penetration": 2e-16, "tension": 0.0, "equilibrium": 1e-3 },
+        "ignored_inputs": { "damping": "nothing moves" },
+        "warnings": ["W0715: look here"],
+    })
+}
+
+fn directory(run: &Value) -> tempfile::TempDir {
+    let directory = tempfile::tempdir().unwrap();
+    let write = |name: &str, text: &str| fs::write(directory.path().join(name), text).unwrap();
+    write("run.json", &run.to_string());
+    write(
+        "timing.json",
+        r#"{ "total": 2.0, "stages": { "structures": 1.5, "positions": 0.5 }, "structures": { "built": 2, "reused": 0 } }"#,
+    );
+    write(
+        "steps.csv",
+        "step,time,cycle,roll_angle,point,te\n0,0,0,0.2,SAP,0.000001\n1,0.1,0.3,0.3,,0.000002\n2,0.2,0.6,0.4,LPSTC,0.000003\n",
+    );
+    directory
+}
+
+fn text(directory: &Path) -> String {
+    let page = fs::read_to_string(write(directory).unwrap()).unwrap();
+    check(&page);
+    page
+}
+
+#[test]
+fn a_page_says_what_the_run_was() {
+    let directory = directory(&run_json());
+    let page = text(directory.path());
+    for said in [
+        "<h1>A pair &lt;b&gt;&amp; its&lt;/b&gt; gear</h1>",
+        "<p>Of two lines.</p>",
+        "How hard.",
+        "it touches nothing",
+        "nothing moves",
+        "W0715: look here",
+        "solved to rounding",
+        "look at this",
+        "roll angle 22.92°, LPSTC, pinion, tooth 3, radius 0.7874 inch",
+        "calyx run pair.cx --set 'torque=5 N*m' --set 'name=it'\\''s'",
+        "This run has no error estimates",
+        "calyx tradeoff pair.cx",
+        "2 structures were condensed",
+        "harmonics of te",
+    ] {
+        assert!(page.contains(said), "{said}");
+    }
+    assert!(!page.contains("not complete") && !page.contains("id=\"stress\""));
+    // Of the same files, the same page; but for what took how long.
+    assert_eq!(text(directory.path()), page);
+    fs::write(directory.path().join("timing.json"), r#"{ "total": 9.0, "stages": { "positions": 9.0 } }"#)
+        .unwrap();
+    let other = text(directory.path());
+    let without_time = |page: &str| {
+        let (before, rest) = page.split_once("<section id=\"time\">").unwrap();
+        before.to_owned() + rest.split_once("</section>").unwrap().1
+    };
+    assert!(other != page && without_time(&other) == without_time(&page));
+}
+
+#[test]
+fn errors_stand_beside_what_they_are_of() {
+    let mut run = run_json();
+    let of = |x: f64| json!({ "min": x, "max": x, "mean": x, "peak_to_peak": x });
+    let mut estimate = of(6e-8);
+    estimate["relative"] = json!(0.02);
+    estimate["parts"] = json!({ "discretization": of(1e-8), "positions": of(5e-8) });
+    estimate["not_estimated"] = json!(["level"]);
+    run["outputs"]["te"]["error_estimate"] = estimate;
+    let page = text(directory(&run).path());
+    for said in [
+        "± 0.06",
+        "2 %",
+        "<b>1.7 %</b>",
+        "0.33 %",
+        "1.4 times as many positions",
+        "Not estimated: level of modelling",
+        "<polygon",
+    ] {
+        assert!(page.contains(said), "{said}");
+    }
+    assert!(!page.contains("This run has no error estimates"));
+}
+
+/// What lies beside the run directory of a model answers what half of an error costs.
+#[test]
+fn a_measured_trade_off_is_shown() {
+    let mut run = run_json();
+    run["outputs"]["te"]["error_estimate"] = json!({ "min": 6e-8, "max": 6e-8, "mean": 6e-8, "peak_to_peak": 6e-8, "relative": 0.02, "parts": {}, "not_estimated": [] });
+    let setting = |name: &str, time: f64, error: f64| json!({ "name": name, "time": { "structures": time, "positions": 0.5 }, "errors": { "te": { "error": error } } });
+    let document = json!({
+        "reference": "finest",
+        "settings": [setting("fine", 7.5, 0.004), setting("coarse", 0.5, 0.03), setting("middle", 2.5, 0.008)],
+        "outputs": { "te": { "frontier": ["coarse", "middle", "fine"] } },
+    });
+    let folder = tempfile::tempdir().unwrap();
+    let (own, beside) = (folder.path().join("pair.cx.run"), folder.path().join("pair.cx.tradeoff"));
+    fs::rename(directory(&run).keep(), &own).unwrap();
+    fs::create_dir(&beside).unwrap();
+    fs::write(beside.join("tradeoff.json"), document.to_string()).unwrap();
+    let page = text(&own);
+    for said in [
+        "coarse, 1 s: 3 %<br>middle, 3 s: 0.8 %<br>fine, 8 s: 0.4 %",
+        "<td class=\"word\">middle, 3 s: 0.8 %</td>",
+        "against <b>finest</b>",
+    ] {
+        assert!(page.contains(said), "{said}");
+    }
+    assert!(!page.contains("calyx tradeoff"));
+}
+
+/// A journal without `run.json` is a run that was killed; `incomplete` one that was stopped.
+#[test]
+fn runs_that_are_not_whole_say_so() {
+    let mut run = run_json();
+    run.as_object_mut()
+        .unwrap()
+        .retain(|name, _| !["outputs", "certificate", "plan", "fidelity"].contains(&name.as_str()));
+    run["columns"] =
+        json!({ "te": { "doc": "How far.", "unit": "rad", "display": { "unit": "urad", "factor": 1e-6 } } });
+    let killed = directory(&run);
+    let journal = format!("{{\"journal\":2,\"run\":{run}}}\n");
+    fs::write(killed.path().join("journal.jsonl"), journal).unwrap();
+    fs::remove_file(killed.path().join("run.json")).unwrap();
+    let rows = fs::read_to_string(killed.path().join("steps.csv")).unwrap();
+    fs::write(killed.path().join("steps.csv"), rows + "3,0.3,0.").unwrap();
+    let page = text(killed.path());
+    for said in
+        ["it is under way, or was killed", "the 3 positions", "--resume", "How far.", "te in urad: 1 to 3"]
+    {
+        assert!(page.contains(said), "{said}");
+    }
+    assert!(!page.contains("id=\"time\""), "the time of another run");
+
+    run["incomplete"] = json!({ "code": "E0704", "message": "the run was cancelled" });
+    let page = text(directory(&run).path());
+    assert!(page.contains("This run is not complete: the run was cancelled."), "{page}");
+
+    let nothing = tempfile::tempdir().unwrap();
+    assert_eq!(write(nothing.path()).unwrap_err().kind(), io::ErrorKind::NotFound);
+}

@@ -1,0 +1,49 @@
+//! The units of what the page shows beside outputs, by the model's system of units.
+
+/// A unit of plots.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Unit {
+    pub name: &'static str,
+    /// In SI.
+    pub size: f64,
+}
+
+impl Unit {
+    /// A number in SI, in this unit.
+    pub fn of(self, si: f64) -> f64 {
+        si / self.size
+    }
+}
+
+/// What plots of contact and stress are in.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Units {
+    pub length: Unit,
+    pub force: Unit,
+    pub line_load: Unit,
+    pub stress: Unit,
+}
+
+const METRIC: Units = Units {
+    length: Unit { name: "mm", size: 1e-3 },
+    force: Unit { name: "N", size: 1.0 },
+    line_load: Unit { name: "N/mm", size: 1e3 },
+    stress: Unit { name: "MPa", size: 1e6 },
+};
+
+const POUND: f64 = 4.4482216152605;
+const INCH: f64 = 0.0254;
+
+const IMPERIAL: Units = Units {
+    length: Unit { name: "inch", size: INCH },
+    force: Unit { name: "lbf", size: POUND },
+    line_load: Unit { name: "lbf/inch", size: POUND / INCH },
+    stress: Unit { name: "psi", size: POUND / (INCH * INCH) },
+};
+
+impl Units {
+    /// Those of a system by its name: `SI`, `mm_N_s`, `inch_lbf_s`.
+    pub fn of_system(name: &str) -> Units {
+        if name == "inch_lbf_s" { IMPERIAL } else { METRIC }
+    }
+}

@@ -1,0 +1,153 @@
+//! The largest and the smallest stress that each place of the fillets sees over a run: what fatigue asks for, and a thousandth of what the
+//! stresses of every position take.
+//!
+//! Teeth of a gear are of one shape, and a place is the same on all of them. The table of a run is on disk, whole, before the journal says that
+//! a position is solved. A run that goes on begins with it, and may add a position that is in it already: that changes no extreme.
+
+use calyx_runtime::observe::{Fields, FilletStress};
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// Its name in a run directory.
+pub const NAME: &str = "root_stress_range.csv";
+
+/// A place of the fillets of a body, and what it has seen. SI.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Seen {
+    pub body: String,
+    /// The flank that the fillet lies beside: 0 or 1.
+    pub flank: u32,
+    /// Along the face, from 0; a plane model has one.
+    pub section: usize,
+    /// Along the profile from the end of the flank, from 0.
+    pub point: usize,
+    /// Distance along the profile from the end of the flank towards the root, m.
+    pub depth: f64,
+    /// m
+    pub radius: f64,
+    /// Along the axis from the middle of the face, m; absent in a plane model.
+    pub axial: Option<f64>,
+    /// The largest of the largest principal stresses, Pa.
+    pub largest: f64,
+    /// The smallest of the smallest principal stresses, Pa.
+    pub smallest: f64,
+}
+
+type Key = (String, u32, usize, usize);
+
+/// Of the fillets of a run.
+pub struct StressRange {
+    path: PathBuf,
+    places: BTreeMap<Key, Seen>,
+}
+
+impl StressRange {
+    /// Begins with nothing.
+    pub fn create(directory: &Path) -> io::Result<StressRange> {
+        let path = directory.join(NAME);
+        match fs::remove_file(&path) {
+            Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
+            _ => Ok(StressRange { path, places: BTreeMap::new() }),
+        }
+    }
+
+    /// Begins with what an earlier run has written into the directory.
+    pub fn go_on(directory: &Path) -> io::Result<StressRange> {
+        let seen = read(directory)?.into_iter();
+        let key = |seen: &Seen| (seen.body.clone(), seen.flank, seen.section, seen.point);
+        Ok(StressRange { path: directory.join(NAME), places: seen.map(|seen| (key(&seen), seen)).collect() })
+    }
+
+    /// Adds a position. Without stresses there is no table.
+    pub fn add(&mut self, fields: &Fields) -> io::Result<()> {
+        for fillet in &fields.fillets {
+            for (section, stresses) in fillet.sections.iter().enumerate() {
+                for (point, stress) in stresses.iter().enumerate() {
+                    self.see((fillet.body.clone(), fillet.flank, section, point), stress);
+                }
+            }
+        }
+        if self.places.is_empty() { Ok(()) } else { self.write() }
+    }
+
+    fn see(&mut self, key: Key, stress: &FilletStress) {
+        let [largest, smallest] = stress.principal;
+        let seen = self.places.entry(key).or_insert_with_key(|(body, flank, section, point)| Seen {
+            body: body.clone(),
+            flank: *flank,
+            section: *section,
+            point: *point,
+            depth: stress.depth,
+            radius: stress.place.radius,
+            axial: stress.place.axial,
+            largest,
+            smallest,
+        });
+        seen.largest = seen.largest.max(largest);
+        seen.smallest = seen.smallest.min(smallest);
+    }
+
+    /// Beside, and renamed: whoever reads finds the whole of it.
+    fn write(&self) -> io::Result<()> {
+        let unfinished = self.path.with_extension("csv.part");
+        let mut writer = csv::Writer::from_path(&unfinished)?;
+        self.places.values().try_for_each(|seen| writer.serialize(seen))?;
+        writer.flush()?;
+        fs::rename(unfinished, &self.path)
+    }
+}
+
+/// What a run has written; nothing where it has not.
+pub fn read(directory: &Path) -> io::Result<Vec<Seen>> {
+    let path = directory.join(NAME);
+    if !path.exists() {
+        return Ok(Vec::new());
+    }
+    Ok(csv::Reader::from_path(path)?.deserialize().collect::<Result<_, _>>()?)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use calyx_runtime::observe::FilletField;
+    use calyx_runtime::results::Place;
+
+    fn fields(tooth: u32, principal: [f64; 2]) -> Fields {
+        let place = Place { body: "pinion".into(), tooth, roll_angle: None, radius: 0.02, axial: None };
+        let stress = FilletStress {
+            point: [0.0; 3],
+            place,
+            depth: 1e-4,
+            components: [principal[0], 0.0, 0.0],
+            principal,
+        };
+        let sections = vec![vec![stress]];
+        Fields {
+            fillets: vec![FilletField { body: "pinion".into(), tooth, flank: 1, sections }],
+            ..Fields::default()
+        }
+    }
+
+    #[test]
+    fn teeth_fall_together_and_a_position_may_be_added_twice() {
+        let directory = tempfile::tempdir().unwrap();
+        let directory = directory.path();
+        StressRange::create(directory).unwrap().add(&Fields::default()).unwrap();
+        assert!(!directory.join(NAME).exists(), "a table of nothing");
+        let positions = [fields(0, [1.0 / 3.0, 0.0]), fields(1, [7e6, -1e-3]), fields(2, [2.0, -5e6])];
+        let mut whole = StressRange::create(directory).unwrap();
+        positions.iter().for_each(|position| whole.add(position).unwrap());
+        let expected = fs::read_to_string(directory.join(NAME)).unwrap();
+        let [seen] = &read(directory).unwrap()[..] else { panic!("{expected}") };
+        assert_eq!((seen.largest, seen.smallest, seen.flank), (7e6, -5e6, 1));
+        // Ended after the second, which is solved again.
+        let mut ended = StressRange::create(directory).unwrap();
+        positions[..2].iter().for_each(|position| ended.add(position).unwrap());
+        let mut again = StressRange::go_on(directory).unwrap();
+        positions[1..].iter().for_each(|position| again.add(position).unwrap());
+        assert_eq!(fs::read_to_string(directory.join(NAME)).unwrap(), expected);
+    }
+}
