@@ -102,7 +102,7 @@ pub use calyx_lang::diagnostic::{Diagnostic, Severity};
 pub use calyx_rt as rt;
 pub use calyx_rt::{
     Cancel, Engine, EngineConfig, Error, ErrorKind, Given, GivenValue, Host, Instance, ModelDescription,
-    Output, Param, ParamValue, Progress, Results, Run, Step,
+    Output, Override, Param, ParamValue, Progress, Results, Run, Step,
 };
 pub use error::{CompileError, Diagnostics};
 pub use kernel::{Kernel, KernelError, Quantity};

@@ -245,6 +245,11 @@ fn runs_go_on_with_their_own() {
 }
 
 #[test]
+fn options_change_the_analysis() {
+    hold(include_str!("cli/overriding.md"));
+}
+
+#[test]
 fn certain_fixes_are_applied() {
     hold(include_str!("cli/fix.md"));
 }

@@ -117,8 +117,7 @@ fn in_space(directory: &Path, arguments: &[&str]) -> Command {
 #[test]
 fn a_model_in_space_that_does_not_fit_is_refused() {
     let directory = tempfile::tempdir().unwrap();
-    // One gear after the other: side by side each is promised the room that there is before either takes it.
-    let arguments = ["--set", "fidelity=finest", "--memory-limit", "400MB", "--threads", "1"];
+    let arguments = ["--set", "fidelity=finest", "--memory-limit", "400MB"];
     let (status, _, err) = said(&mut in_space(directory.path(), &arguments));
     assert_eq!(status, Some(1), "{err}");
     let (_, message) = err.split_once("[E0707] Error: the analysis needs ").expect(&err);

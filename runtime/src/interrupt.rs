@@ -5,7 +5,29 @@ use std::fmt;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-type Question = dyn Fn(u64) -> Result<(), EngineError> + Send + Sync;
+type Question = dyn Fn(Wanted) -> Result<(), EngineError> + Send + Sync;
+
+/// Memory that is asked for.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Wanted {
+    /// What is to be taken next, bytes; most checkpoints know of nothing.
+    pub bytes: u64,
+    /// What was promised to others who still hold it, bytes, whether they have taken it or not.
+    pub promised: u64,
+}
+
+/// Memory that was promised; it is given back when this is dropped.
+#[derive(Debug)]
+pub struct Room {
+    promised: Arc<AtomicU64>,
+    bytes: u64,
+}
+
+impl Drop for Room {
+    fn drop(&mut self) {
+        self.promised.fetch_sub(self.bytes, Ordering::Relaxed);
+    }
+}
 
 /// Asked at checkpoints whether to go on; the error it answers with ends the work, and is what the caller gets.
 ///
@@ -23,12 +45,14 @@ type Question = dyn Fn(u64) -> Result<(), EngineError> + Send + Sync;
 /// # Memory
 /// Before anything large is allocated (what condensing a sector takes, a contact matrix), the question is asked whether so many bytes
 /// may be taken, so that an analysis ends with an error instead of being killed. What is asked for is at least what is taken, at any
-/// number of threads.
+/// number of threads: what threads side by side were promised and may not have taken yet, the question is told too.
 #[derive(Clone, Default)]
 pub struct Interrupt {
     question: Option<Arc<Question>>,
-    /// The largest number of bytes asked for.
+    /// The largest number of bytes asked for, those promised to others among them.
     most: Arc<AtomicU64>,
+    /// Bytes that somebody holds.
+    promised: Arc<AtomicU64>,
 }
 
 impl Interrupt {
@@ -37,9 +61,9 @@ impl Interrupt {
         Self::counting(move |_| question())
     }
 
-    /// The same of a question that is told how many bytes are to be taken next, of which most checkpoints know nothing: 0.
-    pub fn counting(question: impl Fn(u64) -> Result<(), EngineError> + Send + Sync + 'static) -> Self {
-        Self { question: Some(Arc::new(question)), most: Arc::default() }
+    /// The same of a question that is told how many bytes are to be taken next.
+    pub fn counting(question: impl Fn(Wanted) -> Result<(), EngineError> + Send + Sync + 'static) -> Self {
+        Self { question: Some(Arc::new(question)), ..Self::default() }
     }
 
     /// Lets everything run to its end.
@@ -52,19 +76,23 @@ impl Interrupt {
     /// # Errors
     /// The error to end with.
     pub fn check(&self) -> Result<(), EngineError> {
-        self.room_for(0)
+        self.room_for(0).map(drop)
     }
 
-    /// A checkpoint before so many bytes are taken.
+    /// A checkpoint before so many bytes are taken, which are the caller's as long as it keeps what this returns.
     ///
     /// # Errors
     /// The error to end with.
-    pub fn room_for(&self, bytes: u64) -> Result<(), EngineError> {
-        self.most.fetch_max(bytes, Ordering::Relaxed);
-        self.question.as_ref().map_or(Ok(()), |question| question(bytes))
+    pub fn room_for(&self, bytes: u64) -> Result<Room, EngineError> {
+        let promised = self.promised.fetch_add(bytes, Ordering::Relaxed);
+        // Whoever is refused gives it back.
+        let room = Room { promised: self.promised.clone(), bytes };
+        self.most.fetch_max(promised + bytes, Ordering::Relaxed);
+        let wanted = Wanted { bytes, promised };
+        self.question.as_ref().map_or(Ok(()), |question| question(wanted)).map(|()| room)
     }
 
-    /// The most bytes that were asked for at once.
+    /// The most bytes that were asked for at once, by all threads together.
     pub fn most_asked(&self) -> u64 {
         self.most.load(Ordering::Relaxed)
     }
@@ -73,5 +101,30 @@ impl Interrupt {
 impl fmt::Debug for Interrupt {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(if self.question.is_some() { "Interrupt(..)" } else { "Interrupt(never)" })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Two gears side by side are not promised the same memory, and who is done gives it back.
+    #[test]
+    fn what_is_promised_to_one_is_not_promised_to_another() {
+        let full = || EngineError::new("E0707", "it is too much", "");
+        let interrupt =
+            Interrupt::counting(
+                move |wanted| if wanted.bytes + wanted.promised <= 100 { Ok(()) } else { Err(full()) },
+            );
+        let first = interrupt.room_for(60).expect("there is room");
+        assert_eq!(interrupt.room_for(60).map(drop).map_err(|error| error.code), Err("E0707"));
+        // The refusal holds nothing.
+        let second = interrupt.clone().room_for(40).expect("there is room");
+        assert_eq!(interrupt.most_asked(), 120);
+        interrupt.check().expect("it takes nothing");
+        drop(first);
+        let third = interrupt.room_for(60).expect("there is room again");
+        drop((second, third));
+        interrupt.room_for(100).map(drop).expect("all is given back");
     }
 }

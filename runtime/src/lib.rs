@@ -70,6 +70,7 @@
 //! | [`system`], [`step`], [`observe`] | the planned scene, built; a position in equilibrium; values read off it, one [`observe::Observable`] each |
 //! | [`signal`] | outputs in the frequency domain: spectra, orders, transfer functions |
 //! | [`analysis`], [`results`], [`summary`] | a list of positions: [`analysis::Steps`] is the iterator, [`analysis::quasi_static`] tells an observer |
+//! | [`overriding`] | knobs of an analysis that somebody outside the model turns |
 //! | [`resources`], [`cache`], [`interrupt`] | what an analysis uses and no result depends on: threads, kept structures, a way to end it |
 //! | [`structure`], [`fe`], [`profile`] | elastic bodies by their surfaces, the finite elements behind them, the true curves contact sees |
 //! | [`contact`] | closest approaches, grids, the contact problem and its exact solution |
@@ -98,6 +99,7 @@ pub mod bearing;
 mod building;
 pub mod cache;
 pub mod contact;
+pub mod cost;
 mod dense;
 pub mod disc;
 pub mod dynamics;
@@ -111,6 +113,7 @@ pub mod lug_contact;
 pub mod material;
 pub mod motion;
 pub mod observe;
+pub mod overriding;
 pub mod plan;
 pub mod profile;
 pub mod resources;

@@ -139,10 +139,12 @@ calyx_abi::externs! {
         context, method: String, over: Handle, fidelity: String, face_elements: f64, displacement_order: f64,
         newmark: String, rayleigh_mass: f64, rayleigh_stiffness: f64, highest_frequency: f64, start: String,
     ) -> () {
-        let fidelity = fidelity_named(&fidelity)?;
+        let own_fidelity = fidelity_named(&fidelity)?;
         let face_elements = count_or_default("face_elements", face_elements)?;
         let axial_order = count_or_default("displacement_order", displacement_order)?;
         let host = host(context)?;
+        let overrides = host.overrides;
+        let fidelity = overrides.fidelity.unwrap_or(own_fidelity);
         let asked = host.asked.is_some() && host.checking;
         if asked || host.result.is_some() {
             return Err(RuntimeError::new("E0680", "the model has a second analysis, and a run holds the results of one",
@@ -150,12 +152,14 @@ calyx_abi::externs! {
         }
         let structure = StructureOptions { face_elements, axial_order, ..host.analysis.structure };
         structure.check().map_err(engine)?;
+        let structure = overrides.structure(structure);
+        overrides.turn_grids(&mut host.scene);
         let options = AnalysisOptions { fidelity, structure, highest_frequency, ..host.analysis.clone() };
-        let positions = entry(&host.positions, over)?.clone();
+        let positions = overrides.sample(entry(&host.positions, over)?.clone());
         let rayleigh = [rayleigh_mass, rayleigh_stiffness];
         let how = match method.as_str() {
             "quasi_static" => {
-                check_modes(fidelity, highest_frequency).map_err(engine)?;
+                check_modes(fidelity, highest_frequency).map_err(|error| engine(overrides.told_of(error)))?;
                 How::QuasiStatic(positions)
             }
             "dynamic" => {
@@ -167,7 +171,15 @@ calyx_abi::externs! {
         };
         crate::signal_externs::check(host)?;
         refuse_outputs(host, fidelity)?;
-        host.asked = Some(Asked { fidelity, structure, in_time: matches!(how, How::Dynamic(_)) });
+        let (in_time, problems) = match &how {
+            How::QuasiStatic(positions) => (false, positions.len()),
+            How::Dynamic(dynamic) => (true, dynamic.ranges.iter().map(|range| range.steps).sum()),
+        };
+        if in_time && overrides.every.is_some() {
+            return Err(RuntimeError::new("E0795", "of a motion in time no step can be left out",
+                "leave `every` to quasi-static analyses; the model's `keep_every` says which steps results have"));
+        }
+        host.asked = Some(Asked { fidelity, structure, in_time, problems });
         if host.checking { Ok(()) } else { analyze(host, &how, &options) }
     }
 }
@@ -238,7 +250,7 @@ fn analyze(host: &mut ModelHost, how: &How, options: &AnalysisOptions) -> Result
     };
     host.observer = observer;
     host.failed_analyses += usize::from(result.is_err());
-    host.result = Some(result.map_err(|error| host.engine_error(error))?);
+    host.result = Some(result.map_err(|error| host.engine_error(host.overrides.told_of(error)))?);
     crate::signal_externs::answer(host);
     Ok(())
 }
@@ -279,8 +291,12 @@ fn count_or_default(argument: &str, count: f64) -> Result<Option<usize>, Runtime
 /// # Errors
 /// What the analysis would fail with before its first position is solved, or the interrupt's.
 pub fn check_plan(host: &ModelHost, interrupt: &Interrupt) -> Result<Plan, RuntimeError> {
-    let unasked = Asked { fidelity: Fidelity::Plane, structure: host.analysis.structure, in_time: false };
-    let Asked { fidelity, structure, in_time } = host.asked.unwrap_or(unasked);
+    let unasked = || {
+        let fidelity = host.overrides.fidelity.unwrap_or(Fidelity::Plane);
+        let structure = host.overrides.structure(host.analysis.structure);
+        Asked { fidelity, structure, in_time: false, problems: 0 }
+    };
+    let Asked { fidelity, structure, in_time, .. } = host.asked.unwrap_or_else(unasked);
     let plan = Plan::new(&host.scene, fidelity, structure);
     let plan = plan.and_then(|plan| plan.yielding(&host.scene, &host.outputs));
     let plan = plan.map(|plan| if in_time { plan.in_time() } else { plan });
@@ -289,7 +305,7 @@ pub fn check_plan(host: &ModelHost, interrupt: &Interrupt) -> Result<Plan, Runti
     let start = starts.fold(f64::INFINITY, f64::min);
     let first = if start.is_finite() { start } else { 0.0 };
     let checked = plan.and_then(|plan| holding::check(&host.scene, &plan, first, interrupt).map(|()| plan));
-    checked.map_err(|error| host.engine_error(error))
+    checked.map_err(|error| host.engine_error(host.overrides.told_of(error)))
 }
 
 /// Bodies that may move, and that neither mesh nor bearing holds: an analysis leaves them out.

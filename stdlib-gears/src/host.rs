@@ -18,6 +18,7 @@ use calyx_runtime::error::{EngineError, Subject};
 use calyx_runtime::load::Load;
 use calyx_runtime::material::Material;
 use calyx_runtime::observe::Gauge;
+use calyx_runtime::overriding::Override;
 use calyx_runtime::results::{AnalysisResult, OutputRequest};
 use calyx_runtime::scene::{BodyId, Fidelity, Scene, StructureOptions};
 use calyx_runtime::signal::{Signal, SignalRequest};
@@ -117,6 +118,8 @@ pub struct ModelHost {
     pub observer: Option<Box<dyn Observer + Send>>,
     /// How an analysis is done, but for what the program says of it.
     pub analysis: AnalysisOptions,
+    /// What counts more than what the program says of it.
+    pub overrides: Override,
     /// The model is checked: an analysis is asked for, and not done.
     pub checking: bool,
     /// How the program wants the scene to be modelled, if it has asked for an analysis.
@@ -251,6 +254,8 @@ pub struct Asked {
     pub structure: StructureOptions,
     /// Whether with inertia and damping.
     pub in_time: bool,
+    /// Contact problems that it solves one after the other: positions, or steps in time.
+    pub problems: usize,
 }
 
 /// Two bodies whose gears meet.

@@ -35,6 +35,7 @@ impl GearPrototype {
             stresses: if options.stresses { FLANKS * fillet * STRESS_PLACES_PER_EDGE } else { 0 },
             components: 1,
             window,
+            mirrored: false,
         })
     }
 
@@ -55,19 +56,21 @@ impl GearPrototype {
         let cut = nodes("cut_right")?.iter().filter(|node| !held.contains(node)).count();
         let (teeth, window) = (self.gear.teeth(), self.coupled_teeth());
         let stresses = FLANKS * fillet * per_edge * (layers * per_layer + 1);
+        let means = match self.rim.revolved_web(teeth, self.material) {
+            Some(web) => web.unknowns(teeth, window),
+            None => self.rim.hold.unknowns(false, teeth, window),
+        };
         Some(StructureSize {
             sectors: teeth,
             elements: mesh.elements.len() - mesh.absent.len(),
             freedoms: 3 * (mesh.nodes.len() - held.len()),
             cut: 3 * cut,
-            means: match self.rim.revolved_web(teeth, self.material) {
-                Some(web) => web.unknowns(teeth, window),
-                None => self.rim.hold.unknowns(false, teeth, window),
-            },
+            means,
             loads: FLANKS * split.samples * split.polynomials(layers, order),
             stresses: if options.stresses { stresses } else { 0 },
             components: 3,
             window,
+            mirrored: self.helix.is_spur() && means == 0,
         })
     }
 }

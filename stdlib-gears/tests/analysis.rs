@@ -203,9 +203,12 @@ fn the_number_of_threads_changes_no_bit_in_space() {
 fn memory_is_asked_for_before_it_is_taken() {
     let within = |limit: u64| {
         let refused = || EngineError::new("E0707", "it is too much", "");
-        let interrupt =
-            Interrupt::counting(move |bytes| if bytes <= limit { Ok(()) } else { Err(refused()) });
-        let options = options(Resources { interrupt: interrupt.clone(), ..Resources::default() });
+        let interrupt = Interrupt::counting(move |wanted| {
+            if wanted.bytes + wanted.promised <= limit { Ok(()) } else { Err(refused()) }
+        });
+        // What threads hold side by side depends on which is faster.
+        let pool = Some(Arc::new(rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("a thread")));
+        let options = options(Resources { interrupt: interrupt.clone(), pool, ..Resources::default() });
         let ended = EDGES.steps(&options).and_then(Steps::finish);
         (ended.map(|result| result.timing.memory).map_err(|error| error.code), interrupt.most_asked())
     };

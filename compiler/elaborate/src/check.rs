@@ -11,7 +11,7 @@ use calyx_lang::diagnostic::Diagnostic;
 use calyx_lang::ir::{Program, SourceFile};
 use calyx_lang::render::{Colour, Renderer};
 use calyx_lang::span::{FileId, Span};
-use calyx_rt::{Given, Refused};
+use calyx_rt::{Given, Override, Refused};
 use std::collections::BTreeMap;
 use std::io::{self, IsTerminal};
 use std::path::Path;
@@ -52,12 +52,12 @@ pub fn check_file(path: &Path) -> io::Result<Checked> {
     check_at(path, Params::Defaults)
 }
 
-/// Checks the model in a file for a run with these params.
+/// Checks the model in a file for a run with these params, its analysis changed like this.
 ///
 /// # Errors
 /// As for [`check_file`].
-pub fn check_run(path: &Path, given: &[Given]) -> io::Result<Checked> {
-    check_at(path, Params::Given(given))
+pub fn check_run(path: &Path, given: &[Given], overrides: Override) -> io::Result<Checked> {
+    check_at(path, Params::Given(given, overrides))
 }
 
 fn check_at(path: &Path, params: Params) -> io::Result<Checked> {

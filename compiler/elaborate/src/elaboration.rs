@@ -20,6 +20,7 @@ use calyx_lower::kernels::lower_site;
 use calyx_rt::{Error, Given, Program as _, Refused, Seen, apply};
 use calyx_runtime::error::EngineError;
 use calyx_runtime::interrupt::Interrupt;
+use calyx_runtime::overriding::Override;
 use std::collections::BTreeMap;
 use std::fmt;
 use std::sync::{Arc, Mutex};
@@ -60,8 +61,8 @@ impl std::error::Error for Cancelled {}
 #[derive(Clone, Copy, Debug)]
 pub enum Params<'a> {
     Defaults,
-    /// For a run, which may take as long as it likes.
-    Given(&'a [Given]),
+    /// For a run, which may take as long as it likes, and which may change the analysis.
+    Given(&'a [Given], Override),
 }
 
 /// What a program describes, at some params.
@@ -126,7 +127,11 @@ fn elaborate_with(
         Err(found) => return Ok(unrunnable(found)),
     };
     go_on(cancel)?;
-    let host = ModelHost { checking: true, ..ModelHost::new(&interpreted.description().units) };
+    let overrides = match params {
+        Params::Defaults => Override::default(),
+        Params::Given(_, overrides) => overrides,
+    };
+    let host = ModelHost { checking: true, overrides, ..ModelHost::new(&interpreted.description().units) };
     let mut context = Context::new(Box::new(host));
     context.cancel = cancel.clone();
     context.fuel = FUEL;
@@ -138,7 +143,7 @@ fn elaborate_with(
         apply(&interpreted, &[], &mut context).and_then(|()| interpreted.describe_params(&mut context));
     let (applied, given) = match params {
         Params::Defaults => (defaults, &[][..]),
-        Params::Given(given) => (apply(&interpreted, given, &mut context), given),
+        Params::Given(given, _) => (apply(&interpreted, given, &mut context), given),
     };
     let ran = applied.and_then(|()| interpreted.main_to_values(&mut context).map_err(Error::Model));
     let values = ran.as_ref().map(|slots| values::of_top_level(program, slots, &context)).unwrap_or_default();
@@ -180,12 +185,12 @@ fn elaborate_with(
         // A run may take longer than checking.
         Err(Error::Model(error))
             if matches!(error.code.as_str(), codes::LIMIT | codes::EXHAUSTED)
-                && matches!(params, Params::Given(_)) => {}
+                && matches!(params, Params::Given(..)) => {}
         // What comes after a call that failed may follow from it.
         Err(Error::Model(error)) if survived.is_empty() => found.push(at_place(&error)),
         Err(Error::Model(_)) => {}
         Err(Error::Given(why)) => match params {
-            Params::Given(_) => refused = Some(why),
+            Params::Given(..) => refused = Some(why),
             Params::Defaults => found.push(wrong_default(program, why)),
         },
         Ok(_) => {}

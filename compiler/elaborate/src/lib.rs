@@ -25,6 +25,7 @@
 
 pub mod binding;
 pub mod check;
+mod cost;
 pub mod diagnostics;
 mod elaboration;
 pub mod geometry;
@@ -40,8 +41,9 @@ pub mod values;
 pub use calyx_abi::Cancel;
 pub use calyx_gears::derived::{Kind, Quantity};
 pub use calyx_lower::kernels::SymbolKind;
-pub use calyx_rt::{Given, Refused};
+pub use calyx_rt::{Given, Override, Refused};
 pub use check::{Checked, check_file, check_run, check_sources, check_text, render};
+pub use cost::PlannedCost;
 pub use elaboration::{Cancelled, Elaboration, FUEL, MEMORY, Params, elaborate, elaborate_printing};
 pub use geometry::{GearGeometry, Geometry, Made, Membership, MeshGeometry};
 pub use infix::Infix;

@@ -7,6 +7,7 @@ use calyx_lang::dimension::Dimension;
 use calyx_lang::units::UnitSystem;
 use calyx_runtime::bearing::Support;
 use calyx_runtime::load::Wrench;
+use calyx_runtime::overriding::Grid;
 use calyx_runtime::plan::Plan;
 use calyx_runtime::scene::{Body, BodyId, FREEDOMS, Fidelity, Prototype, StructureOptions};
 use calyx_runtime::structure::StructureSize;
@@ -18,12 +19,14 @@ use std::sync::Arc;
 pub struct Planned {
     /// As `analyze` calls it.
     pub fidelity: &'static str,
+    /// Whether motion in time is followed.
+    pub in_time: bool,
     pub bodies: Vec<PlannedBody>,
     pub meshes: Vec<PlannedMesh>,
     pub bearings: Vec<PlannedBearing>,
     /// Names of the outputs, which decide what is modelled.
     pub outputs: Vec<String>,
-    /// Lengths of the lists of positions that the model makes.
+    /// Contact problems that its analysis solves one after the other; without one, the lengths of the lists of positions that it makes.
     pub positions: Vec<usize>,
     /// Whether bodies are in space, and not a section in the plane.
     pub in_space: bool,
@@ -85,12 +88,14 @@ impl PartialEq for PlannedStructure {
 pub struct PlannedMesh {
     pub bodies: [String; 2],
     /// Contact cells of each pair of teeth.
-    pub cells: usize,
+    pub grid: Grid,
     /// Whether tip edges are searched.
     pub edges: bool,
     /// Whether these are the back sides of the teeth, of a mesh that is listed too.
     pub back_sides: bool,
     pub contact_ratio: Option<f64>,
+    /// What a helix adds to it.
+    pub overlap_ratio: f64,
 }
 
 /// What connects bodies besides contact.
@@ -136,14 +141,18 @@ impl Planned {
             PlannedMesh {
                 bodies: numbers
                     .map(|body| scene.bodies.get(body).map_or_else(String::new, |b| b.name.clone())),
-                cells: match plan.in_space {
-                    _ if plan.fidelity == Fidelity::Rigid => 0,
-                    false => 2 * pair.grid.half_cells_in_plane() + 1,
-                    true => (2 * pair.grid.half_cells_in_space() + 1) * (2 * pair.grid.half_slices + 1),
+                grid: match plan.in_space {
+                    _ if plan.fidelity == Fidelity::Rigid => Grid { half_cells: 0, half_slices: None },
+                    false => Grid { half_cells: pair.grid.half_cells_in_plane(), half_slices: None },
+                    true => Grid {
+                        half_cells: pair.grid.half_cells_in_space(),
+                        half_slices: Some(pair.grid.half_slices),
+                    },
                 },
                 edges: pair.grid.edges,
                 back_sides: pair.front.is_some(),
                 contact_ratio: meeting.map(|meeting| meeting.geometry.contact_ratio),
+                overlap_ratio: meeting.map_or(0.0, |meeting| meeting.geometry.overlap_ratio),
             }
         });
         let bearings = scene.bearings.iter().zip(&plan.bearings).map(|(bearing, planned)| {
@@ -165,11 +174,15 @@ impl Planned {
         let structures = numbers.iter().flatten().max().map_or(0, |last| last + 1);
         Planned {
             fidelity: plan.fidelity.name(),
+            in_time: host.asked.is_some_and(|asked| asked.in_time),
             bodies: bodies.collect(),
             meshes: meshes.collect(),
             bearings: bearings.collect(),
             outputs: description.outputs.iter().map(|output| output.name.clone()).collect(),
-            positions: host.positions.iter().map(Vec::len).collect(),
+            positions: match host.asked {
+                Some(asked) => vec![asked.problems],
+                None => host.positions.iter().map(Vec::len).collect(),
+            },
             structures,
             in_space: plan.in_space,
             refused: plan
@@ -184,6 +197,15 @@ impl Planned {
     /// Freedoms of bodies that are modelled: the unknowns beside the pressures.
     pub fn freedoms(&self) -> usize {
         self.bodies.iter().filter(|body| !body.left_out).map(|body| body.free.len()).sum()
+    }
+
+    /// Contact pressures of a position. Where no edges are searched, no more pairs touch than the next whole number above the contact ratio.
+    pub(crate) fn cells_in_contact(&self) -> usize {
+        let pairs = |mesh: &PlannedMesh| match mesh.contact_ratio {
+            Some(ratio) => (ratio + mesh.overlap_ratio).ceil() as usize,
+            None => 1,
+        };
+        self.meshes.iter().map(|mesh| mesh.grid.cells() * pairs(mesh)).sum()
     }
 
     /// The plan as text, in sections.
@@ -251,7 +273,7 @@ impl Planned {
     }
 
     /// Each structure with the bodies that share it, and its size.
-    fn sizes(&self) -> Vec<(Vec<&str>, StructureSize)> {
+    pub(crate) fn sizes(&self) -> Vec<(Vec<&str>, StructureSize)> {
         let of = |number: usize| {
             let bodies = || self.bodies.iter().filter(move |body| body.mesh.number == Some(number));
             // Of bodies that share one, whoever needs stresses decides.
@@ -313,12 +335,7 @@ impl Planned {
                 of_thousands(bytes as f64, [" kB", " MB", " GB", " TB"])
             ));
         }
-        // Where no edges are searched, no more pairs touch than the next whole number above the contact ratio.
-        let cells: usize = self
-            .meshes
-            .iter()
-            .map(|mesh| mesh.cells * mesh.contact_ratio.map_or(1, |ratio| ratio.ceil() as usize))
-            .sum();
+        let cells = self.cells_in_contact();
         let freedoms = match self.freedoms() {
             1 => "1 free motion".to_owned(),
             count => format!("{count} free motions"),
@@ -413,5 +430,5 @@ fn mesh_line(mesh: &PlannedMesh) -> String {
         (false, true) => "flanks and tip edges",
         (false, false) => "flanks on the nominal path",
     };
-    format!("\"{first}\" with \"{second}\": {edges}, {} cells a pair of teeth{ratio}", mesh.cells)
+    format!("\"{first}\" with \"{second}\": {edges}, {} cells a pair of teeth{ratio}", mesh.grid.cells())
 }

@@ -1,7 +1,7 @@
 //! Elaboration ends, can be cancelled, and goes on after what is wrong.
 
 use calyx_elaborate::values::{default_of, range_of};
-use calyx_elaborate::{Cancel, Cancelled, Elaboration, Given, ModelLoader, Params, elaborate};
+use calyx_elaborate::{Cancel, Cancelled, Elaboration, Given, ModelLoader, Override, Params, elaborate};
 use calyx_lang::dimension::Dimension;
 use calyx_lang::ir::Program;
 use std::thread;
@@ -51,7 +51,9 @@ fn a_loop_without_end_is_found() {
 fn params_from_outside_are_used_or_refused() {
     let program = program("param n = 3 in 1 .. 5; assert(n < 4);");
     let given = |text: &str| [Given::text("n", text)];
-    let ended = |text: &str| elaborate(&program, Params::Given(&given(text)), &Cancel::default()).unwrap();
+    let ended = |text: &str| {
+        elaborate(&program, Params::Given(&given(text), Override::default()), &Cancel::default()).unwrap()
+    };
     assert!(codes(&ended("2")).is_empty());
     assert_eq!(codes(&ended("5")), ["E0705"]);
     assert!(ended("9").refused.is_some_and(|refused| refused.message.contains("`n`")));

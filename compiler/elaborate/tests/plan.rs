@@ -1,6 +1,6 @@
 //! The plan of a model in words.
 
-use calyx_elaborate::{Cancel, Given, ModelLoader, Params, Planned, elaborate};
+use calyx_elaborate::{Cancel, Given, ModelLoader, Override, Params, Planned, elaborate};
 
 const PAIR: &str = include_str!("../../../examples/spur_pair.cx");
 
@@ -8,7 +8,9 @@ fn planned(text: &str, set: &[(&str, &str)]) -> Option<Planned> {
     let checked = calyx_lang::check::check_program("model.cx", text, &ModelLoader { folder: None });
     let program = checked.program.unwrap_or_else(|| panic!("{:?}", checked.diagnostics));
     let given: Vec<Given> = set.iter().map(|(name, text)| Given::text(*name, *text)).collect();
-    elaborate(&program, Params::Given(&given), &Cancel::default()).expect("nobody cancels").plan
+    elaborate(&program, Params::Given(&given, Override::default()), &Cancel::default())
+        .expect("nobody cancels")
+        .plan
 }
 
 #[test]

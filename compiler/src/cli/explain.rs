@@ -3,7 +3,10 @@
 use crate::messages::{MODEL_ERROR, MessageFormat, USAGE};
 use calyx::check_run;
 use calyx::explain::{all, page, similar_codes};
-use calyx::rt::Given;
+use calyx::rt::options::rates_file;
+use calyx::rt::overriding::OverrideArguments;
+use calyx::rt::{Given, Override};
+use calyx_runtime::cost::Rates;
 use clap::Args;
 use std::path::Path;
 use std::process::ExitCode;
@@ -11,7 +14,8 @@ use std::process::ExitCode;
 pub const EXAMPLES: &str = "Examples:
   calyx explain E0401
   calyx explain
-  calyx explain pair.cx --set torque=500";
+  calyx explain pair.cx --set torque=500
+  calyx explain pair.cx --fidelity finest      before it is run so";
 
 #[derive(Args)]
 pub struct Explain {
@@ -21,6 +25,13 @@ pub struct Explain {
     /// Set a param of the model, as for `calyx run`
     #[arg(long, value_name = "NAME=VALUE", value_parser = Given::name_and_value)]
     set: Vec<Given>,
+    #[command(flatten)]
+    overrides: OverrideArguments,
+    /// Measure anew how fast this machine is, which predictions of time follow from
+    ///
+    /// It takes a tenth of a second, and is kept in the directory of kept structures (see `calyx run --help`).
+    #[arg(long)]
+    recalibrate: bool,
 }
 
 impl Explain {
@@ -32,7 +43,7 @@ impl Explain {
             return ExitCode::SUCCESS;
         };
         if Path::new(&subject).extension().is_some_and(|extension| extension == "cx") {
-            return plan(Path::new(&subject), &self.set);
+            return plan(Path::new(&subject), &self.set, self.overrides.knobs(), self.recalibrate);
         }
         if let Some(page) = page(&subject) {
             print!("{page}");
@@ -48,9 +59,9 @@ impl Explain {
 }
 
 /// Prints how a model would be analysed.
-fn plan(file: &Path, set: &[Given]) -> ExitCode {
+fn plan(file: &Path, set: &[Given], overrides: Override, recalibrate: bool) -> ExitCode {
     let format = MessageFormat::Human;
-    let checked = match check_run(file, set) {
+    let checked = match check_run(file, set, overrides) {
         Ok(checked) => checked,
         Err(error) => return format.unreadable(file, &error),
     };
@@ -60,7 +71,10 @@ fn plan(file: &Path, set: &[Given]) -> ExitCode {
         return ExitCode::from(USAGE);
     }
     match &checked.plan {
-        Some(plan) => print!("{}", plan.text()),
+        Some(plan) => {
+            let rates = Rates::of_this_machine(rates_file().as_deref(), recalibrate);
+            print!("{}\n{}", plan.text(), plan.cost(&rates).text());
+        }
         None if checked.has_errors() => return ExitCode::from(MODEL_ERROR),
         None => println!("There is nothing to analyse: no two bodies mesh."),
     }

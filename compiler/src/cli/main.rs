@@ -16,6 +16,7 @@ mod repl;
 mod report;
 mod run;
 mod test;
+mod tradeoff;
 
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;
@@ -83,6 +84,13 @@ enum Command {
     /// Without a code, lists all codes.
     #[command(after_help = explain::EXAMPLES)]
     Explain(explain::Explain),
+    /// Measure speed against accuracy: a model at every level and knob, error against time for each output
+    ///
+    /// Runs the ladder of levels (plane sections to the finest meshes in three dimensions) and the knobs below them (mesh, contact grid,
+    /// positions), each once, and compares all with the finest that is affordable. Prints a table with what is worth its time marked, and
+    /// what to choose for which tolerance; writes it as tradeoff.csv, tradeoff.json and a picture, tradeoff.svg.
+    #[command(after_help = tradeoff::EXAMPLES)]
+    Tradeoff(tradeoff::Tradeoff),
     /// Compute an expression, or convert a quantity: calyx eval "3 inch to mm"
     #[command(after_help = eval::EXAMPLES)]
     Eval(eval::Eval),
@@ -118,6 +126,7 @@ fn main() -> ExitCode {
         Command::Fmt(command) => command.run(),
         Command::Test(command) => command.run(),
         Command::Explain(command) => command.run(),
+        Command::Tradeoff(command) => command.run(),
         Command::Eval(command) => command.run(),
         Command::Repl(command) => command.run(),
         Command::Doc(command) => command.run(),

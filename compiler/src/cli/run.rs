@@ -22,6 +22,7 @@ Examples:
   calyx run pair.cx --print-params > params.schema.json what a file of params may hold
   calyx run pair.cx --json --quiet | jq .outputs.max_contact_pressure.max
   calyx run pair.cx --resume                            after a run that was ended
+  calyx run pair.cx --fidelity plane --cells 12         whatever the model says of its analysis
 
 A file of params, case.toml:
   torque = 500              # in the unit of the param's default
@@ -53,10 +54,12 @@ impl Run {
                 return ExitCode::from(USAGE);
             }
         };
-        let (module, before) = match compile(&file, arguments.quiet, format, || check_run(&file, &given)) {
-            Ok(compiled) => compiled,
-            Err(status) => return status,
-        };
+        let overrides = arguments.overrides.knobs();
+        let (module, before) =
+            match compile(&file, arguments.quiet, format, || check_run(&file, &given, overrides)) {
+                Ok(compiled) => compiled,
+                Err(status) => return status,
+            };
         let directory = arguments.out.clone().unwrap_or_else(|| default_directory(&file));
         let messages = Said { module: &module, format };
         if module.has_errors() {

@@ -159,5 +159,6 @@ pub const CODES: &[Explanation] = codes! {
     "E0781" "dynamics of rigid teeth" "Motion under inertia needs teeth that give: choose the fidelity \"analytic\" or \"plane\"."
     "E0782" "modes of bodies without meshes" "Component modes are those of a mesh: choose the fidelity \"plane\", or let bodies vibrate as rigid ones on their teeth with `highest_frequency = 0`."
     "E0783" "a body without a closed form" "The fidelity \"analytic\" has closed forms for gears. Choose \"plane\" for other bodies."
+    "E0795" "an analysis cannot be changed so" "Options like `--fidelity` and `--cells`, and programs that embed models, change an analysis whatever the model says of it. The message says what the knob can be."
     "E0799" "a defect of Calyx; please report it with the model" "Something inside Calyx contradicts itself. It is not the model's fault."
 };

@@ -73,6 +73,7 @@ impl RunCommand<'_> {
             resume: arguments.resume,
             fields: arguments.fields,
             vtu: arguments.vtu,
+            overrides: arguments.overrides.knobs(),
             cancel: interrupt::flag(),
         };
         match run(program, &options) {

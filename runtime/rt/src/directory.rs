@@ -11,6 +11,7 @@ use calyx_abi::description::{
 };
 use calyx_abi::units::from_si;
 use calyx_runtime::observe::Fields;
+use calyx_runtime::overriding::Override;
 use calyx_runtime::plan::Plan;
 use calyx_runtime::results::{AnalysisResult, OutputSummary, Solved, StepRow, StructureCounts, Timing};
 use calyx_runtime::summary::Harmonic;
@@ -229,16 +230,16 @@ pub fn write_unfinished(
 
 /// What a run is of, and what the columns of outputs in its table of positions are: of a run that did not come to its end, nothing else
 /// tells.
-pub fn head(description: &ModelDescription, params: &[ParamValue]) -> Value {
-    let mut head = subject(description, params);
+pub fn head(description: &ModelDescription, params: &[ParamValue], overrides: &Override) -> Value {
+    let mut head = subject(description, params, overrides);
     let columns = description.outputs.iter().map(|output| (output.name.clone(), column_json(output)));
-    head["columns"] = json!(columns.collect::<Map<_, _>>());
+    head[COLUMNS] = json!(columns.collect::<Map<_, _>>());
     head
 }
 
-/// What a run is of: versions, source and params.
-fn subject(description: &ModelDescription, params: &[ParamValue]) -> Value {
-    json!({
+/// What a run is of: versions, source and params, and what of the analysis was changed from outside, if anything was.
+fn subject(description: &ModelDescription, params: &[ParamValue], overrides: &Override) -> Value {
+    let mut head = json!({
         "calyx": env!("CARGO_PKG_VERSION"),
         "abi": description.abi,
         "model": description.name,
@@ -246,26 +247,39 @@ fn subject(description: &ModelDescription, params: &[ParamValue]) -> Value {
         "units": description.units,
         "source": source_json(description),
         "params": params_json(description, params),
-    })
+    });
+    if !overrides.is_none() {
+        let turned = overrides.turned().into_iter();
+        // Numbers as numbers.
+        let value = |text: String| serde_json::from_str(&text).unwrap_or(json!(text));
+        head["overrides"] = turned.map(|(name, text)| (name.to_owned(), value(text))).collect();
+    }
+    head
 }
+
+/// Of a run that is not finished: what the columns of its table are.
+const COLUMNS: &str = "columns";
 
 fn column_json(output: &OutputDescription) -> Value {
     let display = json!({ "unit": output.unit.name, "factor": output.unit.factor });
     json!({ "doc": output.doc, "unit": output.si, "display": display })
 }
 
-/// Writes `run.json` and `timing.json` of a finished run. `result` is `None` for a model without an analysis; `signals` are those of
-/// [`crate::signals::list`].
+/// Writes `run.json` and `timing.json` of a finished run, which is of what `run` says (see [`head`]). `result` is `None` for a model without
+/// an analysis; `signals` are those of [`crate::signals::list`].
 pub fn write_run(
     directory: &Path,
+    mut run: Value,
     description: &ModelDescription,
-    params: &[ParamValue],
     result: Option<&AnalysisResult>,
     signals: Value,
     warnings: &[String],
     stages: &Stages,
 ) -> io::Result<()> {
-    let mut run = subject(description, params);
+    // Finished, it tells more of its outputs.
+    if let Some(run) = run.as_object_mut() {
+        run.remove(COLUMNS);
+    }
     if let Some(result) = result {
         let summaries = description.outputs.iter().zip(&result.summaries);
         let outputs =
@@ -300,6 +314,8 @@ pub struct Stages {
     pub before: StageTimes,
     /// The program, its analysis included.
     pub program: Duration,
+    /// Positions that an earlier run had solved, whose time is not in this one's.
+    pub solved_before: usize,
 }
 
 fn write_json(path: PathBuf, value: &Value) -> io::Result<()> {
@@ -416,6 +432,7 @@ fn timing_json(analysis: Option<&Timing>, around: &Stages) -> Value {
         json!({ "unit": "s", "total": (before + around.program).as_secs_f64(), "stages": stages });
     if let Some(Timing { structures: StructureCounts { built, reused }, memory, .. }) = analysis {
         timing["structures"] = json!({ "built": built, "reused": reused });
+        timing["solved_before"] = json!(around.solved_before);
         timing["memory"] = json!({ "unit": "byte", "asked": memory });
     }
     timing

@@ -17,6 +17,7 @@ use calyx_abi::{Cancel, Context, stack};
 use calyx_gears::host::ModelHost;
 use calyx_runtime::error::EngineError;
 use calyx_runtime::observe::Fields;
+use calyx_runtime::overriding::Override;
 use calyx_runtime::results::Solved;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
@@ -57,6 +58,7 @@ pub struct Instance {
     record: Option<RecordSink>,
     solved: Vec<Solved>,
     fields: usize,
+    overrides: Override,
 }
 
 impl Instance {
@@ -78,6 +80,7 @@ impl Instance {
             record: None,
             solved: Vec::new(),
             fields: 0,
+            overrides: Override::default(),
         }
     }
 
@@ -234,6 +237,11 @@ impl Instance {
         self.fields = positions;
     }
 
+    /// What takes the place of what the model says of its analysis, in runs from now on.
+    pub fn override_analysis(&mut self, overrides: Override) {
+        self.overrides = overrides;
+    }
+
     /// Runs the model on a thread of its own, position by position: it goes on to the next one when the one before was
     /// taken.
     ///
@@ -267,6 +275,7 @@ impl Instance {
             record: self.record.clone(),
             solved: self.solved.clone(),
             fields: self.fields,
+            overrides: self.overrides,
         }
     }
 }
@@ -285,6 +294,7 @@ struct Job {
     record: Option<RecordSink>,
     solved: Vec<Solved>,
     fields: usize,
+    overrides: Override,
 }
 
 impl Job {
@@ -336,6 +346,7 @@ impl Job {
             host.analysis.resources = self.engine.resources(interrupt)?;
             host.analysis.solved = self.solved;
             host.analysis.fields = self.fields;
+            host.overrides = self.overrides;
         }
         let started = Instant::now();
         self.program.main(&mut context)?;

@@ -28,6 +28,8 @@ mod names;
 #[cfg(feature = "command")]
 pub mod options;
 #[cfg(feature = "command")]
+pub mod overriding;
+#[cfg(feature = "command")]
 pub mod page;
 pub mod params;
 #[cfg(feature = "command")]
@@ -48,11 +50,14 @@ pub mod signals;
 pub mod stepping;
 pub mod stress_range;
 pub mod table;
+#[cfg(feature = "command")]
+pub mod tradeoff;
 pub mod vtu;
 mod watching;
 
 pub use calyx_abi::Cancel;
 pub use calyx_abi::description::{ModelDescription, ParamValue};
+pub use calyx_runtime::overriding::Override;
 pub use engine::{Engine, EngineConfig};
 pub use error::{Error, ErrorKind};
 pub use given::{Given, GivenValue};

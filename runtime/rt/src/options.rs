@@ -2,6 +2,7 @@
 
 use crate::budget;
 use crate::given::Given;
+use crate::overriding::OverrideArguments;
 use crate::params::Refused;
 use crate::params_file;
 use crate::progress::ProgressFormat;
@@ -9,7 +10,7 @@ use calyx_runtime::cache::Store;
 use clap::Args;
 use etcetera::BaseStrategy;
 use std::num::NonZeroUsize;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 /// The options of a run.
@@ -30,6 +31,8 @@ pub struct RunArguments {
     /// Print what the params are, as JSON Schema, and run nothing
     #[arg(long, help_heading = PARAMS)]
     pub print_params: bool,
+    #[command(flatten)]
+    pub overrides: OverrideArguments,
     /// Directory for the results [default: the model's name and .run]
     ///
     /// Gets report.html (all of it, to be looked at), run.json (inputs, outputs, certificate), steps.csv (a row a position) and
@@ -98,13 +101,10 @@ const CACHE_LIMIT: u64 = 4 << 30;
 impl RunArguments {
     /// Where structures are kept on disk; `None` if that is not wanted or the user has no place for such files.
     pub fn store(&self) -> Option<Store> {
-        let named = std::env::var_os(CACHE_VARIABLE).filter(|name| !name.is_empty());
-        let directory = match (&self.cache, named) {
+        let directory = match &self.cache {
             _ if self.no_cache => return None,
-            (Some(directory), _) => directory.clone(),
-            (None, Some(name)) if name == "off" => return None,
-            (None, Some(name)) => PathBuf::from(name),
-            (None, None) => etcetera::choose_base_strategy().ok()?.cache_dir().join("calyx/structures"),
+            Some(directory) => directory.clone(),
+            None => cache_directory()?,
         };
         Some(Store::new(directory, CACHE_LIMIT))
     }
@@ -114,8 +114,31 @@ impl RunArguments {
     /// # Errors
     /// The file cannot be read, or is not one of params.
     pub fn given(&self) -> Result<Vec<Given>, Refused> {
-        let mut given = self.params.as_deref().map(params_file::read).transpose()?.unwrap_or_default();
-        given.extend(self.set.iter().cloned());
-        Ok(given)
+        given_of(self.params.as_deref(), &self.set)
     }
+}
+
+/// What is given for params: of the file first, then what counts more.
+///
+/// # Errors
+/// The file cannot be read, or is not one of params.
+pub fn given_of(file: Option<&Path>, set: &[Given]) -> Result<Vec<Given>, Refused> {
+    let mut given = file.map(params_file::read).transpose()?.unwrap_or_default();
+    given.extend(set.iter().cloned());
+    Ok(given)
+}
+
+/// Where the user's cache is: the directory that the environment names, else the user's own; `None` if nothing is to be kept or there is no
+/// place for such files.
+fn cache_directory() -> Option<PathBuf> {
+    match std::env::var_os(CACHE_VARIABLE).filter(|name| !name.is_empty()) {
+        Some(name) if name == "off" => None,
+        Some(name) => Some(PathBuf::from(name)),
+        None => Some(etcetera::choose_base_strategy().ok()?.cache_dir().join("calyx/structures")),
+    }
+}
+
+/// Where the rates are kept that this machine was measured to have.
+pub fn rates_file() -> Option<PathBuf> {
+    Some(cache_directory()?.join("rates.json"))
 }

@@ -1,8 +1,9 @@
 //! Progress with the time that remains: a bar on a terminal, or one JSON object a line for programs.
 
 use clap::ValueEnum;
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use indicatif::{HumanDuration, ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde_json::json;
+use std::cell::Cell;
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
@@ -80,6 +81,57 @@ impl Progress {
     }
 }
 
+/// Shows which of several runs is under way, and how long all that are left will take: as predicted, corrected by what those before took.
+pub struct Tour {
+    bar: ProgressBar,
+    json: bool,
+    /// Time of each, s.
+    predicted: Vec<f64>,
+    began: Instant,
+    /// The run under way.
+    index: Cell<usize>,
+}
+
+impl Tour {
+    /// Draws on standard error as [`Progress`] does.
+    pub fn new(format: ProgressFormat, quiet: bool, predicted: Vec<f64>) -> Tour {
+        let json = format == ProgressFormat::Json;
+        let target = if quiet || json { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };
+        let bar = ProgressBar::with_draw_target(Some(predicted.len() as u64), target);
+        bar.set_style(style("{spinner} [{bar:32}] {pos}/{len} {msg}"));
+        bar.enable_steady_tick(Duration::from_millis(100));
+        Tour { bar, json, predicted, began: Instant::now(), index: Cell::new(0) }
+    }
+
+    /// A run begins.
+    pub fn begin(&self, index: usize, name: &str) {
+        self.index.set(index);
+        let left = seconds_left(&self.predicted, index, self.began.elapsed().as_secs_f64());
+        self.bar.set_position(index as u64);
+        self.bar.set_message(format!(
+            "{name}, about {} left",
+            HumanDuration(Duration::from_secs_f64(left.max(0.0)))
+        ));
+        if self.json {
+            let count = self.predicted.len();
+            eprintln!("{}", json!({ "stage": name, "done": index, "total": count, "seconds_left": left }));
+        }
+    }
+
+    pub fn finish(&self) {
+        self.bar.finish_and_clear();
+    }
+}
+
+/// What is left of runs of these predicted times when the first `done` have taken `elapsed`, s.
+fn seconds_left(predicted: &[f64], done: usize, elapsed: f64) -> f64 {
+    let (before, after) = predicted.split_at(done.min(predicted.len()));
+    let (before, after): (f64, f64) = (before.iter().sum(), after.iter().sum());
+    // A prediction is told by more than its first moments.
+    let scale = if before > 0.0 && elapsed > 0.5 { elapsed / before } else { 1.0 };
+    after * scale
+}
+
 /// A line for programs; what is left takes as long as what was done.
 fn line(stage: &str, done: usize, total: Option<usize>, elapsed: Option<Duration>) -> serde_json::Value {
     let left = elapsed.zip(total).filter(|_| done > 0);
@@ -95,6 +147,13 @@ fn style(template: &str) -> ProgressStyle {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_is_left_follows_what_was_predicted_and_what_it_took() {
+        assert_eq!(seconds_left(&[1.0, 2.0, 3.0], 0, 0.0), 6.0);
+        assert_eq!(seconds_left(&[1.0, 2.0, 3.0], 2, 6.0), 6.0);
+        assert_eq!(seconds_left(&[1.0, 2.0, 3.0], 3, 6.0), 0.0);
+    }
 
     #[test]
     fn lines_say_what_is_left() {

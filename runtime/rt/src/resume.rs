@@ -4,6 +4,7 @@ use crate::directory::read_run;
 use crate::journal::{self, Found};
 use crate::params::Refused;
 use serde_json::Value;
+use std::collections::BTreeSet;
 use std::io;
 use std::path::Path;
 
@@ -81,6 +82,16 @@ fn differences(then: &Value, now: &Value) -> Vec<String> {
             all.push(format!("`{name}` was {} and is {} now", shown(then), shown(now)));
         }
     }
+    let turned = |run: &Value| run["overrides"].as_object().cloned().unwrap_or_default();
+    let (then, now) = (turned(then), turned(now));
+    let names: BTreeSet<&String> = then.keys().chain(now.keys()).collect();
+    for name in names {
+        let [then, now] = [&then, &now]
+            .map(|turned| turned.get(name).map_or_else(|| "the model's own".to_owned(), Value::to_string));
+        if then != now {
+            all.push(format!("`{name}` of the analysis was {then} and is {now} now"));
+        }
+    }
     all
 }
 
@@ -120,6 +131,7 @@ mod tests {
                 "torque": { "value": 113.0, "display": { "unit": "lbf*inch", "value": 1000.0 } },
                 "edges": { "value": true }, "kind": { "value": "plane" },
             },
+            "overrides": { "cells": 6 },
         })
     }
 
@@ -130,7 +142,7 @@ mod tests {
         let mut moved = head();
         moved["source"]["files"][0]["name"] = json!("models/pair.cx");
         assert_eq!(differences(&head(), &moved), Vec::<String>::new());
-        let changes: [(&[&str], Value, &str); 7] = [
+        let changes: [(&[&str], Value, &str); 9] = [
             (&["calyx"], json!("2.0"), "it was begun by Calyx 1.0, and this is 2.0"),
             (&["abi"], json!(8), "it was begun by another build of Calyx"),
             (&["source", "files"], json!([]), "the model consisted of other files"),
@@ -142,6 +154,8 @@ mod tests {
             ),
             (&["params", "edges"], json!({ "value": false }), "`edges` was TRUE and is FALSE now"),
             (&["params", "kind"], json!({ "value": "solid" }), "`kind` was \"plane\" and is \"solid\" now"),
+            (&["overrides", "cells"], json!(9), "`cells` of the analysis was 6 and is 9 now"),
+            (&["overrides"], json!({}), "`cells` of the analysis was 6 and is the model's own now"),
         ];
         for (path, value, said) in changes {
             let mut changed = head();

@@ -18,6 +18,7 @@ use calyx_abi::{Cancel, Status};
 use calyx_gears::host::Finding;
 use calyx_runtime::error::EngineError;
 use calyx_runtime::observe::Fields;
+use calyx_runtime::overriding::Override;
 use calyx_runtime::results::Solved;
 use serde_json::Value;
 use std::io;
@@ -51,6 +52,8 @@ pub struct RunOptions {
     pub fields: bool,
     /// Writes pictures of every position for ParaView.
     pub vtu: bool,
+    /// What takes the place of what the model says of its analysis.
+    pub overrides: Override,
     /// Set from outside, it ends the run soon; what was written is kept.
     pub cancel: Cancel,
 }
@@ -96,9 +99,10 @@ pub fn run(program: Arc<dyn Program>, options: &RunOptions) -> Result<RunReport,
     instance.limit_time(options.time_limit);
     instance.limit_memory(options.memory_limit);
     instance.set_cancel(options.cancel.clone());
+    instance.override_analysis(options.overrides);
     let params = instance.params().map_err(RunError::Run)?;
     let description = program.description();
-    let head = head(description, &params);
+    let head = head(description, &params, &options.overrides);
     let progress = Arc::new(Progress::new(options.progress, options.quiet, options.print_to_error));
     let found = match earlier(options, &head)? {
         Begun::Finished => {
@@ -137,11 +141,15 @@ pub fn run(program: Arc<dyn Program>, options: &RunOptions) -> Result<RunReport,
         && error.status() == Status::Cancelled
         && solved > 0
     {
-        write_unfinished(directory, head, solved, error).map_err(unwritable)?;
+        write_unfinished(directory, head.clone(), solved, error).map_err(unwritable)?;
         page::write(directory).map_err(unwritable)?;
     }
     let results = outcome?;
-    let stages = Stages { before: options.before.clone(), program: results.time() };
+    let stages = Stages {
+        before: options.before.clone(),
+        program: results.time(),
+        solved_before: found.as_ref().map_or(0, |found| found.solved.len()),
+    };
     let all_warnings = results.warnings();
     let findings = results.findings().iter();
     let mut written: Vec<String> =
@@ -152,8 +160,7 @@ pub fn run(program: Arc<dyn Program>, options: &RunOptions) -> Result<RunReport,
     modes.map_or(Ok(()), |modes| modes_table::write(directory, modes)).map_err(unwritable)?;
     signals::write(directory, description, results.signals()).map_err(unwritable)?;
     let listed = signals::list(description, results.signals());
-    write_run(directory, description, results.params(), result, listed, &written, &stages)
-        .map_err(unwritable)?;
+    write_run(directory, head, description, result, listed, &written, &stages).map_err(unwritable)?;
     journal::remove(directory).map_err(unwritable)?;
     page::write(directory).map_err(unwritable)?;
     let ignored = result.iter().flat_map(|result| &result.plan.ignored);

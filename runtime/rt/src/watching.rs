@@ -9,7 +9,8 @@ use calyx_abi::error::codes;
 use calyx_abi::limits::Limits;
 use calyx_runtime::analysis::{Event, Observer};
 use calyx_runtime::error::EngineError;
-use calyx_runtime::interrupt::Interrupt;
+use calyx_runtime::interrupt::{Interrupt, Wanted};
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, PoisonError};
 
 /// See the module.
@@ -35,7 +36,9 @@ const WORTH_ASKING: u64 = 1 << 22;
 /// What an analysis asks whether to go on: no, if it was cancelled, has used up its time, or would take more memory than it may or
 /// than there is.
 pub fn interrupt(cancel: Cancel, limits: Limits) -> Interrupt {
-    Interrupt::counting(move |wanted| {
+    // What the process took when nothing was promised.
+    let before = AtomicU64::new(0);
+    Interrupt::counting(move |Wanted { bytes: wanted, promised }| {
         if cancel.is_cancelled() {
             return Err(cancelled());
         }
@@ -52,8 +55,16 @@ pub fn interrupt(cancel: Cancel, limits: Limits) -> Interrupt {
         if wanted < WORTH_ASKING {
             return Ok(());
         }
+        // What was promised and is taken by now is in what the system says already.
+        let now = budget::taken().unwrap_or(0);
+        if promised == 0 {
+            before.store(now, Ordering::Relaxed);
+        }
+        let owed = promised.saturating_sub(now.saturating_sub(before.load(Ordering::Relaxed)));
         match room(limits, taken) {
-            Some((room, whose)) if wanted > room => Err(too_large(wanted, room, whose)),
+            Some((room, whose)) if wanted > room.saturating_sub(owed) => {
+                Err(too_large(wanted, room.saturating_sub(owed), whose))
+            }
             _ => Ok(()),
         }
     })

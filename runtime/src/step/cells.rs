@@ -245,7 +245,7 @@ impl<S: Space> Solver<'_, S> {
     ) -> Result<(ContactProblem, Modal), EngineError> {
         let laid: Vec<(&Candidate<S::Site>, &S::Grid)> = candidates.iter().copied().zip(grids).collect();
         let count: usize = grids.iter().map(|grid| self.space.count(grid)).sum();
-        self.system.interrupt.room_for(MATRICES * (count * count * size_of::<f64>()) as u64)?;
+        let _room = self.system.interrupt.room_for(MATRICES * (count * count * size_of::<f64>()) as u64)?;
         let cells = ContactProblem {
             compliance: self.space.compliance(&laid)?,
             arms: laid.iter().flat_map(|(candidate, grid)| self.space.arms(candidate, grid)).collect(),

@@ -119,7 +119,8 @@ pub(super) fn condense(
         Support::Held(_) | Support::Free { .. } => &[],
     };
     let all_loads = [shared, loads, &balancing].concat();
-    interrupt.room_for(memory(&dissection, &all_loads, rows)).map_err(StructureError::Interrupted)?;
+    let _room =
+        interrupt.room_for(memory(&dissection, &all_loads, rows)).map_err(StructureError::Interrupted)?;
     let left = eliminate(&model.stiffness, &dissection, &all_loads, rows, checkpoint)?;
     checkpoint()?;
 

@@ -21,6 +21,8 @@ pub struct StructureSize {
     pub components: usize,
     /// Sectors up to this far apart have tables of what they do to each other.
     pub window: u32,
+    /// Whether it is condensed by halves that are images of each other.
+    pub mirrored: bool,
 }
 
 impl StructureSize {
@@ -75,6 +77,7 @@ mod tests {
         stresses: 400,
         components: 3,
         window: 3,
+        mirrored: true,
     };
 
     #[test]

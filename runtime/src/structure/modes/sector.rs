@@ -98,7 +98,8 @@ impl<'s> Shifted<'s> {
         shift: f64,
         interrupt: &Interrupt,
     ) -> Result<Option<Self>, StructureError> {
-        let checkpoint = |bytes: usize| interrupt.room_for(bytes as u64).map_err(StructureError::Interrupted);
+        let checkpoint =
+            |bytes: usize| interrupt.room_for(bytes as u64).map(drop).map_err(StructureError::Interrupted);
         checkpoint(0)?;
         let (count, cut) = (sector.inner.len(), 2 * sector.cuts[0].len());
         let mut place = vec![None; sector.dofs()];

@@ -1,0 +1,326 @@
+//! `calyx tradeoff`: a model at every level and setting, its error measured against its time.
+
+use crate::compile::compile;
+use crate::messages::{MODEL_ERROR, MessageFormat, USAGE};
+use calyx::elaborate::Planned;
+use calyx::rt::options::given_of;
+use calyx::rt::progress::{ProgressFormat, Tour};
+use calyx::rt::tradeoff::campaign::{Campaign, Outcome};
+use calyx::rt::tradeoff::text::{LeftOut, left_out, recommendations, seconds, table};
+use calyx::rt::tradeoff::{Comparison, Measured, Setting, files, picture, reference, settings};
+use calyx::rt::{Error, Given, Override, RunError, budget, interrupt};
+use calyx::{Severity, check_run};
+use calyx_runtime::cost::Rates;
+use calyx_runtime::overriding::Grid;
+use calyx_runtime::scene::Fidelity;
+use clap::Args;
+use std::io::{self, Write};
+use std::num::NonZeroUsize;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use std::time::Duration;
+
+pub const EXAMPLES: &str = "\
+Every setting is a run of its own below runs/ in the directory of results, with the model's params, the same positions and structures
+condensed anew. What a setting is off is its largest deviation from the reference at any position, over the largest magnitude of the
+output in the reference run; settings that leave positions out are off by what their extremes and mean miss. The reference is the finest level
+within --longest, with contact grids twice as fine. Its own error is in none of the numbers: a plane model that agrees with it to 1 % is
+right to 1 % and what the reference is off.
+
+Examples:
+  calyx tradeoff pair.cx                                results go to pair.cx.tradeoff
+  calyx tradeoff pair.cx --set steps=8 --levels plane,medium
+  calyx tradeoff pair.cx --longest 1h --reference finest
+  calyx tradeoff pair.cx                                again, after it was ended: goes on; once finished it is instant
+
+Then: calyx run pair.cx --fidelity plane --cells 12, with what the table recommends.
+
+Exit status: 0 when the comparison is written, 1 if the model or all levels failed, 2 if the command was not used as it can be.";
+
+#[derive(Args)]
+pub struct Tradeoff {
+    /// The model, a .cx file
+    file: PathBuf,
+    /// Set a param of the model, as for `calyx run`
+    #[arg(long, value_name = "NAME=VALUE", value_parser = Given::name_and_value)]
+    set: Vec<Given>,
+    /// Read params from FILE.json or FILE.toml, as for `calyx run`
+    #[arg(long, value_name = "FILE")]
+    params: Option<PathBuf>,
+    /// Levels to measure, with commas between them [default: all that the model can be analysed at]
+    #[arg(long, value_name = "LEVELS", value_delimiter = ',', value_parser = level)]
+    levels: Vec<Fidelity>,
+    /// Knobs to turn below the levels, with commas between them: refinement of the mesh, cells and cells_along of contact grids, every so
+    /// many positions; "none" measures the levels alone [default: all]
+    #[arg(long, value_name = "KNOBS", value_delimiter = ',', value_parser = ["refinement", "cells", "cells_along", "every", "none"])]
+    knobs: Vec<String>,
+    /// What errors are measured against: a level, or a setting as the table names it [default: the finest level within
+    /// --longest, with contact grids twice as fine]
+    #[arg(long, value_name = "SETTING")]
+    reference: Option<String>,
+    /// Leave out settings that are predicted to take longer than this, like 30s or 2h
+    #[arg(long, value_name = "TIME", value_parser = budget::time, default_value = "10min")]
+    longest: Duration,
+    /// Directory for the results [default: the model's file name and .tradeoff]
+    ///
+    /// Gets tradeoff.csv (a row for each setting and output), tradeoff.json, tradeoff.svg and the run directories. What is finished
+    /// there is kept as long as model and params are the same.
+    #[arg(short, long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Use this many threads [default: one a core]
+    #[arg(long, value_name = "N")]
+    threads: Option<NonZeroUsize>,
+    /// Print what tradeoff.json says instead of the table
+    #[arg(long)]
+    json: bool,
+    /// Print the table and errors alone
+    #[arg(long)]
+    quiet: bool,
+    /// How progress is shown on standard error
+    #[arg(long, value_enum, default_value_t, value_name = "FORMAT")]
+    progress: ProgressFormat,
+}
+
+fn level(name: &str) -> Result<Fidelity, String> {
+    let mut knobs = Override::default();
+    knobs.set("fidelity", name).map_err(|error| error.help)?;
+    knobs.fidelity.ok_or_else(|| name.to_owned())
+}
+
+/// A setting that is to be run, and the time it is predicted to take, s.
+type Expected = (Setting, Option<f64>);
+
+impl Tradeoff {
+    pub fn run(self) -> ExitCode {
+        let format = MessageFormat::Human;
+        let given = match given_of(self.params.as_deref(), &self.set) {
+            Ok(given) => given,
+            Err(refused) => {
+                format.refused(&refused);
+                return ExitCode::from(USAGE);
+            }
+        };
+        let check = || check_run(&self.file, &given, Override::default());
+        let (module, _) = match compile(&self.file, true, format, check) {
+            Ok(compiled) => compiled,
+            Err(status) => return status,
+        };
+        let mut left = Vec::new();
+        let (expected, chosen) = match self.plan(&given, &mut left) {
+            Ok(plan) => plan,
+            Err(why) => {
+                format.failure(&why, "`calyx check` says what is wrong with the model");
+                return ExitCode::from(MODEL_ERROR);
+            }
+        };
+        let directory = self.out.clone().unwrap_or_else(|| beside(&self.file));
+        let campaign = Campaign {
+            program: module.as_program(),
+            given,
+            directory: directory.clone(),
+            threads: self.threads.map_or(0, NonZeroUsize::get),
+            cancel: interrupt::flag(),
+        };
+        let measured = match self.measure(&campaign, &expected, &mut left) {
+            Ok(Some(measured)) => measured,
+            Ok(None) => {
+                format.note("ended; the same command goes on where this one was\n");
+                return ExitCode::from(MODEL_ERROR);
+            }
+            Err(RunError::Run(Error::Given(refused))) => {
+                format.refused(&refused);
+                return ExitCode::from(USAGE);
+            }
+            Err(RunError::Run(Error::Model(error))) => {
+                format.diagnostics(&[module.error(&error)], module.files());
+                return ExitCode::from(MODEL_ERROR);
+            }
+            Err(RunError::Io { path, error }) => return unwritable(format, &path, &error.to_string()),
+        };
+        let known = |name: &str| measured.iter().any(|measured| measured.setting.name == name);
+        // Should the reference have failed, the finest that there is takes its place.
+        let finest = measured.iter().max_by_key(|measured| {
+            let level = Fidelity::ALL.iter().position(|level| level.name() == measured.setting.level());
+            (level, measured.setting.knobs().is_empty())
+        });
+        let reference = chosen.filter(|name| known(name)).or_else(|| Some(finest?.setting.name.clone()));
+        let Some(comparison) = reference.and_then(|reference| Comparison::new(measured, &reference)) else {
+            format.note(&left_out(&left));
+            format.failure(
+                "the model cannot be analysed at any of these levels",
+                "see what each was left out for",
+            );
+            return ExitCode::from(MODEL_ERROR);
+        };
+        self.tell(&comparison, &left, &directory)
+    }
+
+    /// The settings to run, in order, and the name of the reference; what is left out is noted.
+    fn plan(
+        &self,
+        given: &[Given],
+        left: &mut Vec<LeftOut>,
+    ) -> Result<(Vec<Expected>, Option<String>), String> {
+        let wanted = |level: &Fidelity| self.levels.is_empty() || self.levels.contains(level);
+        let levels = Fidelity::ALL.into_iter().filter(wanted);
+        let rates = Rates::of_this_machine(calyx::rt::options::rates_file().as_deref(), false);
+        let planned = |overrides: Override| -> Result<Planned, String> {
+            let checked = check_run(&self.file, given, overrides).map_err(|error| error.to_string())?;
+            if let Some(refused) = checked.refused {
+                return Err(refused.message);
+            }
+            let errors = checked.diagnostics.iter().find(|found| found.severity == Severity::Error);
+            match (errors, checked.plan) {
+                (Some(error), _) => Err(format!("{}: {}", error.code, error.message)),
+                (None, None) => Err("the model analyses nothing".into()),
+                (None, Some(plan)) => Ok(plan),
+            }
+        };
+        let mut expected: Vec<Expected> = Vec::new();
+        let (mut references, mut added) = (Vec::new(), Vec::new());
+        for level in levels {
+            let own = match planned(Override { fidelity: Some(level), ..Override::default() }) {
+                Ok(own) => own,
+                Err(reason) => {
+                    left.push(LeftOut { name: level.name().into(), reason });
+                    continue;
+                }
+            };
+            let grid = own.grid().unwrap_or(Grid { half_cells: 0, half_slices: None });
+            let finest = reference(level, grid);
+            let mut of_level = settings(level, grid, own.is_sampled());
+            let turned = |knob: &str| self.knobs.is_empty() || self.knobs.iter().any(|known| known == knob);
+            of_level.retain(|setting| setting.knobs().iter().all(|(knob, _)| turned(knob)));
+            let at =
+                of_level.iter().rposition(|setting| setting.mesh() == finest.mesh()).map_or(0, |at| at + 1);
+            if !of_level.contains(&finest) {
+                added.push(finest.name.clone());
+                of_level.insert(at, finest.clone());
+            }
+            for setting in of_level {
+                let cost = match planned(setting.overrides) {
+                    Ok(plan) => plan.cost(&rates),
+                    Err(reason) => {
+                        left.push(LeftOut { name: setting.name, reason });
+                        continue;
+                    }
+                };
+                let time = cost.time();
+                let longest = self.longest.as_secs_f64();
+                let reason = match budget::available() {
+                    _ if time > longest => {
+                        format!("predicted to take {}, and --longest is {}", seconds(time), seconds(longest))
+                    }
+                    Some(room) if cost.memory() > room as f64 => format!(
+                        "predicted to need {:.1} GB, and this machine has {:.1} GB",
+                        1e-9 * cost.memory(),
+                        1e-9 * room as f64
+                    ),
+                    _ => {
+                        if setting == finest {
+                            references.push(setting.name.clone());
+                        }
+                        expected.push((setting, Some(time)));
+                        continue;
+                    }
+                };
+                left.push(LeftOut { name: setting.name, reason });
+            }
+        }
+        if expected.is_empty() {
+            let why: Vec<String> =
+                left.iter().map(|left| format!("{}: {}", left.name, left.reason)).collect();
+            return Err(format!("no setting can be run: {}", why.join("; ")));
+        }
+        let chosen = match &self.reference {
+            Some(name) if !expected.iter().any(|(setting, _)| setting.name == *name) => {
+                let known: Vec<&str> = expected.iter().map(|(setting, _)| setting.name.as_str()).collect();
+                return Err(format!("`{name}` is no setting that is run; there are {}", known.join(", ")));
+            }
+            Some(name) => Some(name.clone()),
+            None => references.pop(),
+        };
+        // Of the finest grids of all levels one is needed.
+        expected
+            .retain(|(setting, _)| !added.contains(&setting.name) || chosen.as_ref() == Some(&setting.name));
+        Ok((expected, chosen))
+    }
+
+    /// Runs what is expected; `None` if somebody ended it.
+    fn measure(
+        &self,
+        campaign: &Campaign,
+        expected: &[Expected],
+        left: &mut Vec<LeftOut>,
+    ) -> Result<Option<Vec<Measured>>, RunError> {
+        let mut measured: Vec<Measured> = Vec::new();
+        let tour = Tour::new(
+            self.progress,
+            self.quiet,
+            expected.iter().map(|(_, time)| time.unwrap_or(0.0)).collect(),
+        );
+        for (index, (setting, predicted)) in expected.iter().enumerate() {
+            // Of a level that a model cannot be analysed at no knob needs to be tried.
+            if left.iter().any(|left| left.name == setting.level()) {
+                continue;
+            }
+            tour.begin(index, &setting.name);
+            match campaign.run(setting, *predicted, &measured)? {
+                Outcome::Measured(run) => measured.push(*run),
+                Outcome::Refused(reason) => left.push(LeftOut { name: setting.name.clone(), reason }),
+                Outcome::Ended => {
+                    tour.finish();
+                    return Ok(None);
+                }
+            }
+        }
+        tour.finish();
+        let tidied = campaign.tidy();
+        tidied.map_err(|error| RunError::Io { path: campaign.directory.clone(), error })?;
+        Ok(Some(measured))
+    }
+
+    /// Writes the comparison and prints it.
+    fn tell(&self, comparison: &Comparison, left: &[LeftOut], directory: &Path) -> ExitCode {
+        let format = MessageFormat::Human;
+        let name = self.file.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+        let reference = &comparison.settings[comparison.reference].setting;
+        let run = calyx::rt::directory::read_run(&directory.join("runs").join(reference.folder()));
+        let params = run.ok().flatten().map_or_else(Default::default, |run| run["params"].clone());
+        let document = files::document(&name, &params, comparison, left);
+        let path = |name: &str| directory.join(name);
+        let written = files::write_table(&path("tradeoff.csv"), comparison)
+            .and_then(|()| files::write_document(&path("tradeoff.json"), &document));
+        if let Err(error) = written {
+            return unwritable(format, directory, &error.to_string());
+        }
+        if let Err(error) = picture::draw(&path("tradeoff.svg"), &name, comparison) {
+            return unwritable(format, &path("tradeoff.svg"), &error.to_string());
+        }
+        if self.json {
+            // Whoever does not want to read to its end may close it.
+            let _ = writeln!(io::stdout().lock(), "{document:#}");
+            return ExitCode::SUCCESS;
+        }
+        print!("{}", table(comparison));
+        println!();
+        print!("{}", recommendations(comparison));
+        print!("{}", left_out(left));
+        if !self.quiet {
+            format.note(&format!("table, picture and runs are in {}\n", directory.display()));
+        }
+        ExitCode::SUCCESS
+    }
+}
+
+fn beside(model: &Path) -> PathBuf {
+    let mut name = model.file_name().unwrap_or_default().to_owned();
+    name.push(".tradeoff");
+    model.with_file_name(name)
+}
+
+fn unwritable(format: MessageFormat, path: &Path, error: &str) -> ExitCode {
+    format
+        .failure(&format!("cannot write {}: {error}", path.display()), "choose another directory with --out");
+    ExitCode::from(MODEL_ERROR)
+}

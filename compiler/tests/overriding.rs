@@ -1,0 +1,82 @@
+//! The analysis as somebody outside the model changes it: the same as if the model said so, bit for bit, told in `run.json`, and refused by
+//! name where it cannot be.
+
+use calyx::{Engine, Instance, Module, Override, Results};
+use std::path::Path;
+
+fn model(name: &str) -> String {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples").join(name);
+    std::fs::read_to_string(path).expect("the example is there")
+}
+
+fn instance(text: &str) -> Instance {
+    Module::from_text(&Engine::default(), "model.cx", text).expect("it compiles").instantiate()
+}
+
+fn knobs(all: &[(&str, &str)]) -> Override {
+    let mut knobs = Override::default();
+    all.iter().for_each(|(name, text)| knobs.set(name, text).expect("it can be turned"));
+    knobs
+}
+
+/// All values of all rows, by their bits.
+fn bits(results: &Results) -> Vec<Vec<u64>> {
+    let analysis = results.analysis().expect("it analyses");
+    let row = |row: &calyx_runtime::results::StepRow| {
+        std::iter::once(row.position.time)
+            .chain(row.outputs.iter().map(|o| o.value))
+            .map(f64::to_bits)
+            .collect()
+    };
+    analysis.rows.iter().map(row).collect()
+}
+
+#[test]
+fn what_is_given_from_outside_is_as_if_the_model_said_it() {
+    let text = model("spur_pair.cx");
+    // The model asks for a mesh in space, and is given one in section.
+    let mut given = instance(&text);
+    given.set("steps", 3).unwrap();
+    given.override_analysis(knobs(&[("fidelity", "plane"), ("cells", "7")]));
+    let said = text.replace(
+        "tip_corner_contact = tip_corner_contact",
+        "tip_corner_contact = tip_corner_contact, cells = 7",
+    );
+    assert_ne!(said, text);
+    let mut said = instance(&said);
+    said.set("steps", 3).unwrap();
+    said.set("fidelity", "plane").unwrap();
+    let (given, said) = (given.solve().unwrap(), said.solve().unwrap());
+    assert_eq!(bits(&given), bits(&said));
+    assert_eq!(given.analysis().unwrap().plan.fidelity.name(), "plane");
+}
+
+#[test]
+fn meshes_follow_what_is_given() {
+    let text = model("spur_pair.cx");
+    let options = |given: Override| {
+        let mut instance = instance(&text);
+        instance.set("steps", 4).unwrap();
+        instance.override_analysis(Override { every: Some(2), ..given });
+        let results = instance.solve().unwrap();
+        let analysis = results.analysis().unwrap();
+        (analysis.plan.bodies[0].options, analysis.rows.len())
+    };
+    let all = [("fidelity", "plane"), ("refinement", "0.5"), ("order", "2")];
+    let (options, rows) = options(knobs(&all));
+    assert_eq!((options.refinement, options.order, options.face_elements), (0.5, 2, None));
+    // Of three uniform positions (the first stands where a pair enters) two are left, and the four that have a name.
+    assert_eq!(rows, 6);
+}
+
+#[test]
+fn what_cannot_be_is_refused_with_what_was_given() {
+    let mut helical = instance(&model("helical_pair.cx"));
+    helical.override_analysis(knobs(&[("fidelity", "plane")]));
+    let error = helical.solve().err().expect("helical teeth have no section").to_string();
+    assert!(error.contains("helical"), "{error}");
+    let mut dynamic = instance(&model("spur_dynamics.cx"));
+    dynamic.override_analysis(knobs(&[("every", "2")]));
+    let error = dynamic.solve().err().expect("steps follow each other").to_string();
+    assert!(error.contains("no step can be left out"), "{error}");
+}

@@ -1,0 +1,146 @@
+//! Which settings of an analysis are measured: every level, and the knobs below it, one at a time and all coarse together.
+
+use calyx_runtime::overriding::{Grid, Override};
+use calyx_runtime::scene::Fidelity;
+
+/// A setting of an analysis.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Setting {
+    /// The level, and what else is turned: `medium`, `medium cells=5`.
+    pub name: String,
+    /// What makes it, the level among it.
+    pub overrides: Override,
+}
+
+/// Meshes beside a level's own, by their number of elements along every direction.
+const REFINEMENTS: [f64; 2] = [0.5, 0.7];
+/// The same in section, where they cost little.
+const REFINEMENTS_IN_SECTION: [f64; 3] = [0.5, 0.7, 1.4];
+/// Parts of the positions.
+const EVERY: [usize; 2] = [2, 4];
+
+impl Setting {
+    pub fn new(overrides: Override) -> Setting {
+        let name = overrides.turned().into_iter().map(|(knob, value)| match knob {
+            "fidelity" => value,
+            _ => format!("{knob}={value}"),
+        });
+        Setting { name: name.collect::<Vec<_>>().join(" "), overrides }
+    }
+
+    /// The level's name.
+    pub fn level(&self) -> &'static str {
+        self.overrides.fidelity.map_or("", Fidelity::name)
+    }
+
+    /// Its run directory's name.
+    pub fn folder(&self) -> String {
+        self.name.replace(' ', ",")
+    }
+
+    /// What its structures depend on: settings that have this alike share them.
+    pub fn mesh(&self) -> Override {
+        Override { cells: None, cells_along: None, every: None, ..self.overrides }
+    }
+
+    /// The knobs that are turned below the level.
+    pub fn knobs(&self) -> Vec<(&'static str, String)> {
+        self.overrides.turned().into_iter().filter(|(knob, _)| *knob != "fidelity").collect()
+    }
+}
+
+/// The settings of a level, its own first; those that share structures stand together. Its grids are doubled last, which the reference does.
+pub fn settings(level: Fidelity, grid: Grid, sampled: bool) -> Vec<Setting> {
+    let own = Override { fidelity: Some(level), ..Override::default() };
+    let half = |count: usize| (count / 2).max(1);
+    let coarse_grid =
+        Override { cells: Some(half(grid.half_cells)), cells_along: grid.half_slices.map(half), ..own };
+    let mut all = vec![own];
+    // A level without meshes or grids, such as that of rigid bodies, has nothing below it.
+    if grid.half_cells > 0 {
+        all.push(Override { cells: coarse_grid.cells, ..own });
+        all.push(Override { cells: Some(2 * grid.half_cells), ..own });
+        if let Some(slices) = grid.half_slices {
+            all.push(Override { cells_along: coarse_grid.cells_along, ..own });
+            all.push(Override { cells_along: Some(2 * slices), ..own });
+            all.push(coarse_grid);
+        }
+    }
+    if sampled {
+        all.extend(EVERY.map(|every| Override { every: Some(every), ..own }));
+    }
+    // Levels without a mesh have none to refine.
+    let refinements: &[f64] = if let Fidelity::Solid(_) = level {
+        &REFINEMENTS
+    } else if level == Fidelity::Plane {
+        &REFINEMENTS_IN_SECTION
+    } else {
+        &[]
+    };
+    for &refinement in refinements {
+        all.push(Override { refinement: Some(refinement), ..own });
+        if refinement < 0.6 {
+            all.push(Override { refinement: Some(refinement), ..coarse_grid });
+        }
+    }
+    let mut settings: Vec<Setting> = Vec::new();
+    for setting in all.into_iter().map(Setting::new) {
+        if !settings.contains(&setting) {
+            settings.push(setting);
+        }
+    }
+    settings
+}
+
+/// The reference of a level: its own mesh, in section the finest, with grids twice as fine.
+pub fn reference(level: Fidelity, grid: Grid) -> Setting {
+    let [.., finest] = REFINEMENTS_IN_SECTION;
+    Setting::new(Override {
+        fidelity: Some(level),
+        refinement: (level == Fidelity::Plane).then_some(finest),
+        cells: (grid.half_cells > 0).then_some(2 * grid.half_cells),
+        cells_along: grid.half_slices.map(|slices| 2 * slices),
+        ..Override::default()
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use calyx_runtime::scene::Template;
+
+    const GRID: Grid = Grid { half_cells: 10, half_slices: Some(8) };
+
+    #[test]
+    fn settings_are_told_apart_by_name_and_share_meshes_side_by_side() {
+        for level in Fidelity::ALL {
+            let all = settings(level, GRID, true);
+            assert_eq!(all[0].name, level.name());
+            for (index, setting) in all.iter().enumerate() {
+                assert_eq!(setting.level(), level.name());
+                assert!(
+                    all[..index].iter().all(|other| other.folder() != setting.folder()),
+                    "{}",
+                    setting.name
+                );
+                // A mesh does not come back once another one has been there.
+                let first = all.iter().position(|other| other.mesh() == setting.mesh()).unwrap();
+                assert!(all[first..=index].iter().all(|other| other.mesh() == setting.mesh()));
+            }
+        }
+        let named =
+            |name: &str| settings(Fidelity::Plane, GRID, true).iter().any(|setting| setting.name == name);
+        assert!(named("plane refinement=0.5 cells=5 cells_along=4") && named("plane every=2"));
+        assert!(
+            !settings(Fidelity::Plane, GRID, false).iter().any(|setting| setting.overrides.every.is_some())
+        );
+    }
+
+    #[test]
+    fn the_reference_shares_the_mesh_of_its_level() {
+        let level = Fidelity::Solid(Template::Finest);
+        let reference = reference(level, GRID);
+        assert_eq!(reference.name, "finest cells=20 cells_along=16");
+        assert_eq!(reference.mesh(), settings(level, GRID, true)[0].mesh());
+    }
+}
