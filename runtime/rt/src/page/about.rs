@@ -94,6 +94,9 @@ pub fn plan(run: &Run) -> Markup {
     html! {
         p { (level(run.text("fidelity"))) }
         @if let Some(reason) = run.head["chosen"]["reason"].as_str() { p { (reason) } }
+        @for (name, value) in objects(&run.head["overrides"]) {
+            p { "Changed from outside the model: " code { (name) } " = " (shown(value)) "." }
+        }
         table {
             tbody { @for (kind, parts) in &rows { @for (name, reason) in parts {
                 tr { td.faint { (kind) } th scope="row" { (name) } td.word { (reason) } }
@@ -252,7 +255,15 @@ fn shown(value: &Value) -> String {
 
 /// What gives the same results.
 pub fn command(run: &Run) -> String {
-    let mut words = vec!["calyx run".to_owned(), word(run.text("model"))];
+    let option =
+        |(name, value): (&String, &Value)| format!("--{} {}", name.replace('_', "-"), word(&shown(value)));
+    let overrides = objects(&run.head["overrides"]).map(option);
+    [asked("run", run)].into_iter().chain(overrides).collect::<Vec<_>>().join(" ")
+}
+
+/// A command of `calyx` with the model and the params that are not at their defaults.
+pub fn asked(of: &str, run: &Run) -> String {
+    let mut words = vec![format!("calyx {of}"), word(run.text("model"))];
     for (name, param) in objects(&run.head["params"]).filter(|(_, param)| changed(param)) {
         let unit = param["display"]["unit"].as_str().unwrap_or_default();
         words.push(format!("--set {}", word(format!("{name}={} {unit}", value(param)).trim_end())));

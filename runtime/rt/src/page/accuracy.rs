@@ -52,7 +52,7 @@ pub fn section(run: &Run) -> Markup {
         (tradeoff(run))
         @if run.tradeoff.is_none() {
             p { "What more accuracy costs is measured by" }
-            pre { code { (about::command(run).replacen("calyx run", "calyx tradeoff", 1)) } }
+            pre { code { (about::asked("tradeoff", run)) } }
             p.note { "which runs " code { (model) } " at every level and setting; a report made after it, by " code { "calyx report" } ", shows the result here." }
         }
     }

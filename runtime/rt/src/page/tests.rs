@@ -49,6 +49,7 @@ fn run_json() -> Value {
             "name": { "value": "it's", "doc": "", "at_default": false },
         },
         "fidelity": "plane",
+        "overrides": { "fidelity": "plane", "face_elements": 3 },
         "plan": {
             "bodies": { "pinion": { "modelled": true, "reason": "elastic" }, "idle": { "modelled": false, "reason": "left out: it touches nothing" } },
             "bearings": {},
@@ -103,6 +104,8 @@ fn a_page_says_what_the_run_was() {
         "calyx run pair.cx --set 'torque=5 N*m' --set 'name=it'\\''s'",
         "This run has no error estimates",
         "calyx tradeoff pair.cx",
+        " --fidelity plane --face-elements 3",
+        "Changed from outside the model: <code>face_elements</code> = 3.",
         "2 structures were condensed",
         "harmonics of te",
     ] {
