@@ -47,7 +47,7 @@ fn slices_of_straight_teeth_are_the_plane() {
     for ([error, unloaded, stiffness, stress], [of_plane, none, of_mesh, root]) in space.iter().zip(&plane) {
         assert!(((error - unloaded) / (of_plane - none) - 1.0).abs() < 0.02, "{error} {of_plane}");
         assert!((stiffness / of_mesh - 1.0).abs() < 0.02, "{stiffness} {of_mesh}");
-        assert!((stress / root - 1.0).abs() < 0.05, "{stress} {root}");
+        assert!((stress / root - 1.0).abs() < 0.1, "{stress} {root}");
     }
 }
 
