@@ -363,7 +363,7 @@ fn progress_is_told_and_may_end_the_run() {
     let count = pair.solve().unwrap().steps().len();
     let told = std::mem::take(&mut *told.lock().unwrap());
     let stages: Vec<&str> = told.iter().filter(|p| p.total.is_none()).map(|p| p.stage).collect();
-    assert_eq!(stages, ["structures", "positions"]);
+    assert_eq!(stages, ["structures", "positions", "errors"]);
     let done: Vec<usize> = told.iter().filter(|p| p.total == Some(count)).map(|p| p.done).collect();
     assert_eq!(done, (1..=count).collect::<Vec<_>>());
     let cancel = pair.cancel_handle();

@@ -5,6 +5,7 @@
 use crate::contact::problem::Certificate;
 use crate::dynamics::check_modes;
 use crate::error::{EngineError, Subject};
+use crate::estimate::{self, Estimates, Judged, quasi_static_siblings};
 use crate::holding;
 use crate::observe::{Equilibrium, Fields, ModesTable, check_vibrations};
 use crate::plan::Plan;
@@ -85,6 +86,8 @@ pub struct AnalysisOptions {
     /// Of so many positions at most, evenly spread from the first on, tell the observer the fields too: pressures, line loads, stresses.
     /// They take no part in the results.
     pub fields: usize,
+    /// Which errors of its outputs are estimated, once all positions are solved.
+    pub error_estimates: Estimates,
 }
 
 impl Default for AnalysisOptions {
@@ -96,6 +99,7 @@ impl Default for AnalysisOptions {
             resources: Resources::default(),
             solved: Vec::new(),
             fields: 0,
+            error_estimates: Estimates::None,
         }
     }
 }
@@ -108,6 +112,8 @@ pub struct Planned<'s> {
     resources: Resources,
     solved: Vec<Solved>,
     highest_frequency: f64,
+    structure: StructureOptions,
+    error_estimates: Estimates,
     plan: Plan,
     timing: Timing,
 }
@@ -132,8 +138,18 @@ impl<'s> Planned<'s> {
         // Structures take long, and this is known without them.
         let first = positions.first().map_or(0.0, |position| position.time);
         holding::check(scene, &plan, first, &options.resources.interrupt)?;
-        let (resources, solved) = (options.resources.clone(), options.solved.clone());
-        Ok(Planned { scene, positions, outputs, resources, solved, highest_frequency, plan, timing })
+        Ok(Planned {
+            scene,
+            positions,
+            outputs,
+            resources: options.resources.clone(),
+            solved: options.solved.clone(),
+            highest_frequency,
+            structure: options.structure,
+            error_estimates: options.error_estimates,
+            plan,
+            timing,
+        })
     }
 
     /// What is modelled, and why.
@@ -146,8 +162,8 @@ impl<'s> Planned<'s> {
     /// # Errors
     /// A structure cannot be built, or the interrupt's.
     pub fn build(self) -> Result<Steps<'s>, EngineError> {
-        let Planned { scene, positions, outputs, resources, solved, highest_frequency, plan, mut timing } =
-            self;
+        let Planned { scene, positions, outputs, resources, solved, highest_frequency, plan, .. } = self;
+        let (structure, error_estimates, mut timing) = (self.structure, self.error_estimates, self.timing);
         let system = timing.stage("structures", || System::with(scene, &plan, &resources))?;
         timing.structures = system.structure_counts();
         let system = match highest_frequency {
@@ -160,6 +176,9 @@ impl<'s> Planned<'s> {
             outputs,
             resources,
             solved,
+            highest_frequency,
+            structure,
+            error_estimates,
             plan,
             timing,
             system,
@@ -186,6 +205,9 @@ pub struct Steps<'s> {
     outputs: &'s [OutputRequest],
     resources: Resources,
     solved: Vec<Solved>,
+    highest_frequency: f64,
+    structure: StructureOptions,
+    error_estimates: Estimates,
     plan: Plan,
     timing: Timing,
     system: System<'s>,
@@ -241,10 +263,10 @@ impl<'s> Steps<'s> {
         self.positions.len()
     }
 
-    /// Solves what is left and sums up.
+    /// Solves what is left, sums up, and estimates errors if they are asked for.
     ///
     /// # Errors
-    /// The first that a position ended with.
+    /// The first that a position ended with, or the interrupt's.
     pub fn finish(mut self) -> Result<AnalysisResult, EngineError> {
         for step in self.by_ref() {
             step?;
@@ -256,10 +278,34 @@ impl<'s> Steps<'s> {
         let certificate = self.solved.iter().fold(first, |worst, solved| worst.worst(&solved.certificate));
         let modes = self.first_modes()?;
         let rows: Vec<StepRow> = self.solved.into_iter().map(|solved| solved.row).collect();
-        let summaries = summarize(&rows, self.outputs, &self.system.scene.observables);
+        let mut summaries = summarize(&rows, self.outputs, &self.system.scene.observables);
         self.timing.add("positions", self.solving);
+        if self.error_estimates != Estimates::None {
+            let started = Instant::now();
+            let judged = Judged {
+                system: &self.system,
+                plan: &self.plan,
+                structure: self.structure,
+                highest_frequency: self.highest_frequency,
+                resources: &self.resources,
+                positions: self.positions,
+                outputs: self.outputs,
+                rows: &rows,
+            };
+            let found = quasi_static_siblings(&judged, self.error_estimates)?;
+            estimate::attach(&mut summaries, &rows, self.outputs, &self.system.scene.observables, &found);
+            self.timing.add(ERRORS, started.elapsed());
+        }
         self.timing.memory = self.resources.interrupt.most_asked();
-        Ok(AnalysisResult { plan: self.plan, rows, summaries, certificate, modes, timing: self.timing })
+        Ok(AnalysisResult {
+            plan: self.plan,
+            rows,
+            summaries,
+            certificate,
+            modes,
+            timing: self.timing,
+            chosen: None,
+        })
     }
 
     /// The table of modes about the first position, which is solved once more for it: a run that goes on has not seen it.
@@ -333,11 +379,14 @@ impl Iterator for Steps<'_> {
 
 impl FusedIterator for Steps<'_> {}
 
+/// The stage in which errors are estimated.
+pub(crate) const ERRORS: &str = "errors";
+
 /// What happens while an analysis runs, in order.
 pub enum Event<'a> {
     /// The scene is planned and known to be held.
     Planned(&'a Plan),
-    /// A stage begins: `structures` or `positions`.
+    /// A stage begins: `structures`, `positions` or, where they are estimated, `errors`.
     Stage(&'static str),
     /// A position is solved. `index` counts from 0 to `count` - 1, beginning behind those that an earlier run had solved.
     Step {
@@ -391,6 +440,9 @@ pub fn quasi_static(
         let equilibrium = steps.equilibrium().filter(|_| told);
         let fields = equilibrium.map(Equilibrium::fields);
         observer.observe(Event::Step { index, count: positions.len(), solved, fields: fields.as_ref() })?;
+    }
+    if options.error_estimates != Estimates::None {
+        observer.observe(Event::Stage(ERRORS))?;
     }
     steps.finish()
 }

@@ -71,6 +71,8 @@
 //! | [`signal`] | outputs in the frequency domain: spectra, orders, transfer functions |
 //! | [`analysis`], [`results`], [`summary`] | a list of positions: [`analysis::Steps`] is the iterator, [`analysis::quasi_static`] tells an observer |
 //! | [`overriding`] | knobs of an analysis that somebody outside the model turns |
+//! | [`estimate`] | how wrong outputs are: estimates of the errors of their statistics |
+//! | [`tolerance`] | the cheapest setting whose estimated error keeps to one |
 //! | [`resources`], [`cache`], [`interrupt`] | what an analysis uses and no result depends on: threads, kept structures, a way to end it |
 //! | [`structure`], [`fe`], [`profile`] | elastic bodies by their surfaces, the finite elements behind them, the true curves contact sees |
 //! | [`contact`] | closest approaches, grids, the contact problem and its exact solution |
@@ -104,6 +106,7 @@ mod dense;
 pub mod disc;
 pub mod dynamics;
 pub mod error;
+pub mod estimate;
 pub mod fe;
 pub mod holding;
 pub mod inertia;
@@ -126,3 +129,4 @@ pub mod structure;
 pub mod summary;
 pub mod surface;
 pub mod system;
+pub mod tolerance;

@@ -2,10 +2,12 @@
 
 use crate::analysis::Position;
 use crate::contact::problem::Certificate;
+use crate::estimate::ErrorEstimate;
 use crate::observe::{Course, ModesTable, Observable};
 use crate::plan::Plan;
 use crate::scene::ObservableId;
 use crate::summary::Harmonic;
+use crate::tolerance::Chosen;
 use calyx_abi::{Kernel, Repr, SymbolicValue};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
@@ -172,13 +174,24 @@ pub struct OutputSummary {
     pub place: Option<Place>,
     /// Of the tooth mesh frequency and its multiples, where the positions are a mesh cycle and every cycle gives the same values.
     pub harmonics: Vec<Harmonic>,
+    /// How wrong all this probably is, where the analysis estimates it.
+    pub error: Option<ErrorEstimate>,
 }
 
 impl OutputSummary {
     /// Of an output that has no value at the fidelity of the analysis: its numbers are none.
     pub fn none() -> OutputSummary {
         let [min, max, mean, peak_to_peak] = [f64::NAN; 4];
-        OutputSummary { min, max, mean, peak_to_peak, at_max: 0, place: None, harmonics: Vec::new() }
+        OutputSummary {
+            min,
+            max,
+            mean,
+            peak_to_peak,
+            at_max: 0,
+            place: None,
+            harmonics: Vec::new(),
+            error: None,
+        }
     }
 }
 
@@ -197,6 +210,8 @@ pub struct AnalysisResult {
     pub modes: Option<ModesTable>,
     /// How long it took.
     pub timing: Timing,
+    /// What was chosen for a tolerance, if there was one.
+    pub chosen: Option<Chosen>,
 }
 
 /// Where the structures of an analysis came from.

@@ -257,6 +257,20 @@ impl Fidelity {
         Fidelity::Solid(Template::Finest),
     ];
 
+    /// The one that sees more.
+    pub fn above(self) -> Option<Fidelity> {
+        match self {
+            Fidelity::Rigid => Some(Fidelity::Analytic),
+            Fidelity::Analytic => Some(Fidelity::Plane),
+            Fidelity::Plane => Some(Fidelity::Solid(Template::Medium)),
+            Fidelity::Solid(Template::Medium | Template::ThinRim) => {
+                Some(Fidelity::Solid(Template::FineRoot))
+            }
+            Fidelity::Solid(Template::FineRoot) => Some(Fidelity::Solid(Template::Finest)),
+            Fidelity::Solid(Template::Finest) => None,
+        }
+    }
+
     /// A fidelity by its name.
     pub fn named(name: &str) -> Option<Fidelity> {
         Fidelity::ALL.into_iter().find(|fidelity| fidelity.name() == name)

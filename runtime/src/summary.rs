@@ -44,6 +44,7 @@ pub fn summarize(
             at_max: 0,
             place: None,
             harmonics: closed.map(|cycle| cycle.harmonics(&values)).unwrap_or_default(),
+            error: None,
         };
         for (index, row) in rows.iter().enumerate() {
             let seen = &row.outputs[output];
@@ -59,6 +60,15 @@ pub fn summarize(
         summary
     };
     outputs.iter().enumerate().map(summary).collect()
+}
+
+/// Whether the rows go through a mesh cycle at whose end an output is as at its beginning.
+pub(crate) fn is_closed(
+    rows: &[StepRow],
+    request: &OutputRequest,
+    observables: &[Arc<dyn Observable>],
+) -> bool {
+    Cycle::of(rows).is_some_and(|cycle| request.repeats(observables, [0.0, cycle.period]))
 }
 
 /// The trapezoidal rule from the first position to the last.

@@ -50,6 +50,7 @@ pub struct System<'s> {
 }
 
 /// The bodies of a scene as they are modelled, in order; `None` for a body the plan left out.
+#[derive(Clone)]
 pub(crate) enum Bodies {
     Plane(PlaneBodies),
     Solid(SolidBodies),
@@ -84,6 +85,7 @@ impl Bodies {
 }
 
 /// Bodies in a section.
+#[derive(Clone)]
 pub(crate) struct PlaneBodies {
     pub(crate) structures: Vec<Option<Arc<dyn Structure>>>,
     /// Width over which all plane quantities are spread, m.
@@ -93,6 +95,7 @@ pub(crate) struct PlaneBodies {
 }
 
 /// Bodies in space.
+#[derive(Clone)]
 pub(crate) struct SolidBodies {
     pub(crate) structures: Vec<Option<Arc<dyn SolidStructure>>>,
     /// Turned so far at time 0, rad.
@@ -173,6 +176,23 @@ impl<'s> System<'s> {
     ) -> Result<Self, EngineError> {
         self.modes = Modes::find(self.scene, plan, resources, highest_frequency)?;
         Ok(self)
+    }
+
+    /// The same structures and modes in a scene that differs in nothing that they depend on, as contact grids.
+    pub(crate) fn on<'t>(&self, scene: &'t Scene) -> System<'t> {
+        System {
+            scene,
+            bodies: self.bodies.clone(),
+            freedoms: self.freedoms.clone(),
+            axles: self.axles.clone(),
+            lines: self.lines.clone(),
+            bearings: self.bearings.clone(),
+            lugs: self.lugs.clone(),
+            interrupt: self.interrupt.clone(),
+            modes: self.modes.clone(),
+            structure_counts: self.structure_counts,
+            rigid: self.rigid,
+        }
     }
 
     /// How many structures were built for this system, and how many there were already.

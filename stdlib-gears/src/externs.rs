@@ -11,6 +11,7 @@ use calyx_runtime::analysis::{AnalysisOptions, Observer, Position, mesh_cycle, q
 use calyx_runtime::dynamics::dynamic;
 use calyx_runtime::dynamics::{check_modes, check_section};
 use calyx_runtime::error::{EngineError, Subject};
+use calyx_runtime::estimate::Estimates;
 use calyx_runtime::holding;
 use calyx_runtime::inertia::Inertia;
 use calyx_runtime::interrupt::Interrupt;
@@ -22,6 +23,7 @@ use calyx_runtime::results::OutputRequest;
 use calyx_runtime::rigid::RigidBody;
 use calyx_runtime::scene::{Body, BodyId, FREEDOMS, Fidelity, PairId, Prototype, StructureOptions};
 use calyx_runtime::structure::BoreHold;
+use calyx_runtime::tolerance::{check_tolerance, quasi_static_within};
 use std::sync::Arc;
 
 calyx_abi::externs! {
@@ -138,10 +140,16 @@ calyx_abi::externs! {
     Scene fn calyx_std_analyze(
         context, method: String, over: Handle, fidelity: String, face_elements: f64, displacement_order: f64,
         newmark: String, rayleigh_mass: f64, rayleigh_stiffness: f64, highest_frequency: f64, start: String,
+        error_estimates: String, tolerance: f64,
     ) -> () {
         let own_fidelity = fidelity_named(&fidelity)?;
         let face_elements = count_or_default("face_elements", face_elements)?;
         let axial_order = count_or_default("displacement_order", displacement_order)?;
+        let error_estimates = Estimates::named(&error_estimates).ok_or_else(|| {
+            let known = Estimates::ALL.map(|(name, _)| format!("\"{name}\""));
+            refusal("E0790", "error_estimates", &format!("there are no error estimates called \"{error_estimates}\""),
+                &format!("choose one of {}", known.join(", ")))
+        })?;
         let host = host(context)?;
         let overrides = host.overrides;
         let fidelity = overrides.fidelity.unwrap_or(own_fidelity);
@@ -154,7 +162,8 @@ calyx_abi::externs! {
         structure.check().map_err(engine)?;
         let structure = overrides.structure(structure);
         overrides.turn_grids(&mut host.scene);
-        let options = AnalysisOptions { fidelity, structure, highest_frequency, ..host.analysis.clone() };
+        let options =
+            AnalysisOptions { fidelity, structure, highest_frequency, error_estimates, ..host.analysis.clone() };
         let positions = overrides.sample(entry(&host.positions, over)?.clone());
         let rayleigh = [rayleigh_mass, rayleigh_stiffness];
         let how = match method.as_str() {
@@ -180,7 +189,17 @@ calyx_abi::externs! {
                 "leave `every` to quasi-static analyses; the model's `keep_every` says which steps results have"));
         }
         host.asked = Some(Asked { fidelity, structure, in_time, problems });
-        if host.checking { Ok(()) } else { analyze(host, &how, &options) }
+        if tolerance != 0.0 {
+            check_tolerance(tolerance).map_err(engine)?;
+            if in_time {
+                return Err(refusal("E0791", "tolerance", "a motion in time cannot be analysed to a tolerance",
+                    "leave it out, and take shorter steps and finer meshes; or analyse quasi-statically"));
+            }
+        }
+        // Who turns knobs from outside wants that setting and no other.
+        let chosen_outside = overrides != Default::default();
+        let tolerance = Some(tolerance).filter(|&tolerance| tolerance != 0.0 && !chosen_outside);
+        if host.checking { Ok(()) } else { analyze(host, &how, tolerance, &options) }
     }
 }
 
@@ -238,15 +257,24 @@ impl Placed {
 const MOST_TIMES: f64 = 1e6;
 
 /// Plans and runs an analysis of the scene, and keeps its result.
-fn analyze(host: &mut ModelHost, how: &How, options: &AnalysisOptions) -> Result<(), RuntimeError> {
+fn analyze(
+    host: &mut ModelHost,
+    how: &How,
+    tolerance: Option<f64>,
+    options: &AnalysisOptions,
+) -> Result<(), RuntimeError> {
     check_unheld(host);
     let mut observer = host.observer.take();
     let mut unobserved = ();
     let watching =
         observer.as_mut().map_or(&mut unobserved as &mut dyn Observer, |observer| observer.as_mut());
+    let (scene, outputs) = (&host.scene, &host.outputs);
     let result = match how {
-        How::QuasiStatic(positions) => quasi_static(&host.scene, positions, &host.outputs, options, watching),
-        How::Dynamic(dynamics) => dynamic(&host.scene, &host.outputs, options, dynamics, watching),
+        How::QuasiStatic(positions) => match tolerance {
+            Some(part) => quasi_static_within(part, scene, positions, outputs, options, watching),
+            None => quasi_static(scene, positions, outputs, options, watching),
+        },
+        How::Dynamic(dynamics) => dynamic(scene, outputs, options, dynamics, watching),
     };
     host.observer = observer;
     host.failed_analyses += usize::from(result.is_err());

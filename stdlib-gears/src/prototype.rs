@@ -63,6 +63,11 @@ pub struct GearPrototype {
     flanks: [Arc<Flank>; 2],
 }
 
+/// Meshes with less than this part of the usual elements along every direction, such as error estimates compare with, have wide matching
+/// depths, and few samples of a flank's compliance tell as much of them.
+const COARSE: f64 = 0.5;
+const FEW_SAMPLES: usize = 32;
+
 impl GearPrototype {
     /// # Errors
     /// The modifications do not fit the flanks.
@@ -249,7 +254,7 @@ impl GearPrototype {
         SplitOptions {
             matching_depth: options.matching_depth,
             reshapable: self.is_modified() && self.meshed_modifications().is_empty(),
-            ..SplitOptions::default()
+            samples: if options.refinement < COARSE { FEW_SAMPLES } else { SplitOptions::default().samples },
         }
     }
 

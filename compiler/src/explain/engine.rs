@@ -160,5 +160,8 @@ pub const CODES: &[Explanation] = codes! {
     "E0782" "modes of bodies without meshes" "Component modes are those of a mesh: choose the fidelity \"plane\", or let bodies vibrate as rigid ones on their teeth with `highest_frequency = 0`."
     "E0783" "a body without a closed form" "The fidelity \"analytic\" has closed forms for gears. Choose \"plane\" for other bodies."
     "E0795" "an analysis cannot be changed so" "Options like `--fidelity` and `--cells`, and programs that embed models, change an analysis whatever the model says of it. The message says what the knob can be."
+    "E0790" "unknown error estimates" "An analysis estimates no errors (\"none\"), those that cost less than the run (\"cheap\"), or also what its fidelity leaves out (\"full\")."
+    "E0791" "a tolerance that cannot be" "A tolerance is a part of an output's largest magnitude, above 0 and below 1, like `tolerance = 2 %`. It is of quasi-static analyses: those in time estimate too little of their errors."
+    "E0792" "a tolerance that no setting keeps to" "The finest mesh of the highest fidelity, with the finest contact grid and positions that are tried, still has larger estimated errors. The message names the best and the output. Ask for less; or take such an output out of the model: where a result is a jump (pressure at a sharp edge, a place of a maximum), no mesh makes it exact."
     "E0799" "a defect of Calyx; please report it with the model" "Something inside Calyx contradicts itself. It is not the model's fault."
 };

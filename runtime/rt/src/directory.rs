@@ -10,11 +10,13 @@ use calyx_abi::description::{
     FileDescription, ModelDescription, OutputDescription, ParamDescription, ParamValue,
 };
 use calyx_abi::units::from_si;
+use calyx_runtime::estimate::{ErrorEstimate, Statistics};
 use calyx_runtime::observe::Fields;
 use calyx_runtime::overriding::Override;
 use calyx_runtime::plan::Plan;
 use calyx_runtime::results::{AnalysisResult, OutputSummary, Solved, StepRow, StructureCounts, Timing};
 use calyx_runtime::summary::Harmonic;
+use calyx_runtime::tolerance::{Chosen, Setting, Tried};
 use serde_json::{Map, Value, json};
 use sha2::{Digest, Sha256};
 use std::fs::{self, File};
@@ -296,6 +298,9 @@ pub fn write_run(
             "tension": result.certificate.tension,
             "equilibrium": result.certificate.equilibrium,
         });
+        if let Some(chosen) = &result.chosen {
+            run["chosen"] = chosen_json(chosen);
+        }
         run["ignored_inputs"] = json!(ignored.collect::<Map<_, _>>());
         let refused =
             result.plan.refused.iter().map(|refused| (refused.name.clone(), json!(refused.needs.name())));
@@ -346,7 +351,7 @@ fn output_json(output: &OutputDescription, summary: &OutputSummary, result: &Ana
     let harmonics = summary.harmonics.iter().map(|Harmonic { order, amplitude, phase }| {
         json!({ "order": order, "amplitude": amplitude, "phase": phase, "display": shown(*amplitude) })
     });
-    json!({
+    let mut all = json!({
         "doc": output.doc,
         "unit": output.si,
         "min": summary.min,
@@ -369,7 +374,40 @@ fn output_json(output: &OutputDescription, summary: &OutputSummary, result: &Ana
             "point": row.name,
             "place": summary.place,
         },
+    });
+    if let Some(error) = &summary.error {
+        all["error_estimate"] = error_json(error, summary);
+    }
+    all
+}
+
+/// What was taken for a tolerance, and what was tried before it.
+fn chosen_json(chosen: &Chosen) -> Value {
+    let setting = |Setting { fidelity, refinement, cells, positions }: &Setting| json!({ "fidelity": fidelity.name(), "refinement": refinement, "cells": cells, "positions": positions });
+    let tried = chosen.tried.iter().map(|Tried { setting: own, whole, worst: (output, error) }| {
+        json!({ "setting": setting(own), "all_positions": whole, "output": output, "relative": error })
+    });
+    json!({
+        "tolerance": chosen.tolerance,
+        "setting": setting(&chosen.setting),
+        "reason": chosen.describe(),
+        "tried": tried.collect::<Vec<_>>(),
     })
+}
+
+/// Errors are in SI, `relative` in parts of the largest magnitude.
+fn error_json(error: &ErrorEstimate, summary: &OutputSummary) -> Value {
+    let statistics = |Statistics { min, max, mean, peak_to_peak }: &Statistics| json!({ "min": min, "max": max, "mean": mean, "peak_to_peak": peak_to_peak });
+    let parts: Map<_, _> =
+        error.parts.iter().map(|(part, errors)| (part.name().to_owned(), statistics(errors))).collect();
+    let reasons: Map<_, _> =
+        error.not_estimated.iter().map(|(part, why)| (part.name().to_owned(), json!(why))).collect();
+    let mut all = statistics(&error.total);
+    all["relative"] = json!(error.relative(summary));
+    all["parts"] = json!(parts);
+    all["not_estimated"] = json!(error.not_estimated.iter().map(|(part, _)| part.name()).collect::<Vec<_>>());
+    all["reasons"] = json!(reasons);
+    all
 }
 
 fn params_json(description: &ModelDescription, params: &[ParamValue]) -> Map<String, Value> {

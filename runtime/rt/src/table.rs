@@ -3,15 +3,24 @@
 use crate::params::shortest;
 use calyx_abi::description::ModelDescription;
 use calyx_abi::units::from_si;
-use calyx_runtime::results::{AnalysisResult, Place};
+use calyx_runtime::results::{AnalysisResult, OutputSummary, Place};
 
 /// One line per output, in the model's units, with the position of its maximum.
 pub fn summary(description: &ModelDescription, result: &AnalysisResult) -> String {
     let at = if passes_no_cycle(result) { "maximum at time" } else { "maximum at roll" };
-    let mut rows = vec![["output", "unit", "min", "mean", "max", "peak to peak", at].map(String::from)];
+    // Of a run that estimates none there is no column of errors.
+    let estimated = result.summaries.iter().any(|summary| summary.error.is_some());
+    let with_error = |mut cells: Vec<String>, error: String| {
+        if estimated {
+            cells.insert(cells.len() - 1, error);
+        }
+        cells
+    };
+    let head = ["output", "unit", "min", "mean", "max", "peak to peak", at].map(String::from);
+    let mut rows = vec![with_error(head.into(), "error".into())];
     for (output, summary) in description.outputs.iter().zip(&result.summaries) {
         let shown = |si: f64| number(from_si(si, output.unit.factor));
-        rows.push([
+        let cells = vec![
             output.name.clone(),
             output.unit.name.clone(),
             shown(summary.min),
@@ -23,9 +32,24 @@ pub fn summary(description: &ModelDescription, result: &AnalysisResult) -> Strin
             } else {
                 place(result, summary.at_max, summary.place.as_ref())
             },
-        ]);
+        ];
+        rows.push(with_error(cells, error(summary)));
     }
-    align(&rows)
+    let chosen = result.chosen.as_ref().map(|chosen| chosen.describe() + "\n");
+    align(&rows) + &chosen.unwrap_or_default()
+}
+
+/// The estimated error of the largest magnitude, as a part of it: two digits are more than an estimate can tell.
+fn error(summary: &OutputSummary) -> String {
+    let part = summary.error.as_ref().and_then(|error| error.relative(summary));
+    part.map_or_else(String::new, |part| {
+        let rounded: f64 = format!("{:.1e}", 100.0 * part).parse().unwrap_or(f64::NAN);
+        if rounded < 0.01 {
+            "<0.01 %".into()
+        } else {
+            format!("±{} %", shortest((100.0 * rounded).round() / 100.0))
+        }
+    })
 }
 
 /// Whether positions are places in time alone, as those of a dynamic analysis.
@@ -59,17 +83,18 @@ fn place(result: &AnalysisResult, step: usize, place: Option<&Place>) -> String 
     text
 }
 
-fn align(rows: &[[String; 7]]) -> String {
+fn align(rows: &[Vec<String>]) -> String {
+    let last = rows.first().map_or(0, |row| row.len() - 1);
     let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0);
-    let widths: Vec<usize> = (0..7).map(width).collect();
+    let widths: Vec<usize> = (0..=last).map(width).collect();
     let mut text = String::new();
     for row in rows {
         for (column, cell) in row.iter().enumerate() {
             let fill = " ".repeat(widths[column] - cell.chars().count());
             // Words to the left, numbers to the right.
             match column {
-                6 => text += cell,
-                2..=5 => text += &format!("{fill}{cell}  "),
+                _ if column == last => text += cell,
+                2.. => text += &format!("{fill}{cell}  "),
                 _ => text += &format!("{cell}{fill}  "),
             }
         }

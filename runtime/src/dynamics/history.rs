@@ -8,6 +8,7 @@ use super::ranges::{Step, TimeRange, kept_positions, steps};
 use crate::analysis::{AnalysisOptions, Event, Observer, Position, check_solved, refuse_nan, tells_fields};
 use crate::contact::problem::Certificate;
 use crate::error::EngineError;
+use crate::estimate::{self, Estimates, Part};
 use crate::inertia::Inertia;
 use crate::load::Wrench;
 use crate::observe::{Equilibrium, ModesTable, check_vibrations};
@@ -70,6 +71,7 @@ pub struct History<'s> {
     solved: Vec<Solved>,
     current: Option<StepResult>,
     failed: bool,
+    error_estimates: Estimates,
     /// Time spent on steps.
     solving: Duration,
 }
@@ -130,6 +132,7 @@ impl<'s> History<'s> {
             solved: Vec::new(),
             current: None,
             failed: false,
+            error_estimates: options.error_estimates,
         };
         history.go_on_behind(options.solved.clone())?;
         observer.observe(Event::Stage("positions"))?;
@@ -392,10 +395,27 @@ impl<'s> History<'s> {
         let certificate = self.solved.iter().fold(first, |worst, solved| worst.worst(&solved.certificate));
         let modes = self.first_modes();
         let rows: Vec<StepRow> = self.solved.into_iter().map(|solved| solved.row).collect();
-        let summaries = summarize(&rows, self.outputs, &self.system.scene.observables);
+        let observables = &self.system.scene.observables;
+        let mut summaries = summarize(&rows, self.outputs, observables);
+        if self.error_estimates != Estimates::None {
+            let parts = [Part::Discretization, Part::ContactGrid, Part::Level, Part::TimeStep];
+            let found = parts.map(|part| estimate::Found {
+                part,
+                errors: Err("of a motion in time it takes a whole run more".into()),
+            });
+            estimate::attach(&mut summaries, &rows, self.outputs, observables, &found);
+        }
         self.timing.add("positions", self.solving);
         self.timing.memory = self.resources.interrupt.most_asked();
-        AnalysisResult { plan: self.plan, rows, summaries, certificate, modes, timing: self.timing }
+        AnalysisResult {
+            plan: self.plan,
+            rows,
+            summaries,
+            certificate,
+            modes,
+            timing: self.timing,
+            chosen: None,
+        }
     }
 }
 

@@ -4,6 +4,6 @@
 mod extremes;
 mod independent;
 mod matching_depth;
-mod pair;
+pub mod pair;
 mod tables;
 mod tips;

@@ -1,0 +1,293 @@
+//! The same positions with one knob turned.
+
+use super::{Ends, Estimates, Found, Part, Statistics, ends, is_stress};
+use crate::analysis::Position;
+use crate::error::EngineError;
+use crate::plan::Plan;
+use crate::resources::Resources;
+use crate::results::{OutputRequest, StepRow};
+use crate::scene::{BodyModel, Fidelity, Scene, StructureOptions, SurfacePair, Template};
+use crate::system::System;
+use rayon::prelude::*;
+
+/// Elements of a sibling's mesh in the plane along every direction to those of the run.
+const COARSER: f64 = 0.45;
+/// Order of displacements along the face of a sibling whose model leaves it open: one less than templates have.
+const AXIAL_ORDER: usize = 2;
+/// What the difference of outputs between both meshes is multiplied by, of deflections and forces and of stresses: in the plane, where
+/// elements of order three would have less by theory (corners, and elements that come in whole numbers, make it so much); and in space, where
+/// orders differ, and stresses of few elements come near by chance.
+const OF_MESH: [[f64; 2]; 2] = [[0.5, 0.2], [0.55, 1.2]];
+/// The same of contact grids with half as many cells.
+const OF_GRID: f64 = 0.4;
+/// Positions that are solved again, at least; where there are many, a part of them.
+const SAMPLES: usize = 8;
+const PART_OF_POSITIONS: usize = 4;
+/// Of them spread over all positions, for means.
+const SPREAD: usize = 4;
+/// Values within this part of peak to peak from an extreme might be it.
+const NEAR: f64 = 0.05;
+
+/// A quasi-static analysis that is done.
+pub(crate) struct Judged<'a, 's> {
+    pub system: &'a System<'s>,
+    pub plan: &'a Plan,
+    pub structure: StructureOptions,
+    pub highest_frequency: f64,
+    pub resources: &'a Resources,
+    pub positions: &'a [Position],
+    pub outputs: &'a [OutputRequest],
+    pub rows: &'a [StepRow],
+}
+
+/// What siblings tell of an analysis.
+///
+/// # Errors
+/// The interrupt's. A sibling that fails otherwise leaves its part unestimated.
+pub(crate) fn quasi_static_siblings(
+    judged: &Judged<'_, '_>,
+    estimates: Estimates,
+) -> Result<Vec<Found>, EngineError> {
+    if judged.rows.is_empty() {
+        return Ok(Vec::new());
+    }
+    let samples = samples(judged.rows, judged.outputs.len());
+    let own: Vec<Vec<Ends>> = (0..judged.outputs.len())
+        .map(|output| {
+            let all = ends(judged.rows, output);
+            samples.iter().map(|&row| all[row]).collect()
+        })
+        .collect();
+    let scene = judged.system.scene;
+
+    // Both meshes are compared on the coarse grid, which costs least.
+    let coarse = coarser_grids(scene, judged.plan.in_space);
+    let on_coarse = match &coarse {
+        Some(coarse) => judged.solve(&judged.system.on(coarse), judged.plan, &samples),
+        None => Err(Failed::Because("the contact grid has too few cells to halve them".into())),
+    };
+    let on_coarse = part_of(on_coarse)?;
+    let (compared, base) = match (&coarse, &on_coarse) {
+        (Some(coarse), Ok(values)) => (coarse, values),
+        _ => (scene, &own),
+    };
+    let fidelity = judged.plan.fidelity;
+    let structure = coarser_mesh(fidelity, judged.structure);
+    let meshed = (fidelity.body_model() == BodyModel::Elements)
+        .then(|| part_of(judged.sibling(compared, fidelity, structure, &samples)))
+        .transpose()?;
+
+    let of_mesh = |output: usize| {
+        let stress = is_stress(&judged.outputs[output], &scene.observables);
+        OF_MESH[usize::from(judged.plan.in_space)][usize::from(stress)]
+    };
+    let mut found = Vec::new();
+    // Levels without a mesh have none to be wrong, and rigid bodies no pressure.
+    if let Some(meshed) = meshed {
+        found.push(judged.found(Part::Discretization, &samples, meshed, base, of_mesh));
+    }
+    if fidelity != Fidelity::Rigid {
+        found.push(judged.found(Part::ContactGrid, &samples, on_coarse.clone(), &own, |_| OF_GRID));
+    }
+    // What closed forms leave out in space, elements in space have.
+    let next = match fidelity {
+        Fidelity::Analytic if judged.plan.in_space => Some(Fidelity::Solid(Template::default())),
+        _ => fidelity.above(),
+    };
+    let level = match (estimates, next) {
+        (Estimates::Full, Some(fidelity)) => {
+            part_of(judged.sibling(scene, fidelity, judged.structure, &samples))?
+        }
+        (Estimates::Full, None) => Err("there is no level above this one".to_owned()),
+        _ => Err("the level above costs more than the run: \"full\" estimates have it".to_owned()),
+    };
+    found.push(judged.found(Part::Level, &samples, level, &own, |_| 1.0));
+    Ok(found)
+}
+
+/// Why there is no sibling.
+enum Failed {
+    /// The run is to end.
+    Ended(EngineError),
+    Because(String),
+}
+
+/// By output, and by sample.
+type Values = Vec<Vec<Ends>>;
+
+fn part_of(values: Result<Values, Failed>) -> Result<Result<Values, String>, EngineError> {
+    match values {
+        Ok(values) => Ok(Ok(values)),
+        Err(Failed::Because(reason)) => Ok(Err(reason)),
+        Err(Failed::Ended(error)) => Err(error),
+    }
+}
+
+impl Judged<'_, '_> {
+    /// Whether an error is the sibling's own, or of whoever ends the run.
+    fn failed(&self, error: EngineError) -> Failed {
+        match self.resources.interrupt.check() {
+            Err(ended) => Failed::Ended(ended),
+            Ok(()) => Failed::Because(format!("{}: {}", error.code, error.message)),
+        }
+    }
+
+    /// The samples, on structures of another kind or fineness.
+    fn sibling(
+        &self,
+        scene: &Scene,
+        fidelity: Fidelity,
+        structure: StructureOptions,
+        samples: &[usize],
+    ) -> Result<Values, Failed> {
+        let build = || {
+            let plan = Plan::new(scene, fidelity, structure)?.yielding(scene, self.outputs)?;
+            let system = System::with(scene, &plan, self.resources)?;
+            let system = match self.highest_frequency {
+                0.0 => system,
+                highest => system.vibrating(&plan, self.resources, highest)?,
+            };
+            Ok((system, plan))
+        };
+        let (system, plan) = build().map_err(|error| self.failed(error))?;
+        self.solve(&system, &plan, samples)
+    }
+
+    fn solve(&self, system: &System<'_>, plan: &Plan, samples: &[usize]) -> Result<Values, Failed> {
+        let solve = |row: &usize| {
+            self.resources.interrupt.check()?;
+            let position = &self.positions[*row];
+            let step = system.solve(position.time)?;
+            let observed = plan.observe(system, &step);
+            Ok(StepRow::new(position.clone(), self.outputs, &observed, Vec::new()))
+        };
+        let all = || samples.par_iter().map(solve).collect::<Result<Vec<StepRow>, EngineError>>();
+        let rows = self.resources.install(all).map_err(|error| self.failed(error))?;
+        // An observable that was interrupted has no value.
+        self.resources.interrupt.check().map_err(Failed::Ended)?;
+        Ok((0..self.outputs.len()).map(|output| ends(&rows, output)).collect())
+    }
+
+    /// Of the samples those that stand for what is around them: beside a jump one stands for itself.
+    fn between(&self, samples: &[usize]) -> Vec<usize> {
+        let all = 0..samples.len();
+        let unnamed: Vec<usize> =
+            all.clone().filter(|&sample| self.rows[samples[sample]].position.name.is_empty()).collect();
+        if unnamed.is_empty() { all.collect() } else { unnamed }
+    }
+
+    /// The error in a part, from samples with and without its knob turned.
+    fn found(
+        &self,
+        part: Part,
+        samples: &[usize],
+        turned: Result<Values, String>,
+        base: &Values,
+        factor: impl Fn(usize) -> f64,
+    ) -> Found {
+        let error = |output: usize, turned: &[Ends]| {
+            let rows = ends(self.rows, output);
+            differences(&rows, samples, &self.between(samples), turned, &base[output]).times(factor(output))
+        };
+        let of_outputs = |turned: Values| turned.iter().enumerate().map(|(o, t)| error(o, t)).collect();
+        Found { part, errors: turned.map(of_outputs) }
+    }
+}
+
+/// A mesh that is worth less: in the plane of fewer elements, in space of elements of a lower order, for meshes there have as few elements
+/// as they can.
+fn coarser_mesh(fidelity: Fidelity, structure: StructureOptions) -> StructureOptions {
+    match fidelity {
+        Fidelity::Solid(_) if structure.order > 1 => StructureOptions {
+            order: structure.order - 1,
+            axial_order: Some(structure.axial_order.map_or(AXIAL_ORDER, |order| (order - 1).max(1))),
+            ..structure
+        },
+        _ => StructureOptions { refinement: COARSER * structure.refinement, ..structure },
+    }
+}
+
+/// The scene with half as many cells across and along every patch; `None` where there is nothing to halve.
+fn coarser_grids(scene: &Scene, in_space: bool) -> Option<Scene> {
+    let half = |count: usize| if count > 1 { Some(count.div_ceil(2)) } else { None };
+    let mut coarse = scene.clone();
+    for SurfacePair { grid, .. } in &mut coarse.pairs {
+        grid.half_cells = half(match in_space {
+            false => grid.half_cells_in_plane(),
+            true => {
+                grid.half_slices = half(grid.half_slices)?;
+                grid.half_cells_in_space()
+            }
+        });
+        grid.half_cells?;
+    }
+    Some(coarse)
+}
+
+/// The rows that siblings solve again: some spread over all of them, and the extremes of the outputs.
+fn samples(rows: &[StepRow], outputs: usize) -> Vec<usize> {
+    let most = SAMPLES.max(rows.len().div_ceil(PART_OF_POSITIONS)).min(rows.len());
+    let mut chosen: Vec<usize> = (0..SPREAD).map(|k| (2 * k + 1) * rows.len() / (2 * SPREAD)).collect();
+    chosen.dedup();
+    let mut later = Vec::new();
+    for output in 0..outputs {
+        let ends = ends(rows, output);
+        let extreme = |better: &dyn Fn(&Ends, &Ends) -> bool| {
+            (1..ends.len()).fold(0, |best, row| if better(&ends[row], &ends[best]) { row } else { best })
+        };
+        let (max, min) = (extreme(&|a, b| a.high > b.high), extreme(&|a, b| a.low < b.low));
+        let in_order = if ends[max].high.abs() >= ends[min].low.abs() { [max, min] } else { [min, max] };
+        chosen.push(in_order[0]);
+        later.push(in_order[1]);
+    }
+    let mut samples: Vec<usize> = Vec::new();
+    for row in chosen.into_iter().chain(later) {
+        if samples.len() < most && !samples.contains(&row) {
+            samples.push(row);
+        }
+    }
+    samples.sort_unstable();
+    samples
+}
+
+/// By how much statistics over `rows` differ between two ways to solve samples of them.
+fn differences(
+    rows: &[Ends],
+    samples: &[usize],
+    between: &[usize],
+    one: &[Ends],
+    other: &[Ends],
+) -> Statistics {
+    // `max` passes over what is no number.
+    let values = rows.iter().chain(one).chain(other);
+    if !values.into_iter().all(|end| (end.value + end.low + end.high).is_finite()) {
+        return Statistics::NONE;
+    }
+    let most = rows.iter().map(|end| end.high).fold(f64::NEG_INFINITY, f64::max);
+    let least = rows.iter().map(|end| end.low).fold(f64::INFINITY, f64::min);
+    // Samples that might be the extreme; of one that is not sampled, those whose values come nearest.
+    let near = |off: &dyn Fn(&Ends) -> f64| {
+        let offs: Vec<f64> = samples.iter().map(|&row| off(&rows[row])).collect();
+        let nearest = offs.iter().copied().fold(f64::INFINITY, f64::min);
+        let reach = nearest.max(NEAR * (most - least));
+        (0..samples.len()).filter(|&sample| offs[sample] <= reach).collect::<Vec<_>>()
+    };
+    let (at_most, at_least) = (near(&|end| most - end.high), near(&|end| end.low - least));
+    let high = |sample: usize| one[sample].high - other[sample].high;
+    let low = |sample: usize| one[sample].low - other[sample].low;
+    let largest = |values: &mut dyn Iterator<Item = f64>| values.map(f64::abs).fold(0.0, f64::max);
+    let mut mean = 0.0;
+    for row in 0..rows.len() {
+        // Each row is like the sample nearest to it.
+        let nearest =
+            between.iter().copied().min_by_key(|&sample| samples[sample].abs_diff(row)).unwrap_or(0);
+        mean += (one[nearest].value - other[nearest].value) / rows.len() as f64;
+    }
+    let apart = at_most.iter().flat_map(|&most| at_least.iter().map(move |&least| (most, least)));
+    Statistics {
+        min: largest(&mut at_least.iter().map(|&sample| low(sample))),
+        max: largest(&mut at_most.iter().map(|&sample| high(sample))),
+        mean: mean.abs(),
+        peak_to_peak: largest(&mut apart.map(|(most, least)| high(most) - low(least))),
+    }
+}

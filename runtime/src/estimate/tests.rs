@@ -1,0 +1,120 @@
+//! What lies between positions, against functions whose extremes and means are known; sums of parts.
+
+use super::*;
+use crate::analysis::Position;
+use crate::results::Observed;
+use std::borrow::Cow;
+use std::f64::consts::TAU;
+
+/// Rows of one output at parts of a cycle, some of them named.
+fn rows(at: &[(f64, &'static str)], value: impl Fn(f64) -> f64) -> Vec<StepRow> {
+    let row = |&(cycle, name): &(f64, &'static str)| StepRow {
+        position: Position { time: 1.0 + 2.0 * cycle, cycle, roll: 0.3 + cycle, name: Cow::Borrowed(name) },
+        outputs: vec![Observed::number(value(cycle))],
+        warnings: Vec::new(),
+    };
+    at.iter().map(row).collect()
+}
+
+fn uniform(count: usize) -> Vec<(f64, &'static str)> {
+    (0..count).map(|k| (k as f64 / count as f64, "")).collect()
+}
+
+/// The estimate over a closed cycle, and the true errors of the largest value and of the mean.
+fn estimated_and_true(
+    at: &[(f64, &'static str)],
+    largest: f64,
+    mean: f64,
+    value: impl Fn(f64) -> f64,
+) -> (Statistics, [f64; 2]) {
+    let rows = rows(at, value);
+    let course = Course::of(&rows).expect("it goes somewhere");
+    let values = ends(&rows, 0);
+    let found = values.iter().map(|end| end.high).fold(f64::NEG_INFINITY, f64::max);
+    let sum: f64 = (0..at.len())
+        .map(|i| {
+            let (before, after) = (
+                at[(i + at.len() - 1) % at.len()].0 - if i == 0 { 1.0 } else { 0.0 },
+                at[(i + 1) % at.len()].0 + if i + 1 == at.len() { 1.0 } else { 0.0 },
+            );
+            0.5 * (after - before) * values[i].value
+        })
+        .sum();
+    (course.errors(&values, true), [largest - found, (mean - sum).abs()])
+}
+
+#[test]
+fn a_smooth_extreme_between_positions_is_seen() {
+    for (count, shift) in [(16, 0.03), (16, 0.015), (32, 0.0156), (32, 0.007), (64, 0.005)] {
+        let wave = |x: f64| 3.0 + (TAU * (x - shift)).cos() + 0.2 * (2.0 * TAU * x).sin();
+        let fine = (0..100_000).map(|k| wave(k as f64 / 1e5));
+        let largest = fine.fold(f64::NEG_INFINITY, f64::max);
+        let (errors, [of_max, _]) = estimated_and_true(&uniform(count), largest, 3.0, wave);
+        // The parabola is not quite the curve.
+        let room = 4.0 / (count * count) as f64;
+        assert!(errors.max < 2.5 * of_max + room, "{count}: {} for {of_max}", errors.max);
+        assert!(errors.max > 0.4 * of_max - room, "{count}: {} for {of_max}", errors.max);
+    }
+}
+
+#[test]
+fn an_extreme_where_slopes_jump_is_seen() {
+    // A tent with a rounded foot, whose tip lies anywhere between two of 20 positions.
+    for part in [0.1, 0.3, 0.5, 0.7, 0.9] {
+        let tip = (7.0 + part) / 20.0;
+        let tent = |x: f64| 1.0 - 4.0 * (x - tip).abs() + 2.0 * (x - tip).powi(2);
+        let (errors, [of_max, _]) = estimated_and_true(&uniform(20), 1.0, 0.0, tent);
+        let effectivity = errors.max / of_max;
+        assert!((0.7..1.3).contains(&effectivity), "{part}: {effectivity}");
+    }
+}
+
+#[test]
+fn jumps_that_positions_enclose_are_no_error() {
+    // It falls from 2 to 1 at 0.3 and back at 0.7: positions stand on both sides of either.
+    let mut at = uniform(10);
+    at.retain(|(cycle, _)| ![0.3, 0.7].contains(cycle));
+    at.extend([(0.3 - 1e-6, "A"), (0.3 + 1e-6, "B"), (0.7 - 1e-6, "C"), (0.7 + 1e-6, "D")]);
+    at.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let step = |x: f64| if (0.3..0.7).contains(&x) { 1.0 } else { 2.0 } + 0.1 * x;
+    // Not closed: at the end of the cycle it has risen by 0.1.
+    let rows = rows(&at, step);
+    let course = Course::of(&rows).expect("it goes somewhere");
+    let errors = course.errors(&ends(&rows, 0), false);
+    assert!(errors.max < 1e-9 && errors.min < 1e-9 && errors.mean < 1e-9, "{errors:?}");
+}
+
+#[test]
+fn the_mean_of_a_kinked_course_is_seen() {
+    for part in [0.0, 0.15, 0.5, 0.85] {
+        let kink = (3.0 + part) / 16.0;
+        // A rectified wave, whose mean is 2 / pi.
+        let wave = |x: f64| (0.5 * TAU * (x - kink)).sin().abs();
+        let (errors, [_, of_mean]) = estimated_and_true(&uniform(16), 1.0, 2.0 / std::f64::consts::PI, wave);
+        let effectivity = errors.mean / of_mean;
+        assert!((0.3..6.0).contains(&effectivity), "{part}: {effectivity}");
+    }
+}
+
+#[test]
+fn rows_that_go_nowhere_say_nothing_of_what_lies_between() {
+    let one = rows(&uniform(1), |_| 1.0);
+    assert!(Course::of(&one).is_none());
+    let mut twice = rows(&uniform(2), |_| 1.0);
+    twice[1].position = twice[0].position.clone();
+    assert!(Course::of(&twice).is_none());
+}
+
+#[test]
+fn parts_add_up_but_for_the_mesh_which_the_level_above_sees_too() {
+    let all =
+        |error: f64| Statistics { min: error, max: 2.0 * error, mean: 0.5 * error, peak_to_peak: error };
+    let parts = vec![
+        (Part::Discretization, all(1.0)),
+        (Part::ContactGrid, all(0.25)),
+        (Part::Positions, all(0.5)),
+        (Part::Level, all(3.0)),
+    ];
+    let estimate = ErrorEstimate::new(parts, Vec::new());
+    assert_eq!(estimate.total, all(3.75));
+}

@@ -1,0 +1,330 @@
+//! The cheapest way to analyse whose estimated error keeps to a tolerance.
+//!
+//! Settings stand on a ladder from cheap to dear: the levels, and meshes of each. From the bottom up, each solves a few positions with
+//! estimates of all its errors, what its level leaves out among them; the first that keeps to the tolerance analyses the whole. What is
+//! found wanting says what to change: the level, the mesh, the contact grid. The whole analysis is judged by its own estimates, and where they
+//! miss the tolerance it is done again one better; so are positions doubled where too much lies between them.
+//!
+//! Choices depend on estimates alone, never on times, so that they are the same on every machine.
+
+use crate::analysis::{AnalysisOptions, Event, Observer, Position, quasi_static};
+use crate::cache::OperatorCache;
+use crate::error::EngineError;
+use crate::estimate::{Estimates, Part, Statistics};
+use crate::results::{AnalysisResult, OutputRequest, OutputSummary};
+use crate::scene::{Fidelity, Scene, SurfacePair, Template};
+use std::borrow::Cow;
+use std::sync::Arc;
+
+/// A way to analyse a scene. Factors are on what the model asks for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Setting {
+    /// The level.
+    pub fidelity: Fidelity,
+    /// On the elements along every direction.
+    pub refinement: f64,
+    /// On the cells of contact, across and along.
+    pub cells: usize,
+    /// On the number of positions.
+    pub positions: usize,
+}
+
+impl Setting {
+    /// In words, naming what is not as the model asks for it.
+    pub fn describe(&self) -> String {
+        let mut text = format!("\"{}\"", self.fidelity.name());
+        if self.refinement != 1.0 {
+            text += &format!(" with {} times the elements along every direction", self.refinement);
+        }
+        if self.cells != 1 {
+            text += &format!(", {} times the cells of contact across and along", self.cells);
+        }
+        if self.positions != 1 {
+            text += &format!(", {} times the positions", self.positions);
+        }
+        text
+    }
+}
+
+/// A setting, and how it did.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Tried {
+    /// The setting.
+    pub setting: Setting,
+    /// Whether all positions were solved, or a few.
+    pub whole: bool,
+    /// The output with the largest error by its name, and that error as a part of the output's largest magnitude.
+    pub worst: (String, f64),
+}
+
+/// What was chosen for a tolerance.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Chosen {
+    /// Of the largest magnitude of every output.
+    pub tolerance: f64,
+    /// With which the results were had.
+    pub setting: Setting,
+    /// All that were tried, in order; the last is the chosen one over all positions.
+    pub tried: Vec<Tried>,
+    /// Why what the level leaves out is not in the estimates, if it is not.
+    pub level_unseen: Option<String>,
+}
+
+impl Chosen {
+    /// What was chosen, and why.
+    pub fn describe(&self) -> String {
+        let error =
+            |Tried { worst: (output, error), .. }: &Tried| format!("{} in `{output}`", percent(*error));
+        let mut text = format!("tolerance {}: took {}", percent(self.tolerance), self.setting.describe());
+        if let Some((last, before)) = self.tried.split_last() {
+            text += &format!(", estimated to be within {}", error(last));
+            for missed in before.iter().filter(|tried| tried.worst.1 > self.tolerance) {
+                text += &format!("; {} has {}", missed.setting.describe(), error(missed));
+            }
+        }
+        if let Some(reason) = &self.level_unseen {
+            text += &format!("; what the level leaves out is not in it ({reason})");
+        }
+        text
+    }
+}
+
+fn percent(part: f64) -> String {
+    let rounded: f64 = format!("{:.1e}", 100.0 * part).parse().unwrap_or(f64::NAN);
+    format!("{rounded} %")
+}
+
+/// Positions that settings are compared at, beside those with names.
+const SPREAD: usize = 4;
+/// Contact grids and positions are doubled so often at most.
+const DOUBLINGS: u32 = 3;
+/// A part of the error that takes more than this of the tolerance is worth mending by itself.
+const SHARE: f64 = 0.5;
+/// Bytes of the structures that are kept while settings are compared, where nobody else keeps them.
+const KEPT: usize = 1 << 30;
+
+/// Factors on the elements of a level along every direction, from coarse to fine. In space a finer template does more.
+fn meshes(fidelity: Fidelity) -> &'static [f64] {
+    match fidelity {
+        Fidelity::Rigid | Fidelity::Analytic => &[1.0],
+        Fidelity::Plane => &[0.5, 1.0, 2.0],
+        Fidelity::Solid(Template::Finest) => &[1.0, 1.4],
+        Fidelity::Solid(_) => &[1.0],
+    }
+}
+
+/// A quasi-static analysis that keeps to a tolerance, a part of the largest magnitude of every output. It begins with the fidelity of the
+/// options and goes up from there.
+///
+/// # Errors
+/// E0791: the tolerance is no part. E0792: no setting keeps to it. Those of [`quasi_static`].
+pub fn quasi_static_within(
+    tolerance: f64,
+    scene: &Scene,
+    positions: &[Position],
+    outputs: &[OutputRequest],
+    options: &AnalysisOptions,
+    observer: &mut dyn Observer,
+) -> Result<AnalysisResult, EngineError> {
+    check_tolerance(tolerance)?;
+    let mut resources = options.resources.clone();
+    resources.cache.get_or_insert_with(|| Arc::new(OperatorCache::new(KEPT)));
+    // Rows of an earlier run may be those of another setting.
+    let options = AnalysisOptions {
+        resources,
+        solved: Vec::new(),
+        error_estimates: Estimates::Full,
+        ..options.clone()
+    };
+    let refinement = meshes(options.fidelity)[0];
+    let setting = Setting { fidelity: options.fidelity, refinement, cells: 1, positions: 1 };
+    let mut search = Search { tolerance, scene, outputs, options, setting, tried: Vec::new() };
+    let few = few_of(positions);
+    loop {
+        observer.observe(Event::Stage("choosing"))?;
+        if search.attempt(&few, false, &mut ())?.is_none() {
+            continue;
+        }
+        let all = (0..search.setting.positions.ilog2()).fold(positions.to_vec(), |all, _| doubled(&all));
+        if let Some(result) = search.attempt(&all, true, observer)? {
+            return Ok(search.chosen(result));
+        }
+    }
+}
+
+/// Whether there can be such a tolerance.
+///
+/// # Errors
+/// E0791: it is no part between 0 and 1.
+pub fn check_tolerance(tolerance: f64) -> Result<(), EngineError> {
+    if tolerance > 0.0 && tolerance < 1.0 {
+        return Ok(());
+    }
+    let message = format!("a tolerance cannot be {tolerance} of an output's largest magnitude");
+    Err(EngineError::new("E0791", message, "give a part above 0 and below 1, like `tolerance = 2 %`")
+        .blame("tolerance"))
+}
+
+/// The search for a setting.
+struct Search<'a> {
+    tolerance: f64,
+    scene: &'a Scene,
+    outputs: &'a [OutputRequest],
+    options: AnalysisOptions,
+    setting: Setting,
+    tried: Vec<Tried>,
+}
+
+impl Search<'_> {
+    /// Analyses by the setting; where that misses the tolerance there is no result, and the setting is a better one.
+    fn attempt(
+        &mut self,
+        positions: &[Position],
+        whole: bool,
+        observer: &mut dyn Observer,
+    ) -> Result<Option<AnalysisResult>, EngineError> {
+        let Setting { fidelity, refinement, cells, .. } = self.setting;
+        let mut scene = self.scene.clone();
+        for SurfacePair { grid, .. } in scene.pairs.iter_mut().filter(|_| cells > 1) {
+            let own = match fidelity {
+                Fidelity::Solid(_) => grid.half_cells_in_space(),
+                Fidelity::Rigid | Fidelity::Analytic | Fidelity::Plane => grid.half_cells_in_plane(),
+            };
+            grid.half_cells = Some(cells * own);
+            grid.half_slices *= cells;
+        }
+        let mut options = AnalysisOptions { fidelity, ..self.options.clone() };
+        options.structure.refinement *= refinement;
+        if !whole {
+            options.fields = 0;
+        }
+        let result = match quasi_static(&scene, positions, self.outputs, &options, observer) {
+            // The scene cannot be had at a level that nobody asked for.
+            Err(_) if fidelity != self.options.fidelity && options.resources.interrupt.check().is_ok() => {
+                return Err(self.refuse());
+            }
+            result => result?,
+        };
+
+        let worst_in = |parts: &[Part]| {
+            let of = |summary: &OutputSummary| relative(summary, parts);
+            let all = result.summaries.iter().map(of).enumerate();
+            all.fold((0, 0.0), |worst, this| if this.1 > worst.1 { this } else { worst })
+        };
+        // Few positions say nothing of what lies between them.
+        let counted: Vec<Part> =
+            Part::ALL.into_iter().filter(|&part| whole || part != Part::Positions).collect();
+        let (output, error) = worst_in(&counted);
+        let name = self.outputs.get(output).map(|request| request.name.clone()).unwrap_or_default();
+        self.tried.push(Tried { setting: self.setting, whole, worst: (name, error) });
+        if error <= self.tolerance {
+            return Ok(Some(result));
+        }
+        let between = if whole { worst_in(&[Part::Positions]).1 } else { 0.0 };
+        self.better([worst_in(&[Part::Level]).1, worst_in(&[Part::ContactGrid]).1, between])?;
+        Ok(None)
+    }
+
+    /// A better setting, by the errors of the level, of contact grids and between positions.
+    fn better(&mut self, [level, grid, between]: [f64; 3]) -> Result<(), EngineError> {
+        let setting = &mut self.setting;
+        let finer = meshes(setting.fidelity).iter().copied().find(|&finer| finer > setting.refinement);
+        let next = setting.fidelity.above();
+        let worth = SHARE * self.tolerance;
+        let room = |doubled: usize| doubled < 1 << DOUBLINGS;
+        match (finer, next) {
+            _ if between > worth && room(setting.positions) => setting.positions *= 2,
+            (_, Some(next)) if level > self.tolerance => {
+                (setting.fidelity, setting.refinement) = (next, meshes(next)[0]);
+            }
+            _ if grid > worth && room(setting.cells) => setting.cells *= 2,
+            (Some(finer), _) => setting.refinement = finer,
+            (None, Some(next)) => (setting.fidelity, setting.refinement) = (next, meshes(next)[0]),
+            (None, None) => return Err(self.refuse()),
+        }
+        Ok(())
+    }
+
+    fn refuse(&self) -> EngineError {
+        let best = self.tried.iter().min_by(|a, b| a.worst.1.total_cmp(&b.worst.1));
+        let best = best.map_or_else(String::new, |Tried { setting, worst: (output, error), .. }| {
+            format!(": the best is {} with {} in `{output}`", setting.describe(), percent(*error))
+        });
+        EngineError::new(
+            "E0792",
+            format!("no setting is estimated to keep to a tolerance of {}{best}", percent(self.tolerance)),
+            "ask for less, or take out of the model what cannot be had so exactly",
+        )
+        .blame("tolerance")
+    }
+
+    fn chosen(self, mut result: AnalysisResult) -> AnalysisResult {
+        let unseen = result.summaries.iter().filter_map(|summary| summary.error.as_ref()).find_map(|error| {
+            error
+                .not_estimated
+                .iter()
+                .find(|(part, _)| *part == Part::Level)
+                .map(|(_, reason)| reason.clone())
+        });
+        result.chosen = Some(Chosen {
+            tolerance: self.tolerance,
+            setting: self.setting,
+            tried: self.tried,
+            level_unseen: unseen,
+        });
+        result
+    }
+}
+
+/// The largest error of extremes and mean in some parts, as a part of the largest magnitude.
+fn relative(summary: &OutputSummary, parts: &[Part]) -> f64 {
+    // An output without a value keeps to nothing.
+    let Some(error) = summary.error.as_ref().filter(|_| summary.max.is_finite() && summary.min.is_finite())
+    else {
+        return f64::INFINITY;
+    };
+    let Statistics { min, max, mean, .. } = error.within(parts);
+    let error = min.max(max).max(mean);
+    if error == 0.0 { 0.0 } else { error / summary.max.abs().max(summary.min.abs()) }
+}
+
+/// Those with names, where loads jump, and some spread over all.
+fn few_of(positions: &[Position]) -> Vec<Position> {
+    let spread = |index: usize| (0..SPREAD).any(|k| k * positions.len() / SPREAD == index);
+    let wanted = positions.iter().enumerate().filter(|(index, at)| !at.name.is_empty() || spread(*index));
+    wanted.map(|(_, position)| position.clone()).collect()
+}
+
+/// One more position between any two.
+fn doubled(positions: &[Position]) -> Vec<Position> {
+    let mut all = Vec::with_capacity(2 * positions.len());
+    for pair in positions.windows(2) {
+        let [one, other] = [&pair[0], &pair[1]];
+        all.push(one.clone());
+        // Both sides of a jump stay as near to each other as they are.
+        if one.name.is_empty() || other.name.is_empty() {
+            let middle = |of: fn(&Position) -> f64| 0.5 * (of(one) + of(other));
+            all.push(Position {
+                time: middle(|at| at.time),
+                cycle: middle(|at| at.cycle),
+                roll: middle(|at| at.roll),
+                name: Cow::Borrowed(""),
+            });
+        }
+    }
+    all.extend(positions.last().cloned());
+    all
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn positions_double_but_for_jumps() {
+        let at = |time: f64, name: &'static str| Position { name: Cow::Borrowed(name), ..Position::at(time) };
+        let all = [at(0.0, ""), at(1.0, "A"), at(1.000001, "B"), at(2.0, "")];
+        let times: Vec<f64> = doubled(&all).iter().map(|position| position.time).collect();
+        assert_eq!(times, [0.0, 0.5, 1.0, 1.000001, 1.5000005, 2.0]);
+    }
+}
