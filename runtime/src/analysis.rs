@@ -75,8 +75,8 @@ pub struct AnalysisOptions {
     pub fidelity: Fidelity,
     /// How finely.
     pub structure: StructureOptions,
-    /// Natural frequencies of bodies up to which the vibrations about an equilibrium see their modes, Hz; 0 takes bodies as rigid ones on
-    /// elastic teeth. No equilibrium depends on it.
+    /// Natural frequencies of bodies up to which motion in time and the vibrations about an equilibrium see their modes, Hz; 0 takes bodies as
+    /// rigid ones on elastic teeth. No equilibrium depends on it.
     pub highest_frequency: f64,
     /// Threads, kept structures, an interrupt: no result depends on them.
     pub resources: Resources,
@@ -134,7 +134,7 @@ impl<'s> Planned<'s> {
         let highest_frequency = options.highest_frequency;
         check_modes(options.fidelity, highest_frequency)?;
         let plan = timing.stage("plan", || Plan::new(scene, options.fidelity, options.structure))?;
-        let plan = plan.yielding(scene, outputs)?;
+        let plan = plan.yielding(scene, outputs)?.vibrating(scene, highest_frequency);
         // Structures take long, and this is known without them.
         let first = positions.first().map_or(0.0, |position| position.time);
         holding::check(scene, &plan, first, &options.resources.interrupt)?;

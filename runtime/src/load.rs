@@ -3,7 +3,8 @@
 use std::f64::consts::PI;
 use std::ops::{Add, Mul};
 
-/// A force on the origin of a body's frame and a moment about it, along ground axes.
+/// A force on a body's axle ([`crate::motion::axle`]: the origin of its frame, unless the body sits off its shaft, as a gear with runout does)
+/// and a moment about it, along ground axes.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Wrench {
     /// N
@@ -16,7 +17,7 @@ impl Wrench {
     /// No load at all.
     pub const NONE: Wrench = Wrench { force: [0.0; 3], moment: [0.0; 3] };
 
-    /// A force on the frame's origin, N.
+    /// A force on the axle, N.
     pub const fn of_force(force: [f64; 3]) -> Wrench {
         Wrench { force, ..Wrench::NONE }
     }

@@ -202,6 +202,23 @@ impl Plan {
         self
     }
 
+    /// The plan of an analysis that sees modes of bodies up to a natural frequency (Hz), or none up to 0.
+    pub fn vibrating(mut self, scene: &Scene, highest: f64) -> Plan {
+        let modelled =
+            scene.bodies.iter().zip(&self.bodies).filter(|(_, plan)| highest > 0.0 && plan.is_elastic());
+        let rigid =
+            |(body, _): (&Body, _)| Some(format!("\"{}\": {}", body.name, body.prototype.without_modes()?));
+        let rigid: Vec<String> = modelled.filter_map(rigid).collect();
+        if !rigid.is_empty() {
+            let bodies = rigid.join("; ");
+            let reason = format!("some bodies vibrate as rigid ones on their elastic teeth, {bodies}");
+            self.ignored.push(Ignored { input: "highest_frequency".into(), reason });
+        }
+        self.ignored.sort();
+        self.ignored.dedup();
+        self
+    }
+
     /// Indices of the bearings that are modelled.
     pub(crate) fn modelled_bearings(&self) -> Vec<usize> {
         (0..self.bearings.len()).filter(|&bearing| !self.bearings[bearing].left_out).collect()

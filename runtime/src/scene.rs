@@ -88,6 +88,11 @@ pub trait Prototype: Any + Send + Sync {
         Ok(None)
     }
 
+    /// Why an elastic body that might have modes has none, if that is so: it vibrates as a rigid one, and the plan says so.
+    fn without_modes(&self) -> Option<&'static str> {
+        None
+    }
+
     /// What the body weighs, in its frame; nothing unless somebody says so.
     fn inertia(&self) -> Inertia {
         Inertia::default()

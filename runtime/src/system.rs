@@ -44,7 +44,7 @@ pub struct System<'s> {
     pub(crate) interrupt: Interrupt,
     /// Bodies do not deform, and touch as the load vanishes.
     pub(crate) rigid: bool,
-    /// In which bodies vibrate; none but in dynamic analyses.
+    /// In which bodies vibrate, in time or about an equilibrium; none unless an analysis asks for them ([`System::vibrating`]).
     pub(crate) modes: Modes,
     structure_counts: StructureCounts,
 }

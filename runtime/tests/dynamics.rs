@@ -40,14 +40,7 @@ fn cylinder(height: f64, force: f64) -> (Scene, BodyId) {
 }
 
 fn from_frames(ranges: Vec<TimeRange>) -> DynamicOptions {
-    DynamicOptions {
-        from: 0.0,
-        ranges,
-        scheme: Scheme::AVERAGE,
-        rayleigh: [0.0; 2],
-        highest_frequency: 0.0,
-        start: Start::Frames,
-    }
+    DynamicOptions { from: 0.0, ranges, scheme: Scheme::AVERAGE, rayleigh: [0.0; 2], start: Start::Frames }
 }
 
 fn run(

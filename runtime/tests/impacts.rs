@@ -50,7 +50,6 @@ fn followed(
         ranges: vec![TimeRange::steady(200_000.0 * step, 200_000)],
         scheme: Scheme::AVERAGE,
         rayleigh: [0.0; 2],
-        highest_frequency: 0.0,
         start: Start::Frames,
     };
     let coarse = StructureOptions { refinement: 0.5, order: 2, ..StructureOptions::default() };

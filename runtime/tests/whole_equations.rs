@@ -268,10 +268,9 @@ fn by_modes(inertia: Inertia, highest_frequency: f64) -> Motion {
         ranges: vec![TimeRange::steady(STEPS as f64 * STEP, STEPS)],
         scheme: Scheme::AVERAGE,
         rayleigh: [DAMPING, 0.0],
-        highest_frequency,
         start: Start::Frames,
     };
-    let options = AnalysisOptions::default();
+    let options = AnalysisOptions { highest_frequency, ..AnalysisOptions::default() };
     let mut history = History::new(&scene, &outputs, &options, &dynamics, &mut ()).expect("it can begin");
     let mut motion = Vec::new();
     while let Some(solved) = history.next() {
@@ -510,10 +509,9 @@ fn turning_by_modes(inertia: Inertia, speed: f64) -> Vec<[f64; 2]> {
         ranges: vec![TimeRange::steady(STEPS as f64 * STEP, STEPS)],
         scheme: Scheme::AVERAGE,
         rayleigh: [0.0; 2],
-        highest_frequency: 100e3,
         start: Start::Frames,
     };
-    let options = AnalysisOptions::default();
+    let options = AnalysisOptions { highest_frequency: 100e3, ..AnalysisOptions::default() };
     let history = History::new(&scene, &outputs, &options, &dynamics, &mut ()).expect("it can begin");
     history
         .map(|solved| {

@@ -41,12 +41,15 @@ fn measure(highest_frequency: f64, half_cells: usize) {
         ranges: vec![TimeRange { keep: CHUNK, ..TimeRange::steady(5.0 * mesh.period, STEPS) }],
         scheme: Scheme::AVERAGE,
         rayleigh: [2000.0, 0.0],
-        highest_frequency,
         start: Start::Equilibrium,
     };
     let meshes = [COARSE, StructureOptions { refinement: 2.0 * COARSE.refinement, order: 3, ..COARSE }];
     let unknowns = meshes.map(|structure| unknowns(&scene, structure));
-    let options = meshes.map(|structure| AnalysisOptions { structure, ..AnalysisOptions::default() });
+    let options = meshes.map(|structure| AnalysisOptions {
+        structure,
+        highest_frequency,
+        ..AnalysisOptions::default()
+    });
     let [mut coarse, mut fine] = options
         .each_ref()
         .map(|options| History::new(&scene, &outputs, options, &dynamics, &mut ()).expect("it can begin"));

@@ -80,7 +80,6 @@ pub(crate) fn motion_in_time(
     over: Handle,
     newmark: &str,
     rayleigh: [f64; 2],
-    highest_frequency: f64,
     start: &str,
 ) -> Result<DynamicOptions, RuntimeError> {
     let Some((from, ranges)) = host.histories.get(&over.0).cloned() else {
@@ -104,7 +103,7 @@ pub(crate) fn motion_in_time(
             return Err(refusal("E0764", "start", &message, "choose \"equilibrium\" or \"frames\""));
         }
     };
-    Ok(DynamicOptions { from, ranges, scheme, rayleigh, highest_frequency, start })
+    Ok(DynamicOptions { from, ranges, scheme, rayleigh, start })
 }
 
 /// Masses on a body's frame: kg, and kg m² about its axis.

@@ -165,15 +165,13 @@ calyx_abi::externs! {
         let options =
             AnalysisOptions { fidelity, structure, highest_frequency, error_estimates, ..host.analysis.clone() };
         let positions = overrides.sample(entry(&host.positions, over)?.clone());
+        check_modes(fidelity, highest_frequency).map_err(|error| engine(overrides.told_of(error)))?;
         let rayleigh = [rayleigh_mass, rayleigh_stiffness];
         let how = match method.as_str() {
-            "quasi_static" => {
-                check_modes(fidelity, highest_frequency).map_err(|error| engine(overrides.told_of(error)))?;
-                How::QuasiStatic(positions)
-            }
+            "quasi_static" => How::QuasiStatic(positions),
             "dynamic" => {
                 check_section(fidelity).map_err(engine)?;
-                How::Dynamic(motion_in_time(host, over, &newmark, rayleigh, highest_frequency, &start)?)
+                How::Dynamic(motion_in_time(host, over, &newmark, rayleigh, &start)?)
             }
             _ => return Err(refusal("E0679", "method", &format!("there is no analysis called \"{method}\""),
                 "choose \"quasi_static\" or \"dynamic\"")),
@@ -188,7 +186,7 @@ calyx_abi::externs! {
             return Err(RuntimeError::new("E0795", "of a motion in time no step can be left out",
                 "leave `every` to quasi-static analyses; the model's `keep_every` says which steps results have"));
         }
-        host.asked = Some(Asked { fidelity, structure, in_time, problems });
+        host.asked = Some(Asked { fidelity, structure, in_time, problems, highest_frequency });
         if tolerance != 0.0 {
             check_tolerance(tolerance).map_err(engine)?;
             if in_time {
@@ -322,12 +320,13 @@ pub fn check_plan(host: &ModelHost, interrupt: &Interrupt) -> Result<Plan, Runti
     let unasked = || {
         let fidelity = host.overrides.fidelity.unwrap_or(Fidelity::Plane);
         let structure = host.overrides.structure(host.analysis.structure);
-        Asked { fidelity, structure, in_time: false, problems: 0 }
+        Asked { fidelity, structure, in_time: false, problems: 0, highest_frequency: 0.0 }
     };
-    let Asked { fidelity, structure, in_time, .. } = host.asked.unwrap_or_else(unasked);
+    let Asked { fidelity, structure, in_time, highest_frequency, .. } = host.asked.unwrap_or_else(unasked);
     let plan = Plan::new(&host.scene, fidelity, structure);
     let plan = plan.and_then(|plan| plan.yielding(&host.scene, &host.outputs));
     let plan = plan.map(|plan| if in_time { plan.in_time() } else { plan });
+    let plan = plan.map(|plan| plan.vibrating(&host.scene, highest_frequency));
     // A mesh cycle begins where its first pair of teeth enters.
     let starts = host.scene.pairs.iter().filter_map(|pair| Some(pair.mesh.as_ref()?.start));
     let start = starts.fold(f64::INFINITY, f64::min);

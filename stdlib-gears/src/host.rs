@@ -256,6 +256,8 @@ pub struct Asked {
     pub in_time: bool,
     /// Contact problems that it solves one after the other: positions, or steps in time.
     pub problems: usize,
+    /// Natural frequency up to which bodies have modes, Hz.
+    pub highest_frequency: f64,
 }
 
 /// Two bodies whose gears meet.

@@ -339,6 +339,11 @@ impl Prototype for GearPrototype {
         Ok(Some(Arc::new(BodyModes::ring(&model, &ring, &surfaces, &split, highest, interrupt)?)))
     }
 
+    fn without_modes(&self) -> Option<&'static str> {
+        matches!(self.rim.hold_in_plane(), BoreHold::Lugs(_) | BoreHold::LooseLugs { .. })
+            .then_some("lugs hold it, which are not alike for all of its teeth")
+    }
+
     fn inertia(&self) -> Inertia {
         self.whole_inertia().unwrap_or_default()
     }

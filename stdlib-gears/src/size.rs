@@ -36,6 +36,7 @@ impl GearPrototype {
             components: 1,
             window,
             mirrored: false,
+            far: if hold.carries_far() { (teeth / 2).saturating_sub(window) } else { 0 },
         })
     }
 
@@ -71,6 +72,7 @@ impl GearPrototype {
             components: 3,
             window,
             mirrored: self.helix.is_spur() && means == 0,
+            far: 0,
         })
     }
 }

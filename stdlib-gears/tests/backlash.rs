@@ -74,7 +74,6 @@ fn a_load_that_reverses_sends_the_gear_to_and_fro_without_loss() {
         ranges: vec![TimeRange::steady(STEP * STEPS as f64, STEPS)],
         scheme: Scheme::AVERAGE,
         rayleigh: [0.0; 2],
-        highest_frequency: 0.0,
         start: Start::Equilibrium,
     };
     let options = AnalysisOptions { structure: COARSE, ..AnalysisOptions::default() };

@@ -39,15 +39,19 @@ fn moving(ranges: Vec<TimeRange>) -> DynamicOptions {
         ranges,
         scheme: Scheme::AVERAGE,
         rayleigh: [0.0; 2],
-        highest_frequency: 0.0,
         start: Start::Equilibrium,
     }
 }
 
-/// Rows of values of the scene's observables.
+/// Rows of values of the scene's observables, of bodies that vibrate as rigid ones.
 fn rows(scene: &Scene, dynamics: &DynamicOptions) -> Vec<(f64, Vec<f64>)> {
-    let outputs = requests(scene);
-    let history = History::new(scene, &outputs, &options(), dynamics, &mut ()).expect("it is analysed");
+    rows_up_to(0.0, scene, dynamics)
+}
+
+/// The same with the modes of the bodies up to a natural frequency, Hz.
+fn rows_up_to(highest_frequency: f64, scene: &Scene, dynamics: &DynamicOptions) -> Vec<(f64, Vec<f64>)> {
+    let (outputs, options) = (requests(scene), AnalysisOptions { highest_frequency, ..options() });
+    let history = History::new(scene, &outputs, &options, dynamics, &mut ()).expect("it is analysed");
     history
         .map(|solved| {
             let Solved { row, .. } = solved.expect("it is solved");
@@ -150,10 +154,9 @@ fn slow_motion_is_statics() {
     let [rigid, modal] = [0.0, 60e3].map(|highest_frequency| {
         let dynamics = DynamicOptions {
             scheme: Scheme::named("backward_difference").expect("known"),
-            highest_frequency,
             ..moving(vec![TimeRange { keep: 4, ..TimeRange::steady(0.4 * mesh.period, 16) }])
         };
-        rows(&scene, &dynamics)
+        rows_up_to(highest_frequency, &scene, &dynamics)
     });
     for ((time, rigid), (_, modal)) in rigid.iter().zip(&modal) {
         let step = system.solve(*time).expect("equilibrium");
@@ -312,9 +315,7 @@ fn the_stiffness_of_a_mesh_in_time_is_that_of_statics() {
     let (mut scene, mesh) = at_speed(100.0, &PLAIN);
     scene.observe(calyx_runtime::observe::MeshStiffness(MESH));
     let ranges = vec![TimeRange::steady(0.02 * mesh.period, 4)];
-    let [rigid, modal] = [0.0, 60e3].map(|highest_frequency| {
-        rows(&scene, &DynamicOptions { highest_frequency, ..moving(ranges.clone()) })
-    });
+    let [rigid, modal] = [0.0, 60e3].map(|highest| rows_up_to(highest, &scene, &moving(ranges.clone())));
     for ((time, rigid), (_, modal)) in rigid.iter().zip(&modal) {
         assert!((rigid[0] / modal[0] - 1.0).abs() < 0.01, "{time}: {rigid:?} {modal:?}");
     }

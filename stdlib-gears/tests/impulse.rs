@@ -74,7 +74,6 @@ fn peaks_of_the_transfer_function_are_the_natural_frequencies() {
         scheme: Scheme::AVERAGE,
         // It has died down at the end.
         rayleigh: [10.0 / duration, 0.0],
-        highest_frequency: 0.0,
         start: Start::Equilibrium,
     };
     let options = AnalysisOptions { structure: COARSE, ..AnalysisOptions::default() };

@@ -143,7 +143,6 @@ fn course_of_the_pair(from: f64, rate: f64, step: f64, damping: f64) -> Course {
         ranges: vec![TimeRange::steady(step * steps as f64, steps)],
         scheme: Scheme::AVERAGE,
         rayleigh: [damping, 0.0],
-        highest_frequency: 0.0,
         start: Start::Equilibrium,
     };
     let options = AnalysisOptions { structure: COARSE, ..AnalysisOptions::default() };

@@ -4,7 +4,7 @@ use super::effective::Effective;
 use super::matrices::{Forces, Matrices, check_in_section, check_inertia, check_section};
 use super::modal::{Elastic, Modes, check_modes};
 use super::newmark::{Scheme, State};
-use super::ranges::{Step, TimeRange, kept_positions, steps};
+use super::ranges::{Step, TimeRange, check_resolved, kept_positions, steps};
 use crate::analysis::{AnalysisOptions, Event, Observer, Position, check_solved, refuse_nan, tells_fields};
 use crate::contact::problem::Certificate;
 use crate::error::EngineError;
@@ -15,7 +15,7 @@ use crate::observe::{Equilibrium, ModesTable, check_vibrations};
 use crate::plan::Plan;
 use crate::resources::Resources;
 use crate::results::{AnalysisResult, OutputRequest, Solved, StepRow, Timing};
-use crate::scene::{Fidelity, Scene};
+use crate::scene::Scene;
 use crate::step::StepResult;
 use crate::summary::summarize;
 use crate::system::System;
@@ -43,8 +43,6 @@ pub struct DynamicOptions {
     pub scheme: Scheme,
     /// Rayleigh's damping: of mass, 1/s, and of stiffness, s. The latter is of bearings and modes.
     pub rayleigh: [f64; 2],
-    /// Natural frequencies up to which bodies have modes, Hz; 0 for bodies that vibrate as rigid ones with elastic teeth.
-    pub highest_frequency: f64,
     /// What it begins with.
     pub start: Start,
 }
@@ -91,11 +89,13 @@ impl<'s> History<'s> {
         let mut timing = Timing::default();
         check_section(options.fidelity)?;
         dynamics.ranges.iter().try_for_each(TimeRange::check)?;
-        check_numbers(dynamics, options.fidelity)?;
+        check_numbers(dynamics)?;
+        let highest = options.highest_frequency;
+        check_modes(options.fidelity, highest)?;
         let positions = kept_positions(dynamics.from, &dynamics.ranges);
         check_solved(&options.solved, &positions, outputs)?;
         let plan = timing.stage("plan", || Plan::new(scene, options.fidelity, options.structure))?;
-        let plan = plan.yielding(scene, outputs)?.in_time();
+        let plan = plan.yielding(scene, outputs)?.in_time().vibrating(scene, highest);
         check_in_section(&plan)?;
         observer.observe(Event::Planned(&plan))?;
         if dynamics.start == Start::Equilibrium {
@@ -108,12 +108,12 @@ impl<'s> History<'s> {
         let inertias: Vec<Inertia> =
             bodies.map(|(index, body)| body.inertia().from(system.axle(index))).collect();
         check_inertia(&system, &inertias)?;
-        let highest = dynamics.highest_frequency;
         system.modes = timing.stage("modes", || Modes::find(scene, &plan, &options.resources, highest))?;
         check_vibrations(&system)?;
         let count = system.freedoms.len() + system.modes.count();
         let sizing = system.load_at(dynamics.from)?;
         let all: Vec<Step> = steps(dynamics.from, &dynamics.ranges).collect();
+        check_resolved(dynamics.from, &all)?;
         let mut history = History {
             outputs,
             options: dynamics.clone(),
@@ -473,7 +473,7 @@ pub fn dynamic(
     Ok(history.finish())
 }
 
-fn check_numbers(dynamics: &DynamicOptions, fidelity: Fidelity) -> Result<(), EngineError> {
+fn check_numbers(dynamics: &DynamicOptions) -> Result<(), EngineError> {
     let refuse = |argument: &'static str, message: String, help: &str| {
         Err(EngineError::new("E0764", message, help).blame(argument))
     };
@@ -492,7 +492,7 @@ fn check_numbers(dynamics: &DynamicOptions, fidelity: Fidelity) -> Result<(), En
             "give positive numbers, or 0 for none",
         );
     }
-    check_modes(fidelity, dynamics.highest_frequency)
+    Ok(())
 }
 
 #[cfg(test)]

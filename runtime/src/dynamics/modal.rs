@@ -40,7 +40,7 @@ impl Modes {
         Modes { of, first, squares }
     }
 
-    /// Of all bodies that are modelled as elastic, up to a natural frequency, Hz; none at all up to 0.
+    /// Of all bodies that are modelled as elastic and can have them, up to a natural frequency, Hz; none at all up to 0.
     ///
     /// # Errors
     /// Those of [`check_modes`] and [`Resources::modes`].
@@ -55,10 +55,11 @@ impl Modes {
             return Ok(Modes::default());
         }
         let bodies = scene.bodies.iter().zip(&plan.bodies);
-        let of = bodies.map(|(body, plan)| match plan.is_elastic() {
-            true => resources.modes(body.prototype.as_ref(), &plan.options, TAU * highest),
-            false => Ok(None),
-        });
+        let of =
+            bodies.map(|(body, plan)| match plan.is_elastic() && body.prototype.without_modes().is_none() {
+                true => resources.modes(body.prototype.as_ref(), &plan.options, TAU * highest),
+                false => Ok(None),
+            });
         Ok(Modes::new(of.collect::<Result<_, _>>()?))
     }
 

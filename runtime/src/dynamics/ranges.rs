@@ -75,6 +75,27 @@ pub(super) fn steps(start: f64, ranges: &[TimeRange]) -> impl Iterator<Item = St
     })
 }
 
+/// A step is at least so many times as long as times are apart that numbers can tell.
+const RESOLVED: f64 = 1e3;
+
+/// That the prescribed motions at the ends of all steps are told apart.
+///
+/// # Errors
+/// E0763: a step is lost in the digits of its time.
+pub(super) fn check_resolved(from: f64, steps: &[Step]) -> Result<(), EngineError> {
+    let apart = |time: f64| RESOLVED * f64::EPSILON * time.abs();
+    let lost = steps.iter().find(|step| step.length < apart(step.time.abs().max(from.abs())));
+    match lost {
+        None => Ok(()),
+        Some(step) => Err(EngineError::new(
+            "E0763",
+            format!("a step of {:e} s is lost in the digits of its time, {} s", step.length, step.time),
+            "begin nearer to 0 s, or take longer steps",
+        )
+        .blame("over")),
+    }
+}
+
 /// Times of which rows are kept: the start, in equilibrium, and the ends of kept steps.
 pub fn kept_positions(start: f64, ranges: &[TimeRange]) -> Vec<Position> {
     let kept = steps(start, ranges).filter(|step| step.kept).map(|step| Position::at(step.time));

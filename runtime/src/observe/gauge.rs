@@ -48,7 +48,7 @@ pub enum Reading {
 }
 
 /// A reading of a gauge: of all teeth the largest, with the least beside it. Over a mesh cycle these are the ends of what each tooth goes
-/// through as it passes the mesh. 0 while nothing is loaded.
+/// through as it passes the mesh. While nothing is loaded, of all teeth of a body that vibrates in its modes; 0 of one that has none.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GaugeReading(pub Gauge, pub Reading);
 

@@ -24,7 +24,7 @@ pub(super) struct RootStress {
 /// Whose fillets are looked at.
 #[derive(Clone, Copy)]
 pub(super) enum Teeth {
-    /// The loaded teeth, and as many neighbours on either side.
+    /// The loaded teeth, and as many neighbours on either side; all teeth of a body that vibrates while none of them is loaded.
     Near(u32),
     /// One tooth, loaded or not.
     One(u32),
@@ -124,9 +124,14 @@ pub(super) fn stresses(at: &Equilibrium<'_>, body: BodyId, of: Fillets) -> Optio
             let (loads, lugs) = (at.surface_loads(body), at.loose_lug_forces(body));
             let vibration = Vibration::of(at, body, &loads);
             let mut charts: Vec<Chart> = loads.iter().map(|load| load.chart).collect();
-            // A tooth that is looked at vibrates without load, too.
-            if charts.is_empty() && vibration.is_some() && matches!(of.teeth, Teeth::One(_)) {
-                charts.extend(driving_surfaces(at, body).map(|surface| Chart { tooth: 0, surface }));
+            // Where nothing is loaded teeth vibrate all the same, and none of them is nearer to a load than another.
+            if charts.is_empty() && vibration.is_some() {
+                let teeth = match of.teeth {
+                    Teeth::Near(_) => structure.teeth(),
+                    Teeth::One(_) => 1,
+                };
+                let all = |surface| (0..teeth).map(move |tooth| Chart { tooth, surface });
+                charts.extend(driving_surfaces(at, body).flat_map(all));
             }
             for (tooth, surface) in of.near(charts.into_iter(), structure.teeth()) {
                 let mut recovered = structure.stresses(tooth, surface, &loads);

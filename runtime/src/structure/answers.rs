@@ -1,8 +1,9 @@
 //! What a condensed structure answers: compliances between points of its surfaces, and stresses, off its tables.
 
-use super::bore_coupling::BoreCoupling;
+use super::bore_coupling::{BoreCoupling, Coupling};
 use super::dense::mirror_lower;
 use super::elastic::{ElasticStructure, Surface};
+use super::far_coupling::FarCoupling;
 use super::reshaped::Reshaped;
 use super::spline::Weights;
 use super::{Chart, LugForce, ReshapedSurface, StressPlace, Structure, SurfaceLoad};
@@ -71,8 +72,8 @@ impl ElasticStructure {
         };
         let sides = if forward { [observe, load] } else { [load, observe] };
         let tables = self.offsets.get(ahead.min(behind) as usize);
-        if let Some(bore) = self.bore.as_ref().filter(|bore| tables.is_none() || !bore.is_in_tables()) {
-            self.add_through(bore, forward, (observe, observers), (load, loads), block);
+        if let Some(coupling) = self.coupling(tables.is_some()) {
+            self.add_through(coupling, forward, (observe, observers), (load, loads), block);
         }
         let Some(tables) = tables else { return };
         let [rows, columns] = sides.map(|chart| chart.surface as usize * self.directions);
@@ -99,11 +100,20 @@ impl ElasticStructure {
         }
     }
 
-    /// What [`Self::add_between`] adds of the bore, computed in one of two orientations: `forward` tells which unless both are on one surface,
+    /// How two teeth feel each other beside what their table says, or in place of one.
+    fn coupling(&self, in_table: bool) -> Option<&dyn Coupling> {
+        match (&self.far, &self.bore) {
+            (Some(far), _) if !in_table => Some(far),
+            (_, Some(bore)) if !in_table || !bore.is_in_tables() => Some(bore),
+            _ => None,
+        }
+    }
+
+    /// What [`Self::add_between`] adds to tables, computed in one of two orientations: `forward` tells which unless both are on one surface,
     /// where the greater list goes first.
     fn add_through(
         &self,
-        bore: &BoreCoupling,
+        coupling: &dyn Coupling,
         forward: bool,
         (observe, observers): (Chart, &[Local]),
         (load, loads): (Chart, &[Local]),
@@ -117,10 +127,9 @@ impl ElasticStructure {
         } else {
             [(load, loads), (observe, observers)]
         };
-        let held = |(chart, points): (Chart, &[Local])| {
-            self.held_against(bore, chart.surface, points.iter().copied())
-        };
-        let mut values = bore.compliance((first.0.tooth, &held(first)), (second.0.tooth, &held(second)));
+        let held =
+            |(chart, points): (Chart, &[Local])| self.felt(coupling, chart.surface, points.iter().copied());
+        let mut values = coupling.compliance((first.0.tooth, &held(first)), (second.0.tooth, &held(second)));
         if order.is_eq() {
             mirror_lower(&mut values);
         }
@@ -131,14 +140,14 @@ impl ElasticStructure {
         }
     }
 
-    /// The forces that hold the bore against unit loads on a surface.
-    fn held_against(
+    /// The forces by which unit loads on a surface are felt elsewhere.
+    fn felt(
         &self,
-        bore: &BoreCoupling,
+        coupling: &dyn Coupling,
         surface: u32,
         loads: impl ExactSizeIterator<Item = Local> + Clone,
     ) -> Mat<f64> {
-        let mut forces = bore.unfelt(loads.len());
+        let mut forces = coupling.unfelt(loads.len());
         let places = self.surfaces.get(surface as usize).map_or(0, |surface| surface.spline.nodes().len());
         for direction in 0..self.directions {
             let mut columns = Mat::zeros(places, loads.len());
@@ -148,7 +157,7 @@ impl ElasticStructure {
                     columns[(first + k, column)] = load.direction[direction] * value;
                 }
             }
-            bore.add_felt(&mut forces, surface as usize * self.directions + direction, columns.as_ref());
+            coupling.add_felt(&mut forces, surface as usize * self.directions + direction, columns.as_ref());
         }
         forces
     }
@@ -168,9 +177,9 @@ impl ElasticStructure {
             let ahead = self.places_ahead(chart.tooth, tooth);
             let behind = self.places_ahead(tooth, chart.tooth);
             let tables = self.offsets.get(ahead.min(behind) as usize);
-            if let Some(bore) = self.bore.as_ref().filter(|bore| tables.is_none() || !bore.is_in_tables()) {
-                let held = self.held_against(bore, chart.surface, [local].into_iter());
-                if let Some(through) = bore.stresses(surface as usize, tooth, (chart.tooth, &held)) {
+            if let Some(coupling) = self.coupling(tables.is_some()) {
+                let felt = self.felt(coupling, chart.surface, [local].into_iter());
+                if let Some(through) = coupling.stresses(surface as usize, tooth, (chart.tooth, &felt)) {
                     let all = stress.iter_mut().zip(through.col(0).iter());
                     all.for_each(|(value, row)| *value += force * row);
                 }
@@ -200,7 +209,7 @@ impl ElasticStructure {
         let Some(bore) = &self.bore else { return Vec::new() };
         let mut all = bore.unfelt(1);
         for (chart, local, force) in loads {
-            let held = self.held_against(bore, chart.surface, [local].into_iter());
+            let held = self.felt(bore, chart.surface, [local].into_iter());
             all += bore.in_body(chart.tooth, &held) * faer::Scale(force);
         }
         bore.lug_forces(&all)
@@ -209,7 +218,7 @@ impl ElasticStructure {
     /// [`Structure::lug_displacements`] under loads as the tables see them.
     pub(super) fn lug_displacements_by(&self, chart: Chart, loads: &[Local]) -> Mat<f64> {
         let Some(bore) = &self.bore else { return Mat::zeros(0, loads.len()) };
-        let held = self.held_against(bore, chart.surface, loads.iter().copied());
+        let held = self.felt(bore, chart.surface, loads.iter().copied());
         bore.lug_displacements(chart.tooth, &held)
     }
 
@@ -307,8 +316,9 @@ impl Structure for ElasticStructure {
             [&tables.compliance, &tables.stress_ahead, &tables.stress_behind].into_iter().flatten().flatten()
         });
         let entries: usize = tables.map(|table| table.nrows() * table.ncols()).sum();
-        let bore = self.bore.as_ref().map_or(0, BoreCoupling::bytes);
-        self.surfaces.iter().map(Surface::bytes).sum::<usize>() + entries * size_of::<f64>() + bore
+        let far = self.bore.as_ref().map_or(0, BoreCoupling::bytes)
+            + self.far.as_ref().map_or(0, FarCoupling::bytes);
+        self.surfaces.iter().map(Surface::bytes).sum::<usize>() + entries * size_of::<f64>() + far
     }
 
     fn stored(&self) -> Option<Vec<u8>> {

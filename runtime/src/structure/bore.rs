@@ -48,11 +48,22 @@ pub enum BoreHold {
 impl BoreHold {
     /// Unknowns that hold the bore of a ring where sectors up to `coupled` places apart have tables of their own: none of a rigid one.
     pub fn unknowns(self, in_plane: bool, sectors: u32, coupled: u32) -> usize {
-        let Some(wanted) = Wanted::of_ring(self, sectors, coupled) else { return 0 };
+        let known = if in_plane { self.known_in_plane(sectors, coupled) } else { coupled };
+        let Some(wanted) = Wanted::of_ring(self, sectors, known) else { return 0 };
         let wanted = if in_plane { wanted.in_plane() } else { wanted };
         let ends = if in_plane { [0.0; 2] } else { [-1.0, 1.0] };
         let patterns = Patterns::new(RevolutionSurface::cylinder(1.0, ends), wanted, in_plane);
         patterns.map_or(0, |patterns| patterns.places.len())
+    }
+
+    /// Whether loads are felt all around a plane ring that is held so, and told through its cuts.
+    pub fn carries_far(self) -> bool {
+        matches!(self, BoreHold::Means { .. })
+    }
+
+    /// How far apart sectors of a plane ring are known to each other without a series, where those up to `coupled` places apart have tables.
+    pub(super) fn known_in_plane(self, sectors: u32, coupled: u32) -> u32 {
+        if self.carries_far() { sectors } else { coupled }
     }
 
     /// An error in condensing a ring that is held so: of a coarse bore it tells what the mesh is too coarse for.

@@ -4,8 +4,8 @@
 //! the whole ring oval. Tables for every pair of teeth would be large, and what they say is smooth. So the ring is first solved with a
 //! series of the bore's displacements held at nought: now distant teeth hardly feel each other again. Then the amplitudes are let go:
 //! they follow from the forces that held them, a few numbers a load, and the flexibility of the ring to such forces. Near teeth have
-//! this in their tables; for distant ones it is all there is.
-
+//! this in their tables; for distant ones it is all there is. (In the plane cuts are small, and distant teeth on a bore that nothing but means
+//! hold are known through them, exactly: [`super::far_coupling`].)
 //!
 //! Where lugs hold the amplitudes ([`super::lugs`]), what they become depends on where the loaded tooth stands, and not only on how far ahead
 //! the observed one is. Then no table has anything of it: it is added for near teeth as for distant ones, by the number of both.
@@ -15,6 +15,21 @@ use super::loose_lugs::LooseLugs;
 use super::lugs::{LugForce, LugSet};
 use super::ring::{Released, Shared};
 use faer::{Mat, MatRef};
+
+/// How teeth without a table of each other feel each other: a load by some forces, which move the other tooth's sector.
+pub(crate) trait Coupling {
+    /// Adds the forces of loads by columns of weights on the table of a side.
+    fn add_felt(&self, forces: &mut Mat<f64>, side: usize, columns: MatRef<'_, f64>);
+
+    /// No forces, for so many loads.
+    fn unfelt(&self, loads: usize) -> Mat<f64>;
+
+    /// What loads on a tooth do to others on another one: rows by the observed ones.
+    fn compliance(&self, observed: (u32, &Mat<f64>), loaded: (u32, &Mat<f64>)) -> Mat<f64>;
+
+    /// Stresses on a surface of a tooth under loads on another one, a column a load.
+    fn stresses(&self, surface: usize, tooth: u32, loaded: (u32, &Mat<f64>)) -> Option<Mat<f64>>;
+}
 
 /// See the module. A load's forces are those that hold the bore against it, as its own sector sees them.
 pub(crate) struct BoreCoupling {
@@ -46,29 +61,6 @@ impl BoreCoupling {
     /// Whether tables of near teeth have in them what teeth do to each other through the bore.
     pub fn is_in_tables(&self) -> bool {
         self.lugs.is_none()
-    }
-
-    /// Adds the forces that hold the bore against loads by columns of weights on the table of a side.
-    pub fn add_felt(&self, forces: &mut Mat<f64>, side: usize, columns: MatRef<'_, f64>) {
-        if let Some(loads) = self.loads.get(side) {
-            add_product(forces.as_mut(), 1.0, loads.as_ref(), columns);
-        }
-    }
-
-    /// No forces, for so many loads.
-    pub fn unfelt(&self, loads: usize) -> Mat<f64> {
-        Mat::zeros(self.shared.count, loads)
-    }
-
-    /// What loads on a tooth do to others on another one: rows by the observed ones.
-    pub fn compliance(&self, observed: (u32, &Mat<f64>), loaded: (u32, &Mat<f64>)) -> Mat<f64> {
-        product(observed.1.transpose(), self.amplitudes(observed.0, loaded).as_ref())
-    }
-
-    /// Stresses on a surface of a tooth under loads on another one, a column a load.
-    pub fn stresses(&self, surface: usize, tooth: u32, loaded: (u32, &Mat<f64>)) -> Option<Mat<f64>> {
-        let stress = self.stress.get(surface)?;
-        Some(product(stress.as_ref(), self.amplitudes(tooth, loaded).as_ref()))
     }
 
     /// Amplitudes as a tooth sees them.
@@ -118,5 +110,27 @@ impl BoreCoupling {
         let lugs =
             self.lugs.as_ref().map_or(0, LugSet::bytes) + self.loose.as_ref().map_or(0, LooseLugs::bytes);
         matrices.map(|matrix| matrix.nrows() * matrix.ncols() * size_of::<f64>()).sum::<usize>() + lugs
+    }
+}
+
+impl Coupling for BoreCoupling {
+    /// Those that hold the bore against loads.
+    fn add_felt(&self, forces: &mut Mat<f64>, side: usize, columns: MatRef<'_, f64>) {
+        if let Some(loads) = self.loads.get(side) {
+            add_product(forces.as_mut(), 1.0, loads.as_ref(), columns);
+        }
+    }
+
+    fn unfelt(&self, loads: usize) -> Mat<f64> {
+        Mat::zeros(self.shared.count, loads)
+    }
+
+    fn compliance(&self, observed: (u32, &Mat<f64>), loaded: (u32, &Mat<f64>)) -> Mat<f64> {
+        product(observed.1.transpose(), self.amplitudes(observed.0, loaded).as_ref())
+    }
+
+    fn stresses(&self, surface: usize, tooth: u32, loaded: (u32, &Mat<f64>)) -> Option<Mat<f64>> {
+        let stress = self.stress.get(surface)?;
+        Some(product(stress.as_ref(), self.amplitudes(tooth, loaded).as_ref()))
     }
 }

@@ -20,6 +20,7 @@ use super::bore::{BoreMeans, Wanted};
 use super::bore_coupling::BoreCoupling;
 use super::condense::{Assembled, Condensed, Support, condense, match_cuts};
 use super::dense::product;
+use super::far_coupling::FarCoupling;
 use super::kernel::{Mollifier, PairQuadrature, Sampled};
 use super::ring::{Released, RingFlexibility};
 use super::sampling::{SplitOptions, Stretch, sample};
@@ -89,7 +90,9 @@ pub struct ElasticStructure {
     pub(super) offsets: Vec<OffsetTables>,
     /// By surface and pair of directions: the mixed derivative of its own table at the first and the last sample.
     pub(super) twists: Vec<[f64; 2]>,
-    /// What sectors beyond those offsets do to each other.
+    /// What sectors beyond those offsets do to each other through their cuts.
+    pub(super) far: Option<FarCoupling>,
+    /// What they do through the bore, where it is not known through cuts; and what lugs do.
     pub(super) bore: Option<BoreCoupling>,
 }
 
@@ -143,7 +146,9 @@ impl ElasticStructure {
         let nodes = |name: &str| Ok::<_, StructureError>(model.mesh.chain_nodes(chain(model, name)?));
         let (first, last, bore) = (nodes(ring.cuts[0])?, nodes(ring.cuts[1])?, nodes(ring.bore)?);
         let sectors = ring.sectors.max(1);
-        let (held, means) = match Wanted::of_ring(ring.hold, sectors, ring.coupled) {
+        // Where loads are felt all around, up to half way round.
+        let window = ring.hold.known_in_plane(sectors, ring.coupled);
+        let (held, means) = match Wanted::of_ring(ring.hold, sectors, window) {
             None => (bore, None),
             Some(wanted) => {
                 let means = BoreMeans::plane(model, chain(model, ring.bore)?, wanted, interrupt)?;
@@ -160,10 +165,10 @@ impl ElasticStructure {
         let support = Support::of_ring(&held, means.as_ref());
         let condensed = condense(&assembled, &support, Some(&cuts), &loads, &rows, interrupt)?;
         let mut flexibility = match &condensed.stiffness {
-            Some(stiffness) => Some(
-                RingFlexibility::new(stiffness, sectors, ring.coupled, interrupt)
-                    .map_err(|error| ring.hold.blamed(error))?,
-            ),
+            Some(stiffness) => {
+                let flexibility = RingFlexibility::new(stiffness, sectors, window, interrupt);
+                Some(flexibility.map_err(|error| ring.hold.blamed(error))?)
+            }
             None => None,
         };
         let released = match (&mut flexibility, &means) {
@@ -171,9 +176,12 @@ impl ElasticStructure {
             _ => None,
         };
         let bore = released.map(|released| bore_coupling(released, &condensed, &prepared, (sectors, angle)));
-        let ring = flexibility.as_ref();
-        let body = Self::assemble(model, sectors, prepared, &condensed, ring, interrupt)?;
-        Ok(Self { bore, ..body })
+        let first = ring.coupled.saturating_add(1);
+        let known = flexibility.as_ref().filter(|_| ring.hold.carries_far());
+        let far = known.and_then(|known| FarCoupling::new(&condensed, &prepared, known, (sectors, first)));
+        let joined = flexibility.as_ref().map(|flexibility| (flexibility, ring.coupled));
+        let body = Self::assemble(model, sectors, prepared, &condensed, joined, interrupt)?;
+        Ok(Self { far, bore, ..body })
     }
 
     /// A body of a single mesh.
@@ -211,7 +219,7 @@ impl ElasticStructure {
         teeth: u32,
         prepared: Vec<Prepared>,
         condensed: &Condensed,
-        ring: Option<&RingFlexibility>,
+        joined: Option<(&RingFlexibility, u32)>,
         interrupt: &Interrupt,
     ) -> Result<Self, StructureError> {
         let surface_modulus = model.material.surface_modulus(model.plane);
@@ -230,9 +238,11 @@ impl ElasticStructure {
             directions: prepared.first().map_or(1, |first| first.loads.len()),
             offsets: Vec::new(),
             twists: Vec::new(),
+            far: None,
             bore: None,
         };
-        for offset in 0..=ring.map_or(0, RingFlexibility::window) {
+        let ring = joined.map(|(ring, _)| ring);
+        for offset in 0..=joined.map_or(0, |(ring, coupled)| ring.window().min(coupled)) {
             let tables = structure.tables(offset, &prepared, condensed, ring, interrupt)?;
             structure.offsets.push(tables);
         }

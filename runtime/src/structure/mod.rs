@@ -9,6 +9,7 @@ mod bore;
 pub(crate) mod bore_coupling;
 mod condense;
 pub(crate) mod elastic;
+pub(crate) mod far_coupling;
 pub(crate) mod kernel;
 pub(crate) mod loose_lugs;
 pub(crate) mod lugs;

@@ -23,6 +23,8 @@ pub struct StructureSize {
     pub window: u32,
     /// Whether it is condensed by halves that are images of each other.
     pub mirrored: bool,
+    /// Distances beyond that which are known through cuts: those of a plane ring that carries loads all around.
+    pub far: u32,
 }
 
 impl StructureSize {
@@ -47,7 +49,7 @@ impl StructureSize {
         let kept = unknowns + loads;
         // Of the last part to be eliminated, as large as a cut; those below it take about as much again.
         let eliminated = 2.0 * cut * (cut * cut / 6.0 + 0.5 * cut * kept + 0.5 * kept * kept + rows * kept);
-        let joins = 2.0 * f64::from(self.sectors.max(2)).log2() + f64::from(self.window);
+        let joins = 2.0 * f64::from(self.sectors.max(2)).log2() + f64::from(self.window + self.far);
         let joined = cut * (cut * cut / 6.0 + 0.5 * cut * unknowns + 0.5 * unknowns * unknowns);
         let (ahead, behind) = (f64::from(self.window + 1), f64::from(self.window));
         let answers = unknowns * loads * (ahead * (unknowns + loads + rows) + behind * (unknowns + rows));
@@ -59,7 +61,11 @@ impl StructureSize {
     pub fn bytes(&self) -> usize {
         let (rows, window) = (self.stresses * self.components, self.window as usize);
         let tables = self.loads * ((window + 1) * self.loads + (2 * window + 1) * rows);
-        size_of::<f64>() * (tables + self.means * (self.loads + rows + self.means))
+        let through_cuts = match self.far {
+            0 => 0,
+            far => self.condensed() * (far as usize * self.condensed() + self.loads + rows),
+        };
+        size_of::<f64>() * (tables + through_cuts + self.means * (self.loads + rows + self.means))
     }
 }
 
@@ -78,6 +84,7 @@ mod tests {
         components: 3,
         window: 3,
         mirrored: true,
+        far: 0,
     };
 
     #[test]

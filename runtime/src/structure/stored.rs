@@ -3,6 +3,7 @@
 
 use super::bore_coupling::BoreCoupling;
 use super::elastic::{ElasticStructure, OffsetTables, Surface};
+use super::far_coupling::FarCoupling;
 use super::loose_lugs::LooseLugs;
 use super::lugs::{LugSet, Lugs};
 use super::ring::Shared;
@@ -143,6 +144,38 @@ impl StoredBore<'_> {
     }
 }
 
+/// A [`FarCoupling`].
+#[derive(Serialize, Deserialize)]
+struct StoredFar<'a> {
+    sectors: u32,
+    first: u32,
+    /// By offset, loads, stress.
+    #[serde(borrow)]
+    matrices: [Vec<Table<'a>>; 3],
+}
+
+impl StoredFar<'_> {
+    fn of(far: &FarCoupling) -> Self {
+        let tables = |matrices: &Vec<Mat<f64>>| matrices.iter().map(Table::from).collect();
+        let matrices = [&far.by_offset, &far.loads, &far.stress].map(tables);
+        Self { sectors: far.sectors, first: far.first, matrices }
+    }
+
+    fn coupling(&self) -> Option<FarCoupling> {
+        let [by_offset, loads, stress] = self
+            .matrices
+            .each_ref()
+            .map(|tables| tables.iter().map(Table::matrix).collect::<Option<Vec<_>>>());
+        let (sectors, first) = (self.sectors, self.first);
+        let far = FarCoupling { sectors, first, by_offset: by_offset?, loads: loads?, stress: stress? };
+        let size = far.by_offset.first().map_or(0, Mat::nrows);
+        let square = far.by_offset.iter().all(|matrix| matrix.nrows() == size && matrix.ncols() == size);
+        let fits = far.loads.iter().all(|loads| loads.nrows() == size)
+            && far.stress.iter().all(|stress| stress.ncols() == size);
+        (sectors > 0 && square && fits).then_some(far)
+    }
+}
+
 /// A spline on nodes of bytes, which may be anything.
 pub(super) fn spline(nodes: Vec<f64>) -> Option<Spline> {
     let sound = nodes.len() >= 4 && nodes.windows(2).all(|pair| pair[0] < pair[1]);
@@ -170,6 +203,8 @@ struct StoredElastic<'a> {
     #[serde(borrow)]
     offsets: Vec<StoredOffset<'a>>,
     twists: Vec<[f64; 2]>,
+    #[serde(borrow)]
+    far: Option<StoredFar<'a>>,
     #[serde(borrow)]
     bore: Option<StoredBore<'a>>,
 }
@@ -221,6 +256,7 @@ impl ElasticStructure {
             surfaces: self.surfaces.iter().map(StoredSurface::of).collect(),
             offsets: self.offsets.iter().map(StoredOffset::of).collect(),
             twists: self.twists.clone(),
+            far: self.far.as_ref().map(StoredFar::of),
             bore: self.bore.as_ref().map(StoredBore::of),
         })
     }
@@ -237,6 +273,10 @@ impl ElasticStructure {
             Some(bore) => Some(bore.coupling()?),
             None => None,
         };
+        let far = match &stored.far {
+            Some(far) => Some(far.coupling()?),
+            None => None,
+        };
         Some(Self {
             teeth: stored.teeth,
             surface_modulus: stored.surface_modulus,
@@ -251,6 +291,7 @@ impl ElasticStructure {
             directions: stored.directions,
             offsets: stored.offsets.iter().map(StoredOffset::tables).collect::<Option<_>>()?,
             twists: stored.twists,
+            far,
             bore,
         })
     }

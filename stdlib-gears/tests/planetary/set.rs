@@ -33,7 +33,7 @@ const FACE: f64 = 30e-3;
 pub const TORQUE: f64 = 1800.0;
 
 /// A mesh that builds fast: for what must hold on any mesh.
-const COARSE: StructureOptions = StructureOptions {
+pub const COARSE: StructureOptions = StructureOptions {
     refinement: 0.5,
     order: 2,
     model: BodyModel::Elements,
@@ -155,6 +155,8 @@ pub struct SetOptions {
     pub runouts: Vec<[f64; 2]>,
     /// Of the frame from which all is seen, against the carrier, rad/s.
     pub seen_from: f64,
+    /// Of the sun against the carrier, rad/s.
+    pub speed: f64,
     /// The sun may move in the plane.
     pub floating: bool,
     /// Of bearings between planets and carrier, N/m.
@@ -175,6 +177,7 @@ impl SetOptions {
             runouts: vec![[0.0; 2]; spacing.len()],
             spacing,
             seen_from: 0.0,
+            speed: SUN_SPEED,
             floating: false,
             bearings: None,
             ring: None,
@@ -206,7 +209,7 @@ pub struct Set {
     pub warnings: Vec<&'static str>,
 }
 
-/// rad/s, of the sun against the carrier.
+/// rad/s, of the sun against the carrier, unless it is told.
 pub const SUN_SPEED: f64 = 100.0;
 
 impl Set {
@@ -221,10 +224,10 @@ impl Set {
             free.extend([Component::Ux, Component::Uy]);
         }
         let moment = Wrench::of_moment([0.0, 0.0, options.moment]);
-        let sun = Body::new("sun", SUN.clone(), central(SUN_SPEED)).free_in(&free).loaded(moment);
+        let sun = Body::new("sun", SUN.clone(), central(options.speed)).free_in(&free).loaded(moment);
         let sun = add_body(&mut scene, sun)?;
         let blank = options.ring.as_ref().map_or_else(|| RING.clone(), splined);
-        let mut ring = Body::new("ring", blank, central(-SUN_SPEED * ratio(RING_TEETH)));
+        let mut ring = Body::new("ring", blank, central(-options.speed * ratio(RING_TEETH)));
         if options.ring.is_some_and(|spline| spline.clearance > 0.0) {
             ring = ring.free_in(&[Component::Ux, Component::Uy, Component::ThetaZ]);
         }
@@ -244,7 +247,7 @@ impl Set {
             let [out, around] = options.pin_errors[index];
             let radius = DISTANCE + out;
             let pin = [radius * cosine - around * sine, radius * sine + around * cosine];
-            let own = [angle, -SUN_SPEED * ratio(PLANET_TEETH)];
+            let own = [angle, -options.speed * ratio(PLANET_TEETH)];
             let motion = Planet { pin, carrier, own, off: options.runouts[index] };
             let blank = match options.thicknesses[index] {
                 Some(thickness) => external(PLANET_TEETH, thickness, 32e-3),

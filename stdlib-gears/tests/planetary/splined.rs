@@ -1,9 +1,14 @@
 //! A ring on the lugs of a spline with clearance: carried by them alone, in one contact problem with the teeth.
 
-use super::set::{DISTANCE, RING_TEETH, SUN_SPEED, SUN_TEETH, Set, SetOptions, TORQUE};
+use super::set::{COARSE, DISTANCE, RING_TEETH, SUN_SPEED, SUN_TEETH, Set, SetOptions, TORQUE};
+use crate::common::resources;
 use calyx_gears::blank::Spline;
+use calyx_runtime::analysis::AnalysisOptions;
 use calyx_runtime::contact::clarabel_check;
-use calyx_runtime::observe::{Equilibrium, LugLoad, MaxRootStress, Observable};
+use calyx_runtime::dynamics::{DynamicOptions, History, Scheme, Start, TimeRange};
+use calyx_runtime::load::{Blow, Wrench};
+use calyx_runtime::observe::{Equilibrium, LugLoad, MaxRootStress, Observable, Rotation};
+use calyx_runtime::results::OutputRequest;
 use calyx_runtime::scene::BodyId;
 use calyx_runtime::step::StepResult;
 use calyx_runtime::system::System;
@@ -115,4 +120,73 @@ fn without_clearance_lugs_bear_as_those_without_play() {
     for share in &loose.2 {
         assert!((share / loose.2[0] - 1.0).abs() < 1e-9, "{:?}", loose.2);
     }
+}
+
+/// Rows of the loads of all lugs and the turn of the ring, step by step; bodies are asked for modes, which the ring on its lugs does not have.
+fn in_time(set: &mut Set, ranges: Vec<TimeRange>, scheme: Scheme, rayleigh: f64) -> Vec<(f64, Vec<f64>)> {
+    let ring = set.ring;
+    let lugs = (0..u32::from(LUGS)).map(|lug| set.scene.observe(LugLoad { body: ring, lug, radial: false }));
+    let mut observed: Vec<_> = lugs.collect();
+    observed.push(set.scene.observe(Rotation(ring, 2)));
+    let outputs: Vec<_> =
+        observed.iter().map(|&id| OutputRequest::observing(format!("{}", id.0), id)).collect();
+    let dynamics =
+        DynamicOptions { from: 0.0, ranges, scheme, rayleigh: [rayleigh, 0.0], start: Start::Equilibrium };
+    let highest_frequency = 2e3;
+    let options = AnalysisOptions {
+        structure: COARSE,
+        resources: resources(),
+        highest_frequency,
+        ..AnalysisOptions::default()
+    };
+    let history = History::new(&set.scene, &outputs, &options, &dynamics, &mut ()).expect("it can begin");
+    let told =
+        history.plan().ignored.iter().find(|told| told.input == "highest_frequency").expect("it is told");
+    assert!(told.reason.contains("\"ring\"") && !told.reason.contains("\"sun\""), "{}", told.reason);
+    history
+        .map(|solved| {
+            let row = solved.expect("it goes on").row;
+            (row.position.time, row.outputs.iter().map(|output| output.value).collect())
+        })
+        .collect()
+}
+
+fn on_loose_lugs(speed: f64) -> Set {
+    let ring = Some(spline(30e-6));
+    Set::of(&SetOptions { ring, speed, ..SetOptions::three() }).expect("a set")
+}
+
+/// What is slow in time is statics: lug by lug, while teeth go on by a part of their pitch.
+#[test]
+fn slow_motion_of_a_ring_on_loose_lugs_is_statics() {
+    let (speed, scheme) = (1e-4 * SUN_SPEED, Scheme::named("backward_difference").expect("it is known"));
+    let mut set = on_loose_lugs(speed);
+    let pitch = PERIOD * SUN_SPEED / speed;
+    let rows =
+        in_time(&mut set, vec![TimeRange { keep: 3, ..TimeRange::steady(0.3 * pitch, 6) }], scheme, 0.0);
+    let system = set.system();
+    for (time, found) in &rows {
+        let step = system.solve(*time).expect("equilibrium");
+        let at = Equilibrium::new(&system, &step);
+        let expected = lug_forces(&set, &at);
+        let largest = expected.iter().fold(0.0_f64, |most, force| most.max(force.abs()));
+        for (found, expected) in found.iter().zip(&expected) {
+            assert!((found - expected).abs() < 2e-2 * largest, "{time}: {found} {expected}");
+        }
+    }
+    assert_eq!(rows.len(), 3);
+}
+
+/// A blow sends the ring to and fro between the flanks of its lugs, and damping brings it back to its equilibrium.
+#[test]
+fn a_blow_on_a_ring_on_loose_lugs_dies_down_to_its_equilibrium() {
+    let mut set = on_loose_lugs(1e-6 * SUN_SPEED);
+    let step = 1e-5;
+    let momentum = Wrench::of_moment([0.0, 0.0, 0.5]);
+    let ring = set.ring;
+    set.scene.bodies[ring.0].blows.push(Blow { at: 0.0, duration: 4.0 * step, momentum });
+    let rows = in_time(&mut set, vec![TimeRange::steady(100.0 * step, 100)], Scheme::AVERAGE, 1.5e4);
+    let turn = |row: usize| rows[row].1[usize::from(LUGS)];
+    let swing = (1..20).map(|row| (turn(row) - turn(0)).abs()).fold(0.0, f64::max);
+    assert!(swing > 0.0 && (turn(100) - turn(0)).abs() < 0.1 * swing, "{swing:e} {:e}", turn(100) - turn(0));
 }

@@ -91,7 +91,7 @@ fn scene(ring: Ring, speed: f64, free: &[Component]) -> Scene {
 }
 
 fn options() -> AnalysisOptions {
-    AnalysisOptions::default()
+    AnalysisOptions { highest_frequency: 1.0, ..AnalysisOptions::default() }
 }
 
 fn steps(duration: f64, steps: usize, keep: usize) -> DynamicOptions {
@@ -100,7 +100,6 @@ fn steps(duration: f64, steps: usize, keep: usize) -> DynamicOptions {
         ranges: vec![TimeRange { keep, ..TimeRange::steady(duration, steps) }],
         scheme: Scheme::AVERAGE,
         rayleigh: [0.0; 2],
-        highest_frequency: 1.0,
         start: Start::Frames,
     }
 }
@@ -182,16 +181,21 @@ fn a_gauge_on_a_ring_that_vibrates_follows_its_mode() {
     let ring = Ring::toothed(60_000.0);
     let modes = ring.modes.clone();
     let mut scene = scene(ring, 0.0, &[]);
-    let gauge = Gauge {
+    let gauge = |tooth: Option<u32>| Gauge {
         body: RING,
         place: [0.0, 0.0],
         direction: 0.0,
         length: 0.0,
         side: FilletSide::Loaded,
-        tooth: Some(2),
+        tooth,
         material: Material::STEEL,
     };
-    let outputs = [OutputRequest::observing("gauge", scene.observe(GaugeReading(gauge, Reading::Stress)))];
+    // On one tooth; on each of them; on whichever.
+    let teeth = (0..TEETH).map(Some).chain([None]);
+    let observed = std::iter::once(Some(2)).chain(teeth).map(gauge);
+    let outputs: Vec<OutputRequest> = observed
+        .map(|gauge| OutputRequest::observing("gauge", scene.observe(GaugeReading(gauge, Reading::Stress))))
+        .collect();
     let analysis = options();
     for mode in [0, 1, 5] {
         let period = TAU / modes.frequencies[mode];
@@ -200,7 +204,11 @@ fn a_gauge_on_a_ring_that_vibrates_follows_its_mode() {
         history.state.displacement[mode] = 1e-3;
         let (mut coordinates, mut readings) = (Vec::new(), Vec::new());
         while let Some(row) = history.next() {
-            readings.push(row.expect("it goes on").row.outputs[0].value);
+            let values: Vec<f64> =
+                row.expect("it goes on").row.outputs.iter().map(|output| output.value).collect();
+            readings.push(values[0]);
+            let (on_any, on_each) = (values[values.len() - 1], &values[1..values.len() - 1]);
+            assert_eq!(on_any, on_each.iter().copied().fold(f64::NEG_INFINITY, f64::max));
             coordinates.push(history.state().displacement[mode]);
         }
         // By the first row, what a unit of the coordinate reads.

@@ -7,7 +7,7 @@ use crate::interrupt::Interrupt;
 use crate::material::Material;
 use crate::motion::{Motion, SteadyRotation};
 use crate::observe::{SupportForce, SupportMoment};
-use crate::scene::{Body, BodyId, Component, Prototype, StructureOptions, SurfacePair};
+use crate::scene::{Body, BodyId, Component, Fidelity, Prototype, StructureOptions, SurfacePair};
 use crate::structure::{BodyModes, Structure};
 use faer::Mat;
 use nalgebra::{DMatrix, DVector, Vector2};
@@ -321,10 +321,10 @@ impl Rotor {
             ranges: vec![range],
             scheme: Scheme::AVERAGE,
             rayleigh: [0.0; 2],
-            highest_frequency: 1e3,
             start: Start::Frames,
         };
-        let options = AnalysisOptions { structure: FEW, ..AnalysisOptions::default() };
+        let options =
+            AnalysisOptions { structure: FEW, highest_frequency: 1e3, ..AnalysisOptions::default() };
         let mut history = History::new(&scene, &outputs, &options, &dynamics, &mut ()).expect("it can begin");
         history.by_ref().for_each(|row| assert!(row.is_ok()));
         let state = history.state().displacement.clone();
@@ -418,7 +418,6 @@ fn an_analysis_in_time_sees_what_bearings_damp() {
         ranges: vec![TimeRange::steady(1e-3, 1)],
         scheme: Scheme::AVERAGE,
         rayleigh: [0.0; 2],
-        highest_frequency: 0.0,
         start: Start::Frames,
     };
     let analysis = AnalysisOptions { structure: FEW, ..AnalysisOptions::default() };

@@ -8,7 +8,7 @@ use super::elastic::{ElasticSolid, KnownSurface};
 use super::points::{Across, Points};
 use super::{Mirror, SolidStructure, Spot, SpotLoad, SurfaceStress};
 use crate::structure::answers::Turned;
-use crate::structure::bore_coupling::BoreCoupling;
+use crate::structure::bore_coupling::{BoreCoupling, Coupling};
 use crate::structure::dense::{mirror_lower, product};
 use crate::structure::{Chart, LugForce};
 use crate::surface::Surface;

@@ -147,16 +147,20 @@ fn towards_end(count: usize, grading: f64) -> Vec<f64> {
     crate::fe::block::graded(count, grading).iter().rev().map(|x| 1.0 - x).collect()
 }
 
+/// Radius of the root circle, and of the bore unless it is told.
+const ROOT: f64 = 0.9;
+const BORE: f64 = 0.75;
+
 /// Blocks of one sector, its tooth turned to `angle`, in a ring of `teeth`; names only if it is the first.
 fn sector_blocks(
     builder: &mut MeshBuilder,
-    teeth: u32,
+    (teeth, bore): (u32, f64),
     scale: f64,
     angle: f64,
     divisions: Divisions,
     named: bool,
 ) {
-    let (bore, root) = (0.75 * scale, 0.9 * scale);
+    let (bore, root) = (bore * scale, ROOT * scale);
     let half_pitch = PI / f64::from(teeth);
     let half_tooth = 0.55 * half_pitch;
     let turned = move |[x, y]: [f64; 2]| {
@@ -222,16 +226,21 @@ fn sector_blocks(
 
 /// Start and end of flank 0 of the tooth on the x axis.
 fn tooth_corners(teeth: u32, scale: f64) -> [[f64; 2]; 2] {
-    let pitch = 0.9 * 2.0 * PI / f64::from(teeth) * scale;
-    [[0.9 * scale + 0.3 * pitch, 0.25 * pitch], [0.9 * scale + 0.8 * pitch, 0.14 * pitch]]
+    let pitch = ROOT * 2.0 * PI / f64::from(teeth) * scale;
+    [[ROOT * scale + 0.3 * pitch, 0.25 * pitch], [ROOT * scale + 0.8 * pitch, 0.14 * pitch]]
 }
 
 /// One sector with its tooth on the x axis, and its two flanks.
 pub fn toothed_sector(teeth: u32, scale: f64, divisions: Divisions) -> (PlaneModel, Vec<SurfaceSource>) {
+    sector_on((teeth, BORE), scale, divisions)
+}
+
+/// The same on a bore of another radius, of the radius 1 to which the ring is scaled.
+pub fn sector_on(ring: (u32, f64), scale: f64, divisions: Divisions) -> (PlaneModel, Vec<SurfaceSource>) {
     let mut builder = MeshBuilder::new();
-    sector_blocks(&mut builder, teeth, scale, 0.0, divisions, true);
+    sector_blocks(&mut builder, ring, scale, 0.0, divisions, true);
     let mesh = builder.finish(ElementOrder::QUADRATIC).unwrap();
-    let [lower, upper] = tooth_corners(teeth, scale);
+    let [lower, upper] = tooth_corners(ring.0, scale);
     let mirrored = |[x, y]: [f64; 2]| [x, -y];
     let lines = [
         Line { from: lower, to: upper, material_on_left: false },
@@ -253,10 +262,15 @@ pub fn toothed_sector(teeth: u32, scale: f64, divisions: Divisions) -> (PlaneMod
 
 /// The whole ring as one mesh, with the names of its first sector and `bore` all round.
 pub fn toothed_ring(teeth: u32, divisions: Divisions) -> PlaneMesh {
+    ring_on((teeth, BORE), divisions)
+}
+
+/// The same on a bore of another radius.
+pub fn ring_on(ring: (u32, f64), divisions: Divisions) -> PlaneMesh {
     let mut builder = MeshBuilder::new();
-    for tooth in 0..teeth {
-        let angle = 2.0 * PI * f64::from(tooth) / f64::from(teeth);
-        sector_blocks(&mut builder, teeth, 1.0, angle, divisions, tooth == 0);
+    for tooth in 0..ring.0 {
+        let angle = 2.0 * PI * f64::from(tooth) / f64::from(ring.0);
+        sector_blocks(&mut builder, ring, 1.0, angle, divisions, tooth == 0);
     }
     builder.finish(ElementOrder::QUADRATIC).unwrap()
 }

@@ -7,7 +7,7 @@ use crate::fe::{PlaneMesh, PlaneModel, SparseVector};
 use crate::interrupt::Interrupt;
 use crate::material::Plane;
 use crate::structure::bore::{BoreMeans, Wanted};
-use crate::structure::bore_coupling::BoreCoupling;
+use crate::structure::bore_coupling::{BoreCoupling, Coupling};
 use crate::structure::condense::{Assembled, Condensed, Support, condense, match_cuts};
 use crate::structure::dense::product;
 use crate::structure::lugs::Lugs;

@@ -1,0 +1,97 @@
+//! What loads on sectors do to each other in the plane, however far apart they are, without a table for each pair.
+//!
+//! On a bore that gives way a thin ring carries a load all around, and no series under the teeth says so exactly. But whatever it carries goes
+//! through cuts: a load is felt beyond its sector as forces on both its cuts and on what holds the bore, a few numbers, and they move those of
+//! another sector by one small matrix. So the ring's answer for every distance, at the cuts, is all that is kept for distant teeth. In space cuts have
+//! too many unknowns for that: see [`super::bore_coupling`].
+
+use super::bore_coupling::Coupling;
+use super::condense::Condensed;
+use super::dense::{add_product, product};
+use super::elastic::Prepared;
+use super::ring::RingFlexibility;
+use faer::{Mat, MatRef};
+
+/// See the module. A load's forces are those on the cuts of its sector and on what holds the bore, as the sector sees them.
+pub(crate) struct FarCoupling {
+    /// Equal sectors around.
+    pub sectors: u32,
+    /// The least distance in sectors that has no table.
+    pub first: u32,
+    /// By distance from there to half way round: displacements of the sector ahead by forces on this one.
+    pub by_offset: Vec<Mat<f64>>,
+    /// Forces by the unknowns of a table, for each loadable side.
+    pub loads: Vec<Mat<f64>>,
+    /// Stress by displacements, for each surface.
+    pub stress: Vec<Mat<f64>>,
+}
+
+impl FarCoupling {
+    /// Of sectors at least `first` apart on a ring known for all distances; `None` if there are none.
+    pub(super) fn new(
+        condensed: &Condensed,
+        prepared: &[Prepared],
+        ring: &RingFlexibility,
+        (sectors, first): (u32, u32),
+    ) -> Option<Self> {
+        let by_offset: Vec<Mat<f64>> =
+            (first..=ring.window()).map(|offset| ring.at(offset).to_owned()).collect();
+        (!by_offset.is_empty()).then_some(())?;
+        let (mut loads, mut stress) = (Vec::new(), Vec::new());
+        let (mut load, mut row) = (0, 0);
+        for surface in prepared {
+            for of_direction in &surface.loads {
+                let table = condensed.on_cuts.as_ref().subcols(load, of_direction.len());
+                loads.push(surface.surface.spline.coefficients(table.transpose()).transpose().to_owned());
+                load += of_direction.len();
+            }
+            let rows = surface.stress_rows.len();
+            stress.push(condensed.rows_cuts.as_ref().subrows(row, rows).to_owned());
+            row += rows;
+        }
+        Some(Self { sectors, first, by_offset, loads, stress })
+    }
+
+    /// What forces on a tooth do to the cuts of another one's sector, as that sees them. Nothing to near ones.
+    fn displacements(&self, observer: u32, (tooth, forces): (u32, &Mat<f64>)) -> Option<Mat<f64>> {
+        let places =
+            |from: u32, to: u32| (to % self.sectors + self.sectors - from % self.sectors) % self.sectors;
+        let (ahead, behind) = (places(tooth, observer), places(observer, tooth));
+        let ring = self.by_offset.get(ahead.min(behind).checked_sub(self.first)? as usize)?;
+        Some(if ahead <= behind {
+            product(ring.as_ref(), forces.as_ref())
+        } else {
+            product(ring.transpose(), forces.as_ref())
+        })
+    }
+
+    /// Memory, in bytes.
+    pub fn bytes(&self) -> usize {
+        let matrices = self.by_offset.iter().chain(&self.loads).chain(&self.stress);
+        matrices.map(|matrix| matrix.nrows() * matrix.ncols() * size_of::<f64>()).sum()
+    }
+}
+
+impl Coupling for FarCoupling {
+    fn add_felt(&self, forces: &mut Mat<f64>, side: usize, columns: MatRef<'_, f64>) {
+        if let Some(loads) = self.loads.get(side) {
+            add_product(forces.as_mut(), 1.0, loads.as_ref(), columns);
+        }
+    }
+
+    fn unfelt(&self, loads: usize) -> Mat<f64> {
+        Mat::zeros(self.loads.first().map_or(0, Mat::nrows), loads)
+    }
+
+    fn compliance(&self, observed: (u32, &Mat<f64>), loaded: (u32, &Mat<f64>)) -> Mat<f64> {
+        match self.displacements(observed.0, loaded) {
+            Some(moved) => product(observed.1.transpose(), moved.as_ref()),
+            None => Mat::zeros(observed.1.ncols(), loaded.1.ncols()),
+        }
+    }
+
+    fn stresses(&self, surface: usize, tooth: u32, loaded: (u32, &Mat<f64>)) -> Option<Mat<f64>> {
+        let stress = self.stress.get(surface)?;
+        Some(product(stress.as_ref(), self.displacements(tooth, loaded)?.as_ref()))
+    }
+}
