@@ -45,7 +45,8 @@ pub fn check(scene: &Scene, plan: &Plan, time: f64, interrupt: &Interrupt) -> Re
     // Clearances are used up, and what is behind them holds as teeth do.
     let mut arms = springs.arms;
     let mut contacts = springs.gaps.len();
-    for pair in &scene.pairs {
+    let taking_part = |pair: &&SurfacePair| pair.bodies.iter().all(|body| !plan.bodies[body.0].left_out);
+    for pair in scene.pairs.iter().filter(taking_part) {
         // Surfaces that are no gears' have no nominal contact: only solving shows what they hold.
         let Some(row) = nominal_arms(scene, pair, &freedoms, time)? else { return Ok(()) };
         arms.extend(row);

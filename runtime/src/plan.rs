@@ -111,15 +111,35 @@ pub struct BearingPlan {
 }
 
 impl Plan {
-    /// Plans a scene at a fidelity with the given discretisation (its `stresses` and `sharp_edges` are decided here).
+    /// Plans the equilibrium of a scene at a fidelity with the given discretisation (its `stresses` and `sharp_edges` are decided here): what
+    /// no load passes through on its way to what an observable looks at is left out.
+    ///
+    /// # Errors
+    /// What the scene asks for and the fidelity cannot have.
     pub fn new(scene: &Scene, fidelity: Fidelity, options: StructureOptions) -> Result<Plan, EngineError> {
+        Plan::of(scene, load_path(scene), fidelity, options)
+    }
+
+    /// The same with everything that touches, looked at or not.
+    ///
+    /// # Errors
+    /// As [`Plan::new`].
+    pub fn whole(scene: &Scene, fidelity: Fidelity, options: StructureOptions) -> Result<Plan, EngineError> {
+        Plan::of(scene, held_together(scene, looked_at(scene).chain(touching(scene))), fidelity, options)
+    }
+
+    fn of(
+        scene: &Scene,
+        wanted: Vec<bool>,
+        fidelity: Fidelity,
+        options: StructureOptions,
+    ) -> Result<Plan, EngineError> {
         let pairs_of = |id: BodyId| scene.pairs.iter().filter(move |pair| pair.bodies.contains(&id));
         let (model, in_space) = (fidelity.body_model(), lies_in_space(scene, fidelity));
         let template = match fidelity {
             Fidelity::Solid(template) => template,
             Fidelity::Rigid | Fidelity::Analytic | Fidelity::Plane => options.template,
         };
-        let wanted = wanted_bodies(scene);
         let mut bodies = Vec::new();
         let mut ignored: Vec<Ignored> = Vec::new();
         for (index, body) in scene.bodies.iter().enumerate() {
@@ -149,7 +169,8 @@ impl Plan {
                 name: body.name.clone(),
                 options: StructureOptions { stresses, sharp_edges, model, template, ..options },
                 reason: match (left_out, stresses) {
-                    (true, _) => "left out: it touches nothing",
+                    (true, _) if untouched => "left out: it touches nothing",
+                    (true, _) => "left out: no load goes through it to anything that an output looks at",
                     (false, _) if rigid => {
                         "rigid: no surface of it touches anything, and bearings hold its frame"
                     }
@@ -196,10 +217,18 @@ impl Plan {
         system.scene.observables.iter().map(value).collect()
     }
 
-    /// The plan of an analysis in time, which sees rates.
-    pub fn in_time(mut self) -> Plan {
-        self.ignored.retain(|unseen| unseen.input != DAMPING);
-        self
+    /// The plan of an analysis in time, which sees rates, and inertia of what bears no load.
+    ///
+    /// # Errors
+    /// As [`Plan::new`].
+    pub fn in_time(
+        scene: &Scene,
+        fidelity: Fidelity,
+        options: StructureOptions,
+    ) -> Result<Plan, EngineError> {
+        let mut plan = Plan::whole(scene, fidelity, options)?;
+        plan.ignored.retain(|unseen| unseen.input != DAMPING);
+        Ok(plan)
     }
 
     /// The plan of an analysis that sees modes of bodies up to a natural frequency (Hz), or none up to 0.
@@ -282,24 +311,55 @@ fn lies_in_space(scene: &Scene, fidelity: Fidelity) -> bool {
     }
 }
 
-/// Which bodies take part: those that touch or that an output asks for, and what bearings connect with them.
-fn wanted_bodies(scene: &Scene) -> Vec<bool> {
+/// Bodies that pairs of surfaces touch.
+fn touching(scene: &Scene) -> impl Iterator<Item = BodyId> {
+    scene.pairs.iter().flat_map(|pair| pair.bodies)
+}
+
+/// Bodies that observables look at. One that nothing touches and no bearing holds rests where its frame says, and is none.
+fn looked_at(scene: &Scene) -> impl Iterator<Item = BodyId> {
+    let moves = |body: &BodyId| {
+        let borne = scene.bearings.iter().flat_map(Bearing::bodies).any(|other| other == *body);
+        borne || touching(scene).any(|other| other == *body)
+    };
+    scene.observables.iter().flat_map(move |observable| {
+        let bearing = observable.bearing_of().and_then(|bearing| scene.bearings.get(bearing.0));
+        let pair = observable.pair_of().and_then(|pair| scene.pairs.get(pair.0));
+        let alone = observable.frame_of().into_iter().chain(observable.stresses_of()).filter(moves);
+        alone
+            .chain(bearing.into_iter().flat_map(Bearing::bodies))
+            .chain(pair.into_iter().flat_map(|pair| pair.bodies))
+    })
+}
+
+/// Which bodies take part in what observables look at: those that touch or that bearings connect, from one to the next. All that touch, if
+/// nothing is looked at, or something as a whole, as vibrations are.
+fn load_path(scene: &Scene) -> Vec<bool> {
+    let of_all = |observable: &dyn Observable| {
+        let parts = [observable.frame_of().is_some(), observable.stresses_of().is_some()];
+        let others = [observable.bearing_of().is_some(), observable.pair_of().is_some()];
+        observable.mode().is_some() || ![parts, others].concat().contains(&true)
+    };
+    let whole = scene.observables.is_empty()
+        || scene.modes_table.is_some()
+        || scene.observables.iter().any(|observable| of_all(observable.as_ref()));
+    let all = touching(scene).filter(|_| whole);
+    held_together(scene, looked_at(scene).chain(all))
+}
+
+/// These bodies, what touches them, and what bearings connect with them.
+fn held_together(scene: &Scene, bodies: impl Iterator<Item = BodyId>) -> Vec<bool> {
     let mut wanted = vec![false; scene.bodies.len()];
-    // A body that no bearing holds rests where its frame says.
-    let held =
-        |body: &BodyId| scene.bearings.iter().any(|bearing| bearing.bodies().any(|other| other == *body));
-    let touching = scene.pairs.iter().flat_map(|pair| pair.bodies);
-    let looked_at = scene.observables.iter().filter_map(|observable| observable.frame_of()).filter(held);
-    let bearings = scene.observables.iter().filter_map(|observable| observable.bearing_of());
-    let borne = bearings.filter_map(|bearing| scene.bearings.get(bearing.0)).flat_map(Bearing::bodies);
-    let mut more: Vec<BodyId> = touching.chain(looked_at).chain(borne).collect();
+    let mut more: Vec<BodyId> = bodies.collect();
     while let Some(body) = more.pop() {
         match wanted.get_mut(body.0) {
             Some(wanted) if !*wanted => *wanted = true,
             _ => continue,
         }
-        let of_body = scene.bearings.iter().filter(|bearing| bearing.bodies().any(|other| other == body));
-        more.extend(of_body.flat_map(Bearing::bodies));
+        let bearings = scene.bearings.iter().filter(|bearing| bearing.bodies().any(|other| other == body));
+        more.extend(bearings.flat_map(Bearing::bodies));
+        let pairs = scene.pairs.iter().filter(|pair| pair.bodies.contains(&body));
+        more.extend(pairs.flat_map(|pair| pair.bodies));
     }
     wanted
 }

@@ -323,9 +323,9 @@ pub fn check_plan(host: &ModelHost, interrupt: &Interrupt) -> Result<Plan, Runti
         Asked { fidelity, structure, in_time: false, problems: 0, highest_frequency: 0.0 }
     };
     let Asked { fidelity, structure, in_time, highest_frequency, .. } = host.asked.unwrap_or_else(unasked);
-    let plan = Plan::new(&host.scene, fidelity, structure);
+    let planned = if in_time { Plan::in_time } else { Plan::new };
+    let plan = planned(&host.scene, fidelity, structure);
     let plan = plan.and_then(|plan| plan.yielding(&host.scene, &host.outputs));
-    let plan = plan.map(|plan| if in_time { plan.in_time() } else { plan });
     let plan = plan.map(|plan| plan.vibrating(&host.scene, highest_frequency));
     // A mesh cycle begins where its first pair of teeth enters.
     let starts = host.scene.pairs.iter().filter_map(|pair| Some(pair.mesh.as_ref()?.start));

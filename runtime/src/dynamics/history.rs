@@ -94,8 +94,8 @@ impl<'s> History<'s> {
         check_modes(options.fidelity, highest)?;
         let positions = kept_positions(dynamics.from, &dynamics.ranges);
         check_solved(&options.solved, &positions, outputs)?;
-        let plan = timing.stage("plan", || Plan::new(scene, options.fidelity, options.structure))?;
-        let plan = plan.yielding(scene, outputs)?.in_time().vibrating(scene, highest);
+        let plan = timing.stage("plan", || Plan::in_time(scene, options.fidelity, options.structure))?;
+        let plan = plan.yielding(scene, outputs)?.vibrating(scene, highest);
         check_in_section(&plan)?;
         observer.observe(Event::Planned(&plan))?;
         if dynamics.start == Start::Equilibrium {

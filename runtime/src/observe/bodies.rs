@@ -138,6 +138,10 @@ impl Observable for ToothLoad {
         let on_tooth = at.contacts_on(self.0).filter(|(contact, side)| contact.teeth()[*side] == self.1);
         Observed::number(on_tooth.map(|(contact, _)| contact.force()).fold(0.0, Add::add))
     }
+
+    fn frame_of(&self) -> Option<BodyId> {
+        Some(self.0)
+    }
 }
 
 /// The smallest radius at which a body carries load; 0 without load. m.
@@ -156,6 +160,10 @@ impl Observable for LowestContact {
     fn value(&self, at: &Equilibrium<'_>) -> Observed {
         loaded_end(at, self.0, |radius, end| radius < end)
     }
+
+    fn frame_of(&self) -> Option<BodyId> {
+        Some(self.0)
+    }
 }
 
 /// The largest radius at which a body carries load; 0 without load. m.
@@ -173,6 +181,10 @@ impl Observable for HighestContact {
 
     fn value(&self, at: &Equilibrium<'_>) -> Observed {
         loaded_end(at, self.0, |radius, end| radius > end)
+    }
+
+    fn frame_of(&self) -> Option<BodyId> {
+        Some(self.0)
     }
 }
 

@@ -21,6 +21,10 @@ impl Observable for LoadShare {
         let own: f64 = own.map(|contact| contact.force()).sum();
         Observed::number(if total > 0.0 { own / total } else { 0.0 })
     }
+
+    fn pair_of(&self) -> Option<PairId> {
+        Some(self.0)
+    }
 }
 
 /// The normal force of a mesh, over all pairs of its teeth, on the sides of the pair of surfaces. N.
@@ -34,6 +38,10 @@ impl Observable for MeshForce {
 
     fn value(&self, at: &Equilibrium<'_>) -> Observed {
         Observed::number(at.contacts(self.0).map(|contact| contact.force()).fold(0.0, Add::add))
+    }
+
+    fn pair_of(&self) -> Option<PairId> {
+        Some(self.0)
     }
 }
 
@@ -49,6 +57,10 @@ impl Observable for PairLoad {
 
     fn value(&self, at: &Equilibrium<'_>) -> Observed {
         Observed::number(pairs_teeth(at, self.0, self.1).map(|contact| contact.force()).fold(0.0, Add::add))
+    }
+
+    fn pair_of(&self) -> Option<PairId> {
+        Some(self.0)
     }
 }
 
@@ -93,6 +105,10 @@ impl Observable for PairsInContact {
         loaded.dedup();
         Observed::number(loaded.len() as f64)
     }
+
+    fn pair_of(&self) -> Option<PairId> {
+        Some(self.0)
+    }
 }
 
 /// The largest force by length of the line of contact. N/m.
@@ -113,6 +129,10 @@ impl Observable for MaxLineLoad {
             Observed { value, least: None, place }
         })
     }
+
+    fn pair_of(&self) -> Option<PairId> {
+        Some(self.0)
+    }
 }
 
 /// `K_Hbeta`: the largest by the mean force by length along the line of contact of the pair that carries most; 1 in a plane model, where
@@ -128,6 +148,10 @@ impl Observable for FaceLoadFactor {
     fn value(&self, at: &Equilibrium<'_>) -> Observed {
         let factor = |contact: Contact<'_>| face_load_factor(&contact.slices(), contact.line_length());
         Observed::number(most_loaded(at, self.0).map_or(1.0, factor))
+    }
+
+    fn pair_of(&self) -> Option<PairId> {
+        Some(self.0)
     }
 }
 
@@ -146,6 +170,10 @@ impl Observable for LoadedFace {
         };
         let part = most_loaded(at, self.0).map(|contact| loaded(&contact) / contact.line_length());
         Observed::number(part.unwrap_or(0.0))
+    }
+
+    fn pair_of(&self) -> Option<PairId> {
+        Some(self.0)
     }
 }
 

@@ -79,4 +79,8 @@ impl Observable for LugLoad {
         let along = |force: LugForce| if self.radial { force.radial } else { force.tangential };
         Observed::number(at.system.width() * force.map_or(0.0, along))
     }
+
+    fn frame_of(&self) -> Option<BodyId> {
+        Some(self.body)
+    }
 }

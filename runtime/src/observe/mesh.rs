@@ -37,6 +37,10 @@ impl Observable for TransmissionError {
         let deflection = at.deviation(first, THETA_Z) * ratio + mesh.sign * at.deviation(second, THETA_Z);
         Observed::number(mesh.drive_sense * (kinematic + deflection - mesh.sign * mesh.stand_off))
     }
+
+    fn pair_of(&self) -> Option<PairId> {
+        Some(self.0)
+    }
 }
 
 /// The transmission error that the same position has as the load vanishes: of rigid teeth with their modifications and errors. rad.
@@ -55,6 +59,10 @@ impl Observable for UnloadedTransmissionError {
     fn value(&self, at: &Equilibrium<'_>) -> Observed {
         let Ok(step) = at.system.touch(at.time()) else { return Observed::number(f64::NAN) };
         TransmissionError(self.0).value(&Equilibrium { step: &step, ..*at })
+    }
+
+    fn pair_of(&self) -> Option<PairId> {
+        Some(self.0)
     }
 }
 
@@ -76,6 +84,10 @@ impl Observable for SecantStiffness {
             TransmissionError(self.0).value(at).value - UnloadedTransmissionError(self.0).value(at).value;
         // Teeth that press with their back sides move the other way.
         Observed::number(if force > 0.0 { force / (moved * mesh.base_radii[1]).abs() } else { 0.0 })
+    }
+
+    fn pair_of(&self) -> Option<PairId> {
+        Some(self.0)
     }
 }
 
@@ -123,6 +135,10 @@ impl Observable for MeshStiffness {
         let stiffness = teeth + DMatrix::from_row_slice(m, m, &step.problem.stiffness);
         let gives = stiffness.lu().solve(&along).map_or(f64::NAN, |motion| along.dot(&motion));
         Observed::number(at.system.width() / gives)
+    }
+
+    fn pair_of(&self) -> Option<PairId> {
+        Some(self.0)
     }
 }
 

@@ -38,7 +38,7 @@ pub(crate) use vibration::check_vibrations;
 pub use vibration::{ModeShare, NaturalFrequency, Vibrations};
 
 use crate::results::Observed;
-use crate::scene::{BearingId, BodyId};
+use crate::scene::{BearingId, BodyId, PairId};
 use crate::step::StepResult;
 use crate::system::System;
 use std::any::Any;
@@ -133,6 +133,11 @@ pub trait Observable: Comparable + Debug + Send + Sync {
 
     /// The bearing it looks at.
     fn bearing_of(&self) -> Option<BearingId> {
+        None
+    }
+
+    /// The mesh it looks at. An observable that names neither mesh nor bearing nor body is taken to look at the whole scene.
+    fn pair_of(&self) -> Option<PairId> {
         None
     }
 }

@@ -76,6 +76,10 @@ impl Observable for PlaceOf {
     fn stresses_of(&self) -> Option<BodyId> {
         matches!(self.maximum, Maximum::RootStress | Maximum::RootCompression).then_some(self.body)
     }
+
+    fn frame_of(&self) -> Option<BodyId> {
+        Some(self.body)
+    }
 }
 
 impl Maximum {

@@ -16,6 +16,10 @@ impl Observable for MaxContactPressure {
     fn value(&self, at: &Equilibrium<'_>) -> Observed {
         largest(at, self.0, false)
     }
+
+    fn pair_of(&self) -> Option<PairId> {
+        Some(self.0)
+    }
 }
 
 /// The largest pressure on the edges of a pair. Pa.
@@ -29,6 +33,10 @@ impl Observable for MaxEdgePressure {
 
     fn value(&self, at: &Equilibrium<'_>) -> Observed {
         largest(at, self.0, true)
+    }
+
+    fn pair_of(&self) -> Option<PairId> {
+        Some(self.0)
     }
 }
 

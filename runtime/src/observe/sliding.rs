@@ -26,6 +26,10 @@ impl Observable for SlidingVelocity {
         let fastest = fastest.max_by(|(a, _), (b, _)| a.abs().total_cmp(&b.abs()));
         fastest.map_or(Observed::number(0.0), |(value, place)| Observed { value, least: None, place })
     }
+
+    fn pair_of(&self) -> Option<PairId> {
+        Some(self.0)
+    }
 }
 
 /// The largest velocity, without sign, with which loaded flanks slide over each other. m/s.
@@ -49,6 +53,10 @@ impl Observable for MaxSlidingVelocity {
             least: None,
             place,
         })
+    }
+
+    fn pair_of(&self) -> Option<PairId> {
+        Some(self.0)
     }
 }
 
@@ -80,6 +88,10 @@ impl Observable for FrictionLoss {
         };
         Observed::number(self.1 * at.mesh_contacts(self.0).map(of).fold(0.0, Add::add))
     }
+
+    fn pair_of(&self) -> Option<PairId> {
+        Some(self.0)
+    }
 }
 
 /// The part of the power of the mesh that friction of a given coefficient leaves; 1 where nothing moves.
@@ -97,6 +109,10 @@ impl Observable for Efficiency {
         let power = at.mesh_contacts(self.0).map(of).sum::<f64>().abs();
         let loss = FrictionLoss(self.0, self.1).value(at).value;
         Observed::number(if power > 0.0 { 1.0 - loss / power } else { 1.0 })
+    }
+
+    fn pair_of(&self) -> Option<PairId> {
+        Some(self.0)
     }
 }
 
