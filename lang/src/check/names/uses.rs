@@ -1,0 +1,286 @@
+//! What names refer to where they are used: in expressions, types and units; and what is said of those that nothing declares.
+
+use super::*;
+
+/// Diagnostics after which unknown names get no suggestion any more.
+const MOST_SUGGESTIONS: usize = 200;
+
+impl<'a> Resolver<'a> {
+    /// Records and dimensions named in a type. What is not found may still be a name of the language.
+    pub(super) fn type_expr(&mut self, annotation: &'a TypeExpr) {
+        match &annotation.kind {
+            TypeKind::Name(name) => {
+                let found = self.scopes.iter().rev().find_map(|scope| scope.names.get(&name.name));
+                if let Some((res @ (Res::Record(_) | Res::Dimension(_)), _)) = found {
+                    self.names.uses.insert(name.span, *res);
+                }
+            }
+            TypeKind::Member(module, name) => {
+                let res = self.lookup(module);
+                self.names.uses.insert(module.span, res);
+                self.member(module, res, name);
+            }
+            TypeKind::Apply(_, parts) => parts.iter().for_each(|part| self.type_expr(part)),
+            TypeKind::Product(a, b) | TypeKind::Quotient(a, b) => {
+                self.type_expr(a);
+                self.type_expr(b);
+            }
+            TypeKind::Power(base, ..) => self.type_expr(base),
+            TypeKind::Error => {}
+        }
+    }
+
+    /// The unit that a name after a number or in a format stands for, if the program declares it.
+    pub(super) fn own_unit(&self, name: &str) -> Option<Res> {
+        let unit = |res: &Res| matches!(res, Res::OwnUnit(_)).then_some(*res);
+        let mut files = self.scopes.iter().take(2).rev();
+        let own = files.find_map(|scope| scope.names.get(name).and_then(|(res, _)| unit(res)));
+        // Those of the modules it imports, directly or through others.
+        own.or_else(|| (2..self.exports.len()).find_map(|module| self.exported_unit(module, name)))
+    }
+
+    pub(super) fn exported_unit(&self, module: usize, name: &str) -> Option<Res> {
+        let (res, _) = self.exports[module].get(name)?;
+        let public = !self.private[module].contains(name);
+        (public && matches!(res, Res::OwnUnit(_))).then_some(*res)
+    }
+
+    /// A unit right after a number.
+    pub(super) fn quantity(&mut self, unit: &'a Ident) {
+        let known = Unit::find(&unit.name).map(Res::Unit).or_else(|| self.own_unit(&unit.name));
+        self.names.uses.extend(known.map(|res| (unit.span, res)));
+        let hidden = self.scopes.iter().rev().find_map(|scope| scope.names.get(&unit.name));
+        if let Some((Res::Var(_) | Res::Param(_) | Res::Const(_), declared)) = hidden
+            && known.is_some()
+        {
+            let before = Span { end: unit.span.start, ..unit.span };
+            let message =
+                format!("`{0}` after a number is the unit, not what is called `{0}` here", unit.name);
+            self.report(
+                Diagnostic::warning("W0205", message, unit.span, "the unit")
+                    .label(*declared, "this is not meant")
+                    .help(format!("write `*` to multiply by it: `2*{}`, or choose another name", unit.name))
+                    .suggest(format!("multiply by `{}`", unit.name), before, "* "),
+            );
+        }
+    }
+
+    /// A product of units in a format: its names are units whatever else they may be.
+    pub(super) fn unit_product(&mut self, e: &'a Expr) {
+        match &e.kind {
+            ExprKind::Name(name) => {
+                let unit = Unit::find(&name.name).map(Res::Unit).or_else(|| self.own_unit(&name.name));
+                self.names.uses.insert(name.span, unit.unwrap_or(Res::Unknown));
+            }
+            ExprKind::Binary { left, right, .. } => {
+                self.unit_product(left);
+                self.unit_product(right);
+            }
+            ExprKind::Paren(inner) | ExprKind::Unary { operand: inner, .. } => self.unit_product(inner),
+            _ => {}
+        }
+    }
+
+    pub(super) fn outer(&mut self, id: VarId) {
+        if self.names.variables[id.0 as usize].owner != self.function {
+            self.names.functions[self.function.0 as usize].outer.insert(id);
+        }
+    }
+
+    pub(super) fn expr(&mut self, e: &'a Expr) {
+        match &e.kind {
+            ExprKind::Error | ExprKind::Number(_) | ExprKind::Bool(_) => {}
+            ExprKind::Quantity { unit, .. } => self.quantity(unit),
+            ExprKind::String(parts) => {
+                for part in parts {
+                    if let StringPart::Value(value, format) = part {
+                        self.expr(value);
+                        if let Some(unit) = format.as_ref().and_then(|format| format.unit.as_ref()) {
+                            self.unit_product(unit);
+                        }
+                    }
+                }
+            }
+            ExprKind::Name(name) => self.name(name),
+            ExprKind::Field { base, field } => self.field(base, field),
+            ExprKind::Call { callee, arguments } => {
+                self.expr(callee);
+                arguments.iter().for_each(|argument| self.expr(&argument.value));
+            }
+            ExprKind::Index { base, index } => {
+                self.expr(base);
+                self.expr(index);
+            }
+            ExprKind::Unary { operand, .. } => self.expr(operand),
+            ExprKind::Binary { left, right, .. } => {
+                self.expr(left);
+                self.expr(right);
+            }
+            ExprKind::List(elements) => elements.iter().for_each(|e| self.expr(e)),
+            ExprKind::If { condition, then, otherwise } => {
+                self.expr(condition);
+                self.expr(then);
+                self.expr(otherwise);
+            }
+            ExprKind::At { value, symbol, at } => {
+                self.expr(value);
+                self.name(symbol);
+                self.expr(at);
+            }
+            ExprKind::Paren(inner) => self.expr(inner),
+        }
+    }
+
+    pub(super) fn name(&mut self, name: &'a Ident) {
+        let res = self.lookup(name);
+        self.names.uses.insert(name.span, res);
+        match res {
+            Res::Var(id) => {
+                self.names.variables[id.0 as usize].reads += 1;
+                self.outer(id);
+                self.refuse_in_test(name, id);
+            }
+            Res::Function(id) => {
+                self.names.functions[self.function.0 as usize].callees.insert(id);
+            }
+            _ => {}
+        }
+    }
+
+    pub(super) fn field(&mut self, base: &'a Expr, field: &'a Ident) {
+        self.expr(base);
+        let ExprKind::Name(name) = &base.kind else { return };
+        if let Some(res) = self.names.uses.get(&name.span).copied() {
+            self.member(name, res, field);
+        }
+    }
+
+    /// The field of a place, which is one of a module where its base is one.
+    pub(super) fn field_of(&mut self, base: &'a Expr, place: &'a Expr) {
+        if let (ExprKind::Name(name), ExprKind::Field { field, .. }) = (&base.kind, &place.kind)
+            && let Some(res) = self.names.uses.get(&name.span).copied()
+        {
+            self.member(name, res, field);
+        }
+    }
+
+    /// What a module's member stands for.
+    pub(super) fn member(&mut self, name: &Ident, module: Res, field: &'a Ident) {
+        let module = match module {
+            Res::Module(module) => module as usize,
+            Res::Unknown => {
+                self.names.uses.insert(field.span, Res::Unknown);
+                return;
+            }
+            _ => return,
+        };
+        let (exports, private) = (&self.exports[module], &self.private[module]);
+        let res = match exports.get(&field.name) {
+            Some((res, _)) if !private.contains(field.name.as_str()) => *res,
+            Some((_, declared)) => {
+                let message = format!("`{}` is private to the module `{}`", field.name, name.name);
+                let diagnostic = Diagnostic::error("E0204", message, field.span, "not visible here")
+                    .label(*declared, "declared `private` here")
+                    .help("use what the module offers, or remove `private`");
+                self.report(diagnostic);
+                Res::Unknown
+            }
+            None => {
+                let mut diagnostic = Diagnostic::error(
+                    "E0204",
+                    format!("module `{}` has nothing called `{}`", name.name, field.name),
+                    field.span,
+                    "not found in the module",
+                );
+                let all = self.around.declared(&self.modules[module].name);
+                diagnostic = match similar(&field.name, all.iter().map(String::as_str)) {
+                    Some(near) => diagnostic.help(format!("did you mean `{near}`?")).fix(
+                        format!("change to `{near}`"),
+                        field.span,
+                        near,
+                    ),
+                    None => {
+                        let all: Vec<_> = all.iter().map(|name| format!("`{name}`")).collect();
+                        match all.is_empty() {
+                            true => diagnostic.help("it has nothing that others see"),
+                            false => diagnostic.help(format!("it has {}", all.join(", "))),
+                        }
+                    }
+                };
+                self.report(diagnostic);
+                Res::Unknown
+            }
+        };
+        self.names.uses.insert(field.span, res);
+        if let Res::Function(id) = res {
+            self.names.functions[self.function.0 as usize].callees.insert(id);
+        }
+    }
+
+    pub(super) fn lookup(&mut self, name: &Ident) -> Res {
+        if let Some(constant) = builtins::constant(&name.name) {
+            return Res::Constant(constant);
+        }
+        for scope in self.scopes.iter().rev() {
+            if let Some((res, _)) = scope.names.get(&name.name) {
+                return *res;
+            }
+        }
+        if let Some(builtin) = Builtin::find(&name.name) {
+            return Res::Builtin(builtin);
+        }
+        if let Some(unit) = Unit::find(&name.name) {
+            return Res::Unit(unit);
+        }
+        self.unknown(name);
+        Res::Unknown
+    }
+
+    pub(super) fn unknown(&mut self, name: &Ident) {
+        let diagnostic = Diagnostic::error(
+            "E0201",
+            format!("`{}` is not known here", name.name),
+            name.span,
+            "unknown name",
+        );
+        let reserved = match name.name.as_str() {
+            "true" | "True" => Some("TRUE"),
+            "false" | "False" => Some("FALSE"),
+            "t" | "T" | "time" => Some("Time"),
+            "Pi" | "PI" => Some("pi"),
+            "Inf" | "infinity" => Some("inf"),
+            "NaN" => Some("nan"),
+            _ => None,
+        };
+        let mut candidates: Vec<&str> = Vec::new();
+        // Every name is compared with every other: in a text of many thousand errors nobody waits for that.
+        let mut declared: Vec<String>;
+        let suggests = self.around.suggests() && self.names.diagnostics.len() < MOST_SUGGESTIONS;
+        if suggests {
+            declared =
+                self.modules.get(self.file.0 as usize).map_or(Vec::new(), |m| self.around.declared(&m.name));
+            declared.extend(self.around.declared("prelude"));
+            candidates = builtins::names().collect();
+            candidates.extend(self.scopes.iter().flat_map(|scope| scope.names.keys().map(String::as_str)));
+            candidates.extend(declared.iter().map(String::as_str));
+        }
+        let near = match reserved {
+            Some(near) => Some(near.to_string()),
+            None if !suggests => None,
+            None => similar(&name.name, candidates.into_iter())
+                .or_else(|| Unit::similar(&name.name).filter(|near| near.len() > 2).map(str::to_string)),
+        };
+        let diagnostic = match near {
+            Some(near) => diagnostic.help(format!("did you mean `{near}`?")).fix(
+                format!("change to `{near}`"),
+                name.span,
+                near,
+            ),
+            None if self.around.is_module(&name.name) => {
+                diagnostic.help(format!("add `import {};` to use the module", name.name))
+            }
+            None => diagnostic.help("declare it with `var` before this use"),
+        };
+        self.report(diagnostic);
+    }
+}

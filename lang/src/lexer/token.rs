@@ -1,0 +1,277 @@
+//! What a text is made of: kinds of tokens with their spellings, comments, and what lexing yields.
+
+use crate::diagnostic::Diagnostic;
+use crate::span::Span;
+use std::collections::HashMap;
+
+/// What a token is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Kind {
+    Number,
+    Identifier,
+    StringOpen,
+    StringText,
+    /// `: 10.3e`, how an interpolated value is shown.
+    Format,
+    InterpolationOpen,
+    InterpolationClose,
+    StringClose,
+
+    Var,
+    If,
+    Else,
+    For,
+    While,
+    Do,
+    Switch,
+    Case,
+    Default,
+    Break,
+    Continue,
+    Return,
+    Goto,
+    Throw,
+    Try,
+    Catch,
+    Function,
+    In,
+    Out,
+    InOut,
+    True,
+    False,
+
+    // Words only where another name follows, so that a program may still use them as names.
+    Import,
+    Units,
+    Param,
+    Output,
+    Extern,
+    Host,
+    At,
+    Private,
+    Test,
+    Const,
+    Record,
+    Dimension,
+    Unit,
+
+    OpenParen,
+    CloseParen,
+    OpenBracket,
+    CloseBracket,
+    OpenBrace,
+    CloseBrace,
+    Comma,
+    Semicolon,
+    Colon,
+    Dot,
+    DotDot,
+    Assign,
+    Bind,
+    Arrow,
+    Plus,
+    Minus,
+    Star,
+    Slash,
+    Percent,
+    Caret,
+    Less,
+    LessEqual,
+    Greater,
+    GreaterEqual,
+    Equal,
+    NotEqual,
+    And,
+    Or,
+    AndAnd,
+    OrOr,
+    Not,
+}
+
+impl Kind {
+    /// How to name the token in a message.
+    pub fn describe(self) -> &'static str {
+        match self {
+            Kind::Number => "a number",
+            Kind::Identifier => "a name",
+            Kind::Format => "a format",
+            Kind::StringOpen | Kind::StringText | Kind::StringClose => "a string",
+            Kind::InterpolationOpen => "`{`",
+            Kind::InterpolationClose => "`}`",
+            other => KEYWORDS
+                .iter()
+                .chain(CONTEXTUAL)
+                .chain(SYMBOLS)
+                .find(|(_, kind, _)| *kind == other)
+                .map_or("this", |(_, _, quoted)| quoted),
+        }
+    }
+
+    /// Whether an expression can end with this token.
+    pub fn ends_expression(self) -> bool {
+        matches!(
+            self,
+            Kind::Number
+                | Kind::Identifier
+                | Kind::StringClose
+                | Kind::True
+                | Kind::False
+                | Kind::CloseParen
+                | Kind::CloseBracket
+                | Kind::Percent
+        )
+    }
+
+    /// Whether the token is a word that only begins statements.
+    pub fn begins_statement(self) -> bool {
+        matches!(
+            self,
+            Kind::Var
+                | Kind::For
+                | Kind::While
+                | Kind::Do
+                | Kind::Switch
+                | Kind::Case
+                | Kind::Default
+                | Kind::Break
+                | Kind::Continue
+                | Kind::Return
+                | Kind::Goto
+                | Kind::Throw
+                | Kind::Try
+                | Kind::Function
+                | Kind::Import
+                | Kind::Units
+                | Kind::Param
+                | Kind::Output
+                | Kind::Extern
+                | Kind::Private
+                | Kind::Host
+                | Kind::Test
+                | Kind::Const
+                | Kind::Record
+                | Kind::Dimension
+                | Kind::Unit
+        )
+    }
+}
+
+pub(super) type Spelling = (&'static str, Kind, &'static str);
+
+pub(super) const KEYWORDS: &[Spelling] = &[
+    ("var", Kind::Var, "`var`"),
+    ("if", Kind::If, "`if`"),
+    ("else", Kind::Else, "`else`"),
+    ("for", Kind::For, "`for`"),
+    ("while", Kind::While, "`while`"),
+    ("do", Kind::Do, "`do`"),
+    ("switch", Kind::Switch, "`switch`"),
+    ("case", Kind::Case, "`case`"),
+    ("default", Kind::Default, "`default`"),
+    ("break", Kind::Break, "`break`"),
+    ("continue", Kind::Continue, "`continue`"),
+    ("return", Kind::Return, "`return`"),
+    ("goto", Kind::Goto, "`goto`"),
+    ("throw", Kind::Throw, "`throw`"),
+    ("try", Kind::Try, "`try`"),
+    ("catch", Kind::Catch, "`catch`"),
+    ("function", Kind::Function, "`function`"),
+    ("in", Kind::In, "`in`"),
+    ("out", Kind::Out, "`out`"),
+    ("inout", Kind::InOut, "`inout`"),
+    ("TRUE", Kind::True, "`TRUE`"),
+    ("FALSE", Kind::False, "`FALSE`"),
+];
+
+pub(super) const CONTEXTUAL: &[Spelling] = &[
+    ("import", Kind::Import, "`import`"),
+    ("units", Kind::Units, "`units`"),
+    ("param", Kind::Param, "`param`"),
+    ("output", Kind::Output, "`output`"),
+    ("extern", Kind::Extern, "`extern`"),
+    ("at", Kind::At, "`at`"),
+    ("private", Kind::Private, "`private`"),
+    ("host", Kind::Host, "`host`"),
+    ("test", Kind::Test, "`test`"),
+    ("const", Kind::Const, "`const`"),
+    ("record", Kind::Record, "`record`"),
+    ("dimension", Kind::Dimension, "`dimension`"),
+    ("unit", Kind::Unit, "`unit`"),
+];
+
+/// Longer spellings before their beginnings.
+pub(super) const SYMBOLS: &[Spelling] = &[
+    ("..", Kind::DotDot, "`..`"),
+    (":=", Kind::Bind, "`:=`"),
+    ("->", Kind::Arrow, "`->`"),
+    ("<=", Kind::LessEqual, "`<=`"),
+    (">=", Kind::GreaterEqual, "`>=`"),
+    ("==", Kind::Equal, "`==`"),
+    ("!=", Kind::NotEqual, "`!=`"),
+    ("&&", Kind::AndAnd, "`&&`"),
+    ("||", Kind::OrOr, "`||`"),
+    ("(", Kind::OpenParen, "`(`"),
+    (")", Kind::CloseParen, "`)`"),
+    ("[", Kind::OpenBracket, "`[`"),
+    ("]", Kind::CloseBracket, "`]`"),
+    ("{", Kind::OpenBrace, "`{`"),
+    ("}", Kind::CloseBrace, "`}`"),
+    (",", Kind::Comma, "`,`"),
+    (";", Kind::Semicolon, "`;`"),
+    (":", Kind::Colon, "`:`"),
+    (".", Kind::Dot, "`.`"),
+    ("=", Kind::Assign, "`=`"),
+    ("+", Kind::Plus, "`+`"),
+    ("-", Kind::Minus, "`-`"),
+    ("*", Kind::Star, "`*`"),
+    ("/", Kind::Slash, "`/`"),
+    ("%", Kind::Percent, "`%`"),
+    ("^", Kind::Caret, "`^`"),
+    ("<", Kind::Less, "`<`"),
+    (">", Kind::Greater, "`>`"),
+    ("&", Kind::And, "`&`"),
+    ("|", Kind::Or, "`|`"),
+    ("!", Kind::Not, "`!`"),
+];
+
+/// Words that are always keywords, for completion and suggestions.
+pub fn keywords() -> impl Iterator<Item = &'static str> {
+    KEYWORDS.iter().chain(CONTEXTUAL).map(|(word, _, _)| *word)
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Token {
+    pub kind: Kind,
+    pub span: Span,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum CommentKind {
+    /// `// ...`
+    Line,
+    /// `/// ...`, which documents what follows.
+    Doc,
+    /// `/* ... */`
+    Block,
+}
+
+/// Means nothing to the program, but belongs to its text.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Comment {
+    pub kind: CommentKind,
+    /// Without blanks at the end of the line.
+    pub span: Span,
+}
+
+/// The tokens of a file.
+#[derive(Clone, Debug, Default)]
+pub struct Tokens {
+    pub tokens: Vec<Token>,
+    /// All comments, in order of place.
+    pub comments: Vec<Comment>,
+    /// Text of the `///` block directly above a token, by the token's index.
+    pub docs: HashMap<usize, String>,
+    /// Text of a `///` block at the beginning of the file with a blank line after it.
+    pub file_doc: Option<String>,
+    pub diagnostics: Vec<Diagnostic>,
+}
