@@ -252,9 +252,12 @@ impl Plane<'_> {
     /// surface has passed the other: each belongs to the other's neighbour.
     fn faces(&self, bodies: [usize; 2], placements: &[Placement; 2], approach: &approach::Approach) -> bool {
         let half_pitch = |side: usize| {
-            let teeth =
-                self.bodies.structures[bodies[side]].as_ref().map_or(1, |structure| structure.teeth());
-            PI / f64::from(teeth) * distance(approach.frame.point, placements[side].origin())
+            let structure = self.bodies.structures[bodies[side]].as_ref();
+            match structure.map_or(1, |structure| structure.teeth()) {
+                // It has no neighbour; and contact may be at its origin.
+                1 => f64::INFINITY,
+                teeth => PI / f64::from(teeth) * distance(approach.frame.point, placements[side].origin()),
+            }
         };
         approach.gap > -half_pitch(0).min(half_pitch(1))
     }
