@@ -71,10 +71,10 @@ impl Campaign {
         let shared = |measured: &&Measured| measured.setting.mesh() == setting.mesh() && measured.built > 0;
         let sharing = known.iter().find(shared);
         let begun = self.begun(setting, &directory)?;
-        if let Begun::Finished = begun {
-            if let Some(measured) = self.read(setting, predicted, &directory, sharing)? {
-                return Ok(Outcome::Measured(Box::new(measured)));
-            }
+        if let Begun::Finished = begun
+            && let Some(measured) = self.read(setting, predicted, &directory, sharing)?
+        {
+            return Ok(Outcome::Measured(Box::new(measured)));
         }
         if sharing.is_none() {
             // The time to condense them is to be measured, and those of other meshes are not needed any more.
