@@ -45,7 +45,7 @@ fn left_out(plan: &Plan) -> Vec<bool> {
 fn what_nobody_looks_at_is_left_out_and_changes_nothing() {
     let (mut scene, pressed) = discs(2);
     let looked_at = Displacement(pressed[1], 1);
-    scene.observe(looked_at.clone());
+    scene.observe(looked_at);
     let whole = Plan::whole(&scene, Fidelity::Plane, StructureOptions::default()).expect("a plan");
     let pruned = planned(&scene);
     assert_eq!(left_out(&whole), [false; 4]);
