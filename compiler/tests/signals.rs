@@ -161,3 +161,87 @@ fn what_the_rows_cannot_show_is_said_at_the_request_and_spoils_nothing() {
     let said = String::from_utf8(output.stderr).unwrap();
     assert!(output.status.success() && said.contains("W0777"), "{said}");
 }
+
+/// A pair at rest, the first gear on a spring, that a blow sets swinging; another one strikes the second gear, which is held.
+const STRUCK: &str = "import gears;
+units SI;
+var rack = gears.rack(module = 3 mm, tip_radius = 0.9 mm);
+var blank = gears.external(teeth = 20, rack = rack, face_width = 20 mm, outer_diameter = 66 mm, root_diameter = 52.5 mm,
+    material = gears.material(206 GPa, 0.3), rim = gears.simple_rim(45 mm, 30 mm));
+var one = gears.body(\"one\", blank, free = [\"u_x\", \"u_y\", \"theta_z\"], moment = 50 N*m*e3, mass = 2 kg,
+    inertia = 0.002 kg*m^2, frame := Rotate(1e-6 rpm*Time, e3));
+var two = gears.body(\"two\", blank, frame := Rotate(-1e-6 rpm*Time, e3)*Translate(60.3 mm*e1));
+gears.bearing(\"journal\", one, radial_stiffness = 1e8 N/m);
+var mesh = gears.mesh(one, two, cells = 3, tip_corner_contact = FALSE);
+gears.impulse(one, at = 0 s, duration = 80 us, angular_momentum = 1e-5 N*m*s*e3);
+gears.impulse(two, at = 1 ms, duration = 400 us, momentum = 0.01 N*s*e1);
+output turn := gears.rotation(one, \"z\");
+output shift := gears.displacement(one, \"x\");
+output held := gears.support_force(two, \"x\");
+output first := gears.natural_frequency(1);
+output second := gears.natural_frequency(2);
+output third := gears.natural_frequency(3);
+gears.transfer_function(\"turn\", from = 0 s, momentum = 1e-5, highest = 4000 Hz);
+gears.transfer_function(\"shift\", from = 0 s, momentum = 1e-5, highest = 4000 Hz);
+gears.spectrum(\"held\", window = \"rectangular\", highest = 8000 Hz);
+analyze(\"dynamic\", over = gears.time_ranges([gears.time_range(20.48 ms, step = 20 us)]), rayleigh_mass = 488 Hz);
+";
+
+/// What a blow makes of an output peaks where the natural frequencies about the equilibrium are; and a blow has the spectrum of the square of half a
+/// wave: P sin(pi f D) / (pi f D (1 - f² D²)), one-sided over its range.
+#[test]
+fn a_blow_shows_natural_frequencies_and_its_own_spectrum() {
+    let directory = tempfile::tempdir().unwrap();
+    let model = directory.path().join("model.cx");
+    fs::write(&model, STRUCK).unwrap();
+    let output =
+        Command::new(env!("CARGO_BIN_EXE_calyx")).arg("run").arg(&model).arg("--no-cache").output().unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let run = directory.path().join("model.cx.run");
+    let table = |name: &str| -> Vec<Vec<String>> {
+        let text = fs::read_to_string(run.join(name)).unwrap();
+        text.lines().map(|line| line.split(',').map(String::from).collect()).collect()
+    };
+    let steps = table("steps.csv");
+    let natural = ["first", "second", "third"].map(|name| -> f64 {
+        let column = steps[0].iter().position(|known| known == name).unwrap();
+        steps[1][column].parse().unwrap()
+    });
+    assert!(natural[0] > 500.0 && natural[2] < 4000.0, "{natural:?}");
+    let record = fs::read_to_string(run.join("run.json")).unwrap();
+    let record: serde_json::Value = serde_json::from_str(&record).unwrap();
+    let resolution = 1.0 / 20.48e-3;
+    let mut seen = [false; 3];
+    for signal in record["signals"].as_array().unwrap().iter().filter(|s| s["kind"] == "transfer_function") {
+        let peaks: Vec<[f64; 2]> = signal["peaks"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .map(|peak| ["frequency", "amplitude"].map(|key| peak[key].as_f64().unwrap()))
+            .collect();
+        for [frequency, amplitude] in &peaks {
+            let mode = natural.iter().position(|natural| (frequency - natural).abs() < resolution);
+            mode.into_iter().for_each(|mode| seen[mode] = true);
+            assert!(
+                mode.is_some() || *amplitude < 0.4 * peaks[0][1],
+                "{frequency} Hz is none of {natural:?}"
+            );
+        }
+    }
+    // The blow has no part in what swings across the line of action.
+    assert!(seen.iter().filter(|seen| **seen).count() >= 2, "{seen:?} {natural:?}");
+
+    let (momentum, lasts) = (0.01, 400e-6);
+    let lines = table("signals/held_spectrum.csv");
+    let (mut largest, mut worst) = (0.0_f64, 0.0_f64);
+    // The teeth's own force hardly changes; the first lines have what there is of it.
+    for line in &lines[10..] {
+        let [frequency, amplitude] = [0, 1].map(|k: usize| line[k].parse::<f64>().unwrap());
+        let part: f64 = frequency * lasts;
+        let turned = std::f64::consts::PI * part;
+        let known = (2.0 * resolution * momentum * turned.sin() / (turned * (1.0 - part * part))).abs();
+        largest = largest.max(known);
+        worst = worst.max((amplitude - known).abs());
+    }
+    assert!(lines.len() > 100 && worst < 0.01 * largest, "{worst:e} of {largest:e}");
+}

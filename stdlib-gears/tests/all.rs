@@ -8,6 +8,7 @@ mod derived;
 mod diagnostics;
 mod disc_webs;
 mod dynamics;
+mod extremes;
 mod estimates;
 mod first_day_in_space;
 mod flank_and_fillet;

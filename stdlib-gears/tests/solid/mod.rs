@@ -6,5 +6,5 @@ mod elastic;
 mod helical;
 mod ladder;
 mod misaligned;
-mod pairs;
+pub mod pairs;
 mod runout;

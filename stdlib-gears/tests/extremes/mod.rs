@@ -1,0 +1,81 @@
+//! Every method driven to its edge: each case holds an accuracy that it states, or is refused with a reason, or says in its results what is wrong.
+//! Never a silent wrong number, never one that is none.
+//!
+//! The cases are data. One test goes through them, another one holds `docs/extremes.md` to them (`CALYX_BLESS=1` writes it). Truths are the
+//! cheapest that know nothing of the method: closed forms, laws of scaling, limits that are known exactly, another route to the same number.
+
+mod bearings;
+mod case;
+mod cylinders;
+mod elements;
+mod motion;
+mod pairs;
+mod shapes;
+
+use case::{Case, Outcome};
+use rayon::prelude::*;
+use std::path::Path;
+
+/// What is driven to its edge, and the cases.
+fn chapters() -> Vec<(&'static str, Vec<Case>)> {
+    vec![
+        ("Contact", cylinders::cases()),
+        ("Gears in mesh", pairs::cases()),
+        ("Shapes of gears", shapes::cases()),
+        ("Bearings, clearances and what holds bodies", bearings::cases()),
+        ("Motion in time", motion::cases()),
+        ("Elements", elements::cases()),
+    ]
+}
+
+#[test]
+fn every_method_holds_at_its_edges_or_says_that_it_does_not() {
+    let cases: Vec<Case> = chapters().into_iter().flat_map(|(_, cases)| cases).collect();
+    let only = std::env::var("CALYX_EXTREME").unwrap_or_default();
+    let cases: Vec<Case> = cases.into_iter().filter(|case| case.method.contains(&only)).collect();
+    let wrong: Vec<String> = cases.par_iter().filter_map(Case::fails).collect();
+    assert!(wrong.is_empty(), "{} of {} cases:\n{}", wrong.len(), cases.len(), wrong.join("\n"));
+}
+
+#[test]
+fn the_table_of_extremes_is_that_of_the_cases() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/extremes.md");
+    let written = document();
+    if std::env::var_os("CALYX_BLESS").is_some() {
+        std::fs::create_dir_all(path.parent().expect("a directory")).expect("it can be made");
+        std::fs::write(&path, &written).expect("it can be written");
+    }
+    let known = std::fs::read_to_string(&path).unwrap_or_default();
+    assert!(
+        known == written,
+        "docs/extremes.md is stale: CALYX_BLESS=1 cargo test -p calyx-gears --test all extremes"
+    );
+}
+
+fn document() -> String {
+    let mut text = String::from(
+        "# Extremes\n\nWhere each method stops being good. Every line is a case of `stdlib-gears/tests/extremes`, which writes this page \
+         (`CALYX_BLESS=1 cargo test -p calyx-gears --test all extremes`) and fails if a case does not hold what is said of it here: the largest \
+         relative error over all values of the line, against a truth that knows nothing of the method; or the code with which the engine \
+         refuses (`calyx explain CODE`), or what it says beside the result.\n",
+    );
+    for (chapter, cases) in chapters() {
+        text += &format!("\n## {chapter}\n\n| What | Driven to | What happens | By |\n|---|---|---|---|\n");
+        for Case { method, driven, outcome } in cases {
+            let (happens, by) = match outcome {
+                Outcome::Holds { to, truth, .. } => (format!("holds to {}", shown(to)), truth.to_string()),
+                Outcome::Refused { code, why, .. } => (format!("refused, {code}"), why.to_string()),
+                Outcome::Told { says, why, .. } => {
+                    (format!("said beside the result: \"{says}\""), why.to_string())
+                }
+            };
+            text += &format!("| {method} | {driven} | {happens} | {by} |\n");
+        }
+    }
+    text
+}
+
+/// A bound as it was written.
+fn shown(bound: f64) -> String {
+    if bound >= 1e-3 { format!("{} %", (bound * 1e5).round() / 1e3) } else { format!("{bound:e}") }
+}

@@ -1,0 +1,299 @@
+//! Gears in mesh: loads, sizes, speeds, stiffnesses far from those they are made for.
+
+use super::case::{Case, off, refusal, worst};
+use crate::common::INCH;
+use crate::common::pair::{
+    FIRST, PLAIN, PairOptions, Scale, TORQUE, UNSCALED, Values, chapter_5_member, pair, solve_at, steel,
+    system,
+};
+use crate::solid::pairs::{self as solid_pairs, Options};
+use calyx_gears::assembly::{MeshOptions, Misalignment, add_body, mesh};
+use calyx_gears::helix::{Hand, Helix};
+use calyx_runtime::load::Wrench;
+use calyx_runtime::material::Plane;
+use calyx_runtime::motion::SteadyRotation;
+use calyx_runtime::observe::MeshForce;
+use calyx_runtime::scene::{Body, Component, Scene};
+use std::f64::consts::{PI, TAU};
+
+/// One pair of teeth carries there, in the middle of its path.
+const ALONE: f64 = 0.75;
+/// Two do.
+const TWO: f64 = 0.25;
+
+pub fn cases() -> Vec<Case> {
+    vec![
+        Case::holds(
+            "A spur pair: peak pressure by load",
+            "1e-9 to 1 times the nominal load",
+            5e-2,
+            "Hertz: the root of the load",
+            || {
+                let nominal = loaded(1.0, ALONE).contact_pressure;
+                worst(LIGHT.map(|part| off(loaded(part, ALONE).contact_pressure, part.sqrt() * nominal)))
+            },
+        ),
+        Case::holds(
+            "A spur pair: root stress by load",
+            "1e-9 to 1 times the nominal load",
+            1e-2,
+            "teeth are linear",
+            || {
+                let nominal = loaded(1.0, ALONE).root_stress;
+                worst(LIGHT.into_iter().flat_map(|part| {
+                    let found = loaded(part, ALONE).root_stress;
+                    [0, 1].map(|side: usize| off(found[side], part * nominal[side]))
+                }))
+            },
+        ),
+        Case::holds(
+            "A spur pair: how the transmission error by load grows as the load vanishes",
+            "1e-9 to 1 times the nominal load",
+            1e-2,
+            "Hertz: its logarithm, in closed form",
+            logarithm_of_the_load,
+        ),
+        Case::holds(
+            "A spur pair: stresses, load shares, transmission error",
+            "modules of 1e-5 m and 10 m, loads scaled alike",
+            1e-7,
+            "scaling: nothing but lengths changes",
+            || worst([1e-5, 10.0].map(|module| scaled(module / (0.1 * INCH)))),
+        ),
+        Case::holds(
+            "A spur pair in the plane",
+            "face widths of 0.1 and 100 modules, loads scaled alike",
+            1e-12,
+            "scaling",
+            || worst([0.1, 100.0].map(as_wide)),
+        ),
+        Case::holds(
+            "A spur pair: what gives of a pair whose mate is 1e12 times as stiff",
+            "the one, the other, and both of steel",
+            5e-3,
+            "superposition, with Hertz's logarithm of the narrower contact in closed form",
+            beside_a_stiff_mate,
+        ),
+        Case::holds(
+            "A position",
+            "100,000 revolutions on",
+            1e-5,
+            "the same position of the first revolution",
+            || after(1e5),
+        ),
+        Case::holds(
+            "A position",
+            "speeds of 1e-9 and 1e9 rad/s",
+            1e-9,
+            "statics does not know speed",
+            || worst([1e-9, 1e9].map(at_speed)),
+        ),
+        Case::holds(
+            "A tip relief of 750 times the deflection: transmission error",
+            "loads that leave relieved flanks apart",
+            2e-2,
+            "the geometry of the reliefs",
+            || worst([0.1, TWO, 0.4].map(far_relieved)),
+        ),
+        Case::holds(
+            "A pair without backlash: force on both sides of the teeth",
+            "without load, centre distances at and 1 um below that at which teeth fill their spaces",
+            1e-9,
+            "statics: both sides push alike",
+            || worst([0.0, -1e-6].map(tight)),
+        ),
+        Case::holds(
+            "A helical pair in space: axial by tangential force",
+            "helix angles of 0.001 and 45 deg",
+            1e-9,
+            "the tangent of the helix angle",
+            || worst([1e-3_f64, 45.0].map(|angle| axial(angle.to_radians(), 8.0))),
+        ),
+        Case::refused("A helix", "61 deg", "E0622", "no gear on parallel axes is made so", || {
+            refusal(Helix::new(61_f64.to_radians(), Hand::Left))
+        }),
+        Case::holds("The same", "faces of 0.1 and 100 modules at 20 deg", 1e-9, "the same", || {
+            worst([0.1, 100.0].map(|modules| axial(20_f64.to_radians(), modules)))
+        }),
+        Case::holds(
+            "A spur pair in space: torque ratio",
+            "misalignment of 3 deg, contact in a corner of the face",
+            1e-2,
+            "the numbers of teeth",
+            || {
+                let misalignment = Misalignment { in_action: 3_f64.to_radians(), off_action: 0.0 };
+                torques(&Options { misalignment, ..Options::spur() })
+            },
+        ),
+    ]
+}
+
+const LIGHT: [f64; 4] = [1e-9, 1e-6, 1e-3, 0.1];
+
+fn plain() -> PairOptions {
+    PairOptions::chapter_5(&PLAIN)
+}
+
+fn loaded(part: f64, cycle: f64) -> Values {
+    solve_at(&PairOptions { moment: part * TORQUE, ..plain() }, &[cycle])[0]
+}
+
+/// Force on the line of action by width, N/m, and the base radius of the first gear, m.
+fn line_load() -> (f64, f64) {
+    let radius = PLAIN[0].gear().base_radius;
+    (TORQUE / radius / INCH, radius)
+}
+
+/// A line contact of two half-planes goes together by `q (C - ln q / (pi E*))`.
+fn logarithm_of_the_load() -> f64 {
+    let (load, radius) = line_load();
+    let modulus = 0.5 * steel().surface_modulus(Plane::Strain);
+    // The error is of the second gear, which has twice the radius.
+    let by_decade = load / (2.0 * radius) * 10_f64.ln() / (PI * modulus);
+    let parts = [1e-9, 1e-6, 1e-3, 1.0];
+    let compliance = parts.map(|part| loaded(part, ALONE).transmission_error.abs() / part);
+    worst(compliance.windows(2).map(|pair| off(pair[0] - pair[1], 3.0 * by_decade)))
+}
+
+fn scaled(length: f64) -> f64 {
+    let scale = Scale { length, ..UNSCALED };
+    let gears = [20, 40].map(|teeth| chapter_5_member(teeth, 0.0, scale));
+    let options = PairOptions {
+        gears,
+        center_distance: 3.0 * INCH * length,
+        moment: TORQUE * length.powi(3),
+        ..plain()
+    };
+    let found = solve_at(&options, &[TWO])[0];
+    let known = loaded(1.0, TWO);
+    worst([
+        off(found.transmission_error, known.transmission_error),
+        off(found.load_share, known.load_share),
+        off(found.contact_pressure, known.contact_pressure),
+        off(found.root_stress[0], known.root_stress[0]),
+        off(found.root_stress[1], known.root_stress[1]),
+    ])
+}
+
+fn as_wide(modules: f64) -> f64 {
+    let width = modules * 0.1 * INCH;
+    let gears = [20, 40].map(|teeth| {
+        let member = chapter_5_member(teeth, 0.0, UNSCALED);
+        let mut prototype = std::sync::Arc::try_unwrap(member.prototype).ok().expect("nobody else has it");
+        prototype.face_width = width;
+        crate::common::pair::Member::new(prototype)
+    });
+    let options = PairOptions { gears, moment: TORQUE * width / INCH, ..plain() };
+    let found = solve_at(&options, &[TWO])[0];
+    // Of the whole width.
+    let stiffness = found.mesh_stiffness * INCH / width;
+    Values { mesh_stiffness: stiffness, ..found }.difference(&loaded(1.0, TWO))
+}
+
+/// Each tooth gives by `q (C - 2 ln a / (pi E'))`, and contact on a stiff mate is narrower by the root of two.
+fn beside_a_stiff_mate() -> f64 {
+    let stiff = Scale { modulus: 1e12, ..UNSCALED };
+    let [pinion, gear] = [20, 40].map(|teeth| chapter_5_member(teeth, 0.0, stiff));
+    let error = |gears| solve_at(&PairOptions { gears, ..plain() }, &[ALONE])[0].transmission_error.abs();
+    let [of_pinion, of_gear] = [error([PLAIN[0].clone(), gear]), error([pinion, PLAIN[1].clone()])];
+    let both = loaded(1.0, ALONE).transmission_error.abs();
+    let (load, radius) = line_load();
+    let narrower = 2.0 * load * 2_f64.ln() / (PI * steel().surface_modulus(Plane::Strain)) / (2.0 * radius);
+    off(of_pinion + of_gear - narrower, both)
+}
+
+fn after(revolutions: f64) -> f64 {
+    let (scene, mesh) = pair(&plain());
+    let system = system(&scene);
+    let values = |revolutions: f64| {
+        let time = mesh.start + TWO * mesh.period + revolutions * TAU / plain().speed;
+        Values::of(&system, &system.solve(time).expect("equilibrium"))
+    };
+    // The gear has half as many, whole ones.
+    values(revolutions).difference(&values(0.0))
+}
+
+fn at_speed(speed: f64) -> f64 {
+    solve_at(&PairOptions { speed, ..plain() }, &[TWO])[0].difference(&loaded(1.0, TWO))
+}
+
+/// The transmission error of relieved flanks under a hardly any load: on the line of action, the smaller of what both pairs lack.
+fn far_relieved(cycle: f64) -> f64 {
+    let depth = 0.0005;
+    let gears = [20, 40].map(|teeth| chapter_5_member(teeth, depth, UNSCALED));
+    let options = PairOptions { gears: gears.clone(), moment: 1e-4 * TORQUE, ..plain() };
+    let (_, mesh) = pair(&options);
+    let [first, second] = [0, 1].map(|k: usize| gears[k].form());
+    let rolled = mesh.base_radii[0] * mesh.roll[0];
+    // The length of the line of action between the base circles.
+    let length = {
+        let sum: f64 = mesh.base_radii.iter().sum();
+        let distance = options.center_distance;
+        (distance * distance - sum * sum).sqrt()
+    };
+    debug_assert!(rolled > 0.0);
+    let lacks = |form: &calyx_gears::gear::ToothForm, start: f64, roll: f64| {
+        let tip = form.roll_at_radius(form.tip_radius);
+        let part = ((roll - start) / (tip - start)).max(0.0);
+        depth * INCH * part * part
+    };
+    let pitch = TAU / f64::from(first.teeth);
+    let of_pair = |ahead: f64| {
+        let roll = mesh.roll[0] + (cycle + ahead) * pitch;
+        let other = (length - mesh.base_radii[0] * roll) / mesh.base_radii[1];
+        lacks(&first, 27.25_f64.to_radians(), roll) + lacks(&second, 19.60_f64.to_radians(), other)
+    };
+    let known = of_pair(0.0).min(of_pair(1.0)) / mesh.base_radii[1];
+    let found = solve_at(&options, &[cycle])[0].transmission_error.abs();
+    off(found, known)
+}
+
+/// A pair whose centre distance is off that at which its teeth fill their spaces.
+fn meshed(apart: f64) -> Result<Scene, calyx_gears::error::Refusal> {
+    let mut scene = Scene::default();
+    let turning = |x: f64, speed: f64| SteadyRotation { origin: [x, 0.0], start: 0.0, speed };
+    let first = Body::new("first", PLAIN[0].prototype.clone(), turning(0.0, 1.0))
+        .free_in(&[Component::ThetaZ])
+        .loaded(Wrench::NONE);
+    let first = add_body(&mut scene, first)?;
+    let second = add_body(
+        &mut scene,
+        Body::new("second", PLAIN[1].prototype.clone(), turning(3.0 * INCH + apart, -0.5)),
+    )?;
+    let options =
+        MeshOptions { tip_corner_contact: false, back_side_contact: true, ..MeshOptions::default() };
+    mesh(&mut scene, first, second, &options)?;
+    Ok(scene)
+}
+
+fn tight(apart: f64) -> f64 {
+    let scene = meshed(apart - 1e-7).expect("they mesh");
+    let system = system(&scene);
+    let step = system.solve(0.01).expect("equilibrium");
+    let [front, back] =
+        [0, 1].map(|pair| system.value(&step, &MeshForce(calyx_runtime::scene::PairId(pair))).value);
+    if front > 0.0 { off(back, front) } else { f64::INFINITY }
+}
+
+fn axial(angle: f64, modules: f64) -> f64 {
+    let options =
+        Options { face_width: modules * solid_pairs::MODULE, ..Options::helical(angle, Hand::Right) };
+    let (scene, mesh) = options.scene();
+    let system = solid_pairs::system(&scene, Default::default());
+    worst([0.6].map(|part| {
+        let step = system.solve(mesh.start + part * mesh.period).expect("equilibrium");
+        let [_, _, axial, _, _, moment] = system.contact_force(&step, FIRST);
+        let radius = 0.5 * solid_pairs::MODULE * f64::from(solid_pairs::TEETH[0]);
+        off((axial * radius / moment).abs(), angle.tan())
+    }))
+}
+
+fn torques(options: &Options) -> f64 {
+    let (scene, mesh) = options.scene();
+    let system = solid_pairs::system(&scene, Default::default());
+    let step = system.solve(mesh.start + 0.3 * mesh.period).expect("equilibrium");
+    let [one, other] =
+        [solid_pairs::FIRST, solid_pairs::SECOND].map(|body| system.contact_force(&step, body)[5]);
+    let [a, b] = solid_pairs::TEETH.map(f64::from);
+    off(other / one, b / a)
+}

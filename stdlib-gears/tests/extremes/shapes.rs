@@ -1,0 +1,96 @@
+//! Gears that are hardly gears: few teeth and many, thin rims, soft and incompressible ones.
+
+use super::case::{Case, Refusal, off, refusal, worst};
+use crate::common::pair::{
+    COARSE, Member, PLAIN, PairOptions, Values, member, pair, solve_at, steel, system_of,
+};
+use crate::common::{chapter_5_data, standard_data};
+use calyx_gears::blank::Rim;
+use calyx_gears::external::ExternalGear;
+use calyx_gears::prototype::GearPrototype;
+use calyx_runtime::observe::MaxRootStress;
+use calyx_runtime::scene::{BodyId, StructureOptions};
+use calyx_runtime::structure::BoreHold;
+
+pub fn cases() -> Vec<Case> {
+    vec![
+        Case::refused("A gear", "1 tooth", "E0604", "there is no rack that cuts it", || refused_teeth(1)),
+        Case::refused("A gear", "2 teeth", "E0604", "the same", || refused_teeth(2)),
+        Case::refused("A gear", "3 teeth", "E0604", "the same", || refused_teeth(3)),
+        Case::holds(
+            "A pair of equal gears: root stress",
+            "500, 1000 and 2000 teeth",
+            3e-2,
+            "the rack, which it goes to by the inverse of the number of teeth",
+            towards_a_rack,
+        ),
+        Case::holds(
+            "Root stress and transmission error of a gear on a rim thinner than its teeth",
+            "rims of 1, 0.5 and 0.3 modules",
+            2e-2,
+            "a mesh of twice as many elements each way",
+            || worst([1.0, 0.5, 0.3].map(on_a_thin_rim)),
+        ),
+        Case::refused("A tooth", "a relief of half a module", "E0641", "it would leave no tooth", || {
+            let gear = ExternalGear::new(chapter_5_data(20, 0.02, 0.15708)).expect("a gear");
+            let relief = calyx_gears::modification::Modification::tip_relief(
+                1.27e-3,
+                27.25_f64.to_radians(),
+                calyx_gears::modification::ReliefShape::Quadratic,
+            );
+            let rim = PLAIN[0].prototype.rim;
+            let made = GearPrototype::new(gear, vec![relief], steel(), rim, 0.0254, Vec::new());
+            refusal(made.map_err(|mut errors| errors.remove(0)))
+        }),
+    ]
+}
+
+fn refused_teeth(teeth: u32) -> Option<Refusal> {
+    refusal(ExternalGear::new(standard_data(teeth, 0.0, 0.2)).map_err(|mut errors| errors.remove(0)))
+}
+
+/// Largest root stresses of two equal gears of so many teeth of 1 mm under so much load by width, Pa.
+fn equal_gears(teeth: u32) -> f64 {
+    let gear = member(standard_data(teeth, 0.0, 0.2), 0.01);
+    let radius = 0.5e-3 * f64::from(teeth);
+    let options = PairOptions {
+        gears: [gear.clone(), gear],
+        center_distance: 2.0 * radius,
+        moment: 2e3 * radius,
+        ..PairOptions::chapter_5(&PLAIN)
+    };
+    solve_at(&options, &[0.4])[0].root_stress[0]
+}
+
+/// By how much three numbers of teeth are off a line in their inverse, relative to the stress.
+fn towards_a_rack() -> f64 {
+    let [few, more, most] = [500, 1000, 2000].map(equal_gears);
+    off(more + 0.5 * (more - few), most)
+}
+
+/// The gear of 40 teeth on a free rim of so many modules.
+fn rimmed(modules: f64) -> GearPrototype {
+    let data = chapter_5_data(40, 0.02, 0.15708);
+    let held_radius = data.root_radius - modules * data.rack.module;
+    let rim = Rim {
+        radius: data.root_radius - 0.5 * modules * data.rack.module,
+        held_radius,
+        web: None,
+        hold: BoreHold::Means { waves: None, degree: 0 },
+    };
+    let gear = ExternalGear::new(data).expect("a sound gear");
+    GearPrototype::new(gear, Vec::new(), steel(), rim, 0.0254, Vec::new()).expect("a gear")
+}
+
+fn on_a_thin_rim(modules: f64) -> f64 {
+    let gears = [PLAIN[0].clone(), Member::new(rimmed(modules))];
+    let (scene, mesh) = pair(&PairOptions { gears, ..PairOptions::chapter_5(&PLAIN) });
+    let [coarse, fine] =
+        [COARSE, StructureOptions { refinement: 1.0, order: 3, ..COARSE }].map(|structure| {
+            let system = system_of(&scene, structure);
+            let step = system.solve(mesh.start + 0.75 * mesh.period).expect("equilibrium");
+            let values = Values::of(&system, &step);
+            [system.value(&step, &MaxRootStress(BodyId(1))).value, values.transmission_error]
+        });
+    worst([0, 1].map(|k: usize| off(coarse[k], fine[k])))
+}
