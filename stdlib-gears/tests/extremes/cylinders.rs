@@ -133,6 +133,7 @@ const MESH: StructureOptions = StructureOptions { refinement: 0.5, order: 2, ..D
 const DEFAULT: StructureOptions = StructureOptions {
     refinement: 1.0,
     order: 3,
+    model: calyx_runtime::scene::BodyModel::Elements,
     template: calyx_runtime::scene::Template::Medium,
     face_elements: None,
     axial_order: None,
