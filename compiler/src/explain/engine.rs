@@ -115,7 +115,7 @@ pub const CODES: &[Explanation] = codes! {
     "E0713" "nothing in the scene touches anything" "An analysis needs at least one mesh."
     "E0714" "no contact can hold the load" "Contacts only push. The load drives the bodies apart, or along a direction in which no contact pushes."
     "E0715" "nothing holds a free motion" "A body may move in a direction in which neither its frame nor a contact holds it. Take the freedom out of `free`, or add the mesh that is to hold it."
-    "E0716" "two contacts say the same" "Two contacts hold the same motion, so their shares of the load are not determined."
+    "E0716" "two contacts say the same" "Two contacts hold the same motion, so their shares of the load are not determined. Or the load is so large for the bodies that they touch from end to end of their surfaces: contact has to be small beside them."
     "E0717" "the bodies overlap in every position" "The bodies cannot be moved apart. Look at centre distance and tooth thicknesses."
     "E0718" "the contact problem is unusable" "A stiffness or gap is not a number. Look for extreme dimensions."
     "E0719" "the contact solver found no solution" "Please report it with the model."

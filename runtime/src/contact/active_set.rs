@@ -45,6 +45,18 @@ pub fn solve_until(
     interrupt: &Interrupt,
 ) -> Result<Solution, ContactError> {
     problem.validate()?;
+    let solution = pivot(problem, warm_start, interrupt)?;
+    // Largest residuals pass over what is no number: such a solution has no certificate.
+    let finite = solution.forces.iter().chain(&solution.motion).all(|value| value.is_finite());
+    if finite { Ok(solution) } else { Err(ContactError::NotConverged) }
+}
+
+/// Of a valid problem.
+fn pivot(
+    problem: &ContactProblem,
+    warm_start: Option<&[usize]>,
+    interrupt: &Interrupt,
+) -> Result<Solution, ContactError> {
     let scaled = Scaled::new(problem);
     scaled.check_freedoms()?;
     let mut warm: Vec<usize> =
@@ -97,7 +109,6 @@ fn power_of_two(value: f64) -> f64 {
 }
 
 impl<'a> Scaled<'a> {
-    /// Of a valid problem.
     pub fn new(problem: &'a ContactProblem) -> Self {
         let (n, m) = (problem.cells(), problem.freedoms());
         let cell_scale: Vec<f64> =

@@ -44,7 +44,8 @@ impl Observable for MaxEdgePressure {
 fn largest(at: &Equilibrium<'_>, pair: PairId, at_edge: bool) -> Observed {
     let mut largest = Observed::number(0.0);
     for contact in at.contacts(pair).filter(|contact| contact.at_edge() == at_edge) {
-        if let Some((value, place)) = contact.peak(0).filter(|(pressure, _)| *pressure > largest.value) {
+        let larger = |(pressure, _): &(f64, _)| *pressure > largest.value || pressure.is_nan();
+        if let Some((value, place)) = contact.peak(0).filter(larger) {
             largest = Observed { value, least: None, place };
         }
     }

@@ -175,7 +175,8 @@ pub(super) fn around_contact(at: &Equilibrium<'_>, body: BodyId) -> Option<Vec<R
     stresses(at, body, Fillets { teeth: Teeth::Near(1), side: FilletSide::Both })
 }
 
-/// The largest principal stress in the fillets of a body, on its loaded side. Pa.
+/// The largest principal stress in the fillets of a body, on its loaded side: 0 where all of them are pressed together, as those of a thin
+/// free rim are beside a loaded tooth ([`MaxRootCompression`]). Pa.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MaxRootStress(pub BodyId);
 
@@ -222,9 +223,39 @@ fn largest(stresses: Option<Vec<RootStress>>, value: impl Fn(&RootStress) -> f64
     let Some(stresses) = stresses else { return Observed::number(f64::NAN) };
     let mut largest = Observed::number(0.0);
     for stress in stresses {
-        if value(&stress) > largest.value {
-            largest = Observed { value: value(&stress), least: None, place: Some(stress.place) };
+        let value = value(&stress);
+        // One that is no number stays to be seen, whatever comes after it.
+        if value > largest.value || (value.is_nan() && !largest.value.is_nan()) {
+            largest = Observed { value, least: None, place: Some(stress.place) };
         }
     }
     largest
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn stresses(along: &[f64]) -> Option<Vec<RootStress>> {
+        let place = Place { body: String::new(), tooth: 0, roll_angle: None, radius: 0.0, axial: None };
+        let stress = |along: &f64| RootStress {
+            place: place.clone(),
+            surface: 0,
+            chart: [0.0; 2],
+            position: [0.0; 3],
+            components: [*along, 0.0, 0.0],
+            principal: [*along; 2],
+        };
+        Some(along.iter().map(stress).collect())
+    }
+
+    #[test]
+    fn the_largest_of_stresses_is_no_number_if_one_of_them_is_none() {
+        let largest = |along: &[f64]| largest(stresses(along), |stress| stress.principal[0]).value;
+        assert_eq!(largest(&[1.0, 3.0, 2.0]), 3.0);
+        assert_eq!(largest(&[-1.0, -2.0]), 0.0);
+        for along in [[f64::NAN, 3.0, 2.0], [3.0, f64::NAN, 5.0], [-1.0, -2.0, f64::NAN]] {
+            assert!(largest(&along).is_nan(), "{along:?}");
+        }
+    }
 }

@@ -62,7 +62,7 @@ impl<S: Space> Solver<'_, S> {
             works.resize(problem.arms.len(), 0.0);
             let guess = self.guess(load, candidates, &problem, &grids);
             let solved = solve_with_friction(problem, &works, Some(&guess), &self.system.interrupt);
-            let (problem, solution) = solved.map_err(|error| self.explain(&error))?;
+            let (problem, solution) = solved.map_err(|error| self.explain_on(candidates, &grids, &error))?;
             // Sizes nobody asked for follow what the patches turn out to carry.
             let better = self.better_sizes(candidates, &grids, &solution.forces);
             if rounds == 0 || better.iter().all(Option::is_none) {
@@ -309,6 +309,42 @@ impl<S: Space> Solver<'_, S> {
         }
         (drags, works)
     }
+
+    /// The same of contact that is laid out on grids.
+    fn explain_on(
+        &self,
+        candidates: &[&Candidate<S::Site>],
+        grids: &[S::Grid],
+        error: &ContactError,
+    ) -> EngineError {
+        let scene = self.system.scene;
+        match error {
+            ContactError::Infeasible(_) if candidates.is_empty() => {
+                let error = self.explain(error);
+                let message =
+                    format!("{}, and no surface has a nearest point on the other of its pair", error.message);
+                let help = "bring surfaces to face each other; of flat ones that are parallel, which touch everywhere or nowhere, make one round";
+                EngineError { message, help: help.into(), ..error }
+            }
+            ContactError::DependentCells { .. } => {
+                let whole = candidates.iter().zip(grids).find(|(_, grid)| self.space.is_cut_off(grid));
+                let Some((candidate, grid)) = whole else { return self.explain(error) };
+                let [first, second] =
+                    scene.pairs[candidate.teeth.0].bodies.map(|body| scene.bodies[body.0].name.as_str());
+                let width = 1e3 * self.space.width(grid);
+                EngineError::new(
+                    "E0716",
+                    format!(
+                        "under this load \"{first}\" and \"{second}\" touch over all of the {width:.3} mm that their surfaces face each \
+                         other: that is no small patch, and pushes on its cells cannot be told apart"
+                    ),
+                    "look at the unit of the load and at the sizes of the bodies; contact has to be small beside them",
+                )
+            }
+            error => self.explain(error),
+        }
+    }
+
     /// A failure of the contact solver in the words of the model.
     pub(super) fn explain(&self, error: &ContactError) -> EngineError {
         holding::explain(self.system.scene, &self.system.freedoms, error)

@@ -120,6 +120,10 @@ impl Space for Plane<'_> {
         grid.cells.iter().map(|cell| cell.width()).sum()
     }
 
+    fn is_cut_off(&self, grid: &Grid) -> bool {
+        grid.surface_ends == [true; 2]
+    }
+
     fn gaps(&self, grid: &Grid) -> Vec<f64> {
         grid.cells.iter().map(|cell| cell.gap).collect()
     }

@@ -72,6 +72,11 @@ pub(super) trait Space {
     /// Its width across, m.
     fn width(&self, grid: &Self::Grid) -> f64;
 
+    /// Whether a grid that should be wider ends on either side because a surface does.
+    fn is_cut_off(&self, _grid: &Self::Grid) -> bool {
+        false
+    }
+
     /// The gap of each cell, m.
     fn gaps(&self, grid: &Self::Grid) -> Vec<f64>;
 

@@ -16,8 +16,8 @@ pub struct Case {
 pub enum Outcome {
     /// The largest relative error against a truth stays below a bound.
     Holds { to: f64, truth: &'static str, error: fn() -> f64 },
-    /// It is refused with a code, a reason and a remedy.
-    Refused { code: &'static str, why: &'static str, refusal: fn() -> Option<Refusal> },
+    /// It is refused with a code, a reason with these words in it, and a remedy.
+    Refused { code: &'static str, says: &'static str, why: &'static str, refusal: fn() -> Option<Refusal> },
     /// It is solved, and a warning of the result says what is wrong: its words.
     Told { says: &'static str, why: &'static str, warnings: fn() -> Vec<String> },
 }
@@ -86,7 +86,15 @@ impl Case {
         why: &'static str,
         refusal: fn() -> Option<Refusal>,
     ) -> Case {
-        Case { method, driven, outcome: Outcome::Refused { code, why, refusal } }
+        Case { method, driven, outcome: Outcome::Refused { code, says: "", why, refusal } }
+    }
+
+    /// The same of one that is refused: with these words.
+    pub fn saying(mut self, words: &'static str) -> Case {
+        if let Outcome::Refused { says, .. } = &mut self.outcome {
+            *says = words;
+        }
+        self
     }
 
     pub fn told(
@@ -130,9 +138,12 @@ impl Case {
                 // No number is below no bound.
                 (!(error <= *to)).then(|| format!("off by {error:e}, and should be by {to:e} at most"))
             }
-            Outcome::Refused { code, refusal, .. } => match refusal() {
+            Outcome::Refused { code, says, refusal, .. } => match refusal() {
                 Some(refusal)
-                    if refusal.code == *code && !refusal.message.is_empty() && !refusal.help.is_empty() =>
+                    if refusal.code == *code
+                        && !refusal.message.is_empty()
+                        && refusal.message.contains(says)
+                        && !refusal.help.is_empty() =>
                 {
                     None
                 }

@@ -1,6 +1,7 @@
 //! Contact of cylinders, which Hertz and the closed form of a squeezed disc know.
 
 use super::case::{Case, Refusal, off, refusal, worst};
+use crate::common::resources;
 use calyx_runtime::disc::{Disc, Facing, Platen};
 use calyx_runtime::error::EngineError;
 use calyx_runtime::load::Wrench;
@@ -82,9 +83,10 @@ pub fn cases() -> Vec<Case> {
             "The same",
             "1e9 times the nominal load",
             "E0716",
-            "contact wider than the body: pushes on it cannot be told apart",
+            "contact is as wide as the surfaces",
             || Squeezed { part: 1e9, ..NOMINAL }.refusal(),
-        ),
+        )
+        .saying("touch over all"),
         Case::refused(
             "A cylinder on a plate",
             "a load that lifts it",
@@ -103,9 +105,10 @@ pub fn cases() -> Vec<Case> {
             "A flat rigid plate on another",
             "parallel to the last bit: they touch everywhere",
             "E0714",
-            "two rigid planes have no nearest points",
+            "two rigid planes have no nearest points, which is said",
             flat_on_flat,
-        ),
+        )
+        .saying("no surface has a nearest point"),
     ]
 }
 
@@ -144,7 +147,7 @@ const DEFAULT: StructureOptions = StructureOptions {
 
 fn solve(scene: &Scene) -> Result<StepResult, EngineError> {
     let plan = Plan::new(scene, Fidelity::Plane, MESH)?;
-    let step = System::new(scene, &plan)?.solve(0.0)?;
+    let step = System::with(scene, &plan, &resources())?.solve(0.0)?;
     assert!(step.certificate.largest() <= 1e-10, "{:?}", step.certificate);
     Ok(step)
 }
