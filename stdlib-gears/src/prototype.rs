@@ -44,6 +44,10 @@ const SHARP_EDGE_IN_MESH: f64 = 5e-3;
 /// Largest length of cubic elements per distance from the tip edge.
 const COARSEST_TIP_GROWTH: f64 = 0.4;
 
+/// Poisson's ratio up to which elements below cubic ones recover stress: the volume strain that they leave is a few hundredths of the others, and is
+/// stress by Lamé's first constant, which is without bound towards a half.
+const MOST_LATERAL_STRAIN: f64 = 0.45;
+
 /// A gear on its rim.
 pub struct GearPrototype {
     /// Its teeth.
@@ -181,6 +185,23 @@ impl GearPrototype {
     }
 
     /// What [`Prototype::build`] condenses, and whose modes are found.
+    /// # Errors
+    /// E0661 where stress is to be recovered that these elements do not know.
+    pub(crate) fn check_recovery(&self, options: &StructureOptions) -> Result<(), EngineError> {
+        let ratio = self.material.poissons_ratio;
+        if !options.stresses || options.order > 2 || ratio <= MOST_LATERAL_STRAIN {
+            return Ok(());
+        }
+        Err(EngineError::new(
+            "E0661",
+            format!(
+                "elements of order {} do not know the stress of a material that keeps its volume: Poisson's ratio {ratio}, and {MOST_LATERAL_STRAIN} at most",
+                options.order
+            ),
+            "take elements of order 3, or ask for no stress in fillets",
+        ))
+    }
+
     fn plane_sector(
         &self,
         options: &StructureOptions,
@@ -189,6 +210,7 @@ impl GearPrototype {
         options.check()?;
         interrupt.check()?;
         self.refuse_helix()?;
+        self.check_recovery(options)?;
         let [tip, meshed_tip] = self.roundings(options);
         let contact = self.flanks_with(tip, self.meshed_modifications())?;
         let mesh = self.plane_mesh(options)?;

@@ -166,6 +166,7 @@ impl GearPrototype {
         options: &StructureOptions,
         interrupt: &Interrupt,
     ) -> Result<ElasticSolid, EngineError> {
+        self.check_recovery(options)?;
         let mesh = self.solid_mesh(options)?;
         interrupt.check()?;
         let stress_places = stress_places(&mesh, options);

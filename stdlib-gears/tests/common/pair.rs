@@ -60,6 +60,11 @@ impl Member {
         Self { pitch_errors, ..self.clone() }
     }
 
+    /// On the structures of a gear from which it differs in nothing that they know.
+    pub fn sharing(self, other: &Member) -> Self {
+        Self { structures: other.structures.clone(), ..self }
+    }
+
     pub fn gear(&self) -> &ExternalGear {
         self.prototype.gear.external().expect("an external gear")
     }

@@ -6,7 +6,7 @@ use calyx_runtime::disc::{Facing, Platen};
 use calyx_runtime::error::EngineError;
 use calyx_runtime::load::Wrench;
 use calyx_runtime::motion::SteadyRotation;
-use calyx_runtime::observe::Displacement;
+use calyx_runtime::observe::{Displacement, MaxContactPressure};
 use calyx_runtime::plan::Plan;
 use calyx_runtime::rigid::RigidBody;
 use calyx_runtime::scene::{Body, BodyId, Component, Fidelity, Scene, StructureOptions, SurfacePair};
@@ -104,7 +104,8 @@ fn scene(bodies: &[Wrench]) -> Scene {
     let at = |y: f64| SteadyRotation::at_rest([0.0, y]);
     let below = scene.add_body(Body::new("below", platen(Facing::Up), at(-1.0)));
     let above = scene.add_body(Body::new("above", platen(Facing::Down), at(0.0)));
-    scene.add_pair(SurfacePair::new([below, above], [Platen::SURFACE; 2]));
+    let plates = scene.add_pair(SurfacePair::new([below, above], [Platen::SURFACE; 2]));
+    scene.observe(MaxContactPressure(plates));
     for (index, load) in bodies.iter().enumerate() {
         let motion = SteadyRotation::at_rest([0.5 + 0.1 * index as f64, 0.0]);
         let body = Body::new(format!("body {index}"), Arc::new(RigidBody), motion);
