@@ -69,7 +69,7 @@ pub const CODES: &[Explanation] = codes! {
     "E0658" "the distance between the axes of two gears in mesh changes" "Axes may move, as those of planets do with their carrier, but the two of a mesh stay as far apart as they are: each rests, or goes round in a circle about the other one or about what both go round."
     "E0659" "a body without teeth is asked for what teeth do" "`rigid_body` makes carriers, shafts and housings. They have no gear: they do not mesh, and have no fillets and no teeth to observe."
     "E0660" "Young's modulus is not positive" "Steel has about 206 GPa, or 3e7 psi."
-    "E0661" "Poisson's ratio is not from 0 to below 0.5" "Steel has 0.3. At 0.5 a material would be incompressible, which these elements do not treat."
+    "E0661" "Poisson's ratio is not from 0 to below 0.5" "Steel has 0.3. At 0.5 a material would be incompressible, which these elements do not treat. Above 0.45 elements of order 1 and 2 do not know the stress in fillets, and are refused where it is asked for: take order 3."
     "E0662" "the density is negative" "Steel has 7850 kg/m^3."
     "E0663" "a rack has both a module and a diametral pitch" "They say the same: the module is the inverse of the diametral pitch. Give one."
     "E0664" "a rack has neither a module nor a diametral pitch" "Give the size of the teeth, as `module = 2.5 mm` or `diametral_pitch = 10 / inch`."
