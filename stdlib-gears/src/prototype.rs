@@ -44,8 +44,8 @@ const SHARP_EDGE_IN_MESH: f64 = 5e-3;
 /// Largest length of cubic elements per distance from the tip edge.
 const COARSEST_TIP_GROWTH: f64 = 0.4;
 
-/// Poisson's ratio up to which elements below cubic ones recover stress: the volume strain that they leave is a few hundredths of the others, and is
-/// stress by Lamé's first constant, which is without bound towards a half.
+/// Poisson's ratio up to which elements below cubic ones recover stress, to about a hundredth. Volume strains that they leave over are stress by
+/// Lamé's first constant, which grows without bound towards a half: at 0.4999 a root stress is off by more than itself.
 const MOST_LATERAL_STRAIN: f64 = 0.45;
 
 /// A gear on its rim.

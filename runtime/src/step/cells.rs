@@ -9,6 +9,7 @@ use crate::contact::problem::{ContactError, ContactProblem};
 use crate::contact::rest::{Rest, rest};
 use crate::error::EngineError;
 use crate::holding;
+use crate::scene::BodyId;
 use faer::Mat;
 use std::sync::OnceLock;
 
@@ -310,7 +311,7 @@ impl<S: Space> Solver<'_, S> {
         (drags, works)
     }
 
-    /// The same of contact that is laid out on grids.
+    /// A failure of the contact solver on these grids in the words of the model.
     fn explain_on(
         &self,
         candidates: &[&Candidate<S::Site>],
@@ -318,8 +319,12 @@ impl<S: Space> Solver<'_, S> {
         error: &ContactError,
     ) -> EngineError {
         let scene = self.system.scene;
+        let in_a_pair = |freedom: usize| {
+            let body = self.system.freedoms.get(freedom).map(|freedom| BodyId(freedom.body));
+            body.is_some_and(|body| scene.pairs.iter().any(|pair| pair.bodies.contains(&body)))
+        };
         match error {
-            ContactError::Infeasible(_) if candidates.is_empty() => {
+            ContactError::Infeasible(motion) if candidates.is_empty() && in_a_pair(motion.freedom) => {
                 let error = self.explain(error);
                 let message =
                     format!("{}, and no surface has a nearest point on the other of its pair", error.message);
@@ -345,7 +350,7 @@ impl<S: Space> Solver<'_, S> {
         }
     }
 
-    /// A failure of the contact solver in the words of the model.
+    /// The same wherever it comes from.
     pub(super) fn explain(&self, error: &ContactError) -> EngineError {
         holding::explain(self.system.scene, &self.system.freedoms, error)
     }

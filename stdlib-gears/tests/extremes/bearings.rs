@@ -42,24 +42,26 @@ pub fn cases() -> Vec<Case> {
             "springs in a row: what the sum of both stiffnesses leaves of the softer one",
             || in_a_row([1e3, 1e12]),
         ),
+        Case::holds(
+            "Two springs in a row, the load behind the second",
+            "the second 1e12 times as stiff as the first",
+            1e-2,
+            "the same",
+            || in_a_row([1e3, 1e15]),
+        ),
         Case::refused(
             "Two springs in a row, the load behind the second",
-            "the second 1e12 and 1e20 times as stiff as the first",
-            "E0715",
+            "the second 1e20 times as stiff as the first",
+            "E0714",
             "nothing is left of the softer one in the sum of both",
-            || row_of([1e3, 1e15]).err().and(row_of([1e3, 1e23]).err()).map(Refusal::from),
+            || row_of([1e3, 1e23]).err().map(Refusal::from),
         ),
         Case::holds(
-            "A bearing with a clearance",
-            "clearances of 0 m, 1e-12 m and 1 m",
-            1e-9,
-            "clearance, and then force by stiffness",
-            || {
-                worst([0.0, 1e-12, 1.0].map(|clearance| {
-                    let ring = Stop::Ring { clearance, stiffness: 1e8 };
-                    off(on(&[], [100.0, 0.0], &[ring])[0], clearance + 1e-6)
-                }))
-            },
+            "A bearing with a clearance: displacement",
+            "clearances of 0 m, 1e-12 m and 1 m, behind which it gives by 1e-6 m",
+            2e-6,
+            "clearance, and then force by stiffness: of a metre of clearance the digits of what it gives are lost",
+            || worst([0.0, 1e-12, 1.0].map(with_clearance)),
         ),
         Case::holds(
             "Two walls that bear together",
@@ -85,7 +87,7 @@ pub fn cases() -> Vec<Case> {
         Case::refused(
             "A body that nothing holds",
             "a load along its free motion",
-            "E0715",
+            "E0714",
             "there is no equilibrium",
             || {
                 let along = axisymmetric(0.0, 0.0, 0.0, 1.0);
@@ -140,6 +142,11 @@ fn on(springs: &[f64], [x, y]: [f64; 2], stops: &[Stop]) -> Vec<f64> {
         scene.add_bearing(stops).expect("a bearing");
     }
     solved(&scene).expect("equilibrium")
+}
+
+fn with_clearance(clearance: f64) -> f64 {
+    let ring = Stop::Ring { clearance, stiffness: 1e8 };
+    off(on(&[], [100.0, 0.0], &[ring])[0], clearance + 1e-6)
 }
 
 fn row_of([first, second]: [f64; 2]) -> Result<Vec<f64>, EngineError> {

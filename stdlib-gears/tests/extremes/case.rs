@@ -135,8 +135,9 @@ impl Case {
                 if std::env::var_os("CALYX_EXTREME").is_some() {
                     println!("          off by {error:.1e}");
                 }
-                // No number is below no bound.
-                (!(error <= *to)).then(|| format!("off by {error:e}, and should be by {to:e} at most"))
+                // What is no number is below no bound.
+                (error.is_nan() || error > *to)
+                    .then(|| format!("off by {error:e}, and should be by {to:e} at most"))
             }
             Outcome::Refused { code, says, refusal, .. } => match refusal() {
                 Some(refusal)

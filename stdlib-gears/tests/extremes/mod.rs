@@ -63,6 +63,7 @@ fn document() -> String {
         text += &format!("\n## {chapter}\n\n| What | Driven to | What happens | By |\n|---|---|---|---|\n");
         for Case { method, driven, outcome } in cases {
             let (happens, by) = match outcome {
+                Outcome::Holds { to: 0.0, truth, .. } => ("holds exactly".to_string(), truth.to_string()),
                 Outcome::Holds { to, truth, .. } => (format!("holds to {}", shown(to)), truth.to_string()),
                 Outcome::Refused { code, why, .. } => (format!("refused, {code}"), why.to_string()),
                 Outcome::Told { says, why, .. } => {
