@@ -60,7 +60,7 @@ pub fn cases() -> Vec<Case> {
             "A bearing with a clearance: displacement",
             "clearances of 0 m, 1e-12 m and 1 m, behind which it gives by 1e-6 m",
             2e-6,
-            "clearance, and then force by stiffness: of a metre of clearance the digits of what it gives are lost",
+            "clearance, and then force by stiffness: where one is a millionth of the other it is lost in its digits",
             || worst([0.0, 1e-12, 1.0].map(with_clearance)),
         ),
         Case::holds(
