@@ -13,6 +13,7 @@ use crate::structure::solid::SolidStructure;
 use crate::structure::{BodyModes, Structure, StructureSize};
 use std::any::Any;
 use std::f64::consts::TAU;
+use std::iter;
 use std::sync::Arc;
 
 /// The six freedoms of a frame, in the order of their indices: names of [`Component`].
@@ -274,6 +275,11 @@ impl Fidelity {
             Fidelity::Solid(Template::FineRoot) => Some(Fidelity::Solid(Template::Finest)),
             Fidelity::Solid(Template::Finest) => None,
         }
+    }
+
+    /// All that see more, from cheap to exact.
+    pub fn all_above(self) -> impl Iterator<Item = Fidelity> {
+        iter::successors(self.above(), |fidelity| fidelity.above())
     }
 
     /// A fidelity by its name.

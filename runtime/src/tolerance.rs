@@ -2,8 +2,10 @@
 //!
 //! Settings stand on a ladder from cheap to dear: the levels, and meshes of each. From the bottom up, each solves a few positions with
 //! estimates of all its errors, what its level leaves out among them; the first that keeps to the tolerance analyses the whole. What is
-//! found wanting says what to change: the level, the mesh, the contact grid. The whole analysis is judged by its own estimates, and where they
-//! miss the tolerance it is done again one better; so are positions doubled where too much lies between them.
+//! found wanting says what to change: the level, the mesh, the contact grid. Contact cells come first where they alone miss the tolerance: they are
+//! had cheapest at a low level, and so is the knowledge that no number of them will do. Levels that the scene cannot be had at are passed over. The
+//! whole analysis is judged by its own estimates, and where they miss the tolerance it is done again one better; so are positions doubled where too
+//! much lies between them. What is not estimated keeps to nothing.
 //!
 //! Choices depend on estimates alone, never on times, so that they are the same on every machine.
 
@@ -12,7 +14,7 @@ use crate::cache::OperatorCache;
 use crate::error::EngineError;
 use crate::estimate::{Estimates, Part, Statistics};
 use crate::results::{AnalysisResult, OutputRequest, OutputSummary};
-use crate::scene::{Fidelity, Scene, SurfacePair, Template};
+use crate::scene::{BodyModel, Fidelity, Scene, SurfacePair, Template};
 use std::borrow::Cow;
 use std::sync::Arc;
 
@@ -53,8 +55,19 @@ pub struct Tried {
     pub setting: Setting,
     /// Whether all positions were solved, or a few.
     pub whole: bool,
-    /// The output with the largest error by its name, and that error as a part of the output's largest magnitude.
+    /// The output with the largest error by its name, and that error as a part of the output's largest magnitude: infinite of one that has no value,
+    /// or no estimate.
     pub worst: (String, f64),
+}
+
+impl Tried {
+    /// The error in words.
+    fn error(&self) -> String {
+        match &self.worst {
+            (output, error) if error.is_finite() => format!("{} in `{output}`", percent(*error)),
+            (output, _) => format!("nothing to judge `{output}` by"),
+        }
+    }
 }
 
 /// What was chosen for a tolerance.
@@ -73,13 +86,11 @@ pub struct Chosen {
 impl Chosen {
     /// What was chosen, and why.
     pub fn describe(&self) -> String {
-        let error =
-            |Tried { worst: (output, error), .. }: &Tried| format!("{} in `{output}`", percent(*error));
         let mut text = format!("tolerance {}: took {}", percent(self.tolerance), self.setting.describe());
         if let Some((last, before)) = self.tried.split_last() {
-            text += &format!(", estimated to be within {}", error(last));
+            text += &format!(", estimated to be within {}", last.error());
             for missed in before.iter().filter(|tried| tried.worst.1 > self.tolerance) {
-                text += &format!("; {} has {}", missed.setting.describe(), error(missed));
+                text += &format!("; {} has {}", missed.setting.describe(), missed.error());
             }
         }
         if let Some(reason) = &self.level_unseen {
@@ -98,6 +109,8 @@ fn percent(part: f64) -> String {
 const SPREAD: usize = 4;
 /// Contact grids and positions are doubled so often at most.
 const DOUBLINGS: u32 = 3;
+/// What is left of the error of contact grids where their cells are doubled: estimates are from the same order.
+const LEFT_OF_GRID: f64 = 0.3;
 /// A part of the error that takes more than this of the tolerance is worth mending by itself.
 const SHARE: f64 = 0.5;
 /// Bytes of the structures that are kept while settings are compared, where nobody else keeps them.
@@ -138,17 +151,25 @@ pub fn quasi_static_within(
     };
     let refinement = meshes(options.fidelity)[0];
     let setting = Setting { fidelity: options.fidelity, refinement, cells: 1, positions: 1 };
-    let mut search = Search { tolerance, scene, outputs, options, setting, tried: Vec::new() };
+    let levels = options.fidelity.all_above().collect();
+    let mut search =
+        Search { tolerance, scene, outputs, options, setting, levels, missing: None, tried: Vec::new() };
     let few = few_of(positions);
+    let few_are_all = few.len() == positions.len();
+    // Whether a few positions have been compared by the setting, or need not be.
+    let mut compared = few_are_all;
     loop {
         observer.observe(Event::Stage("choosing"))?;
-        if search.attempt(&few, false, &mut ())?.is_none() {
+        if !compared && search.attempt(&few, false, &mut ())?.is_none() {
             continue;
         }
-        let all = (0..search.setting.positions.ilog2()).fold(positions.to_vec(), |all, _| doubled(&all));
+        let setting = search.setting;
+        let all = (0..setting.positions.ilog2()).fold(positions.to_vec(), |all, _| doubled(&all));
         if let Some(result) = search.attempt(&all, true, observer)? {
             return Ok(search.chosen(result));
         }
+        // More positions change nothing at the few.
+        compared = few_are_all || Setting { positions: setting.positions, ..search.setting } == setting;
     }
 }
 
@@ -172,7 +193,35 @@ struct Search<'a> {
     outputs: &'a [OutputRequest],
     options: AnalysisOptions,
     setting: Setting,
+    /// Above the setting's that the scene may be had at.
+    levels: Vec<Fidelity>,
+    /// The first that it cannot be had at, and why.
+    missing: Option<(Fidelity, EngineError)>,
     tried: Vec<Tried>,
+}
+
+/// Who is told, and whether it was they that ended an analysis.
+struct Heard<'a> {
+    observer: &'a mut dyn Observer,
+    refused: bool,
+}
+
+impl Observer for Heard<'_> {
+    fn observe(&mut self, event: Event<'_>) -> Result<(), EngineError> {
+        let heard = self.observer.observe(event);
+        self.refused |= heard.is_err();
+        heard
+    }
+}
+
+/// What is wrong with a setting, each as the largest part of an output's magnitude.
+#[derive(Clone, Copy, Debug)]
+struct Wanting {
+    /// Whether an output has no value at all.
+    values: bool,
+    level: f64,
+    grid: f64,
+    between: f64,
 }
 
 impl Search<'_> {
@@ -198,16 +247,20 @@ impl Search<'_> {
         if !whole {
             options.fields = 0;
         }
-        let result = match quasi_static(&scene, positions, self.outputs, &options, observer) {
+        let mut heard = Heard { observer, refused: false };
+        let result = match quasi_static(&scene, positions, self.outputs, &options, &mut heard) {
+            Err(error) if heard.refused => return Err(error),
             // The scene cannot be had at a level that nobody asked for.
-            Err(_) if fidelity != self.options.fidelity && options.resources.interrupt.check().is_ok() => {
-                return Err(self.refuse());
+            Err(error)
+                if fidelity != self.options.fidelity && options.resources.interrupt.check().is_ok() =>
+            {
+                return self.pass_over(error).map(|()| None);
             }
             result => result?,
         };
 
         let worst_in = |parts: &[Part]| {
-            let of = |summary: &OutputSummary| relative(summary, parts);
+            let of = |summary: &OutputSummary| relative(summary, parts, fidelity);
             let all = result.summaries.iter().map(of).enumerate();
             all.fold((0, 0.0), |worst, this| if this.1 > worst.1 { this } else { worst })
         };
@@ -220,39 +273,79 @@ impl Search<'_> {
         if error <= self.tolerance {
             return Ok(Some(result));
         }
-        let between = if whole { worst_in(&[Part::Positions]).1 } else { 0.0 };
-        self.better([worst_in(&[Part::Level]).1, worst_in(&[Part::ContactGrid]).1, between])?;
-        Ok(None)
+        let wanting = Wanting {
+            values: result.summaries.iter().any(|summary| !summary.max.is_finite()),
+            level: worst_in(&[Part::Level]).1,
+            grid: worst_in(&[Part::ContactGrid]).1,
+            between: if whole { worst_in(&[Part::Positions]).1 } else { 0.0 },
+        };
+        self.better(wanting).map(|()| None)
     }
 
-    /// A better setting, by the errors of the level, of contact grids and between positions.
-    fn better(&mut self, [level, grid, between]: [f64; 3]) -> Result<(), EngineError> {
-        let setting = &mut self.setting;
-        let finer = meshes(setting.fidelity).iter().copied().find(|&finer| finer > setting.refinement);
-        let next = setting.fidelity.above();
+    /// A better setting, by what is wrong with this one.
+    fn better(&mut self, Wanting { values, level, grid, between }: Wanting) -> Result<(), EngineError> {
+        let Setting { fidelity, refinement, cells, positions } = self.setting;
+        let finer = meshes(fidelity).iter().copied().find(|&finer| finer > refinement);
+        let next = self.levels.first().copied();
         let worth = SHARE * self.tolerance;
-        let room = |doubled: usize| doubled < 1 << DOUBLINGS;
+        // How often cells and positions may be doubled yet.
+        let [cells_left, positions_left] =
+            [cells, positions].map(|count| DOUBLINGS.saturating_sub(count.ilog2()));
+        let least = grid * LEFT_OF_GRID.powi(cells_left as i32);
         match (finer, next) {
-            _ if between > worth && room(setting.positions) => setting.positions *= 2,
-            (_, Some(next)) if level > self.tolerance => {
-                (setting.fidelity, setting.refinement) = (next, meshes(next)[0]);
-            }
-            _ if grid > worth && room(setting.cells) => setting.cells *= 2,
-            (Some(finer), _) => setting.refinement = finer,
-            (None, Some(next)) => (setting.fidelity, setting.refinement) = (next, meshes(next)[0]),
+            (_, Some(_)) if values => self.rise()?,
+            _ if values => return Err(self.refuse()),
+            _ if between > worth && positions_left > 0 => self.setting.positions *= 2,
+            _ if between > self.tolerance => return Err(self.refuse()),
+            _ if grid.is_finite() && least > self.tolerance => return Err(self.refuse()),
+            _ if grid > self.tolerance && cells_left > 0 => self.setting.cells *= 2,
+            (_, Some(_)) if level > self.tolerance => self.rise()?,
+            _ if grid > worth && cells_left > 0 => self.setting.cells *= 2,
+            (Some(finer), _) => self.setting.refinement = finer,
+            (None, Some(_)) => self.rise()?,
             (None, None) => return Err(self.refuse()),
         }
         Ok(())
     }
 
+    /// To the next level, with its coarsest mesh.
+    fn rise(&mut self) -> Result<(), EngineError> {
+        if self.levels.is_empty() {
+            return Err(self.refuse());
+        }
+        let fidelity = self.levels.remove(0);
+        let Setting { cells, positions, .. } = self.setting;
+        self.setting = Setting { fidelity, refinement: meshes(fidelity)[0], cells, positions };
+        Ok(())
+    }
+
+    /// The scene cannot be had at the setting's level: the next above it is tried; where there is none, the finest mesh below.
+    fn pass_over(&mut self, error: EngineError) -> Result<(), EngineError> {
+        let Setting { fidelity, cells, positions, .. } = self.setting;
+        self.missing.get_or_insert((fidelity, error));
+        if !self.levels.is_empty() {
+            return self.rise();
+        }
+        let before = self.tried.last().map(|tried| tried.setting);
+        let finer = before.and_then(|Setting { fidelity, refinement, .. }| {
+            let refinement = meshes(fidelity).iter().copied().find(|&finer| finer > refinement)?;
+            Some(Setting { fidelity, refinement, cells, positions })
+        });
+        self.setting = finer.ok_or_else(|| self.refuse())?;
+        Ok(())
+    }
+
     fn refuse(&self) -> EngineError {
         let best = self.tried.iter().min_by(|a, b| a.worst.1.total_cmp(&b.worst.1));
-        let best = best.map_or_else(String::new, |Tried { setting, worst: (output, error), .. }| {
-            format!(": the best is {} with {} in `{output}`", setting.describe(), percent(*error))
+        let mut told = best.map_or_else(String::new, |tried| {
+            format!(": the best is {} with {}", tried.setting.describe(), tried.error())
         });
+        if let Some((fidelity, error)) = &self.missing {
+            told += &format!("; \"{}\" cannot be had ({}: {})", fidelity.name(), error.code, error.message);
+        }
         EngineError::new(
             "E0792",
-            format!("no setting is estimated to keep to a tolerance of {}{best}", percent(self.tolerance)),
+            format!("no setting is estimated to keep to a tolerance of {}{told}", percent(self.tolerance)),
             "ask for less, or take out of the model what cannot be had so exactly",
         )
         .blame("tolerance")
@@ -276,13 +369,26 @@ impl Search<'_> {
     }
 }
 
-/// The largest error of extremes and mean in some parts, as a part of the largest magnitude.
-fn relative(summary: &OutputSummary, parts: &[Part]) -> f64 {
+/// The largest error of extremes and mean in some parts, as a part of the largest magnitude; infinite of what is not known to keep to anything.
+fn relative(summary: &OutputSummary, parts: &[Part], fidelity: Fidelity) -> f64 {
     // An output without a value keeps to nothing.
     let Some(error) = summary.error.as_ref().filter(|_| summary.max.is_finite() && summary.min.is_finite())
     else {
         return f64::INFINITY;
     };
+    let is_missing = |(part, _): &(Part, String)| {
+        let needed = match part {
+            Part::Discretization | Part::ContactGrid | Part::TimeStep => true,
+            // A single position has nothing beside it.
+            Part::Positions => false,
+            // Meshes may be all that a scene can be had by; what has none is not to be trusted by itself.
+            Part::Level => fidelity.body_model() != BodyModel::Elements,
+        };
+        needed && parts.contains(part)
+    };
+    if error.not_estimated.iter().any(is_missing) {
+        return f64::INFINITY;
+    }
     let Statistics { min, max, mean, .. } = error.within(parts);
     let error = min.max(max).max(mean);
     if error == 0.0 { 0.0 } else { error / summary.max.abs().max(summary.min.abs()) }

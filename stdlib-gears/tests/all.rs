@@ -33,4 +33,5 @@ mod solid_compliance;
 mod solid_meshes;
 mod solid_ridges;
 mod templates;
+mod tolerances;
 mod tooth_compliance;

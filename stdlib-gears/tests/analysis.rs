@@ -9,11 +9,12 @@ use calyx_gears::prototype::GearPrototype;
 use calyx_runtime::analysis::{AnalysisOptions, Position, Steps, mesh_cycle, quasi_static};
 use calyx_runtime::cache::{CacheCounts, OperatorCache, Store};
 use calyx_runtime::error::EngineError;
+use calyx_runtime::estimate::Estimates;
 use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::load::Wrench;
 use calyx_runtime::plan::Plan;
 use calyx_runtime::resources::Resources;
-use calyx_runtime::results::{OutputRequest, StructureCounts};
+use calyx_runtime::results::{OutputRequest, Solved, StructureCounts};
 use calyx_runtime::scene::{BodyModel, Fidelity, ObservableId, Prototype, Scene, StructureOptions, Template};
 use calyx_runtime::structure::Chart;
 use calyx_runtime::structure::solid::{SolidStructure, Spot, SpotLoad};
@@ -166,6 +167,50 @@ fn the_number_of_threads_changes_no_bit() {
     });
     assert_eq!(one, two);
     assert_eq!(one, eight);
+}
+
+/// With estimates of errors, on some threads and with what an earlier run solved.
+fn estimating(threads: usize, solved: Vec<Solved>, resources: Resources) -> AnalysisOptions {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
+    let resources = Resources { pool: Some(Arc::new(pool)), ..resources };
+    AnalysisOptions { error_estimates: Estimates::Cheap, solved, ..options(resources) }
+}
+
+#[test]
+fn neither_threads_nor_a_resume_change_a_bit_of_estimates() {
+    let of = |threads, solved| EDGES.bits(&estimating(threads, solved, Resources::default()));
+    let one = of(1, Vec::new());
+    assert!(one.contains("Discretization") && one.contains("ContactGrid"), "{one}");
+    assert_eq!(of(2, Vec::new()), one);
+    assert_eq!(of(8, Vec::new()), one);
+    let mut steps = EDGES.steps(&estimating(2, Vec::new(), Resources::default())).expect("structures");
+    let first = steps.next().expect("a position").expect("equilibrium");
+    assert_eq!(of(2, vec![first]), one);
+}
+
+/// Whoever ends a run while errors are estimated gets their own error, not a result that says less.
+#[test]
+fn an_interrupt_ends_estimates() {
+    let cache = Arc::new(OperatorCache::new(usize::MAX));
+    let with = |interrupt| Resources { interrupt, cache: Some(cache.clone()), ..Resources::default() };
+    let expected = EDGES.bits(&estimating(1, Vec::new(), with(Interrupt::never())));
+    let asked = |options: AnalysisOptions, asked: Arc<AtomicUsize>| {
+        EDGES.bits(&options);
+        asked.load(Ordering::Relaxed)
+    };
+    let (interrupt, counter) = stopping_at(usize::MAX);
+    let of_positions = asked(options(with(interrupt)), counter);
+    let (interrupt, counter) = stopping_at(usize::MAX);
+    let of_all = asked(estimating(1, Vec::new(), with(interrupt)), counter);
+    assert!(of_all > of_positions + 10, "{of_positions} {of_all}");
+    for part in 1..=8 {
+        let last = of_positions + (of_all - of_positions) * part / 8;
+        let (interrupt, _) = stopping_at(last);
+        let steps =
+            EDGES.steps(&estimating(1, Vec::new(), with(interrupt))).expect("structures that are kept");
+        assert_eq!(bits(steps), Err(enough()), "at checkpoint {last} of {of_all}");
+    }
+    assert_eq!(EDGES.bits(&estimating(1, Vec::new(), with(Interrupt::never()))), expected);
 }
 
 /// Structures made on any number of threads, or taken from disk, and positions solved on as many.

@@ -6,15 +6,20 @@ use crate::error::EngineError;
 use crate::plan::Plan;
 use crate::resources::Resources;
 use crate::results::{OutputRequest, StepRow};
-use crate::scene::{BodyModel, Fidelity, Scene, StructureOptions, SurfacePair, Template};
+use crate::scene::{BodyModel, Fidelity, Scene, StructureOptions, SurfacePair};
 use crate::system::System;
 use rayon::prelude::*;
 
 /// Elements of a sibling's mesh in the plane along every direction to those of the run.
 const COARSER: f64 = 0.45;
+/// Meshes in the plane up to this refinement are judged by one with so many times the elements along every direction.
+const COARSE: f64 = 0.5;
+const FINER: f64 = 2.0;
+/// What the difference from a finer mesh is multiplied by: between orders one and two.
+const OF_FINER_MESH: f64 = 1.5;
 /// Order of displacements along the face of a sibling whose model leaves it open: one less than templates have.
 const AXIAL_ORDER: usize = 2;
-/// What the difference of outputs between both meshes is multiplied by, of deflections and forces and of stresses: in the plane, where
+/// What the difference from the coarser mesh is multiplied by, of deflections and forces and of stresses: in the plane, where
 /// elements of order three would have less by theory (corners, and elements that come in whole numbers, make it so much); and in space, where
 /// orders differ, and stresses of few elements come near by chance.
 const OF_MESH: [[f64; 2]; 2] = [[0.5, 0.2], [0.55, 1.2]];
@@ -72,14 +77,17 @@ pub(crate) fn quasi_static_siblings(
         _ => (scene, &own),
     };
     let fidelity = judged.plan.fidelity;
-    let structure = coarser_mesh(fidelity, judged.structure);
+    let other = OtherMesh::than(fidelity, judged.structure);
     let meshed = (fidelity.body_model() == BodyModel::Elements)
-        .then(|| part_of(judged.sibling(compared, fidelity, structure, &samples)))
+        .then(|| part_of(judged.sibling(compared, fidelity, other.structure, &samples)))
         .transpose()?;
 
     let of_mesh = |output: usize| {
         let stress = is_stress(&judged.outputs[output], &scene.observables);
-        OF_MESH[usize::from(judged.plan.in_space)][usize::from(stress)]
+        match other.is_finer {
+            true => OF_FINER_MESH,
+            false => OF_MESH[usize::from(judged.plan.in_space)][usize::from(stress)],
+        }
     };
     let mut found = Vec::new();
     // Levels without a mesh have none to be wrong, and rigid bodies no pressure.
@@ -89,16 +97,8 @@ pub(crate) fn quasi_static_siblings(
     if fidelity != Fidelity::Rigid {
         found.push(judged.found(Part::ContactGrid, &samples, on_coarse.clone(), &own, |_| OF_GRID));
     }
-    // What closed forms leave out in space, elements in space have.
-    let next = match fidelity {
-        Fidelity::Analytic if judged.plan.in_space => Some(Fidelity::Solid(Template::default())),
-        _ => fidelity.above(),
-    };
-    let level = match (estimates, next) {
-        (Estimates::Full, Some(fidelity)) => {
-            part_of(judged.sibling(scene, fidelity, judged.structure, &samples))?
-        }
-        (Estimates::Full, None) => Err("there is no level above this one".to_owned()),
+    let level = match estimates {
+        Estimates::Full => judged.level_above(&samples)?,
         _ => Err("the level above costs more than the run: \"full\" estimates have it".to_owned()),
     };
     found.push(judged.found(Part::Level, &samples, level, &own, |_| 1.0));
@@ -153,6 +153,29 @@ impl Judged<'_, '_> {
         self.solve(&system, &plan, samples)
     }
 
+    /// The samples at the next level that the scene can be had at, or why there is none.
+    fn level_above(&self, samples: &[usize]) -> Result<Result<Values, String>, EngineError> {
+        let own = self.plan.fidelity;
+        // What closed forms leave out in space, elements in space have.
+        let in_space = own == Fidelity::Analytic && self.plan.in_space;
+        let mut refused = None;
+        for fidelity in own.all_above().filter(|above| !in_space || matches!(above, Fidelity::Solid(_))) {
+            // In space elements are eight times as many for twice as many along every direction: what the plane can afford is no measure.
+            let refinement = match (own, fidelity) {
+                (Fidelity::Solid(_), _) | (_, Fidelity::Rigid | Fidelity::Analytic | Fidelity::Plane) => {
+                    self.structure.refinement
+                }
+                (_, Fidelity::Solid(_)) => self.structure.refinement.min(1.0),
+            };
+            let structure = StructureOptions { refinement, ..self.structure };
+            match part_of(self.sibling(self.system.scene, fidelity, structure, samples))? {
+                Ok(values) => return Ok(Ok(values)),
+                Err(reason) => refused = refused.or(Some(reason)),
+            }
+        }
+        Ok(Err(refused.unwrap_or_else(|| "there is no level above this one".to_owned())))
+    }
+
     fn solve(&self, system: &System<'_>, plan: &Plan, samples: &[usize]) -> Result<Values, Failed> {
         let solve = |row: &usize| {
             self.resources.interrupt.check()?;
@@ -194,16 +217,28 @@ impl Judged<'_, '_> {
     }
 }
 
-/// A mesh that is worth less: in the plane of fewer elements, in space of elements of a lower order, for meshes there have as few elements
-/// as they can.
-fn coarser_mesh(fidelity: Fidelity, structure: StructureOptions) -> StructureOptions {
-    match fidelity {
-        Fidelity::Solid(_) if structure.order > 1 => StructureOptions {
-            order: structure.order - 1,
-            axial_order: Some(structure.axial_order.map_or(AXIAL_ORDER, |order| (order - 1).max(1))),
-            ..structure
-        },
-        _ => StructureOptions { refinement: COARSER * structure.refinement, ..structure },
+/// A mesh to compare with.
+struct OtherMesh {
+    structure: StructureOptions,
+    is_finer: bool,
+}
+
+impl OtherMesh {
+    /// One that is worth less: in the plane of fewer elements, in space of elements of a lower order, for meshes there have as few elements as
+    /// they can. A plane mesh that is coarse itself would leave too few elements to tell anything; a finer one costs little.
+    fn than(fidelity: Fidelity, structure: StructureOptions) -> OtherMesh {
+        let (structure, is_finer) = match fidelity {
+            Fidelity::Solid(_) if structure.order > 1 => {
+                let axial_order = structure.axial_order.map_or(AXIAL_ORDER, |order| (order - 1).max(1));
+                let axial_order = Some(axial_order);
+                (StructureOptions { order: structure.order - 1, axial_order, ..structure }, false)
+            }
+            Fidelity::Plane if structure.refinement <= COARSE => {
+                (StructureOptions { refinement: FINER * structure.refinement, ..structure }, true)
+            }
+            _ => (StructureOptions { refinement: COARSER * structure.refinement, ..structure }, false),
+        };
+        OtherMesh { structure, is_finer }
     }
 }
 

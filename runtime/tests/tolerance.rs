@@ -1,0 +1,187 @@
+//! Tolerances of a roller between plates, whose levels and meshes are cheap: what is taken, whether it keeps to them, and what cannot be had.
+
+use calyx_runtime::analysis::{AnalysisOptions, Event, Observer, Position, quasi_static};
+use calyx_runtime::cache::Key;
+use calyx_runtime::disc::{Disc, Facing, Platen};
+use calyx_runtime::error::EngineError;
+use calyx_runtime::interrupt::Interrupt;
+use calyx_runtime::load::Wrench;
+use calyx_runtime::material::Material;
+use calyx_runtime::motion::SteadyRotation;
+use calyx_runtime::observe::{Displacement, MaxContactPressure};
+use calyx_runtime::resources::Resources;
+use calyx_runtime::results::{AnalysisResult, OutputRequest};
+use calyx_runtime::scene::{
+    Body, BodyModel, Component, Fidelity, Prototype, Scene, StructureOptions, SurfacePair,
+};
+use calyx_runtime::structure::Structure;
+use calyx_runtime::tolerance::quasi_static_within;
+use std::sync::{Arc, Mutex};
+
+const RADIUS: f64 = 0.02;
+const WIDTH: f64 = 0.01;
+const DISC: Disc = Disc::new(RADIUS, WIDTH, Material::STEEL);
+
+/// A disc that tells with which options it was built.
+#[derive(Default)]
+struct Counted {
+    built: Mutex<Vec<StructureOptions>>,
+}
+
+impl Prototype for Counted {
+    fn build(
+        &self,
+        options: &StructureOptions,
+        interrupt: &Interrupt,
+    ) -> Result<Arc<dyn Structure>, EngineError> {
+        if options.model == BodyModel::Elements {
+            self.built.lock().expect("nothing panics under the lock").push(*options);
+        }
+        DISC.build(options, interrupt)
+    }
+
+    fn key(&self, options: &StructureOptions) -> Option<Key> {
+        DISC.key(options)
+    }
+
+    fn enclosing_radius(&self) -> f64 {
+        DISC.enclosing_radius()
+    }
+
+    fn face_width(&self) -> f64 {
+        DISC.face_width()
+    }
+}
+
+/// A roller that a plate of some length presses on another: how far the plate goes down, and the largest pressure.
+fn squeezed(plate: f64) -> (Scene, Vec<OutputRequest>, Arc<Counted>) {
+    let roller: Arc<Counted> = Arc::default();
+    let at = |y: f64| SteadyRotation::at_rest([0.0, y]);
+    let platen = |length, facing| Arc::new(Platen::new(length, WIDTH, facing));
+    let up = &[Component::Uy];
+    let mut scene = Scene::default();
+    let disc = scene.add_body(Body::new("roller", roller.clone(), at(0.0)).free_in(up));
+    let table = scene.add_body(Body::new("table", platen(2.0 * RADIUS, Facing::Up), at(-RADIUS)));
+    let press = Body::new("press", platen(plate, Facing::Down), at(RADIUS));
+    let load = Wrench::of_force([0.0, -2e4, 0.0]);
+    let press = scene.add_body(press.free_in(up).loaded(load));
+    let pressed = scene.add_pair(SurfacePair::new([disc, press], [Disc::TOP, Platen::SURFACE]));
+    scene.add_pair(SurfacePair::new([disc, table], [Disc::BOTTOM, Platen::SURFACE]));
+    let outputs = vec![
+        OutputRequest::observing("approach", scene.observe(Displacement(press, 1))),
+        OutputRequest::observing("pressure", scene.observe(MaxContactPressure(pressed))),
+    ];
+    (scene, outputs, roller)
+}
+
+const LONG: f64 = 2.0 * RADIUS;
+
+fn from(fidelity: Fidelity) -> AnalysisOptions {
+    AnalysisOptions { fidelity, ..AnalysisOptions::default() }
+}
+
+/// The values at the only position.
+fn values(result: &AnalysisResult) -> Vec<f64> {
+    result.rows[0].outputs.iter().map(|output| output.value).collect()
+}
+
+/// Rigid bodies do not approach at all, a disc has no closed form and no model in space: nothing but a mesh in the plane will do. Whatever
+/// the tolerance, what is taken is within it of a run with many times the elements and cells, and a tighter one takes more.
+#[test]
+fn what_is_taken_keeps_to_the_tolerance_and_a_tighter_one_takes_more() {
+    let (mut scene, outputs, _) = squeezed(LONG);
+    let at = [Position::at(0.0)];
+    let within = |tolerance: f64| {
+        quasi_static_within(tolerance, &scene, &at, &outputs, &from(Fidelity::Rigid), &mut ())
+            .expect("it can be had")
+    };
+    let [loose, tight] = [0.02, 2e-4].map(|tolerance| (tolerance, within(tolerance)));
+    let mut finest = from(Fidelity::Plane);
+    finest.structure.refinement = 3.0;
+    scene.pairs.iter_mut().for_each(|pair| pair.grid.half_cells = Some(300));
+    let exact = values(&quasi_static(&scene, &at, &outputs, &finest, &mut ()).expect("equilibrium"));
+    let mut effort = Vec::new();
+    for (tolerance, result) in [loose, tight] {
+        for (value, exact) in values(&result).iter().zip(&exact) {
+            assert!((value / exact - 1.0).abs() <= tolerance, "{tolerance}: {value} {exact}");
+        }
+        let chosen = result.chosen.expect("something was chosen");
+        println!("{}", chosen.describe());
+        assert_eq!(chosen.setting.fidelity, Fidelity::Plane);
+        assert_eq!(
+            (chosen.tried[0].setting.fidelity, chosen.tried[0].worst.1),
+            (Fidelity::Rigid, f64::INFINITY)
+        );
+        assert!(chosen.tried.last().is_some_and(|tried| tried.whole && tried.worst.1 <= tolerance));
+        assert!(chosen.level_unseen.is_some_and(|reason| reason.starts_with("E0690")));
+        effort.push(chosen.setting.refinement * chosen.setting.cells as f64);
+    }
+    assert!(effort[1] > effort[0], "{effort:?}");
+}
+
+/// All that rigid plates tell of a roller is that it does not give: with no level beside them to say how wrong that is, it is not taken.
+#[test]
+fn a_level_that_nothing_judges_is_not_taken() {
+    let (scene, outputs, _) = squeezed(LONG);
+    let at = [Position::at(0.0)];
+    let options = from(Fidelity::Rigid);
+    let result =
+        quasi_static_within(0.05, &scene, &at, &outputs[..1], &options, &mut ()).expect("it can be had");
+    assert_eq!(result.plan.fidelity, Fidelity::Plane);
+    assert!(values(&result)[0] < -1e-6);
+}
+
+#[test]
+fn no_structure_is_condensed_twice() {
+    let (scene, outputs, roller) = squeezed(LONG);
+    let at = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0].map(Position::at);
+    let options = from(Fidelity::Plane);
+    let result = quasi_static_within(1e-3, &scene, &at, &outputs, &options, &mut ()).expect("it can be had");
+    assert!(result.chosen.is_some_and(|chosen| chosen.tried.len() > 1));
+    let built = roller.built.lock().expect("nothing panics under the lock");
+    for (index, options) in built.iter().enumerate() {
+        assert!(!built[..index].contains(options), "{options:?} twice");
+    }
+}
+
+/// The pressure under the end of a short plate is infinite, and a thousandth of a millionth is more than any grid has. Either is found out
+/// before anything dear is tried.
+#[test]
+fn what_cannot_be_had_is_refused_by_name() {
+    for (plate, tolerance) in [(1e-4, 0.01), (LONG, 1e-9)] {
+        let (scene, outputs, roller) = squeezed(plate);
+        let at = [Position::at(0.0)];
+        let options = from(Fidelity::Plane);
+        let refused = quasi_static_within(tolerance, &scene, &at, &outputs, &options, &mut ());
+        let error =
+            refused.err().unwrap_or_else(|| panic!("{tolerance} of a plate of {plate} cannot be had"));
+        assert_eq!((error.code, error.argument), ("E0792", Some("tolerance")), "{}", error.message);
+        assert!(error.message.contains("the best is \"plane\""), "{}", error.message);
+        assert!(plate == LONG || error.message.contains("`pressure`"), "{}", error.message);
+        assert!(roller.built.lock().expect("nothing panics under the lock").len() <= 2);
+    }
+}
+
+/// Results that cannot be written end the run, whatever level is being tried.
+#[test]
+fn an_observer_ends_the_search() {
+    struct Full;
+    impl Observer for Full {
+        fn observe(&mut self, event: Event<'_>) -> Result<(), EngineError> {
+            match event {
+                Event::Step { .. } => Err(EngineError::new("E0712", "the results cannot be written", "")),
+                _ => Ok(()),
+            }
+        }
+    }
+    let (scene, outputs, _) = squeezed(LONG);
+    let at = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0].map(Position::at);
+    let ended = quasi_static_within(0.05, &scene, &at, &outputs, &from(Fidelity::Rigid), &mut Full);
+    assert_eq!(ended.err().map(|error| error.code), Some("E0712"));
+    // So does whoever interrupts it.
+    let stopped = Interrupt::new(|| Err(EngineError::new("E0704", "the run was cancelled", "")));
+    let resources = Resources { interrupt: stopped, ..Resources::default() };
+    let options = AnalysisOptions { resources, ..from(Fidelity::Rigid) };
+    let ended = quasi_static_within(0.05, &scene, &at, &outputs, &options, &mut ());
+    assert_eq!(ended.err().map(|error| error.code), Some("E0704"));
+}

@@ -1,0 +1,43 @@
+//! A tolerance chooses among the levels of a pair of gears: a loose one takes a cheap level, a tight one a dear one, and both keep to it.
+
+use crate::chapter_5_in_space::pair::{PLAIN, Pair};
+use crate::common::resources;
+use calyx_runtime::analysis::{AnalysisOptions, mesh_cycle, quasi_static};
+use calyx_runtime::results::AnalysisResult;
+use calyx_runtime::scene::Fidelity;
+use calyx_runtime::tolerance::quasi_static_within;
+
+/// Transmission error and root stress at few positions, to a tolerance from the cheapest level up, or at a level as it is.
+fn analyse(pair: &Pair, tolerance: Option<f64>, fidelity: &str) -> AnalysisResult {
+    let (scene, cycle, outputs) = pair.scene();
+    let outputs = outputs.into_iter().filter(|output| ["te", "pinion"].contains(&output.name.as_str()));
+    let outputs: Vec<_> = outputs.collect();
+    let options = AnalysisOptions {
+        fidelity: Fidelity::named(fidelity).expect("a fidelity"),
+        resources: resources(),
+        ..AnalysisOptions::default()
+    };
+    let positions = mesh_cycle(&cycle, 2);
+    let result = match tolerance {
+        Some(part) => quasi_static_within(part, &scene, &positions, &outputs, &options, &mut ()),
+        None => quasi_static(&scene, &positions, &outputs, &options, &mut ()),
+    };
+    result.expect("it can be had")
+}
+
+#[test]
+fn a_loose_tolerance_takes_closed_forms_and_a_tight_one_elements() {
+    for (tolerance, expected) in [(0.3, "analytic"), (0.06, "plane")] {
+        let result = analyse(&PLAIN, Some(tolerance), "rigid");
+        let chosen = result.chosen.clone().expect("something was chosen");
+        println!("{}", chosen.describe());
+        assert_eq!(chosen.setting.fidelity.name(), expected);
+        let exact = analyse(&PLAIN, None, "medium");
+        for (own, exact) in result.summaries.iter().zip(&exact.summaries) {
+            let off = (own.max - exact.max).abs().max((own.min - exact.min).abs());
+            let scale = exact.max.abs().max(exact.min.abs());
+            println!("{tolerance}: {:.2e}", off / scale);
+            assert!(off <= tolerance * scale, "{tolerance}: {off} of {scale}");
+        }
+    }
+}
