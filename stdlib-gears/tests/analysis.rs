@@ -301,10 +301,7 @@ fn going_on_behind_an_earlier_run_gives_the_result_of_one_that_was_not_interrupt
         }
         // As a journal on disk keeps them.
         let journal = serde_json::to_string(&solved).expect("plain data");
-        assert_eq!(
-            serde_json::from_str::<Vec<calyx_runtime::results::Solved>>(&journal).ok(),
-            Some(solved.clone())
-        );
+        assert_eq!(serde_json::from_str::<Vec<Solved>>(&journal).ok(), Some(solved.clone()));
 
         let mut foreign = solved;
         foreign[1].row.position.time = foreign[1].row.position.time.next_up();

@@ -65,7 +65,20 @@ struct Case {
 
 /// What the mechanism misses today: case, output, statistic, and why.
 type Missed = (&'static str, &'static str, &'static str, &'static str);
-const MISSED: [Missed; 0] = [];
+const MISSED: [Missed; 2] = [
+    (
+        "coarse mesh of order 2",
+        "stiffness",
+        "max",
+        "twice the elements of order 2 are still far from their limit",
+    ),
+    (
+        "little load",
+        "stiffness",
+        "max",
+        "mesh and contact cells of siblings cancel where a narrow patch ends",
+    ),
+];
 
 /// Errors below this part of the largest magnitude count as none.
 const FLOOR: f64 = 1e-3;
@@ -91,7 +104,7 @@ fn wrong(pair: &Pair, finer: &Setting, cases: &[Case]) -> Vec<String> {
             let of = |Statistics { min, max, mean, peak_to_peak }: Statistics| [min, max, mean, peak_to_peak];
             let scale = exact.max.abs().max(exact.min.abs());
             let told = |(part, errors): &(Part, Statistics)| {
-                format!("{} {:.1e?}", part.name(), of(*errors).map(|error| error / scale))
+                format!("{} {:?}", part.name(), of(*errors).map(|error| error / scale))
             };
             let told: Vec<String> = error.parts.iter().map(told).collect();
             let statistics = [
