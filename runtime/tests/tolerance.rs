@@ -170,14 +170,14 @@ fn what_cannot_be_had_is_refused_by_name() {
     }
 }
 
-/// Results that cannot be written end the run, whatever level is being tried.
+/// Whoever takes the results may end the run, whatever level is being tried.
 #[test]
 fn an_observer_ends_the_search() {
     struct Full;
     impl Observer for Full {
         fn observe(&mut self, event: Event<'_>) -> Result<(), EngineError> {
             match event {
-                Event::Step { .. } => Err(EngineError::new("E0712", "the results cannot be written", "")),
+                Event::Step { .. } => Err(EngineError::new("E0704", "nobody takes steps any more", "")),
                 _ => Ok(()),
             }
         }
@@ -185,7 +185,7 @@ fn an_observer_ends_the_search() {
     let (scene, outputs, _) = squeezed(LONG);
     let at = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0].map(Position::at);
     let ended = quasi_static_within(0.05, &scene, &at, &outputs, &from(Fidelity::Rigid), &mut Full);
-    assert_eq!(ended.err().map(|error| error.code), Some("E0712"));
+    assert_eq!(ended.err().map(|error| error.code), Some("E0704"));
     // So does whoever interrupts it.
     let stopped = Interrupt::new(|| Err(EngineError::new("E0704", "the run was cancelled", "")));
     let resources = Resources { interrupt: stopped, ..Resources::default() };
