@@ -8,7 +8,7 @@
 //! What lies between positions is told by the positions ([`sampling`]).
 //!
 //! Orders and factors are measured (`cargo bench -p calyx-gears --bench convergence`), and what comes of them is tested: estimate over true
-//! error, the effectivity, over a suite of models (`stdlib-gears/tests/estimates.rs`).
+//! error, the effectivity (`stdlib-gears/tests/estimates.rs`).
 
 mod sampling;
 mod siblings;
