@@ -39,6 +39,11 @@ impl Estimates {
     pub const ALL: [(&'static str, Estimates); 3] =
         [("none", Estimates::None), ("cheap", Estimates::Cheap), ("full", Estimates::Full)];
 
+    /// As models call it.
+    pub fn name(self) -> &'static str {
+        Estimates::ALL.into_iter().find(|(_, known)| *known == self).map_or("", |(name, _)| name)
+    }
+
     /// By its name.
     pub fn named(name: &str) -> Option<Estimates> {
         Estimates::ALL.into_iter().find(|(known, _)| *known == name).map(|(_, estimates)| estimates)

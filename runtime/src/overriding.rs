@@ -4,6 +4,7 @@
 
 use crate::analysis::Position;
 use crate::error::EngineError;
+use crate::estimate::Estimates;
 use crate::scene::{Fidelity, Scene, StructureOptions};
 
 /// What takes the place of what a model says of its analysis; `None` leaves it to the model.
@@ -25,6 +26,8 @@ pub struct Override {
     pub cells_along: Option<usize>,
     /// Of the positions without a name every so many are analysed, from the first on; those with one always.
     pub every: Option<usize>,
+    /// Which errors are estimated.
+    pub error_estimates: Option<Estimates>,
 }
 
 /// The contact grids of a scene at a level: M across, and N along the face, where there are slices.
@@ -75,6 +78,13 @@ impl Override {
                     return refuse(format!("choose one of {}", Fidelity::ALL.map(Fidelity::name).join(", ")));
                 }
             },
+            "error_estimates" => match Estimates::named(text) {
+                Some(estimates) => self.error_estimates = Some(estimates),
+                None => {
+                    let known = Estimates::ALL.map(|(name, _)| name);
+                    return refuse(format!("choose one of {}", known.join(", ")));
+                }
+            },
             "refinement" => {
                 let [low, high] = REFINEMENTS;
                 match text.parse::<f64>() {
@@ -88,8 +98,10 @@ impl Override {
             }
             _ => {
                 let Some((_, [low, high])) = RANGES.iter().find(|(known, _)| *known == name) else {
-                    let known: Vec<&str> =
-                        ["fidelity", "refinement"].into_iter().chain(RANGES.map(|(name, _)| name)).collect();
+                    let known: Vec<&str> = ["fidelity", "refinement", "error_estimates"]
+                        .into_iter()
+                        .chain(RANGES.map(|(name, _)| name))
+                        .collect();
                     return Err(EngineError::new(
                         "E0795",
                         format!("an analysis has no knob called `{name}`"),
@@ -130,6 +142,7 @@ impl Override {
             ("cells", count(self.cells)),
             ("cells_along", count(self.cells_along)),
             ("every", count(self.every)),
+            ("error_estimates", self.error_estimates.map(|estimates| estimates.name().to_owned())),
         ];
         all.into_iter().filter_map(|(name, value)| Some((name, value?))).collect()
     }
@@ -137,6 +150,11 @@ impl Override {
     /// Whether nothing is turned.
     pub fn is_none(&self) -> bool {
         *self == Override::default()
+    }
+
+    /// Whether the setting itself is the model's, whatever is told of its errors.
+    pub fn keeps_setting(&self) -> bool {
+        Override { error_estimates: None, ..*self }.is_none()
     }
 
     /// The mesh of a model that asks for `own`.
@@ -202,6 +220,7 @@ mod tests {
             ("cells", "6"),
             ("cells_along", "7"),
             ("every", "3"),
+            ("error_estimates", "full"),
         ];
         all.iter().for_each(|(name, text)| knobs.set(name, text).unwrap());
         assert_eq!(knobs.turned(), all.map(|(name, text)| (name, text.to_owned())));
@@ -231,6 +250,7 @@ mod tests {
             ("cells", "2.5"),
             ("cells_along", "-1"),
             ("every", "x"),
+            ("error_estimates", "some"),
             ("torque", "1"),
         ] {
             let error = knobs.set(name, text).expect_err(name);

@@ -153,6 +153,7 @@ calyx_abi::externs! {
         let host = host(context)?;
         let overrides = host.overrides;
         let fidelity = overrides.fidelity.unwrap_or(own_fidelity);
+        let error_estimates = overrides.error_estimates.unwrap_or(error_estimates);
         let asked = host.asked.is_some() && host.checking;
         if asked || host.result.is_some() {
             return Err(RuntimeError::new("E0680", "the model has a second analysis, and a run holds the results of one",
@@ -195,8 +196,7 @@ calyx_abi::externs! {
             }
         }
         // Who turns knobs from outside wants that setting and no other.
-        let chosen_outside = overrides != Default::default();
-        let tolerance = Some(tolerance).filter(|&tolerance| tolerance != 0.0 && !chosen_outside);
+        let tolerance = Some(tolerance).filter(|&tolerance| tolerance != 0.0 && overrides.keeps_setting());
         if host.checking { Ok(()) } else { analyze(host, &how, tolerance, &options) }
     }
 }

@@ -36,6 +36,9 @@ pub struct OverrideArguments {
     /// Analyse every COUNT-th of the positions only, and those that have a name
     #[arg(long, value_name = "COUNT", value_parser = |text: &str| knob("every", text))]
     every: Option<Turned>,
+    /// Estimate errors of outputs: none, cheap (what costs less than the run), or full (what the level leaves out, too)
+    #[arg(long, value_name = "WHICH", value_parser = |text: &str| knob("error_estimates", text))]
+    error_estimates: Option<Turned>,
 }
 
 /// A knob as one option turns it.
@@ -59,6 +62,7 @@ impl OverrideArguments {
             cells: knob(&self.cells).cells,
             cells_along: knob(&self.cells_along).cells_along,
             every: knob(&self.every).every,
+            error_estimates: knob(&self.error_estimates).error_estimates,
         }
     }
 }

@@ -1,5 +1,6 @@
 //! Which settings of an analysis are measured: every level, and the knobs below it, one at a time and all coarse together.
 
+use calyx_runtime::estimate::Estimates;
 use calyx_runtime::overriding::{Grid, Override};
 use calyx_runtime::scene::Fidelity;
 
@@ -21,7 +22,10 @@ const EVERY: [usize; 2] = [2, 4];
 
 impl Setting {
     pub fn new(overrides: Override) -> Setting {
-        let name = overrides.turned().into_iter().map(|(knob, value)| match knob {
+        // Errors are measured here: nobody is to wait for estimates of them.
+        let overrides = Override { error_estimates: Some(Estimates::None), ..overrides };
+        let turned = overrides.turned().into_iter().filter(|(knob, _)| *knob != "error_estimates");
+        let name = turned.map(|(knob, value)| match knob {
             "fidelity" => value,
             _ => format!("{knob}={value}"),
         });
@@ -45,7 +49,8 @@ impl Setting {
 
     /// The knobs that are turned below the level.
     pub fn knobs(&self) -> Vec<(&'static str, String)> {
-        self.overrides.turned().into_iter().filter(|(knob, _)| *knob != "fidelity").collect()
+        let below = |knob: &str| !["fidelity", "error_estimates"].contains(&knob);
+        self.overrides.turned().into_iter().filter(|(knob, _)| below(knob)).collect()
     }
 }
 
