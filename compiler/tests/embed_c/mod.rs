@@ -195,24 +195,13 @@ fn alike(one: &str, other: &str) -> bool {
     words[0] == words[1] && one.split_whitespace().zip(other.split_whitespace()).all(same)
 }
 
-/// Two equal gears have one structure, which is what takes time under valgrind.
-const EQUAL_GEARS: [(&str, &str); 7] = [
-    (
-        "center_distance = 3.0 inch in 2.98 inch .. 3.05 inch",
-        "center_distance = 2 inch in 1.98 inch .. 2.05 inch",
-    ),
-    ("teeth = 40", "teeth = 20"),
-    ("outer_diameter = 4.18 inch", "outer_diameter = 2.18 inch"),
-    ("root_diameter = 3.78 inch", "root_diameter = 1.76 inch"),
-    ("diameter = 3.40 inch, inner_diameter = 2.40 inch", "diameter = 1.40 inch, inner_diameter = 1.20 inch"),
-    ("start_roll = gear_relief_start", "start_roll = pinion_relief_start"),
-    ("-speed * 20 / 40 * Time", "-speed * Time"),
-];
+/// Without meshes: to condense them is what takes long under valgrind, and calls nothing of the interface.
+const WITHOUT_MESHES: [(&str, &str); 1] = [("    fidelity = fidelity,", "    fidelity = \"analytic\",")];
 
 #[test]
 fn valgrind_finds_nothing_in_the_example() {
     if installed("make") && installed("valgrind") {
-        let (_directory, program) = example(&EQUAL_GEARS);
+        let (_directory, program) = example(&WITHOUT_MESHES);
         run(valgrind(&program).arg("2"));
     }
 }
