@@ -333,7 +333,7 @@ fn looked_at(scene: &Scene) -> impl Iterator<Item = BodyId> {
 }
 
 /// Which bodies take part in what observables look at: those that touch or that bearings connect, from one to the next. All that touch, if
-/// nothing is looked at, or something as a whole, as vibrations are.
+/// nothing is looked at, or nothing that touches, or something as a whole, as vibrations are.
 fn load_path(scene: &Scene) -> Vec<bool> {
     let of_all = |observable: &dyn Observable| {
         let parts = [observable.frame_of().is_some(), observable.stresses_of().is_some()];
@@ -343,8 +343,14 @@ fn load_path(scene: &Scene) -> Vec<bool> {
     let whole = scene.observables.is_empty()
         || scene.modes_table.is_some()
         || scene.observables.iter().any(|observable| of_all(observable.as_ref()));
-    let all = touching(scene).filter(|_| whole);
-    held_together(scene, looked_at(scene).chain(all))
+    let everything = || held_together(scene, looked_at(scene).chain(touching(scene)));
+    if whole {
+        return everything();
+    }
+    let path = held_together(scene, looked_at(scene));
+    // An equilibrium is one of contact: what only bearings hold goes along with what touches.
+    let touches = touching(scene).any(|body| path.get(body.0) == Some(&true));
+    if touches { path } else { everything() }
 }
 
 /// These bodies, what touches them, and what bearings connect with them.
