@@ -1,6 +1,6 @@
 //! Speed against accuracy, measured: one model analysed at many settings, each in a run directory of its own, compared with a reference.
 //!
-//! Who compiles models decides which settings run ([`settings`]) and runs them; here is what their directories say ([`measured`]), how far each
+//! Who compiles models decides which settings run ([`settings()`]) and runs them; here is what their directories say ([`measured`]), how far each
 //! output is off the reference and what is worth its time ([`compared`]), and how that is told: a table, [`files`] and a [`picture`].
 
 pub mod campaign;
