@@ -162,7 +162,7 @@ impl Plan {
                     .map_err(|error| error.about(Subject::Body(index)))?;
             }
             if !untouched && !left_out && body.prototype.lug_contact().is_some() {
-                refuse_lugs(&body.name, in_space, body.free)
+                refuse_lugs(&body.name, fidelity, in_space, body.free)
                     .map_err(|error| error.about(Subject::Body(index)))?;
             }
             bodies.push(BodyPlan {
@@ -422,8 +422,17 @@ fn refuse_motion_out_of_plane(body: &str, free: [bool; 6]) -> Result<(), EngineE
     }
 }
 
-/// Lugs with clearance carry a body that its frame lets go, and are contact in the plane.
-fn refuse_lugs(body: &str, in_space: bool, free: [bool; 6]) -> Result<(), EngineError> {
+/// Lugs with clearance carry a body that its frame lets go, and are contact in the plane; how a ring gives between lugs that bear has no closed form.
+fn refuse_lugs(body: &str, fidelity: Fidelity, in_space: bool, free: [bool; 6]) -> Result<(), EngineError> {
+    if fidelity == Fidelity::Analytic {
+        return Err(EngineError::new(
+            "E0783",
+            format!(
+                "body \"{body}\" is carried by lugs with clearance, and how it gives between those that bear has no closed form"
+            ),
+            "choose the fidelity \"plane\", or \"rigid\"; or leave `clearance` out: closed forms hold a ring all around",
+        ));
+    }
     if in_space {
         return Err(EngineError::new(
             "E0756",

@@ -276,7 +276,11 @@ impl Set {
     }
 
     pub fn system(&self) -> System<'_> {
-        built(&self.scene, Fidelity::Plane, COARSE)
+        self.system_at(Fidelity::Plane)
+    }
+
+    pub fn system_at(&self, fidelity: Fidelity) -> System<'_> {
+        built(&self.scene, fidelity, COARSE)
     }
 
     /// The same with the modes of its bodies up to a frequency, Hz.

@@ -6,10 +6,12 @@ use calyx_gears::blank::Spline;
 use calyx_runtime::analysis::AnalysisOptions;
 use calyx_runtime::contact::clarabel_check;
 use calyx_runtime::dynamics::{DynamicOptions, History, Scheme, Start, TimeRange};
+use calyx_runtime::error::Subject;
 use calyx_runtime::load::{Blow, Wrench};
 use calyx_runtime::observe::{Equilibrium, LugLoad, MaxRootStress, Observable, Rotation};
+use calyx_runtime::plan::Plan;
 use calyx_runtime::results::OutputRequest;
-use calyx_runtime::scene::BodyId;
+use calyx_runtime::scene::{BodyId, Fidelity};
 use calyx_runtime::step::StepResult;
 use calyx_runtime::system::System;
 use std::f64::consts::TAU;
@@ -119,6 +121,29 @@ fn without_clearance_lugs_bear_as_those_without_play() {
     assert!(bound.1 > 0.0 && (loose.1 / bound.1 - 1.0).abs() < 3e-5, "{} {}", loose.1, bound.1);
     for share in &loose.2 {
         assert!((share / loose.2[0] - 1.0).abs() < 1e-9, "{:?}", loose.2);
+    }
+}
+
+/// Closed forms do not know how a ring is bent between lugs that bear. A rigid one is turned until all of its lugs do.
+#[test]
+fn loose_lugs_without_meshes() {
+    let clearance = 40e-6;
+    let set = Set::of(&SetOptions { ring: Some(spline(clearance)), ..SetOptions::three() }).expect("a set");
+    let plan = |fidelity| Plan::new(&set.scene, fidelity, COARSE);
+    let refused = plan(Fidelity::Analytic).expect_err("it has no closed form");
+    assert_eq!((refused.code, refused.subject), ("E0783", Some(Subject::Body(set.ring.0))));
+    assert!(refused.message.contains("\"ring\""), "{}", refused.message);
+    let system = set.system_at(Fidelity::Rigid);
+    for part in [0.1, 0.6] {
+        let step = system.solve(part * PERIOD).expect("it rests");
+        let at = Equilibrium::new(&system, &step);
+        // Half of the clearance on either side of each lug; the ring is driven the way the sun's torque turns it through planets.
+        let [x, y, turn] = [0, 1, 5].map(|component| at.deviation(set.ring, component));
+        assert!((turn.abs() * RADIUS / (0.5 * clearance) - 1.0).abs() < 1e-9, "{turn}");
+        assert!(x.hypot(y) < 1e-9 * clearance, "{x} {y}");
+        // Planets on held pins pass the turn on to the sun.
+        let ratio = at.deviation(set.sun, 5) / turn;
+        assert!((ratio.abs() * f64::from(SUN_TEETH) / f64::from(RING_TEETH) - 1.0).abs() < 1e-6, "{ratio}");
     }
 }
 
