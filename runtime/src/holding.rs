@@ -26,7 +26,7 @@ pub fn check(scene: &Scene, plan: &Plan, time: f64, interrupt: &Interrupt) -> Re
     if freedoms.is_empty() {
         return Ok(());
     }
-    let mut springs = springs(scene, &plan.modelled_bearings(), &freedoms, 1.0, time)?;
+    let mut springs = springs(scene, &plan.modelled_bearings(), &freedoms, |_| 1.0, time)?;
     for (body, contact) in &lug_contacts(scene, plan) {
         add_flanks(&mut springs, scene, (*body, contact), &freedoms, time, None)?;
     }

@@ -316,30 +316,42 @@ fn touching(scene: &Scene) -> impl Iterator<Item = BodyId> {
     scene.pairs.iter().flat_map(|pair| pair.bodies)
 }
 
-/// Bodies that observables look at. One that nothing touches and no bearing holds rests where its frame says, and is none.
-fn looked_at(scene: &Scene) -> impl Iterator<Item = BodyId> {
+/// Whether an observable names nothing that it looks at, and so looks at everything.
+fn of_all(observable: &dyn Observable) -> bool {
+    let parts = [observable.frame_of().is_some(), observable.stresses_of().is_some()];
+    let others = [observable.bearing_of().is_some(), observable.pair_of().is_some()];
+    observable.mode().is_some() || ![parts, others].concat().contains(&true)
+}
+
+/// Bodies that an observable names. One that nothing touches and no bearing holds rests where its frame says, and is none.
+fn named_by(scene: &Scene, observable: &dyn Observable) -> Vec<BodyId> {
     let moves = |body: &BodyId| {
         let borne = scene.bearings.iter().flat_map(Bearing::bodies).any(|other| other == *body);
         borne || touching(scene).any(|other| other == *body)
     };
-    scene.observables.iter().flat_map(move |observable| {
-        let bearing = observable.bearing_of().and_then(|bearing| scene.bearings.get(bearing.0));
-        let pair = observable.pair_of().and_then(|pair| scene.pairs.get(pair.0));
-        let alone = observable.frame_of().into_iter().chain(observable.stresses_of()).filter(moves);
-        alone
-            .chain(bearing.into_iter().flat_map(Bearing::bodies))
-            .chain(pair.into_iter().flat_map(|pair| pair.bodies))
-    })
+    let bearing = observable.bearing_of().and_then(|bearing| scene.bearings.get(bearing.0));
+    let pair = observable.pair_of().and_then(|pair| scene.pairs.get(pair.0));
+    let alone = observable.frame_of().into_iter().chain(observable.stresses_of()).filter(moves);
+    alone
+        .chain(bearing.into_iter().flat_map(Bearing::bodies))
+        .chain(pair.into_iter().flat_map(|pair| pair.bodies))
+        .collect()
+}
+
+/// Bodies that an observable looks at: all that touch, if it names none.
+pub(crate) fn looks_at(scene: &Scene, observable: &dyn Observable) -> Vec<BodyId> {
+    let named = named_by(scene, observable);
+    if of_all(observable) { named.into_iter().chain(touching(scene)).collect() } else { named }
+}
+
+/// Bodies that the scene's observables name.
+fn looked_at(scene: &Scene) -> impl Iterator<Item = BodyId> {
+    scene.observables.iter().flat_map(|observable| named_by(scene, observable.as_ref()))
 }
 
 /// Which bodies take part in what observables look at: those that touch or that bearings connect, from one to the next. All that touch, if
 /// nothing is looked at, or nothing that touches, or something as a whole, as vibrations are.
 fn load_path(scene: &Scene) -> Vec<bool> {
-    let of_all = |observable: &dyn Observable| {
-        let parts = [observable.frame_of().is_some(), observable.stresses_of().is_some()];
-        let others = [observable.bearing_of().is_some(), observable.pair_of().is_some()];
-        observable.mode().is_some() || ![parts, others].concat().contains(&true)
-    };
     let whole = scene.observables.is_empty()
         || scene.modes_table.is_some()
         || scene.observables.iter().any(|observable| of_all(observable.as_ref()));
@@ -451,18 +463,42 @@ fn refuse_lugs(body: &str, fidelity: Fidelity, in_space: bool, free: [bool; 6]) 
     Ok(())
 }
 
-/// A plane model spreads every force over one width, the smallest: what is wider is not seen to be.
-fn unequal_widths(scene: &Scene, bodies: &[BodyPlan]) -> Option<Ignored> {
-    let modelled = scene.bodies.iter().zip(bodies).filter(|(_, plan)| plan.is_elastic());
-    let widths: Vec<f64> = modelled.map(|(body, _)| body.prototype.face_width()).collect();
-    let smallest = widths.iter().copied().fold(f64::INFINITY, f64::min);
-    let wider = widths.iter().any(|&width| width > smallest * (1.0 + 1e-9));
-    wider.then(|| Ignored {
+/// The width of each body in the plane, m. Loads that go from one body to the next are spread over one width, the smallest of those that touch;
+/// where nothing touches, of all. What is left out of a plan changes no width, for it is left out with all that loads it.
+pub(crate) fn face_widths(scene: &Scene) -> Vec<f64> {
+    let touching: Vec<BodyId> = touching(scene).collect();
+    let narrowest = |among: &dyn Fn(&BodyId) -> bool| {
+        let widths = touching.iter().filter(|body| among(body));
+        widths
+            .filter_map(|body| Some(scene.bodies.get(body.0)?.prototype.face_width()))
+            .fold(f64::INFINITY, f64::min)
+    };
+    let all = narrowest(&|_| true);
+    let mut widths = vec![None; scene.bodies.len()];
+    for body in 0..scene.bodies.len() {
+        if widths[body].is_none() {
+            let together = held_together(scene, std::iter::once(BodyId(body)));
+            let width = narrowest(&|body| together.get(body.0) == Some(&true));
+            let known = Some(if width.is_finite() { width } else { all });
+            widths.iter_mut().zip(together).filter(|(_, along)| *along).for_each(|(width, _)| *width = known);
+        }
+    }
+    widths.into_iter().map(|width| width.unwrap_or(all)).collect()
+}
+
+/// What of a body's width a plane model does not see.
+fn unequal_widths(scene: &Scene, bodies: &[BodyPlan]) -> Vec<Ignored> {
+    let modelled = scene.bodies.iter().zip(bodies).zip(face_widths(scene));
+    let wider = modelled.filter(|((body, plan), width)| {
+        plan.is_elastic() && body.prototype.face_width() > width * (1.0 + 1e-9)
+    });
+    let told = wider.map(|(_, width)| Ignored {
         input: "face_width".into(),
         // To the digits that a conversion of units leaves right.
         reason: format!(
-            "a plane model has one width, and all bodies are taken as wide as the narrowest, {} mm",
-            (smallest * 1e9).round() / 1e6
+            "bodies that load each other have one width in a plane model, and are taken as wide as the narrowest, {} mm",
+            (width * 1e9).round() / 1e6
         ),
-    })
+    });
+    told.collect()
 }

@@ -8,7 +8,7 @@ use crate::error::{EngineError, Subject};
 use crate::interrupt::Interrupt;
 use crate::lug_contact::{LugContact, add_flanks, lug_contacts};
 use crate::motion::{PlanePose, Stance, axle, moved_by, point_velocity, pose_in_space};
-use crate::plan::Plan;
+use crate::plan::{BodyPlan, Plan, face_widths};
 use crate::resources::Resources;
 use crate::results::StructureCounts;
 use crate::scene::{BodyId, Fidelity, Scene, SurfacePair};
@@ -47,6 +47,8 @@ pub struct System<'s> {
     /// In which bodies vibrate, in time or about an equilibrium; none unless an analysis asks for them ([`System::vibrating`]).
     pub(crate) modes: Modes,
     structure_counts: StructureCounts,
+    /// Bodies that the plan left out.
+    pub(crate) left_out: Vec<bool>,
 }
 
 /// The bodies of a scene as they are modelled, in order; `None` for a body the plan left out.
@@ -88,8 +90,8 @@ impl Bodies {
 #[derive(Clone)]
 pub(crate) struct PlaneBodies {
     pub(crate) structures: Vec<Option<Arc<dyn Structure>>>,
-    /// Width over which all plane quantities are spread, m.
-    pub(crate) face_width: f64,
+    /// Width over which the plane quantities of each body are spread, m.
+    face_widths: Vec<f64>,
     /// Poses at time 0, from which kinematic angles are counted.
     initial: Vec<PlanePose>,
 }
@@ -117,9 +119,7 @@ impl<'s> System<'s> {
     /// Nothing touches anything, a frame is unusable, a structure cannot be built, or the interrupt's.
     pub fn with(scene: &'s Scene, plan: &Plan, resources: &Resources) -> Result<Self, EngineError> {
         let freedoms = number_freedoms(scene, plan);
-        let widths = scene.bodies.iter().zip(&plan.bodies).filter(|(_, body)| body.is_elastic());
-        let face_width = widths.map(|(body, _)| body.prototype.face_width()).fold(f64::INFINITY, f64::min);
-        if !face_width.is_finite() {
+        if !plan.bodies.iter().any(BodyPlan::is_elastic) {
             return Err(EngineError::new(
                 "E0713",
                 "nothing in the scene touches anything",
@@ -131,7 +131,11 @@ impl<'s> System<'s> {
         let bodies = match plan.in_space {
             false => {
                 let initial = all.map(|body| pose(scene, body, 0.0)).collect::<Result<_, _>>()?;
-                Bodies::Plane(PlaneBodies { structures: Vec::new(), face_width, initial })
+                Bodies::Plane(PlaneBodies {
+                    structures: Vec::new(),
+                    face_widths: face_widths(scene),
+                    initial,
+                })
             }
             true => {
                 let angle = |body| solid_pose(scene, body, 0.0).map(|pose| Stance::of(&pose).angle);
@@ -157,6 +161,7 @@ impl<'s> System<'s> {
             rigid: plan.fidelity == Fidelity::Rigid,
             modes,
             structure_counts,
+            left_out: plan.bodies.iter().map(|body| body.left_out).collect(),
         };
         let turns = |pair: &SurfacePair| pair.mesh.as_ref().is_some_and(|mesh| mesh.orbit != 0.0);
         let line = |pair| turns(pair).then(|| system.line_of_centres(pair, 0.0));
@@ -192,6 +197,7 @@ impl<'s> System<'s> {
             modes: self.modes.clone(),
             structure_counts: self.structure_counts,
             rigid: self.rigid,
+            left_out: self.left_out.clone(),
         }
     }
 
@@ -200,10 +206,11 @@ impl<'s> System<'s> {
         self.structure_counts
     }
 
-    /// What forces of the contact problem are per: the width of a plane model's face, m; 1 in space.
-    pub(crate) fn width(&self) -> f64 {
+    /// What forces of the contact problem on a body, by its index, are per: the width of a plane model's face, m; 1 in space. Bodies that touch or
+    /// that a bearing connects have one.
+    pub(crate) fn width(&self, body: usize) -> f64 {
         match &self.bodies {
-            Bodies::Plane(bodies) => bodies.face_width,
+            Bodies::Plane(bodies) => bodies.face_widths[body],
             Bodies::Solid(_) => 1.0,
         }
     }
@@ -215,13 +222,13 @@ impl<'s> System<'s> {
 
     /// The same with a part of the loads, and all blows.
     pub(crate) fn load_in_part(&self, time: f64, part: f64) -> Result<Vec<f64>, EngineError> {
-        let (loads, width) = (loads_on(self.scene, &self.freedoms, time, part)?, self.width());
-        Ok(loads.into_iter().map(|load| load / width).collect())
+        let loads = loads_on(self.scene, &self.freedoms, time, part)?;
+        Ok(loads.iter().zip(&self.freedoms).map(|(load, on)| load / self.width(on.body)).collect())
     }
 
     /// What bearings, and lugs by contact, do to the freedoms at a time, per [`System::width`].
     pub(crate) fn springs_at(&self, time: f64) -> Result<Springs, EngineError> {
-        let mut springs = springs(self.scene, &self.bearings, &self.freedoms, self.width(), time)?;
+        let mut springs = springs(self.scene, &self.bearings, &self.freedoms, |body| self.width(body), time)?;
         for (body, contact) in &self.lugs {
             let structure = match &self.bodies {
                 Bodies::Plane(bodies) => bodies.structures.get(*body).and_then(Option::as_deref),

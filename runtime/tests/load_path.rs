@@ -4,10 +4,10 @@ use calyx_runtime::disc::{Disc, Facing, Platen};
 use calyx_runtime::load::Wrench;
 use calyx_runtime::material::Material;
 use calyx_runtime::motion::SteadyRotation;
-use calyx_runtime::observe::{Displacement, Equilibrium, Observable, Quantity};
+use calyx_runtime::observe::{Displacement, Equilibrium, MaxContactPressure, Observable, Quantity};
 use calyx_runtime::plan::Plan;
 use calyx_runtime::results::Observed;
-use calyx_runtime::scene::{Body, BodyId, Component, Fidelity, Scene, StructureOptions, SurfacePair};
+use calyx_runtime::scene::{Body, BodyId, Component, Fidelity, PairId, Scene, StructureOptions, SurfacePair};
 use calyx_runtime::system::System;
 use std::sync::Arc;
 
@@ -59,6 +59,51 @@ fn what_nobody_looks_at_is_left_out_and_changes_nothing() {
     });
     assert_eq!((all.0, part.0), (2, 1));
     assert!((all.1 / part.1 - 1.0).abs() < 1e-12, "{all:?} {part:?}");
+}
+
+/// What was left out has no value, whoever asks for it afterwards; nor has anything of the whole scene.
+#[test]
+fn what_was_left_out_has_no_value() {
+    let (mut scene, pressed) = discs(2);
+    scene.observe(Displacement(pressed[1], 1));
+    let whole = Plan::whole(&scene, Fidelity::Plane, StructureOptions::default()).expect("a plan");
+    for (plan, known) in [(planned(&scene), false), (whole, true)] {
+        let system = System::new(&scene, &plan).expect("a system");
+        let step = system.solve(0.0).expect("equilibrium");
+        let value = |observable: &dyn Observable| system.value(&step, observable).value;
+        assert!(value(&Displacement(pressed[1], 1)) < 0.0);
+        let others: [&dyn Observable; 3] =
+            [&Displacement(pressed[0], 1), &MaxContactPressure(PairId(0)), &Patches];
+        for observable in others {
+            assert_eq!(value(observable).is_finite(), known, "{observable:?}: {}", value(observable));
+        }
+    }
+}
+
+/// A plane model spreads loads over the width of the bodies that bear them, whatever else stands beside them.
+#[test]
+fn a_width_is_that_of_the_bodies_that_load_each_other() {
+    let (mut scene, pressed) = discs(2);
+    // The first disc is a tenth as wide.
+    scene.bodies[pressed[0].0].prototype = Arc::new(Disc::new(RADIUS, 0.1 * WIDTH, Material::STEEL));
+    let looked_at = Displacement(pressed[1], 1);
+    scene.observe(looked_at);
+    scene.observe(MaxContactPressure(PairId(1)));
+    let whole = Plan::whole(&scene, Fidelity::Plane, StructureOptions::default()).expect("a plan");
+    let told = |plan: &Plan| plan.ignored.iter().any(|ignored| ignored.input == "face_width");
+    let pruned = planned(&scene);
+    assert_eq!([&whole, &pruned].map(told), [true, false]);
+    let [all, part] = [whole, pruned].map(|plan| {
+        let system = System::new(&scene, &plan).expect("a system");
+        let step = system.solve(0.0).expect("equilibrium");
+        let narrow = system.value(&step, &MaxContactPressure(PairId(0))).value;
+        let wide = system.value(&step, &MaxContactPressure(PairId(1))).value;
+        assert!((Equilibrium::new(&system, &step).force(PairId(1)) / 2e3 - 1.0).abs() < 1e-9);
+        (system.value(&step, &looked_at).value, narrow, wide)
+    });
+    assert!((all.0 / part.0 - 1.0).abs() < 1e-12 && (all.2 / part.2 - 1.0).abs() < 1e-9, "{all:?} {part:?}");
+    // Hertz: by the root of the load per width, five times as much on the narrow disc.
+    assert!((all.1 / all.2 / 5.0f64.sqrt() - 1.0).abs() < 0.02 && part.1.is_nan(), "{all:?}");
 }
 
 #[test]

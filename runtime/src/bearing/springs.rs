@@ -23,7 +23,7 @@ pub(crate) struct Springs {
     compliance: Vec<f64>,
 }
 
-/// The planned bearings of a scene at a time (s), on these freedoms; `width` (m) is that of a plane model, and 1 in space.
+/// The planned bearings of a scene at a time (s), on these freedoms; `width` (m) is that of a body in a plane model, and 1 in space.
 ///
 /// # Errors
 /// As [`Placed::at`].
@@ -31,7 +31,7 @@ pub(crate) fn springs(
     scene: &Scene,
     bearings: &[usize],
     freedoms: &[Freedom],
-    width: f64,
+    width: impl Fn(usize) -> f64,
     time: f64,
 ) -> Result<Springs, EngineError> {
     let m = freedoms.len();
@@ -40,6 +40,7 @@ pub(crate) fn springs(
     let mut springs = Springs { compliance: vec![0.0; walls * walls], ..Springs::none(m) };
     for bearing in planned() {
         let placed = Placed::at(scene, bearing, time)?;
+        let width = width(bearing.body.0);
         let columns: Vec<[f64; 6]> = freedoms.iter().map(|freedom| placed.deflection(freedom)).collect();
         let pushed = |x: &[f64; 6]| stiffly(bearing, x);
         let own = bearing.own_load();
@@ -79,7 +80,7 @@ pub(crate) fn damping(
     scene: &Scene,
     bearings: &[usize],
     freedoms: &[Freedom],
-    width: f64,
+    width: impl Fn(usize) -> f64,
     time: f64,
 ) -> Result<Vec<f64>, EngineError> {
     let m = freedoms.len();
@@ -89,6 +90,7 @@ pub(crate) fn damping(
             continue;
         }
         let placed = Placed::at(scene, bearing, time)?;
+        let width = width(bearing.body.0);
         let columns: Vec<[f64; 6]> = freedoms.iter().map(|freedom| placed.deflection(freedom)).collect();
         for (k, column) in columns.iter().enumerate() {
             let force = symmetric(&bearing.damping, column);

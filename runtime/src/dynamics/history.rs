@@ -358,7 +358,8 @@ impl<'s> History<'s> {
         for (i, freedom) in system.freedoms.iter().enumerate() {
             let row = &springs.stiffness[i * m..(i + 1) * m];
             let rate: f64 = row.iter().zip(&state.velocity).map(|(k, v)| k * v).sum();
-            result.beside[freedom.body][freedom.component] -= system.width() * by_stiffness * rate;
+            result.beside[freedom.body][freedom.component] -=
+                system.width(freedom.body) * by_stiffness * rate;
         }
         result.warnings.extend(fast);
         // Observables see the springs of the scene and not the matrix of a step.

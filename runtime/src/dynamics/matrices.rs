@@ -104,12 +104,12 @@ impl Matrices {
     /// # Errors
     /// A frame is not a number.
     pub fn at(system: &System<'_>, inertias: &[Inertia], time: f64) -> Result<Matrices, EngineError> {
-        let (freedoms, width, modes) = (&system.freedoms, system.width(), &system.modes);
+        let (freedoms, modes) = (&system.freedoms, &system.modes);
         let (m, count) = (freedoms.len(), modes.count());
         let mut matrices = Matrices {
             mass: vec![0.0; m * m],
             coupling: Vec::new(),
-            damping: damping(system.scene, &system.bearings, freedoms, width, time)?,
+            damping: damping(system.scene, &system.bearings, freedoms, |body| system.width(body), time)?,
             load: vec![0.0; m],
             modal_load: vec![0.0; count],
             bodies: Vec::with_capacity(system.scene.bodies.len()),
@@ -146,7 +146,7 @@ impl Matrices {
             });
             for (i, one) in freedoms.iter().enumerate().filter(|(_, freedom)| freedom.body == index) {
                 for (j, other) in freedoms.iter().enumerate().filter(|(_, freedom)| freedom.body == index) {
-                    matrices.mass[i * m + j] += entry(one.component, other.component) / width;
+                    matrices.mass[i * m + j] += entry(one.component, other.component) / system.width(index);
                 }
             }
             let Some((own, first)) = modes.of_body(index) else { continue };
@@ -164,7 +164,7 @@ impl Matrices {
     /// What inertia does by displacements and rates of all coordinates: everything of the module's equations but what belongs to their
     /// accelerations and to the prescribed motion. Linear in both.
     pub fn following(&self, system: &System<'_>, displacement: &[f64], rate: &[f64]) -> Forces {
-        let (m, width) = (system.freedoms.len(), system.width());
+        let m = system.freedoms.len();
         let mut forces =
             Forces { frames: vec![[0.0; 3]; self.bodies.len()], modal: vec![0.0; self.arms.len()] };
         for (index, body) in self.bodies.iter().enumerate() {
@@ -181,7 +181,7 @@ impl Matrices {
                 dot(s, acceleration) * turn,
             ];
             if let Some((own, from)) = system.modes.of_body(index) {
-                let count = own.count();
+                let (count, width) = (own.count(), system.width(index));
                 let (q, rates) = (&displacement[m + from..][..count], &rate[m + from..][..count]);
                 for (k, arm) in self.arms[from..from + count].iter().enumerate() {
                     let sideways = across(arm.along);
@@ -235,7 +235,7 @@ impl Matrices {
     /// What the inertia of every body does to its frame, in the order of [`crate::scene::FREEDOMS`], N and N m: by the prescribed motion, by
     /// displacements and rates, and by the accelerations of freedoms and modal coordinates.
     pub fn inertia(&self, system: &System<'_>, following: &Forces, acceleration: &[f64]) -> Vec<[f64; 6]> {
-        let (m, width) = (system.freedoms.len(), system.width());
+        let m = system.freedoms.len();
         let of = |(index, body): (usize, &Moving)| {
             let [ax, ay, .., turn] = system.moved(index, &acceleration[..m]);
             let ([sx, sy], Moving { load, mass, polar, .. }) = (body.first, *body);
@@ -245,6 +245,7 @@ impl Matrices {
                 wrench[component] = load[k] + following.frames[index][k] - own[k];
             }
             if let Some((own, from)) = system.modes.of_body(index) {
+                let width = system.width(index);
                 for (arm, q) in self.arms[from..from + own.count()].iter().zip(&acceleration[m + from..]) {
                     wrench[0] -= width * arm.along[0] * q;
                     wrench[1] -= width * arm.along[1] * q;
@@ -318,7 +319,7 @@ fn on_freedoms_by_modes(system: &System<'_>, arms: &[Arm]) -> Vec<f64> {
 fn on_freedoms(system: &System<'_>, frames: &[[f64; 3]]) -> Vec<f64> {
     let of = |freedom: &Freedom| {
         let component = IN_PLANE.iter().position(|component| *component == freedom.component);
-        component.map_or(0.0, |component| frames[freedom.body][component] / system.width())
+        component.map_or(0.0, |component| frames[freedom.body][component] / system.width(freedom.body))
     };
     system.freedoms.iter().map(of).collect()
 }

@@ -59,7 +59,7 @@ impl Equilibrium<'_> {
         let (deflection, rate) = (of(&self.step.motion), of(&self.step.velocity));
         let before = system.bearings.iter().take_while(|&&other| other != bearing.0);
         let skipped: usize = before.map(|&other| system.scene.bearings[other].walls()).sum();
-        let width = system.width();
+        let width = system.width(own.body.0);
         let walls: Vec<f64> = self.step.stops.iter().skip(skipped).map(|force| width * force).collect();
         let walls = if system.bearings.contains(&bearing.0) { &walls[..] } else { &[] };
         let (sprung, damped) = (own.push(&deflection, walls), own.damping_at(&rate));

@@ -176,9 +176,14 @@ impl Contact<'_> {
         self.patch.at_edge
     }
 
+    /// What its forces are per, m; 1 in space.
+    pub(super) fn width(&self) -> f64 {
+        self.at.system.width(self.bodies()[0].0)
+    }
+
     /// The force that presses the two surfaces together, N.
     pub fn force(&self) -> f64 {
-        self.at.system.width() * self.patch.force()
+        self.width() * self.patch.force()
     }
 
     /// Common normal of the surfaces in ground coordinates, out of the first body.
@@ -193,7 +198,7 @@ impl Contact<'_> {
     /// axes: N and N m, as [`crate::scene::FREEDOMS`] counts them.
     pub fn wrench(&self, side: usize) -> [f64; 6] {
         let origin = self.at.origin(self.bodies()[side]);
-        self.patch.wrench(side, origin, self.at.system.width())
+        self.patch.wrench(side, origin, self.width())
     }
 
     /// The moment that the patch puts on the body on one of its sides, about the body's own axis, N m.
@@ -210,7 +215,7 @@ impl Contact<'_> {
                 let Some(peak) = self.patch.peak() else { return Vec::new() };
                 let [x, y] = frame.point;
                 vec![Slice {
-                    length: self.at.system.width(),
+                    length: self.width(),
                     force: self.force(),
                     pressure: peak.pressure,
                     point: [x, y, 0.0],

@@ -134,7 +134,7 @@ impl Contact<'_> {
     fn corners(&self) -> Vec<[[f64; 3]; 4]> {
         match &self.patch.grid {
             PatchGrid::Plane { frame, cells } => {
-                let half_face = 0.5 * self.at.system.width();
+                let half_face = 0.5 * self.width();
                 let at = |x: f64, z: f64| {
                     let [px, py] = [0, 1].map(|axis| frame.point[axis] + x * frame.tangent[axis]);
                     [px, py, z]

@@ -36,7 +36,7 @@ impl Equilibrium<'_> {
         };
         for (arms, force) in arms.iter().zip(flanks) {
             for (component, arm) in [0, 1, 5].into_iter().zip(arms) {
-                total[component] += self.system.width() * force * arm;
+                total[component] += self.system.width(body.0) * force * arm;
             }
         }
         total
@@ -61,9 +61,10 @@ impl Observable for LugLoad {
     }
 
     fn value(&self, at: &Equilibrium<'_>) -> Observed {
+        let width = at.system.width(self.body.0);
         if at.lugs_by_contact(self.body).is_some() {
             let force = at.loose_lug_forces(self.body).get(self.lug as usize).copied().unwrap_or_default();
-            return Observed::number(if self.radial { 0.0 } else { at.system.width() * force });
+            return Observed::number(if self.radial { 0.0 } else { width * force });
         }
         let forces = match &at.system.bodies {
             Bodies::Plane(bodies) => {
@@ -77,7 +78,7 @@ impl Observable for LugLoad {
         };
         let force = forces.unwrap_or_default().get(self.lug as usize).copied();
         let along = |force: LugForce| if self.radial { force.radial } else { force.tangential };
-        Observed::number(at.system.width() * force.map_or(0.0, along))
+        Observed::number(width * force.map_or(0.0, along))
     }
 
     fn frame_of(&self) -> Option<BodyId> {

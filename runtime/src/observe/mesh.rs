@@ -129,12 +129,12 @@ impl Observable for MeshStiffness {
             // Turns of one gear alone, by as much along the line of action.
             let turned = (0..m).find(|&k| along[k] != 0.0);
             return Observed::number(
-                turned.map_or(0.0, |k| at.system.width() * teeth[(k, k)] / along[k].powi(2)),
+                turned.map_or(0.0, |k| at.system.width(first.0) * teeth[(k, k)] / along[k].powi(2)),
             );
         }
         let stiffness = teeth + DMatrix::from_row_slice(m, m, &step.problem.stiffness);
         let gives = stiffness.lu().solve(&along).map_or(f64::NAN, |motion| along.dot(&motion));
-        Observed::number(at.system.width() / gives)
+        Observed::number(at.system.width(first.0) / gives)
     }
 
     fn pair_of(&self) -> Option<PairId> {

@@ -37,6 +37,7 @@ pub use stress::{FilletSide, MaxRootCompression, MaxRootStress};
 pub(crate) use vibration::check_vibrations;
 pub use vibration::{ModeShare, NaturalFrequency, Vibrations};
 
+use crate::plan::looks_at;
 use crate::results::Observed;
 use crate::scene::{BearingId, BodyId, PairId};
 use crate::step::StepResult;
@@ -162,8 +163,12 @@ impl<T: Any + PartialEq> Comparable for T {
 }
 
 impl System<'_> {
-    /// The value of an observable at a solved position.
+    /// The value of an observable at a solved position; none (not a number) if the plan left out something that it looks at.
     pub fn value(&self, step: &StepResult, observable: &dyn Observable) -> Observed {
+        let left_out = |body: &BodyId| self.left_out.get(body.0) == Some(&true);
+        if self.left_out.contains(&true) && looks_at(self.scene, observable).iter().any(left_out) {
+            return Observed::number(f64::NAN);
+        }
         observable.value(&Equilibrium { system: self, step })
     }
 }

@@ -114,22 +114,32 @@ impl System<'_> {
 
     /// Mass matrix of all coordinates at a time (s).
     fn whole_mass(&self, time: f64) -> Option<Mat<f64>> {
-        let (own, width) = (self.mass_matrix(time), self.width());
+        let (own, widths) = (self.mass_matrix(time), self.coordinate_widths());
         let (m, count) = (own.nrows(), self.modes.count());
         let between = coupling(self, time).ok()?;
         let entry = |row: usize, column: usize| match (row.checked_sub(m), column.checked_sub(m)) {
             (None, None) => own[(row, column)],
-            (None, Some(mode)) => width * between[row * count + mode],
-            (Some(mode), None) => width * between[column * count + mode],
+            (None, Some(mode)) => widths[row] * between[row * count + mode],
+            (Some(mode), None) => widths[column] * between[column * count + mode],
             (Some(one), Some(other)) => {
                 if one == other {
-                    width
+                    widths[row]
                 } else {
                     0.0
                 }
             }
         };
         Some(Mat::from_fn(m + count, m + count, entry))
+    }
+
+    /// What forces on each coordinate are per, m: on freedoms, then on modal coordinates. Coordinates that have to do with each other have one.
+    fn coordinate_widths(&self) -> Vec<f64> {
+        let mut widths: Vec<f64> = self.freedoms.iter().map(|freedom| self.width(freedom.body)).collect();
+        for body in 0..self.scene.bodies.len() {
+            let modes = self.modes.of_body(body).map_or(0, |(own, _)| own.count());
+            widths.extend(std::iter::repeat_n(self.width(body), modes));
+        }
+        widths
     }
 }
 
@@ -175,17 +185,17 @@ impl Equilibrium<'_> {
 
     fn find_vibrations(self) -> Option<Vibrations> {
         let (mass, stiffness) = (self.system.whole_mass(self.step.time)?, self.stiffness()?);
-        let (size, width) = (mass.nrows(), self.system.width());
+        let (size, widths) = (mass.nrows(), self.system.coordinate_widths());
         // Every coordinate in a unit in which its own inertia is 1: metres and radians are alike then.
         let scale: Vec<f64> = (0..size).map(|k| mass[(k, k)].sqrt().recip()).collect();
         if size == 0 || !scale.iter().all(|scale| scale.is_finite()) {
             return None;
         }
-        let scaled = |matrix: &Mat<f64>, by: f64| {
-            Mat::from_fn(size, size, |i, j| by * scale[i] * matrix[(i, j)] * scale[j])
-        };
-        let lower = cholesky(scaled(&mass, 1.0))?;
-        let half = half_solve(lower.as_ref(), scaled(&stiffness, width));
+        let stiffness = Mat::from_fn(size, size, |i, j| widths[i] * stiffness[(i, j)]);
+        let scaled =
+            |matrix: &Mat<f64>| Mat::from_fn(size, size, |i, j| scale[i] * matrix[(i, j)] * scale[j]);
+        let lower = cholesky(scaled(&mass))?;
+        let half = half_solve(lower.as_ref(), scaled(&stiffness));
         let mut whole = half_solve(lower.as_ref(), half.transpose().to_owned());
         whole = Mat::from_fn(size, size, |i, j| 0.5 * (whole[(i, j)] + whole[(j, i)]));
         let (squares, vectors) = symmetric_eigen(whole.as_ref())?;
@@ -194,7 +204,7 @@ impl Equilibrium<'_> {
             frequencies: squares.iter().map(|square| square.max(0.0).sqrt()).collect(),
             shapes: DMatrix::from_fn(size, size, |i, mode| scale[i] * vectors[(i, mode)]),
             mass: DMatrix::from_fn(size, size, |i, j| mass[(i, j)]),
-            stiffness: DMatrix::from_fn(size, size, |i, j| width * stiffness[(i, j)]),
+            stiffness: DMatrix::from_fn(size, size, |i, j| stiffness[(i, j)]),
         })
     }
 }
