@@ -1,6 +1,7 @@
 //! Motion in time: against closed forms, against statics where nothing is fast, and against the reduced model of a pair with one degree of
 //! freedom.
 
+use crate::common::built;
 use crate::common::pair::{COARSE, FIRST, MESH, PLAIN, PairOptions, RELIEVED, SECOND, TORQUE, pair, system};
 use calyx_runtime::analysis::AnalysisOptions;
 use calyx_runtime::bearing::{Bearing, axisymmetric};
@@ -10,8 +11,8 @@ use calyx_runtime::load::Wrench;
 use calyx_runtime::material::Material;
 use calyx_runtime::motion::SteadyRotation;
 use calyx_runtime::observe::{
-    Displacement, Equilibrium, FilletSide, Gauge, GaugeReading, MaxRootStress, ModeShare, NaturalFrequency,
-    Reading, Rotation, SupportMoment, TransmissionError,
+    Displacement, Equilibrium, FilletSide, Gauge, GaugeReading, MaxRootStress, MeshStiffness, ModeShare,
+    NaturalFrequency, Reading, Rotation, SupportMoment, TransmissionError,
 };
 use calyx_runtime::results::{OutputRequest, Solved};
 use calyx_runtime::rigid::RigidBody;
@@ -50,8 +51,12 @@ fn rows(scene: &Scene, dynamics: &DynamicOptions) -> Vec<(f64, Vec<f64>)> {
 
 /// The same with the modes of the bodies up to a natural frequency, Hz.
 fn rows_up_to(highest_frequency: f64, scene: &Scene, dynamics: &DynamicOptions) -> Vec<(f64, Vec<f64>)> {
-    let (outputs, options) = (requests(scene), AnalysisOptions { highest_frequency, ..options() });
-    let history = History::new(scene, &outputs, &options, dynamics, &mut ()).expect("it is analysed");
+    rows_by(&AnalysisOptions { highest_frequency, ..options() }, scene, dynamics)
+}
+
+fn rows_by(options: &AnalysisOptions, scene: &Scene, dynamics: &DynamicOptions) -> Vec<(f64, Vec<f64>)> {
+    let outputs = requests(scene);
+    let history = History::new(scene, &outputs, options, dynamics, &mut ()).expect("it is analysed");
     history
         .map(|solved| {
             let Solved { row, .. } = solved.expect("it is solved");
@@ -177,6 +182,51 @@ fn slow_motion_is_statics() {
     }
 }
 
+/// By closed forms as well: what begins in its equilibrium stays there, and what is slow is statics.
+#[test]
+fn slow_motion_without_meshes_is_statics() {
+    let (mut scene, mesh) = at_speed(TAU / 2000.0, &RELIEVED);
+    scene.observe(TransmissionError(MESH));
+    scene.observe(SupportMoment(SECOND, 2));
+    scene.observe(MaxRootStress(FIRST));
+    let system = built(&scene, Fidelity::Analytic, COARSE);
+    let dynamics = DynamicOptions {
+        scheme: Scheme::named("backward_difference").expect("known"),
+        ..moving(vec![TimeRange { keep: 4, ..TimeRange::steady(0.4 * mesh.period, 16) }])
+    };
+    let rows = rows_by(&AnalysisOptions { fidelity: Fidelity::Analytic, ..options() }, &scene, &dynamics);
+    assert_eq!(rows.len(), 5);
+    for (time, values) in rows {
+        let step = system.solve(time).expect("equilibrium");
+        let statics = [
+            system.value(&step, &TransmissionError(MESH)).value,
+            system.value(&step, &SupportMoment(SECOND, 2)).value,
+            system.value(&step, &MaxRootStress(FIRST)).value,
+        ];
+        for ((value, statics), by) in values.iter().zip(&statics).zip([1e-3, 1e-4, 2e-3]) {
+            assert!((value - statics).abs() <= by * statics.abs(), "{time}: {value} {statics}");
+        }
+    }
+}
+
+/// One gear that turns on its teeth: at every level the square of its natural frequency is their stiffness on its lever by its inertia; so closed forms are
+/// off by half of what their stiffness is off.
+#[test]
+fn frequencies_without_meshes_go_by_the_stiffness_of_the_teeth() {
+    let (scene, mesh) = at_speed(1.0, &PLAIN);
+    let inertia = scene.bodies[FIRST.0].inertia().polar();
+    let [given, meshed] = [Fidelity::Analytic, Fidelity::Plane].map(|fidelity| {
+        let system = built(&scene, fidelity, COARSE);
+        let step = system.solve(0.3 * mesh.period).expect("equilibrium");
+        let frequency = system.value(&step, &NaturalFrequency(0)).value;
+        let stiffness = system.value(&step, &MeshStiffness(MESH)).value;
+        let expected = (stiffness * mesh.base_radii[0].powi(2) / inertia).sqrt() / TAU;
+        assert!((frequency / expected - 1.0).abs() < 1e-9, "{fidelity:?}: {frequency} {expected}");
+        frequency
+    });
+    assert!((given / meshed - 1.0).abs() < 0.01, "{given} {meshed}");
+}
+
 /// The reduced model: J theta'' + c theta' = T - k(t) rb² (theta - theta_s(t)), with stiffness and deflection from statics.
 #[test]
 fn a_pair_vibrates_as_its_reduced_model_says() {
@@ -199,7 +249,7 @@ fn a_pair_vibrates_as_its_reduced_model_says() {
             let step = system.solve(cycles * mesh.period * k as f64 / steps as f64).expect("equilibrium");
             let turn = system.value(&step, &Rotation(FIRST, 2)).value;
             let lever = mesh.base_radii[0];
-            let stiffness = system.value(&step, &calyx_runtime::observe::MeshStiffness(MESH)).value;
+            let stiffness = system.value(&step, &MeshStiffness(MESH)).value;
             [turn, stiffness * lever * lever]
         })
         .collect();
@@ -313,7 +363,7 @@ fn natural_frequencies_are_those_of_the_closed_form() {
 #[test]
 fn the_stiffness_of_a_mesh_in_time_is_that_of_statics() {
     let (mut scene, mesh) = at_speed(100.0, &PLAIN);
-    scene.observe(calyx_runtime::observe::MeshStiffness(MESH));
+    scene.observe(MeshStiffness(MESH));
     let ranges = vec![TimeRange::steady(0.02 * mesh.period, 4)];
     let [rigid, modal] = [0.0, 60e3].map(|highest| rows_up_to(highest, &scene, &moving(ranges.clone())));
     for ((time, rigid), (_, modal)) in rigid.iter().zip(&modal) {

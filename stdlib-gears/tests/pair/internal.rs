@@ -1,6 +1,7 @@
 //! A pinion in a ring: what holds for external pairs holds for internal ones.
 
 use super::CYCLE;
+use crate::common::built;
 use crate::common::pair::{
     COARSE, FIRST, Member, PairOptions, SECOND, Values, member, pair, solve_at, steel, system,
 };
@@ -137,6 +138,34 @@ fn results_repeat_after_a_pitch_and_mirror() {
                 let difference = values.difference(expected);
                 assert!(difference < 1e-8, "{what}: {difference:e}\n{values:?}\n{expected:?}");
             }
+        }
+    }
+}
+
+/// Closed forms of a pinion in a ring, whose teeth stand inwards on a ring that is held outside, against finite elements: nothing is fitted. Rigid
+/// teeth are conjugate.
+#[test]
+fn closed_forms_are_near_the_finite_elements() {
+    let (scene, mesh) = pair(&options(&PLAIN));
+    let [rigid, given, meshed] = [Fidelity::Rigid, Fidelity::Analytic, Fidelity::Plane].map(|fidelity| {
+        let system = built(&scene, fidelity, COARSE);
+        let at = |cycle: &f64| {
+            Values::of(&system, &system.solve(mesh.start + cycle * mesh.period).expect("equilibrium"))
+        };
+        CYCLE.iter().map(at).collect::<Vec<Values>>()
+    });
+    for ((rigid, given), meshed) in rigid.iter().zip(&given).zip(&meshed) {
+        assert!(rigid.transmission_error.abs() < 1e-9, "{rigid:?}");
+        println!("{given:?}\n{meshed:?}\n");
+        let near = |given: f64, meshed: f64, part: f64| {
+            assert!((given - meshed).abs() < part * meshed.abs(), "{given} {meshed}");
+        };
+        near(given.transmission_error, meshed.transmission_error, 0.05);
+        near(given.mesh_stiffness, meshed.mesh_stiffness, 0.05);
+        near(given.contact_pressure, meshed.contact_pressure, 0.05);
+        assert!((given.load_share - meshed.load_share).abs() < 0.02, "{given:?} {meshed:?}");
+        for gear in 0..2 {
+            near(given.root_stress[gear], meshed.root_stress[gear], 0.2);
         }
     }
 }

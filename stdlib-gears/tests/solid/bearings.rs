@@ -1,6 +1,7 @@
 //! Gears on bearings in space: levers, tilt, and where the load goes along the face.
 
-use super::pairs::{FIRST, MESH, MODULE, Options, SECOND, TORQUE, system};
+use super::pairs::{FIRST, MESH, MODULE, Options, SECOND, TORQUE};
+use crate::common::built;
 use calyx_gears::assembly::Misalignment;
 use calyx_gears::helix::Hand;
 use calyx_runtime::bearing::{Bearing, BearingMatrix, axisymmetric};
@@ -8,7 +9,9 @@ use calyx_runtime::contact::solid::Pose;
 use calyx_runtime::load::Wrench;
 use calyx_runtime::motion::{Placed, SteadyRotation, moved_by};
 use calyx_runtime::observe::{BearingTilt, Direction, Displacement, Equilibrium, FaceLoadFactor, Rotation};
-use calyx_runtime::scene::{BearingId, Body, BodyId, Component, GearMesh, Scene, StructureOptions};
+use calyx_runtime::scene::{
+    BearingId, Body, BodyId, Component, Fidelity, GearMesh, Scene, StructureOptions, Template,
+};
 use calyx_runtime::step::StepResult;
 use calyx_runtime::system::System;
 use std::sync::Arc;
@@ -40,8 +43,16 @@ fn scene(options: &Options, bearings: &[Bearing]) -> (Scene, GearMesh) {
     (scene, mesh)
 }
 
-fn solved<T>((scene, mesh): &(Scene, GearMesh), look: impl FnOnce(&System<'_>, &StepResult) -> T) -> T {
-    let system = system(scene, StructureOptions::default());
+fn solved<T>(scene: &(Scene, GearMesh), look: impl FnOnce(&System<'_>, &StepResult) -> T) -> T {
+    solved_at(Fidelity::Solid(Template::Medium), scene, look)
+}
+
+fn solved_at<T>(
+    fidelity: Fidelity,
+    (scene, mesh): &(Scene, GearMesh),
+    look: impl FnOnce(&System<'_>, &StepResult) -> T,
+) -> T {
+    let system = built(scene, fidelity, StructureOptions::default());
     let step = system.solve(mesh.start + 0.45 * mesh.period).expect("it can be solved");
     assert!(step.certificate.largest() <= 1e-10, "{:?}", step.certificate);
     look(&system, &step)
@@ -52,12 +63,34 @@ fn an_overhung_gear_on_two_bearings_tilts_as_levers_say() {
     // The second gear's axis leans or not: levers are the first one's.
     for in_action in [0.0, 4e-4] {
         let misalignment = Misalignment { in_action, off_action: 0.0 };
-        tilts_as_levers_say(&scene(&Options { misalignment, ..options(true) }, &pair_of_bearings(1.0)));
+        let scene = scene(&Options { misalignment, ..options(true) }, &pair_of_bearings(1.0));
+        tilts_as_levers_say(Fidelity::Solid(Template::Medium), &scene);
     }
 }
 
-fn tilts_as_levers_say(scene: &(Scene, GearMesh)) {
-    solved(scene, |system, step| {
+/// By closed forms levers are what they are, and the load goes where teeth that tilt away from it leave it: the more the softer what bears. Rigid ones
+/// strain no bearing, as their load vanishes.
+#[test]
+fn an_overhung_gear_without_meshes() {
+    let options = Options { backed: false, ..options(true) };
+    let stiff = scene(&options, &pair_of_bearings(1.0));
+    tilts_as_levers_say(Fidelity::Analytic, &stiff);
+    let uneven = |scene: &(Scene, GearMesh)| {
+        solved_at(Fidelity::Analytic, scene, |system, step| system.value(step, &FaceLoadFactor(MESH)).value)
+    };
+    let [soft, stiff_one, hard] =
+        [0.3, 1.0, 1e3].map(|factor| uneven(&scene(&options, &pair_of_bearings(factor))));
+    println!("{soft} {stiff_one} {hard}");
+    assert!(soft > stiff_one && stiff_one > hard && hard >= 1.0, "{soft} {stiff_one} {hard}");
+    solved_at(Fidelity::Rigid, &stiff, |_, step| {
+        let [held, turn] = [&step.motion[..5], &step.motion[5..]];
+        assert!(held.iter().all(|motion| motion.abs() < 1e-12), "{held:?}");
+        assert!(turn[0].abs() < 1e-9, "{turn:?}");
+    });
+}
+
+fn tilts_as_levers_say(fidelity: Fidelity, scene: &(Scene, GearMesh)) {
+    solved_at(fidelity, scene, |system, step| {
         let [fx, fy, fz, mx, my, _] = system.contact_force(step, FIRST);
         let span = PLACES[1] - PLACES[0];
         // The moment about y of a force along x at z is z fx; about x it is -z fy.
