@@ -70,14 +70,15 @@ impl GearPrototype {
         Ok(SimpleSolid::rigid(surfaces.to_vec(), self.gear.teeth()))
     }
 
-    /// What the tooth of the plain gear is to closed forms, in the transverse section.
+    /// What the tooth of the plain gear is to closed forms: of helical teeth in the section at right angles to them, on the ring of the transverse one.
     pub(crate) fn tooth_shape(&self, options: &StructureOptions) -> Result<ToothShape, EngineError> {
         let form = self.form();
         let sense = form.sense();
         let [tip, _] = self.roundings(options);
         let [flank, _] = self.flanks_with(tip, &[])?;
         let fillet = self.gear.root_fillet(Side::CounterClockwise);
-        let foot = inclined(&fillet, sense, FOOT);
+        let lean = math::cos(self.helix.angle());
+        let foot = inclined(&fillet, lean * sense, FOOT);
         let [x, y] = fillet.at(foot).position;
         let ring = RingShape {
             radius: x.hypot(y),
@@ -87,22 +88,25 @@ impl GearPrototype {
         };
         let root = ring.root();
         let section = options.stresses.then(|| {
-            let s = inclined(&fillet, sense, CRITICAL[usize::from(form.internal)]);
+            let s = inclined(&fillet, lean * sense, CRITICAL[usize::from(form.internal)]);
             let point = fillet.at(s);
-            let [x, y] = point.position;
+            let ([x, y], [out, across]) = (point.position, point.normal);
             CriticalSection {
                 at: sense * (x - root),
-                chord: 2.0 * y,
-                notch_radius: 1.0 / point.curvature.abs(),
+                chord: 2.0 * lean * y,
+                // Of a curve that is shorter across by the factor.
+                notch_radius: across.hypot(lean * out).powi(3) / (lean * point.curvature.abs()),
                 s,
                 position: point.position,
             }
         });
-        Ok(ToothShape { sense, depths: depths(&fillet, foot, &flank, sense, root), ring, section })
+        let depths =
+            depths(&fillet, foot, &flank, sense, root).into_iter().map(|[at, half]| [at, lean * half]);
+        Ok(ToothShape { sense, depths: depths.collect(), lean, ring, section })
     }
 }
 
-/// Angle of the fillet's tangent against the middle of the tooth.
+/// Angle of the fillet's tangent against the middle of the tooth; `sense` times the cosine of the helix angle, in the section at right angles to it.
 fn inclination(fillet: &RootFillet, sense: f64, s: f64) -> f64 {
     let [x, y] = fillet.at(s).normal;
     math::atan2(sense * x, y)

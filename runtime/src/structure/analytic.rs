@@ -7,6 +7,11 @@
 //! load (Johnson, eq. 2.19, plane strain). So the reference length of a load's own half-plane is `h exp(-1 / (2 (1 - nu)))`. Between
 //! two places it is taken as `ln(1 + h h' / x²) / (pi E')`, which is the same near the load, and dies out beyond the depth instead of changing its
 //! sign; that kernel is positive definite.
+//!
+//! Helical teeth bend in the section at right angles to them, as the virtual spur gears of the standards do: across the tooth it is shorter than the
+//! transverse one by the cosine `c` of the helix angle, a force across a slice of the face is the part `1 / c` of that at right angles to the tooth, and acts on
+//! `1 / c` of its length. So an even load bends teeth by `1 / c⁴` as much as their transverse section, and stresses their fillets by `1 / c²` as much. What
+//! carries them is the ring of the transverse section. Displacements are along the force of each load, so the whole is symmetric as it is for `c = 1`.
 
 mod cantilever;
 mod held_ring;
@@ -29,8 +34,11 @@ use std::sync::Arc;
 pub struct ToothShape {
     /// +1 of a tooth that points outwards, -1 inwards.
     pub sense: f64,
-    /// Distances along the tooth from where its fillets end on the ring, and half of its depth there; ascending, the first one 0.
+    /// Distances along the tooth from where its fillets end on the ring, and half of its depth there, at right angles to the tooth; ascending, the
+    /// first one 0.
     pub depths: Vec<[f64; 2]>,
+    /// Cosine of the helix angle: 1 of straight teeth.
+    pub lean: f64,
     /// What carries it.
     pub ring: RingShape,
     /// Where it is stressed most; none if stresses are not wanted.
@@ -50,6 +58,7 @@ pub struct AnalyticStructure {
 struct Tooth {
     sense: f64,
     root: f64,
+    lean: f64,
     cantilever: Cantilever,
     section: Option<CriticalSection>,
     modulus: f64,
@@ -61,7 +70,10 @@ struct Tooth {
 #[derive(Clone, Copy, Default)]
 struct Local {
     s: f64,
+    /// On the ring, per length along the face.
     load: RootLoad,
+    /// On the cantilever, per length along the face: at right angles to the tooth.
+    bending: RootLoad,
     /// The cantilever up to where the load's line crosses its middle.
     beam: Flexibility,
     /// How far that is from the root, m.
@@ -104,6 +116,7 @@ impl Tooth {
         Tooth {
             sense: shape.sense,
             root: shape.ring.root(),
+            lean: shape.lean,
             cantilever: Cantilever::new(&shape.depths, material, plane),
             section: shape.section,
             modulus: material.surface_modulus(plane),
@@ -119,7 +132,7 @@ impl Tooth {
         self.local_at(s, (on.position, on.normal), (entering.position, entering.normal))
     }
 
-    /// A place by its position and outward normal, and by those of where its load enters the tooth.
+    /// A place by its position and outward normal, and by those of where its load enters the tooth: of a slice of the face, the parts in it.
     fn local_at(&self, s: f64, on: ([f64; 2], [f64; 2]), entering: ([f64; 2], [f64; 2])) -> Local {
         let ([x, y], [out, across]) = on;
         let load = RootLoad {
@@ -127,18 +140,29 @@ impl Tooth {
             shear: -across,
             moment: self.sense * (-(x - self.root) * across + y * out),
         };
+        let (deep, against) = (self.lean * y, across / self.lean);
+        let bending = RootLoad {
+            shear: -against,
+            moment: self.sense * (-(x - self.root) * against + deep * out),
+            ..load
+        };
         let ([x, y], [out, across]) = entering;
-        let tangent = out / across.abs();
-        let along = self.sense * (x - self.root - y.abs() * tangent);
+        let (deep, tangent) = (self.lean * y.abs(), self.lean * out / across.abs());
+        let along = self.sense * (x - self.root - deep * tangent);
         let crossing = along.clamp(0.0, self.cantilever.length());
-        let depth = self.depth_ratio * y.abs() * 1.0f64.hypot(tangent);
-        Local { s, load, beam: self.cantilever.up_to(crossing), crossing, depth }
+        let depth = self.depth_ratio * deep * 1.0f64.hypot(tangent);
+        Local { s, load, bending, beam: self.cantilever.up_to(crossing), crossing, depth }
     }
 
     /// What gives beneath one place by a load on another of the same tooth, the ring left out, m/(N/m).
     fn between(&self, one: &Local, other: &Local) -> f64 {
         let nearer = if one.crossing <= other.crossing { one } else { other };
-        nearer.beam.between(&one.load, &other.load)
+        self.lean * nearer.beam.between(&one.bending, &other.bending)
+    }
+
+    /// Stress at the critical section on a side of the tooth, by a force of 1 N/m on a place: Pa/(N/m).
+    fn stress(&self, section: &CriticalSection, place: &Local, side: f64) -> f64 {
+        self.lean * section.stress(&place.bending, side)
     }
 
     /// What half-planes that end at a depth have beside one with this reference length, m/(N/m).
@@ -203,7 +227,7 @@ impl Structure for AnalyticStructure {
         let by = |load: &SurfaceLoad| {
             let profile = self.surfaces.get(load.chart.surface as usize)?;
             let local = self.tooth.local(profile.as_ref(), load.s);
-            Some(load.force * section.stress(&local.load, side))
+            Some(load.force * self.tooth.stress(section, &local, side))
         };
         let stress = loads.iter().filter(|load| load.chart.tooth == tooth).filter_map(by).sum();
         let (sine, cosine) = self.tooth_angle(tooth).sin_cos();

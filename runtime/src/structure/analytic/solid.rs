@@ -68,7 +68,8 @@ impl AnalyticSolid {
     ) -> AnalyticSolid {
         let tooth = Tooth::new(shape, material, Plane::Strain);
         let height = tooth.cantilever.length();
-        let spread = height * (2.0 / 3.0 * (1.0 - material.poissons_ratio)).sqrt();
+        // Along the tooth; along the face it is less.
+        let spread = shape.lean * height * (2.0 / 3.0 * (1.0 - material.poissons_ratio)).sqrt();
         let mirror = |z: f64| Mirror { point: [0.0, 0.0, z], normal: [0.0, 0.0, 1.0] };
         AnalyticSolid {
             surfaces,
@@ -225,7 +226,7 @@ impl SolidStructure for AnalyticSolid {
         let by: Vec<(Place, f64)> = own
             .filter_map(|load| {
                 let place = self.place(self.surfaces.get(load.chart.surface as usize)?.as_ref(), &load.spot);
-                let stress = load.force * section.stress(&place.slice.load, side);
+                let stress = load.force * self.tooth.stress(section, &place.slice, side);
                 Some((place, stress))
             })
             .collect();
@@ -287,7 +288,7 @@ mod tests {
         let ring = RingShape { radius: 10e-3, held_radius: 8e-3, half_arc: 0.05, sectors: 20 };
         let slab = |side| Slab { from: ring.root(), length: 1e-3, half: 0.3e-3, side };
         let depths = (0..=10).map(|k| [0.1e-3 * f64::from(k), 0.3e-3]).collect();
-        let shape = ToothShape { sense: 1.0, depths, ring, section: None };
+        let shape = ToothShape { sense: 1.0, depths, lean: 1.0, ring, section: None };
         let plane = AnalyticStructure::new(
             vec![Arc::new(slab(1.0)), Arc::new(slab(-1.0))],
             &shape,

@@ -34,7 +34,7 @@ fn slabs(held: f64, unit: f64, material: Material) -> AnalyticStructure {
     let (from, half) = (shape.root(), 0.3 * unit);
     let flank = |side| Arc::new(Slab { from, length: unit, half, side }) as Arc<dyn Profile>;
     let depths = (0..=10).map(|k| [0.1 * unit * f64::from(k), half]).collect();
-    let shape = ToothShape { sense: 1.0, depths, ring: shape, section: None };
+    let shape = ToothShape { sense: 1.0, depths, lean: 1.0, ring: shape, section: None };
     AnalyticStructure::new(vec![flank(1.0), flank(-1.0)], &shape, 3, material, Plane::Strain)
 }
 
@@ -61,6 +61,39 @@ fn on_a_rigid_ring_it_is_timoshenkos_beam_and_the_depth_beneath_the_load() {
     let back = Chart { surface: 1, ..FLANK };
     let through = compliance(&body, (back, low), (FLANK, high));
     assert!((through / -bent - 1.0).abs() < 1e-6, "{through}");
+}
+
+/// A plate that leans by an angle under an even load across it: as deep as the section at right angles, under the force at right angles, which all
+/// of its length bears; what it gives across is more than that at right angles.
+#[test]
+fn a_leaning_tooth_is_a_plate_of_its_own_depth() {
+    let (lean, half, at) = (0.8, 0.3e-3, 0.9e-3);
+    let ring = RingShape { radius: 10e-3, held_radius: 8e-3, half_arc: 0.05, sectors: 20 };
+    let slab = Slab { from: ring.root(), length: 1e-3, half, side: 1.0 };
+    let depths = (0..=10).map(|k| [0.1e-3 * f64::from(k), lean * half]).collect();
+    let section = CriticalSection {
+        at: 0.1e-3,
+        chord: 2.0 * lean * half,
+        notch_radius: 0.2e-3,
+        s: 0.0,
+        position: [0.0; 2],
+    };
+    let shape = ToothShape { sense: 1.0, depths, lean, ring, section: Some(section) };
+    let tooth = Tooth::new(&shape, Material::STEEL, Plane::Strain);
+    let local = tooth.local(&slab, at);
+    let (e, g, depth) = (206e9 / 0.91, 206e9 / 2.6, 2.0 * lean * half);
+    // A force of 1 N by length along the face is 1 / lean at right angles, on 1 / lean of the length.
+    let [force, length] = [1.0 / lean; 2];
+    let given = 4.0 * at.powi(3) / (e * depth.powi(3)) + 1.2 * at / (g * depth);
+    let expected = force / length * given / lean;
+    let found = tooth.between(&local, &local);
+    assert!((found / expected - 1.0).abs() < 1e-12, "{found} {expected}");
+    let (arm, chord, notch) = (0.8e-3, depth, 0.2e-3);
+    let (slender, sharp): (f64, f64) = (chord / arm, chord / (2.0 * notch));
+    let correction = (1.2 + 0.13 * slender) * sharp.powf(1.0 / (1.21 + 2.3 / slender));
+    let expected = correction * 6.0 * (force / length) * arm / (chord * chord);
+    let found = tooth.stress(&section, &local, 1.0);
+    assert!((found / expected - 1.0).abs() < 1e-12, "{found} {expected}");
 }
 
 /// Weber: under Hertz's pressure over a width 2 b the middle comes nearer to a point at the depth h by
