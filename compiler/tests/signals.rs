@@ -120,6 +120,59 @@ fn a_pair_shows_the_harmonics_of_its_mesh_in_tables_and_pictures() {
     }
 }
 
+/// A pair that hardly turns, the second gear on a spring against turning.
+const STRUCK: &str = "import gears;
+units SI;
+var rack = gears.rack(module = 3 mm, tip_radius = 0.9 mm);
+var blank = gears.external(teeth = 20, rack = rack, face_width = 20 mm, outer_diameter = 66 mm, root_diameter = 52.5 mm,
+    material = gears.material(206 GPa, 0.3), rim = gears.simple_rim(45 mm, 30 mm));
+var one = gears.body(\"one\", blank, free = [\"theta_z\"], moment = 50 N*m*e3, inertia = 2e-3 kg*m^2,
+    frame := Rotate(1e-3 rpm*Time, e3));
+var two = gears.body(\"two\", blank, free = [\"theta_z\"], inertia = 2e-3 kg*m^2,
+    frame := Rotate(-1e-3 rpm*Time, e3)*Translate(60.3 mm*e1));
+var spring = gears.bearing(\"spring\", two, torsional_stiffness = 1e5 N*m/rad);
+var mesh = gears.mesh(one, two, cells = 4, tip_corner_contact = FALSE);
+// So small that the same cells go on carrying.
+gears.impulse(one, at = 0.1 ms, duration = 0.04 ms, angular_momentum = 1e-4 N*m*s*e3);
+output lower := gears.natural_frequency(1);
+output upper := gears.natural_frequency(2);
+output swing := gears.rotation(one, \"z\");
+gears.spectrum(\"swing\", from = 0.2 ms);
+gears.transfer_function(\"swing\", from = 0.1 ms, momentum = 1e-4);
+analyze(\"dynamic\", over = gears.time_ranges([gears.time_range(20 ms, step = 10 us)]), fidelity = \"analytic\", rayleigh_mass = 500 Hz);
+";
+
+/// What swings after a blow has its lines where the natural frequencies about the equilibrium are, which know of no motion in time.
+#[test]
+fn after_a_blow_lines_are_at_the_natural_frequencies() {
+    let directory = tempfile::tempdir().unwrap();
+    let model = directory.path().join("model.cx");
+    fs::write(&model, STRUCK).unwrap();
+    let output =
+        Command::new(env!("CARGO_BIN_EXE_calyx")).arg("run").arg(&model).arg("--no-cache").output().unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let record = fs::read_to_string(directory.path().join("model.cx.run/run.json")).unwrap();
+    let record: serde_json::Value = serde_json::from_str(&record).unwrap();
+    let natural = ["lower", "upper"].map(|name| record["outputs"][name]["max"].as_f64().unwrap());
+    // Both gears on the spring, and against each other on their teeth.
+    assert!(natural[1] > 2.0 * natural[0] && natural[0] > 500.0, "{natural:?}");
+    for signal in record["signals"].as_array().unwrap() {
+        let mut peaks: Vec<f64> = signal["peaks"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .filter_map(|peak| peak["frequency"].as_f64())
+            .collect();
+        peaks.truncate(2);
+        peaks.sort_by(f64::total_cmp);
+        assert_eq!(peaks.len(), 2, "{signal}");
+        for (peak, natural) in peaks.iter().zip(natural) {
+            // Lines are 50 Hz apart, and lie between.
+            assert!((peak - natural).abs() < 25.0, "{}: {peaks:?} {natural:?}", signal["kind"]);
+        }
+    }
+}
+
 /// E0776 and E0777, as warnings.
 #[test]
 fn what_the_rows_cannot_show_is_said_at_the_request_and_spoils_nothing() {
