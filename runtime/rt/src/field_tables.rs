@@ -23,7 +23,11 @@ const ASKED_FOR: [&str; 3] = [PRESSURE, ROOT_STRESS, PLACES];
 pub const NAMES: [&str; 4] = [LINE_LOAD, PRESSURE, ROOT_STRESS, PLACES];
 
 /// Columns of the patch that a row belongs to.
-const PATCH: [&str; 5] = ["step", "first_body", "first_tooth", "second_body", "second_tooth"];
+const PATCH: [&str; 6] = ["step", "first_body", "first_tooth", "second_body", "second_tooth", "side"];
+/// What stands in the column `side`: which of a tooth's flanks.
+pub const DRIVING: &str = "driving";
+/// The same of those behind.
+pub const BACK: &str = "back";
 
 /// The tables of a run, being written.
 pub struct FieldTables {
@@ -109,10 +113,11 @@ impl FieldTables {
 }
 
 /// Columns of a patch.
-fn patch(step: usize, contact: &ContactField) -> [String; 5] {
+fn patch(step: usize, contact: &ContactField) -> [String; 6] {
     let [first, second] = &contact.bodies;
     let [first_tooth, second_tooth] = contact.teeth.map(|tooth| tooth.to_string());
-    [step.to_string(), first.clone(), first_tooth, second.clone(), second_tooth]
+    let side = if contact.back { BACK } else { DRIVING };
+    [step.to_string(), first.clone(), first_tooth, second.clone(), second_tooth, side.into()]
 }
 
 /// Columns of a place on both flanks.

@@ -242,6 +242,7 @@ mod tests {
             contacts: vec![ContactField {
                 bodies: ["pinion".into(), "gear".into()],
                 teeth: [2, 5],
+                back: false,
                 cells: vec![cell],
                 slices: Vec::new(),
             }],

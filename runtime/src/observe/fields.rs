@@ -22,6 +22,8 @@ pub struct ContactField {
     pub bodies: [String; 2],
     /// One of each body.
     pub teeth: [u32; 2],
+    /// Of the sides of teeth that are behind those which drive.
+    pub back: bool,
     /// All of them, those without load too.
     pub cells: Vec<PressedCell>,
     /// Pieces along the line of contact.
@@ -125,6 +127,7 @@ impl Contact<'_> {
         ContactField {
             bodies: self.bodies().map(name),
             teeth: self.teeth(),
+            back: self.at.system.scene.pairs[self.patch.pair].front.is_some(),
             cells: corners.into_iter().zip(pressures).enumerate().filter_map(cell).collect(),
             slices: self.slices(),
         }

@@ -4,6 +4,7 @@
 use super::chart::{Axis, Curve, Piece, TALL, WIDE, curves, map};
 use super::read::Loaded;
 use super::units::Units;
+use crate::field_tables::BACK;
 use std::collections::BTreeMap;
 
 /// Meshes that are shown, those with the largest pressures.
@@ -13,9 +14,11 @@ const STRIPS: usize = 48;
 /// Places farther apart than this many times the usual distance have nothing between them.
 const APART: f64 = 3.0;
 
-/// The contact of two bodies.
+/// The contact of two bodies, of one side of their teeth.
 pub struct Mesh {
     pub bodies: [String; 2],
+    /// The side behind those that drive.
+    pub back: bool,
     /// Pa
     pub largest: f64,
     /// The largest pressure at each place of the first body's flank.
@@ -26,25 +29,28 @@ pub struct Mesh {
     pub path: String,
 }
 
-/// The meshes of a run, the most pressed first; and how many are left out.
+/// The meshes of a run, sides of teeth apart, the most pressed first; and how many are left out.
 pub fn meshes(rows: &[Loaded], units: Units) -> (Vec<Mesh>, usize) {
-    let mut by_bodies: BTreeMap<[&str; 2], Vec<&Loaded>> = BTreeMap::new();
+    let mut by_bodies: BTreeMap<([&str; 2], bool), Vec<&Loaded>> = BTreeMap::new();
     for row in rows {
-        by_bodies.entry([&row.first_body, &row.second_body]).or_default().push(row);
+        let bodies = [&row.first_body[..], &row.second_body];
+        by_bodies.entry((bodies, row.side == BACK)).or_default().push(row);
     }
-    let mut all: Vec<([&str; 2], Vec<&Loaded>, f64)> = by_bodies
+    type Side<'r> = (([&'r str; 2], bool), Vec<&'r Loaded>, f64);
+    let mut all: Vec<Side<'_>> = by_bodies
         .into_iter()
-        .map(|(bodies, rows)| {
+        .map(|(of, rows)| {
             let largest = rows.iter().map(|row| row.pressure).fold(0.0, f64::max);
-            (bodies, rows, largest)
+            (of, rows, largest)
         })
         .collect();
     all.sort_by(|one, other| other.2.total_cmp(&one.2));
     let left_out = all.len().saturating_sub(SHOWN);
-    let mesh = |(bodies, rows, largest): ([&str; 2], Vec<&Loaded>, f64)| {
+    let mesh = |((bodies, back), rows, largest): Side<'_>| {
         let along = Along::of(&rows, units);
         Mesh {
             bodies: bodies.map(str::to_owned),
+            back,
             largest,
             pattern: pattern(&rows, &along, bodies[0], units),
             along_face: along_face(&rows, units),
@@ -233,6 +239,7 @@ mod tests {
             first_tooth: tooth,
             second_body: "gear".into(),
             second_tooth: tooth,
+            side: String::new(),
             first_radius: 0.02,
             first_roll_angle: Some(roll),
             second_radius: 0.04,
@@ -273,6 +280,18 @@ mod tests {
                 && mesh.along_face.contains("teeth 1 and 1")
                 && !mesh.path.is_empty()
         );
+    }
+
+    /// Flanks on both sides of teeth have the same roll angles, and nothing to do with each other.
+    #[test]
+    fn both_sides_of_teeth_have_maps_of_their_own() {
+        let on = |side: &str, load: f64| -> Vec<Loaded> {
+            (0..9).map(|k| Loaded { side: side.into(), ..row(k, 0, 0.1 * k as f64, None, load) }).collect()
+        };
+        let (meshes, _) = meshes(&[on("back", 2e5), on("driving", 7e5)].concat(), Units::of_system("SI"));
+        let sides: Vec<(bool, f64)> = meshes.iter().map(|mesh| (mesh.back, mesh.largest)).collect();
+        assert_eq!(sides, [(false, 7e5), (true, 2e5)]);
+        assert!(meshes.iter().all(|mesh| mesh.pattern.contains("<polyline") && mesh.pattern.len() > 100));
     }
 
     /// Grids of positions are of different lengths, and their slices an odd number beside each other.

@@ -252,7 +252,7 @@ fn contact_section(run: &Run, units: Units) -> Markup {
         @for mesh in &meshes {
             @let [first, second] = &mesh.bodies;
             article {
-                h3 { (first) " and " (second) }
+                h3 { (first) " and " (second) @if mesh.back { ", back sides of the teeth" } }
                 p { "Largest pressure: " b { (number(units.stress.of(mesh.largest))) " " (units.stress.name) } "." }
                 (figure(&mesh.pattern, &format!("Contact pattern on {first}: the largest pressure that each place of the flank sees over all positions, teeth laid over each other.")))
                 (figure(&mesh.along_face, "Load along the face: of the position with the largest load, tooth pair by tooth pair, and the largest of all positions."))

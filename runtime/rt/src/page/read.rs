@@ -145,6 +145,9 @@ pub struct Loaded {
     pub first_tooth: u32,
     pub second_body: String,
     pub second_tooth: u32,
+    /// [`DRIVING`](crate::field_tables::DRIVING) or [`BACK`](crate::field_tables::BACK); empty of runs that did not tell.
+    #[serde(default)]
+    pub side: String,
     pub first_radius: f64,
     pub first_roll_angle: Option<f64>,
     pub second_radius: f64,
