@@ -20,10 +20,6 @@ impl Structure for Sized {
         unreachable!("a structure without surfaces")
     }
 
-    fn tooth_angle(&self, _: u32) -> f64 {
-        0.0
-    }
-
     fn teeth(&self) -> u32 {
         1
     }

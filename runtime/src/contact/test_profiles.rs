@@ -92,10 +92,6 @@ impl Structure for HalfPlaneBody {
         Arc::new(Arcs::new([0.0, 0.0], 0.0, &[(1.0, 1.0)], false))
     }
 
-    fn tooth_angle(&self, _tooth: u32) -> f64 {
-        0.0
-    }
-
     fn teeth(&self) -> u32 {
         1
     }

@@ -26,7 +26,7 @@ pub use solid::AnalyticSolid;
 use super::{Chart, StressPlace, Structure, SurfaceLoad};
 use crate::material::{Material, Plane};
 use crate::profile::Profile;
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::PI;
 use std::sync::Arc;
 
 /// A tooth and what carries it, in tooth coordinates: the middle of the tooth along +x, the body's axis at the origin. m.
@@ -176,10 +176,6 @@ impl Tooth {
 impl Structure for AnalyticStructure {
     fn profile(&self, surface: u32) -> Arc<dyn Profile> {
         self.surfaces[surface as usize].clone()
-    }
-
-    fn tooth_angle(&self, tooth: u32) -> f64 {
-        TAU * f64::from(tooth % self.teeth) / f64::from(self.teeth)
     }
 
     fn teeth(&self) -> u32 {

@@ -10,7 +10,7 @@ use super::{Chart, LugForce, ReshapedSurface, StressPlace, Structure, SurfaceLoa
 use crate::profile::Profile;
 use faer::{Mat, MatRef};
 use std::cmp::Ordering;
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::PI;
 use std::sync::Arc;
 
 impl ElasticStructure {
@@ -240,10 +240,6 @@ fn compare(a: &[Local], b: &[Local]) -> Ordering {
 impl Structure for ElasticStructure {
     fn profile(&self, surface: u32) -> Arc<dyn Profile> {
         self.surfaces[surface as usize].profile.clone()
-    }
-
-    fn tooth_angle(&self, tooth: u32) -> f64 {
-        TAU * f64::from(tooth % self.teeth) / f64::from(self.teeth)
     }
 
     fn teeth(&self) -> u32 {

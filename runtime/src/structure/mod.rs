@@ -41,6 +41,7 @@ use crate::profile::Profile;
 use faer::{Mat, MatRef};
 use ring::FreeRing;
 use solid::SolidStructure;
+use std::f64::consts::TAU;
 use std::sync::Arc;
 
 /// Why a structure cannot be made of a mesh.
@@ -155,7 +156,10 @@ pub trait Structure: Send + Sync {
     fn profile(&self, surface: u32) -> Arc<dyn Profile>;
 
     /// Angle by which tooth `tooth` is turned in the body's frame, rad (counter-clockwise).
-    fn tooth_angle(&self, tooth: u32) -> f64;
+    fn tooth_angle(&self, tooth: u32) -> f64 {
+        let teeth = self.teeth();
+        TAU * f64::from(tooth % teeth) / f64::from(teeth)
+    }
 
     /// Number of repeated sectors; 1 where nothing repeats.
     fn teeth(&self) -> u32;

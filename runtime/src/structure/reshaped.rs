@@ -64,10 +64,6 @@ impl Structure for Reshaped {
         self.surfaces[surface as usize].profile.clone()
     }
 
-    fn tooth_angle(&self, tooth: u32) -> f64 {
-        self.body.tooth_angle(tooth)
-    }
-
     fn teeth(&self) -> u32 {
         self.body.teeth()
     }

@@ -2,7 +2,6 @@
 
 use super::{Chart, StressPlace, Structure, SurfaceLoad};
 use crate::profile::Profile;
-use std::f64::consts::TAU;
 use std::sync::Arc;
 
 /// Surfaces without compliance, repeated round a circle like those of a gear.
@@ -21,10 +20,6 @@ impl RigidStructure {
 impl Structure for RigidStructure {
     fn profile(&self, surface: u32) -> Arc<dyn Profile> {
         self.surfaces[surface as usize].clone()
-    }
-
-    fn tooth_angle(&self, tooth: u32) -> f64 {
-        TAU * f64::from(tooth % self.teeth) / f64::from(self.teeth)
     }
 
     fn teeth(&self) -> u32 {

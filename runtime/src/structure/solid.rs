@@ -23,6 +23,7 @@ pub use simple::SimpleSolid;
 
 use super::{Chart, LugForce};
 use crate::surface::Surface;
+use std::f64::consts::TAU;
 use std::sync::Arc;
 
 /// A place on a surface, with the stretch of the face over which a force there is spread and a displacement there averaged, evenly. Points
@@ -102,7 +103,10 @@ pub trait SolidStructure: Send + Sync {
     fn surface(&self, surface: u32) -> Arc<dyn Surface>;
 
     /// Angle by which tooth `tooth` is turned about the body's z axis, rad, counter-clockwise.
-    fn tooth_angle(&self, tooth: u32) -> f64;
+    fn tooth_angle(&self, tooth: u32) -> f64 {
+        let teeth = self.teeth();
+        TAU * f64::from(tooth % teeth) / f64::from(teeth)
+    }
 
     /// Number of repeated sectors; 1 where nothing repeats.
     fn teeth(&self) -> u32;
@@ -161,10 +165,6 @@ impl Reshaped {
 impl SolidStructure for Reshaped {
     fn surface(&self, surface: u32) -> Arc<dyn Surface> {
         self.surfaces.get(surface as usize).cloned().unwrap_or_else(|| self.shared.surface(surface))
-    }
-
-    fn tooth_angle(&self, tooth: u32) -> f64 {
-        self.shared.tooth_angle(tooth)
     }
 
     fn teeth(&self) -> u32 {

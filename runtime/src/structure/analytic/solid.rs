@@ -15,7 +15,7 @@ use crate::material::{Material, Plane};
 use crate::structure::Chart;
 use crate::structure::solid::{Mirror, SolidStructure, Spot, SpotLoad, SurfaceStress};
 use crate::surface::Surface;
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::PI;
 use std::sync::Arc;
 
 /// Stations along the face at which stress is told.
@@ -172,10 +172,6 @@ fn mean_inverse(a: f64, along: f64, [first, second]: [f64; 2]) -> f64 {
 impl SolidStructure for AnalyticSolid {
     fn surface(&self, surface: u32) -> Arc<dyn Surface> {
         self.surfaces[surface as usize].clone()
-    }
-
-    fn tooth_angle(&self, tooth: u32) -> f64 {
-        TAU * f64::from(tooth % self.teeth) / f64::from(self.teeth)
     }
 
     fn teeth(&self) -> u32 {

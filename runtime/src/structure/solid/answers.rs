@@ -15,7 +15,6 @@ use crate::surface::Surface;
 use faer::Mat;
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
-use std::f64::consts::TAU;
 use std::sync::Arc;
 
 impl ElasticSolid {
@@ -89,10 +88,6 @@ fn compare(a: &[Spot], b: &[Spot]) -> Ordering {
 impl SolidStructure for ElasticSolid {
     fn surface(&self, surface: u32) -> Arc<dyn Surface> {
         self.surfaces[surface as usize].surface.clone()
-    }
-
-    fn tooth_angle(&self, tooth: u32) -> f64 {
-        TAU * f64::from(tooth % self.teeth) / f64::from(self.teeth)
     }
 
     fn teeth(&self) -> u32 {

@@ -3,7 +3,6 @@
 use super::{Mirror, SolidStructure, Spot, SpotLoad, SurfaceStress};
 use crate::structure::Chart;
 use crate::surface::Surface;
-use std::f64::consts::TAU;
 use std::sync::Arc;
 
 /// Surfaces of which each gives way as the half-space that touches it, and feels no load on another one: `R` is zero.
@@ -38,10 +37,6 @@ impl SimpleSolid {
 impl SolidStructure for SimpleSolid {
     fn surface(&self, surface: u32) -> Arc<dyn Surface> {
         self.surfaces[surface as usize].clone()
-    }
-
-    fn tooth_angle(&self, tooth: u32) -> f64 {
-        TAU * f64::from(tooth % self.teeth) / f64::from(self.teeth)
     }
 
     fn teeth(&self) -> u32 {
