@@ -1,18 +1,24 @@
 //! Every example is right as it stands, and runs.
 
-use calyx::rt::{Given, RunOptions, run};
-use calyx::{Engine, Module, check_file};
+use calyx::rt::{Given, RunError, RunOptions, run};
+use calyx::{Engine, Module, Override, check_file};
 use calyx_tests::{pictures, root};
+use serde_json::Value;
+use std::path::PathBuf;
+
+fn examples() -> Vec<PathBuf> {
+    let entries = std::fs::read_dir(root().join("examples")).expect("there are examples");
+    let paths = entries.map(|entry| entry.expect("an entry").path());
+    let mut paths: Vec<PathBuf> =
+        paths.filter(|path| path.extension().is_some_and(|extension| extension == "cx")).collect();
+    paths.sort();
+    assert!(!paths.is_empty());
+    paths
+}
 
 #[test]
 fn every_example_checks_without_a_word_and_runs() {
-    let mut count = 0;
-    for entry in std::fs::read_dir(root().join("examples")).expect("there are examples") {
-        let path = entry.expect("an entry").path();
-        if path.extension().is_none_or(|extension| extension != "cx") {
-            continue;
-        }
-        count += 1;
+    for path in examples() {
         let checked = check_file(&path).expect("examples can be read");
         assert!(checked.diagnostics.is_empty(), "{}", checked.render());
         let description = &checked.description;
@@ -44,5 +50,67 @@ fn every_example_checks_without_a_word_and_runs() {
         let stress = ["gears.max_root_stress(", "gears.gauge_stress("].iter().any(|ask| source.contains(ask));
         pictures::check(directory.path(), rows - 1, stress);
     }
-    assert!(count > 0);
+}
+
+/// At the levels without meshes every example runs, and has a value of every output but of those that are refused by name, each at its place; an analysis
+/// that a level cannot have is refused by name as a whole. Levels that an example does not offer are chosen from outside.
+#[test]
+fn examples_run_at_the_levels_without_meshes() {
+    for path in examples() {
+        let name = path.file_stem().expect("a name").to_string_lossy().into_owned();
+        let checked = check_file(&path).expect("examples can be read");
+        let params = checked.description.params.clone();
+        let module = Module::from_checked(&Engine::default(), checked).expect("examples compile");
+        for level in ["rigid", "analytic"] {
+            let fidelity = params.iter().find(|param| param.name == "fidelity");
+            let offers = fidelity.is_some_and(|param| param.choices.iter().any(|choice| choice == level));
+            let mut overrides = Override::default();
+            for (knob, value) in [("cells", "3"), ("cells_along", "2"), ("error_estimates", "none")] {
+                overrides.set(knob, value).expect("a knob");
+            }
+            let mut given = Vec::new();
+            match offers {
+                true => given.push(Given::text("fidelity", level)),
+                false => overrides.set("fidelity", level).expect("a knob"),
+            }
+            if params.iter().any(|param| param.name == "steps") {
+                given.push(Given::text("steps", "2"));
+            }
+            let directory = tempfile::tempdir().expect("a directory");
+            let options = RunOptions {
+                directory: directory.path().into(),
+                given,
+                quiet: true,
+                overrides,
+                ..RunOptions::default()
+            };
+            let report = match run(module.as_program(), &options) {
+                Ok(report) => report,
+                Err(RunError::Run(error)) => {
+                    assert_eq!(
+                        (&name[..], level, error.code()),
+                        ("spur_dynamics", "rigid", Some("E0781")),
+                        "{error:?}"
+                    );
+                    continue;
+                }
+                Err(error) => panic!("{name} at {level}: {error:?}"),
+            };
+            let record = std::fs::read_to_string(directory.path().join("run.json")).expect("a record");
+            let record: Value = serde_json::from_str(&record).expect("JSON");
+            let Some(outputs) = record["outputs"].as_object() else {
+                assert_eq!(record["fidelity"], Value::Null, "{name} at {level}");
+                continue;
+            };
+            assert_eq!(record["fidelity"], level);
+            let refused = record["refused_outputs"].as_object().expect("those that have none");
+            for (output, told) in outputs {
+                let (known, named) = (told["max"].is_number(), refused.contains_key(output));
+                assert!(known != named, "{name} at {level}: {output} {told}");
+            }
+            let told: Vec<&str> = report.findings.iter().map(|finding| &finding.error.code[..]).collect();
+            assert_eq!(told, vec!["E0780"; refused.len()], "{name} at {level}");
+            assert!(report.findings.iter().all(|finding| finding.error.place.is_some()), "{name} at {level}");
+        }
+    }
 }
