@@ -1,7 +1,7 @@
 //! The page's sections about the run itself: what went in, what was modelled, how well it was solved, how long it took.
 
 use super::read::{End, Run};
-use super::{number, paragraphs};
+use super::{accuracy, number, paragraphs};
 use maud::{Markup, PreEscaped, html};
 use serde_json::Value;
 
@@ -224,6 +224,7 @@ pub fn timing(run: &Run) -> Markup {
         @if let (Some(built), Some(reused)) = (built, reused) {
             p { (built) " structures were condensed, " (reused) " were there already." }
         }
+        (accuracy::costs(run, |stage| timing["stages"][stage].as_f64()))
         @if let Some(memory) = timing["memory"]["asked"].as_f64().filter(|bytes| *bytes > 0.0) {
             p { "The most memory asked for at once: " (number(memory * 1e-6)) " MB." }
         }

@@ -5,36 +5,83 @@ use super::{about, error, number, percent};
 use maud::{Markup, PreEscaped, html};
 use serde_json::Value;
 
-/// What an error comes from: its name in `run.json` and for people, what changes it, and by how much.
+/// What an error comes from: its name in `run.json` and for people, what halves it, and what that takes.
 struct Source {
     name: &'static str,
     shown: &'static str,
     remedy: &'static str,
+    /// Of how many times the run's own time of a stage; none where it is not the run's own.
+    cost: Option<(&'static str, f64)>,
 }
 
+/// Orders are those of the estimates (`calyx_runtime::estimate`); what they cost is measured (`docs/accuracy.md`), to a factor of two.
 const SOURCES: [Source; 5] = [
     Source {
         name: "discretization",
         shown: "mesh",
-        remedy: "a finer mesh: the next fidelity, more elements along the face, or `refinement`",
+        remedy: "1.5 times the elements along every direction (`--refinement 1.5`), or the next fidelity: structures take about twice as long",
+        cost: Some(("structures", 2.0)),
     },
     Source {
         name: "contact_grid",
         shown: "contact grid",
-        remedy: "more contact cells (`cells` of the mesh)",
+        remedy: "1.5 times the contact cells (`--cells`): positions take about twice as long",
+        cost: Some(("positions", 2.0)),
     },
     Source {
         name: "positions",
         shown: "positions",
-        remedy: "1.4 times as many positions: what lies between them falls with their square",
+        remedy: "1.4 times as many positions, for what lies between them falls with their square: they take 1.4 times as long",
+        cost: Some(("positions", 1.4)),
     },
-    Source { name: "level", shown: "level of modelling", remedy: "the fidelity above" },
+    Source {
+        name: "level",
+        shown: "level of modelling",
+        remedy: "the fidelity above: `calyx explain` with `--fidelity` says what it takes",
+        cost: None,
+    },
     Source {
         name: "time_step",
         shown: "time step",
-        remedy: "0.7 of the time step: its error falls with the square",
+        remedy: "0.7 of the time step, for its error falls with the square: positions take 1.4 times as long",
+        cost: Some(("positions", 1.4)),
     },
 ];
+
+/// Which of the sources weighs most in what an output may be off by.
+fn worst(output: &Output) -> Option<&'static Source> {
+    let parts = output.error.iter().flat_map(|estimate| &estimate.parts);
+    let (name, _) = parts.max_by(|a, b| relative(&a.1, output).total_cmp(&relative(&b.1, output)))?;
+    SOURCES.iter().find(|source| source.name == name)
+}
+
+/// What halving costs on the machine that ran this, by the times of its stages (s): beside them, for no two runs have the same.
+pub fn costs(run: &Run, stage: impl Fn(&str) -> Option<f64>) -> Markup {
+    let rows: Vec<(&Source, Vec<&str>, &str, f64)> = SOURCES
+        .iter()
+        .filter_map(|source| {
+            let (named, times) = source.cost?;
+            let of =
+                run.outputs.iter().filter(|output| worst(output).is_some_and(|it| it.name == source.name));
+            let names: Vec<&str> = of.map(|output| &output.name[..]).collect();
+            let time = stage(named).filter(|time| *time > 0.0 && !names.is_empty())?;
+            Some((source, names, named, times * time))
+        })
+        .collect();
+    html! {
+        @if !rows.is_empty() {
+            h3 { "What half of the error would cost here" }
+            table {
+                thead { tr { th { "outputs" } th { "what weighs most" } th { "in place of the above" } } }
+                tbody { @for (source, names, stage, time) in rows { tr {
+                    td.word { @for (index, name) in names.iter().enumerate() { @if index > 0 { ", " } code { (name) } } }
+                    td.word { (source.shown) }
+                    td.word { "about " (number(format!("{time:.1e}").parse().unwrap_or(time))) " s for " (stage) }
+                } } }
+            }
+        }
+    }
+}
 
 /// See the module.
 pub fn section(run: &Run) -> Markup {
@@ -90,7 +137,7 @@ fn table(outputs: &[&Output]) -> Markup {
                 th { "to halve it" }
             } }
             tbody { @for output in outputs { @if let Some(estimate) = &output.error {
-                @let worst = estimate.parts.iter().max_by(|a, b| relative(&a.1, output).total_cmp(&relative(&b.1, output))).map(|part| part.0.as_str());
+                @let worst = worst(output);
                 tr {
                     th scope="row" { code { (output.name) } }
                     td { (number(output.statistics.max)) " " small { (output.unit) } }
@@ -98,14 +145,14 @@ fn table(outputs: &[&Output]) -> Markup {
                     td.main { (percent(estimate.relative)) }
                     @for source in &sources {
                         td { @match estimate.parts.iter().find(|(name, _)| name == source.name) {
-                            Some((name, part)) if worst == Some(name.as_str()) => b { (percent(relative(part, output))) },
+                            Some((name, part)) if worst.is_some_and(|source| source.name == name) => b { (percent(relative(part, output))) },
                             Some((_, part)) => (percent(relative(part, output))),
                             None => "–",
                         } }
                     }
                     td { @match estimate.total.mean { Some(mean) => (error(mean)), None => "–" } }
                     td { (error(estimate.total.peak_to_peak)) }
-                    td.word { (SOURCES.iter().find(|source| worst == Some(source.name)).map_or("", |source| source.remedy)) }
+                    td.word { (worst.map_or("", |source| source.remedy)) }
                 }
             } } }
         }
