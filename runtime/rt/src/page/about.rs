@@ -27,7 +27,9 @@ pub fn facts(run: &Run) -> Markup {
 
 /// What must not be missed: that a run is not whole, what it could not see, what deserves a second look.
 pub fn notices(run: &Run) -> Markup {
-    let warnings: Vec<&str> = texts(&run.head["warnings"]).collect();
+    // What has no value stands in a list of its own.
+    let others = texts(&run.head["warnings"]).filter(|warning| !warning.starts_with("E0780:"));
+    let warnings: Vec<&str> = others.collect();
     let ignored: Vec<_> = objects(&run.head["ignored_inputs"]).collect();
     let refused: Vec<_> = objects(&run.head["refused_outputs"]).collect();
     let solved = run.positions.len();
@@ -256,10 +258,16 @@ fn shown(value: &Value) -> String {
 
 /// What gives the same results.
 pub fn command(run: &Run) -> String {
-    let option =
-        |(name, value): (&String, &Value)| format!("--{} {}", name.replace('_', "-"), word(&shown(value)));
-    let overrides = objects(&run.head["overrides"]).map(option);
-    [asked("run", run)].into_iter().chain(overrides).collect::<Vec<_>>().join(" ")
+    turned(run, None)
+}
+
+/// The same with a knob of the analysis turned.
+pub fn turned(run: &Run, knob: Option<(&str, &str)>) -> String {
+    let option = |name: &str, value: &str| format!("--{} {}", name.replace('_', "-"), word(value));
+    let others = objects(&run.head["overrides"]).filter(|(name, _)| knob.is_none_or(|knob| knob.0 != *name));
+    let overrides = others.map(|(name, value)| option(name, &shown(value)));
+    let turned = knob.map(|(name, value)| option(name, value));
+    [asked("run", run)].into_iter().chain(overrides).chain(turned).collect::<Vec<_>>().join(" ")
 }
 
 /// A command of `calyx` with the model and the params that are not at their defaults.

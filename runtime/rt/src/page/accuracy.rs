@@ -14,18 +14,21 @@ struct Source {
     cost: Option<(&'static str, f64)>,
 }
 
+/// What a level of modelling leaves out, for people.
+const LEVEL: &str = "level of modelling";
+
 /// Orders are those of the estimates (`calyx_runtime::estimate`); what they cost is measured (`docs/accuracy.md`), to a factor of two.
 const SOURCES: [Source; 5] = [
     Source {
         name: "discretization",
         shown: "mesh",
-        remedy: "1.5 times the elements along every direction (`--refinement 1.5`), or the next fidelity: structures take about twice as long",
+        remedy: "1.5 times the elements along every direction (--refinement 1.5), or the next fidelity: structures take about twice as long",
         cost: Some(("structures", 2.0)),
     },
     Source {
         name: "contact_grid",
         shown: "contact grid",
-        remedy: "1.5 times the contact cells (`--cells`): positions take about twice as long",
+        remedy: "1.5 times the contact cells (--cells): positions take about twice as long",
         cost: Some(("positions", 2.0)),
     },
     Source {
@@ -36,8 +39,8 @@ const SOURCES: [Source; 5] = [
     },
     Source {
         name: "level",
-        shown: "level of modelling",
-        remedy: "the fidelity above: `calyx explain` with `--fidelity` says what it takes",
+        shown: LEVEL,
+        remedy: "the fidelity above: calyx explain with --fidelity says what it takes",
         cost: None,
     },
     Source {
@@ -88,13 +91,14 @@ pub fn section(run: &Run) -> Markup {
     if run.outputs.is_empty() {
         return PreEscaped(String::new());
     }
-    let estimated: Vec<&Output> = run.outputs.iter().filter(|output| output.error.is_some()).collect();
+    let estimated: Vec<&Output> =
+        run.outputs.iter().filter(|output| output.error.is_some() && output.has_values()).collect();
     let model = run.text("model");
     html! {
         @if estimated.is_empty() {
             p { "This run has no error estimates. " code { "analyze(..., error_estimates = \"cheap\")" } " asks for them." }
         } @else {
-            (table(&estimated))
+            (table(run, &estimated))
         }
         (tradeoff(run))
         @if run.tradeoff.is_none() {
@@ -110,7 +114,7 @@ fn relative(part: &Statistics, output: &Output) -> f64 {
     part.min.abs().max(part.max.abs()) / output.statistics.magnitude()
 }
 
-fn table(outputs: &[&Output]) -> Markup {
+fn table(run: &Run, outputs: &[&Output]) -> Markup {
     let has = |source: &&Source| {
         outputs.iter().any(|output| {
             output.error.iter().flat_map(|error| &error.parts).any(|(name, _)| name == source.name)
@@ -157,7 +161,13 @@ fn table(outputs: &[&Output]) -> Markup {
             } } }
         }
         @if !missing.is_empty() {
-            p.note { "Not estimated: " (missing.join(", ")) ". It comes on top." }
+            p.note {
+                "Not estimated, and on top of it: " (missing.join(", ")) "."
+                @if missing.contains(&LEVEL) {
+                    " What the level of modelling leaves out is estimated by the level above: "
+                    code { (about::turned(run, Some(("error_estimates", "full")))) } "."
+                }
+            }
         }
     }
 }

@@ -170,7 +170,11 @@ fn summary(run: &Run) -> Markup {
             } }
             tbody { @for output in &run.outputs {
                 @let of = output.statistics;
-                tr {
+                @if !output.has_values() { tr.faint {
+                    th scope="row" { code { (output.name) } }
+                    td.word { (output.unit) }
+                    td.word colspan=(if estimated { "7" } else { "5" }) { "no value" }
+                } } @else { tr {
                     th scope="row" { a href={ "#output-" (output.name) } { code { (output.name) } } }
                     td.word { (output.unit) }
                     td { (number(of.min)) }
@@ -182,7 +186,7 @@ fn summary(run: &Run) -> Markup {
                     } }
                     td { (number(of.peak_to_peak)) }
                     td.word { (output.place) }
-                }
+                } }
             } }
         }
         @if run.end != End::Finished {
@@ -211,7 +215,7 @@ fn plots(run: &Run) -> Markup {
     let banded = run.outputs.iter().any(|output| output.error.is_some());
     html! {
         @if banded { p.note { "The band is how far values may be off, by the error estimates of this run." } }
-        @for output in &run.outputs { (plot(output, &x, &places, &marks)) }
+        @for output in run.outputs.iter().filter(|output| output.has_values()) { (plot(output, &x, &places, &marks)) }
     }
 }
 

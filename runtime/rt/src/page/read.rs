@@ -12,6 +12,9 @@ use std::fs;
 use std::io;
 use std::path::Path;
 
+/// Lengths below it, m, are rounding.
+const ROUNDING: f64 = 1e-12;
+
 /// How a run ended.
 #[derive(Clone, Debug, PartialEq)]
 pub enum End {
@@ -166,6 +169,13 @@ pub struct Picture {
     pub svg: String,
 }
 
+impl Output {
+    /// Whether any position has a value of it: a fidelity may have none.
+    pub fn has_values(&self) -> bool {
+        self.values.iter().any(|value| value.is_finite())
+    }
+}
+
 impl Run {
     /// # Errors
     /// There is no run in the directory, or its files are not those of a run.
@@ -273,7 +283,9 @@ fn place(at: &Value, units: Units) -> String {
     }
     let length = |si: f64| format!("{} {}", super::number(units.length.of(si)), units.length.name);
     words.extend(at["place"]["radius"].as_f64().map(|radius| format!("radius {}", length(radius))));
-    words.extend(at["place"]["axial"].as_f64().map(|axial| format!("{} from mid-face", length(axial))));
+    // Mid-face to rounding is mid-face.
+    let axial = at["place"]["axial"].as_f64().map(|axial| if axial.abs() < ROUNDING { 0.0 } else { axial });
+    words.extend(axial.map(|axial| format!("{} from mid-face", length(axial))));
     words.join(", ")
 }
 

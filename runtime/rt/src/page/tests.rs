@@ -140,12 +140,36 @@ fn errors_stand_beside_what_they_are_of() {
         "<b>1.7 %</b>",
         "0.33 %",
         "1.4 times as many positions",
-        "Not estimated: level of modelling",
+        "Not estimated, and on top of it: level of modelling.",
+        " --fidelity plane --face-elements 3 --error-estimates full</code>",
         "<polygon",
     ] {
         assert!(page.contains(said), "{said}");
     }
     assert!(!page.contains("This run has no error estimates"));
+}
+
+/// What a fidelity has no value of is said once, and has neither a plot nor an address to go to.
+#[test]
+fn outputs_without_values_are_named_once() {
+    let mut run = run_json();
+    let nothing = json!({ "min": null, "max": null, "mean": null, "peak_to_peak": null });
+    run["outputs"]["stress"] = nothing;
+    run["refused_outputs"] = json!({ "stress": "root stresses" });
+    run["warnings"] = json!(["E0780: output `stress` has no value", "W0715: look here"]);
+    let directory = directory(&run);
+    let rows = fs::read_to_string(directory.path().join("steps.csv")).unwrap();
+    let rows: Vec<String> = rows
+        .lines()
+        .map(|row| format!("{row},{}\n", if row.starts_with("step") { "stress" } else { "NaN" }))
+        .collect();
+    fs::write(directory.path().join("steps.csv"), rows.concat()).unwrap();
+    let page = text(directory.path());
+    assert_eq!(page.matches("<code>stress</code>").count(), 2, "in the list and in the table");
+    for said in ["it needs root stresses", "no value</td>", "W0715: look here"] {
+        assert!(page.contains(said), "{said}");
+    }
+    assert!(!page.contains("output-stress") && !page.contains("E0780"));
 }
 
 /// What lies beside the run directory of a model answers what half of an error costs.
