@@ -45,14 +45,13 @@ fn equal_planets_share_equally_and_give_as_finite_elements() {
             }
         }
         for (mesh, expected) in given.iter().zip(meshed) {
-            println!("{mesh:?} {expected:?}");
             assert!((mesh[0] / expected[0] - 1.0).abs() < 1e-9, "{mesh:?} {expected:?}");
-            assert!((mesh[1] / expected[1] - 1.0).abs() < 0.05, "{mesh:?} {expected:?}");
-            assert!((mesh[2] / expected[2] - 1.0).abs() < 0.05, "{mesh:?} {expected:?}");
+            assert!((mesh[1] / expected[1] - 1.0).abs() < 0.02, "{mesh:?} {expected:?}");
+            assert!((mesh[2] / expected[2] - 1.0).abs() < 0.02, "{mesh:?} {expected:?}");
         }
-        println!("{stresses:?} {of_mesh:?}");
         for (stress, expected) in stresses.iter().zip(of_mesh) {
-            assert!((stress / expected - 1.0).abs() < 0.2, "{stress} {expected}");
+            // By the standard, on coarse elements: the ring's inward teeth are farthest off.
+            assert!((stress / expected - 1.0).abs() < 0.25, "{stress} {expected}");
         }
     }
 }

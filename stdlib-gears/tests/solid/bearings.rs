@@ -80,7 +80,6 @@ fn an_overhung_gear_without_meshes() {
     };
     let [soft, stiff_one, hard] =
         [0.3, 1.0, 1e3].map(|factor| uneven(&scene(&options, &pair_of_bearings(factor))));
-    println!("{soft} {stiff_one} {hard}");
     assert!(soft > stiff_one && stiff_one > hard && hard >= 1.0, "{soft} {stiff_one} {hard}");
     solved_at(Fidelity::Rigid, &stiff, |_, step| {
         let [held, turn] = [&step.motion[..5], &step.motion[5..]];
