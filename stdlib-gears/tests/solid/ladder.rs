@@ -55,8 +55,8 @@ fn slices_of_straight_teeth_are_the_plane() {
     }
 }
 
-/// Teeth that lean bend and are stressed in the section at right angles to them, which is thinner than the transverse one: at 20 degrees transverse slices
-/// would be a tenth too stiff. Against finite elements, nothing fitted.
+/// Teeth that lean bend and are stressed in the section at right angles to them, which is thinner than the transverse one: against finite elements, on a
+/// mesh that is coarse for stresses, nothing fitted.
 #[test]
 fn helical_teeth_give_as_finite_elements() {
     let coarse = StructureOptions {
@@ -66,15 +66,14 @@ fn helical_teeth_give_as_finite_elements() {
         axial_order: Some(2),
         ..StructureOptions::default()
     };
-    let angles: Vec<f64> = std::env::var("ANGLES").map_or(vec![0.35], |text| text.split(',').map(|a| a.parse().unwrap()).collect());
-    let meshed_on = if std::env::var("MEDIUM").is_ok() { StructureOptions::default() } else { coarse };
-    for angle in angles {
-        let options = elastic(Options { half_cells: [4, 4], ..Options::helical(angle, Hand::Right) });
-        let (_, given) = seen(&options, Fidelity::Analytic);
-        let (_, meshed) = seen_on(&options, Fidelity::Solid(Template::Medium), meshed_on);
-        for ([error, _, stiffness, stress], [of_mesh, _, meshed, root]) in given.iter().zip(&meshed) {
-            println!("{angle}: error {:.4} stiffness {:.4} stress {:.4}", error / of_mesh, stiffness / meshed, stress / root);
-        }
+    let options = elastic(Options { half_cells: [4, 4], ..Options::helical(0.35, Hand::Right) });
+    let (_, given) = seen(&options, Fidelity::Analytic);
+    let (_, meshed) = seen_on(&options, Fidelity::Solid(Template::Medium), coarse);
+    for ([error, _, stiffness, stress], [of_mesh, _, meshed, root]) in given.iter().zip(&meshed) {
+        assert!((error / of_mesh - 1.0).abs() < 0.1, "{error} {of_mesh}");
+        assert!((stiffness / meshed - 1.0).abs() < 0.1, "{stiffness} {meshed}");
+        // Root stresses err upwards, as they do on straight teeth.
+        assert!((1.0..1.25).contains(&(stress / root)), "{stress} {root}");
     }
 }
 
