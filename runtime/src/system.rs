@@ -5,6 +5,7 @@ use crate::building::{Structures, build_structures};
 use crate::contact::solid::Pose;
 use crate::dynamics::Modes;
 use crate::error::{EngineError, Subject};
+use crate::inertia::Inertia;
 use crate::interrupt::Interrupt;
 use crate::lug_contact::{LugContact, add_flanks, lug_contacts};
 use crate::motion::{PlanePose, Stance, axle, moved_by, point_velocity, pose_in_space};
@@ -14,7 +15,7 @@ use crate::results::StructureCounts;
 use crate::scene::{BodyId, Fidelity, Scene, SurfacePair};
 use crate::structure::solid::SolidStructure;
 use crate::structure::{AnyStructure, Structure};
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 /// A free component of a body's frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -47,6 +48,8 @@ pub struct System<'s> {
     /// In which bodies vibrate, in time or about an equilibrium; none unless an analysis asks for them ([`System::vibrating`]).
     pub(crate) modes: Modes,
     structure_counts: StructureCounts,
+    /// Of every body about its axle, where somebody asks: those of gears take their meshes.
+    inertias: OnceLock<Vec<Inertia>>,
     /// Bodies that the plan left out.
     pub(crate) left_out: Vec<bool>,
 }
@@ -161,6 +164,7 @@ impl<'s> System<'s> {
             rigid: plan.fidelity == Fidelity::Rigid,
             modes,
             structure_counts,
+            inertias: OnceLock::new(),
             left_out: plan.bodies.iter().map(|body| body.left_out).collect(),
         };
         let turns = |pair: &SurfacePair| pair.mesh.as_ref().is_some_and(|mesh| mesh.orbit != 0.0);
@@ -197,8 +201,17 @@ impl<'s> System<'s> {
             modes: self.modes.clone(),
             structure_counts: self.structure_counts,
             rigid: self.rigid,
+            inertias: OnceLock::new(),
             left_out: self.left_out.clone(),
         }
+    }
+
+    /// The inertias of all bodies about their axles.
+    pub(crate) fn inertias(&self) -> &[Inertia] {
+        self.inertias.get_or_init(|| {
+            let bodies = self.scene.bodies.iter().enumerate();
+            bodies.map(|(index, body)| body.inertia().from(self.axle(index))).collect()
+        })
     }
 
     /// How many structures were built for this system, and how many there were already.

@@ -104,9 +104,7 @@ impl<'s> History<'s> {
         observer.observe(Event::Stage("structures"))?;
         let mut system = timing.stage("structures", || System::with(scene, &plan, &options.resources))?;
         timing.structures = system.structure_counts();
-        let bodies = scene.bodies.iter().enumerate();
-        let inertias: Vec<Inertia> =
-            bodies.map(|(index, body)| body.inertia().from(system.axle(index))).collect();
+        let inertias = system.inertias().to_vec();
         check_inertia(&system, &inertias)?;
         system.modes = timing.stage("modes", || Modes::find(scene, &plan, &options.resources, highest))?;
         check_vibrations(&system)?;

@@ -47,7 +47,7 @@ impl System<'_> {
             if own.is_empty() {
                 continue;
             }
-            let inertia = self.scene.bodies[index].inertia().from(self.axle(index));
+            let inertia = self.inertias()[index];
             let turned = self.inertia_on_ground(index, time, &inertia);
             let axes = self.axes(index, time);
             for &i in &own {
@@ -219,9 +219,7 @@ pub(crate) fn check_vibrations(system: &System<'_>) -> Result<(), EngineError> {
     if highest.is_none() && scene.modes_table.is_none() {
         return Ok(());
     }
-    let inertias =
-        scene.bodies.iter().enumerate().map(|(index, body)| body.inertia().from(system.axle(index)));
-    check_inertia(system, &inertias.collect::<Vec<_>>())?;
+    check_inertia(system, system.inertias())?;
     let count = system.freedoms.len() + system.modes.count();
     match highest {
         Some(mode) if mode >= count => Err(EngineError::new(
