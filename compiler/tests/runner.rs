@@ -167,8 +167,8 @@ fn a_killed_run_goes_on_and_writes_the_same_bytes() {
     let expected = results(whole.path());
     let count = expected["steps.csv"].lines().count() as u64 - 1;
     assert!(count > 6, "{}", expected["steps.csv"]);
-    // Run, steps and report, five tables, two pictures of every position and their lists.
-    assert_eq!(expected.len() as u64, 3 + 5 + 2 * count + 2, "{:?}", expected.keys());
+    // Run, steps and report, five tables, three pictures of every position and their lists.
+    assert_eq!(expected.len() as u64, 3 + 5 + 3 * count + 3, "{:?}", expected.keys());
     let moments = [
         (Way::CalyxRun, 0),
         (Way::CalyxRun, 1),

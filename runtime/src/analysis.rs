@@ -7,7 +7,7 @@ use crate::dynamics::check_modes;
 use crate::error::{EngineError, Subject};
 use crate::estimate::{self, Estimates, Judged, quasi_static_siblings};
 use crate::holding;
-use crate::observe::{Equilibrium, Fields, ModesTable, check_vibrations};
+use crate::observe::{Equilibrium, Fields, MeshedBodies, ModesTable, check_vibrations};
 use crate::plan::Plan;
 use crate::resources::Resources;
 use crate::results::{AnalysisResult, Observed, OutputRequest, Solved, StepRow, Timing};
@@ -86,6 +86,9 @@ pub struct AnalysisOptions {
     /// Of so many positions at most, evenly spread from the first on, tell the observer the fields too: pressures, line loads, stresses.
     /// They take no part in the results.
     pub fields: usize,
+    /// Whether the meshes of elastic bodies, deformed, are among these fields: they are decomposed for it once, and each position takes a
+    /// back-substitution for every tooth.
+    pub bodies: bool,
     /// Which errors of its outputs are estimated, once all positions are solved.
     pub error_estimates: Estimates,
 }
@@ -99,6 +102,7 @@ impl Default for AnalysisOptions {
             resources: Resources::default(),
             solved: Vec::new(),
             fields: 0,
+            bodies: false,
             error_estimates: Estimates::None,
         }
     }
@@ -432,19 +436,34 @@ pub fn quasi_static(
     observer.observe(Event::Planned(planned.plan()))?;
     observer.observe(Event::Stage("structures"))?;
     let mut steps = planned.build()?;
+    let meshed = steps.timing.meshed(scene, &steps.plan, options)?;
     observer.observe(Event::Stage("positions"))?;
     while let Some(solved) = steps.next() {
         let solved = &solved?;
         let index = steps.solved().len() - 1;
         let told = tells_fields(options.fields, index, positions.len());
         let equilibrium = steps.equilibrium().filter(|_| told);
-        let fields = equilibrium.map(Equilibrium::fields);
+        let fields = equilibrium.map(|at| at.fields_with(meshed.as_ref())).transpose()?;
         observer.observe(Event::Step { index, count: positions.len(), solved, fields: fields.as_ref() })?;
     }
     if options.error_estimates != Estimates::None {
         observer.observe(Event::Stage(ERRORS))?;
     }
     steps.finish()
+}
+
+impl Timing {
+    /// The meshes of bodies, if fields are to have them.
+    pub(crate) fn meshed(
+        &mut self,
+        scene: &Scene,
+        plan: &Plan,
+        options: &AnalysisOptions,
+    ) -> Result<Option<MeshedBodies>, EngineError> {
+        let wanted = options.bodies && options.fields > 0;
+        let meshed = || MeshedBodies::new(scene, plan, &options.resources);
+        wanted.then(|| self.stage("meshes", meshed)).transpose()
+    }
 }
 
 /// Whether a position is among those, so many at most, whose fields are told.

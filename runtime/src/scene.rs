@@ -10,7 +10,7 @@ use crate::lug_contact::LugContact;
 use crate::motion::Motion;
 use crate::observe::{ModesRequest, Needs, Observable};
 use crate::structure::solid::SolidStructure;
-use crate::structure::{BodyModes, Structure, StructureSize};
+use crate::structure::{BodyModes, Drawable, MeshedBody, Structure, StructureSize};
 use std::any::Any;
 use std::f64::consts::TAU;
 use std::iter;
@@ -159,6 +159,34 @@ pub trait Prototype: Any + Send + Sync {
         shared: Arc<dyn SolidStructure>,
         _options: &StructureOptions,
     ) -> Result<Arc<dyn SolidStructure>, EngineError> {
+        Ok(shared)
+    }
+
+    /// The finite elements of the structure that [`Prototype::build`], or in space [`Prototype::build_solid`], condenses, to show the body
+    /// deformed. Equal prototypes with equal options give equal ones.
+    ///
+    /// # Errors
+    /// As [`Prototype::build`].
+    fn meshed(
+        &self,
+        _options: &StructureOptions,
+        _in_space: bool,
+        _interrupt: &Interrupt,
+    ) -> Result<Drawable, EngineError> {
+        Ok(Drawable::Not("is of a kind that pictures do not have"))
+    }
+
+    /// The mesh of this very body, made of one that [`Prototype::meshed`] gave it or another of the same key, as [`Prototype::shape`]
+    /// and [`Prototype::shape_solid`].
+    ///
+    /// # Errors
+    /// The body's own shape cannot be had.
+    fn shape_meshed(
+        &self,
+        shared: Arc<MeshedBody>,
+        _options: &StructureOptions,
+        _in_space: bool,
+    ) -> Result<Arc<MeshedBody>, EngineError> {
         Ok(shared)
     }
 

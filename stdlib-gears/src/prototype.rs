@@ -9,6 +9,7 @@ use crate::helix::Helix;
 use crate::modification::Modification;
 use crate::modified::reshaped;
 use crate::sector_mesh::{Refinement, TipEdge, sector_mesh};
+use crate::solid_prototype::SolidSector;
 use calyx_runtime::cache::{Key, KeyWriter};
 use calyx_runtime::error::EngineError;
 use calyx_runtime::fe::{ElementOrder, PlaneMesh, PlaneModel};
@@ -20,8 +21,8 @@ use calyx_runtime::profile::Profile;
 use calyx_runtime::scene::{BodyModel, Fidelity, Ignored, Prototype, StructureOptions};
 use calyx_runtime::structure::solid::{ElasticSolid, SolidStructure};
 use calyx_runtime::structure::{
-    BodyModes, BoreHold, ElasticStructure, ReshapedSurface, RingSource, SplitOptions, Structure,
-    StructureSize, SurfaceSource,
+    BodyModes, BoreHold, Drawable, ElasticStructure, MeshedBody, ReshapedSurface, RingSource, SplitOptions,
+    Structure, StructureSize, SurfaceSource,
 };
 use calyx_runtime::surface::Surface;
 use std::sync::Arc;
@@ -403,6 +404,39 @@ impl Prototype for GearPrototype {
         }
         let Some(surfaces) = self.own_surfaces(options)? else { return Ok(shared) };
         shared.reshaped(surfaces).ok_or_else(misshapen)
+    }
+
+    fn meshed(
+        &self,
+        options: &StructureOptions,
+        in_space: bool,
+        interrupt: &Interrupt,
+    ) -> Result<Drawable, EngineError> {
+        match options.model {
+            BodyModel::Rigid => return Ok(Drawable::Not("is rigid")),
+            BodyModel::Analytic => return Ok(Drawable::Not("has teeth of closed forms, without a mesh")),
+            BodyModel::Elements => {}
+        }
+        let surfaces = [0, 1].map(|side| format!("flank_{side}"));
+        let mesh = if in_space {
+            let SolidSector { model, ring, web } = self.solid_sector(options, interrupt)?;
+            MeshedBody::solid_ring(model, &ring, web.as_ref(), &surfaces, interrupt)?
+        } else {
+            let PlaneSector { model, ring, .. } = self.plane_sector(options, interrupt)?;
+            MeshedBody::ring(model, &ring, &surfaces, interrupt)?
+        };
+        Ok(Drawable::Mesh(Arc::new(mesh)))
+    }
+
+    /// In space surfaces of either shape have the same coordinates.
+    fn shape_meshed(
+        &self,
+        shared: Arc<MeshedBody>,
+        options: &StructureOptions,
+        in_space: bool,
+    ) -> Result<Arc<MeshedBody>, EngineError> {
+        let surfaces = if in_space { None } else { self.own_surfaces(options)? };
+        Ok(surfaces.map_or(shared.clone(), |surfaces| Arc::new(shared.reshaped(surfaces))))
     }
 
     /// What has no mesh is built faster than looked up.

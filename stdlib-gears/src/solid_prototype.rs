@@ -16,10 +16,10 @@ use calyx_runtime::fe::Place;
 use calyx_runtime::fe::solid::{SolidMesh, SolidModel};
 use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::scene::StructureOptions;
-use calyx_runtime::structure::RingSource;
 use calyx_runtime::structure::solid::{
     ElasticSolid, Reshaped, SolidSplitOptions, SolidStructure, SolidSurfaceSource,
 };
+use calyx_runtime::structure::{RevolvedWeb, RingSource};
 use calyx_runtime::surface::Surface;
 use std::sync::Arc;
 
@@ -43,6 +43,13 @@ pub(crate) fn stress_places(mesh: &SolidMesh, options: &StructureOptions) -> [us
 
 pub(crate) fn split_options(options: &StructureOptions) -> SolidSplitOptions {
     SolidSplitOptions { matching_depth: options.matching_depth, ..SolidSplitOptions::default() }
+}
+
+/// A tooth with its sector of the rim in space, how sectors are joined, and the web that they stand on if it has a mesh of its own.
+pub(crate) struct SolidSector {
+    pub model: SolidModel,
+    pub ring: RingSource<'static>,
+    pub web: Option<RevolvedWeb>,
 }
 
 impl GearPrototype {
@@ -160,17 +167,34 @@ impl GearPrototype {
         Ok(mesh.without(|element| beside[element / of_web.len()] && of_web[element % of_web.len()]))
     }
 
+    /// A sector in space of the gear without modifications, and how sectors are joined.
+    pub(crate) fn solid_sector(
+        &self,
+        options: &StructureOptions,
+        interrupt: &Interrupt,
+    ) -> Result<SolidSector, EngineError> {
+        self.check_recovery(options)?;
+        let mesh = self.solid_mesh(options)?;
+        interrupt.check()?;
+        let ring = RingSource {
+            sectors: self.gear.teeth(),
+            cuts: ["cut_right", "cut_left"],
+            bore: "bore",
+            hold: self.rim.hold,
+            coupled: self.coupled_teeth(),
+        };
+        let web = self.rim.revolved_web(self.gear.teeth(), self.material);
+        Ok(SolidSector { model: SolidModel::new(mesh, self.material), ring, web })
+    }
+
     /// The structure in space of the gear without modifications.
     pub(crate) fn condensed_solid(
         &self,
         options: &StructureOptions,
         interrupt: &Interrupt,
     ) -> Result<ElasticSolid, EngineError> {
-        self.check_recovery(options)?;
-        let mesh = self.solid_mesh(options)?;
-        interrupt.check()?;
-        let stress_places = stress_places(&mesh, options);
-        let model = SolidModel::new(mesh, self.material);
+        let SolidSector { model, ring, web } = self.solid_sector(options, interrupt)?;
+        let stress_places = stress_places(&model.mesh, options);
         let [tip, _] = self.roundings(options);
         let surfaces = self.plain_surfaces(options)?.into_iter().enumerate().map(|(index, surface)| {
             SolidSurfaceSource {
@@ -181,16 +205,9 @@ impl GearPrototype {
                 stress_places,
             }
         });
-        let ring = RingSource {
-            sectors: self.gear.teeth(),
-            cuts: ["cut_right", "cut_left"],
-            bore: "bore",
-            hold: self.rim.hold,
-            coupled: self.coupled_teeth(),
-        };
         let split = split_options(options);
         let surfaces: Vec<SolidSurfaceSource> = surfaces.collect();
-        Ok(match self.rim.revolved_web(self.gear.teeth(), self.material) {
+        Ok(match web {
             Some(web) => ElasticSolid::ring_on_web(&model, &ring, &web, (&surfaces, &split), interrupt)?,
             None => ElasticSolid::ring(&model, &ring, &surfaces, &split, interrupt)?,
         })

@@ -4,6 +4,7 @@ mod analysis;
 mod backlash;
 mod chapter_5_in_space;
 mod common;
+mod deformed;
 mod derived;
 mod diagnostics;
 mod disc_webs;

@@ -58,6 +58,7 @@ pub struct Instance {
     record: Option<RecordSink>,
     solved: Vec<Solved>,
     fields: usize,
+    bodies: bool,
     overrides: Override,
 }
 
@@ -80,6 +81,7 @@ impl Instance {
             record: None,
             solved: Vec::new(),
             fields: 0,
+            bodies: false,
             overrides: Override::default(),
         }
     }
@@ -237,6 +239,11 @@ impl Instance {
         self.fields = positions;
     }
 
+    /// Has the meshes of elastic bodies, deformed, told among these fields.
+    pub fn tell_bodies(&mut self, bodies: bool) {
+        self.bodies = bodies;
+    }
+
     /// What takes the place of what the model says of its analysis, in runs from now on.
     pub fn override_analysis(&mut self, overrides: Override) {
         self.overrides = overrides;
@@ -275,6 +282,7 @@ impl Instance {
             record: self.record.clone(),
             solved: self.solved.clone(),
             fields: self.fields,
+            bodies: self.bodies,
             overrides: self.overrides,
         }
     }
@@ -294,6 +302,7 @@ struct Job {
     record: Option<RecordSink>,
     solved: Vec<Solved>,
     fields: usize,
+    bodies: bool,
     overrides: Override,
 }
 
@@ -346,6 +355,7 @@ impl Job {
             host.analysis.resources = self.engine.resources(interrupt)?;
             host.analysis.solved = self.solved;
             host.analysis.fields = self.fields;
+            host.analysis.bodies = self.bodies;
             host.overrides = self.overrides;
         }
         let started = Instant::now();

@@ -53,7 +53,8 @@ pub struct RunArguments {
     pub fields: bool,
     /// Write pictures of every position for ParaView
     ///
-    /// Contact pressure, and stress in the fillets if an output asks for stress, as VTU files in the directory vtu of the results.
+    /// Contact pressure, stress in the fillets if an output asks for stress, and the meshes of elastic bodies with their displacements and
+    /// stresses, as VTU files in the directory vtu of the results.
     #[arg(long, help_heading = RESULTS)]
     pub vtu: bool,
     /// Print the results on standard output, as one JSON document

@@ -134,7 +134,8 @@ pub fn run(program: Arc<dyn Program>, options: &RunOptions) -> Result<RunReport,
         None => shown.stage(now.stage),
     });
     instance.on_print(move |line| printed.print(line));
-    let (solved, outcome) = write_steps(instance, directory, &head, found.as_ref(), options.details());
+    let (solved, outcome) =
+        write_steps(instance, directory, &head, found.as_ref(), (options.details(), progress.clone()));
     progress.finish();
     // What was solved until somebody ended the run is worth keeping, with what it is of.
     if let Err(RunError::Run(Error::Model(error))) = &outcome
@@ -201,19 +202,25 @@ fn write_steps(
     directory: &Path,
     head: &Value,
     found: Option<&Found>,
-    details: Details,
+    (details, progress): (Details, Arc<Progress>),
 ) -> (usize, Result<Results, RunError>) {
     let unwritable = |error| RunError::Io { path: directory.to_owned(), error };
     let outputs = instance.description().outputs.clone();
     instance.tell_fields(details.positions());
+    instance.tell_bodies(details.pictures);
     let solved = found.map_or(0, |found| found.solved.len());
     let record = match found.map(|found| Record::go_on(directory, &outputs, found, details)).transpose() {
         Ok(record) => record,
         Err(error) => return (solved, Err(unwritable(error))),
     };
     let written = Arc::new(Mutex::new(Written { record, solved, failure: None }));
+    let mut unsaid = true;
     let (writing, head, path) = (written.clone(), head.clone(), directory.to_owned());
     instance.on_solved(move |index, solved, fields| {
+        for (body, reason) in fields.iter().filter(|_| unsaid).flat_map(|fields| &fields.without_mesh) {
+            progress.note(&format!("`{body}` is not among the bodies in the pictures: it {reason}"));
+        }
+        unsaid &= fields.is_none();
         let mut written = writing.lock().unwrap_or_else(PoisonError::into_inner);
         written.write(&path, &outputs, &head, details, (index, solved, fields)).map_err(|error| {
             written.failure = Some(error);

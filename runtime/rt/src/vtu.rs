@@ -1,21 +1,29 @@
-//! Pictures of positions for ParaView: the pressed cells of the flanks and the stresses in fillets, as VTK's XML files of unstructured
-//! grids, with a collection that gives each its time.
-//!
-//! The files are tags around numbers, written here: the crates that write them read much more, and are not kept up.
+//! Pictures of positions for ParaView: the pressed cells of the flanks, the stresses in fillets and the meshes of elastic bodies, as VTK's XML
+//! files of unstructured grids, with a collection that gives each its time.
+
+mod grid;
+mod shown;
 
 use calyx_runtime::observe::Fields;
-use std::fmt::{Display, Write as _};
+use grid::Grid;
 use std::fs::{self, File};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-/// VTK's numbers of the kinds of cells used here.
-const VERTEX: u8 = 1;
-const LINE: u8 = 3;
-const QUADRILATERAL: u8 = 9;
+/// A kind of pictures of a position.
+struct Kind {
+    name: &'static str,
+    of: fn(&Fields) -> Grid,
+    /// Whether there is one of every position. Of others there is none where it would have no points: readers take such a grid for a
+    /// broken file.
+    always: bool,
+}
 
-/// The two kinds of pictures of a position.
-const KINDS: [&str; 2] = ["contact", "root_stress"];
+const KINDS: [Kind; 3] = [
+    Kind { name: "contact", of: shown::contact, always: true },
+    Kind { name: "root_stress", of: shown::root_stress, always: false },
+    Kind { name: "bodies", of: shown::bodies, always: false },
+];
 
 /// The pictures of a run, being written into `vtu` of its directory.
 pub struct Pictures {
@@ -31,16 +39,17 @@ impl Pictures {
         Ok(Pictures { folder, times })
     }
 
-    /// Adds a position at a time (s). Of stress there is no picture where none is recovered: readers take a grid without points for a
-    /// broken file.
+    /// Adds a position at a time (s).
     pub fn write(&mut self, step: usize, time: f64, fields: &Fields) -> io::Result<()> {
-        fs::write(self.folder.join(name(KINDS[0], step)), contact(fields).text())?;
-        let stress = root_stress(fields);
-        if !stress.points.is_empty() {
-            fs::write(self.folder.join(name(KINDS[1], step)), stress.text())?;
-        }
         self.times.push(time);
-        KINDS.iter().try_for_each(|kind| self.collect(kind))
+        for kind in &KINDS {
+            let grid = (kind.of)(fields);
+            if kind.always || !grid.points.is_empty() {
+                fs::write(self.folder.join(name(kind.name, step)), grid.text())?;
+            }
+            self.collect(kind.name)?;
+        }
+        Ok(())
     }
 
     /// The list of the pictures of a kind, if there are any.
@@ -73,7 +82,7 @@ fn name(kind: &str, step: usize) -> String {
 
 /// Whether a run has written the pictures of its first positions into a directory.
 pub fn are_in(directory: &Path, positions: usize) -> bool {
-    positions == 0 || folder(directory).join(name(KINDS[0], positions - 1)).exists()
+    positions == 0 || folder(directory).join(name(KINDS[0].name, positions - 1)).exists()
 }
 
 /// Removes the pictures of an earlier run.
@@ -81,7 +90,7 @@ pub fn remove(directory: &Path) -> io::Result<()> {
     let folder = folder(directory);
     let ours = |name: &str| {
         KINDS.iter().any(|kind| {
-            name.strip_prefix(kind)
+            name.strip_prefix(kind.name)
                 .is_some_and(|rest| rest == ".pvd" || (rest.starts_with('-') && rest.ends_with(".vtu")))
         })
     };
@@ -100,124 +109,14 @@ pub fn remove(directory: &Path) -> io::Result<()> {
     Ok(())
 }
 
-/// Points, cells over them, and values of either.
-#[derive(Default)]
-struct Grid {
-    points: Vec<[f64; 3]>,
-    cells: Vec<(u8, Vec<usize>)>,
-    point_values: Vec<(&'static str, Vec<f64>)>,
-    cell_values: Vec<(&'static str, Vec<f64>)>,
-}
-
-/// Every cell of every patch, with its pressure and the teeth it lies on.
-fn contact(fields: &Fields) -> Grid {
-    let mut grid = Grid::default();
-    let (mut pressures, mut first_teeth, mut second_teeth) = (Vec::new(), Vec::new(), Vec::new());
-    for contact in &fields.contacts {
-        for cell in &contact.cells {
-            let first = grid.points.len();
-            grid.points.extend(cell.corners);
-            grid.cells.push((QUADRILATERAL, (first..first + 4).collect()));
-            pressures.push(cell.pressure);
-            let [first_tooth, second_tooth] = contact.teeth.map(f64::from);
-            first_teeth.push(first_tooth);
-            second_teeth.push(second_tooth);
-        }
-    }
-    grid.cell_values =
-        vec![("pressure", pressures), ("first_tooth", first_teeth), ("second_tooth", second_teeth)];
-    grid
-}
-
-/// The points of fillets at which stress is recovered: joined to quadrilaterals where sections along the face have as many
-/// points each, to lines where there is one section.
-fn root_stress(fields: &Fields) -> Grid {
-    let mut grid = Grid::default();
-    let mut values: [Vec<f64>; 4] = Default::default();
-    for fillet in &fields.fillets {
-        let first = grid.points.len();
-        for stress in fillet.sections.iter().flatten() {
-            grid.points.push(stress.point);
-            let [largest, smallest] = stress.principal;
-            let numbers = [largest, smallest, stress.components[0], f64::from(fillet.tooth)];
-            values.iter_mut().zip(numbers).for_each(|(values, number)| values.push(number));
-        }
-        let across = fillet.sections.first().map_or(0, Vec::len);
-        let even = fillet.sections.iter().all(|section| section.len() == across);
-        let at = |section: usize, point: usize| first + section * across + point;
-        match fillet.sections.len() {
-            1 => grid.cells.extend((1..across).map(|point| (LINE, vec![at(0, point - 1), at(0, point)]))),
-            sections if even => {
-                for section in 1..sections {
-                    let cell = |point: usize| {
-                        let corners = [
-                            (section - 1, point - 1),
-                            (section - 1, point),
-                            (section, point),
-                            (section, point - 1),
-                        ];
-                        (QUADRILATERAL, corners.map(|(section, point)| at(section, point)).to_vec())
-                    };
-                    grid.cells.extend((1..across).map(cell));
-                }
-            }
-            _ => grid.cells.extend((first..grid.points.len()).map(|point| (VERTEX, vec![point]))),
-        }
-    }
-    let names = ["largest_principal", "smallest_principal", "along_profile", "tooth"];
-    grid.point_values = names.into_iter().zip(values).collect();
-    grid
-}
-
-impl Grid {
-    fn text(&self) -> String {
-        let mut text = format!(
-            "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\">\n<UnstructuredGrid>\n\
-             <Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n",
-            self.points.len(),
-            self.cells.len()
-        );
-        for (tag, values) in [("PointData", &self.point_values), ("CellData", &self.cell_values)] {
-            let _ = writeln!(text, "<{tag}>");
-            for (name, values) in values {
-                array(&mut text, "Float64", &format!("Name=\"{name}\""), values);
-            }
-            let _ = writeln!(text, "</{tag}>");
-        }
-        text += "<Points>\n";
-        array(&mut text, "Float64", "NumberOfComponents=\"3\"", self.points.as_flattened());
-        text += "</Points>\n<Cells>\n";
-        let corners: Vec<usize> = self.cells.iter().flat_map(|(_, corners)| corners).copied().collect();
-        array(&mut text, "Int64", "Name=\"connectivity\"", &corners);
-        let mut end = 0;
-        let ends: Vec<usize> = self
-            .cells
-            .iter()
-            .map(|(_, corners)| {
-                end += corners.len();
-                end
-            })
-            .collect();
-        array(&mut text, "Int64", "Name=\"offsets\"", &ends);
-        let kinds: Vec<u8> = self.cells.iter().map(|(kind, _)| *kind).collect();
-        array(&mut text, "UInt8", "Name=\"types\"", &kinds);
-        text + "</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n"
-    }
-}
-
-/// Numbers in their shortest decimals that read back to the same bits. Writing to a text cannot fail.
-fn array(text: &mut String, kind: &str, attribute: &str, numbers: &[impl Display]) {
-    let _ = writeln!(text, "<DataArray type=\"{kind}\" {attribute} format=\"ascii\">");
-    for (index, number) in numbers.iter().enumerate() {
-        let _ = write!(text, "{number}{}", if index % 9 == 8 { '\n' } else { ' ' });
-    }
-    text.push_str("\n</DataArray>\n");
-}
-
 #[cfg(test)]
 mod tests {
+    use super::grid::{HEXAHEDRON, LINE, QUADRILATERAL};
+    use super::shown::{bodies, contact, root_stress};
     use super::*;
-    use calyx_runtime::observe::{ContactField, FilletField, FilletStress, PressedCell};
+    use calyx_runtime::observe::{
+        BodyField, ContactField, FilletField, FilletStress, PressedCell, SectorField,
+    };
     use calyx_runtime::results::Place;
 
     fn place() -> Place {
@@ -247,6 +146,7 @@ mod tests {
                 slices: Vec::new(),
             }],
             fillets: vec![FilletField { body: "pinion".into(), tooth: 2, flank: 0, sections }],
+            ..Fields::default()
         }
     }
 
@@ -261,6 +161,32 @@ mod tests {
         let quadrilaterals = root_stress(&fields(3)).cells;
         assert_eq!(quadrilaterals.len(), 4);
         assert_eq!(quadrilaterals[3], (QUADRILATERAL, vec![4, 5, 8, 7]));
+    }
+
+    #[test]
+    fn meshes_have_their_displacements_and_stresses() {
+        let sector = |tooth: u32, cell: Vec<usize>| SectorField {
+            tooth,
+            points: (0..cell.len()).map(|k| [0.1 * k as f64, 0.0, 0.0]).collect(),
+            displacements: vec![[1e-6, 0.0, -2.5e-7]; cell.len()],
+            stresses: vec![[1.0, 2.0, 3.0, 4.0, 5.0, 6.0]; cell.len()],
+            cells: vec![cell],
+        };
+        let sectors = vec![sector(0, vec![3, 2, 1, 0]), sector(7, (0..8).collect())];
+        let body = BodyField { body: "gear".into(), number: 2, sectors };
+        let grid = bodies(&Fields { bodies: vec![body], ..fields(1) });
+        assert_eq!(grid.cells, [(QUADRILATERAL, vec![3, 2, 1, 0]), (HEXAHEDRON, (4..12).collect())]);
+        let text = grid.text();
+        let displacement = "type=\"Float32\" Name=\"displacement\" NumberOfComponents=\"3\" format=\"ascii\">\n1e-6 0 -2.5e-7 ";
+        assert!(text.contains(displacement), "{text}");
+        // VTK has the shear in the plane before the others.
+        assert!(text.contains(
+            "Name=\"stress\" NumberOfComponents=\"6\" format=\"ascii\">\n1e0 2e0 3e0 6e0 4e0 5e0 "
+        ));
+        let von_mises = (0.5 * (1.0 + 1.0 + 4.0) + 3.0 * (16.0 + 25.0 + 36.0_f64)).sqrt() as f32;
+        assert!(text.contains(&format!("Name=\"von_mises\" format=\"ascii\">\n{von_mises:e} ")), "{text}");
+        assert!(text.contains("Name=\"body\" format=\"ascii\">\n2e0 2e0 \n"));
+        assert!(text.contains("Name=\"tooth\" format=\"ascii\">\n0 7e0 \n"));
     }
 
     /// Readers take a grid without points for a broken file.

@@ -1,7 +1,9 @@
 //! What tables and pictures show of a solved position: pressure cell by cell, load along lines of contact, stress along fillets.
 
+use super::deformed::{BodyField, MeshedBodies};
 use super::stress::{RootStress, around_contact};
 use super::{Contact, Equilibrium, Slice};
+use crate::error::EngineError;
 use crate::results::Place;
 use crate::scene::BodyId;
 use crate::step::PatchGrid;
@@ -13,6 +15,10 @@ pub struct Fields {
     pub contacts: Vec<ContactField>,
     /// Fillets of loaded teeth and their neighbours, body by body, where stress is recovered.
     pub fillets: Vec<FilletField>,
+    /// Meshes of elastic bodies, where somebody wants them ([`crate::analysis::AnalysisOptions::bodies`]).
+    pub bodies: Vec<BodyField>,
+    /// Bodies that are to be seen and have no mesh, with the reason, in words that follow the name.
+    pub without_mesh: Vec<(String, &'static str)>,
 }
 
 /// A patch.
@@ -70,13 +76,24 @@ pub struct FilletStress {
 }
 
 impl Equilibrium<'_> {
-    /// Everything that tables and pictures show of the position.
+    /// Everything that tables show of the position, and pictures but for the meshes of bodies.
     pub fn fields(self) -> Fields {
         let bodies = 0..self.system.scene.bodies.len();
         Fields {
             contacts: self.all_contacts().map(|contact| contact.field()).collect(),
             fillets: bodies.flat_map(|body| self.fillets(BodyId(body))).collect(),
+            ..Fields::default()
         }
+    }
+
+    /// The same with the meshes of bodies, if there are any.
+    ///
+    /// # Errors
+    /// Those of [`Equilibrium::deformed`].
+    pub(crate) fn fields_with(self, meshed: Option<&MeshedBodies>) -> Result<Fields, EngineError> {
+        let fields = self.fields();
+        let Some(meshed) = meshed else { return Ok(fields) };
+        Ok(Fields { bodies: self.deformed(meshed)?, without_mesh: meshed.without.clone(), ..fields })
     }
 
     fn fillets(self, body: BodyId) -> Vec<FilletField> {

@@ -6,6 +6,7 @@
 
 mod bearings;
 mod bodies;
+mod deformed;
 mod equilibrium;
 mod fields;
 mod gauge;
@@ -23,6 +24,8 @@ pub use bearings::{BearingDeflection, BearingForce, BearingMoment, BearingTilt, 
 pub use bodies::{
     Displacement, HighestContact, LowestContact, Rotation, SupportForce, SupportMoment, ToothLoad,
 };
+pub(crate) use deformed::MeshedBodies;
+pub use deformed::{BodyField, SectorField};
 pub use equilibrium::{Contact, Equilibrium, Slice};
 pub use fields::{ContactField, Fields, FilletField, FilletStress, PressedCell};
 pub use gauge::{Gauge, GaugeReading, Reading};

@@ -64,7 +64,7 @@ impl BoreCoupling {
     }
 
     /// Amplitudes as a tooth sees them.
-    fn amplitudes(&self, observer: u32, (tooth, forces): (u32, &Mat<f64>)) -> Mat<f64> {
+    pub fn amplitudes(&self, observer: u32, (tooth, forces): (u32, &Mat<f64>)) -> Mat<f64> {
         let (observer, tooth) = (observer % self.sectors, tooth % self.sectors);
         let (mut amplitudes, ahead) = if self.lugs.is_some() {
             (product(self.release.as_ref(), self.in_body(tooth, forces).as_ref()), observer)
@@ -96,12 +96,17 @@ impl BoreCoupling {
         }
     }
 
+    /// Amplitudes as a tooth sees them under forces of all loose lugs on the ring, a column; `None` without such lugs.
+    pub fn amplitudes_by_lugs(&self, tooth: u32, forces: MatRef<'_, f64>) -> Option<Mat<f64>> {
+        let mut amplitudes = product(self.loose.as_ref()?.by_amplitudes.transpose(), forces);
+        self.shared.turn_rows(amplitudes.as_mut(), f64::from(tooth % self.sectors) * self.pitch);
+        Some(amplitudes)
+    }
+
     /// Stresses on a surface of a tooth under forces of all loose lugs on the ring, a column.
     pub fn stresses_by_lugs(&self, surface: usize, tooth: u32, forces: MatRef<'_, f64>) -> Option<Mat<f64>> {
-        let (stress, lugs) = (self.stress.get(surface)?, self.loose.as_ref()?);
-        let mut amplitudes = product(lugs.by_amplitudes.transpose(), forces);
-        self.shared.turn_rows(amplitudes.as_mut(), f64::from(tooth % self.sectors) * self.pitch);
-        Some(product(stress.as_ref(), amplitudes.as_ref()))
+        let amplitudes = self.amplitudes_by_lugs(tooth, forces)?;
+        Some(product(self.stress.get(surface)?.as_ref(), amplitudes.as_ref()))
     }
 
     /// Memory, in bytes.

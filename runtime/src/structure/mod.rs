@@ -8,6 +8,7 @@ mod answers;
 mod bore;
 pub(crate) mod bore_coupling;
 mod condense;
+pub(crate) mod deformed;
 pub(crate) mod elastic;
 pub(crate) mod far_coupling;
 pub(crate) mod kernel;
@@ -25,6 +26,7 @@ mod stored;
 mod web;
 
 pub use bore::BoreHold;
+pub use deformed::{BodyLoads, DeformedSector, Drawable, MeshedBody};
 pub use elastic::{ElasticStructure, Hold, RingSource, SurfaceSource};
 pub use lugs::{LugForce, Lugs};
 pub use modes::BodyModes;

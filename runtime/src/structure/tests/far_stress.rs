@@ -12,7 +12,7 @@ use crate::structure::{BoreHold, Chart, ElasticStructure, RingSource, SplitOptio
 use std::f64::consts::TAU;
 
 /// The load of a mesh on its first tooth, on the tooth that stands further on by an angle.
-fn turned(model: &PlaneModel, load: &SparseVector, angle: f64) -> Vec<f64> {
+pub(super) fn turned(model: &PlaneModel, load: &SparseVector, angle: f64) -> Vec<f64> {
     let (sin, cos) = angle.sin_cos();
     let full = load.to_full(model.dof_count());
     let nodes = &model.mesh.nodes;

@@ -3,6 +3,7 @@
 pub(crate) mod annulus;
 pub(crate) mod bodies;
 mod bore;
+mod deformed;
 mod disc;
 mod far_stress;
 mod loose_lugs;
