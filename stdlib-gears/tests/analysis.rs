@@ -113,7 +113,7 @@ fn it_ends_at_whichever_checkpoint_says_so_and_leaves_nothing_half_done() {
     let mut complete = [0; 3];
     // The first and the last ones, and a sample in between that hits every stage.
     let sample =
-        (1..6).chain((6..checkpoints).step_by(checkpoints / 40)).chain(checkpoints - 3..=checkpoints);
+        (1..6).chain((6..checkpoints).step_by(checkpoints / 20)).chain(checkpoints - 3..=checkpoints);
     for last in sample {
         let (interrupt, asked) = stopping_at(last);
         // Every other time without what earlier runs have left.

@@ -2,6 +2,7 @@
 
 use calyx::rt::{Given, RunError, RunOptions, run};
 use calyx::{Engine, Module, Override, check_file};
+use calyx_runtime::estimate::Estimates;
 use calyx_tests::pictures::{self, Expected};
 use calyx_tests::root;
 use serde_json::Value;

@@ -27,7 +27,7 @@ fn solve(pair: Pair, elements: usize, order: usize) -> Values {
 #[test]
 fn from_one_to_five_thousand() {
     let torques = [1.0, 10.0, 100.0, 1000.0, 5000.0];
-    let crowned = torques.map(|torque| solve(Pair { torque, ..CHAPTER_5 }, 4, 3));
+    let crowned = torques.map(|torque| solve(Pair { torque, ..CHAPTER_5 }, 2, 3));
     for (pair, torque) in crowned.windows(2).zip(torques.windows(2)) {
         let by_torque = |of: fn(&Values) -> f64| [of(&pair[0]) / torque[0], of(&pair[1]) / torque[1]];
         let falls = |[before, after]: [f64; 2]| after < before && after > 0.0;
@@ -37,7 +37,7 @@ fn from_one_to_five_thousand() {
         assert!(pair[0].mesh_stiffness < pair[1].mesh_stiffness, "{torque:?}: {pair:?}");
     }
     // Without crown and relief pressure goes by the root of the load.
-    let plain = [10.0, 1000.0].map(|torque| solve(Pair { torque, ..PLAIN }, 4, 3).contact_pressure);
+    let plain = [10.0, 1000.0].map(|torque| solve(Pair { torque, ..PLAIN }, 2, 3).contact_pressure);
     assert!((plain[1] / plain[0] / 10.0 - 1.0).abs() < 0.01, "{plain:?}");
 }
 
@@ -97,7 +97,7 @@ fn sharp_and_round_tools() {
 
 #[test]
 fn from_one_linear_element_along_the_face_to_one_of_order_seven() {
-    let best = solve(CHAPTER_5, 4, 5).root_stress[0];
+    let best = solve(CHAPTER_5, 4, 3).root_stress[0];
     for (elements, order, bound) in [(1, 1, 0.4), (1, 7, 0.01), (8, 1, 0.03)] {
         let error = solve(CHAPTER_5, elements, order).root_stress[0] / best - 1.0;
         assert!(error.abs() < bound, "{elements} of order {order}: {error}");
