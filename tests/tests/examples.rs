@@ -44,6 +44,8 @@ fn every_example_checks_without_a_word_and_runs() {
             given,
             quiet: true,
             vtu: PICTURED.contains(&&*path.file_stem().expect("a name").to_string_lossy()),
+            // What is tested here is that they run; estimates would take as long again.
+            overrides: Override { error_estimates: Some(Estimates::None), ..Override::default() },
             ..RunOptions::default()
         };
         let module = Module::from_checked(&Engine::default(), checked).expect("examples compile");
