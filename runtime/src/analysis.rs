@@ -296,8 +296,8 @@ impl<'s> Steps<'s> {
                 outputs: self.outputs,
                 rows: &rows,
             };
-            let found = quasi_static_siblings(&judged, self.error_estimates)?;
-            estimate::attach(&mut summaries, &rows, self.outputs, &self.system.scene.observables, &found);
+            let evidence = quasi_static_siblings(&judged, self.error_estimates)?;
+            estimate::attach(&mut summaries, &rows, self.outputs, &self.system.scene.observables, &evidence);
             self.timing.add(ERRORS, started.elapsed());
         }
         self.timing.memory = self.resources.interrupt.most_asked();

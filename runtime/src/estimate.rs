@@ -5,14 +5,20 @@
 //! difference tells the error (Richardson's extrapolation; Roache's grid convergence index has a factor of safety besides, as here).
 //! Siblings are coarser than the run they judge, so they cost a part of it: a mesh of half as many elements along every direction, a
 //! contact grid of half as many cells. Only the level above, which tells what the model itself leaves out, costs more than the run.
-//! What lies between positions is told by the positions ([`sampling`]).
+//! A motion in time is gone through once more in steps twice as long ([`in_time`]).
+//! What lies between positions is told by the positions and by a few more between them ([`sampling`]). Values that are nothing but rounding are
+//! known by the sizes of the scene ([`rounding`]).
 //!
 //! Orders and factors are measured (`cargo bench -p calyx-gears --bench convergence`), and what comes of them is tested: estimate over true
 //! error, the effectivity (`stdlib-gears/tests/estimates.rs`).
 
+mod in_time;
+mod rounding;
 mod sampling;
 mod siblings;
 
+pub(crate) use in_time::Moved;
+pub(crate) use rounding::of_outputs as rounding_of;
 pub(crate) use siblings::{Judged, quasi_static_siblings};
 
 use crate::observe::Observable;
@@ -133,11 +139,17 @@ pub struct ErrorEstimate {
     pub total: Statistics,
     /// Parts that exist and were not estimated, with the reason.
     pub not_estimated: Vec<(Part, String)>,
+    /// Magnitude up to which a value may be nothing but rounding, SI.
+    pub rounding: f64,
 }
 
 impl ErrorEstimate {
-    fn new(parts: Vec<(Part, Statistics)>, not_estimated: Vec<(Part, String)>) -> ErrorEstimate {
-        let mut estimate = ErrorEstimate { parts, total: Statistics::default(), not_estimated };
+    fn new(
+        parts: Vec<(Part, Statistics)>,
+        not_estimated: Vec<(Part, String)>,
+        rounding: f64,
+    ) -> ErrorEstimate {
+        let mut estimate = ErrorEstimate { parts, total: Statistics::default(), not_estimated, rounding };
         estimate.total = estimate.within(&Part::ALL);
         estimate
     }
@@ -153,15 +165,28 @@ impl ErrorEstimate {
         others.into_iter().fold(model, |sum, error| sum.with(error, |a, b| a + b))
     }
 
-    /// The error of the value of largest magnitude, as a part of it; `None` of an output that is nothing but zero, unless it is exact.
+    /// Whether an output is nothing but rounding: its values, and all that they may be off by.
+    pub fn is_rounding(&self, summary: &OutputSummary) -> bool {
+        let Statistics { min, max, mean, .. } = self.total;
+        let all = [summary.max, summary.min, max, min, mean];
+        all.iter().all(|value| value.abs() <= self.rounding) && all.iter().any(|&value| value != 0.0)
+    }
+
+    /// The error of the value of largest magnitude.
+    pub fn of_largest(&self, summary: &OutputSummary) -> f64 {
+        if summary.max.abs() >= summary.min.abs() { self.total.max } else { self.total.min }
+    }
+
+    /// The same as a part of that value; `None` where the value is no more than rounding, unless it is exactly nothing, and where nothing is known.
     pub fn relative(&self, summary: &OutputSummary) -> Option<f64> {
-        if !(summary.max.is_finite() && summary.min.is_finite()) {
+        let (magnitude, error) = (summary.max.abs().max(summary.min.abs()), self.of_largest(summary));
+        if self.parts.is_empty() || !(summary.max.is_finite() && summary.min.is_finite()) {
             return None;
         }
-        let [(magnitude, error), (other, least)] =
-            [(summary.max.abs(), self.total.max), (summary.min.abs(), self.total.min)];
-        let (magnitude, error) = if magnitude >= other { (magnitude, error) } else { (other, least) };
-        if error == 0.0 { Some(0.0) } else { Some(error / magnitude).filter(|part| part.is_finite()) }
+        match magnitude > self.rounding {
+            true => Some(error / magnitude).filter(|part| part.is_finite()),
+            false => (magnitude == 0.0 && error == 0.0).then_some(0.0),
+        }
     }
 }
 
@@ -172,20 +197,37 @@ pub(crate) struct Found {
     pub errors: Result<Vec<Statistics>, String>,
 }
 
+/// What errors are estimated by.
+#[derive(Default)]
+pub(crate) struct Evidence {
+    /// What siblings told.
+    pub found: Vec<Found>,
+    /// The rows of the analysis, and others between them; or none.
+    pub rows: Vec<StepRow>,
+    /// By output: magnitude up to which it may be nothing but rounding. Empty where that is not known.
+    pub rounding: Vec<f64>,
+}
+
 /// Puts estimates into the summaries: what siblings found, and what lies between the rows.
 pub(crate) fn attach(
     summaries: &mut [OutputSummary],
     rows: &[StepRow],
     outputs: &[OutputRequest],
     observables: &[Arc<dyn Observable>],
-    found: &[Found],
+    evidence: &Evidence,
 ) {
+    let Evidence { found, rows: more, rounding } = evidence;
     let course = Course::of(rows);
+    // What is closed, and what is not, goes on behind the last row or does not.
+    let known = [false, true].map(|closed| within(if more.is_empty() { rows } else { more }, rows, closed));
     for (index, (summary, request)) in summaries.iter_mut().zip(outputs).enumerate() {
         let closed = summary::is_closed(rows, request, observables);
-        let between = match &course {
-            Some(course) => Ok(course.errors(&ends(rows, index), closed)),
-            None => Err("the positions do not go anywhere".to_owned()),
+        let known = known[usize::from(closed)];
+        let between = match (&course, Course::of(known)) {
+            (Some(course), Some(finer)) => {
+                Ok(course.errors(&ends(rows, index), (&finer, &ends(known, index)), closed))
+            }
+            _ => Err("the positions do not go anywhere".to_owned()),
         };
         let own = |Found { part, errors }: &Found| {
             let error = errors.as_ref().map(|errors| errors.get(index).copied().unwrap_or(Statistics::NONE));
@@ -203,8 +245,16 @@ pub(crate) fn attach(
                 Err(reason) => not_estimated.push((part, reason)),
             }
         }
-        summary.error = Some(ErrorEstimate::new(parts, not_estimated));
+        let rounding = rounding.get(index).copied().unwrap_or(0.0);
+        summary.error = Some(ErrorEstimate::new(parts, not_estimated, rounding));
     }
+}
+
+/// Of rows and others between them those that belong to a course which ends where the rows end, unless it is closed.
+fn within<'r>(all: &'r [StepRow], rows: &[StepRow], closed: bool) -> &'r [StepRow] {
+    let Some(last) = rows.last().filter(|_| !closed) else { return all };
+    let behind = all.iter().rev().take_while(|row| row.position != last.position).count();
+    &all[..all.len() - behind]
 }
 
 /// A value of an output with the ends of its range, where it has one.

@@ -220,6 +220,8 @@ struct Wanting {
     /// Whether an output has no value at all.
     values: bool,
     level: f64,
+    /// What the level leaves out beyond what the mesh may be wrong by: the level above, which has a mesh of its own, sees both.
+    beyond_mesh: f64,
     grid: f64,
     between: f64,
 }
@@ -273,9 +275,13 @@ impl Search<'_> {
         if error <= self.tolerance {
             return Ok(Some(result));
         }
+        let beyond_mesh = |summary: &OutputSummary| {
+            relative(summary, &[Part::Level], fidelity) - relative(summary, &[Part::Discretization], fidelity)
+        };
         let wanting = Wanting {
             values: result.summaries.iter().any(|summary| !summary.max.is_finite()),
             level: worst_in(&[Part::Level]).1,
+            beyond_mesh: result.summaries.iter().map(beyond_mesh).fold(0.0, f64::max),
             grid: worst_in(&[Part::ContactGrid]).1,
             between: if whole { worst_in(&[Part::Positions]).1 } else { 0.0 },
         };
@@ -283,7 +289,8 @@ impl Search<'_> {
     }
 
     /// A better setting, by what is wrong with this one.
-    fn better(&mut self, Wanting { values, level, grid, between }: Wanting) -> Result<(), EngineError> {
+    fn better(&mut self, wanting: Wanting) -> Result<(), EngineError> {
+        let Wanting { values, level, beyond_mesh, grid, between } = wanting;
         let Setting { fidelity, refinement, cells, positions } = self.setting;
         let finer = meshes(fidelity).iter().copied().find(|&finer| finer > refinement);
         let next = self.levels.first().copied();
@@ -299,7 +306,8 @@ impl Search<'_> {
             _ if between > self.tolerance => return Err(self.refuse()),
             _ if grid.is_finite() && least > self.tolerance => return Err(self.refuse()),
             _ if grid > self.tolerance && cells_left > 0 => self.setting.cells *= 2,
-            (_, Some(_)) if level > self.tolerance => self.rise()?,
+            (_, Some(_)) if beyond_mesh > self.tolerance => self.rise()?,
+            (None, Some(_)) if level > self.tolerance => self.rise()?,
             _ if grid > worth && cells_left > 0 => self.setting.cells *= 2,
             (Some(finer), _) => self.setting.refinement = finer,
             (None, Some(_)) => self.rise()?,
@@ -388,6 +396,10 @@ fn relative(summary: &OutputSummary, parts: &[Part], fidelity: Fidelity) -> f64 
     };
     if error.not_estimated.iter().any(is_missing) {
         return f64::INFINITY;
+    }
+    // Where nothing is but rounding there is nothing to keep to.
+    if error.is_rounding(summary) {
+        return 0.0;
     }
     let Statistics { min, max, mean, .. } = error.within(parts);
     let error = min.max(max).max(mean);

@@ -23,7 +23,7 @@ const STEP: f64 = 2e-6;
 const STEPS: usize = 3000;
 
 /// The pair, which hardly turns. Its load rises over the second before time 0, where it reverses.
-fn reversing() -> (Scene, [PairId; 2]) {
+pub fn reversing() -> (Scene, [PairId; 2]) {
     let mut scene = Scene::default();
     let load = |time: f64| match time <= 0.0 {
         true => Wrench::of_moment([0.0, 0.0, TORQUE * (1.0 + time)]),

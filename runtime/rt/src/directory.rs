@@ -395,7 +395,7 @@ fn chosen_json(chosen: &Chosen) -> Value {
     })
 }
 
-/// Errors are in SI, `relative` in parts of the largest magnitude.
+/// Errors are in SI, `relative` in parts of the largest magnitude; `rounding` is the magnitude up to which a value may be nothing else.
 fn error_json(error: &ErrorEstimate, summary: &OutputSummary) -> Value {
     let statistics = |Statistics { min, max, mean, peak_to_peak }: &Statistics| json!({ "min": min, "max": max, "mean": mean, "peak_to_peak": peak_to_peak });
     let parts: Map<_, _> =
@@ -404,6 +404,8 @@ fn error_json(error: &ErrorEstimate, summary: &OutputSummary) -> Value {
         error.not_estimated.iter().map(|(part, why)| (part.name().to_owned(), json!(why))).collect();
     let mut all = statistics(&error.total);
     all["relative"] = json!(error.relative(summary));
+    all["rounding"] = json!(error.rounding);
+    all["is_rounding"] = json!(error.is_rounding(summary));
     all["parts"] = json!(parts);
     all["not_estimated"] = json!(error.not_estimated.iter().map(|(part, _)| part.name()).collect::<Vec<_>>());
     all["reasons"] = json!(reasons);

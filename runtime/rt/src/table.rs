@@ -33,23 +33,29 @@ pub fn summary(description: &ModelDescription, result: &AnalysisResult) -> Strin
                 place(result, summary.at_max, summary.place.as_ref())
             },
         ];
-        rows.push(with_error(cells, error(summary)));
+        rows.push(with_error(cells, error(summary, output.unit.factor)));
     }
     let chosen = result.chosen.as_ref().map(|chosen| chosen.describe() + "\n");
     align(&rows) + &chosen.unwrap_or_default()
 }
 
-/// The estimated error of the largest magnitude, as a part of it: two digits are more than an estimate can tell.
-fn error(summary: &OutputSummary) -> String {
-    let part = summary.error.as_ref().and_then(|error| error.relative(summary));
-    part.map_or_else(String::new, |part| {
-        let rounded: f64 = format!("{:.1e}", 100.0 * part).parse().unwrap_or(f64::NAN);
-        if rounded < 0.01 {
-            "<0.01 %".into()
-        } else {
-            format!("±{} %", shortest((100.0 * rounded).round() / 100.0))
+/// The estimated error of the largest magnitude, as a part of it, or in the output's unit where there is nothing that it is a part of: two digits are
+/// more than an estimate can tell.
+fn error(summary: &OutputSummary, factor: f64) -> String {
+    let known = summary.error.as_ref().filter(|error| !summary.max.is_nan() && !error.parts.is_empty());
+    let Some(error) = known else { return String::new() };
+    let two_digits = |value: f64| format!("{value:.1e}").parse().unwrap_or(f64::NAN);
+    if error.is_rounding(summary) {
+        return "rounding".into();
+    }
+    match error.relative(summary).map(|part| two_digits(100.0 * part)) {
+        Some(rounded) if rounded < 0.01 => "<0.01 %".into(),
+        Some(rounded) => format!("±{} %", shortest((100.0 * rounded).round() / 100.0)),
+        None => {
+            let absolute = two_digits(from_si(error.of_largest(summary), factor));
+            if absolute.is_nan() { String::new() } else { format!("±{}", shortest(absolute)) }
         }
-    })
+    }
 }
 
 /// Whether positions are places in time alone, as those of a dynamic analysis.

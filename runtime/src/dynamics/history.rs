@@ -4,22 +4,31 @@ use super::effective::Effective;
 use super::matrices::{Forces, Matrices, check_in_section, check_inertia, check_section};
 use super::modal::{Elastic, Modes, check_modes};
 use super::newmark::{Scheme, State};
-use super::ranges::{Step, TimeRange, check_resolved, kept_positions, steps};
-use crate::analysis::{AnalysisOptions, Event, Observer, Position, check_solved, refuse_nan, tells_fields};
+use super::ranges::{Step, TimeRange, check_resolved, in_pairs, kept_positions, steps};
+use crate::analysis::{
+    AnalysisOptions, ERRORS, Event, Observer, Position, check_solved, refuse_nan, tells_fields,
+};
+use crate::cache::OperatorCache;
 use crate::contact::problem::Certificate;
 use crate::error::EngineError;
-use crate::estimate::{self, Estimates, Part};
+use crate::estimate::{self, Estimates, Evidence, Moved};
 use crate::inertia::Inertia;
 use crate::load::Wrench;
 use crate::observe::{Equilibrium, ModesTable, check_vibrations};
 use crate::plan::Plan;
 use crate::resources::Resources;
-use crate::results::{AnalysisResult, OutputRequest, Solved, StepRow, Timing};
-use crate::scene::Scene;
+use crate::results::{AnalysisResult, Observed, OutputRequest, Solved, StepRow, Timing};
+use crate::scene::{Fidelity, Scene, StructureOptions};
 use crate::step::StepResult;
 use crate::summary::summarize;
 use crate::system::System;
+use std::sync::Arc;
 use std::time::{Duration, Instant};
+
+/// Bytes of the structures that are kept for siblings, where nobody else keeps them.
+const KEPT: usize = 1 << 30;
+/// A blow has passed on its momentum if so many steps fill it, exactly where they are a whole number.
+const STEPS_OF_A_BLOW: f64 = 2.0;
 
 /// What a history begins with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
@@ -69,7 +78,10 @@ pub struct History<'s> {
     solved: Vec<Solved>,
     current: Option<StepResult>,
     failed: bool,
-    error_estimates: Estimates,
+    /// As it was asked for, without rows of earlier runs.
+    analysis: AnalysisOptions,
+    /// By output: magnitude up to which it may be nothing but rounding, of a sibling.
+    rounding: Option<Vec<f64>>,
     /// Time spent on steps.
     solving: Duration,
 }
@@ -87,6 +99,10 @@ impl<'s> History<'s> {
         observer: &mut dyn Observer,
     ) -> Result<Self, EngineError> {
         let mut timing = Timing::default();
+        let mut analysis = AnalysisOptions { solved: Vec::new(), ..options.clone() };
+        if analysis.error_estimates == Estimates::Full {
+            analysis.resources.cache.get_or_insert_with(|| Arc::new(OperatorCache::new(KEPT)));
+        }
         check_section(options.fidelity)?;
         dynamics.ranges.iter().try_for_each(TimeRange::check)?;
         check_numbers(dynamics)?;
@@ -102,7 +118,7 @@ impl<'s> History<'s> {
             crate::holding::check(scene, &plan, dynamics.from, &options.resources.interrupt)?;
         }
         observer.observe(Event::Stage("structures"))?;
-        let mut system = timing.stage("structures", || System::with(scene, &plan, &options.resources))?;
+        let mut system = timing.stage("structures", || System::with(scene, &plan, &analysis.resources))?;
         timing.structures = system.structure_counts();
         let inertias = system.inertias().to_vec();
         check_inertia(&system, &inertias)?;
@@ -130,7 +146,8 @@ impl<'s> History<'s> {
             solved: Vec::new(),
             current: None,
             failed: false,
-            error_estimates: options.error_estimates,
+            analysis,
+            rounding: None,
         };
         history.go_on_behind(options.solved.clone())?;
         observer.observe(Event::Stage("positions"))?;
@@ -211,6 +228,7 @@ impl<'s> History<'s> {
         let position = self.positions[self.solved.len()].clone();
         let observed = self.plan.observe(&self.system, &step);
         self.resources.interrupt.check()?;
+        self.note_rounding(&observed, position.time);
         let row = StepRow::new(position, self.outputs, &observed, step.warnings.clone());
         refuse_nan(&row, self.outputs, &self.plan)?;
         let state = [self.state.to_row().as_slice(), &self.contact].concat();
@@ -388,25 +406,27 @@ impl<'s> History<'s> {
         Equilibrium::new(&self.system, &first).modes_table(request)
     }
 
-    /// Sums up.
-    pub fn finish(mut self) -> AnalysisResult {
+    /// Sums up, and estimates errors if they are asked for.
+    ///
+    /// # Errors
+    /// The interrupt's.
+    pub fn finish(mut self) -> Result<AnalysisResult, EngineError> {
         let first = Certificate::default();
         let certificate = self.solved.iter().fold(first, |worst, solved| worst.worst(&solved.certificate));
         let modes = self.first_modes();
-        let rows: Vec<StepRow> = self.solved.into_iter().map(|solved| solved.row).collect();
-        let observables = &self.system.scene.observables;
-        let mut summaries = summarize(&rows, self.outputs, observables);
-        if self.error_estimates != Estimates::None {
-            let parts = [Part::Discretization, Part::ContactGrid, Part::Level, Part::TimeStep];
-            let found = parts.map(|part| estimate::Found {
-                part,
-                errors: Err("of a motion in time it takes a whole run more".into()),
-            });
-            estimate::attach(&mut summaries, &rows, self.outputs, observables, &found);
-        }
+        let solved = std::mem::take(&mut self.solved);
+        let rows: Vec<StepRow> = solved.into_iter().map(|solved| solved.row).collect();
+        let mut summaries = summarize(&rows, self.outputs, &self.system.scene.observables);
         self.timing.add("positions", self.solving);
+        if self.analysis.error_estimates != Estimates::None {
+            let started = Instant::now();
+            let evidence = self.evidence(&rows)?;
+            let observables = &self.system.scene.observables;
+            estimate::attach(&mut summaries, &rows, self.outputs, observables, &evidence);
+            self.timing.add(ERRORS, started.elapsed());
+        }
         self.timing.memory = self.resources.interrupt.most_asked();
-        AnalysisResult {
+        Ok(AnalysisResult {
             plan: self.plan,
             rows,
             summaries,
@@ -414,7 +434,86 @@ impl<'s> History<'s> {
             modes,
             timing: self.timing,
             chosen: None,
+        })
+    }
+
+    /// What errors are estimated by.
+    fn evidence(&mut self, rows: &[StepRow]) -> Result<Evidence, EngineError> {
+        let dynamics = self.options.clone();
+        let longer = match self.in_much_longer_steps() {
+            Ok(rows) => rows,
+            Err(error) => {
+                self.resources.interrupt.check()?;
+                Err(format!("{}: {}", error.code, error.message))
+            }
+        };
+        let scene = self.system.scene;
+        let turned = |scene: &Scene, fidelity: Fidelity, structure: StructureOptions| {
+            let options = AnalysisOptions {
+                fidelity,
+                structure,
+                error_estimates: Estimates::None,
+                ..self.analysis.clone()
+            };
+            let mut history = History::new(scene, self.outputs, &options, &dynamics, &mut ())?;
+            history.in_longer_steps().map(Result::unwrap_or_default)
+        };
+        let moved = Moved {
+            scene,
+            fidelity: self.plan.fidelity,
+            structure: self.analysis.structure,
+            outputs: self.outputs,
+            interrupt: &self.resources.interrupt,
+            rows,
+            second_order: self.options.scheme.gamma == 0.5,
+            longer,
+            turned: &turned,
+        };
+        let evidence = moved.siblings(self.analysis.error_estimates)?;
+        Ok(Evidence { rounding: self.rounding.clone().unwrap_or_default(), ..evidence })
+    }
+
+    /// Twice as long, and twice as long again.
+    fn in_much_longer_steps(&mut self) -> Result<Result<[Vec<StepRow>; 2], String>, EngineError> {
+        let longer = match self.in_longer_steps()? {
+            Ok(rows) => rows,
+            Err(reason) => return Ok(Err(reason)),
+        };
+        Ok(self.in_longer_steps()?.map(|longest| [longer, longest]))
+    }
+
+    /// Begins anew, in steps twice as long, and goes to the end: its rows, or why such steps tell nothing.
+    fn in_longer_steps(&mut self) -> Result<Result<Vec<StepRow>, String>, EngineError> {
+        let longer = in_pairs(&self.steps, &self.options.ranges);
+        if longer.len() == self.steps.len() {
+            return Ok(Err("of single steps no two make one".to_owned()));
         }
+        let longest = longer.iter().map(|step| step.length).fold(0.0, f64::max);
+        let is_filled = |duration: f64| {
+            let steps = duration / longest;
+            steps > STEPS_OF_A_BLOW - 1e-6 && (steps - steps.round()).abs() < 1e-6 * steps
+        };
+        let blows = self.system.scene.bodies.iter().flat_map(|body| &body.blows);
+        if !blows.into_iter().all(|blow| is_filled(blow.duration)) {
+            return Ok(Err("a blow is not filled by a whole number of steps twice as long".to_owned()));
+        }
+        let count = self.state.displacement.len();
+        let start = Position::at(self.options.from);
+        let kept = longer.iter().filter(|step| step.kept).map(|step| Position::at(step.time));
+        self.positions = std::iter::once(start).chain(kept).collect();
+        self.options.ranges.iter_mut().for_each(|range| range.steps = range.steps.div_ceil(2));
+        (self.steps, self.taken, self.failed) = (longer, 0, false);
+        (self.state, self.contact) = (State::at_rest(vec![0.0; count]), vec![0.0; count]);
+        (self.solved, self.current) = (Vec::new(), None);
+        self.rounding = Some(vec![0.0; self.outputs.len()]);
+        let rows: Result<Vec<StepRow>, EngineError> = self.map(|solved| Ok(solved?.row)).collect();
+        rows.map(Ok)
+    }
+
+    fn note_rounding(&mut self, observed: &[Observed], time: f64) {
+        let Some(rounding) = &mut self.rounding else { return };
+        let own = estimate::rounding_of(self.system.scene, self.outputs, observed, time);
+        rounding.iter_mut().zip(own).for_each(|(most, own)| *most = most.max(own));
     }
 }
 
@@ -471,7 +570,10 @@ pub fn dynamic(
         let fields = fields.transpose()?;
         observer.observe(Event::Step { index, count, solved, fields: fields.as_ref() })?;
     }
-    Ok(history.finish())
+    if options.error_estimates != Estimates::None {
+        observer.observe(Event::Stage(ERRORS))?;
+    }
+    history.finish()
 }
 
 fn check_numbers(dynamics: &DynamicOptions) -> Result<(), EngineError> {

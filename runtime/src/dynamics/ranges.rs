@@ -75,6 +75,21 @@ pub(super) fn steps(start: f64, ranges: &[TimeRange]) -> impl Iterator<Item = St
     })
 }
 
+/// The same in steps that are two of these each, range by range; an odd one at the end of a range stays as it is.
+pub(super) fn in_pairs(all: &[Step], ranges: &[TimeRange]) -> Vec<Step> {
+    let mut rest = all;
+    let mut longer = Vec::with_capacity(all.len().div_ceil(2));
+    for range in ranges {
+        let (own, behind) = rest.split_at(range.steps.min(rest.len()));
+        longer.extend(own.chunks(2).map(|pair| {
+            let last = pair[pair.len() - 1];
+            Step { length: pair.iter().map(|step| step.length).sum(), ..last }
+        }));
+        rest = behind;
+    }
+    longer
+}
+
 /// A step is at least so many times as long as times are apart that numbers can tell.
 const RESOLVED: f64 = 1e3;
 
@@ -123,6 +138,19 @@ mod tests {
         assert_eq!((all[3].load, all[4].load, all[4].length), (2.0, 1.0, 0.25));
         let kept: Vec<f64> = kept_positions(10.0, &ranges).iter().map(|position| position.time).collect();
         assert_eq!(kept, [10.0, 10.75, 11.0, 11.25, 11.5]);
+    }
+
+    #[test]
+    fn steps_go_in_pairs_within_their_range() {
+        let ramp = TimeRange { duration: 1.0, steps: 5, load: [0.0, 2.0], keep: 1 };
+        let ranges = [ramp, TimeRange::steady(0.5, 2)];
+        let all: Vec<Step> = steps(0.0, &ranges).collect();
+        let longer = in_pairs(&all, &ranges);
+        assert_eq!(longer.iter().map(|step| step.time).collect::<Vec<_>>(), [0.4, 0.8, 1.0, 1.5]);
+        let lengths = [0.4, 0.4, 0.2, 0.5];
+        assert!(longer.iter().zip(lengths).all(|(step, length)| (step.length - length).abs() < 1e-15));
+        assert_eq!(longer[1].load, all[3].load);
+        assert!(longer.iter().all(|step| step.kept));
     }
 
     #[test]

@@ -1,12 +1,14 @@
 //! The same positions with one knob turned.
 
-use super::{Ends, Estimates, Found, Part, Statistics, ends, is_stress};
+use super::sampling::{Course, middle};
+use super::{Ends, Estimates, Evidence, Found, Part, Statistics, ends, is_stress, rounding, within};
 use crate::analysis::Position;
 use crate::error::EngineError;
 use crate::plan::Plan;
 use crate::resources::Resources;
 use crate::results::{OutputRequest, StepRow};
 use crate::scene::{BodyModel, Fidelity, Scene, StructureOptions, SurfacePair};
+use crate::summary::is_closed;
 use crate::system::System;
 use rayon::prelude::*;
 
@@ -20,11 +22,13 @@ const OF_FINER_MESH: f64 = 1.5;
 /// Order of displacements along the face of a sibling whose model leaves it open: one less than templates have.
 const AXIAL_ORDER: usize = 2;
 /// What the difference from the coarser mesh is multiplied by, of deflections and forces and of stresses: in the plane, where
-/// elements of order three would have less by theory (corners, and elements that come in whole numbers, make it so much); and in space, where
-/// orders differ, and stresses of few elements come near by chance.
-const OF_MESH: [[f64; 2]; 2] = [[0.5, 0.2], [0.55, 1.2]];
+/// elements of order three would have less by theory (corners, and elements that come in whole numbers, make it so much).
+const OF_MESH: [f64; 2] = [0.5, 0.2];
+/// The same in space by the elements' order, from 2 on, where the sibling's is one less: linear elements are worth so little that a tenth of the
+/// difference from them is the error of quadratic ones, while stresses of quadratic and of cubic elements come near each other by chance.
+const OF_ORDER: [[f64; 2]; 2] = [[0.15, 0.08], [0.4, 1.9]];
 /// The same of contact grids with half as many cells.
-const OF_GRID: f64 = 0.4;
+pub(super) const OF_GRID: f64 = 0.4;
 /// Positions that are solved again, at least; where there are many, a part of them.
 const SAMPLES: usize = 8;
 const PART_OF_POSITIONS: usize = 4;
@@ -32,6 +36,10 @@ const PART_OF_POSITIONS: usize = 4;
 const SPREAD: usize = 4;
 /// Values within this part of peak to peak from an extreme might be it.
 const NEAR: f64 = 0.05;
+/// Of so many positions one between two is solved besides; so many at least.
+const POSITIONS_BETWEEN: (usize, usize) = (2, 6);
+/// In so many rounds, each of which knows what the ones before have found.
+const ROUNDS: usize = 3;
 
 /// A quasi-static analysis that is done.
 pub(crate) struct Judged<'a, 's> {
@@ -52,9 +60,9 @@ pub(crate) struct Judged<'a, 's> {
 pub(crate) fn quasi_static_siblings(
     judged: &Judged<'_, '_>,
     estimates: Estimates,
-) -> Result<Vec<Found>, EngineError> {
+) -> Result<Evidence, EngineError> {
     if judged.rows.is_empty() {
-        return Ok(Vec::new());
+        return Ok(Evidence::default());
     }
     let samples = samples(judged.rows, judged.outputs.len());
     let own: Vec<Vec<Ends>> = (0..judged.outputs.len())
@@ -68,10 +76,12 @@ pub(crate) fn quasi_static_siblings(
     // Both meshes are compared on the coarse grid, which costs least.
     let coarse = coarser_grids(scene, judged.plan.in_space);
     let on_coarse = match &coarse {
-        Some(coarse) => judged.solve(&judged.system.on(coarse), judged.plan, &samples),
+        Some(coarse) => judged.solve(&judged.system.on(coarse), judged.plan, &judged.at(&samples)),
         None => Err(Failed::Because("the contact grid has too few cells to halve them".into())),
     };
     let on_coarse = part_of(on_coarse)?;
+    let rounding = on_coarse.as_ref().map(|found| found.rounding.clone()).unwrap_or_default();
+    let on_coarse = on_coarse.map(|found| found.values(judged.outputs.len()));
     let (compared, base) = match (&coarse, &on_coarse) {
         (Some(coarse), Ok(values)) => (coarse, values),
         _ => (scene, &own),
@@ -82,13 +92,7 @@ pub(crate) fn quasi_static_siblings(
         .then(|| part_of(judged.sibling(compared, fidelity, other.structure, &samples)))
         .transpose()?;
 
-    let of_mesh = |output: usize| {
-        let stress = is_stress(&judged.outputs[output], &scene.observables);
-        match other.is_finer {
-            true => OF_FINER_MESH,
-            false => OF_MESH[usize::from(judged.plan.in_space)][usize::from(stress)],
-        }
-    };
+    let of_mesh = |output: usize| other.factor(is_stress(&judged.outputs[output], &scene.observables));
     let mut found = Vec::new();
     // Levels without a mesh have none to be wrong, and rigid bodies no pressure.
     if let Some(meshed) = meshed {
@@ -102,7 +106,7 @@ pub(crate) fn quasi_static_siblings(
         _ => Err("the level above costs more than the run: \"full\" estimates have it".to_owned()),
     };
     found.push(judged.found(Part::Level, &samples, level, &own, |_| 1.0));
-    Ok(found)
+    Ok(Evidence { found, rows: judged.with_some_between()?, rounding })
 }
 
 /// Why there is no sibling.
@@ -115,7 +119,20 @@ enum Failed {
 /// By output, and by sample.
 type Values = Vec<Vec<Ends>>;
 
-fn part_of(values: Result<Values, Failed>) -> Result<Result<Values, String>, EngineError> {
+/// Positions that were solved besides.
+struct Besides {
+    rows: Vec<StepRow>,
+    /// By output: magnitude up to which it may be nothing but rounding.
+    rounding: Vec<f64>,
+}
+
+impl Besides {
+    fn values(&self, outputs: usize) -> Values {
+        (0..outputs).map(|output| ends(&self.rows, output)).collect()
+    }
+}
+
+fn part_of<T>(values: Result<T, Failed>) -> Result<Result<T, String>, EngineError> {
     match values {
         Ok(values) => Ok(Ok(values)),
         Err(Failed::Because(reason)) => Ok(Err(reason)),
@@ -150,7 +167,7 @@ impl Judged<'_, '_> {
             Ok((system, plan))
         };
         let (system, plan) = build().map_err(|error| self.failed(error))?;
-        self.solve(&system, &plan, samples)
+        Ok(self.solve(&system, &plan, &self.at(samples))?.values(self.outputs.len()))
     }
 
     /// The samples at the next level that the scene can be had at, or why there is none.
@@ -160,12 +177,12 @@ impl Judged<'_, '_> {
         let in_space = own == Fidelity::Analytic && self.plan.in_space;
         let mut refused = None;
         for fidelity in own.all_above().filter(|above| !in_space || matches!(above, Fidelity::Solid(_))) {
-            // In space elements are eight times as many for twice as many along every direction: what the plane can afford is no measure.
+            // In space elements are eight times as many for twice as many along every direction: what the plane takes is no measure there.
             let refinement = match (own, fidelity) {
                 (Fidelity::Solid(_), _) | (_, Fidelity::Rigid | Fidelity::Analytic | Fidelity::Plane) => {
                     self.structure.refinement
                 }
-                (_, Fidelity::Solid(_)) => self.structure.refinement.min(1.0),
+                (_, Fidelity::Solid(_)) => 1.0,
             };
             let structure = StructureOptions { refinement, ..self.structure };
             match part_of(self.sibling(self.system.scene, fidelity, structure, samples))? {
@@ -176,19 +193,63 @@ impl Judged<'_, '_> {
         Ok(Err(refused.unwrap_or_else(|| "there is no level above this one".to_owned())))
     }
 
-    fn solve(&self, system: &System<'_>, plan: &Plan, samples: &[usize]) -> Result<Values, Failed> {
-        let solve = |row: &usize| {
+    fn at(&self, samples: &[usize]) -> Vec<Position> {
+        samples.iter().map(|&row| self.positions[row].clone()).collect()
+    }
+
+    fn solve(&self, system: &System<'_>, plan: &Plan, positions: &[Position]) -> Result<Besides, Failed> {
+        let solve = |position: &Position| {
             self.resources.interrupt.check()?;
-            let position = &self.positions[*row];
             let step = system.solve(position.time)?;
             let observed = plan.observe(system, &step);
-            Ok(StepRow::new(position.clone(), self.outputs, &observed, Vec::new()))
+            let rounding = rounding::of_outputs(system.scene, self.outputs, &observed, position.time);
+            Ok((StepRow::new(position.clone(), self.outputs, &observed, Vec::new()), rounding))
         };
-        let all = || samples.par_iter().map(solve).collect::<Result<Vec<StepRow>, EngineError>>();
-        let rows = self.resources.install(all).map_err(|error| self.failed(error))?;
+        let all = || positions.par_iter().map(solve).collect::<Result<Vec<_>, EngineError>>();
+        let solved = self.resources.install(all).map_err(|error| self.failed(error))?;
         // An observable that was interrupted has no value.
         self.resources.interrupt.check().map_err(Failed::Ended)?;
-        Ok((0..self.outputs.len()).map(|output| ends(&rows, output)).collect())
+        let mut besides = Besides { rows: Vec::new(), rounding: vec![0.0; self.outputs.len()] };
+        for (row, rounding) in solved {
+            besides.rows.push(row);
+            besides.rounding.iter_mut().zip(rounding).for_each(|(most, own)| *most = most.max(own));
+        }
+        Ok(besides)
+    }
+
+    /// All rows, and some between them where extremes may be: the middles of intervals, and again of those that this leaves.
+    fn with_some_between(&self) -> Result<Vec<StepRow>, EngineError> {
+        let closed: Vec<bool> = self
+            .outputs
+            .iter()
+            .map(|output| is_closed(self.rows, output, &self.system.scene.observables))
+            .collect();
+        let mut all = self.rows.to_vec();
+        let (part, least) = POSITIONS_BETWEEN;
+        let mut left = self.rows.len().div_ceil(part).max(least);
+        for _ in 0..ROUNDS {
+            let promising = |(output, &closed): (usize, &bool)| {
+                let rows = within(&all, self.rows, closed);
+                Course::of(rows).map_or_else(Vec::new, |course| course.promising(&ends(rows, output), closed))
+            };
+            let promising: Vec<Vec<usize>> = closed.iter().enumerate().map(promising).collect();
+            // Of all outputs the extremes of larger magnitude first.
+            let mut wanted = Vec::new();
+            for interval in (0..2).flat_map(|rank| promising.iter().filter_map(move |own| own.get(rank))) {
+                if wanted.len() < left && !wanted.contains(interval) {
+                    wanted.push(*interval);
+                }
+            }
+            let positions: Vec<Position> = wanted.iter().map(|&interval| middle(&all, interval)).collect();
+            left -= positions.len();
+            match part_of(self.solve(self.system, self.plan, &positions))? {
+                Ok(besides) => all.extend(besides.rows),
+                Err(_) => break,
+            }
+            let place = |row: &StepRow| [row.position.cycle, row.position.time];
+            all.sort_by(|a, b| place(a).partial_cmp(&place(b)).unwrap_or(std::cmp::Ordering::Equal));
+        }
+        Ok(all)
     }
 
     /// Of the samples those that stand for what is around them: beside a jump one stands for itself.
@@ -218,32 +279,42 @@ impl Judged<'_, '_> {
 }
 
 /// A mesh to compare with.
-struct OtherMesh {
-    structure: StructureOptions,
-    is_finer: bool,
+pub(super) struct OtherMesh {
+    pub(super) structure: StructureOptions,
+    /// Of deflections and forces, and of stresses: what the difference is multiplied by.
+    factors: [f64; 2],
 }
 
 impl OtherMesh {
     /// One that is worth less: in the plane of fewer elements, in space of elements of a lower order, for meshes there have as few elements as
     /// they can. A plane mesh that is coarse itself would leave too few elements to tell anything; a finer one costs little.
-    fn than(fidelity: Fidelity, structure: StructureOptions) -> OtherMesh {
-        let (structure, is_finer) = match fidelity {
+    pub(super) fn than(fidelity: Fidelity, structure: StructureOptions) -> OtherMesh {
+        match fidelity {
             Fidelity::Solid(_) if structure.order > 1 => {
                 let axial_order = structure.axial_order.map_or(AXIAL_ORDER, |order| (order - 1).max(1));
                 let axial_order = Some(axial_order);
-                (StructureOptions { order: structure.order - 1, axial_order, ..structure }, false)
+                let structure = StructureOptions { order: structure.order - 1, axial_order, ..structure };
+                OtherMesh { structure, factors: OF_ORDER[structure.order.min(OF_ORDER.len()) - 1] }
             }
-            Fidelity::Plane if structure.refinement <= COARSE => {
-                (StructureOptions { refinement: FINER * structure.refinement, ..structure }, true)
-            }
-            _ => (StructureOptions { refinement: COARSER * structure.refinement, ..structure }, false),
-        };
-        OtherMesh { structure, is_finer }
+            _ if structure.refinement <= COARSE => OtherMesh {
+                structure: StructureOptions { refinement: FINER * structure.refinement, ..structure },
+                factors: [OF_FINER_MESH; 2],
+            },
+            _ => OtherMesh {
+                structure: StructureOptions { refinement: COARSER * structure.refinement, ..structure },
+                factors: OF_MESH,
+            },
+        }
+    }
+
+    /// What the difference of an output is multiplied by, which is a stress or not.
+    pub(super) fn factor(&self, is_stress: bool) -> f64 {
+        self.factors[usize::from(is_stress)]
     }
 }
 
 /// The scene with half as many cells across and along every patch; `None` where there is nothing to halve.
-fn coarser_grids(scene: &Scene, in_space: bool) -> Option<Scene> {
+pub(super) fn coarser_grids(scene: &Scene, in_space: bool) -> Option<Scene> {
     let half = |count: usize| if count > 1 { Some(count.div_ceil(2)) } else { None };
     let mut coarse = scene.clone();
     for SurfacePair { grid, .. } in &mut coarse.pairs {

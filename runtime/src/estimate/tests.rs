@@ -40,7 +40,7 @@ fn estimated_and_true(
             0.5 * (after - before) * values[i].value
         })
         .sum();
-    (course.errors(&values, true), [largest - found, (mean - sum).abs()])
+    (course.errors(&values, (&course, &values), true), [largest - found, (mean - sum).abs()])
 }
 
 #[test]
@@ -69,6 +69,40 @@ fn an_extreme_where_slopes_jump_is_seen() {
     }
 }
 
+/// Load is taken up inside an interval and goes over into something flat before the next position: continuations see nothing of it, the middle of the
+/// interval does.
+#[test]
+fn what_begins_and_ends_between_positions_is_measured() {
+    let taken_up = |x: f64| ((x - 0.31) / 0.01).max(0.0);
+    let course = |x: f64| 1.0 + 0.5 * x.min(0.62 - x) + 0.3 * taken_up(x) * (-taken_up(x)).exp();
+    let found = rows(&uniform(20), course);
+    let largest = (0..100_000).map(|k| course(k as f64 / 1e5)).fold(f64::NEG_INFINITY, f64::max);
+    let own = Course::of(&found).expect("it goes somewhere");
+    let values = ends(&found, 0);
+    let most = values.iter().map(|end| end.high).fold(f64::NEG_INFINITY, f64::max);
+    let missed = own.errors(&values, (&own, &values), true).max / (largest - most);
+    assert!(missed < 0.5, "{missed}");
+    let mut all = found.clone();
+    for _ in 0..2 {
+        let promising = Course::of(&all).expect("it goes somewhere").promising(&ends(&all, 0), true);
+        let place = sampling::middle(&all, promising[0]).cycle;
+        all.extend(rows(&[(place, "")], course));
+        all.sort_by(|a, b| a.position.cycle.total_cmp(&b.position.cycle));
+    }
+    let finer = Course::of(&all).expect("it goes somewhere");
+    let effectivity = own.errors(&values, (&finer, &ends(&all, 0)), true).max / (largest - most);
+    assert!((0.8..1.5).contains(&effectivity), "{effectivity}");
+}
+
+/// Behind the last position a closed course goes on with the next cycle's first.
+#[test]
+fn a_cycle_is_halved_round_its_end() {
+    let found = rows(&uniform(4), |_| 1.0);
+    let middle = sampling::middle(&found, 3);
+    assert_eq!((middle.cycle, middle.time), (0.875, 2.75));
+    assert!((middle.roll - 1.175).abs() < 1e-15);
+}
+
 #[test]
 fn jumps_that_positions_enclose_are_no_error() {
     // It falls from 2 to 1 at 0.3 and back at 0.7: positions stand on both sides of either.
@@ -80,7 +114,8 @@ fn jumps_that_positions_enclose_are_no_error() {
     // Not closed: at the end of the cycle it has risen by 0.1.
     let rows = rows(&at, step);
     let course = Course::of(&rows).expect("it goes somewhere");
-    let errors = course.errors(&ends(&rows, 0), false);
+    let values = ends(&rows, 0);
+    let errors = course.errors(&values, (&course, &values), false);
     assert!(errors.max < 1e-9 && errors.min < 1e-9 && errors.mean < 1e-9, "{errors:?}");
 }
 
@@ -115,6 +150,23 @@ fn parts_add_up_but_for_the_mesh_which_the_level_above_sees_too() {
         (Part::Positions, all(0.5)),
         (Part::Level, all(3.0)),
     ];
-    let estimate = ErrorEstimate::new(parts, Vec::new());
+    let estimate = ErrorEstimate::new(parts, Vec::new(), 0.0);
     assert_eq!(estimate.total, all(3.75));
+}
+
+/// A value is rounding if its error is: one that should be nothing and may be something keeps its error.
+#[test]
+fn rounding_has_no_part_that_is_wrong_and_hides_no_error() {
+    let of = |value: f64, error: f64| {
+        let summary = OutputSummary { min: -value, max: value, mean: 0.0, ..OutputSummary::none() };
+        let error = Statistics { min: error, max: error, mean: error, peak_to_peak: error };
+        let estimate = ErrorEstimate::new(vec![(Part::ContactGrid, error)], Vec::new(), 1e-12);
+        (estimate.is_rounding(&summary), estimate.relative(&summary))
+    };
+    assert_eq!(of(1e-14, 5e-15), (true, None));
+    assert_eq!(of(1e-14, 1e-6), (false, None));
+    assert_eq!(of(1e-4, 1e-6), (false, Some(1e-6 / 1e-4)));
+    assert_eq!(of(0.0, 0.0), (false, Some(0.0)));
+    let unknown = ErrorEstimate::new(Vec::new(), Vec::new(), 0.0);
+    assert_eq!(unknown.relative(&OutputSummary { min: 1.0, max: 1.0, ..OutputSummary::none() }), None);
 }

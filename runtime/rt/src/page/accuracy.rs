@@ -53,7 +53,8 @@ const SOURCES: [Source; 5] = [
 
 /// Which of the sources weighs most in what an output may be off by.
 fn worst(output: &Output) -> Option<&'static Source> {
-    let parts = output.error.iter().flat_map(|estimate| &estimate.parts);
+    let estimate = output.error.as_ref().filter(|estimate| !estimate.is_rounding);
+    let parts = estimate.into_iter().flat_map(|estimate| &estimate.parts);
     let (name, _) = parts.max_by(|a, b| relative(&a.1, output).total_cmp(&relative(&b.1, output)))?;
     SOURCES.iter().find(|source| source.name == name)
 }
@@ -141,14 +142,15 @@ fn table(run: &Run, outputs: &[&Output]) -> Markup {
                 th { "to halve it" }
             } }
             tbody { @for output in outputs { @if let Some(estimate) = &output.error {
+                @let known = estimate.parts.iter().filter(|_| !estimate.is_rounding);
                 @let worst = worst(output);
                 tr {
                     th scope="row" { code { (output.name) } }
                     td { (number(output.statistics.max)) " " small { (output.unit) } }
                     td.main { (error(estimate.of_values())) }
-                    td.main { (percent(estimate.relative)) }
+                    td.main { (super::part_of_value(estimate)) }
                     @for source in &sources {
-                        td { @match estimate.parts.iter().find(|(name, _)| name == source.name) {
+                        td { @match known.clone().find(|(name, _)| name == source.name) {
                             Some((name, part)) if worst.is_some_and(|source| source.name == name) => b { (percent(relative(part, output))) },
                             Some((_, part)) => (percent(relative(part, output))),
                             None => "–",
@@ -213,7 +215,7 @@ fn tradeoff(run: &Run) -> Markup {
     };
     // What has half of the error that this run states.
     let halved = |output: &Output, best: &[&Setting]| -> Option<Markup> {
-        let half = 0.5 * output.error.as_ref()?.relative;
+        let half = Some(0.5 * output.error.as_ref()?.relative).filter(|half| half.is_finite())?;
         let setting =
             best.iter().find(|setting| setting.error(&output.name).is_some_and(|error| error <= half));
         Some(setting.map_or_else(|| html! { "none that was measured" }, |setting| setting.told(&output.name)))

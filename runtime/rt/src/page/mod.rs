@@ -138,6 +138,11 @@ fn percent(part: f64) -> String {
     }
 }
 
+/// How large an error is beside what it is the error of.
+fn part_of_value(estimate: &read::Estimate) -> String {
+    if estimate.is_rounding { "rounding".into() } else { percent(estimate.relative) }
+}
+
 /// A plot with what it shows; nothing if it is empty. The text is also what who cannot see it is told.
 fn figure(svg: &str, caption: &str) -> Markup {
     if svg.is_empty() {
@@ -181,7 +186,7 @@ fn summary(run: &Run) -> Markup {
                     td { @match of.mean { Some(mean) => (number(mean)), None => "–" } }
                     td.main { (number(of.max)) }
                     @if estimated { @match &output.error {
-                        Some(of) => { td { (error(of.of_values())) } td { (percent(of.relative)) } },
+                        Some(of) => { td { (error(of.of_values())) } td { (part_of_value(of)) } },
                         None => { td { "–" } td {} },
                     } }
                     td { (number(of.peak_to_peak)) }

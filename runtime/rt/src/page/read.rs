@@ -113,8 +113,10 @@ impl Statistics {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Estimate {
     pub total: Statistics,
-    /// Of the largest magnitude.
+    /// Of the largest magnitude; not a number where that is nothing.
     pub relative: f64,
+    /// Whether values and errors are nothing but rounding.
+    pub is_rounding: bool,
     /// By what it comes from.
     pub parts: Vec<(String, Statistics)>,
     pub not_estimated: Vec<String>,
@@ -126,7 +128,8 @@ impl Estimate {
         let names = json["not_estimated"].as_array().into_iter().flatten();
         Some(Estimate {
             total: Statistics::of(json, factor)?,
-            relative: json["relative"].as_f64()?,
+            relative: json["relative"].as_f64().unwrap_or(f64::NAN),
+            is_rounding: json["is_rounding"].as_bool().unwrap_or(false),
             parts: parts
                 .filter_map(|(name, part)| Some((name.clone(), Statistics::of(part, factor)?)))
                 .collect(),
