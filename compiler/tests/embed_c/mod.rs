@@ -195,8 +195,9 @@ fn alike(one: &str, other: &str) -> bool {
     words[0] == words[1] && one.split_whitespace().zip(other.split_whitespace()).all(same)
 }
 
-/// Without meshes: to condense them is what takes long under valgrind, and calls nothing of the interface.
-const WITHOUT_MESHES: [(&str, &str); 1] = [("    fidelity = fidelity,", "    fidelity = \"analytic\",")];
+/// Without meshes and estimates: they are what takes long under valgrind, and call nothing of the interface.
+const WITHOUT_MESHES: [(&str, &str); 1] =
+    [("    fidelity = fidelity,", "    fidelity = \"analytic\", error_estimates = \"none\",")];
 
 #[test]
 fn valgrind_finds_nothing_in_the_example() {
