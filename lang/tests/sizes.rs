@@ -7,6 +7,7 @@ mod library;
 use calyx_lang::check::check_program;
 use calyx_lang::format::format;
 use library::{Library, improper};
+use std::sync::Mutex;
 use std::time::Instant;
 
 /// Texts of a million brackets, of a name of endless letters and the like get an answer, through all stages.
@@ -63,22 +64,29 @@ fn endless_texts_have_an_answer() {
             text + &format!("function f{i}() {{ f{}(); }}\n", i - 1)
         }),
     ];
-    for text in texts {
-        let begin: String = text.chars().take(30).collect();
-        let started = Instant::now();
-        let checked = check_program("model.cx", &text, &library);
-        let checking = started.elapsed();
-        let formatted = format(&text);
-        eprintln!(
-            "{checking:>10.1?} {:>10.1?} {:>8} {begin:?}",
-            started.elapsed() - checking,
-            checked.diagnostics.len()
-        );
-        assert_eq!(improper(&checked.diagnostics, &text), None, "{begin}");
-        // What has no errors has a layout.
-        assert!(
-            checked.diagnostics.iter().any(|d| d.code.starts_with("E01")) || formatted.is_ok(),
-            "{begin}"
-        );
-    }
+    // Each takes a second or so: two at a time.
+    let texts = Mutex::new(texts.into_iter());
+    let next = || texts.lock().expect("no panic").next();
+    std::thread::scope(|scope| {
+        for _ in 0..2 {
+            scope.spawn(|| std::iter::from_fn(next).for_each(|text| has_an_answer(&text, &library)));
+        }
+    });
+}
+
+/// Through all stages.
+fn has_an_answer(text: &str, library: &Library) {
+    let begin: String = text.chars().take(30).collect();
+    let started = Instant::now();
+    let checked = check_program("model.cx", text, library);
+    let checking = started.elapsed();
+    let formatted = format(text);
+    eprintln!(
+        "{checking:>10.1?} {:>10.1?} {:>8} {begin:?}",
+        started.elapsed() - checking,
+        checked.diagnostics.len()
+    );
+    assert_eq!(improper(&checked.diagnostics, text), None, "{begin}");
+    // What has no errors has a layout.
+    assert!(checked.diagnostics.iter().any(|d| d.code.starts_with("E01")) || formatted.is_ok(), "{begin}");
 }
