@@ -104,8 +104,6 @@ fn every_node_moves_as_in_one_mesh_of_the_whole_ring() {
 #[test]
 fn flanks_have_moved_by_what_the_structure_answers() {
     for hold in HOLDS {
-        // Of teeth far apart structures on lugs know what the bore tells them, and no more.
-        let tolerance = if matches!(hold, BoreHold::Lugs(_)) { 5e-3 } else { 2e-3 };
         let (model, surfaces) = toothed_sector(TEETH, 1.0, COARSE);
         let source = RingSource { hold, ..ring_source(TEETH) };
         let (options, never) = (SplitOptions::default(), Interrupt::never());
@@ -115,6 +113,10 @@ fn flanks_have_moved_by_what_the_structure_answers() {
         let found = under(&meshed(TEETH, hold, COARSE), &[load]);
         let mut largest = 0.0_f64;
         for tooth in [3, 4, 2, 5, 9] {
+            // Teeth further apart than a structure on lugs has tables for know of each other what its series tells them: to a hundredth of the largest.
+            let beyond =
+                matches!(hold, BoreHold::Lugs(_)) && tooth.abs_diff(load.chart.tooth) > source.coupled;
+            let tolerance = if beyond { 1e-2 } else { 2e-3 };
             let observe = Chart { tooth, surface: 1 };
             let sector = &found[tooth as usize];
             let (sin, cos) = structure.tooth_angle(tooth).sin_cos();
