@@ -112,7 +112,7 @@ fn flanks_have_moved_by_what_the_structure_answers() {
         let load = SurfaceLoad { chart: Chart { tooth: 3, surface: 0 }, s: 0.4 * length, force: 2e5 };
         let found = under(&meshed(TEETH, hold, COARSE), &[load]);
         let mut largest = 0.0_f64;
-        for tooth in [3, 4, 2, 5, 9] {
+        for tooth in [3_u32, 4, 2, 5, 9] {
             // Teeth further apart than a structure on lugs has tables for know of each other what its series tells them: to a hundredth of the largest.
             let beyond =
                 matches!(hold, BoreHold::Lugs(_)) && tooth.abs_diff(load.chart.tooth) > source.coupled;
