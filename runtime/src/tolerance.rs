@@ -152,8 +152,8 @@ pub fn quasi_static_within(
     let refinement = meshes(options.fidelity)[0];
     let setting = Setting { fidelity: options.fidelity, refinement, cells: 1, positions: 1 };
     let levels = options.fidelity.all_above().collect();
-    let mut search =
-        Search { tolerance, scene, outputs, options, setting, levels, missing: None, tried: Vec::new() };
+    let ladder = Ladder { tolerance, setting, levels };
+    let mut search = Search { ladder, scene, outputs, options, missing: None, tried: Vec::new() };
     let few = few_of(positions);
     let few_are_all = few.len() == positions.len();
     // Whether a few positions have been compared by the setting, or need not be.
@@ -163,13 +163,14 @@ pub fn quasi_static_within(
         if !compared && search.attempt(&few, false, &mut ())?.is_none() {
             continue;
         }
-        let setting = search.setting;
+        let setting = search.ladder.setting;
         let all = (0..setting.positions.ilog2()).fold(positions.to_vec(), |all, _| doubled(&all));
         if let Some(result) = search.attempt(&all, true, observer)? {
             return Ok(search.chosen(result));
         }
         // More positions change nothing at the few.
-        compared = few_are_all || Setting { positions: setting.positions, ..search.setting } == setting;
+        compared =
+            few_are_all || Setting { positions: setting.positions, ..search.ladder.setting } == setting;
     }
 }
 
@@ -186,15 +187,21 @@ pub fn check_tolerance(tolerance: f64) -> Result<(), EngineError> {
         .blame("tolerance"))
 }
 
-/// The search for a setting.
-struct Search<'a> {
+/// Where a search stands on the ladder.
+#[derive(Clone, Debug)]
+struct Ladder {
     tolerance: f64,
-    scene: &'a Scene,
-    outputs: &'a [OutputRequest],
-    options: AnalysisOptions,
     setting: Setting,
     /// Above the setting's that the scene may be had at.
     levels: Vec<Fidelity>,
+}
+
+/// The search for a setting.
+struct Search<'a> {
+    ladder: Ladder,
+    scene: &'a Scene,
+    outputs: &'a [OutputRequest],
+    options: AnalysisOptions,
     /// The first that it cannot be had at, and why.
     missing: Option<(Fidelity, EngineError)>,
     tried: Vec<Tried>,
@@ -226,6 +233,45 @@ struct Wanting {
     between: f64,
 }
 
+impl Ladder {
+    /// Goes to a better setting, by what is wrong with this one; false where there is none.
+    fn better(&mut self, wanting: Wanting) -> bool {
+        let Wanting { values, level, beyond_mesh, grid, between } = wanting;
+        let Setting { fidelity, refinement, cells, positions } = self.setting;
+        let finer = meshes(fidelity).iter().copied().find(|&finer| finer > refinement);
+        let next = self.levels.first().copied();
+        let worth = SHARE * self.tolerance;
+        // How often cells and positions may be doubled yet.
+        let [cells_left, positions_left] =
+            [cells, positions].map(|count| DOUBLINGS.saturating_sub(count.ilog2()));
+        let least = grid * LEFT_OF_GRID.powi(cells_left as i32);
+        match (finer, next) {
+            _ if values => return self.rise(),
+            _ if between > worth && positions_left > 0 => self.setting.positions *= 2,
+            _ if between > self.tolerance => return false,
+            _ if grid.is_finite() && least > self.tolerance => return false,
+            _ if grid > self.tolerance && cells_left > 0 => self.setting.cells *= 2,
+            (_, Some(_)) if beyond_mesh > self.tolerance => return self.rise(),
+            (None, Some(_)) if level > self.tolerance => return self.rise(),
+            _ if grid > worth && cells_left > 0 => self.setting.cells *= 2,
+            (Some(finer), _) => self.setting.refinement = finer,
+            (None, _) => return self.rise(),
+        }
+        true
+    }
+
+    /// To the next level, with its coarsest mesh; false where there is none.
+    fn rise(&mut self) -> bool {
+        if self.levels.is_empty() {
+            return false;
+        }
+        let fidelity = self.levels.remove(0);
+        let Setting { cells, positions, .. } = self.setting;
+        self.setting = Setting { fidelity, refinement: meshes(fidelity)[0], cells, positions };
+        true
+    }
+}
+
 impl Search<'_> {
     /// Analyses by the setting; where that misses the tolerance there is no result, and the setting is a better one.
     fn attempt(
@@ -234,7 +280,7 @@ impl Search<'_> {
         whole: bool,
         observer: &mut dyn Observer,
     ) -> Result<Option<AnalysisResult>, EngineError> {
-        let Setting { fidelity, refinement, cells, .. } = self.setting;
+        let Setting { fidelity, refinement, cells, .. } = self.ladder.setting;
         let mut scene = self.scene.clone();
         for SurfacePair { grid, .. } in scene.pairs.iter_mut().filter(|_| cells > 1) {
             let own = match fidelity {
@@ -271,8 +317,8 @@ impl Search<'_> {
             Part::ALL.into_iter().filter(|&part| whole || part != Part::Positions).collect();
         let (output, error) = worst_in(&counted);
         let name = self.outputs.get(output).map(|request| request.name.clone()).unwrap_or_default();
-        self.tried.push(Tried { setting: self.setting, whole, worst: (name, error) });
-        if error <= self.tolerance {
+        self.tried.push(Tried { setting: self.ladder.setting, whole, worst: (name, error) });
+        if error <= self.ladder.tolerance {
             return Ok(Some(result));
         }
         let beyond_mesh = |summary: &OutputSummary| {
@@ -285,61 +331,25 @@ impl Search<'_> {
             grid: worst_in(&[Part::ContactGrid]).1,
             between: if whole { worst_in(&[Part::Positions]).1 } else { 0.0 },
         };
-        self.better(wanting).map(|()| None)
-    }
-
-    /// A better setting, by what is wrong with this one.
-    fn better(&mut self, wanting: Wanting) -> Result<(), EngineError> {
-        let Wanting { values, level, beyond_mesh, grid, between } = wanting;
-        let Setting { fidelity, refinement, cells, positions } = self.setting;
-        let finer = meshes(fidelity).iter().copied().find(|&finer| finer > refinement);
-        let next = self.levels.first().copied();
-        let worth = SHARE * self.tolerance;
-        // How often cells and positions may be doubled yet.
-        let [cells_left, positions_left] =
-            [cells, positions].map(|count| DOUBLINGS.saturating_sub(count.ilog2()));
-        let least = grid * LEFT_OF_GRID.powi(cells_left as i32);
-        match (finer, next) {
-            (_, Some(_)) if values => self.rise()?,
-            _ if values => return Err(self.refuse()),
-            _ if between > worth && positions_left > 0 => self.setting.positions *= 2,
-            _ if between > self.tolerance => return Err(self.refuse()),
-            _ if grid.is_finite() && least > self.tolerance => return Err(self.refuse()),
-            _ if grid > self.tolerance && cells_left > 0 => self.setting.cells *= 2,
-            (_, Some(_)) if beyond_mesh > self.tolerance => self.rise()?,
-            (None, Some(_)) if level > self.tolerance => self.rise()?,
-            _ if grid > worth && cells_left > 0 => self.setting.cells *= 2,
-            (Some(finer), _) => self.setting.refinement = finer,
-            (None, Some(_)) => self.rise()?,
-            (None, None) => return Err(self.refuse()),
+        match self.ladder.better(wanting) {
+            true => Ok(None),
+            false => Err(self.refuse()),
         }
-        Ok(())
-    }
-
-    /// To the next level, with its coarsest mesh.
-    fn rise(&mut self) -> Result<(), EngineError> {
-        if self.levels.is_empty() {
-            return Err(self.refuse());
-        }
-        let fidelity = self.levels.remove(0);
-        let Setting { cells, positions, .. } = self.setting;
-        self.setting = Setting { fidelity, refinement: meshes(fidelity)[0], cells, positions };
-        Ok(())
     }
 
     /// The scene cannot be had at the setting's level: the next above it is tried; where there is none, the finest mesh below.
     fn pass_over(&mut self, error: EngineError) -> Result<(), EngineError> {
-        let Setting { fidelity, cells, positions, .. } = self.setting;
+        let Setting { fidelity, cells, positions, .. } = self.ladder.setting;
         self.missing.get_or_insert((fidelity, error));
-        if !self.levels.is_empty() {
-            return self.rise();
+        if self.ladder.rise() {
+            return Ok(());
         }
         let before = self.tried.last().map(|tried| tried.setting);
         let finer = before.and_then(|Setting { fidelity, refinement, .. }| {
             let refinement = meshes(fidelity).iter().copied().find(|&finer| finer > refinement)?;
             Some(Setting { fidelity, refinement, cells, positions })
         });
-        self.setting = finer.ok_or_else(|| self.refuse())?;
+        self.ladder.setting = finer.ok_or_else(|| self.refuse())?;
         Ok(())
     }
 
@@ -353,7 +363,10 @@ impl Search<'_> {
         }
         EngineError::new(
             "E0792",
-            format!("no setting is estimated to keep to a tolerance of {}{told}", percent(self.tolerance)),
+            format!(
+                "no setting is estimated to keep to a tolerance of {}{told}",
+                percent(self.ladder.tolerance)
+            ),
             "ask for less, or take out of the model what cannot be had so exactly",
         )
         .blame("tolerance")
@@ -368,8 +381,8 @@ impl Search<'_> {
                 .map(|(_, reason)| reason.clone())
         });
         result.chosen = Some(Chosen {
-            tolerance: self.tolerance,
-            setting: self.setting,
+            tolerance: self.ladder.tolerance,
+            setting: self.ladder.setting,
             tried: self.tried,
             level_unseen: unseen,
         });
@@ -435,14 +448,4 @@ fn doubled(positions: &[Position]) -> Vec<Position> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn positions_double_but_for_jumps() {
-        let at = |time: f64, name: &'static str| Position { name: Cow::Borrowed(name), ..Position::at(time) };
-        let all = [at(0.0, ""), at(1.0, "A"), at(1.000001, "B"), at(2.0, "")];
-        let times: Vec<f64> = doubled(&all).iter().map(|position| position.time).collect();
-        assert_eq!(times, [0.0, 0.5, 1.0, 1.000001, 1.5000005, 2.0]);
-    }
-}
+mod tests;

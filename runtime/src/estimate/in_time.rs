@@ -1,8 +1,9 @@
 //! The same motion in time once more: in steps twice and four times as long, and in the former with one knob more turned.
 //!
 //! Motions are not compared step by step: after a blow two that are a little apart in time differ by much at any one time, and by little in what
-//! results tell. So their statistics are compared. Longer steps tell the error of shorter ones only if these converge, which the third run shows: where steps
-//! are so long that twice as long ones make no more difference than four times as long ones, nothing is estimated.
+//! results tell. So their statistics are compared. Longer steps tell the error of shorter ones only if these converge, which the third run shows: by
+//! how much differences grow from one doubling of the step to the next is the order at which they do, and Richardson's extrapolation by that order the
+//! error. Where differences do not grow, steps are too long to tell anything, and nothing is estimated.
 
 use super::siblings::{OF_GRID, OtherMesh, coarser_grids};
 use super::{Ends, Estimates, Evidence, Found, Part, Statistics, ends, is_stress};
@@ -11,11 +12,9 @@ use crate::interrupt::Interrupt;
 use crate::results::{OutputRequest, StepRow};
 use crate::scene::{BodyModel, Fidelity, Scene, StructureOptions};
 
-/// What the difference from steps twice as long is multiplied by, of schemes of the first order and of the second; the latter have a third by theory, and
-/// more where teeth touch and part.
-const OF_STEPS: [f64; 2] = [1.0, 0.4];
-/// By how much the difference at least grows with steps twice as long if they converge, of the same: by theory twice and four times.
-const CONVERGING: [f64; 2] = [1.5, 2.0];
+/// What the difference from steps twice as long is multiplied by at most and at least, of an error of the first order and of the second: by Richardson's
+/// extrapolation, of differences that grow by `g` from one doubling to the next, `1 / (g - 1)`.
+const OF_ORDERS: [f64; 2] = [1.0, 1.0 / 3.0];
 /// Differences below this part of the largest magnitude are none.
 const NOTHING: f64 = 1e-3;
 
@@ -49,10 +48,12 @@ impl Moved<'_> {
             Ok([longer, _]) => Ok(longer.as_slice()),
             Err(reason) => Err(reason.clone()),
         };
-        let converging =
-            self.longer.as_ref().map_err(String::clone).and_then(|longer| self.converging(longer));
-        let by_steps = |_: usize| OF_STEPS[usize::from(self.second_order)];
-        evidence.found.push(self.found(Part::TimeStep, Ok(self.rows), converging, by_steps));
+        let factor = self.longer.as_ref().map_err(String::clone).and_then(|longer| self.factor(longer));
+        let (of_steps, converging) = match &factor {
+            Ok(factor) => (*factor, shared.clone()),
+            Err(reason) => (f64::NAN, Err(reason.clone())),
+        };
+        evidence.found.push(self.found(Part::TimeStep, Ok(self.rows), converging, |_| of_steps));
         let others = [Part::Discretization, Part::ContactGrid, Part::Level];
         let longer = match (estimates, shared) {
             (Estimates::Full, Ok(longer)) => longer,
@@ -97,8 +98,8 @@ impl Moved<'_> {
         Ok(evidence)
     }
 
-    /// The rows in steps twice as long, if steps of this length converge.
-    fn converging<'l>(&self, [longer, longest]: &'l [Vec<StepRow>; 2]) -> Result<&'l [StepRow], String> {
+    /// What the difference from steps twice as long is multiplied by, if steps of this length converge.
+    fn factor(&self, [longer, longest]: &[Vec<StepRow>; 2]) -> Result<f64, String> {
         let off = |one: &[StepRow], other: &[StepRow]| {
             let (one, other) = at_same_times(one, other);
             let of = |output: usize| {
@@ -112,14 +113,7 @@ impl Moved<'_> {
             (0..self.outputs.len()).map(of).sum::<f64>()
         };
         let [near, far] = [off(self.rows, longer), off(longer, longest)];
-        let needed = CONVERGING[usize::from(self.second_order)];
-        if near > NOTHING * self.outputs.len() as f64 && far < needed * near {
-            return Err(format!(
-                "steps are too long: those twice as long make {:.1} times the difference at the next doubling, where converging ones make at least {needed}",
-                far / near
-            ));
-        }
-        Ok(longer)
+        of_growth(near, far, self.second_order, NOTHING * self.outputs.len() as f64)
     }
 
     /// The motion in longer steps with knobs turned, or why there is none.
@@ -163,6 +157,22 @@ impl Moved<'_> {
     }
 }
 
+/// The factor on a difference, by how large it is and the one at the next doubling of the step; one up to `nothing` is none, and says nothing of its
+/// order.
+fn of_growth(near: f64, far: f64, second_order: bool, nothing: f64) -> Result<f64, String> {
+    let least = OF_ORDERS[usize::from(second_order)];
+    if near <= nothing {
+        return Ok(least);
+    }
+    let growth = far / near;
+    match growth > 1.0 {
+        true => Ok((growth - 1.0).recip().clamp(least, OF_ORDERS[0])),
+        false => Err(format!(
+            "steps are too long: those twice as long make {growth:.1} times the difference at the next doubling, where converging ones make more"
+        )),
+    }
+}
+
 /// The rows of either that the other one has as well.
 fn at_same_times(one: &[StepRow], other: &[StepRow]) -> (Vec<StepRow>, Vec<StepRow>) {
     let mut both = (Vec::new(), Vec::new());
@@ -203,4 +213,25 @@ fn differences(weights: &[f64], own: &[Ends], other: &[Ends]) -> Statistics {
     let values = own.iter().zip(other).zip(weights);
     let mean: f64 = values.map(|((own, other), weight)| weight * (own.value - other.value)).sum();
     Statistics { min: below.abs(), max: above.abs(), mean: mean.abs(), peak_to_peak: (above + below).abs() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Differences of an error `step^order` at steps 1, 2 and 4 give it back; beyond the orders of schemes the nearest of them counts.
+    #[test]
+    fn the_order_that_is_seen_tells_the_error() {
+        for order in [1.0_f64, 1.3, 1.7, 2.0] {
+            let [near, far] = [2.0, 4.0].map(|step: f64| step.powf(order) - (0.5 * step).powf(order));
+            let factor = of_growth(near, far, true, 0.0).expect("it converges");
+            assert!((factor * near - 1.0).abs() < 1e-12, "{order}: {factor}");
+        }
+        assert_eq!(of_growth(1.0, 20.0, true, 0.0), Ok(1.0 / 3.0));
+        assert_eq!(of_growth(1.0, 4.0, false, 0.0), Ok(1.0));
+        assert_eq!(of_growth(1.0, 1.1, true, 0.0), Ok(1.0));
+        assert!(of_growth(1.0, 0.9, true, 0.0).is_err());
+        // No difference has no order.
+        assert_eq!(of_growth(1e-6, 1e-7, true, 1e-3), Ok(1.0 / 3.0));
+    }
 }

@@ -5,7 +5,7 @@ use crate::disc::{Disc, Facing, Platen};
 use crate::interrupt::Interrupt;
 use crate::material::Material;
 use crate::motion::SteadyRotation;
-use crate::observe::{FilletSide, Gauge, GaugeReading, Reading};
+use crate::observe::{Displacement, FilletSide, Gauge, GaugeReading, Reading};
 use crate::scene::{Body, BodyId, Component, Prototype, StructureOptions, SurfacePair};
 use crate::structure::tests::annulus::{Annulus, THIN};
 use crate::structure::tests::bodies::{COARSE, ring_source, toothed_sector};
@@ -244,5 +244,31 @@ fn a_blow_is_as_strong_whatever_part_of_the_loads_is_on() {
         let expected = (2.0 + part * 500.0 * 1e-3) / mass;
         let found = history.state().velocity[0];
         assert!((found / expected - 1.0).abs() < 1e-9, "{part}: {found} {expected}");
+    }
+}
+
+/// Steps of a run are made twice and four times as long to know their error; a blow that these do not fill would pass on another momentum.
+#[test]
+fn steps_that_longer_ones_do_not_tell_of_are_told_so() {
+    let ring = Ring { modes: Ring::plain(THIN, 1.0).modes, toothed: false };
+    let mut scene = scene(ring, 0.0, &[Component::Ux]);
+    let momentum = Wrench::of_force([2.0, 0.0, 0.0]);
+    scene.bodies[RING.0].blows.push(crate::load::Blow { at: 2e-4, duration: 4e-4, momentum });
+    let outputs = [OutputRequest::observing("place", scene.observe(Displacement(RING, 0)))];
+    let analysis = AnalysisOptions { error_estimates: Estimates::Cheap, ..options() };
+    // A blow takes 40, 10, 8 and 4 of these steps, and the longest are four of them.
+    for (count, refused) in [(100, false), (25, true), (20, false), (10, true)] {
+        let asked = steps(1e-3, count, 1);
+        let mut history = History::new(&scene, &outputs, &analysis, &asked, &mut ()).expect("it can begin");
+        history.by_ref().for_each(|row| assert!(row.is_ok()));
+        let result = history.finish().expect("it ends");
+        let error = result.summaries[0].error.clone().expect("it is estimated");
+        let reason = error.not_estimated.iter().find(|(part, _)| *part == estimate::Part::TimeStep);
+        match refused {
+            true => {
+                assert!(reason.is_some_and(|(_, reason)| reason.contains("a blow is not filled")), "{count}")
+            }
+            false => assert_eq!(reason, None, "{count}"),
+        }
     }
 }
