@@ -61,8 +61,12 @@ fn corner_potential(u: f64, v: f64, z: f64) -> f64 {
     }
     let r = (u * u + v * v + z * z).sqrt();
     let angle = if z > 0.0 { z * (u * v / (z * r)).atan() } else { 0.0 };
-    // asinh(a / hypot(b, z)), which does not cancel.
-    let along = |a: f64, b: f64| (a / b.hypot(z)).asinh();
+    // asinh(a / sqrt(b² + z²)), which does not cancel.
+    let along = |a: f64, b: f64| {
+        let away = (b * b + z * z).sqrt();
+        let ratio = a / away;
+        (ratio + ratio * ratio / (1.0 + r / away)).ln_1p()
+    };
     sign * (u * along(v, u) + v * along(u, v) - angle)
 }
 
