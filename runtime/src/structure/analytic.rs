@@ -11,7 +11,7 @@
 //! Helical teeth bend in the section at right angles to them, as the virtual spur gears of the standards do: across the tooth it is shorter than the
 //! transverse one by the cosine `c` of the helix angle, a force across a slice of the face is the part `1 / c` of that at right angles to the tooth, and acts on
 //! `1 / c` of its length. So an even load bends teeth by `1 / c⁴` as much as their transverse section, and stresses their fillets by `1 / c²` as much. What
-//! carries them is the ring of the transverse section. Displacements are along the force of each load, so the whole is symmetric as it is for `c = 1`.
+//! carries them is the ring of the transverse section, which the part of the force along the face shears. Displacements are along the force of each load, so the whole is symmetric as it is for `c = 1`.
 
 mod cantilever;
 mod held_ring;
@@ -59,6 +59,8 @@ struct Tooth {
     sense: f64,
     root: f64,
     lean: f64,
+    /// Tangent of the helix angle.
+    rise: f64,
     cantilever: Cantilever,
     section: Option<CriticalSection>,
     modulus: f64,
@@ -117,6 +119,7 @@ impl Tooth {
             sense: shape.sense,
             root: shape.ring.root(),
             lean: shape.lean,
+            rise: (1.0 - shape.lean * shape.lean).max(0.0).sqrt() / shape.lean,
             cantilever: Cantilever::new(&shape.depths, material, plane),
             section: shape.section,
             modulus: material.surface_modulus(plane),
@@ -139,6 +142,7 @@ impl Tooth {
             axial: -self.sense * out,
             shear: -across,
             moment: self.sense * (-(x - self.root) * across + y * out),
+            along: across * self.rise,
         };
         let (deep, against) = (self.lean * y, across / self.lean);
         let bending = RootLoad {

@@ -51,6 +51,8 @@ pub struct RootLoad {
     pub shear: f64,
     /// About the root, positive with a positive shear farther out, N.
     pub moment: f64,
+    /// Along the face, N/m: none but of helical teeth.
+    pub along: f64,
 }
 
 impl Flexibility {
@@ -140,7 +142,7 @@ mod tests {
         let beam = Cantilever::new(&depths, steel, Plane::Stress);
         let (area, inertia) = (2.0 * half, (2.0 * half).powi(3) / 12.0);
         let [e, g] = [206e9, 206e9 / 2.6];
-        let across = |at: f64| RootLoad { shear: 1.0, moment: at, axial: 0.0 };
+        let across = |at: f64| RootLoad { shear: 1.0, moment: at, ..RootLoad::default() };
         for near in [0.011, length] {
             let given = beam.up_to(near).between(&across(near), &across(length));
             let bent = near * near * (3.0 * length - near) / (6.0 * e * inertia);
@@ -167,7 +169,7 @@ mod tests {
         let depths: Vec<[f64; 2]> =
             (0..=64).map(|k| (length - cut) * f64::from(k) / 64.0).map(|t| [t, depth(t)]).collect();
         let wedge = Cantilever::new(&depths, material, Plane::Stress);
-        let force = RootLoad { shear: 1.0, moment: length, axial: 0.0 };
+        let force = RootLoad { shear: 1.0, moment: length, ..RootLoad::default() };
         let given = wedge.up_to(length).between(&force, &force);
         let logarithm = (length / cut).ln();
         let expected = 12.0 * (length / root).powi(3) * logarithm + 1.2 * 2.0 * length / root * logarithm;

@@ -4,7 +4,8 @@
 //! same tractions, evenly spread ones for the two forces and a linear one for the moment, and print polynomials for a range of rings. Here it is
 //! solved for each ring: in a Fourier series around, of which each wave is a combination of four powers of the radius (Navier's equations; Michell's
 //! solution). Displacements are the means that do the tractions' work, so the answer is symmetric, and what
-//! teeth do to each other through the ring comes with it.
+//! teeth do to each other through the ring comes with it. Forces along the face, which helical teeth have, shear it apart from all else (Laplace's
+//! equation).
 
 use super::cantilever::RootLoad;
 use crate::material::{Material, Plane};
@@ -21,6 +22,8 @@ const UNFELT: f64 = 1e-16;
 pub struct HeldRing {
     /// By how far a tooth is ahead of another: displacements (axial, across, turn) of its root by unit loads on that one's, per unit of width.
     between: Vec<[[f64; 3]; 3]>,
+    /// The same along the face.
+    along: Vec<f64>,
     sectors: u32,
 }
 
@@ -53,6 +56,8 @@ impl HeldRing {
         let sense = if held_radius > radius { -1.0 } else { 1.0 };
         let coupled = coupled.min(sectors / 2);
         let mut between = vec![[[0.0; 3]; 3]; coupled as usize + 1];
+        let mut along = vec![0.0; coupled as usize + 1];
+        let shear_modulus = 0.5 * material.youngs_modulus / (1.0 + material.poissons_ratio);
         let last = (PHASE / half_arc).ceil() as u32;
         for n in 0..=last {
             let around = f64::from(n);
@@ -65,8 +70,10 @@ impl HeldRing {
                     *entry = if n == 0 { TAU } else { PI } * (one[0] * moved[0] + one[1] * moved[1]);
                 }
             }
-            for (apart, sum) in between.iter_mut().enumerate() {
+            let sheared = along_the_face(around, half_arc, held_radius / radius) / shear_modulus;
+            for (apart, (sum, along)) in between.iter_mut().zip(&mut along).enumerate() {
                 let (sine, cosine) = (TAU * around * apart as f64 / f64::from(sectors)).sin_cos();
+                *along += cosine * sheared;
                 for (i, row) in sum.iter_mut().enumerate() {
                     for (j, entry) in row.iter_mut().enumerate() {
                         // An axial force is even about its tooth, the others are odd.
@@ -89,7 +96,7 @@ impl HeldRing {
                 }
             }
         }
-        HeldRing { between, sectors }
+        HeldRing { between, along, sectors }
     }
 
     /// What a load at the root of one tooth does along another at the root of another tooth, m/(N/m). The same with the two exchanged, bit
@@ -102,25 +109,29 @@ impl HeldRing {
         let ahead = (other_tooth + self.sectors - one_tooth % self.sectors) % self.sectors;
         let behind = self.sectors - ahead;
         if ahead == 0 {
-            let Some(own) = self.between.first() else { return 0.0 };
+            let (Some(own), Some(along)) = (self.between.first(), self.along.first()) else { return 0.0 };
             let crossed = one.shear * other.moment + one.moment * other.shear;
             return own[0][0] * (one.axial * other.axial)
                 + own[1][1] * (one.shear * other.shear)
                 + own[2][2] * (one.moment * other.moment)
-                + own[1][2] * crossed;
+                + own[1][2] * crossed
+                + along * (one.along * other.along);
         }
         // Of two teeth opposite each other either may be ahead: the one with the smaller number is not.
         let swapped = behind < ahead || (behind == ahead && other_tooth < one_tooth);
-        let Some(between) = self.between.get(ahead.min(behind) as usize) else { return 0.0 };
+        let apart = ahead.min(behind) as usize;
+        let (Some(between), Some(along)) = (self.between.get(apart), self.along.get(apart)) else {
+            return 0.0;
+        };
         let parts = |load: &RootLoad| [load.axial, load.shear, load.moment];
         let (first, second) = if swapped { (parts(other), parts(one)) } else { (parts(one), parts(other)) };
         let of = |row: usize| -> f64 { (0..3).map(|column| between[row][column] * first[column]).sum() };
-        (0..3).map(|row| second[row] * of(row)).sum()
+        (0..3).map(|row| second[row] * of(row)).sum::<f64>() + along * (one.along * other.along)
     }
 
     /// Memory that it takes, in bytes.
     pub fn bytes(&self) -> usize {
-        size_of_val(self.between.as_slice())
+        size_of_val(self.between.as_slice()) + size_of_val(self.along.as_slice())
     }
 }
 
@@ -149,6 +160,17 @@ fn tractions(n: f64, half: f64) -> [[f64; 2]; 3] {
     let turning = 0.5 * slope * (odd(above) + odd(below));
     let leaning = 0.5 * slope * (odd(above) - odd(below));
     [[with, -against], [against, -with], [turning, leaning]]
+}
+
+/// What of a unit force along the face, spread evenly on an arc of a ring of unit radius that is held at another one, a wave number adds to its own
+/// displacement, by the shear modulus: evenly around `t ln(1 / held)`, and else `t tanh(n ln(1 / held)) / n` under a traction `t`.
+fn along_the_face(n: f64, half: f64, held: f64) -> f64 {
+    let thickness = held.ln().abs();
+    if n == 0.0 {
+        return thickness / TAU;
+    }
+    let traction = (n * half).sin() / (PI * n * half);
+    PI * traction * traction * (n * thickness).tanh() / n
 }
 
 /// Waves around a ring of unit radius that is held at another one.
@@ -268,9 +290,9 @@ mod tests {
     use super::*;
 
     const FORCES: [RootLoad; 3] = [
-        RootLoad { axial: 1.0, shear: 0.0, moment: 0.0 },
-        RootLoad { axial: 0.0, shear: 1.0, moment: 0.0 },
-        RootLoad { axial: 0.0, shear: 0.0, moment: 1.0 },
+        RootLoad { axial: 1.0, shear: 0.0, moment: 0.0, along: 0.0 },
+        RootLoad { axial: 0.0, shear: 1.0, moment: 0.0, along: 0.0 },
+        RootLoad { axial: 0.0, shear: 0.0, moment: 1.0, along: 0.0 },
     ];
     /// Of E = 1, so that compliances are numbers.
     const UNIT: Material = Material { youngs_modulus: 1.0, poissons_ratio: 0.3, density: 0.0 };
@@ -285,6 +307,21 @@ mod tests {
         let (ring, modulus, arc) = (ring(held, half_arc, 0), 1.0 / 0.91, 2.0 * half_arc);
         let of = |one: usize, other: usize| modulus * ring.compliance((0, &FORCES[one]), (0, &FORCES[other]));
         [of(0, 0), of(1, 1), arc * arc * of(2, 2), arc * of(1, 2)]
+    }
+
+    /// Pushed along the face by teeth that stand all around it, a ring shears evenly: by a logarithm.
+    #[test]
+    fn all_around_a_ring_shears_by_a_logarithm() {
+        let push = RootLoad { along: 1.0, ..RootLoad::default() };
+        for held in [0.6, 1.7f64] {
+            let ring = ring(held, PI / 24.0, 12);
+            let sum: f64 = (0..24).map(|tooth| ring.compliance((3, &push), (tooth, &push))).sum();
+            let exact = 24.0 / TAU * held.ln().abs() * 2.6;
+            assert!((sum / exact - 1.0).abs() < 1e-9, "{sum} {exact}");
+            let [there, back] =
+                [(1, 9), (9, 1)].map(|(one, other)| ring.compliance((one, &push), (other, &push)));
+            assert_eq!(there.to_bits(), back.to_bits());
+        }
     }
 
     /// On an arc that is short against everything else the ring is a half-plane. Under `12 M x / a³` it is displaced by
