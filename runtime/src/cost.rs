@@ -2,7 +2,7 @@
 //!
 //! Two kinds of work take the time. Condensing structures is products of dense matrices; contact and the near field are evaluations of
 //! elementary functions. How fast a machine does each is measured once, in a fraction of a second ([`Rates`]); how much of each there is follows
-//! from the plan ([`structure`], [`positions`]). The constants are counts, fitted to five runs of examples on one machine (`docs/accuracy.md`), which they
+//! from the plan ([`structure`], [`positions`]). The constants are counts, fitted to runs of examples on one machine (`docs/accuracy.md`), which they
 //! give back within a third; how far off they are elsewhere nothing measures but `calyx tradeoff`, which prints predicted beside measured times. A
 //! prediction is for telling seconds from minutes.
 
@@ -101,14 +101,21 @@ pub struct Cost {
 /// What condensing a structure costs, on all threads.
 ///
 /// A sector's mesh takes a time in proportion to its degrees of freedom: setting up equations, carrying loads and stresses through the
-/// elimination, the near field. Sectors are joined by products of dense matrices besides, in space usually by mirror-symmetric halves.
+/// elimination, in space the near field, which in the plane takes a time in proportion to pairs of loads. Sectors are joined by products of dense
+/// matrices besides, in space usually by mirror-symmetric halves.
 pub fn structure(size: &StructureSize, in_space: bool, rates: &Rates) -> Cost {
     let freedoms = size.freedoms as f64;
     let whole = in_space && !size.mirrored;
     let [time_of_whole, memory_of_whole] = if whole { WHOLE } else { [1.0; 2] };
+    let logarithms = match in_space {
+        true => LOGARITHMS_PER_FREEDOM_IN_SPACE * freedoms,
+        false => {
+            LOGARITHMS_PER_FREEDOM_IN_PLANE * freedoms
+                + LOGARITHMS_PER_PAIR_OF_LOADS * (size.loads as f64).powi(2)
+        }
+    };
     let time = time_of_whole
-        * (LOGARITHMS_PER_FREEDOM * freedoms / rates.logarithms
-            + PRODUCTS_OF_HALVES * size.operations() / rates.products);
+        * (logarithms / rates.logarithms + PRODUCTS_OF_HALVES * size.operations() / rates.products);
     let bytes = if in_space { BYTES_PER_FREEDOM_IN_SPACE } else { BYTES_PER_FREEDOM_IN_PLANE };
     let bytes = memory_of_whole * bytes;
     Cost {
@@ -117,9 +124,12 @@ pub fn structure(size: &StructureSize, in_space: bool, rates: &Rates) -> Cost {
     }
 }
 
-/// Time of a degree of freedom of a sector, in logarithms: 41 to 56 microseconds on a machine that takes 3.6 nanoseconds for one, from 17,000
-/// degrees of freedom in the plane to 127,000 in space.
-const LOGARITHMS_PER_FREEDOM: f64 = 13_000.0;
+/// Time of a degree of freedom of a sector, in logarithms: 41 to 56 microseconds on a machine that takes 3.6 nanoseconds for one, of up to 127,000
+/// degrees of freedom in space; 10 microseconds in the plane, of 7,000 to 35,000.
+const LOGARITHMS_PER_FREEDOM_IN_SPACE: f64 = 13_000.0;
+const LOGARITHMS_PER_FREEDOM_IN_PLANE: f64 = 2_900.0;
+/// Time of a pair of loads in the plane: 5 microseconds on the same machine, by meshes of different fineness under 256 loads.
+const LOGARITHMS_PER_PAIR_OF_LOADS: f64 = 1_450.0;
 /// Of the products that joining sectors whole would take, halves take so many.
 const PRODUCTS_OF_HALVES: f64 = 0.25;
 /// By how much more time and memory a sector in space takes that has no halves, such as a helical gear's.

@@ -206,10 +206,10 @@ impl Structure for AnalyticStructure {
         if loads.is_empty() {
             return;
         }
+        let ring = self.ring.link(observe.tooth, load.tooth);
         for (row, observer) in block.chunks_mut(loads.len()).zip(&observers) {
             for (entry, loaded) in row.iter_mut().zip(&loads) {
-                let mut given =
-                    self.ring.compliance((observe.tooth, &observer.load), (load.tooth, &loaded.load));
+                let mut given = ring.compliance(&observer.load, &loaded.load);
                 if observe.tooth == load.tooth {
                     given += self.tooth.between(observer, loaded);
                 }

@@ -27,6 +27,49 @@ pub struct HeldRing {
     sectors: u32,
 }
 
+/// Teeth too far apart to feel each other.
+const UNCOUPLED: [[f64; 3]; 3] = [[0.0; 3]; 3];
+
+/// Answers of a ring between two of its teeth.
+#[derive(Clone, Copy, Debug)]
+pub struct Link<'a> {
+    between: &'a [[f64; 3]; 3],
+    along: f64,
+    order: Order,
+}
+
+/// Where the other tooth is.
+#[derive(Clone, Copy, Debug)]
+enum Order {
+    Same,
+    Ahead,
+    Behind,
+}
+
+impl Link<'_> {
+    /// What a load at the root of the one tooth does along another at the root of the other, m/(N/m). The same with the two and their teeth
+    /// exchanged, bit for bit.
+    pub fn compliance(&self, one: &RootLoad, other: &RootLoad) -> f64 {
+        let along = self.along * (one.along * other.along);
+        let parts = |load: &RootLoad| [load.axial, load.shear, load.moment];
+        let (first, second) = match self.order {
+            Order::Same => {
+                let own = self.between;
+                let crossed = one.shear * other.moment + one.moment * other.shear;
+                return own[0][0] * (one.axial * other.axial)
+                    + own[1][1] * (one.shear * other.shear)
+                    + own[2][2] * (one.moment * other.moment)
+                    + own[1][2] * crossed
+                    + along;
+            }
+            Order::Ahead => (parts(one), parts(other)),
+            Order::Behind => (parts(other), parts(one)),
+        };
+        let of = |row: usize| -> f64 { (0..3).map(|column| self.between[row][column] * first[column]).sum() };
+        (0..3).map(|row| second[row] * of(row)).sum::<f64>() + along
+    }
+}
+
 /// Sizes of a ring.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RingShape {
@@ -99,34 +142,22 @@ impl HeldRing {
         HeldRing { between, along, sectors }
     }
 
-    /// What a load at the root of one tooth does along another at the root of another tooth, m/(N/m). The same with the two exchanged, bit
-    /// for bit.
-    pub fn compliance(
-        &self,
-        (one_tooth, one): (u32, &RootLoad),
-        (other_tooth, other): (u32, &RootLoad),
-    ) -> f64 {
+    /// How the root of one tooth feels loads on the root of another one, which may be the same.
+    pub fn link(&self, one_tooth: u32, other_tooth: u32) -> Link<'_> {
         let ahead = (other_tooth + self.sectors - one_tooth % self.sectors) % self.sectors;
         let behind = self.sectors - ahead;
-        if ahead == 0 {
-            let (Some(own), Some(along)) = (self.between.first(), self.along.first()) else { return 0.0 };
-            let crossed = one.shear * other.moment + one.moment * other.shear;
-            return own[0][0] * (one.axial * other.axial)
-                + own[1][1] * (one.shear * other.shear)
-                + own[2][2] * (one.moment * other.moment)
-                + own[1][2] * crossed
-                + along * (one.along * other.along);
-        }
-        // Of two teeth opposite each other either may be ahead: the one with the smaller number is not.
-        let swapped = behind < ahead || (behind == ahead && other_tooth < one_tooth);
         let apart = ahead.min(behind) as usize;
-        let (Some(between), Some(along)) = (self.between.get(apart), self.along.get(apart)) else {
-            return 0.0;
+        let order = match ahead {
+            0 => Order::Same,
+            // Of two teeth opposite each other either may be ahead: the one with the smaller number is not.
+            _ if behind < ahead || (behind == ahead && other_tooth < one_tooth) => Order::Behind,
+            _ => Order::Ahead,
         };
-        let parts = |load: &RootLoad| [load.axial, load.shear, load.moment];
-        let (first, second) = if swapped { (parts(other), parts(one)) } else { (parts(one), parts(other)) };
-        let of = |row: usize| -> f64 { (0..3).map(|column| between[row][column] * first[column]).sum() };
-        (0..3).map(|row| second[row] * of(row)).sum::<f64>() + along * (one.along * other.along)
+        let (between, along) = match (self.between.get(apart), self.along.get(apart)) {
+            (Some(between), Some(&along)) => (between, along),
+            _ => (&UNCOUPLED, 0.0),
+        };
+        Link { between, along, order }
     }
 
     /// Memory that it takes, in bytes.
@@ -289,6 +320,10 @@ impl Waves {
 mod tests {
     use super::*;
 
+    fn compliance(ring: &HeldRing, one: (u32, &RootLoad), other: (u32, &RootLoad)) -> f64 {
+        ring.link(one.0, other.0).compliance(one.1, other.1)
+    }
+
     const FORCES: [RootLoad; 3] = [
         RootLoad { axial: 1.0, shear: 0.0, moment: 0.0, along: 0.0 },
         RootLoad { axial: 0.0, shear: 1.0, moment: 0.0, along: 0.0 },
@@ -305,7 +340,8 @@ mod tests {
     /// Compliances times E' of axial force, force across and moment (times the square of the arc), and of force with moment (times the arc).
     fn own(held: f64, half_arc: f64) -> [f64; 4] {
         let (ring, modulus, arc) = (ring(held, half_arc, 0), 1.0 / 0.91, 2.0 * half_arc);
-        let of = |one: usize, other: usize| modulus * ring.compliance((0, &FORCES[one]), (0, &FORCES[other]));
+        let of =
+            |one: usize, other: usize| modulus * compliance(&ring, (0, &FORCES[one]), (0, &FORCES[other]));
         [of(0, 0), of(1, 1), arc * arc * of(2, 2), arc * of(1, 2)]
     }
 
@@ -315,11 +351,11 @@ mod tests {
         let push = RootLoad { along: 1.0, ..RootLoad::default() };
         for held in [0.6, 1.7f64] {
             let ring = ring(held, PI / 24.0, 12);
-            let sum: f64 = (0..24).map(|tooth| ring.compliance((3, &push), (tooth, &push))).sum();
+            let sum: f64 = (0..24).map(|tooth| compliance(&ring, (3, &push), (tooth, &push))).sum();
             let exact = 24.0 / TAU * held.ln().abs() * 2.6;
             assert!((sum / exact - 1.0).abs() < 1e-9, "{sum} {exact}");
             let [there, back] =
-                [(1, 9), (9, 1)].map(|(one, other)| ring.compliance((one, &push), (other, &push)));
+                [(1, 9), (9, 1)].map(|(one, other)| compliance(&ring, (one, &push), (other, &push)));
             assert_eq!(there.to_bits(), back.to_bits());
         }
     }
@@ -392,10 +428,10 @@ mod tests {
         for (i, one) in FORCES.iter().enumerate() {
             for (j, other) in FORCES.iter().enumerate() {
                 for apart in 0..24 {
-                    let given = ring.compliance((3, one), ((3 + apart) % 24, other));
-                    let back = ring.compliance(((3 + apart) % 24, other), (3, one));
+                    let given = compliance(&ring, (3, one), ((3 + apart) % 24, other));
+                    let back = compliance(&ring, ((3 + apart) % 24, other), (3, one));
                     assert_eq!(given.to_bits(), back.to_bits(), "{i} {j} {apart}");
-                    let mirrored = ring.compliance(((3 + apart) % 24, one), (3, other));
+                    let mirrored = compliance(&ring, ((3 + apart) % 24, one), (3, other));
                     // The mirror image turns forces across and moments round.
                     let sign = if (i == 0) == (j == 0) { 1.0 } else { -1.0 };
                     assert!((given - sign * mirrored).abs() < 1e-13, "{i} {j} {apart}");
@@ -403,8 +439,8 @@ mod tests {
             }
         }
         // What is ahead of a push is raised, and far ones hardly feel it.
-        assert!(ring.compliance((0, &FORCES[1]), (1, &FORCES[0])) > 0.0);
-        let across = |apart: u32| ring.compliance((0, &FORCES[1]), (apart, &FORCES[1]));
+        assert!(compliance(&ring, (0, &FORCES[1]), (1, &FORCES[0])) > 0.0);
+        let across = |apart: u32| compliance(&ring, (0, &FORCES[1]), (apart, &FORCES[1]));
         // A force across turns the whole ring in its hold, which all teeth feel alike.
         assert!(
             [1, 2, 4, 8].windows(2).all(|pair| across(pair[1]) < across(pair[0])) && across(1) < across(0)
@@ -418,7 +454,7 @@ mod tests {
         let loads: Vec<(u32, RootLoad)> =
             (0..24).flat_map(|tooth| FORCES.map(|load| (tooth, load))).collect();
         let matrix = nalgebra::DMatrix::from_fn(72, 72, |i, j| {
-            ring.compliance((loads[i].0, &loads[i].1), (loads[j].0, &loads[j].1))
+            compliance(&ring, (loads[i].0, &loads[i].1), (loads[j].0, &loads[j].1))
         });
         assert!(matrix.cholesky().is_some());
     }
