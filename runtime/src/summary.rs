@@ -11,6 +11,9 @@ const HARMONICS: usize = 5;
 /// Positions nearer to each other than this part of the cycle, on both sides of a jump, count as one.
 const TOGETHER: f64 = 1e-4;
 
+/// Terms of which less than this is left beside the others, of a half, are not told apart by the positions.
+const TOLD_APART: f64 = 0.05;
+
 /// A multiple of the tooth mesh frequency in a quantity: `amplitude cos(2 pi order cycle + phase)`, with `cycle` the part of the mesh
 /// cycle passed.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -118,11 +121,23 @@ impl Cycle {
     }
 
     /// The harmonics that fit the values best, in the sense of least squares weighted by what each position stands for: on uniform
-    /// positions they are those of the discrete Fourier transform. As many as the positions can tell, at most five.
+    /// positions they are those of the discrete Fourier transform. As many as the positions tell apart, at most five.
     fn harmonics(&self, values: &[f64]) -> Vec<Harmonic> {
         let mut apart = self.at.clone();
         apart.dedup_by(|later, earlier| *later - *earlier < TOGETHER);
-        let count = HARMONICS.min(apart.len().saturating_sub(1) / 2);
+        let most = HARMONICS.min(apart.len().saturating_sub(1) / 2);
+        let fitted = (0..=most).rev().find_map(|count| self.fitted(values, count));
+        let Some(fitted) = fitted else { return Vec::new() };
+        let harmonic = |order: usize| {
+            let (sine, cosine) = (fitted[2 * order - 1], fitted[2 * order]);
+            Harmonic { order, amplitude: sine.hypot(cosine), phase: (-sine).atan2(cosine) }
+        };
+        (1..=fitted.len() / 2).map(harmonic).collect()
+    }
+
+    /// The mean, and of so many harmonics the sine and the cosine of each; `None` if the positions hardly tell these terms apart: what differs
+    /// between them would be blown up.
+    fn fitted(&self, values: &[f64], count: usize) -> Option<DVector<f64>> {
         let term = |row: usize, column: usize| {
             let angle = TAU * self.at[row] * column.div_ceil(2) as f64;
             if column.is_multiple_of(2) { angle.cos() } else { angle.sin() }
@@ -130,13 +145,10 @@ impl Cycle {
         let terms = DMatrix::from_fn(self.at.len(), 2 * count + 1, term);
         let weighted = DMatrix::from_fn(terms.nrows(), terms.ncols(), |i, k| self.weights[i] * terms[(i, k)]);
         let right = weighted.transpose() * DVector::from_column_slice(values);
-        let Some(factor) = (weighted.transpose() * terms).cholesky() else { return Vec::new() };
-        let fitted = factor.solve(&right);
-        let harmonic = |order: usize| {
-            let (sine, cosine) = (fitted[2 * order - 1], fitted[2 * order]);
-            Harmonic { order, amplitude: sine.hypot(cosine), phase: (-sine).atan2(cosine) }
-        };
-        (1..=count).map(harmonic).collect()
+        let factor = (weighted.transpose() * terms).cholesky()?;
+        // Pivots of sines and cosines are halves, if positions are uniform.
+        let told = factor.l_dirty().diagonal().iter().all(|pivot| pivot * pivot > TOLD_APART);
+        told.then(|| factor.solve(&right))
     }
 }
 

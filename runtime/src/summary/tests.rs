@@ -76,6 +76,18 @@ fn as_many_harmonics_are_told_as_positions_can_tell() {
     assert!((first.amplitude - 1.0).abs() < 1e-14 && (first.phase + 0.5 * PI).abs() < 1e-14);
 }
 
+/// Few positions, most of them beside each other: harmonics through all of them would be many times as large as what is to be seen.
+#[test]
+fn positions_that_stand_together_tell_fewer_harmonics() {
+    let at = [0.0, 0.03, 0.06, 0.5, 0.53];
+    let found = summary(Quantity::repeating("signal", "m"), &at, |cycle| {
+        Observed::number((TAU * cycle).cos() + 0.3 * (TAU * 11.0 * cycle).sin())
+    });
+    for harmonic in &found.harmonics {
+        assert!(harmonic.amplitude < found.peak_to_peak, "{harmonic:?} of {}", found.peak_to_peak);
+    }
+}
+
 #[test]
 fn means_are_over_the_closed_cycle_where_it_repeats() {
     // A ramp: what repeats falls back between the last position and the next cycle, what passes does not.
