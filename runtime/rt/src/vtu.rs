@@ -45,7 +45,7 @@ impl Pictures {
         for kind in &KINDS {
             let grid = (kind.of)(fields);
             if kind.always || !grid.points.is_empty() {
-                fs::write(self.folder.join(name(kind.name, step)), grid.text())?;
+                fs::write(self.folder.join(name(kind.name, step)), grid.text()?)?;
             }
             self.collect(kind.name)?;
         }
@@ -111,7 +111,8 @@ pub fn remove(directory: &Path) -> io::Result<()> {
 
 #[cfg(test)]
 mod tests {
-    use super::grid::{HEXAHEDRON, LINE, QUADRILATERAL};
+    use super::grid::written::numbers;
+    use super::grid::{HEXAHEDRON, LINE, QUADRILATERAL, Values};
     use super::shown::{bodies, contact, root_stress};
     use super::*;
     use calyx_runtime::observe::{
@@ -152,10 +153,11 @@ mod tests {
 
     #[test]
     fn grids_hold_every_cell_with_its_values() {
-        let text = contact(&fields(1)).text();
+        let text = contact(&fields(1)).text().unwrap();
         assert!(text.contains("NumberOfPoints=\"4\" NumberOfCells=\"1\""), "{text}");
-        assert!(text.contains("Name=\"pressure\" format=\"ascii\">\n0.30000000000000004 \n"), "{text}");
-        assert!(text.contains("Name=\"types\" format=\"ascii\">\n9 \n"), "{text}");
+        assert_eq!(numbers(&text, "Name=\"pressure\""), [0.30000000000000004]);
+        assert_eq!(numbers(&text, "Name=\"types\""), [9.0]);
+        assert_eq!(numbers(&text, "Name=\"connectivity\""), [0.0, 1.0, 2.0, 3.0]);
         // Two lines along one section; two rows of two quadrilaterals between three.
         assert_eq!(root_stress(&fields(1)).cells, [(LINE, vec![0, 1]), (LINE, vec![1, 2])]);
         let quadrilaterals = root_stress(&fields(3)).cells;
@@ -176,17 +178,35 @@ mod tests {
         let body = BodyField { body: "gear".into(), number: 2, sectors };
         let grid = bodies(&Fields { bodies: vec![body], ..fields(1) });
         assert_eq!(grid.cells, [(QUADRILATERAL, vec![3, 2, 1, 0]), (HEXAHEDRON, (4..12).collect())]);
-        let text = grid.text();
-        let displacement = "type=\"Float32\" Name=\"displacement\" NumberOfComponents=\"3\" format=\"ascii\">\n1e-6 0 -2.5e-7 ";
-        assert!(text.contains(displacement), "{text}");
+        let text = grid.text().unwrap();
+        // Displacements are small beside places: the sum of both has all their digits.
+        assert_eq!(
+            numbers(&text, "Float64\" NumberOfComponents=\"3\"")[..12],
+            *grid.points[..4].as_flattened()
+        );
+        let single =
+            |numbers: &[f64]| numbers.iter().map(|&number| f64::from(number as f32)).collect::<Vec<_>>();
+        assert_eq!(numbers(&text, "Name=\"displacement\"")[..3], single(&[1e-6, 0.0, -2.5e-7]));
         // VTK has the shear in the plane before the others.
-        assert!(text.contains(
-            "Name=\"stress\" NumberOfComponents=\"6\" format=\"ascii\">\n1e0 2e0 3e0 6e0 4e0 5e0 "
-        ));
-        let von_mises = (0.5 * (1.0 + 1.0 + 4.0) + 3.0 * (16.0 + 25.0 + 36.0_f64)).sqrt() as f32;
-        assert!(text.contains(&format!("Name=\"von_mises\" format=\"ascii\">\n{von_mises:e} ")), "{text}");
-        assert!(text.contains("Name=\"body\" format=\"ascii\">\n2e0 2e0 \n"));
-        assert!(text.contains("Name=\"tooth\" format=\"ascii\">\n0 7e0 \n"));
+        assert_eq!(numbers(&text, "Name=\"stress\"")[..6], [1.0, 2.0, 3.0, 6.0, 4.0, 5.0]);
+        let von_mises = (0.5 * (1.0 + 1.0 + 4.0) + 3.0 * (16.0 + 25.0 + 36.0_f64)).sqrt();
+        assert_eq!(numbers(&text, "Name=\"von_mises\"")[..1], single(&[von_mises]));
+        assert_eq!(numbers(&text, "Name=\"body\""), [2.0, 2.0]);
+        assert_eq!(numbers(&text, "Name=\"tooth\""), [0.0, 7.0]);
+        assert_eq!(numbers(&text, "Name=\"offsets\""), [4.0, 12.0]);
+    }
+
+    /// Of none, one, and several blocks, the last one full or not.
+    #[test]
+    fn arrays_of_any_length_are_whole() {
+        for count in [1, 7, 16384, 16385, 40000] {
+            let expected: Vec<f64> = (0..count).map(|k| (k as f64).sqrt()).collect();
+            let values = vec![Values::scalars("roots", expected.clone())];
+            let text = Grid { point_values: values, ..Grid::default() }.text().unwrap();
+            assert_eq!(numbers(&text, "Name=\"roots\""), expected, "{count}");
+        }
+        let text = Grid::default().text().unwrap();
+        assert_eq!(text.matches("format=\"ascii\"></DataArray>").count(), 4, "{text}");
     }
 
     /// Readers take a grid without points for a broken file.

@@ -1,13 +1,24 @@
-//! Unstructured grids as VTK's XML files. They are tags around numbers, written here: the crates that write them read much more, and are not kept
-//! up.
+//! Unstructured grids as VTK's XML files. They are tags around arrays of numbers, written here: the crates that write them read much more, and are not
+//! kept up.
+//!
+//! Arrays are bytes, deflated and in base 64, in their place between the tags: text that every reader of such files takes, and a fraction of
+//! what decimals are.
 
-use std::fmt::{LowerExp, Write as _};
+use base64::Engine as _;
+use base64::prelude::BASE64_STANDARD;
+use flate2::Compression;
+use flate2::write::ZlibEncoder;
+use std::fmt::Write as _;
+use std::io::{self, Write as _};
 
 /// VTK's numbers of the kinds of cells used here.
 pub const VERTEX: u8 = 1;
 pub const LINE: u8 = 3;
 pub const QUADRILATERAL: u8 = 9;
 pub const HEXAHEDRON: u8 = 12;
+
+/// Bytes that are deflated together. Readers take blocks apart, so whole numbers of any kind are in each.
+const BLOCK: usize = 1 << 17;
 
 /// Points, cells over them, and values of either.
 #[derive(Default)]
@@ -16,7 +27,7 @@ pub struct Grid {
     pub cells: Vec<(u8, Vec<usize>)>,
     pub point_values: Vec<Values>,
     pub cell_values: Vec<Values>,
-    /// Half as many digits, for grids of very many points: as good to look at.
+    /// Values in single precision, for grids of very many points: as good to look at. Points never are, for displacements are small beside them.
     pub short: bool,
 }
 
@@ -36,10 +47,11 @@ impl Values {
 }
 
 impl Grid {
-    pub fn text(&self) -> String {
+    /// The file.
+    pub fn text(&self) -> io::Result<String> {
         let mut text = format!(
-            "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\">\n<UnstructuredGrid>\n\
-             <Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n",
+            "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\" \
+             compressor=\"vtkZLibDataCompressor\">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n",
             self.points.len(),
             self.cells.len()
         );
@@ -50,53 +62,107 @@ impl Grid {
                     1 => String::new(),
                     count => format!(" NumberOfComponents=\"{count}\""),
                 };
-                self.numbers(&mut text, &format!("Name=\"{name}\"{components}"), numbers);
+                let attributes = format!("Name=\"{name}\"{components}");
+                if self.short {
+                    let bytes = numbers.iter().flat_map(|&number| (number as f32).to_le_bytes());
+                    array(&mut text, "Float32", &attributes, bytes)?;
+                } else {
+                    array(&mut text, "Float64", &attributes, doubles(numbers))?;
+                }
             }
             let _ = writeln!(text, "</{tag}>");
         }
         text += "<Points>\n";
-        self.numbers(&mut text, "NumberOfComponents=\"3\"", self.points.as_flattened());
+        array(&mut text, "Float64", "NumberOfComponents=\"3\"", doubles(self.points.as_flattened()))?;
         text += "</Points>\n<Cells>\n";
-        let corners: Vec<usize> = self.cells.iter().flat_map(|(_, corners)| corners).copied().collect();
-        array(&mut text, "Int64", "Name=\"connectivity\"", corners.iter());
+        let whole = |number: usize| (number as i64).to_le_bytes();
+        let corners = self.cells.iter().flat_map(|(_, corners)| corners);
+        array(&mut text, "Int64", "Name=\"connectivity\"", corners.flat_map(|&corner| whole(corner)))?;
         let ends = self.cells.iter().scan(0, |end, (_, corners)| {
             *end += corners.len();
             Some(*end)
         });
-        array(&mut text, "Int64", "Name=\"offsets\"", ends);
-        array(&mut text, "UInt8", "Name=\"types\"", self.cells.iter().map(|(kind, _)| kind));
-        text + "</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n"
+        array(&mut text, "Int64", "Name=\"offsets\"", ends.flat_map(whole))?;
+        array(&mut text, "UInt8", "Name=\"types\"", self.cells.iter().map(|(kind, _)| *kind))?;
+        Ok(text + "</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n")
+    }
+}
+
+fn doubles(numbers: &[f64]) -> impl Iterator<Item = u8> + '_ {
+    numbers.iter().flat_map(|number| number.to_le_bytes())
+}
+
+/// An array of numbers by their bytes: how many blocks, bytes of each and of the last, bytes of each deflated; and the blocks.
+fn array(text: &mut String, kind: &str, attributes: &str, bytes: impl Iterator<Item = u8>) -> io::Result<()> {
+    let bytes: Vec<u8> = bytes.collect();
+    // Readers do not agree on what no block at all is.
+    if bytes.is_empty() {
+        let _ = writeln!(text, "<DataArray type=\"{kind}\" {attributes} format=\"ascii\"></DataArray>");
+        return Ok(());
+    }
+    let blocks: Vec<&[u8]> = bytes.chunks(BLOCK).collect();
+    let last = blocks.last().map_or(0, |block| block.len());
+    let mut header = vec![blocks.len(), BLOCK, last];
+    let mut deflated = Vec::new();
+    for block in blocks {
+        let before = deflated.len();
+        let mut encoder = ZlibEncoder::new(&mut deflated, Compression::default());
+        encoder.write_all(block)?;
+        encoder.finish()?;
+        header.push(deflated.len() - before);
+    }
+    let header: Vec<u8> = header.into_iter().flat_map(|number| (number as u64).to_le_bytes()).collect();
+    let _ = write!(text, "<DataArray type=\"{kind}\" {attributes} format=\"binary\">");
+    BASE64_STANDARD.encode_string(header, text);
+    BASE64_STANDARD.encode_string(deflated, text);
+    text.push_str("</DataArray>\n");
+    Ok(())
+}
+
+/// What is written, read again.
+#[cfg(test)]
+pub mod written {
+    use super::{BASE64_STANDARD, BLOCK};
+    use base64::Engine as _;
+    use std::io::Read as _;
+
+    /// The bytes of the array with an attribute, and the type of its numbers.
+    fn bytes<'t>(text: &'t str, attribute: &str) -> (&'t str, Vec<u8>) {
+        let at = text.find(attribute).unwrap();
+        let tag = &text[text[..at].rfind("<DataArray type=\"").unwrap()..];
+        let kind = tag.split('"').nth(1).unwrap();
+        let content = &tag[tag.find('>').unwrap() + 1..tag.find("</DataArray>").unwrap()];
+        let number = |bytes: &[u8]| u64::from_le_bytes(bytes.try_into().unwrap()) as usize;
+        // How many blocks there are is in its first 8 bytes, within 12 characters.
+        let blocks = number(&BASE64_STANDARD.decode(&content[..12]).unwrap()[..8]);
+        let end = (8 * (3 + blocks)).div_ceil(3) * 4;
+        let header: Vec<usize> =
+            BASE64_STANDARD.decode(&content[..end]).unwrap().chunks(8).map(number).collect();
+        let deflated = BASE64_STANDARD.decode(&content[end..]).unwrap();
+        let mut rest = &deflated[..];
+        let mut all = Vec::new();
+        for (index, &length) in header[3..].iter().enumerate() {
+            let (block, behind) = rest.split_at(length);
+            rest = behind;
+            let before = all.len();
+            flate2::read::ZlibDecoder::new(block).read_to_end(&mut all).unwrap();
+            let expected = if index + 1 < blocks { header[1] } else { header[2] };
+            assert_eq!(all.len() - before, expected);
+        }
+        assert!(rest.is_empty() && header[1] == BLOCK);
+        (kind, all)
     }
 
-    /// Numbers in their shortest decimals that read back to the same bits, of short grids to the nearest ones of half the digits.
-    fn numbers(&self, text: &mut String, attributes: &str, numbers: &[f64]) {
-        if self.short {
-            array(text, "Float32", attributes, numbers.iter().map(|&number| Exponential(number as f32)));
-        } else {
-            array(text, "Float64", attributes, numbers.iter());
+    /// The numbers of the array with an attribute.
+    pub fn numbers(text: &str, attribute: &str) -> Vec<f64> {
+        let (kind, bytes) = bytes(text, attribute);
+        let of = |size: usize, number: fn(&[u8]) -> f64| bytes.chunks_exact(size).map(number).collect();
+        match kind {
+            "Float32" => of(4, |bytes| f64::from(f32::from_le_bytes(bytes.try_into().unwrap()))),
+            "Float64" => of(8, |bytes| f64::from_le_bytes(bytes.try_into().unwrap())),
+            "Int64" => of(8, |bytes| i64::from_le_bytes(bytes.try_into().unwrap()) as f64),
+            "UInt8" => of(1, |bytes| f64::from(bytes[0])),
+            other => panic!("{other}"),
         }
     }
-}
-
-/// A number that is shorter with an exponent, as most that are far from one are; zero, of which there are many, as such.
-struct Exponential<T>(T);
-
-impl<T: LowerExp + PartialEq + Default> std::fmt::Display for Exponential<T> {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        if self.0 == T::default() { f.write_str("0") } else { write!(f, "{:e}", self.0) }
-    }
-}
-
-/// Writing to a text cannot fail.
-fn array(
-    text: &mut String,
-    kind: &str,
-    attributes: &str,
-    numbers: impl Iterator<Item = impl std::fmt::Display>,
-) {
-    let _ = writeln!(text, "<DataArray type=\"{kind}\" {attributes} format=\"ascii\">");
-    for (index, number) in numbers.enumerate() {
-        let _ = write!(text, "{number}{}", if index % 9 == 8 { '\n' } else { ' ' });
-    }
-    text.push_str("\n</DataArray>\n");
 }
