@@ -2,18 +2,25 @@
 //!
 //! Hertz's pressure depends on what is near the contact alone; the approach of the platens sees the whole body.
 
+use calyx_runtime::analysis::{AnalysisOptions, Event, Observer, Position, quasi_static};
 use calyx_runtime::disc::{Disc, Facing, Platen};
 use calyx_runtime::error::EngineError;
+use calyx_runtime::inertia::Inertia;
 use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::load::Wrench;
 use calyx_runtime::material::{Material, Plane};
 use calyx_runtime::motion::SteadyRotation;
+use calyx_runtime::observe::{Displacement, Fields, NaturalFrequency};
 use calyx_runtime::plan::Plan;
-use calyx_runtime::scene::{Body, Component, Fidelity, Prototype, Scene, StructureOptions, SurfacePair};
+use calyx_runtime::results::OutputRequest;
+use calyx_runtime::scene::{
+    Body, BodyId, Component, Fidelity, ObservableId, Prototype, Scene, StructureOptions, SurfacePair,
+};
 use calyx_runtime::step::StepResult;
-use calyx_runtime::structure::Structure;
+use calyx_runtime::structure::{BodyModes, Structure};
 use calyx_runtime::system::System;
 use std::f64::consts::PI;
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, OnceLock};
 
 const STEEL: Material = Material::STEEL;
@@ -134,4 +141,121 @@ fn two_cylinders_converge_to_hertz() {
         (1.0 - 2.0 * STEEL.poissons_ratio) * (1.0 + STEEL.poissons_ratio) * known_peak / STEEL.youngs_modulus;
     let [coarsest, _, _, finest] = errors.map(|[peak, _]| (peak - 0.5 * shortening).abs());
     assert!(finest < 2e-4 && finest < 0.5 * coarsest, "{errors:?} {shortening}");
+}
+
+/// A disc that rests on a platen, is pressed on it, and is observed.
+fn resting(disc: Arc<dyn Prototype>, radius: f64) -> Scene {
+    let mut scene = Scene::default();
+    let disc = body("disc", disc, 0.0).free_in(&[Component::Uy]).loaded(downwards(5e5));
+    let disc = scene.add_body(disc);
+    let platen = Arc::new(Platen::new(2.0 * radius, FACE_WIDTH, Facing::Up));
+    let platen = scene.add_body(body("platen", platen, -radius));
+    scene.add_pair(SurfacePair::new([disc, platen], [Disc::BOTTOM, Platen::SURFACE]));
+    scene
+}
+
+fn requests(scene: &Scene) -> Vec<OutputRequest> {
+    let observing = |index: usize| OutputRequest::observing(index.to_string(), ObservableId(index));
+    (0..scene.observables.len()).map(observing).collect()
+}
+
+/// What the last position shows.
+#[derive(Default)]
+struct Shown(Option<Fields>);
+
+impl Observer for Shown {
+    fn observe(&mut self, event: Event<'_>) -> Result<(), EngineError> {
+        if let Event::Step { fields: Some(fields), .. } = event {
+            self.0 = Some(fields.clone());
+        }
+        Ok(())
+    }
+}
+
+/// Discs and platens have no sectors to be shown: they are named, not passed over.
+#[test]
+fn pictures_name_bodies_that_they_do_not_have() {
+    let mut scene = resting(Shared::new(0.02), 0.02);
+    scene.observe(Displacement(BodyId(0), 1));
+    let mut shown = Shown::default();
+    let options = AnalysisOptions { fields: 1, bodies: true, ..AnalysisOptions::default() };
+    quasi_static(&scene, &[Position::at(0.0)], &requests(&scene), &options, &mut shown).expect("equilibrium");
+    let fields = shown.0.expect("fields");
+    assert!(fields.bodies.is_empty() && fields.contacts.len() == 1);
+    let named: Vec<&str> = fields.without_mesh.iter().map(|(name, _)| name.as_str()).collect();
+    assert_eq!(named, ["disc", "platen"]);
+    assert!(
+        fields.without_mesh.iter().all(|(_, reason)| *reason == "is of a kind that pictures do not have")
+    );
+}
+
+/// A disc that counts how often it is meshed: for its structure, its modes, and, as gears are, for its inertia.
+struct Counted {
+    disc: Disc,
+    built: Arc<[AtomicUsize; 3]>,
+}
+
+impl Counted {
+    fn count(&self, what: usize) {
+        self.built[what].fetch_add(1, Ordering::Relaxed);
+    }
+}
+
+impl Prototype for Counted {
+    fn build(
+        &self,
+        options: &StructureOptions,
+        interrupt: &Interrupt,
+    ) -> Result<Arc<dyn Structure>, EngineError> {
+        self.count(0);
+        self.disc.build(options, interrupt)
+    }
+
+    fn modes(
+        &self,
+        options: &StructureOptions,
+        highest: f64,
+        interrupt: &Interrupt,
+    ) -> Result<Option<Arc<BodyModes>>, EngineError> {
+        self.count(1);
+        self.disc.modes(options, highest, interrupt)
+    }
+
+    fn inertia(&self) -> Inertia {
+        self.count(2);
+        self.disc.inertia()
+    }
+
+    fn enclosing_radius(&self) -> f64 {
+        self.disc.enclosing_radius()
+    }
+
+    fn face_width(&self) -> f64 {
+        self.disc.face_width()
+    }
+}
+
+/// Vibrations about an equilibrium see modes and inertias at every position; what these are made of is meshed once an analysis.
+#[test]
+fn natural_frequencies_mesh_nothing_anew_at_a_position() {
+    let counts = [1, 6].map(|positions: usize| {
+        let built: Arc<[AtomicUsize; 3]> = Arc::default();
+        let disc = Counted { disc: Disc::new(0.02, FACE_WIDTH, STEEL), built: built.clone() };
+        let mut scene = resting(Arc::new(disc), 0.02);
+        scene.observe(NaturalFrequency(0));
+        scene.observe(NaturalFrequency(1));
+        let positions: Vec<Position> = (0..positions).map(|k| Position::at(0.1 * k as f64)).collect();
+        let structure = StructureOptions { refinement: 0.5, ..StructureOptions::default() };
+        let options = AnalysisOptions { structure, highest_frequency: 1.2e5, ..AnalysisOptions::default() };
+        let found =
+            quasi_static(&scene, &positions, &requests(&scene), &options, &mut ()).expect("equilibrium");
+        assert_eq!(found.rows.len(), positions.len());
+        for row in &found.rows {
+            let [lowest, next] = [0, 1].map(|mode: usize| row.outputs[mode].value);
+            assert!(lowest > 1e2 && next > lowest, "{lowest} {next}");
+        }
+        [0, 1, 2].map(|what: usize| built[what].load(Ordering::Relaxed))
+    });
+    assert_eq!(counts[0], counts[1], "structures, modes and inertias");
+    assert_eq!(counts[0][..2], [1, 1]);
 }

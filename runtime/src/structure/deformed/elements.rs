@@ -240,3 +240,49 @@ fn through(points: &[f64], x: f64) -> Vec<f64> {
         .map(|k| others(k).map(|(_, other)| (x - other) / (points[k] - other)).product())
         .collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::structure::tests::bodies::{COARSE, STEEL, toothed_sector};
+
+    /// A plate free of stress across it, stretched: its elements know the strain across, and have no stress there. Held across, it has.
+    #[test]
+    fn a_stretched_plate_has_no_stress_across_it() {
+        let (sector, _) = toothed_sector(12, 1.0, COARSE);
+        let moved: Vec<f64> = sector.mesh.nodes.iter().flat_map(|&[x, _]| [1e-4 * x, 0.0]).collect();
+        let (young, ratio) = (STEEL.youngs_modulus * 1e-4, STEEL.poissons_ratio);
+        let held = young / ((1.0 + ratio) * (1.0 - 2.0 * ratio));
+        for (plane, [along, beside, across]) in [
+            (Plane::Stress, [1.0, ratio, 0.0].map(|part| part * young / (1.0 - ratio * ratio))),
+            (Plane::Strain, [1.0 - ratio, ratio, ratio].map(|part| part * held)),
+        ] {
+            let plate = PlaneModel::new(sector.mesh.clone(), STEEL, plane);
+            for found in Elements::plane(&plate).stresses(&moved) {
+                let expected = [along, beside, across, 0.0, 0.0, 0.0];
+                assert!(
+                    found
+                        .iter()
+                        .zip(expected)
+                        .all(|(found, expected)| (found - expected).abs() < 1e-9 * along)
+                );
+            }
+        }
+    }
+
+    /// Nodes that are a grid make a cell between all of them; of others the corners make one.
+    #[test]
+    fn elements_without_inner_nodes_are_one_cell() {
+        let at =
+            |places: &[[f64; 2]]| -> Vec<[f64; 3]> { places.iter().map(|&[x, y]| [x, y, 0.0]).collect() };
+        let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
+        let sides = [[0.0, -1.0], [1.0, 0.0], [0.0, 1.0], [-1.0, 0.0]];
+        let serendipity = at(&[corners, sides].concat());
+        let [all, whole] = cells(&serendipity);
+        assert_eq!((&all, &whole), (&vec![vec![0, 1, 2, 3]], &all));
+        let grid = at(&[&[[0.0, 0.0]], &corners[..], &sides[..]].concat());
+        let [all, whole] = cells(&grid);
+        assert_eq!((all.len(), whole), (4, vec![vec![1, 2, 3, 4]]));
+        assert_eq!(all[0], [1, 5, 0, 8]);
+    }
+}

@@ -69,7 +69,7 @@ impl SolvedRing {
             resting.prescribe(dof, 0.0);
         }
         interrupt.check().map_err(StructureError::Interrupted)?;
-        let inside = Solver::new(&assembled.stiffness, resting)?;
+        let inside = Solver::dissected(&assembled.stiffness, &assembled.positions, resting)?;
         interrupt.check().map_err(StructureError::Interrupted)?;
         let Assembled { stiffness, dofs_per_node, .. } = assembled;
         let forms = means.map_or_else(Vec::new, |means| means.forms);

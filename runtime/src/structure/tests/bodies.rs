@@ -149,7 +149,7 @@ fn towards_end(count: usize, grading: f64) -> Vec<f64> {
 
 /// Radius of the root circle, and of the bore unless it is told.
 const ROOT: f64 = 0.9;
-const BORE: f64 = 0.75;
+pub const BORE: f64 = 0.75;
 
 /// Blocks of one sector, its tooth turned to `angle`, in a ring of `teeth`; names only if it is the first.
 fn sector_blocks(

@@ -1,16 +1,17 @@
 //! Whole meshes of rings under load against one mesh of the whole ring, and against what the condensed structures answer.
 
-use super::bodies::{COARSE, Divisions, STEEL, ring_source, toothed_ring, toothed_sector};
+use super::bodies::{BORE, COARSE, Divisions, STEEL, ring_source, toothed_ring, toothed_sector};
 use super::bore::Direct;
 use super::far_stress::turned;
 use super::lugs::FOUR;
+use super::revolved_web::disc;
 use crate::fe::{PlaneModel, SparseVector};
 use crate::interrupt::Interrupt;
 use crate::material::Plane;
 use crate::structure::bore::{BoreMeans, Wanted};
 use crate::structure::condense::Assembled;
 use crate::structure::solid::tests::bodies::{Ring, TEETH};
-use crate::structure::solid::{SolidSplitOptions, SolidStructure, Spot, SpotLoad};
+use crate::structure::solid::{ElasticSolid, SolidSplitOptions, SolidStructure, Spot, SpotLoad};
 use crate::structure::{
     BodyLoads, BoreHold, Chart, DeformedSector, ElasticStructure, MeshedBody, RingSource, SplitOptions,
     Structure, SurfaceLoad,
@@ -173,20 +174,75 @@ fn loads_a_pitch_further_turn_the_picture() {
     }
 }
 
-/// In space, on a helical ring: the other flanks of the loaded tooth and of its neighbours.
+/// A flank moves under the force of a loose lug as the lug does under the same force on the flank (Maxwell and Betti), and under forces of
+/// teeth as the structure on such lugs answers.
+#[test]
+fn flanks_move_by_loose_lugs_as_lugs_by_them() {
+    let hold = BoreHold::LooseLugs { lugs: FOUR, clearance: 1e-5 };
+    let (model, surfaces) = toothed_sector(TEETH, 1.0, COARSE);
+    // A series tells teeth far apart of each other to a hundredth; here all are in the tables.
+    let source = RingSource { hold, coupled: TEETH, ..ring_source(TEETH) };
+    let (options, never) = (SplitOptions::default(), Interrupt::never());
+    let structure = ElasticStructure::ring(&model, &source, &surfaces, &options, &never).unwrap();
+    let body = meshed(TEETH, hold, COARSE);
+    let length = surfaces[1].profile.length();
+    let on_tooth = SurfaceLoad { chart: Chart { tooth: 3, surface: 0 }, s: 0.4 * length, force: 2e5 };
+    let forces = [1.5e5, 0.0, -0.5e5, 0.0];
+    let shown = |surfaces: &[SurfaceLoad], lugs: &[f64]| {
+        body.deformed(BodyLoads::Plane { surfaces, lugs }, &never).unwrap()
+    };
+    let (by_lugs, by_both) = (shown(&[], &forces), shown(&[on_tooth], &forces));
+    assert_eq!(by_lugs.len(), TEETH as usize, "all of them, though no tooth is loaded");
+    let (mut seen, mut largest) = (0, 0.0_f64);
+    for tooth in 0..TEETH {
+        let observe = Chart { tooth, surface: 1 };
+        let (sin, cos) = structure.tooth_angle(tooth).sin_cos();
+        let profile = structure.profile(1);
+        let [lugs_only, both] = [&by_lugs, &by_both].map(|all| &all[tooth as usize]);
+        // One picture may show fewer nodes of it than the other.
+        for (sector, tooth_force) in [(lugs_only, 0.0), (both, on_tooth.force)] {
+            for (&[x, y, _], moved) in sector.points.iter().zip(&sector.displacements) {
+                let point = profile.at(0.0);
+                let own = [cos * x + sin * y - point.position[0], cos * y - sin * x - point.position[1]];
+                let [s, off] = [point.tangent, point.normal].map(|by| own[0] * by[0] + own[1] * by[1]);
+                if off.abs() > 1e-9 || s < 0.2 * length || s > 0.8 * length {
+                    continue;
+                }
+                seen += 1;
+                let mut answer = [0.0];
+                structure.add_compliance(observe, &[s], on_tooth.chart, &[on_tooth.s], &mut answer);
+                let lugs = structure.lug_displacements(observe, &[s]);
+                let by_lugs: f64 = forces.iter().enumerate().map(|(lug, force)| lugs[(lug, 0)] * force).sum();
+                let expected = answer[0] * tooth_force + by_lugs;
+                largest = largest.max(by_lugs.abs());
+                let [nx, ny] = profile.at(s).normal;
+                let inwards = -(moved[0] * (cos * nx - sin * ny) + moved[1] * (sin * nx + cos * ny));
+                let error = (inwards - expected).abs() / largest.max(expected.abs());
+                assert!(error < 2e-3, "tooth {tooth}, {s}: {inwards:e} {expected:e} ({error:.1e})");
+            }
+        }
+    }
+    assert!(seen > 6 * TEETH as usize, "{seen} nodes of flanks");
+}
+
+/// In space, on a helical ring: the other flanks of the loaded tooth and of its neighbours. Also on a disc web of a mesh of its own.
 #[test]
 fn flanks_in_space_have_moved_by_what_the_structure_answers() {
     let ring = Ring { divisions: COARSE, ratio: 0.3, helix: 0.2, face_width: 0.5, layers: 2, axial_order: 3 };
-    for hold in [BoreHold::Rigid, BoreHold::Means { waves: None, degree: 0 }] {
+    let web = disc([0.3 * BORE, BORE], [-0.25, 0.0], BoreHold::Rigid);
+    let free = BoreHold::Means { waves: None, degree: 0 };
+    for (hold, web) in [(BoreHold::Rigid, None), (free, None), (free, Some(&web))] {
         let (model, surfaces) = ring.sector();
         let profile = toothed_sector(TEETH, 1.0, COARSE).1[1].profile.clone();
         let source = RingSource { hold, coupled: 1, ..ring_source(TEETH) };
         let (options, never) =
             (SolidSplitOptions { samples: 8, ..SolidSplitOptions::default() }, Interrupt::never());
-        let structure =
-            crate::structure::solid::ElasticSolid::ring(&model, &source, &surfaces, &options, &never)
-                .unwrap();
-        let body = MeshedBody::solid_ring(model, &source, None, &flanks(), &never).unwrap();
+        let structure = match web {
+            None => ElasticSolid::ring(&model, &source, &surfaces, &options, &never),
+            Some(web) => ElasticSolid::ring_on_web(&model, &source, web, (&surfaces, &options), &never),
+        };
+        let structure = structure.unwrap();
+        let body = MeshedBody::solid_ring(model, &source, web, &flanks(), &never).unwrap();
         // An even load along the face, which few polynomials say.
         let [[_, length], [start, end]] = structure.surface(0).range();
         let chart = Chart { tooth: 0, surface: 0 };
@@ -225,7 +281,8 @@ fn flanks_in_space_have_moved_by_what_the_structure_answers() {
                 let error = (inwards - expected).abs() / largest;
                 assert!(
                     error < 1e-2,
-                    "{hold:?}, tooth {tooth}, {s} {z}: {inwards:e} {expected:e} ({error:.1e})"
+                    "{hold:?}, {}, tooth {tooth}, {s} {z}: {inwards:e} {expected:e} ({error:.1e})",
+                    if web.is_some() { "on a web" } else { "without one" }
                 );
             }
             assert!(seen > 3, "tooth {tooth}: {seen} nodes of its flank");

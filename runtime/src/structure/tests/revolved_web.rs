@@ -16,7 +16,7 @@ use std::f64::consts::{PI, TAU};
 
 const FREE: BoreHold = BoreHold::Means { waves: None, degree: 1 };
 
-fn disc([a, b]: [f64; 2], [from, to]: [f64; 2], hold: BoreHold) -> RevolvedWeb {
+pub fn disc([a, b]: [f64; 2], [from, to]: [f64; 2], hold: BoreHold) -> RevolvedWeb {
     let at = |radius| Station { radius, ends: [from, to] };
     let section = Section::new(vec![at(a), at(b)]).unwrap();
     RevolvedWeb { section, material: STEEL, hold, waves: 3, degree: 2, fineness: 1 }
