@@ -1,7 +1,7 @@
 //! The page's sections about the run itself: what went in, what was modelled, how well it was solved, how long it took.
 
 use super::read::{End, Run};
-use super::{accuracy, number, paragraphs};
+use super::{accuracy, number, paragraphs, prose};
 use maud::{Markup, PreEscaped, html};
 use serde_json::Value;
 
@@ -96,8 +96,8 @@ pub fn plan(run: &Run) -> Markup {
     html! {
         p { (level(run.text("fidelity"))) }
         @if let Some(reason) = run.head["chosen"]["reason"].as_str() { p { (reason) } }
-        @for (name, value) in objects(&run.head["overrides"]) {
-            p { "Changed from outside the model: " code { (name) } " = " (shown(value)) "." }
+        @if !options(run).is_empty() {
+            p { "Changed from outside the model, whatever it says: " code { (options(run)) } "." }
         }
         table {
             tbody { @for (kind, parts) in &rows { @for (name, reason) in parts {
@@ -137,11 +137,14 @@ pub fn params(run: &Run) -> Markup {
                     th scope="row" { code { (name) } }
                     td.number { @if changed(param) { b { (value(param)) } } @else { (value(param)) } }
                     td { (param["display"]["unit"].as_str().unwrap_or_default()) }
-                    td.word { (paragraphs(param["doc"].as_str().unwrap_or_default()).join(" ")) }
+                    td.word { (prose(&paragraphs(param["doc"].as_str().unwrap_or_default()).join(" "))) }
                 }
             } }
         }
-        p.note { "Bold: not the model's default." }
+        p.note {
+            "Bold: not the model's default."
+            @if !options(run).is_empty() { " What options of the command line change counts more: " code { (options(run)) } "." }
+        }
     }
 }
 
@@ -202,6 +205,16 @@ pub fn certificate(run: &Run) -> Markup {
     }
 }
 
+/// A stage as people call it.
+fn stage(name: &str) -> &str {
+    match name {
+        "program" => "the program",
+        "meshes" => "meshes for pictures",
+        "errors" => "error estimates",
+        other => other,
+    }
+}
+
 /// How long each stage took.
 pub fn timing(run: &Run) -> Markup {
     let Some(timing) = &run.timing else { return PreEscaped(String::new()) };
@@ -215,7 +228,7 @@ pub fn timing(run: &Run) -> Markup {
                 @for (name, time) in &stages {
                     @let part = if total > 0.0 { (100.0 * time / total).clamp(0.0, 100.0) } else { 0.0 };
                     tr {
-                        th scope="row" { (name) }
+                        th scope="row" { (stage(name)) }
                         td.number { (number(*time)) " s" }
                         td { div.bar style={ "width:" (format!("{part:.1}")) "%" } {} }
                     }
@@ -263,11 +276,21 @@ pub fn command(run: &Run) -> String {
 
 /// The same with a knob of the analysis turned.
 pub fn turned(run: &Run, knob: Option<(&str, &str)>) -> String {
-    let option = |name: &str, value: &str| format!("--{} {}", name.replace('_', "-"), word(value));
     let others = objects(&run.head["overrides"]).filter(|(name, _)| knob.is_none_or(|knob| knob.0 != *name));
     let overrides = others.map(|(name, value)| option(name, &shown(value)));
     let turned = knob.map(|(name, value)| option(name, value));
     [asked("run", run)].into_iter().chain(overrides).chain(turned).collect::<Vec<_>>().join(" ")
+}
+
+/// A knob of the analysis as an option of the command line.
+fn option(name: &str, value: &str) -> String {
+    format!("--{} {}", name.replace('_', "-"), word(value))
+}
+
+/// The knobs that were turned from outside the model.
+fn options(run: &Run) -> String {
+    let turned = objects(&run.head["overrides"]).map(|(name, value)| option(name, &shown(value)));
+    turned.collect::<Vec<_>>().join(" ")
 }
 
 /// A command of `calyx` with the model and the params that are not at their defaults.

@@ -1,7 +1,7 @@
 //! How wrong each output may be, by what it comes from, and what it would cost to have it half as wrong.
 
-use super::read::{Output, Run, Statistics};
-use super::{about, error, number, percent};
+use super::read::{Estimate, Output, Run, Statistics};
+use super::{DIGITS, about, error, number, part_of_value, percent};
 use maud::{Markup, PreEscaped, html};
 use serde_json::Value;
 
@@ -10,77 +10,204 @@ struct Source {
     name: &'static str,
     shown: &'static str,
     remedy: &'static str,
-    /// Of how many times the run's own time of a stage; none where it is not the run's own.
+    /// The option of the command line for it.
+    option: Option<&'static str>,
+    /// Which stage of the run takes how many times as long; none where it is not a stage of this run.
     cost: Option<(&'static str, f64)>,
 }
 
-/// What a level of modelling leaves out, for people.
-const LEVEL: &str = "level of modelling";
+/// What a level of modelling leaves out, and what its mesh does not resolve, in `run.json`.
+const LEVEL: &str = "level";
+const MESH: &str = "discretization";
 
 /// Orders are those of the estimates (`calyx_runtime::estimate`); what they cost is measured (`docs/accuracy.md`), to a factor of two.
 const SOURCES: [Source; 5] = [
     Source {
-        name: "discretization",
+        name: MESH,
         shown: "mesh",
-        remedy: "1.5 times the elements along every direction (--refinement 1.5), or the next fidelity: structures take about twice as long",
+        remedy: "1.5 times the elements along every direction, or the fidelity above",
+        option: Some("--refinement"),
         cost: Some(("structures", 2.0)),
     },
     Source {
         name: "contact_grid",
         shown: "contact grid",
-        remedy: "1.5 times the contact cells (--cells): positions take about twice as long",
+        remedy: "1.5 times the contact cells",
+        option: Some("--cells"),
         cost: Some(("positions", 2.0)),
     },
     Source {
         name: "positions",
         shown: "positions",
-        remedy: "1.4 times as many positions, for what lies between them falls with their square: they take 1.4 times as long",
+        remedy: "1.4 times as many positions: what lies between them falls with their square",
+        option: None,
         cost: Some(("positions", 1.4)),
     },
     Source {
-        name: "level",
-        shown: LEVEL,
-        remedy: "the fidelity above: calyx explain with --fidelity says what it takes",
+        name: LEVEL,
+        shown: "level of modelling",
+        remedy: "the fidelity above",
+        option: Some("--fidelity"),
         cost: None,
     },
     Source {
         name: "time_step",
         shown: "time step",
-        remedy: "0.7 of the time step, for its error falls with the square: positions take 1.4 times as long",
+        remedy: "0.7 of the time step: its error falls with the square",
+        option: None,
         cost: Some(("positions", 1.4)),
     },
 ];
 
-/// Which of the sources weighs most in what an output may be off by.
-fn worst(output: &Output) -> Option<&'static Source> {
+/// What makes up less than this part of an error is not worth halving.
+const WORTH: f64 = 0.8;
+
+/// An error of the value of largest magnitude, as a part of it. Where that is sure, as of a share that comes to 1, the error of the mean.
+fn relative(errors: &Statistics, output: &Output) -> f64 {
+    let error = if is_sure(output) { errors.mean.unwrap_or(0.0) } else { output.of_largest(errors) };
+    let part = error.abs() / output.statistics.magnitude();
+    if part < DIGITS { 0.0 } else { part }
+}
+
+/// Whether the value of largest magnitude is off by its last digits at most.
+fn is_sure(output: &Output) -> bool {
+    let total = output.error.as_ref().map(|estimate| output.of_largest(&estimate.total));
+    total.is_some_and(|total| total.abs() <= DIGITS * output.statistics.magnitude())
+}
+
+/// How far the value of largest magnitude may be off.
+pub fn of_largest(output: &Output, estimate: &Estimate) -> String {
+    error(if is_sure(output) { 0.0 } else { output.of_largest(&estimate.total) })
+}
+
+/// The parts of what an output may be off by that are known, the largest first.
+fn by_weight(output: &Output) -> Vec<(&'static Source, f64)> {
     let estimate = output.error.as_ref().filter(|estimate| !estimate.is_rounding);
     let parts = estimate.into_iter().flat_map(|estimate| &estimate.parts);
-    let (name, _) = parts.max_by(|a, b| relative(&a.1, output).total_cmp(&relative(&b.1, output)))?;
-    SOURCES.iter().find(|source| source.name == name)
+    let source = |name: &str| SOURCES.iter().find(|source| source.name == name);
+    let mut all: Vec<(&Source, f64)> =
+        parts.filter_map(|(name, part)| Some((source(name)?, relative(part, output)))).collect();
+    all.sort_by(|one, other| other.1.total_cmp(&one.1));
+    all
+}
+
+/// What has to be halved for about half of an output's error to be left: the parts that weigh most.
+fn to_halve(output: &Output) -> Vec<&'static Source> {
+    let mut parts = by_weight(output);
+    let of = |wanted: &str| parts.iter().find(|(source, _)| source.name == wanted).map_or(0.0, |part| part.1);
+    // The level above has another mesh, and sees what this one does not resolve: both are one error.
+    let other = if of(LEVEL) > 0.5 * of(MESH) { MESH } else { LEVEL };
+    parts.retain(|(source, part)| source.name != other && *part > 0.0);
+    let all: f64 = parts.iter().map(|part| part.1).sum();
+    let mut taken = 0.0;
+    let worth = |(source, part): (&'static Source, f64)| {
+        let wanted = taken < WORTH * all;
+        taken += part;
+        wanted.then_some(source)
+    };
+    parts.into_iter().map_while(worth).collect()
+}
+
+/// The stages that take longer for it, and how many times as long; and whether a fidelity is needed of which this run knows no cost.
+fn taking(sources: &[&Source]) -> (Vec<(&'static str, f64)>, bool) {
+    let mut stages: Vec<(&str, f64)> = Vec::new();
+    for (stage, times) in sources.iter().filter_map(|source| source.cost) {
+        match stages.iter_mut().find(|(known, _)| *known == stage) {
+            Some((_, factor)) => *factor *= times,
+            None => stages.push((stage, times)),
+        }
+    }
+    (stages, sources.iter().any(|source| source.cost.is_none()))
+}
+
+/// What halving takes, in words.
+fn cost(sources: &[&Source]) -> String {
+    let (stages, other_level) = taking(sources);
+    let mut words: Vec<String> = stages
+        .iter()
+        .map(|(stage, times)| format!("{stage} take {} times as long", number(*times)))
+        .collect();
+    if other_level {
+        words.push("the fidelity above".into());
+    }
+    words.join(", ")
+}
+
+fn names(sources: &[&Source]) -> String {
+    sources.iter().map(|source| source.shown).collect::<Vec<_>>().join(", ")
+}
+
+/// Beside the plot of an output: how far it may be off, by what, and what halves that.
+pub fn of_output(output: &Output) -> Markup {
+    let Some(estimate) = &output.error else { return PreEscaped(String::new()) };
+    let parts = by_weight(output);
+    let sources = to_halve(output);
+    let with_unit = |off: f64| format!("{} {}", error(off), output.unit).trim_end().to_owned();
+    let Statistics { min, max, mean, .. } = estimate.total;
+    let other = if output.of_largest(&estimate.total) == max { ("least", min) } else { ("largest", max) };
+    html! {
+        p.off {
+            @if estimate.is_rounding {
+                "Nothing but rounding: values and errors are no larger than what sums that cancel leave."
+            } @else {
+                @if is_sure(output) {
+                    "The value of largest magnitude is sure"
+                } @else {
+                    "May be off by " b { (with_unit(output.of_largest(&estimate.total))) }
+                    " where it is largest in magnitude (" (part_of_value(estimate)) ")"
+                }
+                ", by " (with_unit(other.1)) " where it is " (other.0)
+                @if let Some(mean) = mean { ", in the mean by " (with_unit(mean)) }
+                "."
+                @if parts.iter().any(|(_, part)| *part > 0.0) {
+                    " " (if is_sure(output) { "The mean's error" } else { "That" }) " comes of "
+                    @for (index, (source, part)) in parts.iter().enumerate() { @if index > 0 { ", " } (source.shown) " " (percent(*part)) }
+                    ". " a href="#accuracy" { "To halve it" } ": " (names(&sources)) " (" (cost(&sources)) ")."
+                }
+            }
+        }
+    }
 }
 
 /// What halving costs on the machine that ran this, by the times of its stages (s): beside them, for no two runs have the same.
 pub fn costs(run: &Run, stage: impl Fn(&str) -> Option<f64>) -> Markup {
-    let rows: Vec<(&Source, Vec<&str>, &str, f64)> = SOURCES
-        .iter()
-        .filter_map(|source| {
-            let (named, times) = source.cost?;
-            let of =
-                run.outputs.iter().filter(|output| worst(output).is_some_and(|it| it.name == source.name));
-            let names: Vec<&str> = of.map(|output| &output.name[..]).collect();
-            let time = stage(named).filter(|time| *time > 0.0 && !names.is_empty())?;
-            Some((source, names, named, times * time))
-        })
-        .collect();
+    // Outputs of which the same is to be halved.
+    let mut groups: Vec<(Vec<&'static Source>, Vec<&str>)> = Vec::new();
+    for output in &run.outputs {
+        let mut sources = to_halve(output);
+        sources.sort_by_key(|source| source.name);
+        let same = |group: &&mut (Vec<&Source>, Vec<&str>)| {
+            group.0.iter().map(|source| source.name).eq(sources.iter().map(|source| source.name))
+        };
+        match groups.iter_mut().find(same) {
+            _ if sources.is_empty() => {}
+            Some((_, names)) => names.push(&output.name),
+            None => groups.push((sources, vec![&output.name])),
+        }
+    }
+    // Of structures and positions together, before and after.
+    let seconds = |sources: &[&Source]| {
+        let (stages, other_level) = taking(sources);
+        let times =
+            |named: &str| stages.iter().find(|(stage, _)| *stage == named).map_or(1.0, |stage| stage.1);
+        let both = ["structures", "positions"].map(|named| (stage(named).unwrap_or(0.0), times(named)));
+        let [now, then] = [both.map(|(time, _)| time), both.map(|(time, times)| times * time)];
+        let [now, then] = [now, then].map(|times| times.iter().sum::<f64>());
+        (!other_level && now > 0.0).then_some([now, then])
+    };
+    let rough = |time: f64| number(format!("{time:.1e}").parse().unwrap_or(time));
     html! {
-        @if !rows.is_empty() {
+        @if !groups.is_empty() {
             h3 { "What half of the error would cost here" }
             table {
-                thead { tr { th { "outputs" } th { "what weighs most" } th { "in place of the above" } } }
-                tbody { @for (source, names, stage, time) in rows { tr {
-                    td.word { @for (index, name) in names.iter().enumerate() { @if index > 0 { ", " } code { (name) } } }
-                    td.word { (source.shown) }
-                    td.word { "about " (number(format!("{time:.1e}").parse().unwrap_or(time))) " s for " (stage) }
+                thead { tr { th { "outputs" } th { "to be halved" } th { "structures and positions take" } } }
+                tbody { @for (sources, outputs) in &groups { tr {
+                    td.word { @for (index, name) in outputs.iter().enumerate() { @if index > 0 { ", " } code { (name) } } }
+                    td.word { (names(sources)) }
+                    td.word { @match seconds(sources) {
+                        Some([now, then]) => { "about " b { (rough(then)) " s" } ", now " (rough(now)) " s" },
+                        None => { "what the fidelity above takes: " code { "calyx explain" } " predicts it" },
+                    } }
                 } } }
             }
         }
@@ -97,9 +224,12 @@ pub fn section(run: &Run) -> Markup {
     let model = run.text("model");
     html! {
         @if estimated.is_empty() {
-            p { "This run has no error estimates. " code { "analyze(..., error_estimates = \"cheap\")" } " asks for them." }
+            p { "This run has no error estimates. " code { "analyze(..., error_estimates = \"cheap\")" } " in the model asks for them, or" }
+            pre { code { (about::turned(run, Some(("error_estimates", "cheap")))) } }
         } @else {
-            (table(run, &estimated))
+            (table(&estimated))
+            (halving(&estimated))
+            (not_estimated(run, &estimated))
         }
         (tradeoff(run))
         @if run.tradeoff.is_none() {
@@ -110,30 +240,27 @@ pub fn section(run: &Run) -> Markup {
     }
 }
 
-/// Of the largest magnitude that the output has.
-fn relative(part: &Statistics, output: &Output) -> f64 {
-    part.min.abs().max(part.max.abs()) / output.statistics.magnitude()
+/// Those that any of the outputs has a part of.
+fn sources(outputs: &[&Output]) -> Vec<&'static Source> {
+    let parts = || outputs.iter().flat_map(|output| &output.error).flat_map(|error| &error.parts);
+    SOURCES.iter().filter(|source| parts().any(|(name, _)| name == source.name)).collect()
 }
 
-fn table(run: &Run, outputs: &[&Output]) -> Markup {
-    let has = |source: &&Source| {
-        outputs.iter().any(|output| {
-            output.error.iter().flat_map(|error| &error.parts).any(|(name, _)| name == source.name)
-        })
+fn table(outputs: &[&Output]) -> Markup {
+    let sources = sources(outputs);
+    let shown = |estimate: &Estimate, output: &Output, source: &Source| -> Markup {
+        let of_source = |(name, _): &&(String, Statistics)| name == source.name;
+        let part = estimate.parts.iter().find(of_source).filter(|_| !estimate.is_rounding);
+        let most =
+            by_weight(output).first().is_some_and(|(worst, part)| worst.name == source.name && *part > 0.0);
+        html! { @match part.map(|(_, part)| percent(relative(part, output))) {
+            Some(part) if most => b { (part) },
+            Some(part) => (part),
+            None => "–",
+        } }
     };
-    let sources: Vec<&Source> = SOURCES.iter().filter(has).collect();
-    let missing: Vec<&str> = SOURCES
-        .iter()
-        .filter(|source| {
-            outputs
-                .iter()
-                .flat_map(|output| &output.error)
-                .any(|e| e.not_estimated.iter().any(|name| name == source.name))
-        })
-        .map(|source| source.shown)
-        .collect();
     html! {
-        p { "How far the largest and the least value of each output may be off, of its largest magnitude, and what that comes from. What weighs most is bold; halving it does most." }
+        p { "How far the value of largest magnitude of each output may be off, in all and by what that comes from; then its mean and its peak to peak. What weighs most is bold. The parts add up: about half is left when all those are halved that the last column names." }
         table.numbers {
             thead { tr {
                 th { "output" } th { "largest" } th { "may be off by" } th { "in all" }
@@ -142,34 +269,68 @@ fn table(run: &Run, outputs: &[&Output]) -> Markup {
                 th { "to halve it" }
             } }
             tbody { @for output in outputs { @if let Some(estimate) = &output.error {
-                @let known = estimate.parts.iter().filter(|_| !estimate.is_rounding);
-                @let worst = worst(output);
                 tr {
-                    th scope="row" { code { (output.name) } }
-                    td { (number(output.statistics.max)) " " small { (output.unit) } }
-                    td.main { (error(estimate.of_values())) }
-                    td.main { (super::part_of_value(estimate)) }
-                    @for source in &sources {
-                        td { @match known.clone().find(|(name, _)| name == source.name) {
-                            Some((name, part)) if worst.is_some_and(|source| source.name == name) => b { (percent(relative(part, output))) },
-                            Some((_, part)) => (percent(relative(part, output))),
-                            None => "–",
-                        } }
-                    }
+                    th scope="row" { a href={ "#output-" (output.name) } { code { (output.name) } } }
+                    td { (number(largest(output))) " " small { (output.unit) } }
+                    td.main { (of_largest(output, estimate)) }
+                    td.main { (part_of_value(estimate)) }
+                    @for source in &sources { td { (shown(estimate, output, source)) } }
                     td { @match estimate.total.mean { Some(mean) => (error(mean)), None => "–" } }
                     td { (error(estimate.total.peak_to_peak)) }
-                    td.word { (worst.map_or("", |source| source.remedy)) }
+                    td.word { (names(&to_halve(output))) }
                 }
             } } }
         }
-        @if !missing.is_empty() {
-            p.note {
-                "Not estimated, and on top of it: " (missing.join(", ")) "."
-                @if missing.contains(&LEVEL) {
-                    " What the level of modelling leaves out is estimated by the level above: "
-                    code { (about::turned(run, Some(("error_estimates", "full")))) } "."
-                }
+    }
+}
+
+/// The value of largest magnitude.
+fn largest(output: &Output) -> f64 {
+    output.of_largest(&output.statistics)
+}
+
+/// What halves each of the parts, and what that takes.
+fn halving(outputs: &[&Output]) -> Markup {
+    let sources = sources(outputs);
+    html! {
+        @if !sources.is_empty() {
+            table {
+                thead { tr { th { "part" } th { "is halved by" } th { "which takes about" } } }
+                tbody { @for source in sources { tr {
+                    th scope="row" { (source.shown) }
+                    td.word { (source.remedy) @if let Some(option) = source.option { " (" code.option { (option) } ")" } }
+                    td.word { @match source.cost {
+                        Some((stage, times)) => { (number(times)) " times as long for the " (stage) },
+                        None => { "what " code { "calyx explain --fidelity" } " predicts" },
+                    } }
+                } } }
             }
+            p.note { "In seconds: " a href="#time" { "time and memory" } "." }
+        }
+    }
+}
+
+/// What is on top of what was estimated.
+fn not_estimated(run: &Run, outputs: &[&Output]) -> Markup {
+    let all = || outputs.iter().flat_map(|output| &output.error).flat_map(|error| &error.not_estimated);
+    let mut missing: Vec<(&Source, &str)> = Vec::new();
+    for source in &SOURCES {
+        for (_, reason) in all().filter(|(name, _)| name == source.name) {
+            if !missing.iter().any(|(known, why)| known.name == source.name && why == reason) {
+                missing.push((source, reason));
+            }
+        }
+    }
+    html! {
+        @if !missing.is_empty() {
+            p.note { "Not estimated, and on top of it:" }
+            ul.note { @for (source, reason) in &missing {
+                li { (source.shown) @if !reason.is_empty() { ": " (reason) } }
+            } }
+        }
+        @if missing.iter().any(|(source, _)| source.name == LEVEL) {
+            p.note { "What the level of modelling leaves out is estimated by the level above:" }
+            pre { code { (about::turned(run, Some(("error_estimates", "full")))) } }
         }
     }
 }

@@ -13,13 +13,17 @@ pub const WIDE: (u32, u32) = (1640, 520);
 pub const NARROW: (u32, u32) = (640, 520);
 /// Of a map.
 pub const TALL: (u32, u32) = (1640, 720);
-const FONT: i32 = 27;
+const FONT: i32 = 32;
 /// Stretches of a curve that are told apart: the least and the largest value of each are drawn.
 const STRETCHES: usize = 800;
 /// Room for a name above a plot, across.
-const NAME: i32 = 90;
+const NAME: i32 = 104;
+/// Of a letter of it.
+const LETTER: i32 = 20;
+/// Curves of so few points show each of them.
+const DOTTED: usize = 24;
 /// Of a map's legend.
-const LEGEND: u32 = 230;
+const LEGEND: u32 = 250;
 
 /// The colours of curves. The page's style knows them.
 const COLOURS: [RGBColor; 6] = [
@@ -45,88 +49,135 @@ pub struct Curve {
     /// Of [`COLOURS`].
     pub colour: usize,
     pub points: Vec<(f64, f64)>,
-    /// How far values may be off, to both sides.
-    pub off: Option<f64>,
+    /// How far the least and the largest value may be off, to both sides; others by what lies between.
+    pub off: Option<[f64; 2]>,
 }
 
-/// A plot of curves; `marks` are places that have names. Empty if there is nothing to draw.
-pub fn curves(size: (u32, u32), x: &Axis, y: &Axis, curves: &[Curve], marks: &[(f64, String)]) -> String {
+impl Curve {
+    fn heights(&self) -> impl Iterator<Item = f64> + '_ {
+        self.points.iter().filter(|(x, y)| x.is_finite() && y.is_finite()).map(|point| point.1)
+    }
+
+    /// How far a value may be off, if anything is known of it and it is not nothing.
+    fn band(&self) -> Option<impl Fn(f64) -> f64> {
+        let known = |off: &[f64; 2]| off.iter().all(|off| *off >= 0.0 && off.is_finite()) && *off != [0.0; 2];
+        let [of_least, of_largest] = self.off.filter(known)?;
+        let (least, largest) = ends(self.heights());
+        Some(move |value: f64| {
+            let part = if largest > least { (value - least) / (largest - least) } else { 1.0 };
+            of_least + part * (of_largest - of_least)
+        })
+    }
+}
+
+fn ends(values: impl Iterator<Item = f64>) -> (f64, f64) {
+    values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)))
+}
+
+/// A drawing, and what is to be read beside it.
+#[derive(Clone, Debug, Default)]
+pub struct Plot {
+    /// Empty if there is nothing to draw.
+    pub svg: String,
+    /// The curves that have names, with their colours: beside the drawing, where they cover nothing.
+    pub legend: Vec<(usize, String)>,
+    /// The band of what values may be off by goes beyond the drawing.
+    pub band_is_cut: bool,
+}
+
+impl Plot {
+    /// Whether there is nothing to be seen.
+    pub fn is_empty(&self) -> bool {
+        self.svg.is_empty()
+    }
+}
+
+/// A plot of curves; `marks` are places that have names.
+pub fn curves(size: (u32, u32), x: &Axis, y: &Axis, curves: &[Curve], marks: &[(f64, String)]) -> Plot {
     let points =
         || curves.iter().flat_map(|curve| &curve.points).filter(|(x, y)| x.is_finite() && y.is_finite());
-    let off = curves.iter().filter_map(|curve| curve.off).filter(|off| off.is_finite()).fold(0.0, f64::max);
-    let Some(across) = span(points().map(|point| point.0), 0.0) else { return String::new() };
-    let Some(up) = span(points().flat_map(|point| [point.1 - off, point.1 + off]), 0.06) else {
-        return String::new();
+    let heights = || curves.iter().flat_map(Curve::heights);
+    let off = curves.iter().filter_map(|curve| curve.off).flatten();
+    let off = off.filter(|off| off.is_finite()).fold(0.0, f64::max);
+    let Some(across) = span(points().map(|point| point.0), 0.0) else { return Plot::default() };
+    // However wide the band, the course of a curve is to be seen.
+    let (least, largest) = ends(heights());
+    let is_course = is_course(largest - least, least.abs().max(largest.abs()));
+    let seen = if is_course { off.min(largest - least) } else { off };
+    let Some(up) = span(heights().flat_map(|height| [height - seen, height + seen]), 0.06) else {
+        return Plot::default();
     };
-    drawn(size, |area| {
-        let above = if marks.is_empty() { 16 } else { 44 };
+    let legend = curves.iter().filter(|curve| !curve.name.is_empty());
+    let legend = legend.map(|curve| (curve.colour % COLOURS.len(), curve.name.clone())).collect();
+    let svg = drawn(size, |area| {
+        let above = if marks.is_empty() { 16 } else { 50 };
         let mut chart = ChartBuilder::on(area)
             .margin(8)
             .margin_right(36)
             .margin_top(above)
-            .x_label_area_size(76)
-            .y_label_area_size(150)
+            .x_label_area_size(88)
+            .y_label_area_size(164)
             .build_cartesian_2d(across.clone(), up.clone())?;
         mesh(&mut chart, x, y, [small(&across), small(&up)])?;
-        let mut named = i32::MIN;
-        for (place, name) in marks.iter().filter(|(place, _)| across.contains(place)) {
+        // Places that stand together have one line of names.
+        let mut names: Vec<(i32, String)> = Vec::new();
+        for (place, name) in marks.iter().filter(|(place, _)| (across.start..=across.end).contains(place)) {
             let line = [(*place, up.start), (*place, up.end)];
             chart.draw_series(LineSeries::new(line, BLACK.mix(0.35)))?;
-            let (at, top) = chart.backend_coord(&(*place, up.end));
-            // The first of two that stand together has its name written.
-            if at >= named {
-                named = at + NAME;
-                let style = ("sans-serif", FONT - 4).into_font().color(&BLACK.mix(0.7));
-                area.draw(&Text::new(name.clone(), (at - 16, top - 32), style))?;
+            let (at, _) = chart.backend_coord(&(*place, up.end));
+            match names.last_mut().filter(|(before, _)| at < before + NAME) {
+                Some((_, names)) => *names += &format!(", {name}"),
+                None => names.push((at, name.clone())),
             }
+        }
+        let (_, top) = chart.backend_coord(&(across.start, up.end));
+        for (at, name) in names {
+            let style = ("sans-serif", FONT - 4).into_font().color(&BLACK.mix(0.7));
+            let last = size.0 as i32 - LETTER * name.len() as i32;
+            area.draw(&Text::new(name, ((at - 16).min(last), top - 38), style))?;
         }
         for curve in curves {
             let colour = COLOURS[curve.colour % COLOURS.len()];
             let points = thinned(&curve.points);
-            if let Some(off) = curve.off.filter(|off| off.is_finite() && *off > 0.0) {
-                let over = points.iter().map(|(x, y)| (*x, y + off));
-                let under = points.iter().rev().map(|(x, y)| (*x, y - off));
+            if let Some(off) = curve.band() {
+                let band: Vec<(f64, [f64; 2])> =
+                    points.iter().map(|&(x, y)| (x, [y - off(y), y + off(y)])).collect();
+                let over = band.iter().map(|(x, [_, over])| (*x, over.min(up.end)));
+                let under = band.iter().rev().map(|(x, [under, _])| (*x, under.max(up.start)));
                 chart.draw_series(std::iter::once(Polygon::new(
                     over.chain(under).collect::<Vec<_>>(),
                     colour.mix(0.22).filled(),
                 )))?;
             }
-            let drawn = chart.draw_series(LineSeries::new(points.iter().copied(), colour.stroke_width(3)))?;
-            if !curve.name.is_empty() {
-                drawn
-                    .label(&curve.name)
-                    .legend(move |(x, y)| PathElement::new([(x, y), (x + 36, y)], colour.stroke_width(5)));
-            }
-            if points.len() < 3 {
-                let dots = points.iter().map(|point| Circle::new(*point, 6, colour.filled()));
+            chart.draw_series(LineSeries::new(points.iter().copied(), colour.stroke_width(3)))?;
+            if points.len() <= DOTTED {
+                let dots = points.iter().map(|point| Circle::new(*point, 5, colour.filled()));
                 chart.draw_series(dots)?;
             }
         }
-        if curves.iter().any(|curve| !curve.name.is_empty()) {
-            chart
-                .configure_series_labels()
-                .label_font(("sans-serif", FONT))
-                .legend_area_size(48)
-                .position(SeriesLabelPosition::UpperRight)
-                .draw()?;
-        }
         Ok(())
-    })
+    });
+    Plot { svg, legend, band_is_cut: off > seen }
+}
+
+/// Whether values that differ by so much do so beyond rounding.
+fn is_course(difference: f64, magnitude: f64) -> bool {
+    difference > 1e-9 * magnitude
 }
 
 /// Bars beside each other, by their numbers.
-pub fn bars(size: (u32, u32), x: &Axis, y: &Axis, bars: &[(u64, f64)]) -> String {
+pub fn bars(size: (u32, u32), x: &Axis, y: &Axis, bars: &[(u64, f64)]) -> Plot {
     let largest = bars.iter().map(|bar| bar.1).filter(|height| height.is_finite()).fold(0.0, f64::max);
     let last = bars.iter().map(|bar| bar.0).max().unwrap_or(0);
     if largest <= 0.0 {
-        return String::new();
+        return Plot::default();
     }
-    drawn(size, |area| {
+    let svg = drawn(size, |area| {
         let mut chart = ChartBuilder::on(area)
             .margin(8)
             .margin_top(16)
-            .x_label_area_size(76)
-            .y_label_area_size(150)
+            .x_label_area_size(88)
+            .y_label_area_size(164)
             .build_cartesian_2d(0.4..last as f64 + 0.6, 0.0..1.08 * largest)?;
         chart
             .configure_mesh()
@@ -147,7 +198,8 @@ pub fn bars(size: (u32, u32), x: &Axis, y: &Axis, bars: &[(u64, f64)]) -> String
             Rectangle::new([(place - 0.3, 0.0), (place + 0.3, height)], COLOURS[0].filled())
         }))?;
         Ok(())
-    })
+    });
+    Plot { svg, ..Plot::default() }
 }
 
 /// A piece of a map.
@@ -159,26 +211,26 @@ pub struct Piece {
     pub value: f64,
 }
 
-/// A map of a surface: pieces coloured by their values, from nought to the largest. Empty if there is nothing to draw.
-pub fn map(x: &Axis, y: &Axis, value: &Axis, pieces: &[Piece]) -> String {
+/// A map of a surface: pieces coloured by their values, from nought to the largest.
+pub fn map(x: &Axis, y: &Axis, value: &Axis, pieces: &[Piece]) -> Plot {
     let largest =
         pieces.iter().map(|piece| piece.value).filter(|value| value.is_finite()).fold(0.0, f64::max);
     let (Some(across), Some(up)) = (
         span(pieces.iter().flat_map(|piece| piece.x), 0.0),
         span(pieces.iter().flat_map(|piece| piece.y), 0.0),
     ) else {
-        return String::new();
+        return Plot::default();
     };
     if largest <= 0.0 {
-        return String::new();
+        return Plot::default();
     }
-    drawn(TALL, |area| {
+    let svg = drawn(TALL, |area| {
         let (picture, legend) = area.split_horizontally(TALL.0 - LEGEND);
         let mut chart = ChartBuilder::on(&picture)
             .margin(8)
             .margin_top(16)
-            .x_label_area_size(76)
-            .y_label_area_size(130)
+            .x_label_area_size(88)
+            .y_label_area_size(148)
             .build_cartesian_2d(across.clone(), up.clone())?;
         for piece in merged(pieces, largest) {
             let corners = [(piece.x[0], piece.y[0]), (piece.x[1], piece.y[1])];
@@ -193,8 +245,8 @@ pub fn map(x: &Axis, y: &Axis, value: &Axis, pieces: &[Piece]) -> String {
             .margin(8)
             .margin_top(16)
             .margin_right(60)
-            .x_label_area_size(76)
-            .y_label_area_size(110)
+            .x_label_area_size(88)
+            .y_label_area_size(124)
             .build_cartesian_2d(0.0..1.0, 0.0..largest)?;
         let step = |k: usize| largest * k as f64 / SHADES as f64;
         key.draw_series((0..SHADES).map(|k| {
@@ -210,7 +262,8 @@ pub fn map(x: &Axis, y: &Axis, value: &Axis, pieces: &[Piece]) -> String {
             .y_label_formatter(&|value| tick(*value))
             .draw()?;
         Ok(())
-    })
+    });
+    Plot { svg, ..Plot::default() }
 }
 
 type Chart<'a, 'b> = ChartContext<
@@ -258,15 +311,13 @@ fn drawn(
 
 /// From the least to the largest, and some of it more to both sides; never nothing.
 fn span(values: impl Iterator<Item = f64>, more: f64) -> Option<Range<f64>> {
-    let (low, high) = values
-        .filter(|value| value.is_finite())
-        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)));
+    let (low, high) = ends(values.filter(|value| value.is_finite()));
     if low > high {
         return None;
     }
     // What changes by rounding alone is drawn as what does not change.
     let scale = low.abs().max(high.abs());
-    let room = if high - low > 1e-9 * scale {
+    let room = if is_course(high - low, scale) {
         more * (high - low)
     } else if scale > 0.0 {
         0.05 * scale
@@ -348,10 +399,10 @@ mod tests {
     fn what_cannot_be_drawn_is_no_plot() {
         let axis = || Axis { what: "load", unit: "N" };
         let curve = |points: Vec<(f64, f64)>| Curve { points, ..Curve::default() };
-        assert_eq!(curves(WIDE, &axis(), &axis(), &[], &[]), "");
-        assert_eq!(curves(WIDE, &axis(), &axis(), &[curve(vec![(f64::NAN, 1.0)])], &[]), "");
-        assert_eq!(bars(NARROW, &axis(), &axis(), &[(1, 0.0)]), "");
-        assert_eq!(map(&axis(), &axis(), &axis(), &[]), "");
+        assert!(curves(WIDE, &axis(), &axis(), &[], &[]).is_empty());
+        assert!(curves(WIDE, &axis(), &axis(), &[curve(vec![(f64::NAN, 1.0)])], &[]).is_empty());
+        assert!(bars(NARROW, &axis(), &axis(), &[(1, 0.0)]).is_empty());
+        assert!(map(&axis(), &axis(), &axis(), &[]).is_empty());
         // A constant is a line, and what is written in it is text.
         let plot = curves(
             WIDE,
@@ -359,8 +410,31 @@ mod tests {
             &axis(),
             &[curve(vec![(0.0, 3.0), (1.0, 3.0)])],
             &[],
-        );
+        )
+        .svg;
         assert!(plot.contains("<polyline") && plot.contains("a &lt; b"), "{plot}");
+    }
+
+    /// Of a curve that changes by 1 a band of 50 leaves a third of the height; one of 0.2 is whole, and so is that of a constant.
+    #[test]
+    fn a_band_leaves_room_for_its_curve() {
+        let heights = |off: f64, end: f64| {
+            let axis = || Axis { what: "", unit: "" };
+            let curve =
+                Curve { points: vec![(0.0, 3.0), (1.0, end)], off: Some([off; 2]), ..Curve::default() };
+            let plot = curves(WIDE, &axis(), &axis(), &[curve], &[]);
+            let line = plot.svg.split("<polyline").find(|part| part.contains("stroke-width=\"3\"")).unwrap();
+            let points = line.split("points=\"").nth(1).unwrap().split('"').next().unwrap();
+            let heights: Vec<i32> = points
+                .split_whitespace()
+                .map(|point| point.split(',').nth(1).unwrap().parse().unwrap())
+                .collect();
+            (plot.band_is_cut, heights[0] - heights[1])
+        };
+        let (cut, rise) = heights(50.0, 4.0);
+        assert!(cut && rise > 120, "{rise}");
+        assert!(!heights(0.2, 4.0).0);
+        assert_eq!(heights(0.2, 3.0), (false, 0));
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! What contact looked like over a run, from the loads along the lines of contact: the pattern on a flank, the load along the face, and
 //! what a pair of teeth carries on its way through the mesh.
 
-use super::chart::{Axis, Curve, Piece, TALL, WIDE, curves, map};
+use super::chart::{Axis, Curve, Piece, Plot, TALL, WIDE, curves, map};
 use super::read::Loaded;
 use super::units::Units;
 use crate::field_tables::BACK;
@@ -22,11 +22,11 @@ pub struct Mesh {
     /// Pa
     pub largest: f64,
     /// The largest pressure at each place of the first body's flank.
-    pub pattern: String,
+    pub pattern: Plot,
     /// The load along the face; empty in a plane model.
-    pub along_face: String,
+    pub along_face: Plot,
     /// The load of a pair of teeth along its path of contact.
-    pub path: String,
+    pub path: Plot,
 }
 
 /// The meshes of a run, sides of teeth apart, the most pressed first; and how many are left out.
@@ -91,7 +91,7 @@ impl Along {
     }
 }
 
-fn pattern(rows: &[&Loaded], along: &Along, body: &str, units: Units) -> String {
+fn pattern(rows: &[&Loaded], along: &Along, body: &str, units: Units) -> Plot {
     let pressure = Axis { what: "pressure", unit: units.stress.name };
     let what = format!("{} on {body}", along.what);
     let Some(strips) = strips(rows) else {
@@ -181,10 +181,10 @@ fn steps_of(points: &[(f64, f64)]) -> Vec<([f64; 2], f64)> {
 }
 
 /// The load along the face: of the position with the largest, a curve a pair of teeth, and the largest of all positions.
-fn along_face(rows: &[&Loaded], units: Units) -> String {
-    let Some(strips) = strips(rows) else { return String::new() };
+fn along_face(rows: &[&Loaded], units: Units) -> Plot {
+    let Some(strips) = strips(rows) else { return Plot::default() };
     let Some(worst) = rows.iter().max_by(|one, other| one.line_load.total_cmp(&other.line_load)) else {
-        return String::new();
+        return Plot::default();
     };
     let mid = |ends: [f64; 2]| units.length.of(0.5 * (ends[0] + ends[1]));
     let largest = strips.iter().filter_map(|(ends, rows)| {
@@ -213,7 +213,7 @@ fn along_face(rows: &[&Loaded], units: Units) -> String {
 }
 
 /// What a pair of teeth carries on its way: one curve, though every position has several pairs somewhere along it.
-fn path(rows: &[&Loaded], along: &Along, body: &str, units: Units) -> String {
+fn path(rows: &[&Loaded], along: &Along, body: &str, units: Units) -> Plot {
     let mut of_pairs: BTreeMap<(usize, [u32; 2]), [f64; 2]> = BTreeMap::new();
     for row in rows {
         let [force, moment] = of_pairs.entry((row.step, [row.first_tooth, row.second_tooth])).or_default();
@@ -276,8 +276,8 @@ mod tests {
         assert_eq!((meshes.len(), left_out), (1, 0));
         let [mesh] = &meshes[..] else { panic!() };
         assert!(
-            mesh.pattern.contains("<rect")
-                && mesh.along_face.contains("teeth 1 and 1")
+            mesh.pattern.svg.contains("<rect")
+                && mesh.along_face.legend.iter().any(|(_, name)| name.contains("teeth 1 and 1"))
                 && !mesh.path.is_empty()
         );
     }
@@ -291,7 +291,7 @@ mod tests {
         let (meshes, _) = meshes(&[on("back", 2e5), on("driving", 7e5)].concat(), Units::of_system("SI"));
         let sides: Vec<(bool, f64)> = meshes.iter().map(|mesh| (mesh.back, mesh.largest)).collect();
         assert_eq!(sides, [(false, 7e5), (true, 2e5)]);
-        assert!(meshes.iter().all(|mesh| mesh.pattern.contains("<polyline") && mesh.pattern.len() > 100));
+        assert!(meshes.iter().all(|mesh| mesh.pattern.svg.contains("<polyline")));
     }
 
     /// Grids of positions are of different lengths, and their slices an odd number beside each other.
@@ -324,6 +324,6 @@ mod tests {
     fn a_plane_model_has_a_curve_and_nothing_along_the_face() {
         let rows: Vec<Loaded> = (0..9).map(|k| row(k, 0, 0.1 * k as f64, None, 1e5)).collect();
         let (meshes, _) = meshes(&rows, Units::of_system("inch_lbf_s"));
-        assert!(meshes[0].pattern.contains("<polyline") && meshes[0].along_face.is_empty());
+        assert!(meshes[0].pattern.svg.contains("<polyline") && meshes[0].along_face.is_empty());
     }
 }

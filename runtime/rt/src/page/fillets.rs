@@ -1,6 +1,7 @@
-//! The stresses that the fillets see over a run: along the profile, and in space over profile and face.
+//! The stresses that the fillets see over a run: along the profile, and in space over profile and face. A level without meshes knows one place
+//! of a profile: what that sees is drawn along the face, or is two numbers.
 
-use super::chart::{Axis, Curve, Piece, WIDE, curves, map};
+use super::chart::{Axis, Curve, Piece, Plot, WIDE, curves, map};
 use super::units::Units;
 use crate::stress_range::Seen;
 use std::collections::BTreeMap;
@@ -14,10 +15,14 @@ pub struct Fillets {
     /// Pa
     pub largest: f64,
     pub smallest: f64,
-    /// Over the distance along the fillet, the largest and smallest along the face.
-    pub along_profile: String,
+    /// Over the distance along the fillet, the largest and smallest along the face; empty where one place of a profile is known.
+    pub along_profile: Plot,
     /// The largest stress over both; empty in a plane model.
-    pub over_face: String,
+    pub over_face: Plot,
+    /// Where one place of a profile is known, its stresses along the face; empty in a plane model.
+    pub along_face: Plot,
+    /// Radius of that place, m.
+    pub one_radius: Option<f64>,
 }
 
 /// The bodies of a run that have stresses, the largest stress first; and how many are left out.
@@ -27,13 +32,16 @@ pub fn fillets(seen: &[Seen], units: Units) -> (Vec<Fillets>, usize) {
         bodies.entry(&seen.body).or_default().push(seen);
     }
     let of_body = |(body, seen): (&str, Vec<&Seen>)| {
+        let one_place = seen.iter().all(|seen| seen.point == 0);
         let largest = seen.iter().map(|seen| seen.largest).fold(f64::NEG_INFINITY, f64::max);
         Fillets {
             body: body.to_owned(),
             largest,
             smallest: seen.iter().map(|seen| seen.smallest).fold(f64::INFINITY, f64::min),
-            along_profile: along_profile(&seen, units),
-            over_face: over_face(&seen, units),
+            along_profile: if one_place { Plot::default() } else { along_profile(&seen, units) },
+            over_face: if one_place { Plot::default() } else { over_face(&seen, units) },
+            along_face: if one_place { along_face(&seen, units) } else { Plot::default() },
+            one_radius: seen.first().filter(|_| one_place).map(|seen| seen.radius),
         }
     };
     let mut all: Vec<Fillets> = bodies.into_iter().map(of_body).collect();
@@ -48,35 +56,49 @@ fn loaded(seen: &[&Seen]) -> u32 {
     seen.iter().max_by(|one, other| one.largest.total_cmp(&other.largest)).map_or(0, |seen| seen.flank)
 }
 
-fn along_profile(seen: &[&Seen], units: Units) -> String {
+fn along_profile(seen: &[&Seen], units: Units) -> Plot {
+    let x = Axis { what: "along the fillet, from the end of the flank", unit: units.length.name };
+    extremes(seen, &x, units, |seen| Some((seen.point, units.length.of(seen.depth))))
+}
+
+fn along_face(seen: &[&Seen], units: Units) -> Plot {
+    let x = Axis { what: "from mid-face", unit: units.length.name };
+    extremes(seen, &x, units, |seen| Some((seen.section, units.length.of(seen.axial?))))
+}
+
+/// The largest and the smallest stress over what `place` counts and measures, of both flanks; what has no place is left out.
+fn extremes(
+    seen: &[&Seen],
+    x: &Axis<'_>,
+    units: Units,
+    place: impl Fn(&Seen) -> Option<(usize, f64)>,
+) -> Plot {
     let loaded = loaded(seen);
-    let mut by_point: BTreeMap<(u32, usize), (f64, [f64; 2])> = BTreeMap::new();
+    let mut by_place: BTreeMap<(u32, usize), (f64, [f64; 2])> = BTreeMap::new();
     for seen in seen {
-        let (_, [largest, smallest]) = by_point
-            .entry((seen.flank, seen.point))
-            .or_insert((seen.depth, [f64::NEG_INFINITY, f64::INFINITY]));
+        let Some((number, at)) = place(seen) else { continue };
+        let (_, [largest, smallest]) =
+            by_place.entry((seen.flank, number)).or_insert((at, [f64::NEG_INFINITY, f64::INFINITY]));
         *largest = largest.max(seen.largest);
         *smallest = smallest.min(seen.smallest);
     }
     let mut all = Vec::new();
     for (flank, side) in [(loaded, "loaded side"), (1 - loaded.min(1), "other side")] {
         let of_flank =
-            || by_point.iter().filter(move |((other, _), _)| *other == flank).map(|(_, seen)| seen);
+            || by_place.iter().filter(move |((other, _), _)| *other == flank).map(|(_, seen)| seen);
         for (which, name) in ["largest", "smallest"].into_iter().enumerate() {
-            let points: Vec<(f64, f64)> = of_flank()
-                .map(|(depth, stresses)| (units.length.of(*depth), units.stress.of(stresses[which])))
-                .collect();
+            let points: Vec<(f64, f64)> =
+                of_flank().map(|(at, stresses)| (*at, units.stress.of(stresses[which]))).collect();
             if !points.is_empty() {
                 let colour = 2 * usize::from(flank != loaded) + which;
                 all.push(Curve { name: format!("{name}, {side}"), colour, points, off: None });
             }
         }
     }
-    let x = Axis { what: "along the fillet, from the end of the flank", unit: units.length.name };
-    curves(WIDE, &x, &Axis { what: "stress", unit: units.stress.name }, &all, &[])
+    curves(WIDE, x, &Axis { what: "stress", unit: units.stress.name }, &all, &[])
 }
 
-fn over_face(seen: &[&Seen], units: Units) -> String {
+fn over_face(seen: &[&Seen], units: Units) -> Plot {
     let loaded = loaded(seen);
     let mut sections: BTreeMap<usize, Vec<&Seen>> = BTreeMap::new();
     for seen in seen.iter().filter(|seen| seen.flank == loaded) {
@@ -88,7 +110,7 @@ fn over_face(seen: &[&Seen], units: Units) -> String {
     };
     let firsts: Vec<&Seen> = sections.iter().filter_map(|section| section.first().copied()).collect();
     let Some(axial) = places(&|seen| seen.axial, &firsts).filter(|places| places.len() > 1) else {
-        return String::new();
+        return Plot::default();
     };
     let mut pieces = Vec::new();
     for (index, section) in sections.iter().enumerate() {
@@ -109,4 +131,45 @@ fn between(places: &[f64], index: usize) -> [f64; 2] {
     let here = places[index];
     let half = |other: Option<&f64>| other.map_or(here, |other| 0.5 * (here + other));
     [half(index.checked_sub(1).and_then(|before| places.get(before))), half(places.get(index + 1))]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn seen(flank: u32, section: usize, point: usize, axial: Option<f64>) -> Seen {
+        Seen {
+            body: "pinion".into(),
+            flank,
+            section,
+            point,
+            depth: 1e-4 * point as f64,
+            radius: 0.02,
+            axial,
+            largest: 1e8 + 1e6 * (section + point) as f64,
+            smallest: -1e8,
+        }
+    }
+
+    /// Closed forms know one place of a profile: a plot along it would be a dot.
+    #[test]
+    fn one_place_of_a_profile_is_no_plot_along_it() {
+        let units = Units::of_system("SI");
+        let of = |seen: &[Seen]| {
+            let (mut all, _) = fillets(seen, units);
+            all.remove(0)
+        };
+        let plane = of(&[seen(0, 0, 0, None), seen(1, 0, 0, None)]);
+        assert!(plane.along_profile.is_empty() && plane.over_face.is_empty() && plane.along_face.is_empty());
+        assert_eq!((plane.one_radius, plane.largest), (Some(0.02), 1e8));
+        let slices: Vec<Seen> = (0..5).map(|k| seen(0, k, 0, Some(1e-3 * k as f64))).collect();
+        let space = of(&slices);
+        assert!(space.along_profile.is_empty() && space.over_face.is_empty());
+        assert_eq!(space.along_face.legend.len(), 2);
+        let elements: Vec<Seen> =
+            (0..20).map(|k| seen(0, k / 4, k % 4, Some(1e-3 * (k / 4) as f64))).collect();
+        let elements = of(&elements);
+        assert!(!elements.along_profile.is_empty() && !elements.over_face.is_empty());
+        assert!(elements.along_face.is_empty() && elements.one_radius.is_none());
+    }
 }

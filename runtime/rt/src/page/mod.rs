@@ -12,7 +12,7 @@ mod read;
 mod units;
 
 use crate::directory::REPORT;
-use chart::{Axis, Curve, NARROW, WIDE};
+use chart::{Axis, Curve, NARROW, Plot, WIDE};
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use read::{End, Output, Run};
 use std::fs;
@@ -69,7 +69,7 @@ fn page(run: &Run) -> Markup {
             body {
                 header {
                     h1 { (title) }
-                    @for paragraph in rest { p { (paragraph) } }
+                    @for paragraph in rest { p { (prose(&paragraph)) } }
                     (about::facts(run))
                     (about::notices(run))
                     nav { ul { @for (name, title, _) in &sections { li { a href={ "#" (name) } { (title) } } } } }
@@ -84,11 +84,32 @@ fn page(run: &Run) -> Markup {
     }
 }
 
-/// The first line of the model's doc comment, and what follows it.
+/// The first sentence of the model's doc comment, and what follows it.
 fn title(run: &Run) -> (String, Vec<String>) {
-    let mut paragraphs = paragraphs(run.text("doc")).into_iter();
-    let first = paragraphs.next().unwrap_or_else(|| run.text("model").to_owned());
-    (first.trim_end_matches('.').to_owned(), paragraphs.collect())
+    let mut paragraphs = paragraphs(run.text("doc"));
+    if paragraphs.is_empty() {
+        return (run.text("model").to_owned(), Vec::new());
+    }
+    let first = paragraphs.remove(0);
+    // What goes on without a capital is no new sentence.
+    let end = first.match_indices(". ").find(|(at, _)| first[at + 2..].starts_with(char::is_uppercase));
+    let (sentence, rest) = match end {
+        Some((at, _)) => (&first[..at], Some(first[at + 2..].to_owned())),
+        None => (&first[..], None),
+    };
+    (sentence.trim_end_matches('.').to_owned(), rest.into_iter().chain(paragraphs).collect())
+}
+
+/// A doc comment's text: what stands between backticks is code.
+fn prose(text: &str) -> Markup {
+    let pieces: Vec<&str> = text.split('`').collect();
+    // An odd one is none.
+    if pieces.len().is_multiple_of(2) {
+        return html! { (text) };
+    }
+    html! { @for (index, piece) in pieces.iter().enumerate() {
+        @if index % 2 == 1 { code { (piece) } } @else { (piece) }
+    } }
 }
 
 /// A doc comment as it is read: lines that follow each other are one.
@@ -138,17 +159,31 @@ fn percent(part: f64) -> String {
     }
 }
 
+/// What is a smaller part of a value is of its last digits.
+const DIGITS: f64 = 1e-12;
+
 /// How large an error is beside what it is the error of.
 fn part_of_value(estimate: &read::Estimate) -> String {
-    if estimate.is_rounding { "rounding".into() } else { percent(estimate.relative) }
+    match estimate.is_rounding {
+        true => "rounding".into(),
+        false if estimate.relative < DIGITS => percent(0.0),
+        false => percent(estimate.relative),
+    }
 }
 
 /// A plot with what it shows; nothing if it is empty. The text is also what who cannot see it is told.
-fn figure(svg: &str, caption: &str) -> Markup {
-    if svg.is_empty() {
+fn figure(plot: &Plot, caption: &str) -> Markup {
+    if plot.is_empty() {
         return PreEscaped(String::new());
     }
-    html! { figure { (described(svg, caption)) figcaption { (caption) } } }
+    html! { figure { (described(&plot.svg, caption)) (legend(plot)) figcaption { (caption) } } }
+}
+
+/// What the curves of a plot are called.
+fn legend(plot: &Plot) -> Markup {
+    html! { @if !plot.legend.is_empty() {
+        p.legend { @for (colour, name) in &plot.legend { span class={ "c" (colour) } { (name) } " " } }
+    } }
 }
 
 /// A drawing of the page's own, as an image that has a name.
@@ -156,7 +191,9 @@ fn described(svg: &str, name: &str) -> Markup {
     let opening = format!("<svg role=\"img\" aria-label=\"{}\" ", html! { (name) }.into_string());
     // What is drawn begins with its own opening, and nothing before it belongs into a page.
     let svg = svg.find("<svg ").map_or("", |at| &svg[at + 5..]);
-    PreEscaped(if svg.is_empty() { String::new() } else { opening + svg })
+    let svg = if svg.is_empty() { String::new() } else { opening + svg };
+    // On a narrow screen a drawing is wider than what shows it.
+    html! { @if !svg.is_empty() { div.drawing { (PreEscaped(svg)) } } }
 }
 
 /// All outputs on one screen.
@@ -168,7 +205,7 @@ fn summary(run: &Run) -> Markup {
     html! {
         table.numbers {
             thead { tr {
-                th { "output" } th { "unit" } th { "least" } th { "mean" } th { "largest" }
+                th { "output" } th.word { "unit" } th { "least" } th { "mean" } th { "largest" }
                 @if estimated { th { "may be off by" } th {} }
                 th { "peak to peak" }
                 th { "largest at" }
@@ -186,7 +223,7 @@ fn summary(run: &Run) -> Markup {
                     td { @match of.mean { Some(mean) => (number(mean)), None => "–" } }
                     td.main { (number(of.max)) }
                     @if estimated { @match &output.error {
-                        Some(of) => { td { (error(of.of_values())) } td { (part_of_value(of)) } },
+                        Some(of) => { td { (accuracy::of_largest(output, of)) } td { (part_of_value(of)) } },
                         None => { td { "–" } td {} },
                     } }
                     td { (number(of.peak_to_peak)) }
@@ -206,29 +243,31 @@ fn plots(run: &Run) -> Markup {
         return PreEscaped(String::new());
     }
     let by_time = by_time(run);
+    let clock = units::clock(run.positions.iter().map(|position| position.time));
     let x = match by_time {
-        true => Axis { what: "time", unit: "s" },
+        true => Axis { what: "time", unit: clock.name },
         false => Axis { what: "roll angle of the entering pair, first gear", unit: "deg" },
     };
-    let places: Vec<f64> = run
-        .positions
-        .iter()
-        .map(|position| if by_time { position.time } else { position.roll.to_degrees() })
-        .collect();
+    let place = |position: &read::Position| match by_time {
+        true => clock.of(position.time),
+        false => position.roll.to_degrees(),
+    };
+    let places: Vec<f64> = run.positions.iter().map(place).collect();
     let named = run.positions.iter().zip(&places).filter(|(position, _)| !position.point.is_empty());
     let marks: Vec<(f64, String)> = named.map(|(position, place)| (*place, position.point.clone())).collect();
     let banded = run.outputs.iter().any(|output| output.error.is_some());
     html! {
-        @if banded { p.note { "The band is how far values may be off, by the error estimates of this run." } }
+        @if banded { p.note { "The band is how far values may be off, by the error estimates of this run: the least by what the estimate says of it, the largest likewise, others by what lies between." } }
         @for output in run.outputs.iter().filter(|output| output.has_values()) { (plot(output, &x, &places, &marks)) }
     }
 }
 
 fn plot(output: &Output, x: &Axis<'_>, places: &[f64], marks: &[(f64, String)]) -> Markup {
     let points = places.iter().copied().zip(output.values.iter().copied()).collect();
-    let off = output.error.as_ref().map(read::Estimate::of_values);
+    let off = output.error.as_ref().map(|error| [error.total.min.abs(), error.total.max.abs()]);
     let curve = Curve { points, off, ..Curve::default() };
     let y = Axis { what: "", unit: &output.unit };
+    let is_rounding = output.error.as_ref().is_some_and(|error| error.is_rounding);
     let course = chart::curves(WIDE, x, &y, &[curve], marks);
     let order = Axis { what: "multiple of the mesh frequency", unit: "" };
     let harmonics =
@@ -243,10 +282,14 @@ fn plot(output: &Output, x: &Axis<'_>, places: &[f64], marks: &[(f64, String)]) 
     html! {
         article.output id={ "output-" (output.name) } {
             h3 { code { (output.name) } @if !output.unit.is_empty() { small { " [" (output.unit) "]" } } }
-            @for paragraph in paragraphs(&output.doc) { p { (paragraph) } }
-            div.side {
-                div.wide { (described(&course, &name)) }
-                @if !harmonics.is_empty() { div.narrow { (described(&harmonics, &format!("harmonics of {}", output.name))) } }
+            @for paragraph in paragraphs(&output.doc) { p { (prose(&paragraph)) } }
+            (accuracy::of_output(output))
+            @if !is_rounding {
+                @if course.band_is_cut { p.note { "The band is wider than the plot: what the curve does is within what it may be off by." } }
+                div.side {
+                    div.wide { (described(&course.svg, &name)) }
+                    @if !harmonics.is_empty() { div.narrow { (described(&harmonics.svg, &format!("harmonics of {}", output.name))) } }
+                }
             }
         }
     }
@@ -269,7 +312,7 @@ fn contact_section(run: &Run, units: Units) -> Markup {
             }
         }
         @if left_out > 0 {
-            p.note { "Shown are the meshes with the largest pressures; " (left_out) " more are in " code { "line_load.csv" } "." }
+            p.note { "Shown are the meshes with the largest pressures; " (left_out) " more meshes are in " code { "line_load.csv" } "." }
         }
     }
 }
@@ -285,6 +328,10 @@ fn stress_section(run: &Run, units: Units) -> Markup {
             article {
                 h3 { (fillet.body) }
                 p { "From " b { (number(units.stress.of(fillet.smallest))) } " to " b { (number(units.stress.of(fillet.largest))) } " " (units.stress.name) "." }
+                @if let Some(radius) = fillet.one_radius {
+                    p.note { "This fidelity knows the stress of one place of a profile, at radius " (number(units.length.of(radius))) " " (units.length.name) "." }
+                }
+                (figure(&fillet.along_face, "Along the face, at that place."))
                 (figure(&fillet.along_profile, "Along the fillet, the largest and smallest of all places along the face."))
                 (figure(&fillet.over_face, "The largest stress over fillet and face, on the loaded side."))
             }

@@ -1,6 +1,6 @@
 //! What a run directory has to show, read from its files: of a run that is finished, was stopped, or is under way or was killed.
 
-use super::units::Units;
+use super::units::{self, Unit, Units};
 use crate::directory::{SIGNALS, read_run};
 use crate::field_tables::LINE_LOAD;
 use crate::stress_range::{self, Seen};
@@ -119,7 +119,8 @@ pub struct Estimate {
     pub is_rounding: bool,
     /// By what it comes from.
     pub parts: Vec<(String, Statistics)>,
-    pub not_estimated: Vec<String>,
+    /// What else is wrong and was not estimated, with the reason; empty of runs that gave none.
+    pub not_estimated: Vec<(String, String)>,
 }
 
 impl Estimate {
@@ -133,13 +134,11 @@ impl Estimate {
             parts: parts
                 .filter_map(|(name, part)| Some((name.clone(), Statistics::of(part, factor)?)))
                 .collect(),
-            not_estimated: names.filter_map(Value::as_str).map(str::to_owned).collect(),
+            not_estimated: names
+                .filter_map(Value::as_str)
+                .map(|name| (name.to_owned(), json["reasons"][name].as_str().unwrap_or_default().to_owned()))
+                .collect(),
         })
-    }
-
-    /// How far values may be off.
-    pub fn of_values(&self) -> f64 {
-        self.total.min.abs().max(self.total.max.abs())
     }
 }
 
@@ -177,6 +176,12 @@ impl Output {
     pub fn has_values(&self) -> bool {
         self.values.iter().any(|value| value.is_finite())
     }
+
+    /// Of errors of statistics the one of the value of largest magnitude.
+    pub fn of_largest(&self, errors: &Statistics) -> f64 {
+        let Statistics { min, max, .. } = self.statistics;
+        if max.abs() >= min.abs() { errors.max } else { errors.min }
+    }
 }
 
 impl Run {
@@ -203,7 +208,9 @@ impl Run {
             _ => None,
         };
         let (positions, columns) = steps(&directory.join("steps.csv"))?;
-        let outputs = columns.into_iter().map(|(name, values)| output(&head, name, values)).collect();
+        let clock = units::clock(positions.iter().map(|position| position.time));
+        let of = |(name, values)| output(&head, name, values, clock);
+        let outputs = columns.into_iter().map(of).collect();
         Ok(Run {
             end,
             timing,
@@ -251,7 +258,7 @@ fn steps(path: &Path) -> io::Result<(Vec<Position>, Columns)> {
 }
 
 /// What `run.json` says of an output, or of one of a run that has not come to its end the head.
-fn output(head: &Value, name: String, values: Vec<f64>) -> Output {
+fn output(head: &Value, name: String, values: Vec<f64>, clock: Unit) -> Output {
     let said = match head["outputs"].get(&name) {
         Some(said) => said,
         None => &head["columns"][&name],
@@ -265,7 +272,7 @@ fn output(head: &Value, name: String, values: Vec<f64>) -> Output {
         doc: text(&said["doc"]),
         unit: text(&said["display"]["unit"]),
         statistics: Statistics::of(said, factor).unwrap_or_else(|| Statistics::of_values(&values)),
-        place: place(&said["max_at"], Units::of_system(head["units"].as_str().unwrap_or_default())),
+        place: place(&said["max_at"], Units::of_system(head["units"].as_str().unwrap_or_default()), clock),
         harmonics: harmonics.filter_map(harmonic).collect(),
         error: Estimate::of(&said["error_estimate"], factor),
         values,
@@ -274,11 +281,13 @@ fn output(head: &Value, name: String, values: Vec<f64>) -> Output {
 }
 
 /// Where a maximum is, in words.
-fn place(at: &Value, units: Units) -> String {
+fn place(at: &Value, units: Units, clock: Unit) -> String {
     let mut words = Vec::new();
     match at["roll_angle"].as_f64() {
         Some(roll) if roll != 0.0 => words.push(format!("roll angle {:.2}°", roll.to_degrees())),
-        _ => words.extend(at["time"].as_f64().map(|time| format!("{time:.5} s"))),
+        _ => words.extend(
+            at["time"].as_f64().map(|time| format!("{} {}", super::number(clock.of(time)), clock.name)),
+        ),
     }
     words.extend(at["point"].as_str().filter(|point| !point.is_empty()).map(str::to_owned));
     if let (Some(body), Some(tooth)) = (at["place"]["body"].as_str(), at["place"]["tooth"].as_u64()) {

@@ -105,7 +105,7 @@ fn a_page_says_what_the_run_was() {
         "This run has no error estimates",
         "calyx tradeoff pair.cx",
         " --fidelity plane --face-elements 3",
-        "Changed from outside the model: <code>face_elements</code> = 3.",
+        "Changed from outside the model, whatever it says: <code>--fidelity plane --face-elements 3</code>.",
         "2 structures were condensed",
         "harmonics of te",
     ] {
@@ -132,6 +132,7 @@ fn errors_stand_beside_what_they_are_of() {
     estimate["relative"] = json!(0.02);
     estimate["parts"] = json!({ "discretization": of(1e-8), "positions": of(5e-8) });
     estimate["not_estimated"] = json!(["level"]);
+    estimate["reasons"] = json!({ "level": "it costs more than the run" });
     run["outputs"]["te"]["error_estimate"] = estimate;
     let page = text(directory(&run).path());
     for said in [
@@ -140,13 +141,87 @@ fn errors_stand_beside_what_they_are_of() {
         "<b>1.7 %</b>",
         "0.33 %",
         "1.4 times as many positions",
-        "Not estimated, and on top of it: level of modelling.",
+        "Not estimated, and on top of it:</p><ul class=\"note\"><li>level of modelling: it costs more than the run</li>",
+        // Of what weighs most half is half of nearly all.
+        "May be off by <b>± 0.06 urad</b> where it is largest in magnitude (2 %), by ± 0.06 urad where it is least, in the mean by ± 0.06 urad.",
+        "That comes of positions 1.7 %, mesh 0.33 %. <a href=\"#accuracy\">To halve it</a>: positions (positions take 1.4 times as long).",
+        "<td class=\"word\">positions</td><td class=\"word\">about <b>2.2 s</b>, now 2 s</td>",
         " --fidelity plane --face-elements 3 --error-estimates full</code>",
         "<polygon",
     ] {
         assert!(page.contains(said), "{said}");
     }
     assert!(!page.contains("This run has no error estimates"));
+}
+
+/// Errors of the largest and of the least value are two numbers: beside a value stands its own. Of parts that weigh alike all are to be halved, but of the
+/// mesh and the level above, which sees what the mesh does not resolve, the one.
+#[test]
+fn all_that_weighs_is_to_be_halved() {
+    let mut run = run_json();
+    let of = |min: f64, max: f64| json!({ "min": min, "max": max, "mean": max, "peak_to_peak": max });
+    let parts = json!({
+        "discretization": of(1e-8, 3e-8), "level": of(1e-8, 2e-8), "contact_grid": of(9e-8, 2e-8), "positions": of(0.0, 1e-9),
+    });
+    let mut estimate = of(1e-7, 5.1e-8);
+    estimate["relative"] = json!(0.017);
+    estimate["parts"] = parts;
+    estimate["not_estimated"] = json!([]);
+    run["outputs"]["te"]["error_estimate"] = estimate;
+    let page = text(directory(&run).path());
+    for said in [
+        "May be off by <b>± 0.051 urad</b> where it is largest in magnitude (1.7 %), by ± 0.1 urad where it is least,",
+        "That comes of mesh 1 %, level of modelling 0.67 %, contact grid 0.67 %, positions 0.033 %.",
+        "To halve it</a>: level of modelling, contact grid (positions take 2 times as long, the fidelity above).",
+        "what the fidelity above takes: <code>calyx explain</code> predicts it",
+    ] {
+        assert!(page.contains(said), "{said}\n{page}");
+    }
+    assert!(!page.contains("Not estimated"));
+}
+
+/// A share that comes to 1 is sure there, and not elsewhere.
+#[test]
+fn what_is_sure_at_its_largest_has_an_error_in_the_mean() {
+    let mut run = run_json();
+    let of = |mean: f64| json!({ "min": 2e-8, "max": 4e-22, "mean": mean, "peak_to_peak": 2e-8 });
+    let mut estimate = of(3e-8);
+    estimate["relative"] = json!(1.3e-16);
+    estimate["parts"] = json!({ "discretization": of(2.5e-8), "positions": of(0.5e-8) });
+    estimate["not_estimated"] = json!([]);
+    run["outputs"]["te"]["error_estimate"] = estimate;
+    let page = text(directory(&run).path());
+    for said in [
+        "The value of largest magnitude is sure, by ± 0.02 urad where it is least, in the mean by ± 0.03 urad.",
+        "The mean's error comes of mesh 0.83 %, positions 0.17 %. <a href=\"#accuracy\">To halve it</a>: mesh (structures take 2 times as long).",
+        "<td class=\"main\">± 0</td><td class=\"main\">0 %</td>",
+    ] {
+        assert!(page.contains(said), "{said}\n{page}");
+    }
+}
+
+/// Titles are a sentence; names between backticks are code; short times are told in short units.
+#[test]
+fn sentences_code_and_times_are_as_people_write_them() {
+    let mut run = run_json();
+    run["doc"] = json!("A set of 5 mm. in all. It turns, as `speed` says, fast.\nFor ever.");
+    run["outputs"]["te"]["max_at"] = json!({ "step": 2, "time": 0.0025, "roll_angle": 0.0, "point": "" });
+    let directory = directory(&run);
+    let rows = "step,time,cycle,roll_angle,point,te\n0,0,0,0,,0.000001\n1,0.001,0,0,,0.000002\n2,0.0025,0,0,,0.000003\n";
+    fs::write(directory.path().join("steps.csv"), rows).unwrap();
+    let page = text(directory.path());
+    for said in ["<p>It turns, as <code>speed</code> says, fast. For ever.</p>", "2.5 ms</td>", "time [ms]"] {
+        assert!(page.contains(said), "{said}\n{page}");
+    }
+}
+
+/// Nobody looks at the course of rounding.
+#[test]
+fn what_is_rounding_is_said_and_not_drawn() {
+    let mut run = run_json();
+    run["outputs"]["te"]["error_estimate"] = json!({ "min": 1e-7, "max": 1e-7, "mean": 1e-7, "peak_to_peak": 1e-7, "relative": null, "is_rounding": true, "parts": {}, "not_estimated": [] });
+    let page = text(directory(&run).path());
+    assert!(page.contains("Nothing but rounding") && !page.contains("te in urad"), "{page}");
 }
 
 /// What a fidelity has no value of is said once, and has neither a plot nor an address to go to.

@@ -47,3 +47,11 @@ impl Units {
         if name == "inch_lbf_s" { IMPERIAL } else { METRIC }
     }
 }
+
+/// The unit of time in which the longest of these times (s) is a number from 1 to 1000, or seconds.
+pub fn clock(times: impl Iterator<Item = f64>) -> Unit {
+    const UNITS: [Unit; 3] =
+        [Unit { name: "s", size: 1.0 }, Unit { name: "ms", size: 1e-3 }, Unit { name: "us", size: 1e-6 }];
+    let longest = times.map(f64::abs).fold(0.0, f64::max);
+    UNITS.into_iter().find(|unit| unit.of(longest) >= 1.0).unwrap_or(UNITS[0])
+}
