@@ -142,7 +142,8 @@ pub fn of_output(output: &Output) -> Markup {
     let Some(estimate) = &output.error else { return PreEscaped(String::new()) };
     let parts = by_weight(output);
     let sources = to_halve(output);
-    let with_unit = |off: f64| format!("{} {}", error(off), output.unit).trim_end().to_owned();
+    // Neither sign nor unit stands on another line than the number.
+    let with_unit = |off: f64| format!("{} {}", error(off), output.unit).trim_end().replace(' ', "\u{a0}");
     let Statistics { min, max, mean, .. } = estimate.total;
     let other = if output.of_largest(&estimate.total) == max { ("least", min) } else { ("largest", max) };
     html! {
@@ -263,7 +264,7 @@ fn table(outputs: &[&Output]) -> Markup {
         p { "How far the value of largest magnitude of each output may be off, in all and by what that comes from; then its mean and its peak to peak. What weighs most is bold. The parts add up: about half is left when all those are halved that the last column names." }
         table.numbers {
             thead { tr {
-                th { "output" } th { "largest" } th { "may be off by" } th { "in all" }
+                th { "output" } th { "of largest magnitude" } th { "may be off by" } th { "in all" }
                 @for source in &sources { th { (source.shown) } }
                 th { "mean off by" } th { "peak to peak off by" }
                 th { "to halve it" }
@@ -295,10 +296,10 @@ fn halving(outputs: &[&Output]) -> Markup {
     html! {
         @if !sources.is_empty() {
             table {
-                thead { tr { th { "part" } th { "is halved by" } th { "which takes about" } } }
+                thead { tr { th { "part" } th { "is halved by" } th { "option" } th { "which takes about" } } }
                 tbody { @for source in sources { tr {
                     th scope="row" { (source.shown) }
-                    td.word { (source.remedy) @if let Some(option) = source.option { " (" code.option { (option) } ")" } }
+                    td.word { (source.remedy) } td { @if let Some(option) = source.option { code.option { (option) } } }
                     td.word { @match source.cost {
                         Some((stage, times)) => { (number(times)) " times as long for the " (stage) },
                         None => { "what " code { "calyx explain --fidelity" } " predicts" },

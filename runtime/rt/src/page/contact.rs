@@ -186,10 +186,17 @@ fn along_face(rows: &[&Loaded], units: Units) -> Plot {
     let Some(worst) = rows.iter().max_by(|one, other| one.line_load.total_cmp(&other.line_load)) else {
         return Plot::default();
     };
-    let mid = |ends: [f64; 2]| units.length.of(0.5 * (ends[0] + ends[1]));
-    let largest = strips.iter().filter_map(|(ends, rows)| {
-        let load = rows.iter().map(|row| row.line_load).max_by(f64::total_cmp)?;
-        Some((mid(*ends), units.line_load.of(load)))
+    // Slices of other positions lie elsewhere: between their middles loads go straight.
+    let mut lines: BTreeMap<(usize, [u32; 2]), Vec<(f64, f64)>> = BTreeMap::new();
+    for row in rows {
+        let Some(axial) = row.axial else { continue };
+        let line = lines.entry((row.step, [row.first_tooth, row.second_tooth])).or_default();
+        line.push((units.length.of(axial), units.line_load.of(row.line_load)));
+    }
+    lines.values_mut().for_each(|line| line.sort_by(|one, other| one.0.total_cmp(&other.0)));
+    let largest = strips.iter().filter_map(|(ends, _)| {
+        let at = units.length.of(0.5 * (ends[0] + ends[1]));
+        Some((at, lines.values().filter_map(|line| between(line, at)).max_by(f64::total_cmp)?))
     });
     let mut all = vec![Curve {
         name: "largest of all positions".into(),
@@ -197,19 +204,24 @@ fn along_face(rows: &[&Loaded], units: Units) -> Plot {
         points: largest.collect(),
         off: None,
     }];
-    let mut pairs: BTreeMap<[u32; 2], Vec<(f64, f64)>> = BTreeMap::new();
-    for row in rows.iter().filter(|row| row.step == worst.step) {
-        let Some(axial) = row.axial else { continue };
-        let point = (units.length.of(axial), units.line_load.of(row.line_load));
-        pairs.entry([row.first_tooth, row.second_tooth]).or_default().push(point);
-    }
-    for (index, ([first, second], mut points)) in pairs.into_iter().enumerate() {
-        points.sort_by(|one, other| one.0.total_cmp(&other.0));
+    let of_worst = lines.iter().filter(|((step, _), _)| *step == worst.step);
+    for (index, ((_, [first, second]), points)) in of_worst.enumerate() {
         let name = format!("teeth {first} and {second} at the largest");
-        all.push(Curve { name, colour: index + 1, points, off: None });
+        all.push(Curve { name, colour: index + 1, points: points.clone(), off: None });
     }
     let across = Axis { what: "from mid-face", unit: units.length.name };
     curves(TALL, &across, &Axis { what: "load", unit: units.line_load.name }, &all, &[])
+}
+
+/// On a line through points in the order of their places; `None` beyond its ends.
+fn between(line: &[(f64, f64)], at: f64) -> Option<f64> {
+    let behind = line.partition_point(|point| point.0 < at);
+    let (x, y) = *line.get(behind)?;
+    let (before, value) = match behind.checked_sub(1) {
+        Some(before) => line[before],
+        None => return (x == at).then_some(y),
+    };
+    Some(value + (y - value) * (at - before) / (x - before))
 }
 
 /// What a pair of teeth carries on its way: one curve, though every position has several pairs somewhere along it.
@@ -310,6 +322,14 @@ mod tests {
         for (ends, rows) in strips(&rows).unwrap() {
             assert!(rows.len() >= 12, "{ends:?}: {} of 12 positions", rows.len());
         }
+    }
+
+    /// Slices of a position are wider than the strips: the largest load goes straight between their middles, without steps.
+    #[test]
+    fn the_largest_load_along_the_face_has_no_steps() {
+        let line = [(0.0, 1.0), (1.0, 3.0), (2.0, 3.0)];
+        let found = [-0.1, 0.0, 0.25, 1.0, 1.5, 2.0, 2.1].map(|at| between(&line, at));
+        assert_eq!(found, [None, Some(1.0), Some(1.5), Some(3.0), Some(3.0), Some(3.0), None]);
     }
 
     #[test]

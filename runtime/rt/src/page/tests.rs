@@ -84,7 +84,7 @@ fn directory(run: &Value) -> tempfile::TempDir {
 fn text(directory: &Path) -> String {
     let page = fs::read_to_string(write(directory).unwrap()).unwrap();
     check(&page);
-    page
+    page.replace('\u{a0}', " ")
 }
 
 #[test]
