@@ -141,6 +141,10 @@ fn names(sources: &[&Source]) -> String {
 pub fn of_output(output: &Output) -> Markup {
     let Some(estimate) = &output.error else { return PreEscaped(String::new()) };
     let parts = by_weight(output);
+    // Nothing, and no estimate finds any of it.
+    if output.statistics.magnitude() == 0.0 && estimate.total.min == 0.0 && estimate.total.max == 0.0 {
+        return PreEscaped(String::new());
+    }
     let sources = to_halve(output);
     // Neither sign nor unit stands on another line than the number.
     let with_unit = |off: f64| format!("{} {}", error(off), output.unit).trim_end().replace(' ', "\u{a0}");

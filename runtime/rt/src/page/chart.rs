@@ -157,7 +157,11 @@ pub fn curves(size: (u32, u32), x: &Axis, y: &Axis, curves: &[Curve], marks: &[(
         }
         Ok(())
     });
-    Plot { svg, legend, band_is_cut: off > seen }
+    let beyond = |curve: &Curve| {
+        let Some(off) = curve.band() else { return false };
+        curve.heights().any(|y| y + off(y) > up.end || y - off(y) < up.start)
+    };
+    Plot { svg, legend, band_is_cut: curves.iter().any(beyond) }
 }
 
 /// Whether values that differ by so much do so beyond rounding.

@@ -32,6 +32,15 @@ pub fn write(directory: &Path) -> io::Result<PathBuf> {
     Ok(path)
 }
 
+/// What plots of outputs go over.
+fn course(run: &Run) -> &'static str {
+    match run.positions.len() {
+        0 | 1 => "One by one",
+        _ if by_time(run) => "Over time",
+        _ => "Over the mesh cycle",
+    }
+}
+
 /// What a section is called in the page's address, and on the page.
 type Section = (&'static str, &'static str, Markup);
 
@@ -40,7 +49,7 @@ fn page(run: &Run) -> Markup {
     let sections: Vec<Section> = [
         ("outputs", "Outputs", summary(run)),
         ("accuracy", "How wrong, and what less would cost", accuracy::section(run)),
-        ("cycle", if by_time(run) { "Over time" } else { "Over the mesh cycle" }, plots(run)),
+        ("cycle", course(run), plots(run)),
         ("contact", "Contact", contact_section(run, units)),
         ("stress", "Root stress", stress_section(run, units)),
         ("signals", "In the frequency domain", signals(run)),
@@ -63,12 +72,12 @@ fn page(run: &Run) -> Markup {
                 meta name="viewport" content="width=device-width, initial-scale=1";
                 meta name="color-scheme" content="light dark";
                 meta name="generator" content={ "Calyx " (run.text("calyx")) };
-                title { (title) }
+                title { (title.replace('`', "")) }
                 style { (PreEscaped(include_str!("style.css"))) }
             }
             body {
                 header {
-                    h1 { (title) }
+                    h1 { (prose(&title)) }
                     @for paragraph in rest { p { (prose(&paragraph)) } }
                     (about::facts(run))
                     (about::notices(run))
@@ -268,7 +277,12 @@ fn plot(output: &Output, x: &Axis<'_>, places: &[f64], marks: &[(f64, String)]) 
     let curve = Curve { points, off, ..Curve::default() };
     let y = Axis { what: "", unit: &output.unit };
     let is_rounding = output.error.as_ref().is_some_and(|error| error.is_rounding);
-    let course = chart::curves(WIDE, x, &y, &[curve], marks);
+    // Neither of one position nor of what is the same at all is there a course to be seen.
+    let constant = output.statistics.peak_to_peak == 0.0;
+    let course = match is_rounding || constant {
+        true => Plot::default(),
+        false => chart::curves(WIDE, x, &y, &[curve], marks),
+    };
     let order = Axis { what: "multiple of the mesh frequency", unit: "" };
     let harmonics =
         chart::bars(NARROW, &order, &Axis { what: "amplitude", unit: &output.unit }, &output.harmonics);
@@ -284,7 +298,10 @@ fn plot(output: &Output, x: &Axis<'_>, places: &[f64], marks: &[(f64, String)]) 
             h3 { code { (output.name) } @if !output.unit.is_empty() { small { " [" (output.unit) "]" } } }
             @for paragraph in paragraphs(&output.doc) { p { (prose(&paragraph)) } }
             (accuracy::of_output(output))
-            @if !is_rounding {
+            @if constant {
+                p { b { (number(output.statistics.max)) " " (output.unit) } @if places.len() > 1 { " at all positions." } }
+            }
+            @if !course.is_empty() {
                 @if course.band_is_cut { p.note { "The band is wider than the plot: what the curve does is within what it may be off by." } }
                 div.side {
                     div.wide { (described(&course.svg, &name)) }

@@ -200,6 +200,29 @@ fn what_is_sure_at_its_largest_has_an_error_in_the_mean() {
     }
 }
 
+/// One position has no course, and neither has what never changes.
+#[test]
+fn what_has_no_course_has_no_plot() {
+    let mut run = run_json();
+    run["outputs"]["te"]["peak_to_peak"] = json!(0.0);
+    run["outputs"]["te"]["min"] = json!(3e-6);
+    run["doc"] = json!("A pair of `pair.cx`.");
+    let directory = directory(&run);
+    let page = text(directory.path());
+    assert!(
+        page.contains("<p><b>3 urad</b> at all positions.</p>") && !page.contains("te in urad"),
+        "{page}"
+    );
+    assert!(
+        page.contains("<h1>A pair of <code>pair.cx</code></h1>")
+            && page.contains("<title>A pair of pair.cx</title>")
+    );
+    fs::write(directory.path().join("steps.csv"), "step,time,cycle,roll_angle,point,te\n0,0,0,0,,0.000003\n")
+        .unwrap();
+    let page = text(directory.path());
+    assert!(page.contains("<h2>One by one</h2>") && page.contains("<p><b>3 urad</b></p>"), "{page}");
+}
+
 /// Titles are a sentence; names between backticks are code; short times are told in short units.
 #[test]
 fn sentences_code_and_times_are_as_people_write_them() {
