@@ -187,7 +187,8 @@ fn along_face(rows: &[&Loaded], units: Units) -> Plot {
         return Plot::default();
     };
     // Slices of other positions lie elsewhere: between their middles loads go straight.
-    let mut lines: BTreeMap<(usize, [u32; 2]), Vec<(f64, f64)>> = BTreeMap::new();
+    type Points = Vec<(f64, f64)>;
+    let mut lines: BTreeMap<(usize, [u32; 2]), Points> = BTreeMap::new();
     for row in rows {
         let Some(axial) = row.axial else { continue };
         let line = lines.entry((row.step, [row.first_tooth, row.second_tooth])).or_default();
