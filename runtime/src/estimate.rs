@@ -56,6 +56,9 @@ impl Estimates {
     }
 }
 
+/// Of fewer positions nothing is known between them.
+const FEWEST: usize = 3;
+
 /// What causes an error.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
@@ -224,6 +227,9 @@ pub(crate) fn attach(
         let closed = summary::is_closed(rows, request, observables);
         let known = known[usize::from(closed)];
         let between = match (&course, Course::of(known)) {
+            (Some(_), Some(_)) if known.len() < FEWEST => {
+                Err("between two positions none could be solved to see what lies there".to_owned())
+            }
             (Some(course), Some(finer)) => {
                 Ok(course.errors(&ends(rows, index), (&finer, &ends(known, index)), closed))
             }

@@ -18,11 +18,11 @@ use calyx_runtime::scene::{Body, BodyId, Component, Fidelity, PairId, Scene, Str
 const TORQUE: f64 = 200.0;
 const SPEED: f64 = 10.0;
 const FACE: f64 = 30e-3;
-const MESH: PairId = PairId(0);
-const BODIES: [BodyId; 2] = [BodyId(0), BodyId(1)];
+pub const MESH: PairId = PairId(0);
+pub const BODIES: [BodyId; 2] = [BodyId(0), BodyId(1)];
 
 /// Twice 20 teeth of transverse module 4 mm, of both hands if they are helical; the first is free to turn and drives.
-fn scene(helix_angle: f64) -> Scene {
+pub fn scene(helix_angle: f64) -> Scene {
     let module = 4e-3;
     let rack = Rack::new(module, 20.0_f64.to_radians(), 0.3 * module).expect("a rack");
     let gear = |hand| {

@@ -4,26 +4,36 @@
 //! either side alone: so neither a smooth maximum between positions is missed, nor one where slopes jump, as where a pair of teeth takes up
 //! load. Where loads of rigid teeth jump, positions stand on both sides, and nothing is continued across.
 //!
-//! Continuations miss what begins and ends inside an interval. So the middles of a few intervals, beside the extremes and where continuations rise
-//! above them, are solved as well ([`Course::promising`]): what they show is measured, and continuations begin from there.
+//! Continuations miss what begins and ends inside an interval. That there is such a thing they tell by missing the position at the other end. So a few
+//! intervals are divided ([`most_promising`]), those where an extreme may be and something is hidden; beside a position with a name close to it, where
+//! pairs of teeth take up load within a small part of the cycle. What this shows is measured, and continuations begin from there. How far they still miss
+//! positions is what they may leave out.
 
 use super::{Ends, Statistics};
 use crate::analysis::Position;
 use crate::results::StepRow;
 use std::borrow::Cow;
+use std::collections::BTreeMap;
 
 /// Named positions nearer to each other than this part of a cycle stand on both sides of a jump.
 const BESIDE: f64 = 1e-5;
 /// Positions nearer to each other than this part of the interval that they are continued into do not make a parabola: what little they differ by would
 /// be carried too far.
-const APART: f64 = 0.6;
-/// A jump anywhere in an interval is off the chord by this part of itself, on average.
-const JUMP: f64 = 0.25;
+const APART: f64 = 0.3;
 /// Places inside an interval that are looked at.
 const PLACES: usize = 16;
-
-/// Intervals shorter than this part of an average one are not halved.
-const SHORTEST: f64 = 0.2;
+/// Intervals shorter than this part of an average one of the analysis are not divided.
+const SHORTEST: f64 = 0.02;
+/// Where an interval with a name at one end is divided, from there.
+const BESIDE_NAMES: f64 = 0.25;
+/// How much of what is hidden in an interval an extreme may gain by it, of peak to peak, while intervals are chosen.
+const HIDDEN: f64 = 0.25;
+/// The same of what continuations still miss at the end: in an interval, of the extreme by how far they usually miss, and of the mean over an interval.
+const MISSED: f64 = 0.03;
+const USUALLY_MISSED: f64 = 0.35;
+const MISSED_MEAN: f64 = 0.15;
+/// Outputs that change by no more than this part of their magnitude choose no intervals.
+const CHANGING: f64 = 1e-3;
 
 /// Where the positions are.
 pub(crate) struct Course {
@@ -33,6 +43,19 @@ pub(crate) struct Course {
     period: f64,
     /// Whether nothing is continued from a position to the next.
     breaks: Vec<bool>,
+    /// Whether a position has a name.
+    named: Vec<bool>,
+}
+
+/// What continuations say of an interval, of the largest value there.
+#[derive(Clone, Copy, Debug)]
+struct Look {
+    /// At its ends.
+    end: f64,
+    /// That both continuations reach, or its ends.
+    crest: f64,
+    /// By how much the better continuation misses the position at its other end.
+    missed: f64,
 }
 
 impl Course {
@@ -44,13 +67,13 @@ impl Course {
         if at.len() < 2 || !at.windows(2).all(|pair| pair[1] > pair[0]) {
             return None;
         }
-        let named = |index: usize| !rows[index % rows.len()].position.name.is_empty();
-        let mut course = Course { at, period: 1.0, breaks: Vec::new() };
-        course.breaks = (0..rows.len())
-            .map(|i| {
-                cyclic && named(i) && named(i + 1) && course.place(i as isize + 1) - course.at[i] < BESIDE
-            })
-            .collect();
+        let named: Vec<bool> = positions().map(|position| !position.name.is_empty()).collect();
+        let mut course = Course { at, period: 1.0, breaks: Vec::new(), named };
+        let is_break = |i: usize| {
+            let both = course.named[i] && course.named[(i + 1) % rows.len()];
+            cyclic && both && course.place(i as isize + 1) - course.at[i] < BESIDE
+        };
+        course.breaks = (0..rows.len()).map(is_break).collect();
         Some(course)
     }
 
@@ -82,6 +105,11 @@ impl Course {
         stencil
     }
 
+    /// The length of an interval, on average.
+    pub(crate) fn average(&self) -> f64 {
+        self.span(false) / (self.at.len() - 1) as f64
+    }
+
     fn span(&self, closed: bool) -> f64 {
         if closed { self.period } else { self.at[self.at.len() - 1] - self.at[0] }
     }
@@ -92,19 +120,20 @@ impl Course {
         (0..if closed { count } else { count - 1 }).filter(|&interval| !self.breaks[interval as usize])
     }
 
-    /// What continues a course into an interval from the left and from the right.
-    fn stencils(&self, interval: isize, closed: bool) -> [Vec<isize>; 2] {
+    /// What continues a course into an interval from the left and from the right, and which of them by itself.
+    fn stencils(&self, interval: isize, closed: bool) -> ([Vec<isize>; 2], [bool; 2]) {
         let length = self.place(interval + 1) - self.place(interval);
         let mut stencils =
             [self.stencil(interval, -1, length, closed), self.stencil(interval + 1, 1, length, closed)];
+        let alone = [0, 1].map(|side: usize| stencils[side].len() > 1);
         // A single position beside a jump or an end continues nothing: it is met from the other side.
         for side in 0..2 {
-            if stencils[side].len() < 2 {
+            if !alone[side] {
                 let others = stencils[1 - side].iter().take(2).copied().collect::<Vec<_>>();
                 stencils[side].extend(others);
             }
         }
-        stencils
+        (stencils, alone)
     }
 
     /// Both continuations at a place inside an interval.
@@ -115,129 +144,170 @@ impl Course {
         })
     }
 
-    /// What the positions, and what lies between them, come to.
-    fn seen(&self, ends: &[Ends], closed: bool) -> Seen {
-        let count = self.at.len() as isize;
-        let at = |index: isize| &ends[index.rem_euclid(count) as usize];
-        let mut seen = Seen {
-            most: ends.iter().map(|end| end.high).fold(f64::NEG_INFINITY, f64::max),
-            least: ends.iter().map(|end| end.low).fold(f64::INFINITY, f64::min),
-            ..Seen::default()
-        };
-        (seen.above, seen.below) = (seen.most, seen.least);
-        let intervals = if closed { count } else { count - 1 };
-        for interval in 0..intervals {
+    /// What continuations say of the largest value in an interval.
+    fn look(&self, interval: isize, of: impl Fn(isize) -> f64, closed: bool) -> Look {
+        let (stencils, alone) = self.stencils(interval, closed);
+        let [from, to] = [self.place(interval), self.place(interval + 1)];
+        let [start, stop] = [of(interval), of(interval + 1)];
+        let end = start.max(stop);
+        let crest = (1..=PLACES).map(|place| {
+            let x = from + (place as f64 - 0.5) / PLACES as f64 * (to - from);
+            let [left, right] = self.continued(&stencils, &of, x);
+            left.min(right)
+        });
+        let crest = crest.fold(end, f64::max);
+        let [_, by_right] = self.continued(&stencils, &of, from);
+        let [by_left, _] = self.continued(&stencils, &of, to);
+        let missed = [(alone[0], by_left - stop), (alone[1], by_right - start)];
+        let missed = missed.into_iter().filter(|(alone, _)| *alone).map(|(_, missed)| missed.abs());
+        let missed = missed.fold(f64::INFINITY, f64::min);
+        Look { end, crest, missed: if missed.is_finite() { missed } else { 0.0 } }
+    }
+
+    /// How far above the largest value at the positions it may be between them.
+    fn above(&self, values: &[f64], closed: bool) -> f64 {
+        let count = values.len() as isize;
+        let of = |index: isize| values[index.rem_euclid(count) as usize];
+        let looks: Vec<Look> = self.intervals(closed).map(|i| self.look(i, of, closed)).collect();
+        let most = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let mut missed: Vec<f64> = looks.iter().map(|look| look.missed).collect();
+        missed.sort_unstable_by(f64::total_cmp);
+        let usual = missed.get(missed.len() / 2).map_or(0.0, |missed| USUALLY_MISSED * missed);
+        let of_look = |look: &Look| look.crest.max(look.end + MISSED * look.missed);
+        looks.iter().map(of_look).fold(most + usual, f64::max)
+    }
+
+    /// The area below the chords from position to position.
+    fn chords(&self, values: &[f64], closed: bool) -> f64 {
+        let count = values.len() as isize;
+        let of = |index: isize| values[index.rem_euclid(count) as usize];
+        let all = 0..if closed { count } else { count - 1 };
+        all.map(|i| 0.5 * (of(i) + of(i + 1)) * (self.place(i + 1) - self.place(i))).sum()
+    }
+
+    /// The area between chords and continuations.
+    fn area(&self, values: &[f64], closed: bool) -> f64 {
+        let count = values.len() as isize;
+        let of = |index: isize| values[index.rem_euclid(count) as usize];
+        let mut area = 0.0;
+        for interval in self.intervals(closed) {
             let [from, to] = [self.place(interval), self.place(interval + 1)];
-            let [start, end] = [interval, interval + 1].map(|i| at(i).value);
-            seen.chords += 0.5 * (start + end) * (to - from);
-            if self.breaks[interval as usize] {
-                continue;
-            }
-            let stencils = self.stencils(interval, closed);
+            let (stencils, _) = self.stencils(interval, closed);
             for place in 1..=PLACES {
                 let part = (place as f64 - 0.5) / PLACES as f64;
-                let x = from + part * (to - from);
-                let [left, right] = self.continued(&stencils, |i| at(i).high, x);
-                seen.above = seen.above.max(left.min(right));
-                let [left, right] = self.continued(&stencils, |i| at(i).low, x);
-                seen.below = seen.below.min(left.max(right));
-                let [left, right] = self.continued(&stencils, |i| at(i).value, x);
-                let chord = start + part * (end - start);
-                let share = (to - from) / PLACES as f64;
+                let [left, right] = self.continued(&stencils, of, from + part * (to - from));
+                let chord = of(interval) + part * (of(interval + 1) - of(interval));
                 // Where slopes jump the course is the lower of both continuations or the upper one, whichever is nearer to the chord.
-                seen.area += common_to(left - chord, right - chord) * share;
-                if (left - chord) * (right - chord) < 0.0 {
-                    seen.doubt += JUMP * (left - right).abs().min((end - start).abs()) * share;
-                }
+                area += common_to(left - chord, right - chord) * (to - from) / PLACES as f64;
             }
         }
-        seen
+        area
+    }
+
+    /// The area that continuations may miss: in some intervals it is above them and in others below.
+    fn missed_area(&self, values: &[f64], closed: bool) -> f64 {
+        let count = values.len() as isize;
+        let of = |index: isize| values[index.rem_euclid(count) as usize];
+        let most = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let least = values.iter().copied().fold(f64::INFINITY, f64::min);
+        let missed = |interval: isize| {
+            let missed = self.look(interval, of, closed).missed.min(most - least);
+            missed * (self.place(interval + 1) - self.place(interval))
+        };
+        self.intervals(closed).map(|interval| missed(interval).powi(2)).sum::<f64>().sqrt()
     }
 
     /// How far what lies between positions is from what they say themselves. `known` is the course of the positions and of others between
     /// them, with its values.
     pub(crate) fn errors(&self, ends: &[Ends], known: (&Course, &[Ends]), closed: bool) -> Statistics {
-        let own = self.seen(ends, closed);
-        let seen = known.0.seen(known.1, closed);
-        let [above, below] = [seen.above - own.most, own.least - seen.below];
-        let mean = ((seen.chords + seen.area - own.chords).abs() + seen.doubt) / self.span(closed);
+        let beyond = |of: &dyn Fn(&Ends) -> f64| {
+            let most = ends.iter().map(of).fold(f64::NEG_INFINITY, f64::max);
+            known.0.above(&known.1.iter().map(of).collect::<Vec<_>>(), closed) - most
+        };
+        let [above, below] = [beyond(&|end| end.high), beyond(&|end| -end.low)];
+        let [own, more] = [ends, known.1].map(|ends| ends.iter().map(|end| end.value).collect::<Vec<_>>());
+        let course = known.0;
+        let beside = course.chords(&more, closed) + course.area(&more, closed) - self.chords(&own, closed);
+        let missed = MISSED_MEAN * course.missed_area(&more, closed);
+        let mean = beside.hypot(missed) / self.span(closed);
         Statistics { min: below, max: above, mean, peak_to_peak: above + below }
     }
+}
 
-    /// The intervals whose middles are most worth knowing for the largest value of an output and for its least: beside the extreme, or where
-    /// continuations rise above it. That of the extreme of larger magnitude comes first.
-    pub(crate) fn promising(&self, ends: &[Ends], closed: bool) -> Vec<usize> {
+/// An output as far as it is known.
+pub(crate) struct Known<'a> {
+    pub course: &'a Course,
+    pub ends: Vec<Ends>,
+    pub closed: bool,
+}
+
+/// The intervals that are most worth dividing for the extremes of all outputs, the most promising first; none shorter than a small part of `average`, the
+/// length of an interval of the analysis.
+///
+/// An interval promises an output as much as its extreme may rise there, of peak to peak: by continuations, and by what they miss in any output, for what
+/// one of them shows hides others as well, such as a pair that takes up load.
+pub(crate) fn most_promising(all: &[Known<'_>], average: f64) -> Vec<usize> {
+    // By output and sign: the extreme, peak to peak, and what is seen of every interval.
+    let mut looks = Vec::new();
+    for Known { course, ends, closed } in all {
         if !ends.iter().all(|end| (end.low + end.high).is_finite()) {
-            return Vec::new();
+            continue;
         }
-        let highest = |of: &dyn Fn(&Ends) -> f64| {
-            let extreme = (0..ends.len()).max_by(|&a, &b| of(&ends[a]).total_cmp(&of(&ends[b])))?;
-            Some((of(&ends[extreme]), self.most_promising(extreme, |i| of(&ends[i]), closed)))
-        };
-        let mut both = [highest(&|end| end.high), highest(&|end| -end.low)];
-        let magnitude = |one: &Option<(f64, _)>| one.as_ref().map_or(0.0, |(value, _)| value.abs());
-        if magnitude(&both[1]) > magnitude(&both[0]) {
-            both.reverse();
+        let high: Vec<f64> = ends.iter().map(|end| end.high).collect();
+        let low: Vec<f64> = ends.iter().map(|end| -end.low).collect();
+        let [most, least] =
+            [&high, &low].map(|values| values.iter().copied().fold(f64::NEG_INFINITY, f64::max));
+        let (spread, magnitude) = (most + least, most.abs().max(least.abs()));
+        if spread <= CHANGING * magnitude {
+            continue;
         }
-        both.into_iter().flatten().filter_map(|(_, interval)| interval).collect()
+        for (values, most) in [(&high, most), (&low, least)] {
+            let of = |index: isize| values[index.rem_euclid(values.len() as isize) as usize];
+            let long = |&i: &isize| course.place(i + 1) - course.place(i) > SHORTEST * average;
+            let own = course.intervals(*closed).filter(long);
+            let own: Vec<(usize, Look)> = own.map(|i| (i as usize, course.look(i, of, *closed))).collect();
+            looks.push((most, spread, own));
+        }
     }
-
-    /// The interval in which the largest value is continued highest, of those beside it and those where that is above it.
-    fn most_promising(&self, extreme: usize, of: impl Fn(usize) -> f64, closed: bool) -> Option<usize> {
-        let count = self.at.len() as isize;
-        let of = |index: isize| of(index.rem_euclid(count) as usize);
-        let (most, extreme) = (of(extreme as isize), extreme as isize);
-        let shortest = SHORTEST * self.span(closed) / count as f64;
-        let score = |interval: isize| {
-            let stencils = self.stencils(interval, closed);
-            let [from, to] = [self.place(interval), self.place(interval + 1)];
-            let highest = (1..=PLACES).map(|place| {
-                let x = from + (place as f64 - 0.5) / PLACES as f64 * (to - from);
-                let [left, right] = self.continued(&stencils, of, x);
-                left.min(right)
-            });
-            highest.fold(f64::NEG_INFINITY, f64::max)
-        };
-        let is_beside = |interval: isize| interval == extreme || (interval + 1).rem_euclid(count) == extreme;
-        let long = self.intervals(closed).filter(|&i| self.place(i + 1) - self.place(i) > shortest);
-        long.map(|interval| (interval, score(interval)))
-            .filter(|&(interval, score)| is_beside(interval) || score > most)
-            .max_by(|a, b| a.1.total_cmp(&b.1))
-            .map(|(interval, _)| interval as usize)
+    let mut hidden: BTreeMap<usize, f64> = BTreeMap::new();
+    for (_, spread, own) in &looks {
+        for (interval, look) in own {
+            let part = (look.missed / spread).min(1.0);
+            hidden.entry(*interval).and_modify(|most| *most = most.max(part)).or_insert(part);
+        }
     }
+    let mut promises: BTreeMap<usize, f64> = BTreeMap::new();
+    for (most, spread, own) in &looks {
+        for (interval, look) in own {
+            let promise = (look.crest - most) / spread + HIDDEN * hidden[interval];
+            promises.entry(*interval).and_modify(|best| *best = best.max(promise)).or_insert(promise);
+        }
+    }
+    let mut in_order: Vec<(usize, f64)> = promises.into_iter().collect();
+    in_order.sort_by(|a, b| b.1.total_cmp(&a.1));
+    in_order.into_iter().map(|(interval, _)| interval).collect()
 }
 
-/// What positions come to, and what lies between them.
-#[derive(Clone, Copy, Debug, Default)]
-struct Seen {
-    /// At the positions.
-    most: f64,
-    least: f64,
-    /// There and between them.
-    above: f64,
-    below: f64,
-    /// Below the chords from position to position.
-    chords: f64,
-    /// Between them and the continuations.
-    area: f64,
-    /// Of that.
-    doubt: f64,
-}
-
-/// The position in the middle between a row and the next one, round the end of a cycle behind the last.
-pub(crate) fn middle(rows: &[StepRow], interval: usize) -> Position {
+/// Where an interval is divided, that begins with a row, round the end of a cycle if that is the last: in its middle, or close to a row with a name.
+pub(crate) fn divided(rows: &[StepRow], interval: usize) -> Position {
     let (first, last) = (&rows[0].position, &rows[rows.len() - 1].position);
     let one = &rows[interval].position;
+    let named = [one, &rows[(interval + 1) % rows.len()].position].map(|at| !at.name.is_empty());
+    let part = match named {
+        [true, false] => BESIDE_NAMES,
+        [false, true] => 1.0 - BESIDE_NAMES,
+        _ => 0.5,
+    };
     // By what the next one is later: a row, or the first one of the next cycle.
     let later = |of: fn(&Position) -> f64| match rows.get(interval + 1) {
         Some(next) => of(&next.position) - of(one),
         None => (of(last) - of(first)) / (last.cycle - first.cycle) * (first.cycle + 1.0 - last.cycle),
     };
-    let middle = |of: fn(&Position) -> f64| of(one) + 0.5 * later(of);
+    let between = |of: fn(&Position) -> f64| of(one) + part * later(of);
     Position {
-        time: middle(|at| at.time),
-        cycle: middle(|at| at.cycle),
-        roll: middle(|at| at.roll),
+        time: between(|at| at.time),
+        cycle: between(|at| at.cycle),
+        roll: between(|at| at.roll),
         name: Cow::Borrowed(""),
     }
 }

@@ -1,6 +1,6 @@
 //! The same positions with one knob turned.
 
-use super::sampling::{Course, middle};
+use super::sampling::{Course, Known, divided, most_promising};
 use super::{Ends, Estimates, Evidence, Found, Part, Statistics, ends, is_stress, rounding, within};
 use crate::analysis::Position;
 use crate::error::EngineError;
@@ -11,14 +11,16 @@ use crate::scene::{BodyModel, Fidelity, Scene, StructureOptions, SurfacePair};
 use crate::summary::is_closed;
 use crate::system::System;
 use rayon::prelude::*;
+use std::f64::consts::SQRT_2;
 
 /// Elements of a sibling's mesh in the plane along every direction to those of the run.
 const COARSER: f64 = 0.45;
-/// Meshes in the plane up to this refinement are judged by one with so many times the elements along every direction.
+/// Meshes in the plane up to this refinement are judged by one with so many times the elements along every direction, and of this order at least.
 const COARSE: f64 = 0.5;
 const FINER: f64 = 2.0;
-/// What the difference from a finer mesh is multiplied by: between orders one and two.
-const OF_FINER_MESH: f64 = 1.5;
+const FINER_ORDER: usize = 3;
+/// What the difference from a finer mesh is multiplied by: of so much finer a mesh little is left.
+const OF_FINER_MESH: f64 = 1.1;
 /// Order of displacements along the face of a sibling whose model leaves it open: one less than templates have.
 const AXIAL_ORDER: usize = 2;
 /// What the difference from the coarser mesh is multiplied by, of deflections and forces and of stresses: in the plane, where
@@ -36,10 +38,16 @@ const PART_OF_POSITIONS: usize = 4;
 const SPREAD: usize = 4;
 /// Values within this part of peak to peak from an extreme might be it.
 const NEAR: f64 = 0.05;
-/// Of so many positions one between two is solved besides; so many at least.
-const POSITIONS_BETWEEN: (usize, usize) = (2, 6);
+/// An extreme is not better known than this part of what is usual for all samples: that errors of either sign cancel where it is, is chance.
+const USUAL: f64 = 0.5;
+/// Errors at both extremes, or all over the positions, cancel to no less than this part of them in peak to peak and in the mean, as far as is known.
+const OF_SUMS: f64 = 0.2;
+/// For so many positions one between two is solved besides. Few positions are solved again all of them, twice on grids of half the cells, each of which
+/// takes a quarter of the time or less: so estimates take no more than about the run itself. Structures are not counted: they may be kept from an
+/// earlier run.
+const BETWEEN: usize = 2;
 /// In so many rounds, each of which knows what the ones before have found.
-const ROUNDS: usize = 3;
+const ROUNDS: usize = 4;
 
 /// A quasi-static analysis that is done.
 pub(crate) struct Judged<'a, 's> {
@@ -217,30 +225,24 @@ impl Judged<'_, '_> {
         Ok(besides)
     }
 
-    /// All rows, and some between them where extremes may be: the middles of intervals, and again of those that this leaves.
+    /// All rows, and some between them where extremes may be: intervals are divided, and again what this leaves of them.
     fn with_some_between(&self) -> Result<Vec<StepRow>, EngineError> {
-        let closed: Vec<bool> = self
-            .outputs
-            .iter()
-            .map(|output| is_closed(self.rows, output, &self.system.scene.observables))
-            .collect();
+        let Some(average) = Course::of(self.rows).map(|course| course.average()) else {
+            return Ok(self.rows.to_vec());
+        };
+        let is_closed = |output| is_closed(self.rows, output, &self.system.scene.observables);
+        let closed: Vec<bool> = self.outputs.iter().map(is_closed).collect();
         let mut all = self.rows.to_vec();
-        let (part, least) = POSITIONS_BETWEEN;
-        let mut left = self.rows.len().div_ceil(part).max(least);
-        for _ in 0..ROUNDS {
-            let promising = |(output, &closed): (usize, &bool)| {
-                let rows = within(&all, self.rows, closed);
-                Course::of(rows).map_or_else(Vec::new, |course| course.promising(&ends(rows, output), closed))
+        let mut left = self.rows.len().div_ceil(BETWEEN);
+        for round in 0..ROUNDS {
+            let courses = [false, true].map(|closed| Course::of(within(&all, self.rows, closed)));
+            let known = |(output, &closed): (usize, &bool)| {
+                let course = courses[usize::from(closed)].as_ref()?;
+                Some(Known { course, ends: ends(within(&all, self.rows, closed), output), closed })
             };
-            let promising: Vec<Vec<usize>> = closed.iter().enumerate().map(promising).collect();
-            // Of all outputs the extremes of larger magnitude first.
-            let mut wanted = Vec::new();
-            for interval in (0..2).flat_map(|rank| promising.iter().filter_map(move |own| own.get(rank))) {
-                if wanted.len() < left && !wanted.contains(interval) {
-                    wanted.push(*interval);
-                }
-            }
-            let positions: Vec<Position> = wanted.iter().map(|&interval| middle(&all, interval)).collect();
+            let known: Vec<Known<'_>> = closed.iter().enumerate().filter_map(known).collect();
+            let wanted = most_promising(&known, average).into_iter().take(left.div_ceil(ROUNDS - round));
+            let positions: Vec<Position> = wanted.map(|interval| divided(&all, interval)).collect();
             left -= positions.len();
             match part_of(self.solve(self.system, self.plan, &positions))? {
                 Ok(besides) => all.extend(besides.rows),
@@ -297,7 +299,11 @@ impl OtherMesh {
                 OtherMesh { structure, factors: OF_ORDER[structure.order.min(OF_ORDER.len()) - 1] }
             }
             _ if structure.refinement <= COARSE => OtherMesh {
-                structure: StructureOptions { refinement: FINER * structure.refinement, ..structure },
+                structure: StructureOptions {
+                    refinement: FINER * structure.refinement,
+                    order: structure.order.max(FINER_ORDER),
+                    ..structure
+                },
                 factors: [OF_FINER_MESH; 2],
             },
             _ => OtherMesh {
@@ -381,19 +387,32 @@ fn differences(
     let (at_most, at_least) = (near(&|end| most - end.high), near(&|end| end.low - least));
     let high = |sample: usize| one[sample].high - other[sample].high;
     let low = |sample: usize| one[sample].low - other[sample].low;
-    let largest = |values: &mut dyn Iterator<Item = f64>| values.map(f64::abs).fold(0.0, f64::max);
+    let rms = |values: &mut dyn Iterator<Item = f64>| {
+        let (sum, count) = values.fold((0.0, 0), |(sum, count), value: f64| (sum + value * value, count + 1));
+        if count == 0 { 0.0 } else { (sum / f64::from(count)).sqrt() }
+    };
+    let all = || 0..samples.len();
+    let middle = all().map(high).sum::<f64>() / samples.len() as f64;
+    // Of the difference of two samples.
+    let usual_apart = USUAL * SQRT_2 * rms(&mut all().map(|sample| high(sample) - middle));
+    let apart = at_most.iter().flat_map(|&most| at_least.iter().map(move |&least| (most, least)));
+    let min = rms(&mut at_least.iter().map(|&sample| low(sample))).max(USUAL * rms(&mut all().map(low)));
+    let max = rms(&mut at_most.iter().map(|&sample| high(sample))).max(USUAL * rms(&mut all().map(high)));
+    let peak_to_peak = rms(&mut apart.map(|(most, least)| high(most) - low(least))).max(usual_apart);
+    // A single position has no peak to peak.
+    let of_both = if rows.len() > 1 { OF_SUMS * min.max(max) } else { 0.0 };
+    let value = |sample: usize| one[sample].value - other[sample].value;
     let mut mean = 0.0;
     for row in 0..rows.len() {
         // Each row is like the sample nearest to it.
         let nearest =
             between.iter().copied().min_by_key(|&sample| samples[sample].abs_diff(row)).unwrap_or(0);
-        mean += (one[nearest].value - other[nearest].value) / rows.len() as f64;
+        mean += value(nearest) / rows.len() as f64;
     }
-    let apart = at_most.iter().flat_map(|&most| at_least.iter().map(move |&least| (most, least)));
     Statistics {
-        min: largest(&mut at_least.iter().map(|&sample| low(sample))),
-        max: largest(&mut at_most.iter().map(|&sample| high(sample))),
-        mean: mean.abs(),
-        peak_to_peak: largest(&mut apart.map(|(most, least)| high(most) - low(least))),
+        min,
+        max,
+        mean: mean.abs().max(OF_SUMS * rms(&mut all().map(value))),
+        peak_to_peak: peak_to_peak.max(of_both),
     }
 }

@@ -69,36 +69,61 @@ fn an_extreme_where_slopes_jump_is_seen() {
     }
 }
 
-/// Load is taken up inside an interval and goes over into something flat before the next position: continuations see nothing of it, the middle of the
-/// interval does.
-#[test]
-fn what_begins_and_ends_between_positions_is_measured() {
-    let taken_up = |x: f64| ((x - 0.31) / 0.01).max(0.0);
-    let course = |x: f64| 1.0 + 0.5 * x.min(0.62 - x) + 0.3 * taken_up(x) * (-taken_up(x)).exp();
-    let found = rows(&uniform(20), course);
+/// What positions say of a course, and what they do with so many more, each in the most promising interval: of the truth beyond the former.
+fn measured(at: &[(f64, &'static str)], more: usize, course: impl Fn(f64) -> f64 + Copy) -> [f64; 2] {
+    let found = rows(at, course);
     let largest = (0..100_000).map(|k| course(k as f64 / 1e5)).fold(f64::NEG_INFINITY, f64::max);
     let own = Course::of(&found).expect("it goes somewhere");
     let values = ends(&found, 0);
     let most = values.iter().map(|end| end.high).fold(f64::NEG_INFINITY, f64::max);
-    let missed = own.errors(&values, (&own, &values), true).max / (largest - most);
-    assert!(missed < 0.5, "{missed}");
     let mut all = found.clone();
-    for _ in 0..2 {
-        let promising = Course::of(&all).expect("it goes somewhere").promising(&ends(&all, 0), true);
-        let place = sampling::middle(&all, promising[0]).cycle;
+    for _ in 0..more {
+        let course_of = Course::of(&all).expect("it goes somewhere");
+        let known = [sampling::Known { course: &course_of, ends: ends(&all, 0), closed: true }];
+        let promising = sampling::most_promising(&known, own.average());
+        let place = sampling::divided(&all, promising[0]).cycle;
         all.extend(rows(&[(place, "")], course));
         all.sort_by(|a, b| a.position.cycle.total_cmp(&b.position.cycle));
     }
     let finer = Course::of(&all).expect("it goes somewhere");
-    let effectivity = own.errors(&values, (&finer, &ends(&all, 0)), true).max / (largest - most);
+    [own.errors(&values, (&own, &values), true), own.errors(&values, (&finer, &ends(&all, 0)), true)]
+        .map(|errors| errors.max / (largest - most))
+}
+
+/// Load is taken up inside an interval and goes over into something flat before the next position: continuations see little of it, positions inside the
+/// interval do.
+#[test]
+fn what_begins_and_ends_between_positions_is_measured() {
+    let taken_up = |x: f64| ((x - 0.31) / 0.01).max(0.0);
+    let wave = |x: f64| 1.0 + 0.2 * (TAU * (x - 0.31)).cos();
+    let course = |x: f64| wave(x) + 0.3 * taken_up(x) * (-taken_up(x)).exp();
+    let [missed, effectivity] = measured(&uniform(20), 4, course);
+    assert!(missed < 0.5, "{missed}");
     assert!((0.8..1.5).contains(&effectivity), "{effectivity}");
+}
+
+/// Close behind a position with a name a pair takes up load, and what others bear falls as quickly: the middle of the interval is far too late for it.
+#[test]
+fn what_happens_close_to_a_name_is_measured() {
+    for width in [0.01, 0.02, 0.03] {
+        let bump = |x: f64| {
+            let passed = x / width;
+            if passed < 1.0 { passed } else { 0.8 }
+        };
+        let course = |x: f64| 1.0 + 0.1 * bump(x) + 0.05 * (TAU * x).sin();
+        let mut at = uniform(10);
+        at[0] = (1e-6, "A");
+        at.push((1.0 - 1e-6, "B"));
+        let [_, effectivity] = measured(&at, 5, course);
+        assert!((0.5..2.0).contains(&effectivity), "{width}: {effectivity}");
+    }
 }
 
 /// Behind the last position a closed course goes on with the next cycle's first.
 #[test]
 fn a_cycle_is_halved_round_its_end() {
     let found = rows(&uniform(4), |_| 1.0);
-    let middle = sampling::middle(&found, 3);
+    let middle = sampling::divided(&found, 3);
     assert_eq!((middle.cycle, middle.time), (0.875, 2.75));
     assert!((middle.roll - 1.175).abs() < 1e-15);
 }
