@@ -14,20 +14,24 @@ struct Source {
     option: Option<&'static str>,
     /// Which stage of the run takes how many times as long; none where it is not a stage of this run.
     cost: Option<(&'static str, f64)>,
+    /// Whether it is that of motions in time alone, or of none; either where nothing is said.
+    in_time: Option<bool>,
 }
 
 /// What a level of modelling leaves out, and what its mesh does not resolve, in `run.json`.
 const LEVEL: &str = "level";
 const MESH: &str = "discretization";
+const TIME_STEP: &str = "time_step";
 
 /// Orders are those of the estimates (`calyx_runtime::estimate`); what they cost is measured (`docs/accuracy.md`), to a factor of two.
-const SOURCES: [Source; 5] = [
+const SOURCES: [Source; 6] = [
     Source {
         name: MESH,
         shown: "mesh",
         remedy: "1.5 times the elements along every direction, or the fidelity above",
         option: Some("--refinement"),
         cost: Some(("structures", 2.0)),
+        in_time: None,
     },
     Source {
         name: "contact_grid",
@@ -35,6 +39,7 @@ const SOURCES: [Source; 5] = [
         remedy: "1.5 times the contact cells",
         option: Some("--cells"),
         cost: Some(("positions", 2.0)),
+        in_time: None,
     },
     Source {
         name: "positions",
@@ -42,6 +47,15 @@ const SOURCES: [Source; 5] = [
         remedy: "1.4 times as many positions: what lies between them falls with their square",
         option: None,
         cost: Some(("positions", 1.4)),
+        in_time: Some(false),
+    },
+    Source {
+        name: "positions",
+        shown: "steps kept",
+        remedy: "1.4 times as many of the steps kept, and where all are, steps 0.7 times as long",
+        option: None,
+        cost: Some(("positions", 1.0)),
+        in_time: Some(true),
     },
     Source {
         name: LEVEL,
@@ -49,15 +63,27 @@ const SOURCES: [Source; 5] = [
         remedy: "the fidelity above",
         option: Some("--fidelity"),
         cost: None,
+        in_time: None,
     },
     Source {
-        name: "time_step",
+        name: TIME_STEP,
         shown: "time step",
         remedy: "0.7 of the time step: its error falls with the square",
         option: None,
         cost: Some(("positions", 1.4)),
+        in_time: None,
     },
 ];
+
+impl Source {
+    /// What a part of an output's error comes from.
+    fn of(name: &str, output: &Output) -> Option<&'static Source> {
+        let estimate = output.error.as_ref()?;
+        let in_time = estimate.parts.iter().any(|(part, _)| part == TIME_STEP)
+            || estimate.not_estimated.iter().any(|(part, _)| part == TIME_STEP);
+        SOURCES.iter().find(|source| source.name == name && source.in_time.is_none_or(|only| only == in_time))
+    }
+}
 
 /// What makes up less than this part of an error is not worth halving.
 const WORTH: f64 = 0.8;
@@ -77,16 +103,21 @@ fn is_sure(output: &Output) -> bool {
 
 /// How far the value of largest magnitude may be off.
 pub fn of_largest(output: &Output, estimate: &Estimate) -> String {
-    error(if is_sure(output) { 0.0 } else { output.of_largest(&estimate.total) })
+    off_by(output, output.of_largest(&estimate.total))
+}
+
+/// An error of an output, without those of its last digits.
+fn off_by(output: &Output, off: f64) -> String {
+    error(if off.abs() <= DIGITS * output.statistics.magnitude() { 0.0 } else { off })
 }
 
 /// The parts of what an output may be off by that are known, the largest first.
 fn by_weight(output: &Output) -> Vec<(&'static Source, f64)> {
     let estimate = output.error.as_ref().filter(|estimate| !estimate.is_rounding);
     let parts = estimate.into_iter().flat_map(|estimate| &estimate.parts);
-    let source = |name: &str| SOURCES.iter().find(|source| source.name == name);
-    let mut all: Vec<(&Source, f64)> =
-        parts.filter_map(|(name, part)| Some((source(name)?, relative(part, output)))).collect();
+    let part =
+        |(name, part): &(String, Statistics)| Some((Source::of(name, output)?, relative(part, output)));
+    let mut all: Vec<(&Source, f64)> = parts.filter_map(part).collect();
     all.sort_by(|one, other| other.1.total_cmp(&one.1));
     all
 }
@@ -123,10 +154,11 @@ fn taking(sources: &[&Source]) -> (Vec<(&'static str, f64)>, bool) {
 /// What halving takes, in words.
 fn cost(sources: &[&Source]) -> String {
     let (stages, other_level) = taking(sources);
-    let mut words: Vec<String> = stages
-        .iter()
-        .map(|(stage, times)| format!("{stage} take {} times as long", number(*times)))
-        .collect();
+    let longer = |(stage, times): &(&str, f64)| match *times == 1.0 {
+        true => "hardly longer".to_owned(),
+        false => format!("{stage} take {} times as long", number(*times)),
+    };
+    let mut words: Vec<String> = stages.iter().map(longer).collect();
     if other_level {
         words.push("the fidelity above".into());
     }
@@ -147,7 +179,8 @@ pub fn of_output(output: &Output) -> Markup {
     }
     let sources = to_halve(output);
     // Neither sign nor unit stands on another line than the number.
-    let with_unit = |off: f64| format!("{} {}", error(off), output.unit).trim_end().replace(' ', "\u{a0}");
+    let with_unit =
+        |off: f64| format!("{} {}", off_by(output, off), output.unit).trim_end().replace(' ', "\u{a0}");
     let Statistics { min, max, mean, .. } = estimate.total;
     let other = if output.of_largest(&estimate.total) == max { ("least", min) } else { ("largest", max) };
     html! {
@@ -247,8 +280,12 @@ pub fn section(run: &Run) -> Markup {
 
 /// Those that any of the outputs has a part of.
 fn sources(outputs: &[&Output]) -> Vec<&'static Source> {
-    let parts = || outputs.iter().flat_map(|output| &output.error).flat_map(|error| &error.parts);
-    SOURCES.iter().filter(|source| parts().any(|(name, _)| name == source.name)).collect()
+    let of = |output: &&Output| -> Vec<&'static str> {
+        let parts = output.error.iter().flat_map(|error| &error.parts);
+        parts.filter_map(|(name, _)| Some(Source::of(name, output)?.shown)).collect()
+    };
+    let shown: Vec<&str> = outputs.iter().flat_map(of).collect();
+    SOURCES.iter().filter(|source| shown.contains(&source.shown)).collect()
 }
 
 fn table(outputs: &[&Output]) -> Markup {
@@ -262,7 +299,8 @@ fn table(outputs: &[&Output]) -> Markup {
             Some(part) if most => b { (part) },
             Some(part) => (part),
             None => "–",
-        } }
+        }
+        @if part.is_some() && is_sure(output) { small { " of the mean" } } }
     };
     html! {
         p { "How far the value of largest magnitude of each output may be off, in all and by what that comes from; then its mean and its peak to peak. What weighs most is bold. The parts add up: about half is left when all those are halved that the last column names." }
@@ -280,8 +318,8 @@ fn table(outputs: &[&Output]) -> Markup {
                     td.main { (of_largest(output, estimate)) }
                     td.main { (part_of_value(estimate)) }
                     @for source in &sources { td { (shown(estimate, output, source)) } }
-                    td { @match estimate.total.mean { Some(mean) => (error(mean)), None => "–" } }
-                    td { (error(estimate.total.peak_to_peak)) }
+                    td { @match estimate.total.mean { Some(mean) => (off_by(output, mean)), None => "–" } }
+                    td { (off_by(output, estimate.total.peak_to_peak)) }
                     td.word { (names(&to_halve(output))) }
                 }
             } } }
@@ -305,6 +343,7 @@ fn halving(outputs: &[&Output]) -> Markup {
                     th scope="row" { (source.shown) }
                     td.word { (source.remedy) } td { @if let Some(option) = source.option { code.option { (option) } } }
                     td.word { @match source.cost {
+                        Some((_, 1.0)) => "hardly longer",
                         Some((stage, times)) => { (number(times)) " times as long for the " (stage) },
                         None => { "what " code { "calyx explain --fidelity" } " predicts" },
                     } }
@@ -319,7 +358,7 @@ fn halving(outputs: &[&Output]) -> Markup {
 fn not_estimated(run: &Run, outputs: &[&Output]) -> Markup {
     let all = || outputs.iter().flat_map(|output| &output.error).flat_map(|error| &error.not_estimated);
     let mut missing: Vec<(&Source, &str)> = Vec::new();
-    for source in &SOURCES {
+    for source in SOURCES.iter().filter(|source| source.in_time != Some(true)) {
         for (_, reason) in all().filter(|(name, _)| name == source.name) {
             if !missing.iter().any(|(known, why)| known.name == source.name && why == reason) {
                 missing.push((source, reason));

@@ -193,11 +193,34 @@ fn what_is_sure_at_its_largest_has_an_error_in_the_mean() {
     let page = text(directory(&run).path());
     for said in [
         "The value of largest magnitude is sure, by ± 0.02 urad where it is least, in the mean by ± 0.03 urad.",
+        "0.83 %</b><small> of the mean</small>",
         "The mean's error comes of mesh 0.83 %, positions 0.17 %. <a href=\"#accuracy\">To halve it</a>: mesh (structures take 2 times as long).",
         "<td class=\"main\">± 0</td><td class=\"main\">0 %</td>",
     ] {
         assert!(page.contains(said), "{said}\n{page}");
     }
+}
+
+/// In time what lies between rows is known: it takes keeping more of the steps, and next to nothing.
+#[test]
+fn between_kept_steps_all_is_known() {
+    let mut run = run_json();
+    let of = |x: f64| json!({ "min": x, "max": x, "mean": x, "peak_to_peak": x });
+    let mut estimate = of(6e-8);
+    estimate["relative"] = json!(0.02);
+    estimate["parts"] = json!({ "positions": of(5.5e-8), "time_step": of(5e-9) });
+    estimate["not_estimated"] = json!([]);
+    run["outputs"]["te"]["error_estimate"] = estimate;
+    let page = text(directory(&run).path());
+    for said in [
+        "To halve it</a>: steps kept (hardly longer).",
+        "1.4 times as many of the steps kept",
+        "<td class=\"word\">hardly longer</td>",
+        "about <b>2 s</b>, now 2 s",
+    ] {
+        assert!(page.contains(said), "{said}\n{page}");
+    }
+    assert!(!page.contains("1.4 times as many positions"));
 }
 
 /// One position has no course, and neither has what never changes.
