@@ -8,7 +8,7 @@ use std::f64::consts::TAU;
 pub struct SurfacePair {
     /// The two bodies.
     pub bodies: [BodyId; 2],
-    /// Index of the surface of each, as its [`Structure`] counts them.
+    /// Index of the surface of each, as its [`Structure`](crate::structure::Structure) counts them.
     pub surfaces: [u32; 2],
     /// How contact between them is discretised.
     pub grid: GridOptions,
