@@ -32,7 +32,7 @@ output pressure := gears.max_contact_pressure(mesh);
 output stress := gears.max_root_stress(one);
 ";
 
-const STATICS: &str = "analyze(\"quasi_static\", over = gears.mesh_cycle(mesh, 12));";
+const STATICS: &str = "analyze(\"quasi_static\", over = gears.mesh_cycle(mesh, 24));";
 
 const DYNAMICS: &str = "gears.spectrum(\"te\");
 analyze(\"dynamic\", over = gears.time_ranges([gears.time_range(2 ms, step = 10 us)]));";

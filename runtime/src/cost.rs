@@ -3,8 +3,8 @@
 //! Two kinds of work take the time. Condensing structures is products of dense matrices; contact and the near field are evaluations of
 //! elementary functions. How fast a machine does each is measured once, in a fraction of a second ([`Rates`]); how much of each there is follows
 //! from the plan ([`structure`], [`positions`]). The constants are counts, fitted to runs of examples on one machine (`docs/accuracy.md`), which they
-//! give back within a third; how far off they are elsewhere nothing measures but `calyx tradeoff`, which prints predicted beside measured times. A
-//! prediction is for telling seconds from minutes.
+//! give back within a third, but for contact of twisted flanks, which takes half to twice as long as is told. How far off they are elsewhere nothing
+//! measures but `calyx tradeoff`, which prints predicted beside measured times. A prediction is for telling seconds from minutes.
 
 use crate::dense::product;
 use crate::structure::StructureSize;
