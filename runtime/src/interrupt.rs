@@ -16,11 +16,25 @@ pub struct Wanted {
     pub promised: u64,
 }
 
-/// Memory that was promised; it is given back when this is dropped.
-#[derive(Debug)]
+/// Memory that was promised; it is given back when this is dropped, so it is kept beside what it is for.
+#[derive(Debug, Default)]
+#[must_use = "dropped at once, it is promised to another before it is taken"]
 pub struct Room {
     promised: Arc<AtomicU64>,
     bytes: u64,
+}
+
+impl Room {
+    /// How much it is.
+    pub fn bytes(&self) -> u64 {
+        self.bytes
+    }
+
+    /// Gives back what is beyond so many bytes: more is not taken after all.
+    pub fn shrink_to(&mut self, bytes: u64) {
+        self.promised.fetch_sub(self.bytes.saturating_sub(bytes), Ordering::Relaxed);
+        self.bytes = self.bytes.min(bytes);
+    }
 }
 
 impl Drop for Room {
@@ -123,8 +137,12 @@ mod tests {
         assert_eq!(interrupt.most_asked(), 120);
         interrupt.check().expect("it takes nothing");
         drop(first);
-        let third = interrupt.room_for(60).expect("there is room again");
-        drop((second, third));
+        let mut third = interrupt.room_for(60).expect("there is room again");
+        third.shrink_to(20);
+        third.shrink_to(40);
+        let fourth = interrupt.room_for(40).expect("there is room for what is not taken after all");
+        assert_eq!(interrupt.room_for(1).map(drop).map_err(|error| error.code), Err("E0707"));
+        drop((second, third, fourth));
         interrupt.room_for(100).map(drop).expect("all is given back");
     }
 }

@@ -106,7 +106,7 @@ pub const CODES: &[Explanation] = codes! {
     "E0704" "the run was cancelled" "Somebody stopped the run."
     "E0705" "an assertion failed" "The condition of an `assert` was false. The message shows the two sides of a comparison."
     "E0706" "an observable was asked for its value while the model is built" "What the engine observes has a value at each step of an analysis. Make it an `output`."
-    "E0707" "the limit on time or memory was reached" "The run was given a limit, or the next step of its analysis needs more memory than the machine has left. Raise the limit, look for a loop or an array that grows without end, or take a coarser fidelity, fewer elements along the face or fewer contact cells."
+    "E0707" "the limit on time or memory was reached" "The run was given a limit, or the next step of its analysis needs more memory than the machine has left. Raise the limit, look for a loop or an array that grows without end, or take a coarser fidelity, fewer elements along the face, fewer contact cells or fewer threads."
     "E0708" "an `extern` function that the engine does not have" "`extern` declares functions of the engine. Write your own without it, with a body."
     "E0709" "an expression that cannot be made a kernel" "The message says which part of the symbolic expression has no meaning as a formula."
     "E0710" "a frame is not a number at some time" "Some operation in the frame's expression gave NaN, such as the root of a negative number or 0/0. The message shows which, and with what operands."

@@ -78,8 +78,7 @@ fn room(limits: Limits, taken: u64) -> Option<(u64, &'static str)> {
 }
 
 /// What can be done about an analysis that takes too much.
-const TAKE_LESS: &str =
-    "take a coarser fidelity, fewer elements along the face or fewer contact cells, or give it more memory";
+const TAKE_LESS: &str = "take a coarser fidelity, fewer elements along the face, fewer contact cells or fewer threads, or give it more memory";
 
 fn megabytes(bytes: u64) -> f64 {
     (bytes as f64 * 1e-6).round()

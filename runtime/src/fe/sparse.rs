@@ -22,6 +22,11 @@ impl SparseVector {
         }
     }
 
+    /// What its entries take, bytes.
+    pub fn memory(&self) -> u64 {
+        size_of_val(self.entries.as_slice()) as u64
+    }
+
     /// All entries, zeros too.
     pub fn to_full(&self, dof_count: usize) -> Vec<f64> {
         let mut full = vec![0.0; dof_count];
@@ -51,6 +56,7 @@ impl FromIterator<(usize, f64)> for SparseVector {
             }
             same
         });
+        entries.shrink_to_fit();
         Self { entries }
     }
 }

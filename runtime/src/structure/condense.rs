@@ -9,8 +9,9 @@ use super::dense::{add_product, cholesky, product, solve};
 use super::ring::CutStiffness;
 use crate::fe::dissection::Dissection;
 use crate::fe::elimination::{eliminate, memory};
+use crate::fe::solid::SolidMesh;
 use crate::fe::{PlaneModel, SparseVector};
-use crate::interrupt::Interrupt;
+use crate::interrupt::{Interrupt, Room};
 use faer::sparse::SparseColMat;
 use faer::{Mat, MatRef};
 use std::collections::BTreeSet;
@@ -24,13 +25,27 @@ pub(super) struct Assembled {
     pub dofs_per_node: usize,
     /// Of the nodes, m; z is 0 in the plane.
     pub positions: Vec<[f64; 3]>,
+    /// What the stiffness takes, as long as it is there.
+    pub room: Room,
 }
 
 impl Assembled {
     /// The equations of a plane mesh.
     pub fn plane(model: &PlaneModel) -> Self {
         let positions = model.mesh.nodes.iter().map(|&[x, y]| [x, y, 0.0]).collect();
-        Self { stiffness: model.stiffness(), dofs_per_node: 2, positions }
+        Self { stiffness: model.stiffness(), dofs_per_node: 2, positions, room: Room::default() }
+    }
+
+    /// Those of a mesh in space, for which there has to be room.
+    pub fn solid(
+        mesh: &SolidMesh,
+        interrupt: &Interrupt,
+        stiffness: impl FnOnce() -> SparseColMat<usize, f64>,
+    ) -> Result<Self, StructureError> {
+        let mut room = interrupt.room_for(mesh.stiffness_memory()).map_err(StructureError::Interrupted)?;
+        let stiffness = stiffness();
+        room.shrink_to((stiffness.compute_nnz() * (size_of::<f64>() + size_of::<usize>())) as u64);
+        Ok(Self { stiffness, dofs_per_node: 3, positions: mesh.nodes.clone(), room })
     }
 
     /// The degrees of freedom of nodes, in their order.

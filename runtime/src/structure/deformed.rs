@@ -153,9 +153,7 @@ impl MeshedBody {
         let [first, last] = [faces(ring.cuts[0])?, faces(ring.cuts[1])?].map(|set| model.mesh.nodes_on(set));
         let cuts = match_cuts(&model.mesh.nodes, &first, &last, &held, TAU / f64::from(sectors))
             .ok_or_else(|| StructureError::CutsDiffer { cuts: ring.cuts.map(String::from) })?;
-        let _room = interrupt.room_for(model.mesh.stiffness_memory()).map_err(StructureError::Interrupted)?;
-        let assembled =
-            Assembled { stiffness: model.stiffness(), dofs_per_node: 3, positions: model.mesh.nodes.clone() };
+        let assembled = Assembled::solid(&model.mesh, interrupt, || model.stiffness())?;
         let nodes = assembled.positions.clone();
         let sector = Held { sectors, cuts, held: assembled.dofs_of(&held), means, window: ring.coupled };
         let solved = SolvedRing::new(assembled, sector, |error| ring.hold.blamed(error), interrupt)?;

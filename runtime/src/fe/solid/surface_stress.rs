@@ -13,7 +13,7 @@ use crate::fe::quadrature::gauss_legendre;
 use crate::fe::sparse::SparseVector;
 use crate::fe::stress::{elements_of, fit_weights, nearness, sample_weights};
 use rayon::prelude::*;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Recovered stress on a free surface, as rows of the displacements.
 #[derive(Clone, Debug, PartialEq)]
@@ -43,6 +43,9 @@ type TableKey<'a> = (&'a Interpolation, &'a Interpolation, [usize; 2]);
 /// Shape functions at a point, of displacements and of coordinates.
 type Sample = (Vec<SolidShape>, Vec<SolidShape>);
 
+/// Two layers meet at a place, and each fit takes in those beside it.
+const MOST_LAYERS: usize = 4;
+
 impl<'a> SurfaceStressRecovery<'a> {
     /// Prepares the recovery. `None` if the mesh is not swept.
     pub fn new(model: &'a SolidModel) -> Option<Self> {
@@ -69,6 +72,19 @@ impl<'a> SurfaceStressRecovery<'a> {
         });
         let inverses = inverses.collect();
         Some(Self { model, swept, elements_of: elements_of(&swept.section), tables, inverses })
+    }
+
+    /// Memory that the rows of one place take at most, bytes: as if no two elements shared a node.
+    pub fn memory_of_place(&self) -> u64 {
+        let section = &self.swept.section;
+        let patch = |nodes: &[usize]| {
+            nodes.iter().flat_map(|&node| &self.elements_of[node]).collect::<BTreeSet<_>>().len()
+        };
+        let patch = section.elements.iter().map(|element| patch(&element.nodes)).max().unwrap_or(0);
+        let layers = (self.swept.stations.len() - 1).min(MOST_LAYERS);
+        let nodes = self.model.mesh.elements.iter().map(|element| element.nodes.len()).max().unwrap_or(0);
+        // Of three stresses.
+        (3 * patch * layers * 3 * nodes * size_of::<(usize, f64)>()) as u64
     }
 
     /// Rows giving the smoothed stress at arc length `s` and axial coordinate `z` of a set of faces. `None` outside its chart, or if

@@ -5,7 +5,7 @@
 //! all sectors and positions.
 
 use crate::fe::{Constraints, Solver, SparseVector};
-use crate::interrupt::Interrupt;
+use crate::interrupt::{Interrupt, Room};
 use crate::structure::StructureError;
 use crate::structure::bore::BoreMeans;
 use crate::structure::bore_coupling::BoreCoupling;
@@ -32,6 +32,8 @@ pub(super) struct SolvedRing {
     ring: RingFlexibility,
     /// How sectors feel each other beside what the ring's answers say, and the forces by those on cuts and means that it is told.
     bore: Option<(BoreCoupling, Mat<f64>)>,
+    /// What the stiffness takes.
+    _room: Room,
 }
 
 /// A sector of a ring, and how the ring is held.
@@ -71,7 +73,7 @@ impl SolvedRing {
         interrupt.check().map_err(StructureError::Interrupted)?;
         let inside = Solver::dissected(&assembled.stiffness, &assembled.positions, resting)?;
         interrupt.check().map_err(StructureError::Interrupted)?;
-        let Assembled { stiffness, dofs_per_node, .. } = assembled;
+        let Assembled { stiffness, dofs_per_node, room, .. } = assembled;
         let forms = means.map_or_else(Vec::new, |means| means.forms);
         Ok(Self {
             sectors,
@@ -83,6 +85,7 @@ impl SolvedRing {
             inside,
             ring,
             bore,
+            _room: room,
         })
     }
 

@@ -10,7 +10,7 @@ use super::super::ring::Shared;
 use crate::dense::{add_product, product};
 use crate::fe::sparse::summed;
 use crate::fe::{SolveError, SparseVector};
-use crate::interrupt::Interrupt;
+use crate::interrupt::{Interrupt, Room};
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::sparse::SparseColMat;
 use faer::sparse::linalg::cholesky::supernodal::SupernodalLdltRef;
@@ -89,6 +89,8 @@ pub(super) struct Shifted<'s> {
     pub follows: Mat<f64>,
     /// Forces on the cuts by their displacements, the last cut's both in the frame that is turned by a pitch.
     pub closed: Mat<f64>,
+    /// What they take.
+    _rooms: [Room; 2],
 }
 
 impl<'s> Shifted<'s> {
@@ -98,15 +100,13 @@ impl<'s> Shifted<'s> {
         shift: f64,
         interrupt: &Interrupt,
     ) -> Result<Option<Self>, StructureError> {
-        let checkpoint =
-            |bytes: usize| interrupt.room_for(bytes as u64).map(drop).map_err(StructureError::Interrupted);
-        checkpoint(0)?;
+        let room = |bytes: usize| interrupt.room_for(bytes as u64).map_err(StructureError::Interrupted);
         let (count, cut) = (sector.inner.len(), 2 * sector.cuts[0].len());
         let mut place = vec![None; sector.dofs()];
         sector.inner.iter().enumerate().for_each(|(index, &dof)| place[dof] = Some(index));
         let mut on_cut = vec![None; sector.dofs()];
         sector.cuts.iter().flatten().enumerate().for_each(|(index, &dof)| on_cut[dof] = Some(index));
-        checkpoint(3 * count * cut * size_of::<f64>())?;
+        let of_cuts = room(3 * count * cut * size_of::<f64>())?;
         let mut entries = Vec::new();
         let (mut coupling, mut closed) = (Mat::zeros(count, cut), Mat::zeros(cut, cut));
         for (matrix, factor) in [(&sector.stiffness, 1.0), (&sector.mass, -shift)] {
@@ -126,7 +126,7 @@ impl<'s> Shifted<'s> {
         let symbolic =
             factorize_symbolic_cholesky(inside.symbolic(), Side::Lower, SymmetricOrdering::Amd, params)
                 .map_err(|_| memory())?;
-        checkpoint((symbolic.len_val() + inside.compute_nnz()) * 2 * size_of::<f64>())?;
+        let of_values = room((symbolic.len_val() + inside.compute_nnz()) * 2 * size_of::<f64>())?;
         let mut values = vec![0.0; symbolic.len_val()];
         let scratch = symbolic.factorize_numeric_ldlt_scratch::<f64>(Par::Seq, Default::default());
         let mut scratch = MemBuffer::try_new(scratch).map_err(|_| memory())?;
@@ -145,11 +145,19 @@ impl<'s> Shifted<'s> {
             return Ok(None);
         }
         let negative = negative_pivots(&symbolic, &values);
-        let mut shifted = Self { sector, symbolic, values, negative, follows: Mat::zeros(0, 0), closed };
+        let mut shifted = Self {
+            sector,
+            symbolic,
+            values,
+            negative,
+            follows: Mat::zeros(0, 0),
+            closed,
+            _rooms: [of_cuts, of_values],
+        };
         if !shifted.is_reliable(&inside) {
             return Ok(None);
         }
-        checkpoint(0)?;
+        interrupt.check().map_err(StructureError::Interrupted)?;
         shifted.follows = shifted.inside(coupling.clone());
         shifted.follows *= -1.0;
         add_product(shifted.closed.as_mut(), 1.0, coupling.transpose(), shifted.follows.as_ref());

@@ -32,7 +32,7 @@ use crate::structure::spline::Spline;
 use crate::structure::{Hold, RevolvedWeb, RingSource, StructureError};
 use crate::surface::Surface;
 use faer::{Mat, MatRef};
-use prepared::{Prepared, gathered, prepare};
+use prepared::{Prepared, prepare};
 use rayon::prelude::*;
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
@@ -183,8 +183,7 @@ impl ElasticSolid {
         let pitch = TAU / f64::from(sectors);
         let cuts = match_cuts(&model.mesh.nodes, &first, &last, &held, pitch)
             .ok_or_else(|| StructureError::CutsDiffer { cuts: ring.cuts.map(String::from) })?;
-        let (modes, prepared) = prepare(model, surfaces, options, interrupt)?;
-        let exchange = gathered(&modes, &prepared);
+        let (modes, prepared, exchange) = prepare(model, surfaces, options, interrupt)?;
         let sector = Sector { cuts, held, means, sectors, coupled: ring.coupled };
         let mut responses = Responses::of_ring(model, &sector, mirrored, &exchange, interrupt)
             .map_err(|error| ring.hold.blamed(error))?;
@@ -205,8 +204,7 @@ impl ElasticSolid {
         options: &SolidSplitOptions,
         interrupt: &Interrupt,
     ) -> Result<Self, StructureError> {
-        let (modes, prepared) = prepare(model, surfaces, options, interrupt)?;
-        let exchange = gathered(&modes, &prepared);
+        let (modes, prepared, exchange) = prepare(model, surfaces, options, interrupt)?;
         let assembled = whole(model, interrupt)?;
         let condense =
             |support| condense(&assembled, &support, None, &exchange.loads, &exchange.rows, interrupt);
@@ -262,8 +260,8 @@ impl ElasticSolid {
     ) -> Result<OffsetTables, StructureError> {
         let response = responses.at(offset, interrupt)?;
         let count = self.modes.count();
-        let load_starts = starts(prepared.iter().map(|surface| surface.loads.len()));
-        let row_starts = starts(prepared.iter().map(|surface| surface.stress_rows.len()));
+        let load_starts = starts(prepared.iter().map(|surface| surface.loads));
+        let row_starts = starts(prepared.iter().map(|surface| surface.stress_rows));
         let all = 0..prepared.len();
         let stress = |rows: &Mat<f64>| -> Vec<Vec<Mat<f64>>> {
             let table = |p: usize, q: usize| {
@@ -419,7 +417,7 @@ fn bore_coupling(
     let mut coupling = BoreCoupling::new(released, sectors, pitch);
     let (mut load, mut row) = (0, 0);
     for surface in prepared {
-        let (loads, rows) = (surface.loads.len(), surface.stress_rows.len());
+        let (loads, rows) = (surface.loads, surface.stress_rows);
         coupling.loads.push(by_unknown(forces.as_ref().subcols(load, loads), &surface.known.spline, modes));
         coupling.stress.push(stresses.as_ref().subrows(row, rows).to_owned());
         (load, row) = (load + loads, row + rows);

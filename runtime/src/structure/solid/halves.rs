@@ -121,20 +121,16 @@ impl Mirrored {
             ..SolidMesh::default()
         };
         let assembled = |odd: bool| {
-            interrupt.room_for(half.stiffness_memory()).map_err(StructureError::Interrupted)?;
             let signs = Signs::of(odd);
-            let stiffness = model.reduced_stiffness(&half, |index, matrix| {
+            let of_element = |index: usize, matrix: Vec<f64>| {
                 if index < whole {
                     // Its image does the same work again.
                     return matrix.into_iter().map(|value| 2.0 * value).collect();
                 }
                 self.element(&model.mesh.elements[index].nodes, &half.elements[index].nodes, &matrix, signs)
-            });
-            Ok::<_, StructureError>(Arc::new(Assembled {
-                stiffness,
-                dofs_per_node: 3,
-                positions: half.nodes.clone(),
-            }))
+            };
+            let stiffness = || model.reduced_stiffness(&half, of_element);
+            Assembled::solid(&half, interrupt, stiffness).map(Arc::new)
         };
         let even = assembled(false)?;
         let odd = if layers % 2 == 0 { even.clone() } else { assembled(true)? };

@@ -3,7 +3,7 @@
 use super::halves::Mirrored;
 use crate::fe::SparseVector;
 use crate::fe::solid::SolidModel;
-use crate::interrupt::Interrupt;
+use crate::interrupt::{Interrupt, Room};
 use crate::structure::StructureError;
 use crate::structure::bore::BoreMeans;
 use crate::structure::condense::{Assembled, Condensed, Cuts, Support, condense};
@@ -34,12 +34,13 @@ pub(super) struct Exchange {
     pub rows: Vec<SparseVector>,
     /// Of each row, if it has one: the row of the mirrored place, and the sign that the mirror gives it.
     pub images: Vec<Option<(usize, f64)>>,
+    /// What the rows take.
+    pub rooms: Vec<Room>,
 }
 
 /// The equations of a whole mesh.
 pub(super) fn whole(model: &SolidModel, interrupt: &Interrupt) -> Result<Assembled, StructureError> {
-    interrupt.room_for(model.mesh.stiffness_memory()).map_err(StructureError::Interrupted)?;
-    Ok(Assembled { stiffness: model.stiffness(), dofs_per_node: 3, positions: model.mesh.nodes.clone() })
+    Assembled::solid(&model.mesh, interrupt, || model.stiffness())
 }
 
 /// The answers of a body, of which parts do not know of each other.
@@ -117,6 +118,9 @@ impl Responses {
             });
             return Ok(Self { bore, ..Self::of(vec![Part::whole(condensed, ring, exchange)], exchange) });
         };
+        // Folded, both halves' vectors are together as large as those of the whole.
+        let folded = exchange.rooms.iter().map(Room::bytes).sum();
+        let _room = interrupt.room_for(folded).map_err(StructureError::Interrupted)?;
         let equations = mirrored.equations(model, interrupt)?;
         let of_half = |(assembled, odd): (Arc<Assembled>, bool)| {
             let half = mirrored.half(odd, sector, exchange);

@@ -230,11 +230,8 @@ fn solid_rings_agree(teeth: u32, sector: &SolidModel, whole: &SolidModel) {
         model.mesh.node_sets.get(ABSENT).into_iter().flatten().copied().collect()
     };
     let nodes = |name: &str| sector.mesh.nodes_on(sector.mesh.face_set(name).unwrap());
-    let equations = [sector, whole].map(|model| Assembled {
-        stiffness: model.stiffness(),
-        dofs_per_node: 3,
-        positions: model.mesh.nodes.clone(),
-    });
+    let equations = [sector, whole]
+        .map(|model| Assembled::solid(&model.mesh, &Interrupt::never(), || model.stiffness()).expect("room"));
     let cuts =
         match_cuts(&equations[0].positions, &nodes("cut_first"), &nodes("cut_last"), &absent(sector), pitch)
             .unwrap();

@@ -216,10 +216,8 @@ fn condensed_helical_sectors_on_lugs_agree_with_the_whole_mesh() {
             let bore = model.mesh.face_set("bore").unwrap();
             BoreMeans::solid(model, bore, wanted, &Interrupt::never()).unwrap().unwrap()
         };
-        let equations = [&sector, &whole].map(|model| Assembled {
-            stiffness: model.stiffness(),
-            dofs_per_node: 3,
-            positions: model.mesh.nodes.clone(),
+        let equations = [&sector, &whole].map(|model| {
+            Assembled::solid(&model.mesh, &Interrupt::never(), || model.stiffness()).expect("room")
         });
         let nodes = |name: &str| sector.mesh.nodes_on(sector.mesh.face_set(name).unwrap());
         let cuts = ["cut_first", "cut_last"].map(nodes);

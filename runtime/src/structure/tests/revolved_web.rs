@@ -117,8 +117,7 @@ fn a_ring_on_a_web_is_the_whole() {
 
     let model = rim(radii, sectors, false);
     let nodes = |name: &str| model.mesh.nodes_on(model.mesh.face_set(name).unwrap());
-    let equations =
-        Assembled { stiffness: model.stiffness(), dofs_per_node: 3, positions: model.mesh.nodes.clone() };
+    let equations = Assembled::solid(&model.mesh, &Interrupt::never(), || model.stiffness()).expect("room");
     let pitch = TAU / f64::from(sectors);
     let cuts = match_cuts(&equations.positions, &nodes("cut_first"), &nodes("cut_last"), &[], pitch).unwrap();
     let bore = model.mesh.face_set("bore").unwrap();

@@ -23,7 +23,7 @@ fn helical(section: &PlaneMesh) -> SolidModel {
 }
 
 fn assembled(model: &SolidModel) -> Assembled {
-    Assembled { stiffness: model.stiffness(), dofs_per_node: 3, positions: model.mesh.nodes.clone() }
+    Assembled::solid(&model.mesh, &Interrupt::never(), || model.stiffness()).expect("room")
 }
 
 fn turned([x, y, z]: [f64; 3], angle: f64) -> [f64; 3] {

@@ -4,7 +4,7 @@
 use super::{KnownSurface, SolidSplitOptions, SolidSurfaceSource, faces};
 use crate::fe::solid::{FacePoint, SolidModel, SurfaceStressRecovery};
 use crate::fe::{EdgeChain, SparseVector};
-use crate::interrupt::Interrupt;
+use crate::interrupt::{Interrupt, Room};
 use crate::structure::StructureError;
 use crate::structure::kernel::Mollifier;
 use crate::structure::sampling::{SplitOptions, sample};
@@ -22,22 +22,35 @@ pub(super) struct Prepared {
     pub known: KnownSurface,
     pub mollifiers: Vec<Mollifier>,
     pub means: ReciprocalMeans,
+    /// Number of its loads.
+    pub loads: usize,
+    /// Number of its rows of stress.
+    pub stress_rows: usize,
+}
+
+/// What a surface is loaded and observed by.
+struct Vectors {
     /// By polynomial, then mollifier.
-    pub loads: Vec<SparseVector>,
+    loads: Vec<SparseVector>,
     /// Three a place.
-    pub stress_rows: Vec<SparseVector>,
+    rows: Vec<SparseVector>,
+    room: Room,
 }
 
 /// All loads and rows together, as a sector answers to them.
-pub(super) fn gathered(modes: &AxialModes, prepared: &[Prepared]) -> Exchange {
-    let loads = prepared.iter().flat_map(|surface| surface.loads.iter().cloned()).collect();
+fn gathered(modes: &AxialModes, prepared: &[Prepared], vectors: Vec<Vectors>) -> Exchange {
     // Of polynomials along the face every other one is odd.
     let is_odd = |surface: &Prepared| {
         let places = surface.mollifiers.len();
-        (0..surface.loads.len()).map(move |load| load / places % 2 == 1).collect::<Vec<_>>()
+        (0..surface.loads).map(move |load| load / places % 2 == 1).collect::<Vec<_>>()
     };
     let odd = prepared.iter().flat_map(is_odd).collect();
-    let rows = prepared.iter().flat_map(|surface| surface.stress_rows.iter().cloned()).collect();
+    let (mut loads, mut rows, mut rooms) = (Vec::new(), Vec::new(), Vec::new());
+    for of_surface in vectors {
+        loads.extend(of_surface.loads);
+        rows.extend(of_surface.rows);
+        rooms.push(of_surface.room);
+    }
     let mut images = Vec::new();
     for surface in prepared {
         let first = images.len();
@@ -48,10 +61,10 @@ pub(super) fn gathered(modes: &AxialModes, prepared: &[Prepared]) -> Exchange {
             images.extend(rows.map(|(row, sign)| Some((first + 3 * image? + row, sign))));
         }
     }
-    Exchange { loads, odd, rows, images }
+    Exchange { loads, odd, rows, images, rooms }
 }
 
-/// Surfaces with their loads and rows, and the polynomials along the face that all share.
+/// Surfaces, all their loads and rows, and the polynomials along the face that all share.
 ///
 /// # Errors
 /// The mesh is not swept or too coarse, faces are missing, or the interrupt's.
@@ -60,7 +73,7 @@ pub(super) fn prepare(
     sources: &[SolidSurfaceSource],
     options: &SolidSplitOptions,
     interrupt: &Interrupt,
-) -> Result<(AxialModes, Vec<Prepared>), StructureError> {
+) -> Result<(AxialModes, Vec<Prepared>, Exchange), StructureError> {
     let not_swept = || StructureError::NotSwept {
         faces: sources.first().map_or_else(String::new, |source| source.faces.clone()),
     };
@@ -72,8 +85,10 @@ pub(super) fn prepare(
     let prepared = sources
         .iter()
         .map(|source| prepare_surface(model, &recovery, &modes, source, options, interrupt))
-        .collect::<Result<_, _>>()?;
-    Ok((modes, prepared))
+        .collect::<Result<Vec<_>, _>>()?;
+    let (prepared, vectors): (Vec<Prepared>, _) = prepared.into_iter().unzip();
+    let exchange = gathered(&modes, &prepared, vectors);
+    Ok((modes, prepared, exchange))
 }
 
 fn prepare_surface(
@@ -83,7 +98,7 @@ fn prepare_surface(
     source: &SolidSurfaceSource,
     options: &SolidSplitOptions,
     interrupt: &Interrupt,
-) -> Result<Prepared, StructureError> {
+) -> Result<(Prepared, Vectors), StructureError> {
     let checkpoint = || interrupt.check().map_err(StructureError::Interrupted);
     checkpoint()?;
     let not_swept = |faces: &str| StructureError::NotSwept { faces: faces.into() };
@@ -111,7 +126,7 @@ fn prepare_surface(
                 .ok_or_else(|| not_swept(&source.faces))
         })
         .collect::<Result<Vec<_>, _>>()?;
-    let loads = (0..modes.count())
+    let loads: Vec<SparseVector> = (0..modes.count())
         .flat_map(|mode| by_mollifier.iter().map(move |loads| loads[mode].clone()))
         .collect();
 
@@ -125,7 +140,7 @@ fn prepare_surface(
         stress_places: Vec::new(),
     };
     known.turned = turned_coefficients(&known);
-    let mut stress_rows = Vec::new();
+    let (mut rows, mut room) = (Vec::new(), Room::default());
     if let Some(name) = &source.stress_faces {
         let free = faces(model, name)?;
         let of_section = &free.chart.as_ref().ok_or_else(|| not_swept(name))?.edges;
@@ -140,18 +155,23 @@ fn prepare_surface(
             z.extend((1..=per_layer).map(|place| layer[0] + step * place as f64));
         }
         let places: Vec<[f64; 2]> = s.flat_map(|s| z.iter().map(move |&z| [s, z])).collect();
+        let wanted = places.len() as u64 * recovery.memory_of_place();
+        room = interrupt.room_for(wanted).map_err(StructureError::Interrupted)?;
         let found = places
             .par_iter()
             .map(|&[s, z]| checkpoint().map(|()| recovery.rows(free, s, z)))
             .collect::<Result<Vec<_>, _>>()?;
-        for (place, rows) in places.into_iter().zip(found) {
-            let Some(rows) = rows else { continue };
-            known.stress_places.push((place, rows.point.position));
-            stress_rows.extend(rows.rows);
+        for (place, of_place) in places.into_iter().zip(found) {
+            let Some(of_place) = of_place else { continue };
+            known.stress_places.push((place, of_place.point.position));
+            rows.extend(of_place.rows);
         }
+        room.shrink_to(rows.iter().map(SparseVector::memory).sum());
     }
     let means = ReciprocalMeans::new(screw, modes, [true; 2], smallest);
-    Ok(Prepared { known, mollifiers: samples.mollifiers, means, loads, stress_rows })
+    let (mollifiers, counts) = (samples.mollifiers, [loads.len(), rows.len()]);
+    let prepared = Prepared { known, mollifiers, means, loads: counts[0], stress_rows: counts[1] };
+    Ok((prepared, Vectors { loads, rows, room }))
 }
 
 /// Spline coefficients of the angle by which the transverse normal has turned since the first sample, positive where convex.
