@@ -307,8 +307,9 @@ impl Search<'_> {
             result => result?,
         };
 
+        let several = positions.len() > 1;
         let worst_in = |parts: &[Part]| {
-            let of = |summary: &OutputSummary| relative(summary, parts, fidelity);
+            let of = |summary: &OutputSummary| relative(summary, parts, fidelity, several);
             let all = result.summaries.iter().map(of).enumerate();
             all.fold((0, 0.0), |worst, this| if this.1 > worst.1 { this } else { worst })
         };
@@ -322,7 +323,8 @@ impl Search<'_> {
             return Ok(Some(result));
         }
         let beyond_mesh = |summary: &OutputSummary| {
-            relative(summary, &[Part::Level], fidelity) - relative(summary, &[Part::Discretization], fidelity)
+            let of = |part: Part| relative(summary, &[part], fidelity, several);
+            of(Part::Level) - of(Part::Discretization)
         };
         let wanting = Wanting {
             values: result.summaries.iter().any(|summary| !summary.max.is_finite()),
@@ -391,7 +393,8 @@ impl Search<'_> {
 }
 
 /// The largest error of extremes and mean in some parts, as a part of the largest magnitude; infinite of what is not known to keep to anything.
-fn relative(summary: &OutputSummary, parts: &[Part], fidelity: Fidelity) -> f64 {
+/// `several`: whether there is more than one position.
+fn relative(summary: &OutputSummary, parts: &[Part], fidelity: Fidelity, several: bool) -> f64 {
     // An output without a value keeps to nothing.
     let Some(error) = summary.error.as_ref().filter(|_| summary.max.is_finite() && summary.min.is_finite())
     else {
@@ -401,7 +404,7 @@ fn relative(summary: &OutputSummary, parts: &[Part], fidelity: Fidelity) -> f64 
         let needed = match part {
             Part::Discretization | Part::ContactGrid | Part::TimeStep => true,
             // A single position has nothing beside it.
-            Part::Positions => false,
+            Part::Positions => several,
             // Meshes may be all that a scene can be had by; what has none is not to be trusted by itself.
             Part::Level => fidelity.body_model() != BodyModel::Elements,
         };

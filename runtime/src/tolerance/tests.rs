@@ -1,6 +1,8 @@
 //! The ladder of settings as data: what is tried in which order, by what is wrong.
 
 use super::*;
+use crate::estimate::ErrorEstimate;
+use std::cmp::Ordering;
 use std::iter;
 
 #[test]
@@ -170,4 +172,30 @@ fn a_level_without_values_is_left() {
     let Setting { fidelity, refinement, cells, positions } = ladder.setting;
     assert_eq!((fidelity, refinement, cells, positions), (Fidelity::Plane, 0.5, 2, 4));
     assert!(!ladder.better(wanting));
+}
+
+/// What is not estimated keeps to nothing, unless there is nothing to be estimated.
+#[test]
+fn what_is_not_estimated_is_not_taken_for_exact() {
+    let of = |missing: Part, fidelity: Fidelity, several: bool| {
+        let parts = vec![(Part::Discretization, Statistics { max: 0.01, ..Statistics::default() })];
+        let not_estimated = vec![(missing, "it was not to be had".to_owned())];
+        let error = ErrorEstimate { parts, not_estimated, ..ErrorEstimate::default() };
+        let summary = OutputSummary { min: 0.0, max: 1.0, error: Some(error), ..OutputSummary::none() };
+        relative(&summary, &Part::ALL, fidelity, several)
+    };
+    let solid = Fidelity::Solid(Template::Medium);
+    for (missing, fidelity, several, expected) in [
+        (Part::ContactGrid, Fidelity::Plane, true, f64::INFINITY),
+        (Part::Positions, Fidelity::Plane, true, f64::INFINITY),
+        (Part::Positions, Fidelity::Plane, false, 0.01),
+        (Part::Level, Fidelity::Analytic, true, f64::INFINITY),
+        (Part::Level, solid, true, 0.01),
+    ] {
+        assert_eq!(
+            of(missing, fidelity, several).total_cmp(&expected),
+            Ordering::Equal,
+            "{missing:?} {fidelity:?} {several}"
+        );
+    }
 }
