@@ -158,7 +158,7 @@ pub fn positions(cells: usize, twisted: bool, count: usize, side_by_side: bool, 
 /// Time of a pair of cells: 0.3 microseconds on the same machine.
 const LOGARITHMS_PER_PAIR_OF_CELLS: f64 = 83.0;
 /// On twisted flanks so many times as much.
-const TWISTED: f64 = 4.3;
+const TWISTED: f64 = 2.1;
 /// Of finding what touches and reading values off.
 const LOGARITHMS_PER_POSITION: f64 = 1e5;
 /// Matrices of all cells by all cells.
