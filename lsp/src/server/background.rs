@@ -4,7 +4,7 @@
 //! not on the database, so edits never wait for it.
 
 use super::Shared;
-use super::job::reason;
+use super::job::{isolated, reason};
 use super::workspace::Key;
 use crate::ide::elaborated::Elaborated;
 use calyx_elaborate::{Cancel, Cancelled, Params, elaborate};
@@ -113,7 +113,7 @@ impl Background {
 pub(crate) fn start(shared: Arc<Shared>) -> io::Result<()> {
     let run = move || {
         while let Some((work, cancel)) = shared.background.next() {
-            run(&shared, &work, &cancel);
+            isolated(&shared.log, "elaboration", || run(&shared, &work, &cancel));
         }
     };
     thread::Builder::new().name("elaboration".to_owned()).spawn(run)?;

@@ -4,7 +4,7 @@
 
 use super::Shared;
 use super::background::Background;
-use super::job::reason;
+use super::job::{isolated, reason};
 use super::view::View;
 use super::workspace::{Changed, Key};
 use calyx_lang::check::Checked;
@@ -77,9 +77,11 @@ pub(crate) fn start(shared: Arc<Shared>, client: Client, runtime: Handle) -> io:
         let mut kept = VecDeque::new();
         while shared.wake.wait() {
             // One at a time: a view that waits for its turn would hold up who edits its project.
-            let next = || shared.workspace().next_changed();
-            while let Some(changed) = next() {
-                kept.push_back(publisher.publish(changed));
+            let log = &shared.log;
+            let next = || isolated(log, "choosing a project", || shared.workspace().next_changed());
+            while let Some(changed) = next().flatten() {
+                let published = isolated(log, "publishing diagnostics", || publisher.publish(changed));
+                kept.push_back(published.unwrap_or_default());
                 if kept.len() > KEPT {
                     kept.pop_front();
                 }

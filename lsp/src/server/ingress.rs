@@ -6,13 +6,16 @@
 
 use super::Shared;
 use super::backend::Backend;
-use super::job::{Cancel, Job};
+use super::framing::{MALFORMED, Malformed};
+use super::job::{Cancel, Job, failed};
 use super::router::Router;
 use super::runs::Stop;
 use serde::de::DeserializeOwned;
 use serde_json::Value;
+use std::any::Any;
 use std::collections::HashMap;
-use std::future::{Future, ready};
+use std::future::{Future, poll_fn, ready};
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::pin::Pin;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::task::{Context, Poll};
@@ -64,10 +67,45 @@ impl Service<Request> for Ingress {
         self.inner.poll_ready(context)
     }
 
+    /// A defect in the service of one message is answered or logged: it must not end the loop that
+    /// reads messages.
     fn call(&mut self, request: Request) -> Answer {
         self.shared.record(&request);
+        let (method, id) = (request.method().to_owned(), request.id().cloned());
+        let shared = self.shared.clone();
+        let refused = move |panic: &(dyn Any + Send)| {
+            let error = failed(&shared.log, &method, panic);
+            id.clone().map(|id| Response::from_error(id, error))
+        };
+        let mut answer = match catch_unwind(AssertUnwindSafe(|| self.dispatch(request))) {
+            Ok(answer) => answer,
+            Err(panic) => return Box::pin(ready(Ok(refused(&*panic)))),
+        };
+        Box::pin(poll_fn(move |context| {
+            match catch_unwind(AssertUnwindSafe(|| answer.as_mut().poll(context))) {
+                Ok(poll) => poll,
+                Err(panic) => Poll::Ready(Ok(refused(&*panic))),
+            }
+        }))
+    }
+}
+
+impl Ingress {
+    pub(super) fn new(inner: LspService<Backend>, shared: Arc<Shared>, router: Router) -> Ingress {
+        Ingress { inner, shared, router, pending: Pending::default() }
+    }
+
+    fn dispatch(&mut self, request: Request) -> Answer {
         let phase = self.shared.phase();
         match (request.method(), phase) {
+            // Notifications of these names are not in the protocol.
+            ("initialize" | "shutdown", _) if request.id().is_none() => Box::pin(ready(Ok(None))),
+            (MALFORMED, _) => {
+                let error = Malformed::answer(request.params());
+                self.shared.log.error(&format!("malformed message: {}", error.message));
+                let id = request.id().cloned().unwrap_or_default();
+                Box::pin(ready(Ok(Some(Response::from_error(id, error)))))
+            }
             ("initialize", Phase::Waiting) => {
                 let params = request.params().cloned().unwrap_or_default();
                 if let Ok(params) = serde_json::from_value::<InitializeParams>(params) {
@@ -95,12 +133,6 @@ impl Service<Request> for Ingress {
             }
             _ => Box::pin(self.inner.call(request)),
         }
-    }
-}
-
-impl Ingress {
-    pub(super) fn new(inner: LspService<Backend>, shared: Arc<Shared>, router: Router) -> Ingress {
-        Ingress { inner, shared, router, pending: Pending::default() }
     }
 
     /// Starts to answer a question about texts.
@@ -131,7 +163,8 @@ impl Ingress {
         let answering = tokio::task::spawn_blocking(move || job.run(&shared, views));
         let pending = self.pending.clone();
         Box::pin(async move {
-            // Panics are caught where they happen; what is left is a runtime that shuts down.
+            // An attempt that panics has an error of its own. The rest is a panic between attempts,
+            // or a runtime that shuts down.
             let result = answering.await.unwrap_or_else(|_| Err(Error::internal_error()));
             pending.lock().remove(&id);
             Ok(Some(Response::from_parts(id, result)))

@@ -1,6 +1,7 @@
 //! One request on its way to an answer.
 
 use super::Shared;
+use super::log::Log;
 use super::router::Route;
 use super::view::View;
 use calyx_lang::db::{Canceller, Superseded, attempt};
@@ -100,17 +101,23 @@ impl Job {
         match answered {
             Ok(Ok(answer)) => Some(answer),
             Ok(Err(Superseded)) => None,
-            Err(panic) => Some(Err(self.failed(shared, &*panic))),
+            Err(panic) => Some(Err(failed(&shared.log, &self.method, &*panic))),
         }
     }
+}
 
-    fn failed(&self, shared: &Shared, panic: &(dyn Any + Send)) -> Error {
-        let message = format!("{} failed: {}", self.method, reason(panic));
-        shared.log.error(&message);
-        let mut error = Error::internal_error();
-        error.message = message.into();
-        error
-    }
+/// Logs the panic of a task, and returns the error that answers whoever waits for it.
+pub fn failed(log: &Log, task: &str, panic: &(dyn Any + Send)) -> Error {
+    let message = format!("{task} failed: {}", reason(panic));
+    log.error(&message);
+    let mut error = Error::internal_error();
+    error.message = message.into();
+    error
+}
+
+/// Runs a task of a thread that serves all projects, and logs its panic: the thread must live on.
+pub fn isolated<T>(log: &Log, task: &str, run: impl FnOnce() -> T) -> Option<T> {
+    catch_unwind(AssertUnwindSafe(run)).map_err(|panic| failed(log, task, &*panic)).ok()
 }
 
 /// What a panic says of itself.

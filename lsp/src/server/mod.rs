@@ -1,5 +1,6 @@
 //! The Language Server Protocol: messages in, messages out.
 //!
+//! [`framing`] reads messages off the stream and reports those that are malformed.
 //! [`ingress`] takes messages in the order they arrive: texts change there ([`workspace`]), and requests take the [`view`] they are
 //! answered on. [`router`] knows which of the [`handlers`] answers what; [`job`] runs it on a thread of its own. [`diagnostics`]
 //! follow every change, those of gears from the [`background`]. [`commands`] run models,
@@ -12,6 +13,7 @@ pub mod client;
 mod commands;
 pub mod convert;
 pub mod diagnostics;
+mod framing;
 pub mod handlers;
 mod imports;
 mod ingress;
@@ -28,6 +30,7 @@ pub mod workspace;
 use backend::Backend;
 use background::Background;
 use diagnostics::Wake;
+use framing::Reader;
 use ingress::{Ingress, Phase};
 use library::Library;
 use log::{Level, Log};
@@ -90,9 +93,14 @@ pub async fn serve(
     diagnostics::start(shared.clone(), client, Handle::current())?;
     background::start(shared.clone())?;
     let ingress = Ingress::new(service, shared.clone(), router);
+    let log = shared.log.clone();
+    let input = Reader::new(input, move |reason: &str| log.error(reason));
     /// Answers are computed elsewhere; this is how many may wait to be sent.
     const MOST_ANSWERS: usize = 256;
     Server::new(input, output, socket).concurrency_level(MOST_ANSWERS).serve(ingress).await;
+    if shared.phase() == Phase::Running {
+        shared.log.info("the client has gone without `shutdown`");
+    }
     shared.wake.stop();
     shared.background.stop();
     Ok(shared.phase() == Phase::ShutDown)

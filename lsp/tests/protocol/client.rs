@@ -97,9 +97,28 @@ impl Client {
 
     fn send(&mut self, message: &Value) {
         let body = message.to_string();
-        let text = format!("Content-Length: {}\r\n\r\n{body}", body.len());
+        self.send_bytes(format!("Content-Length: {}\r\n\r\n{body}", body.len()).as_bytes());
+    }
+
+    pub fn send_bytes(&mut self, bytes: &[u8]) {
         let output = self.output.as_mut().expect("the client has not left");
-        self.runtime.block_on(output.write_all(text.as_bytes())).expect("the server reads");
+        self.runtime.block_on(output.write_all(bytes)).expect("the server reads");
+    }
+
+    /// Removes and returns the errors that answer messages which could not be read.
+    pub fn refusals(&mut self) -> Vec<Value> {
+        let refused = |message: &mut Value| message.get("error").is_some();
+        self.notifications.extract_if(.., refused).collect()
+    }
+
+    /// Waits for a notification, and removes it.
+    pub fn until(&mut self, wanted: impl Fn(&Value) -> bool) -> Value {
+        loop {
+            match self.notifications.iter().position(&wanted) {
+                Some(at) => return self.notifications.remove(at),
+                None => self.receive(),
+            }
+        }
     }
 
     pub fn notify(&mut self, method: &str, params: Value) {
