@@ -90,6 +90,17 @@ impl Part {
             Part::TimeStep => "time_step",
         }
     }
+
+    /// As people read it.
+    pub fn title(self) -> &'static str {
+        match self {
+            Part::Discretization => "mesh",
+            Part::ContactGrid => "contact grid",
+            Part::Positions => "positions",
+            Part::Level => "fidelity level",
+            Part::TimeStep => "time step",
+        }
+    }
 }
 
 /// Magnitudes of the errors of an output's statistics, SI.
@@ -166,6 +177,12 @@ impl ErrorEstimate {
         let model = part(Part::Discretization).with(part(Part::Level), f64::max);
         let others = [Part::ContactGrid, Part::Positions, Part::TimeStep].map(part);
         others.into_iter().fold(model, |sum, error| sum.with(error, |a, b| a + b))
+    }
+
+    /// Whether the error of the fidelity level itself is part of it. Without it the estimate is of the numerical error alone: how far the
+    /// result is from what the same level gives with finer meshes and contact grids, more positions and shorter steps.
+    pub fn includes_level(&self) -> bool {
+        self.parts.iter().any(|(part, _)| *part == Part::Level)
     }
 
     /// Whether an output is nothing but rounding: its values, and all that they may be off by.

@@ -38,6 +38,8 @@ pub struct Incomplete {
 pub struct OutputSummary {
     display: Display,
     max_at: MaxAt,
+    #[serde(default)]
+    error_estimate: Option<ErrorEstimate>,
 }
 
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
@@ -48,6 +50,15 @@ struct Display {
     max: Option<f64>,
     mean: Option<f64>,
     peak_to_peak: Option<f64>,
+}
+
+#[derive(Clone, Debug, Default, PartialEq, Deserialize)]
+struct ErrorEstimate {
+    /// Of the largest magnitude; null where that is nothing, or rounding.
+    #[serde(default)]
+    relative: Option<f64>,
+    #[serde(default)]
+    includes_level: bool,
 }
 
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
@@ -100,6 +111,19 @@ impl OutputSummary {
             format!("at roll angle {roll} deg")
         } else {
             format!("at {point}, roll angle {roll} deg")
+        })
+    }
+
+    /// The estimated error of the value of largest magnitude, and whether it leaves out what the fidelity level itself is off; `None` if it is
+    /// not known.
+    pub fn error(&self) -> Option<String> {
+        let ErrorEstimate { relative, includes_level } = self.error_estimate.as_ref()?;
+        let percent = format!("{:.1e}", 100.0 * (*relative)?).parse().map_or_else(|_| "?".into(), rounded);
+        Some(match includes_level {
+            true => format!("estimated error {percent} %"),
+            false => {
+                format!("numerical error {percent} %, the error of the fidelity level itself not included")
+            }
         })
     }
 

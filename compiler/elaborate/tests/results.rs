@@ -9,12 +9,14 @@ const FINISHED: &str = r#"{
     "transmission_error": {
       "doc": "", "unit": "rad", "min": 1.0, "max": 2.0, "mean": 1.5, "peak_to_peak": 1.0,
       "display": { "unit": "inch", "min": 0.000231239, "max": 0.00024461, "mean": 0.00024, "peak_to_peak": 0.000013371 },
-      "max_at": { "step": 3, "time": 0.1, "roll_angle": 0.35, "point": "HPSTC", "place": null }
+      "max_at": { "step": 3, "time": 0.1, "roll_angle": 0.35, "point": "HPSTC", "place": null },
+      "error_estimate": { "relative": 0.00071, "includes_level": false, "parts": {} }
     },
     "share": {
       "doc": "", "unit": "", "min": 1.0, "max": 1.0, "mean": 1.0, "peak_to_peak": 0.0,
       "display": { "unit": "", "min": 1.0, "max": 1.0, "mean": 1.0, "peak_to_peak": 0.0 },
-      "max_at": { "step": 0, "time": 0.0, "roll_angle": 0.1, "point": "", "place": null }
+      "max_at": { "step": 0, "time": 0.0, "roll_angle": 0.1, "point": "", "place": null },
+      "error_estimate": { "relative": 0.02, "includes_level": true }
     },
     "wild": {
       "doc": "", "unit": "", "min": 1.0, "max": null, "mean": null, "peak_to_peak": null,
@@ -39,6 +41,16 @@ fn a_finished_run_has_a_line_for_each_output() {
     assert_eq!(share.line(), "1");
     assert_eq!(share.place_of_maximum().as_deref(), Some("at roll angle 5.73 deg"));
     assert_eq!(wild.line(), "1 .. inf psi, mean inf, peak to peak inf");
+}
+
+#[test]
+fn an_error_without_that_of_the_level_says_so() {
+    let run = RunSummary::from_text(FINISHED).expect("a run");
+    let error = |output: &str| run.outputs[output].error();
+    let numerical = "numerical error 0.071 %, the error of the fidelity level itself not included";
+    assert_eq!(error("transmission_error").as_deref(), Some(numerical));
+    assert_eq!(error("share").as_deref(), Some("estimated error 2 %"));
+    assert_eq!(error("wild"), None);
 }
 
 #[test]

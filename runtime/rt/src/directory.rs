@@ -395,7 +395,8 @@ fn chosen_json(chosen: &Chosen) -> Value {
     })
 }
 
-/// Errors are in SI, `relative` in parts of the largest magnitude; `rounding` is the magnitude up to which a value may be nothing else.
+/// Errors are in SI, `relative` in parts of the largest magnitude. `includes_level` says whether the error of the fidelity level itself is
+/// part of them. `rounding` is the magnitude up to which a value may be nothing else.
 fn error_json(error: &ErrorEstimate, summary: &OutputSummary) -> Value {
     let statistics = |Statistics { min, max, mean, peak_to_peak }: &Statistics| json!({ "min": min, "max": max, "mean": mean, "peak_to_peak": peak_to_peak });
     let parts: Map<_, _> =
@@ -404,6 +405,7 @@ fn error_json(error: &ErrorEstimate, summary: &OutputSummary) -> Value {
         error.not_estimated.iter().map(|(part, why)| (part.name().to_owned(), json!(why))).collect();
     let mut all = statistics(&error.total);
     all["relative"] = json!(error.relative(summary));
+    all["includes_level"] = json!(error.includes_level());
     all["rounding"] = json!(error.rounding);
     all["is_rounding"] = json!(error.is_rounding(summary));
     all["parts"] = json!(parts);

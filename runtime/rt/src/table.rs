@@ -3,6 +3,7 @@
 use crate::params::shortest;
 use calyx_abi::description::ModelDescription;
 use calyx_abi::units::from_si;
+use calyx_runtime::estimate::Part;
 use calyx_runtime::results::{AnalysisResult, OutputSummary, Place};
 
 /// One line per output, in the model's units, with the position of its maximum.
@@ -17,7 +18,9 @@ pub fn summary(description: &ModelDescription, result: &AnalysisResult) -> Strin
         cells
     };
     let head = ["output", "unit", "min", "mean", "max", "peak to peak", at].map(String::from);
-    let mut rows = vec![with_error(head.into(), "error".into())];
+    let without_level = without_level(result);
+    let error_head = if without_level.is_some() { "numerical error" } else { "error" };
+    let mut rows = vec![with_error(head.into(), error_head.into())];
     for (output, summary) in description.outputs.iter().zip(&result.summaries) {
         let shown = |si: f64| number(from_si(si, output.unit.factor));
         let cells = vec![
@@ -36,7 +39,29 @@ pub fn summary(description: &ModelDescription, result: &AnalysisResult) -> Strin
         rows.push(with_error(cells, error(summary, output.unit.factor)));
     }
     let chosen = result.chosen.as_ref().map(|chosen| chosen.describe() + "\n");
-    align(&rows) + &chosen.unwrap_or_default()
+    without_level.unwrap_or_default() + &align(&rows) + &chosen.unwrap_or_default()
+}
+
+/// The line above the table that says which errors its column leaves out; `None` if the column has all, or if there is none.
+fn without_level(result: &AnalysisResult) -> Option<String> {
+    let estimates = || result.summaries.iter().filter_map(|summary| summary.error.as_ref());
+    let shown = || estimates().filter(|error| !error.parts.is_empty());
+    let reasons = || shown().filter(|error| !error.includes_level()).flat_map(|error| &error.not_estimated);
+    let (_, reason) = reasons().find(|(part, _)| *part == Part::Level)?;
+    let included = |part: &&Part| shown().any(|error| error.parts.iter().any(|(own, _)| own == *part));
+    let missing = |part: &&Part| {
+        **part != Part::Level && shown().any(|error| error.not_estimated.iter().any(|(own, _)| own == *part))
+    };
+    let [included, mut missing]: [Vec<String>; 2] = [
+        Part::ALL.iter().filter(included).map(|part| part.title().to_owned()).collect(),
+        Part::ALL.iter().filter(missing).map(|part| part.title().to_owned()).collect(),
+    ];
+    missing.push(format!("the error of fidelity \"{}\" itself", result.plan.fidelity.name()));
+    Some(format!(
+        "numerical error: {}; not included: {} ({reason})\n",
+        included.join(", "),
+        missing.join(", ")
+    ))
 }
 
 /// The estimated error of the largest magnitude, as a part of it, or in the output's unit where there is nothing that it is a part of: two digits are

@@ -111,7 +111,7 @@ pub(crate) fn quasi_static_siblings(
     }
     let level = match estimates {
         Estimates::Full => judged.level_above(&samples)?,
-        _ => Err("the level above costs more than the run: \"full\" estimates have it".to_owned()),
+        _ => Err("error_estimates = \"full\" estimates it, at more than the cost of the run".to_owned()),
     };
     found.push(judged.found(Part::Level, &samples, level, &own, |_| 1.0));
     Ok(Evidence { found, rows: judged.with_some_between()?, rounding })

@@ -31,7 +31,9 @@ fn inlay_hints(view: &View, params: InlayHintParams) -> Result<Option<Vec<InlayH
 fn results(view: &View, text: &str) -> Results {
     let Some(run) = view.run(&view.file) else { return Results::default() };
     let outputs = run.outputs.iter().map(|(name, output)| {
-        let details = output.place_of_maximum().map(|place| format!("largest {place}"));
+        let place = output.place_of_maximum().map(|place| format!("largest {place}"));
+        let details: Vec<String> = place.into_iter().chain(output.error()).collect();
+        let details = (!details.is_empty()).then(|| details.join("\n\n"));
         (name.clone(), OutputResult { shown: output.line(), details })
     });
     Results { outputs: outputs.collect(), outdated: !run.is_of(text) }

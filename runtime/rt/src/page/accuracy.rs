@@ -101,6 +101,30 @@ fn is_sure(output: &Output) -> bool {
     total.is_some_and(|total| total.abs() <= DIGITS * output.statistics.magnitude())
 }
 
+/// Whether errors are shown that leave out what the fidelity level itself is off.
+fn lacks_level(run: &Run) -> bool {
+    let shown =
+        run.outputs.iter().filter(|output| output.has_values()).filter_map(|output| output.error.as_ref());
+    shown.into_iter().any(|error| !error.parts.is_empty() && !error.includes_level())
+}
+
+/// Head of the columns of errors.
+pub fn off_by_head(run: &Run) -> &'static str {
+    if lacks_level(run) { "numerically off by" } else { "may be off by" }
+}
+
+/// A note on what errors leave out, if they do.
+pub fn without_level(run: &Run) -> Markup {
+    html! {
+        @if lacks_level(run) {
+            p.note {
+                "Numerical errors (mesh, contact grid, positions, time step): the error of fidelity " q { (run.text("fidelity")) }
+                " itself is not included; see " a href="#accuracy" { "accuracy" } "."
+            }
+        }
+    }
+}
+
 /// How far the value of largest magnitude may be off.
 pub fn of_largest(output: &Output, estimate: &Estimate) -> String {
     off_by(output, output.of_largest(&estimate.total))
@@ -191,7 +215,8 @@ pub fn of_output(output: &Output) -> Markup {
                 @if is_sure(output) {
                     "The value of largest magnitude is sure"
                 } @else {
-                    "May be off by " b { (with_unit(output.of_largest(&estimate.total))) }
+                    @if estimate.includes_level() { "May be off by " } @else { "May be off numerically by " }
+                    b { (with_unit(output.of_largest(&estimate.total))) }
                     " where it is largest in magnitude (" (part_of_value(estimate)) ")"
                 }
                 ", by " (with_unit(other.1)) " where it is " (other.0)
@@ -265,7 +290,8 @@ pub fn section(run: &Run) -> Markup {
             p { "This run has no error estimates. " code { "analyze(..., error_estimates = \"cheap\")" } " in the model asks for them, or" }
             pre { code { (about::turned(run, Some(("error_estimates", "cheap")))) } }
         } @else {
-            (table(&estimated))
+            (table(run, &estimated))
+            (without_level(run))
             (halving(&estimated))
             (not_estimated(run, &estimated))
         }
@@ -288,7 +314,7 @@ fn sources(outputs: &[&Output]) -> Vec<&'static Source> {
     SOURCES.iter().filter(|source| shown.contains(&source.shown)).collect()
 }
 
-fn table(outputs: &[&Output]) -> Markup {
+fn table(run: &Run, outputs: &[&Output]) -> Markup {
     let sources = sources(outputs);
     let shown = |estimate: &Estimate, output: &Output, source: &Source| -> Markup {
         let of_source = |(name, _): &&(String, Statistics)| name == source.name;
@@ -306,7 +332,7 @@ fn table(outputs: &[&Output]) -> Markup {
         p { "How far the value of largest magnitude of each output may be off, in all and by what that comes from; then its mean and its peak to peak. What weighs most is bold. The parts add up: about half is left when all those are halved that the last column names." }
         table.numbers {
             thead { tr {
-                th { "output" } th { "of largest magnitude" } th { "may be off by" } th { "in all" }
+                th { "output" } th { "of largest magnitude" } th { (off_by_head(run)) } th { "in all" }
                 @for source in &sources { th { (source.shown) } }
                 th { "mean off by" } th { "peak to peak off by" }
                 th { "to halve it" }

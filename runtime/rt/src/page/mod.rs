@@ -215,7 +215,7 @@ fn summary(run: &Run) -> Markup {
         table.numbers {
             thead { tr {
                 th { "output" } th.word { "unit" } th { "least" } th { "mean" } th { "largest" }
-                @if estimated { th { "may be off by" } th {} }
+                @if estimated { th { (accuracy::off_by_head(run)) } th {} }
                 th { "peak to peak" }
                 th { "largest at" }
             } }
@@ -240,6 +240,7 @@ fn summary(run: &Run) -> Markup {
                 } }
             } }
         }
+        (accuracy::without_level(run))
         @if run.end != End::Finished {
             p.note { "Of the positions that were solved; means are known at the end." }
         }

@@ -124,6 +124,11 @@ pub struct Estimate {
 }
 
 impl Estimate {
+    /// Whether the error of the fidelity level itself is part of it.
+    pub fn includes_level(&self) -> bool {
+        self.parts.iter().any(|(part, _)| part == "level")
+    }
+
     fn of(json: &Value, factor: f64) -> Option<Estimate> {
         let parts = json["parts"].as_object().into_iter().flatten();
         let names = json["not_estimated"].as_array().into_iter().flatten();
