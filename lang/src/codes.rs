@@ -109,14 +109,19 @@ const CODES: &[Explanation] = codes! {
     "E0506" "something that is no symbol" "Expressions are differentiated by, and evaluated at, `Time`, number params and the number arguments of a symbolic function."
     "E0507" "an expression that cannot stay symbolic" "Numbers, vectors, frames and brackets of them can be bound with `:=`."
     "E0508" "the derivative of an observable" "The values of an observable come from the analysis, so no derivative of it is known when the model is compiled."
-    "E0509" "a derivative that would miss something" "The expression captured a value that was computed from the param it is differentiated by, so the derivative would silently lack that part. Bind the captured name with `:=`."
+    "E0509" "a derivative that would miss something" "The expression captured a value that was computed from the param it is differentiated by, or assigned under a condition on it, so the derivative, or the value at another param, would silently lack that part. Bind the captured name with `:=`, a choice inside the expression. Of a param whose default follows another param nothing says beforehand whether it will follow: bind what always follows with `:=`."
     "E0510" "a symbolic expression that grows without bound" "With every name put in, the expression has more operations than any model needs; usually definitions double at each step."
     "E0511" "a value in a symbolic function" "A symbolic function is an expression and has no moment at which it could take the value of a variable. It sees its arguments, `Time`, params, constants and other symbolic functions."
     "E0512" "an argument a symbolic function cannot have" "The arguments of a symbolic function are free symbols: numbers, truth values or vectors, passed by `in`. An ordinary function takes whole expressions with `in name :=`."
     "E0513" "a symbolic function that needs itself" "A symbolic function stands for one expression, which would never end. Build the expression in a loop that binds a `:=` name again."
     "E0514" "a function that is more than an expression" "A function called with symbols in a `:=` becomes part of the expression, so its body may only name values with `var` and return one. Write it as a symbolic function, or call it with values."
-    "E0515" "an axis that is no unit vector" "`Rotate` turns about a vector of length 1; a longer or shorter one would stretch what is turned. Divide the axis by its length, `a/norm(a)`."
+    "E0515" "an axis that is no unit vector" "`Rotate` turns about a vector of length 1; a longer or shorter one would stretch what is turned. An axis that is computed is checked when the rotation is computed or bound. Divide the axis by its length, `a/norm(a)`."
     "E0516" "a host function in a symbolic expression" "What another program may provide has no formula, so it cannot be differentiated or become part of an expression. Call it with values, or interpolate values of it."
+    "E0518" "a name that is both a unit and a variable" "In a product or quotient after a number with a unit, such as `3 N/m`, the names are read as units. Where one of them is also the name of a variable, parameter, param or constant that is visible there, nothing says which is meant. Rename the variable; or write another name of the unit (`3 N/meter`), or parentheses for the variable: `(3 N)/m`."
+    "W0518" "cycles where angles are expected" "Hz and kHz count cycles, and so does the dimension `Frequency`; rad, deg, rev and rpm are angles. One cycle is 2 pi radians, so where the two meet in a sum, a comparison, an assignment or an argument, a factor of 2 pi is missing. Multiply cycles by `1 rev`, or divide angles by it."
+    "E0519" "a unit of angles for cycles" "A value in Hz cannot be shown in rpm, nor one in rad/s in Hz: one cycle is 2 pi radians. Multiply cycles by `1 rev`, or divide angles by it."
+    "W0519" "the reciprocal of an angular velocity" "`1/(60 rpm)` is the time in which something turns by one radian, 0.159 s; a revolution takes 1 s. Write `1 rev / speed` for the time of a revolution, `1 rad / speed` for that of a radian."
+    "W0520" "a number without a unit as an angle" "Without a unit a number is an angle in radians, which is seldom meant where it stands beside an angle with a unit or is more than a revolution. Write `2 deg` or `2 rad`."
 };
 
 #[cfg(test)]

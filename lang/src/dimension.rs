@@ -134,7 +134,12 @@ const BASES: usize = Base::ALL.len() + OWN_BASES;
 
 /// A dimension: one exponent per [`Base`], then one per base dimension that the program declares.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
-pub struct Dimension([Rational; BASES]);
+pub struct Dimension {
+    exponents: [Rational; BASES],
+    /// The power of cycles: 1 in Hz, -1 in a period. Softer than angle: it is neither shown nor compared, and is kept only
+    /// in powers of time. It serves to find where cycles meet angles without the factor 2 pi ([`Dimension::lacks_turn`]).
+    cycles: Rational,
+}
 
 impl Dimension {
     /// Of a pure number.
@@ -148,19 +153,19 @@ impl Dimension {
             all[base] = Rational::integer(exponents[base]);
             base += 1;
         }
-        Dimension(all)
+        Dimension { exponents: all, cycles: Rational::ZERO }
     }
 
     /// The base dimension that the program declares as its `index`-th, if it may have so many.
     pub fn own(index: usize) -> Option<Self> {
         let mut exponents = [Rational::ZERO; BASES];
         *exponents.get_mut(Base::ALL.len() + index)? = Rational::ONE;
-        Some(Dimension(exponents))
+        Some(Dimension { exponents, cycles: Rational::ZERO })
     }
 
     /// Exponents of the base dimensions that the program declares.
     pub fn own_exponents(self) -> [Rational; OWN_BASES] {
-        std::array::from_fn(|index| self.0[Base::ALL.len() + index])
+        std::array::from_fn(|index| self.exponents[Base::ALL.len() + index])
     }
 
     /// From all exponents as (numerator, denominator).
@@ -169,7 +174,7 @@ impl Dimension {
         for (to, (n, d)) in all.iter_mut().zip(exponents) {
             *to = Rational::new(i64::from(n), i64::from(d))?;
         }
-        Some(Dimension(all))
+        Some(Dimension { exponents: all, cycles: Rational::ZERO })
     }
 
     /// Whether no dimension that the program declares is in it.
@@ -179,27 +184,27 @@ impl Dimension {
 
     /// The part of physics alone.
     pub fn without_own(mut self) -> Dimension {
-        self.0[Base::ALL.len()..].fill(Rational::ZERO);
+        self.exponents[Base::ALL.len()..].fill(Rational::ZERO);
         self
     }
 
     pub fn of(base: Base) -> Self {
         let mut exponents = [Rational::ZERO; BASES];
         exponents[base as usize] = Rational::ONE;
-        Dimension(exponents)
+        Dimension { exponents, cycles: Rational::ZERO }
     }
 
     pub fn exponent(self, base: Base) -> Rational {
-        self.0[base as usize]
+        self.exponents[base as usize]
     }
 
     /// All exponents as (numerator, denominator).
     pub fn exponents(self) -> Exponents {
-        self.0.map(|e| (e.numerator, e.denominator))
+        self.exponents.map(|e| (e.numerator, e.denominator))
     }
 
     pub fn is_none(self) -> bool {
-        self == Dimension::NONE
+        self.without_cycles() == Dimension::NONE
     }
 
     /// Dimension of a product. Exponents beyond 32 bits keep their old value; [`Dimension::power`] refuses the
@@ -214,22 +219,57 @@ impl Dimension {
     }
 
     fn combine(self, other: Dimension, sign: i64) -> Dimension {
-        Dimension(std::array::from_fn(|i| self.0[i].sum(other.0[i], sign).unwrap_or(self.0[i])))
+        let sum = |a: Rational, b: Rational| a.sum(b, sign).unwrap_or(a);
+        let exponents = std::array::from_fn(|i| sum(self.exponents[i], other.exponents[i]));
+        Dimension { exponents, cycles: sum(self.cycles, other.cycles) }.counting_in_time()
     }
 
     /// Dimension of a power; `None` if an exponent leaves -1000 .. 1000 (no physics is out there).
     pub fn power(self, exponent: Rational) -> Option<Dimension> {
+        let power =
+            |e: Rational| e.product(exponent).filter(|e| e.numerator.abs() <= 1000 && e.denominator <= 1000);
         let mut result = [Rational::ZERO; BASES];
-        for (to, from) in result.iter_mut().zip(self.0) {
-            *to = from.product(exponent).filter(|e| e.numerator.abs() <= 1000 && e.denominator <= 1000)?;
+        for (to, from) in result.iter_mut().zip(self.exponents) {
+            *to = power(from)?;
         }
-        Some(Dimension(result))
+        Some(Dimension { exponents: result, cycles: power(self.cycles)? })
+    }
+
+    /// Of quantities that count cycles, such as those in Hz.
+    pub fn of_cycles(self) -> Dimension {
+        Dimension { cycles: Rational::ONE, ..self }
+    }
+
+    pub fn without_cycles(self) -> Dimension {
+        Dimension { cycles: Rational::ZERO, ..self }
+    }
+
+    /// A force times a frequency counts nothing any more.
+    fn counting_in_time(self) -> Dimension {
+        let bases = (0..BASES).filter(|i| *i != Base::Time as usize && *i != Base::Angle as usize);
+        let time_alone = bases.into_iter().all(|i| self.exponents[i].is_zero());
+        if time_alone { self } else { self.without_cycles() }
+    }
+
+    /// Whether values of the two dimensions differ by a factor of 2 pi where they meet: one counts cycles, the other
+    /// angles, as 50 Hz and 3000 rpm do.
+    pub fn lacks_turn(self, other: Dimension) -> bool {
+        let difference = self.combine(other, -1);
+        let (angle, cycles) = (difference.exponent(Base::Angle), difference.cycles);
+        difference.without_angle() == Dimension::NONE
+            && angle.numerator.signum() * cycles.numerator.signum() < 0
+    }
+
+    /// Whether it counts cycles or angles by time, or as a pure number.
+    pub fn is_turning(self) -> bool {
+        let counts = !self.cycles.is_zero() || !self.exponent(Base::Angle).is_zero();
+        counts && self.of_cycles().counting_in_time() == self.of_cycles()
     }
 
     /// The same with the exponent of angle set to zero: what unification compares.
     pub fn without_angle(mut self) -> Dimension {
-        self.0[Base::Angle as usize] = Rational::ZERO;
-        self
+        self.exponents[Base::Angle as usize] = Rational::ZERO;
+        self.without_cycles()
     }
 
     /// Whether values of the two dimensions may meet in a sum or assignment: equal up to angle.
@@ -239,9 +279,10 @@ impl Dimension {
 
     /// The dimension people mean: where an angle got in by multiplication (`omega * r`), the named dimension without it.
     pub fn tidy(self) -> Dimension {
-        let exact = |d: &&(&str, Dimension)| d.1 == self;
-        let soft = |d: &&(&str, Dimension)| d.1.fits(self);
-        NAMES.iter().find(exact).or_else(|| NAMES.iter().find(soft)).map_or(self, |d| d.1)
+        let this = self.without_cycles();
+        let exact = |d: &&(&str, Dimension)| d.1 == this;
+        let soft = |d: &&(&str, Dimension)| d.1.fits(this);
+        NAMES.iter().find(exact).or_else(|| NAMES.iter().find(soft)).map_or(this, |d| d.1)
     }
 
     /// `Force`, `Pressure`, ...; also where only the angle differs.
@@ -401,6 +442,20 @@ mod tests {
         assert!(thousand.power(Rational::integer(2)).is_none());
         assert_eq!(Rational::new(1, 0), None);
         assert_eq!(Rational::new(i64::MIN, -1), None);
+    }
+
+    #[test]
+    fn cycles_meet_angles_only_in_powers_of_time() {
+        let (hertz, speed) = (named("Frequency").of_cycles(), named("AngularVelocity"));
+        assert!(hertz.lacks_turn(speed) && speed.lacks_turn(hertz));
+        assert!(Dimension::NONE.over(hertz).lacks_turn(Dimension::NONE.over(speed)));
+        assert!(hertz.times(named("Time")).lacks_turn(named("Angle")));
+        // A radius times a frequency is a velocity, and so is a radius times an angular velocity.
+        assert!(!hertz.times(named("Length")).lacks_turn(speed.times(named("Length"))));
+        // The root of stiffness by mass says nothing of cycles; a revolution in each cycle is an angular velocity.
+        assert!(!named("Frequency").lacks_turn(speed) && !hertz.lacks_turn(named("Frequency")));
+        assert!(!hertz.times(named("Angle")).lacks_turn(speed));
+        assert_eq!((hertz.to_string(), hertz.is_none()), ("Frequency".to_string(), false));
     }
 
     #[test]

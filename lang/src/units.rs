@@ -20,6 +20,14 @@ impl Unit {
         UNITS.iter().find(|u| u.name == name || u.aliases.contains(&name))
     }
 
+    /// Its dimension with what it counts: cycles in Hz and kHz, which carry no angle.
+    pub fn counted(&self) -> Dimension {
+        match self.name {
+            "Hz" | "kHz" => self.dimension.of_cycles(),
+            _ => self.dimension,
+        }
+    }
+
     /// The unit's name that is spelt most like `name`, for "did you mean".
     pub fn similar(name: &str) -> Option<&'static str> {
         let spellings = UNITS.iter().flat_map(|u| u.aliases.iter().chain([&u.name]));

@@ -49,7 +49,7 @@ impl<'a> Checker<'a> {
                 "Vector" => self.fresh_vector().0,
                 "Array" => Type::array(self.store.fresh()),
                 other if self.handles.contains(other) => Type::Handle(other.into()),
-                other => match Dimension::from_name(other) {
+                other => match counted_dimension(other) {
                     Some(dimension) => Type::quantity(dimension),
                     None => self.unknown_type(other, name.span),
                 },
@@ -105,7 +105,7 @@ impl<'a> Checker<'a> {
                 if let Some(Res::Dimension(id)) = self.names.uses.get(&name.span).copied() {
                     return self.own_dimension(id);
                 }
-                let found = Dimension::from_name(&name.name);
+                let found = counted_dimension(&name.name);
                 if found.is_none() {
                     self.unknown_type(&name.name, name.span);
                 }
@@ -227,4 +227,10 @@ impl<'a> Checker<'a> {
             self.annotation(result, true);
         }
     }
+}
+
+/// The dimension that a name in a type stands for. A frequency is in cycles by time.
+fn counted_dimension(name: &str) -> Option<Dimension> {
+    let dimension = Dimension::from_name(name)?;
+    Some(if name == "Frequency" { dimension.of_cycles() } else { dimension })
 }

@@ -1,4 +1,7 @@
-//! Axes of rotations, where they are known when the model is checked.
+//! Axes of rotations: a rotation is about a unit vector, because another one would stretch the frame.
+//!
+//! What is constant as written is checked here. A value is checked when the rotation, or the `:=` that captures it, is
+//! executed. An axis in symbols has no value then: where it is no unit vector, the frame is NaN, which the engine reports.
 
 use super::constant;
 use super::infer::Checker;
@@ -8,16 +11,17 @@ use crate::ast::{BinaryOp, UnaryOp};
 use crate::diagnostic::Diagnostic;
 use crate::ir::Op;
 
-/// How far the length of an axis may be from one: what rounding its components to six digits does.
-const TOLERANCE: f64 = 1e-6;
-
 impl Checker<'_> {
-    /// A rotation is about a unit vector; another one would stretch the frame.
-    pub(super) fn check_axis(&mut self, axis: &Expr) {
-        let Some([x, y, z]) = vector(axis, &self.store) else { return };
+    /// Checks an axis, or sees to it that it is checked when it is known.
+    pub(super) fn check_axis(&mut self, axis: &mut Expr) {
+        let Some([x, y, z]) = vector(axis, &self.store) else {
+            let (ty, span) = (axis.ty.clone(), axis.span);
+            let inner = std::mem::replace(axis, Expr::error(span));
+            *axis = Expr { kind: Kind::UnitAxis(Box::new(inner)), ty, span };
+            return;
+        };
         let length = (x * x + y * y + z * z).sqrt();
-        // An axis of NaN is left to run as it is.
-        if (length - 1.0).abs() > TOLERANCE {
+        if !calyx_abi::math::is_unit(length) {
             let help = match length > 0.0 {
                 true => "divide it by its length",
                 false => "give it a direction, such as `e3`",
@@ -37,6 +41,24 @@ impl Checker<'_> {
             });
         }
     }
+}
+
+/// Whether an expression has symbols, so that it has no value when it is bound.
+pub(super) fn has_symbols(e: &Expr) -> bool {
+    let itself = matches!(
+        e.kind,
+        Kind::Time
+            | Kind::Param(_)
+            | Kind::Def(_)
+            | Kind::Chosen(_)
+            | Kind::SymbolicCall(_)
+            | Kind::At(..)
+            | Kind::Derivative(..)
+            | Kind::Gradient(..)
+            | Kind::Observe(_)
+            | Kind::Error
+    );
+    itself || e.children().into_iter().any(has_symbols)
 }
 
 /// The components of a vector that is constant as written.

@@ -176,7 +176,7 @@ impl<'a> Checker<'a> {
             values.push(value);
         }
         self.symbolic = around;
-        if let (Op::Rotate, [_, axis]) = (signature.op, values.as_slice()) {
+        if let (Op::Rotate, [_, axis]) = (signature.op, values.as_mut_slice()) {
             self.check_axis(axis);
         }
         let ty = shape_type(signature.result, &d, &e);

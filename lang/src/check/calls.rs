@@ -237,6 +237,7 @@ impl<'a> Checker<'a> {
             }
         }
         let mut values = Vec::new();
+        let given_ones: Vec<bool> = given.iter().map(Option::is_some).collect();
         for (parameter, argument) in decl.parameters.iter().zip(given) {
             let ty = self.in_file(file, |c| {
                 parameter.annotation.as_ref().map_or(Type::Error, |a| c.annotation(a, true))
@@ -246,7 +247,15 @@ impl<'a> Checker<'a> {
                     Type::Symbolic(inner) => {
                         self.symbolic_argument(inner, &parameter.name, &ty, argument, arguments)
                     }
-                    _ => self.value_argument(&ty, &parameter.name, argument),
+                    _ => {
+                        let reported = self.diagnostics.len();
+                        let value = self.value_argument(&ty, &parameter.name, argument);
+                        if self.diagnostics.len() > reported {
+                            let free = self.in_file(file, |c| c.free_parameters(decl, &given_ones));
+                            self.explain_argument(reported, (&parameter.name, &ty), argument, &value, &free);
+                        }
+                        value
+                    }
                 },
                 (None, _) if fields.contains_key(&parameter.name.name) => {
                     self.field_argument(&ty, &parameter.name, &mut fields, span)
@@ -405,6 +414,7 @@ impl<'a> Checker<'a> {
         };
         let variables = self.names.functions[id.0 as usize].parameters.clone();
         let (mut values, mut copy_back, mut demands) = (Vec::new(), Vec::new(), Vec::new());
+        let given_ones: Vec<bool> = given.iter().map(Option::is_some).collect();
         for (((parameter, argument), ty), variable) in
             decl.parameters.iter().zip(given).zip(&types).zip(variables)
         {
@@ -415,7 +425,15 @@ impl<'a> Checker<'a> {
                         self.hand_over(variable, &value);
                         value
                     }
-                    _ => self.value_argument(ty, &parameter.name, argument),
+                    _ => {
+                        let reported = self.diagnostics.len();
+                        let value = self.value_argument(ty, &parameter.name, argument);
+                        if self.diagnostics.len() > reported {
+                            let free = self.in_file(file, |c| c.free_parameters(decl, &given_ones));
+                            self.explain_argument(reported, (&parameter.name, ty), argument, &value, &free);
+                        }
+                        value
+                    }
                 },
                 (Mode::In, None) if fields.contains_key(&parameter.name.name) => {
                     self.field_argument(ty, &parameter.name, &mut fields, span)
@@ -450,7 +468,6 @@ impl<'a> Checker<'a> {
                         Expr { kind: place_value(&place), ty: place.ty.clone(), span: argument.value.span };
                     let cause = (parameter.span(), format!("`{}` is handed back here", parameter.name.name));
                     self.expect(ty, &value, &format!("`{}`", parameter.name.name), Some(cause));
-                    self.dependence.variable_on_function(place.variable, id);
                     copy_back.push(place);
                     value
                 }

@@ -5,6 +5,7 @@ use super::infer::Checker;
 use super::rules::{self, Rule};
 use super::symbols::with_article;
 use super::tree::{Constraint, ConstraintKind, RecordId};
+use super::turns::turn_in_format;
 use super::types::{Mismatch, Type};
 use crate::diagnostic::Diagnostic;
 use crate::dimension::Dimension;
@@ -467,6 +468,9 @@ impl Checker<'_> {
             (Type::Unknown(_), _) => Outcome::Open,
             (Type::Number(dim) | Type::Vector(dim), Some(unit)) => {
                 let shown = with_article(&self.store.show_dim(&dim));
+                if self.store.dim(&dim).as_known().is_some_and(|known| known.lacks_turn(unit)) {
+                    return Outcome::failed(turn_in_format(constraint.span));
+                }
                 match self.store.unify_dims(&dim, &Dim::known(unit)) {
                     Ok(()) => Outcome::Solved,
                     Err(_) => {

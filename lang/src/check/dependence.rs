@@ -1,10 +1,14 @@
-//! Which values depend on which params: a derivative by a param must not overlook one that was computed beforehand.
+//! Which values depend on which params: a derivative by a param, or a value at another one, must not overlook a value
+//! that was computed from the param beforehand.
 //!
+//! A value depends on what it is computed from, and on the conditions that decide whether it is assigned: those of the
+//! statements around the assignment, of jumps past it, of calls of the function it stands in, and of errors before it.
 //! Flow-insensitive, so it may refuse a derivative that would have been right, and never lets a wrong one pass.
-//! A branch taken because of a param does not count: params are not differentiable there.
 
 use super::graphs::Graphs;
-use super::tree::{Def, DefId, Expr, FuncId, Kind, Sym, VarId};
+use super::tree::{Call, Def, DefId, Expr, FuncId, Function, Kind, Place, Sym, VarId};
+use crate::ast::BinaryOp;
+use crate::ir::Op;
 use crate::span::Span;
 use std::collections::{BTreeSet, HashMap, HashSet};
 
@@ -17,99 +21,446 @@ enum Node {
     Definition(DefId),
     /// What errors carry from where they are thrown to where they are caught.
     Error,
+    /// The conditions of a statement that decide what runs inside it.
+    Control(u32),
+    /// Which expression a `:=` name has.
+    Choice(VarId),
+    /// Whether a function is called.
+    Called(FuncId),
+    /// Jumps inside a function by `goto`.
+    Jumps(FuncId),
+    /// Whether a function ends before its last statement.
+    Leaves(FuncId),
+    /// Whether a function ends with an error.
+    Fails(FuncId),
+}
+
+impl Node {
+    /// Decides what runs, and is no value.
+    fn is_control(self) -> bool {
+        !matches!(
+            self,
+            Node::Variable(_) | Node::Param(_) | Node::Function(_) | Node::Definition(_) | Node::Error
+        )
+    }
+}
+
+/// A statement whose conditions decide what runs inside it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Region {
+    Choice,
+    Switch,
+    Loop,
+    /// Every expression in it may end it with an error.
+    Try,
+}
+
+/// What is asked of an expression that captured values cannot follow.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Question {
+    Derivative,
+    /// `e at p = v`.
+    Value,
+}
+
+/// Why an answer would be wrong.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Blind {
+    /// The captured variable was computed from the param.
+    Computed(VarId),
+    /// The captured variable was assigned under a condition on the param.
+    Conditional(VarId),
+    /// Which expression the `:=` name has was decided by a condition on the param.
+    Chosen(VarId),
+    /// The default of this other param follows the param.
+    Follows(u32),
+}
+
+#[derive(Debug)]
+struct Asked {
+    question: Question,
+    param: u32,
+    named: Named,
+    span: Span,
+}
+
+/// What an expression names besides `Time`.
+#[derive(Clone, Debug, Default)]
+struct Named {
+    captured: BTreeSet<VarId>,
+    params: BTreeSet<u32>,
+    /// Functions that become part of the expression.
+    functions: BTreeSet<FuncId>,
+}
+
+/// The function and the statements around what is being checked.
+#[derive(Debug, Default)]
+pub struct Around {
+    function: FuncId,
+    regions: Vec<(Region, u32)>,
 }
 
 #[derive(Debug, Default)]
 pub struct Dependence {
     edges: HashMap<Node, BTreeSet<Node>>,
-    /// Param, captured variables in the differentiated expression, place.
-    derivatives: Vec<(u32, BTreeSet<VarId>, Span)>,
+    asked: Vec<Asked>,
+    around: Around,
+    controls: u32,
+    /// How many regions were around the declaration of a variable: their conditions also decide whether it is there.
+    declared: HashMap<VarId, usize>,
 }
 
 impl Dependence {
-    /// A variable is given a value.
+    // Where the check is.
+
+    /// The body of a function follows; gives what was around.
+    pub fn enter(&mut self, function: FuncId) -> Around {
+        std::mem::replace(&mut self.around, Around { function, regions: Vec::new() })
+    }
+
+    pub fn leave(&mut self, around: Around) {
+        self.around = around;
+    }
+
+    pub fn open(&mut self, region: Region) {
+        self.around.regions.push((region, self.controls));
+        self.controls += 1;
+    }
+
+    pub fn close(&mut self) {
+        self.around.regions.pop();
+    }
+
+    /// From what a `try` guards to what handles its errors.
+    pub fn handle(&mut self) {
+        let guarded = self.around.regions.pop();
+        self.open(Region::Choice);
+        if let (Some((_, guarded)), Some((_, handler))) = (guarded, self.around.regions.last()) {
+            self.link(Node::Control(*handler), [Node::Control(guarded)]);
+        }
+    }
+
+    /// The value decides what runs in the innermost region.
+    pub fn decides(&mut self, value: &Expr) {
+        if let Some((_, control)) = self.around.regions.last() {
+            self.add(Node::Control(*control), value);
+        }
+    }
+
+    pub fn declare(&mut self, id: VarId) {
+        self.declared.insert(id, self.around.regions.len());
+    }
+
+    pub fn break_out(&mut self) {
+        self.jump_to(|region| matches!(region, Region::Loop | Region::Switch));
+    }
+
+    pub fn continue_loop(&mut self) {
+        self.jump_to(|region| region == Region::Loop);
+    }
+
+    /// What runs in the regions left depends on the conditions of the jump.
+    fn jump_to(&mut self, end: impl Fn(Region) -> bool) {
+        let here = self.conditions();
+        let regions: Vec<_> = self.around.regions.iter().rev().copied().collect();
+        for (region, control) in regions {
+            self.link(Node::Control(control), here.iter().copied());
+            if end(region) {
+                break;
+            }
+        }
+    }
+
+    pub fn jump(&mut self) {
+        let here = self.conditions();
+        self.link(Node::Jumps(self.around.function), here);
+    }
+
+    pub fn leave_function(&mut self) {
+        let here = self.conditions();
+        self.link(Node::Leaves(self.around.function), here);
+    }
+
+    /// Decides whether the statement being checked runs, once its function is called.
+    fn conditions(&self) -> BTreeSet<Node> {
+        let function = self.around.function;
+        let regions = self.around.regions.iter().map(|(_, control)| Node::Control(*control));
+        regions.chain([Node::Jumps(function), Node::Leaves(function)]).collect()
+    }
+
+    /// Decides whether a variable is assigned here.
+    fn conditions_of(&self, id: VarId, owner: FuncId) -> BTreeSet<Node> {
+        let function = self.around.function;
+        if owner != function {
+            let mut all = self.conditions();
+            all.insert(Node::Called(function));
+            return all;
+        }
+        let outside = self.declared.get(&id).copied().unwrap_or(0);
+        let inside = self.around.regions.iter().skip(outside).map(|(_, control)| Node::Control(*control));
+        inside.chain([Node::Jumps(function)]).collect()
+    }
+
+    // What is computed from what.
+
+    /// A variable that no statement assigns is given a value: a parameter, or a value that a `:=` captures.
     pub fn variable(&mut self, id: VarId, value: &Expr) {
         self.add(Node::Variable(id), value);
     }
 
-    /// A name that holds an expression is bound to one.
-    pub fn variable_on_definition(&mut self, id: VarId, def: DefId) {
-        self.edges.entry(Node::Variable(id)).or_default().insert(Node::Definition(def));
+    /// A statement assigns a variable of the function `owner`, or a part of it.
+    pub fn assigned(&mut self, place: &Place, owner: FuncId, value: &Expr) {
+        let node = Node::Variable(place.variable);
+        self.add(node, value);
+        for index in place.indices() {
+            self.add(node, index);
+            self.may_fail(Some(index));
+        }
+        self.link(node, self.conditions_of(place.variable, owner));
     }
 
-    pub fn variable_on_function(&mut self, id: VarId, function: FuncId) {
-        self.edges.entry(Node::Variable(id)).or_default().insert(Node::Function(function));
+    /// A name that holds an expression is bound to one.
+    pub fn bound(&mut self, id: VarId, owner: FuncId, def: DefId) {
+        self.link(Node::Variable(id), [Node::Definition(def), Node::Choice(id)]);
+        self.link(Node::Choice(id), self.conditions_of(id, owner));
     }
 
     /// A function hands back the present value of a parameter.
     pub fn function_on_variable(&mut self, function: FuncId, id: VarId) {
-        self.edges.entry(Node::Function(function)).or_default().insert(Node::Variable(id));
+        self.link(
+            Node::Function(function),
+            [Node::Variable(id), Node::Jumps(function), Node::Leaves(function)],
+        );
     }
 
     pub fn returned(&mut self, function: FuncId, value: &Expr) {
         self.add(Node::Function(function), value);
+        self.link(Node::Function(function), self.conditions());
     }
 
     pub fn thrown(&mut self, value: &Expr) {
         self.add(Node::Error, value);
+        self.link(Node::Error, self.conditions());
     }
 
     /// An error may carry the variable's value.
     pub fn thrown_variable(&mut self, id: VarId) {
-        self.edges.entry(Node::Error).or_default().insert(Node::Variable(id));
+        self.link(Node::Error, [Node::Variable(id)]);
     }
 
+    /// The innermost region handles the errors of a `try`; they are caught in the variable.
     pub fn caught(&mut self, id: VarId) {
-        self.edges.entry(Node::Variable(id)).or_default().insert(Node::Error);
+        let handler = self.around.regions.last().map(|(_, control)| Node::Control(*control));
+        self.link(Node::Variable(id), handler.into_iter().chain([Node::Error]));
     }
 
     pub fn definition(&mut self, id: DefId, expr: &Expr) {
         self.add(Node::Definition(id), expr);
     }
 
-    /// An expression is differentiated.
-    pub fn derivative(&mut self, by: Sym, expr: &Expr, defs: &[Def], span: Span) {
+    pub fn param(&mut self, id: u32, default: &Expr) {
+        self.add(Node::Param(id), default);
+    }
+
+    /// A statement evaluates an expression: the functions it calls run under the conditions here, and it may fail.
+    pub fn evaluated(&mut self, e: &Expr, owner: &dyn Fn(VarId) -> FuncId) {
+        if can_fail(e) {
+            self.may_fail(Some(e));
+        }
+        self.calls(e, &BTreeSet::new(), owner);
+    }
+
+    /// An error may arise here, in what is evaluated if anything is.
+    pub fn may_fail(&mut self, evaluated: Option<&Expr>) {
+        let function = self.around.function;
+        let guards = self.around.regions.iter().filter(|(region, _)| *region == Region::Try);
+        let mut ends: Vec<Node> = guards.map(|(_, control)| Node::Control(*control)).collect();
+        // Nothing calls the top level.
+        if function != FuncId(0) {
+            ends.push(Node::Fails(function));
+        }
+        if ends.is_empty() {
+            return;
+        }
+        let mut found = self.conditions();
+        if let Some(e) = evaluated {
+            sources(e, &mut found);
+            called(e, &mut |call| {
+                found.insert(Node::Fails(call.function));
+            });
+        }
+        ends.into_iter().for_each(|end| self.link(end, found.iter().copied()));
+    }
+
+    /// Notes the calls in an expression; `guards` decide whether it is evaluated.
+    fn calls(&mut self, e: &Expr, guards: &BTreeSet<Node>, owner: &dyn Fn(VarId) -> FuncId) {
+        match &e.kind {
+            Kind::If(condition, then, otherwise) => {
+                self.calls(condition, guards, owner);
+                for arm in [then, otherwise].into_iter().filter(|arm| has_call(arm)) {
+                    self.calls(arm, &guarded(guards, condition), owner);
+                }
+                return;
+            }
+            Kind::Binary(BinaryOp::And | BinaryOp::Or, a, b) => {
+                self.calls(a, guards, owner);
+                if has_call(b) {
+                    self.calls(b, &guarded(guards, a), owner);
+                }
+                return;
+            }
+            Kind::Call(call) => {
+                let here = self.conditions();
+                let around = Node::Called(self.around.function);
+                self.link(
+                    Node::Called(call.function),
+                    here.into_iter().chain([around]).chain(guards.iter().copied()),
+                );
+                for place in &call.copy_back {
+                    let node = Node::Variable(place.variable);
+                    place.indices().for_each(|index| self.add(node, index));
+                    let conditions = self.conditions_of(place.variable, owner(place.variable));
+                    self.link(
+                        node,
+                        conditions
+                            .into_iter()
+                            .chain([Node::Function(call.function)])
+                            .chain(guards.iter().copied()),
+                    );
+                }
+            }
+            _ => {}
+        }
+        e.children().into_iter().for_each(|child| self.calls(child, guards, owner));
+    }
+
+    /// An expression is differentiated by a symbol, or evaluated at another value of it.
+    pub fn asked(&mut self, question: Question, by: Sym, expr: &Expr, defs: &[Def], span: Span) {
         let Sym::Param(param) = by else { return };
-        let mut captured = BTreeSet::new();
-        let mut seen = HashSet::new();
-        captured_in(expr, defs, &mut captured, &mut seen);
-        self.derivatives.push((param, captured, span));
+        let mut named = Named::default();
+        named.collect(expr, defs, &mut HashSet::new());
+        self.asked.push(Asked { question, param, named, span });
     }
 
     fn add(&mut self, node: Node, value: &Expr) {
-        let mut found = BTreeSet::new();
-        sources(value, &mut found);
-        self.edges.entry(node).or_default().extend(found);
+        let found = self.edges.entry(node).or_default();
+        sources(value, found);
     }
 
-    /// Derivatives that would miss something: the param, the captured variable that hides it, the place.
-    pub fn blind_derivatives(&self, defs: &[Def], graphs: &Graphs) -> Vec<(u32, VarId, Span)> {
-        let hides = |param: u32, id: VarId| {
-            let (mut seen, mut stack) = (HashSet::new(), vec![Node::Variable(id)]);
-            while let Some(node) = stack.pop() {
-                if node == Node::Param(param) {
-                    return true;
-                }
-                if seen.insert(node) {
-                    stack.extend(self.edges.get(&node).into_iter().flatten());
-                }
+    fn link(&mut self, node: Node, to: impl IntoIterator<Item = Node>) {
+        self.edges.entry(node).or_default().extend(to);
+    }
+
+    /// Whether a node depends on a param; `by_value` leaves conditions aside.
+    fn depends(&self, from: Node, param: u32, by_value: bool) -> bool {
+        let (mut seen, mut stack) = (HashSet::new(), vec![from]);
+        while let Some(node) = stack.pop() {
+            if node == Node::Param(param) {
+                return true;
             }
-            false
+            if seen.insert(node) {
+                let next = self.edges.get(&node).into_iter().flatten().copied();
+                stack.extend(next.filter(|to| !(by_value && to.is_control())));
+            }
+        }
+        false
+    }
+
+    /// Derivatives and values that would miss something: the question, the param, what hides it, the place.
+    pub fn blind(
+        &self,
+        defs: &[Def],
+        graphs: &Graphs,
+        functions: &HashMap<FuncId, Function>,
+    ) -> Vec<(Question, u32, Blind, Span)> {
+        let why = |asked: &Asked| {
+            let param = asked.param;
+            let named = asked.named.with_functions(functions, defs);
+            let (values, names) = through_graphs(&named.captured, defs, graphs);
+            let mut values = values.into_iter().map(Node::Variable);
+            let hidden = values.find(|value| self.depends(*value, param, false));
+            let hidden = hidden.map(|node| match node {
+                Node::Variable(id) if !self.depends(node, param, true) => Blind::Conditional(id),
+                Node::Variable(id) => Blind::Computed(id),
+                _ => Blind::Follows(param),
+            });
+            let chosen = || {
+                let chosen = |id: &VarId| self.depends(Node::Choice(*id), param, false);
+                names.into_iter().find(chosen).map(Blind::Chosen)
+            };
+            let follows = || {
+                let mut others = named.params.iter().filter(|other| **other != param);
+                others
+                    .find(|other| self.depends(Node::Param(**other), param, false))
+                    .map(|id| Blind::Follows(*id))
+            };
+            hidden.or_else(chosen).or_else(follows)
         };
-        self.derivatives
-            .iter()
-            .filter_map(|(param, captured, span)| {
-                let captured = through_graphs(captured, defs, graphs);
-                let id = captured.into_iter().find(|id| hides(*param, *id))?;
-                Some((*param, id, *span))
-            })
-            .collect()
+        let all = self.asked.iter();
+        all.filter_map(|asked| Some((asked.question, asked.param, why(asked)?, asked.span))).collect()
     }
 }
 
-/// Values captured by an expression, those of the expressions it captured included.
-fn through_graphs(captured: &BTreeSet<VarId>, defs: &[Def], graphs: &Graphs) -> BTreeSet<VarId> {
-    let (mut values, mut seen, mut met) = (BTreeSet::new(), HashSet::new(), HashSet::new());
+impl Named {
+    fn collect(&mut self, e: &Expr, defs: &[Def], seen: &mut HashSet<DefId>) {
+        match &e.kind {
+            Kind::Var(id) => {
+                self.captured.insert(*id);
+            }
+            Kind::Param(id) => {
+                self.params.insert(*id);
+            }
+            Kind::Def(id) if seen.insert(*id) => self.collect(&defs[id.0 as usize].expr, defs, seen),
+            Kind::Call(call) | Kind::SymbolicCall(call) => {
+                self.functions.insert(call.function);
+            }
+            // The param has a value of its own there.
+            Kind::At(inner, Sym::Param(param), at) => {
+                let mut named = Named::default();
+                named.collect(inner, defs, &mut HashSet::new());
+                named.params.remove(param);
+                self.captured.extend(named.captured);
+                self.params.extend(named.params);
+                self.functions.extend(named.functions);
+                return self.collect(at, defs, seen);
+            }
+            _ => {}
+        }
+        e.children().into_iter().for_each(|child| self.collect(child, defs, seen));
+    }
+
+    /// Params that the functions in the expression name count as well. Functions that this check does not see in full
+    /// see no params.
+    fn with_functions(&self, functions: &HashMap<FuncId, Function>, defs: &[Def]) -> Named {
+        let mut all = self.clone();
+        let mut seen = HashSet::new();
+        let mut pending: Vec<FuncId> = self.functions.iter().copied().collect();
+        while let Some(id) = pending.pop() {
+            let Some(function) = functions.get(&id).filter(|_| seen.insert(id)) else { continue };
+            let mut inner = Named::default();
+            if let Some(body) = &function.definition {
+                inner.collect(&defs[body.def.0 as usize].expr, defs, &mut HashSet::new());
+            }
+            for statement in &function.body {
+                statement.walk(&mut |s| {
+                    s.expressions().into_iter().for_each(|e| inner.collect(e, defs, &mut HashSet::new()));
+                });
+            }
+            // Its variables are its own.
+            all.params.extend(inner.params);
+            pending.extend(inner.functions);
+        }
+        all
+    }
+}
+
+/// Values captured by an expression, those of the expressions it captured included, and the names of these.
+fn through_graphs(
+    captured: &BTreeSet<VarId>,
+    defs: &[Def],
+    graphs: &Graphs,
+) -> (BTreeSet<VarId>, BTreeSet<VarId>) {
+    let (mut values, mut seen, mut met) = (BTreeSet::new(), HashSet::new(), BTreeSet::new());
     let mut pending: Vec<VarId> = captured.iter().copied().collect();
     while let Some(id) = pending.pop() {
         let Some(name) = graphs.captured.get(&id) else {
@@ -117,14 +468,14 @@ fn through_graphs(captured: &BTreeSet<VarId>, defs: &[Def], graphs: &Graphs) -> 
             continue;
         };
         if met.insert(*name) {
-            let mut found = BTreeSet::new();
+            let mut found = Named::default();
             for def in graphs.bound.get(name).into_iter().flatten() {
-                captured_in(&defs[def.0 as usize].expr, defs, &mut found, &mut seen);
+                found.collect(&defs[def.0 as usize].expr, defs, &mut seen);
             }
-            pending.extend(found);
+            pending.extend(found.captured);
         }
     }
-    values
+    (values, met)
 }
 
 fn sources(e: &Expr, found: &mut BTreeSet<Node>) {
@@ -138,7 +489,7 @@ fn sources(e: &Expr, found: &mut BTreeSet<Node>) {
         Kind::Def(id) | Kind::MakeSymbolic(id) | Kind::Eval(id, _) => {
             found.insert(Node::Definition(*id));
         }
-        Kind::Call(call) => {
+        Kind::Call(call) | Kind::SymbolicCall(call) => {
             found.insert(Node::Function(call.function));
         }
         _ => {}
@@ -146,13 +497,30 @@ fn sources(e: &Expr, found: &mut BTreeSet<Node>) {
     e.children().into_iter().for_each(|child| sources(child, found));
 }
 
-fn captured_in(e: &Expr, defs: &[Def], captured: &mut BTreeSet<VarId>, seen: &mut HashSet<DefId>) {
-    match &e.kind {
-        Kind::Var(id) => {
-            captured.insert(*id);
-        }
-        Kind::Def(id) if seen.insert(*id) => captured_in(&defs[id.0 as usize].expr, defs, captured, seen),
-        _ => {}
+/// Whether the evaluation of an expression may end with an error.
+fn can_fail(e: &Expr) -> bool {
+    let itself = matches!(
+        e.kind,
+        Kind::Index(..) | Kind::Call(_) | Kind::CallExtern(..) | Kind::Assert(_) | Kind::Op(Op::Rotate, _)
+    );
+    itself || e.children().into_iter().any(can_fail)
+}
+
+/// What decides on the evaluation of something that a condition guards too.
+fn guarded(guards: &BTreeSet<Node>, condition: &Expr) -> BTreeSet<Node> {
+    let mut all = guards.clone();
+    sources(condition, &mut all);
+    all
+}
+
+fn has_call(e: &Expr) -> bool {
+    matches!(e.kind, Kind::Call(_)) || e.children().into_iter().any(has_call)
+}
+
+/// The calls in an expression.
+fn called(e: &Expr, visit: &mut dyn FnMut(&Call)) {
+    if let Kind::Call(call) = &e.kind {
+        visit(call);
     }
-    e.children().into_iter().for_each(|child| captured_in(child, defs, captured, seen));
+    e.children().into_iter().for_each(|child| called(child, visit));
 }

@@ -1,5 +1,6 @@
 //! `throw`, `try` and `catch`.
 
+use super::dependence::Region;
 use super::infer::Checker;
 use super::symbols::Res;
 use super::tree::*;
@@ -31,12 +32,16 @@ impl<'a> Checker<'a> {
                 );
                 return StmtKind::Nothing;
             }
+            self.dependence.may_fail(None);
+            self.dependence.leave_function();
             return StmtKind::Throw(None);
         };
         let value = self.as_value(|c| c.expr(value));
         let kind = ConstraintKind::Throwable(value.ty.clone());
         self.constrain(Constraint { kind, span: value.span });
         self.dependence.thrown(&value);
+        self.dependence.may_fail(None);
+        self.dependence.leave_function();
         StmtKind::Throw(Some(value))
     }
 
@@ -50,13 +55,16 @@ impl<'a> Checker<'a> {
             Some(Res::Var(id)) => Some(*id),
             _ => None,
         });
+        self.dependence.open(Region::Try);
         let (tried, handled) = self.either(
             |c| c.boxed(body),
             |c| {
+                c.dependence.handle();
                 if let Some(id) = error {
                     let (ty, caught) = (c.variable_type(id), c.error_type());
                     // A fresh unknown takes any type.
                     let _ = c.store.unify(&ty, &caught);
+                    c.dependence.declare(id);
                     c.dependence.caught(id);
                 }
                 c.handlers += 1;
@@ -65,6 +73,7 @@ impl<'a> Checker<'a> {
                 handled
             },
         );
+        self.dependence.close();
         StmtKind::Try { body: tried, error, handler: handled }
     }
 }

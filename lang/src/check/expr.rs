@@ -125,9 +125,16 @@ impl<'a> Checker<'a> {
         if known.is_none() && !matches!(self.names.uses.get(&unit.span), Some(Res::OwnUnit(_))) {
             self.unknown_unit(unit, "a name right after a number must be a unit");
         }
+        let counts = match self.names.uses.get(&unit.span) {
+            Some(Res::Unit(unit)) => unit.counted().power(Rational::integer(exponent)),
+            _ => None,
+        };
         let unit = known.and_then(|unit| powered(&unit, exponent));
         match unit.and_then(|unit| Some((unit.factor, Dimension::from_exponents(unit.dimension)?))) {
-            Some((factor, dimension)) => (Kind::Number(to_si(value, factor)), Type::quantity(dimension)),
+            Some((factor, dimension)) => {
+                let dimension = counts.unwrap_or(dimension);
+                (Kind::Number(to_si(value, factor)), Type::quantity(dimension))
+            }
             None => (Kind::Error, Type::Error),
         }
     }
@@ -254,7 +261,7 @@ impl<'a> Checker<'a> {
                     None => (Kind::Error, Type::Error),
                 }
             }
-            Res::Unit(unit) => (Kind::Number(unit.factor), Type::quantity(unit.dimension)),
+            Res::Unit(unit) => (Kind::Number(unit.factor), Type::quantity(unit.counted())),
             Res::Builtin(_) if Unit::find(&name.name).is_some() => {
                 // `min` is a function where it is called and the minute elsewhere.
                 let unit = Unit::find(&name.name);
@@ -465,6 +472,7 @@ impl<'a> Checker<'a> {
                 a.ty.clone()
             }
             BinaryOp::Multiply | BinaryOp::Divide => {
+                self.note_reciprocal(op, &a, &b, span);
                 let result = self.store.fresh();
                 let (l, r) = (a.ty.clone(), b.ty.clone());
                 let kind = if op == BinaryOp::Multiply {
@@ -473,7 +481,7 @@ impl<'a> Checker<'a> {
                     ConstraintKind::Divide(l, r, result.clone())
                 };
                 self.constrain(Constraint { kind, span: op_span });
-                result
+                self.turned(result, &a, &b)
             }
             // Handled above.
             BinaryOp::Power => Type::Error,

@@ -87,6 +87,8 @@ pub struct Checker<'a> {
     pub(super) named_fields: Vec<(ast::Ident, Type)>,
     /// A literal in a declaration has a dimension that uses decide.
     pub(super) unsettled: bool,
+    /// Where cycles and angles may meet.
+    pub(super) turns: super::turns::Turns,
     groups: HashMap<FuncId, Vec<FuncId>>,
     pub(super) variable_types: HashMap<VarId, Type>,
     reported: HashSet<(String, Span, String)>,
@@ -130,6 +132,7 @@ impl<'a> Checker<'a> {
             parameter_types: HashMap::new(),
             named_fields: Vec::new(),
             unsettled: false,
+            turns: Default::default(),
             groups,
             variable_types: HashMap::new(),
             reported: HashSet::new(),
@@ -167,6 +170,7 @@ impl<'a> Checker<'a> {
         }
         self.check_extern_declarations();
         self.finish_constraints();
+        self.finish_turns();
         self.finish_params();
         self.finish_definitions();
         self.finish_graphs();
@@ -224,6 +228,8 @@ impl<'a> Checker<'a> {
     /// Demands that a checked expression has a type. `what` names the place it is put in (`argument `teeth``), `cause`
     /// is where that place got its type.
     pub fn expect(&mut self, expected: &Type, found: &Expr, what: &str, cause: Option<(Span, String)>) {
+        self.check_turns(expected, &found.ty, found.span, cause.as_ref().map(|(span, _)| *span));
+        self.note_literal(expected, found);
         if let Err(mismatch) = self.store.unify(expected, &found.ty) {
             self.mismatch(mismatch, expected, found, what, cause);
         }
@@ -360,6 +366,7 @@ impl<'a> Checker<'a> {
         let function = std::mem::replace(&mut self.function, id);
         let symbolic = std::mem::replace(&mut self.symbolic, false);
         let handlers = std::mem::take(&mut self.handlers);
+        let around = self.dependence.enter(id);
         let reaching = self.reaching.clone();
         let variables = self.names.functions[id.0 as usize].parameters.clone();
         for (parameter, &variable) in decl.parameters.iter().zip(&variables) {
@@ -419,6 +426,7 @@ impl<'a> Checker<'a> {
         self.reaching = reaching;
         self.symbolic = symbolic;
         self.handlers = handlers;
+        self.dependence.leave(around);
         self.function = function;
         self.file = file;
     }

@@ -230,7 +230,9 @@ impl Meanings {
 /// The dimension of numbers of a type, symbolic ones too.
 pub fn dimension(store: &Store, ty: &Type) -> Option<Dimension> {
     match store.shallow(ty) {
-        Type::Number(dim) | Type::Vector(dim) | Type::Observable(dim) => store.dim(&dim).as_known(),
+        Type::Number(dim) | Type::Vector(dim) | Type::Observable(dim) => {
+            store.dim(&dim).as_known().map(Dimension::without_cycles)
+        }
         Type::Symbolic(inner) | Type::Array(inner) => dimension(store, &inner),
         _ => None,
     }

@@ -13,6 +13,8 @@ use crate::span::Span;
 impl Checker<'_> {
     /// Demands that the two sides of an operator have one type, and tells whether they do. The later side is to blame.
     pub(super) fn same(&mut self, a: &Expr, b: &Expr, op_span: Span, verb: &str) -> bool {
+        self.check_turns(&a.ty, &b.ty, b.span, Some(a.span));
+        self.check_bare_angle(a, b);
         let Err(mismatch) = self.store.unify(&a.ty, &b.ty) else { return true };
         let shown = |ty| with_article(&self.store.show(ty));
         let (left, right) = (shown(&a.ty), shown(&b.ty));

@@ -7,6 +7,7 @@
 //! the database's affair ([`crate::db`]).
 
 mod annotate;
+mod argument_help;
 mod axes;
 mod builtin_calls;
 pub(crate) mod builtins;
@@ -43,6 +44,7 @@ mod symbolic;
 mod symbolic_functions;
 mod symbols;
 mod tree;
+mod turns;
 mod typed;
 mod types;
 pub(crate) mod unit;

@@ -3,6 +3,7 @@
 //! Runs before types are inferred, so that a misspelt name is reported whatever its type might have been.
 //! Functions are visible in their whole block, variables from their declaration on.
 
+mod ambiguous;
 mod uses;
 
 use super::ModuleData;

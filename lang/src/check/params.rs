@@ -58,6 +58,7 @@ impl<'a> Checker<'a> {
                 None => {}
             }
             self.domain(&ty, decl.domain.as_ref(), Some(&default), name);
+            self.dependence.param(self.params.len() as u32, &default);
             self.params.push(Param {
                 name: name.clone(),
                 doc: doc.unwrap_or_default().to_string(),

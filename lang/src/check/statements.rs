@@ -2,6 +2,7 @@
 
 use super::builtins::Builtin;
 use super::constant;
+use super::dependence::Region;
 use super::infer::Checker;
 use super::symbols::{Res, VarKind, similar};
 use super::tree::*;
@@ -22,7 +23,11 @@ impl<'a> Checker<'a> {
 
     pub(super) fn statement(&mut self, statement: &'a ast::Stmt) -> Stmt {
         let kind = self.statement_kind(statement);
-        Stmt { kind, span: statement.span }
+        let statement = Stmt { kind, span: statement.span };
+        if !has_parts(&statement.kind) {
+            statement.expressions().into_iter().for_each(|e| self.note_evaluated(e));
+        }
+        statement
     }
 
     pub(super) fn boxed(&mut self, statement: &'a ast::Stmt) -> Box<Stmt> {
@@ -73,24 +78,36 @@ impl<'a> Checker<'a> {
             Ast::Block(statements) => StmtKind::Block(self.statements(statements)),
             Ast::If { condition, then, otherwise } => {
                 let condition = self.condition(condition);
+                self.note_evaluated(&condition);
+                self.dependence.open(Region::Choice);
+                self.dependence.decides(&condition);
                 let (then, otherwise) = self
                     .either(|c| c.boxed(then), |c| otherwise.as_ref().map(|otherwise| c.boxed(otherwise)));
+                self.dependence.close();
                 StmtKind::If(condition, then, otherwise)
             }
             Ast::While { condition, body } => self.repeated(&[body], |c| {
-                let condition = c.condition(condition);
-                StmtKind::While(condition, c.boxed(body))
+                c.dependence.open(Region::Loop);
+                let condition = c.loop_condition(condition);
+                let body = c.boxed(body);
+                c.dependence.close();
+                StmtKind::While(condition, body)
             }),
             Ast::DoWhile { body, condition } => self.repeated(&[body], |c| {
+                c.dependence.open(Region::Loop);
                 let body = c.boxed(body);
-                StmtKind::DoWhile(body, c.condition(condition))
+                let condition = c.loop_condition(condition);
+                c.dependence.close();
+                StmtKind::DoWhile(body, condition)
             }),
             Ast::For { init, condition, step, body } => {
                 let init = self.boxed(init);
                 self.repeated(&[step, body], |c| {
-                    let condition = condition.as_ref().map(|condition| c.condition(condition));
+                    c.dependence.open(Region::Loop);
+                    let condition = condition.as_ref().map(|condition| c.loop_condition(condition));
                     let body = c.boxed(body);
                     let step = c.boxed(step);
+                    c.dependence.close();
                     StmtKind::For { init, condition, step, body }
                 })
             }
@@ -98,14 +115,20 @@ impl<'a> Checker<'a> {
                 let value = self.expr(value);
                 let comparable = ConstraintKind::Comparable(value.ty.clone());
                 self.constrain(Constraint { kind: comparable, span: value.span });
+                self.note_evaluated(&value);
+                self.dependence.open(Region::Switch);
+                self.dependence.decides(&value);
                 self.switches.push((value.clone(), Vec::new()));
                 let body = self.repeated(&[body], |c| c.boxed(body));
                 self.switches.pop();
+                self.dependence.close();
                 StmtKind::Switch(value, body)
             }
             Ast::Case { value, statement: inner } => {
                 self.forget_rebound();
                 let value = self.case(value, statement.span);
+                self.note_evaluated(&value);
+                self.dependence.decides(&value);
                 StmtKind::Case(value, self.boxed(inner))
             }
             Ast::Default(inner) => {
@@ -119,9 +142,18 @@ impl<'a> Checker<'a> {
                 self.forget_rebound();
                 StmtKind::Label(label.name.clone(), self.boxed(statement))
             }
-            Ast::Goto(label) => StmtKind::Goto(label.name.clone()),
-            Ast::Break => StmtKind::Break,
-            Ast::Continue => StmtKind::Continue,
+            Ast::Goto(label) => {
+                self.dependence.jump();
+                StmtKind::Goto(label.name.clone())
+            }
+            Ast::Break => {
+                self.dependence.break_out();
+                StmtKind::Break
+            }
+            Ast::Continue => {
+                self.dependence.continue_loop();
+                StmtKind::Continue
+            }
             Ast::Return(value) => self.return_value(value.as_ref(), statement.span),
             Ast::Throw(value) => self.throw(value.as_ref(), statement.span),
             Ast::Try { body, error, handler } => self.try_catch(body, error.as_ref(), handler),
@@ -156,6 +188,27 @@ impl<'a> Checker<'a> {
         condition
     }
 
+    /// The condition of the loop that is the innermost region.
+    fn loop_condition(&mut self, e: &'a ast::Expr) -> Expr {
+        let condition = self.condition(e);
+        self.dependence.decides(&condition);
+        self.note_evaluated(&condition);
+        condition
+    }
+
+    /// Notes what depends on the evaluation of an expression.
+    pub(super) fn note_evaluated(&mut self, e: &Expr) {
+        let variables = &self.names.variables;
+        self.dependence.evaluated(e, &|id| variables[id.0 as usize].owner);
+    }
+
+    /// Notes what the new value of a place depends on.
+    fn assigned(&mut self, place: &Place, value: &Expr) {
+        self.note_circular(place.variable, value);
+        let owner = self.variable(place.variable).owner;
+        self.dependence.assigned(place, owner, value);
+    }
+
     /// A whole value that is stored or returned.
     fn stored(&mut self, e: &'a ast::Expr) -> Expr {
         let value = self.whole(e);
@@ -178,6 +231,7 @@ impl<'a> Checker<'a> {
         let Some(Res::Var(id)) = self.names.uses.get(&decl.name.span).copied() else {
             return StmtKind::Nothing;
         };
+        self.dependence.declare(id);
         match &decl.init {
             None => {
                 self.variable_type(id);
@@ -188,8 +242,8 @@ impl<'a> Checker<'a> {
                 let value = self.stored(value);
                 let ty = self.variable_type(id);
                 self.expect(&ty, &value, &format!("`{}`", decl.name.name), None);
-                self.dependence.variable(id, &value);
                 let place = Place { variable: id, steps: Vec::new(), ty, span: decl.name.span };
+                self.assigned(&place, &value);
                 StmtKind::Assign(place, value)
             }
         }
@@ -223,7 +277,7 @@ impl<'a> Checker<'a> {
         let shown = self.variable_type(target.variable);
         let cause = (variable.span, format!("`{}` is a {}", variable.name, self.store.show(&shown)));
         self.expect(&target.ty.clone(), &value, &what, Some(cause));
-        self.dependence.variable(target.variable, &value);
+        self.assigned(&target, &value);
         StmtKind::Assign(target, value)
     }
 
@@ -300,7 +354,7 @@ impl<'a> Checker<'a> {
         let array = Type::array(value.ty.clone());
         let pushed = Expr { kind: Kind::Error, ty: array, span: value.span };
         self.expect(&place.ty.clone(), &pushed, "what is pushed, as an array,", Some(cause));
-        self.dependence.variable(place.variable, &value);
+        self.assigned(&place, &value);
         StmtKind::Push(place, value)
     }
 
@@ -340,6 +394,7 @@ impl<'a> Checker<'a> {
     fn return_value(&mut self, value: Option<&'a ast::Expr>, span: Span) -> StmtKind {
         let top = self.function == FuncId(0);
         let result = self.current_result();
+        self.dependence.leave_function();
         match value {
             None => {
                 if !top && self.store.unify(&result, &Type::Unit).is_err() {
@@ -380,6 +435,24 @@ impl<'a> Checker<'a> {
             }
         }
     }
+}
+
+/// Whether a statement has others inside it; what it evaluates itself is noted where these are checked.
+fn has_parts(kind: &StmtKind) -> bool {
+    use StmtKind::*;
+    matches!(
+        kind,
+        Block(_)
+            | If(..)
+            | While(..)
+            | DoWhile(..)
+            | For { .. }
+            | Switch(..)
+            | Case(..)
+            | Default(_)
+            | Label(..)
+            | Try { .. }
+    )
 }
 
 fn may_be_place(e: &ast::Expr) -> bool {

@@ -4,6 +4,8 @@
 //! binding executes. Those values go into hidden variables, so that an expression that uses the name later fuses
 //! with it and still sees the values of the binding.
 
+use super::axes::has_symbols;
+use super::dependence::{Blind, Question};
 use super::dim::Dim;
 use super::infer::{Checker, Reaching};
 use super::symbols::{Res, with_article};
@@ -228,7 +230,8 @@ impl<'a> Checker<'a> {
         self.defs[def.0 as usize].stored = true;
         self.reaching.insert(id, Reaching::One(def));
         self.graphs.bound.entry(id).or_default().push(def);
-        self.dependence.variable_on_definition(id, def);
+        let owner = self.variable(id).owner;
+        self.dependence.bound(id, owner, def);
         StmtKind::Bind(id, def)
     }
 
@@ -253,6 +256,7 @@ impl<'a> Checker<'a> {
         let id = DefId(self.defs.len() as u32);
         for (hidden, value) in &builder.captures {
             self.dependence.variable(*hidden, value);
+            self.note_evaluated(value);
         }
         self.dependence.definition(id, &expr);
         self.defs.push(Def {
@@ -338,11 +342,17 @@ impl<'a> Checker<'a> {
             Kind::At(inner, sym, at) => {
                 let (on_time, chosen) = (to.on_time, to.chosen.clone());
                 let inner = self.split_box(inner, to);
+                self.dependence.asked(Question::Value, sym, &inner, &self.defs, span);
                 if sym == Sym::Time {
                     (to.on_time, to.chosen) = (on_time, chosen);
                 }
                 Kind::At(inner, sym, self.split_box(at, to))
             }
+            // Checked when its value is taken.
+            Kind::UnitAxis(inner) if to.function.is_none() && !has_symbols(&inner) => {
+                return self.capture(Expr { kind: Kind::UnitAxis(inner), ty, span }, to);
+            }
+            Kind::UnitAxis(inner) => Kind::UnitAxis(self.split_box(inner, to)),
             Kind::Observe(inner) => {
                 to.observes = true;
                 let inner = self.capture(*inner, to);
@@ -369,7 +379,7 @@ impl<'a> Checker<'a> {
             );
         }
         to.observes |= observed;
-        by.iter().for_each(|sym| self.dependence.derivative(*sym, &inner, &self.defs, span));
+        by.iter().for_each(|sym| self.dependence.asked(Question::Derivative, *sym, &inner, &self.defs, span));
         inner
     }
 
@@ -435,19 +445,61 @@ impl<'a> Checker<'a> {
                 );
             }
         }
-        for (param, hidden, span) in self.dependence.blind_derivatives(&self.defs, &self.graphs) {
-            let name = self.params.get(param as usize).map(|p| p.name.clone()).unwrap_or_default();
-            let captured = self.variable(hidden).clone();
-            self.report(
-                Diagnostic::error(
-                    "E0509",
-                    format!("this derivative by `{name}` would miss a dependence on it"),
-                    span,
-                    format!("`{}` was computed from `{name}` beforehand", captured.name),
-                )
-                .label(captured.span, "captured as a value here")
-                .help(format!("bind `{}` with `:=`, so that `{name}` stays a symbol in it", captured.name)),
-            );
+        for (question, param, blind, span) in self.dependence.blind(&self.defs, &self.graphs, &self.functions)
+        {
+            let diagnostic = self.blind(question, param, blind, span);
+            self.report(diagnostic);
+        }
+    }
+
+    /// A derivative or value that would miss a dependence on a param.
+    fn blind(&self, question: Question, param: u32, blind: Blind, span: Span) -> Diagnostic {
+        let name_of = |id: u32| self.params.get(id as usize).map(|p| p.name.as_str()).unwrap_or_default();
+        let name = name_of(param);
+        let message = match question {
+            Question::Derivative => format!("this derivative by `{name}` would miss a dependence on it"),
+            Question::Value => format!("this value at another `{name}` would miss a dependence on it"),
+        };
+        let error = |label: String| Diagnostic::error("E0509", message.clone(), span, label);
+        match blind {
+            Blind::Computed(id) => {
+                let captured = self.variable(id);
+                error(format!("`{}` was computed from `{name}` beforehand", captured.name))
+                    .label(captured.span, "captured as a value here")
+                    .help(format!(
+                        "bind `{}` with `:=`, so that `{name}` stays a symbol in it",
+                        captured.name
+                    ))
+            }
+            Blind::Conditional(id) => {
+                let captured = self.variable(id);
+                error(format!("`{}` was assigned under a condition on `{name}`", captured.name))
+                    .label(captured.span, "captured as a value here, not as an expression")
+                    .help(format!(
+                        "bind `{0}` with `{0} := if (...) a else b`, or to a formula; a loop that `{name}` ends \
+                         has no derivative by it",
+                        captured.name
+                    ))
+            }
+            Blind::Chosen(id) => {
+                let bound = self.variable(id);
+                error(format!("a condition on `{name}` decides which expression `{}` is", bound.name))
+                    .label(bound.span, "bound in several places")
+                    .help(format!(
+                        "bind `{0}` once, with the choice in it: `{0} := if (...) a else b`",
+                        bound.name
+                    ))
+            }
+            Blind::Follows(other) => {
+                let follower = name_of(other);
+                let declared = self.params.get(other as usize).map_or(span, |p| p.span);
+                error(format!("the default of `{follower}` follows `{name}`"))
+                    .label(declared, format!("follows `{name}` unless it is set itself"))
+                    .help(format!(
+                        "bind what follows `{name}` with `var {follower} := ...`; for the change with `{name}` \
+                         alone, use a symbolic function of both"
+                    ))
+            }
         }
     }
 

@@ -42,6 +42,7 @@ impl<'a> Checker<'a> {
         let result = self.current_result();
         let declared = decl.result.as_ref().map(|r| (r.span, format!("result of `{}`", decl.name.name)));
         self.expect(&result, &value, &format!("the result of `{}`", decl.name.name), declared);
+        self.dependence.returned(id, &value);
         let def = self.make_def_in(&decl.name.name, value, body.span, Some(id));
         if self.defs[def.0 as usize].observes {
             let diagnostic = self.observable_as_value(body.span);

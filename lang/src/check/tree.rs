@@ -14,7 +14,7 @@ use std::collections::BTreeSet;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct VarId(pub u32);
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct FuncId(pub u32);
 /// A record declared in the program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -83,6 +83,8 @@ pub enum Kind {
     TupleElement(Box<Expr>, usize),
     /// Field of a record or component of a vector, which only the types of a call decide.
     Field(Box<Expr>, String),
+    /// The axis of a rotation, which must be a unit vector.
+    UnitAxis(Box<Expr>),
     Len(Box<Expr>),
     /// Text and values in turn, numbers shown in the system's units.
     Format(Vec<Piece>, UnitSystem),
@@ -357,6 +359,7 @@ impl Expr {
             | Kind::TupleElement(a, _)
             | Kind::Field(a, _)
             | Kind::Len(a)
+            | Kind::UnitAxis(a)
             | Kind::Derivative(a, _)
             | Kind::Gradient(a, _) => vec![a],
             Kind::Binary(_, a, b) | Kind::Index(a, b) | Kind::At(a, _, b) => vec![a, b],

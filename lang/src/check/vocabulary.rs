@@ -6,7 +6,7 @@ use super::symbols::Res;
 use super::types::Type;
 use crate::ast::{self, BinaryOp, ExprKind, UnitMeaning};
 use crate::diagnostic::Diagnostic;
-use crate::dimension::Dimension;
+use crate::dimension::{Dimension, Rational};
 use crate::ir::DisplayUnit;
 use crate::span::Span;
 use crate::units::{Unit, combined, powered, pure};
@@ -198,6 +198,8 @@ impl<'a> Checker<'a> {
     pub(super) fn unit_named(&mut self, name: &ast::Ident) -> Option<DisplayUnit> {
         match self.names.uses.get(&name.span).copied() {
             Some(Res::OwnUnit(id)) => self.own_unit(id),
+            // What has a unit's name but is a variable is none.
+            Some(Res::Var(_) | Res::Param(_) | Res::Const(_) | Res::Output(_) | Res::Unknown) => None,
             _ => Unit::find(&name.name).map(|unit| DisplayUnit {
                 name: name.name.clone(),
                 factor: unit.factor,
@@ -241,8 +243,31 @@ impl<'a> Checker<'a> {
             );
             return None;
         };
-        let dimension = Dimension::from_exponents(unit.dimension)?;
+        let dimension = match self.counted_unit(e) {
+            Some(counted) => counted,
+            None => Dimension::from_exponents(unit.dimension)?,
+        };
         Some((unit, dimension))
+    }
+
+    /// The dimension of a product of units, with what it counts.
+    fn counted_unit(&mut self, e: &ast::Expr) -> Option<Dimension> {
+        match &e.kind {
+            ExprKind::Name(name) => match self.names.uses.get(&name.span).copied() {
+                Some(Res::Unit(unit)) => Some(unit.counted()),
+                _ => Dimension::from_exponents(self.unit_named(name)?.dimension),
+            },
+            ExprKind::Paren(inner) => self.counted_unit(inner),
+            ExprKind::Binary { op: BinaryOp::Power, left, right, .. } => {
+                let exponent = whole_exponent(right)?;
+                self.counted_unit(left)?.power(Rational::integer(exponent))
+            }
+            ExprKind::Binary { op: op @ (BinaryOp::Multiply | BinaryOp::Divide), left, right, .. } => {
+                let (left, right) = (self.counted_unit(left)?, self.counted_unit(right)?);
+                Some(if *op == BinaryOp::Multiply { left.times(right) } else { left.over(right) })
+            }
+            _ => None,
+        }
     }
 
     fn check_unit_names(&mut self, e: &ast::Expr, sound: &mut bool) {

@@ -96,6 +96,8 @@ pub fn call_lines(calls: &[Call], shown_place: impl Fn(Place) -> String) -> Vec<
 
 /// Codes of the errors that running programs raise by themselves.
 pub mod codes {
+    /// An axis of a rotation that is no unit vector.
+    pub const AXIS: &str = "E0515";
     /// An index that is not whole or not within the array.
     pub const INDEX: &str = "E0701";
     /// Functions call each other too deeply.

@@ -12,6 +12,14 @@
 //! Truth values are 1.0 and 0.0; whatever is not equal to zero, NaN included, counts as true.
 //! No operation traps.
 
+/// How far the length of a unit vector may be from one: what rounding its components to six digits does.
+pub const UNIT_TOLERANCE: f64 = 1e-6;
+
+/// Whether a vector of this length counts as a unit vector.
+pub fn is_unit(length: f64) -> bool {
+    (length - 1.0).abs() <= UNIT_TOLERANCE
+}
+
 /// A truth value as a number.
 #[inline]
 pub fn truth(condition: bool) -> f64 {

@@ -1,4 +1,4 @@
-//! Functions every program may call: `print` and `assert`.
+//! Functions every program may call: `print`, `assert`, and the check of `Rotate`.
 
 use crate::context::{RuntimeError, codes};
 
@@ -21,5 +21,23 @@ crate::externs! {
         };
         let _ = context;
         Err(RuntimeError::new(codes::ASSERTION, message, ""))
+    }
+
+    /// The axis of a rotation: hands back a unit vector, and fails with E0515 on any other.
+    Pure fn calyx_std_unit_axis(context, axis: [f64; 3]) -> [f64; 3] {
+        let _ = context;
+        let length = axis.iter().map(|x| x * x).sum::<f64>().sqrt();
+        if crate::math::is_unit(length) {
+            return Ok(axis);
+        }
+        let help = match length > 0.0 {
+            true => "divide the axis by its length: `axis / norm(axis)`",
+            false => "give the axis a direction, such as `e3`",
+        };
+        let message = match length.is_nan() {
+            true => "the axis of a rotation must be a unit vector, and this one is not a number".to_string(),
+            false => format!("the axis of a rotation must be a unit vector, and this one has the length {length}"),
+        };
+        Err(RuntimeError::new(codes::AXIS, message, help))
     }
 }

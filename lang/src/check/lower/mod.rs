@@ -329,6 +329,18 @@ impl<'c> Lowering<'c> {
         })
     }
 
+    /// The function that hands an axis of unit length back, and fails on any other.
+    fn unit_axis(&mut self) -> ExternId {
+        self.add_extern(ExternDecl {
+            symbol: "calyx_std_unit_axis".into(),
+            name: "Rotate".into(),
+            purity: Purity::Pure,
+            parameters: vec![("axis".into(), Repr::Vector)],
+            result: Repr::Vector,
+            span: Span::default(),
+        })
+    }
+
     fn add_extern(&mut self, decl: ExternDecl) -> ExternId {
         if let Some(known) = self.externs.get(&decl.symbol) {
             return *known;

@@ -222,6 +222,10 @@ impl Body<'_, '_> {
                 let repr = self.repr(&e.ty);
                 make(SymKind::Op(*op, all), repr)
             }
+            Kind::UnitAxis(axis) => {
+                let axis = self.symbolic(axis, captures);
+                unit_axis_or_nan(axis, captures)
+            }
             Kind::If(condition, a, b) => {
                 let condition = self.symbolic(condition, captures);
                 let (a, b) = (self.symbolic(a, captures), self.symbolic(b, captures));
@@ -335,4 +339,25 @@ fn symbolic_binary(op: BinaryOp, a: SymExpr, b: SymExpr, span: Span) -> SymExpr 
             make(SymKind::Op(Op::Scale, vec![reciprocal, a]), Repr::Vector)
         }
     }
+}
+
+/// An axis that is a unit vector, else NaN: as long as symbols decide on its length, no message can be given.
+fn unit_axis_or_nan(axis: SymExpr, captures: &mut Captures) -> SymExpr {
+    let span = axis.span;
+    let make = |kind, repr| SymExpr { kind, repr, span };
+    captures.shared.push(axis);
+    let index = captures.shared.len() as u32 - 1;
+    let axis = || make(SymKind::Shared(index), Repr::Vector);
+    let number = |value| make(SymKind::Number(value), Repr::Number);
+    let square = make(SymKind::Op(Op::Dot, vec![axis(), axis()]), Repr::Number);
+    let excess = make(SymKind::Op(Op::Subtract, vec![square, number(1.0)]), Repr::Number);
+    let excess = make(SymKind::Op(Op::Abs, vec![excess]), Repr::Number);
+    // The square of a length is off by twice as much as the length.
+    let limit = number(2.0 * calyx_abi::math::UNIT_TOLERANCE);
+    let sound = make(SymKind::Op(Op::LessEqual, vec![excess, limit]), Repr::Bool);
+    let nan = make(
+        SymKind::Op(Op::Vector, vec![number(f64::NAN), number(f64::NAN), number(f64::NAN)]),
+        Repr::Vector,
+    );
+    make(SymKind::If(Box::new(sound), Box::new(axis()), Box::new(nan)), Repr::Vector)
 }

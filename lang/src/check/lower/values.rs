@@ -168,6 +168,11 @@ impl Body<'_, '_> {
                     (None, None) => make(ExprKind::Number(f64::NAN), Repr::Number),
                 }
             }
+            Kind::UnitAxis(axis) => {
+                let axis = self.value(axis);
+                let id = self.lowering.unit_axis();
+                make(ExprKind::CallExtern(id, vec![axis]), Repr::Vector)
+            }
             Kind::Len(array) => {
                 let array = self.value(array);
                 make(ExprKind::Len(Box::new(array)), Repr::Number)

@@ -112,6 +112,10 @@ impl<'a> Resolver<'a> {
                 self.expr(index);
             }
             ExprKind::Unary { operand, .. } => self.expr(operand),
+            ExprKind::Binary { op: BinaryOp::Multiply | BinaryOp::Divide, left, right, .. } => {
+                self.expr(left);
+                self.right_factor(left, right);
+            }
             ExprKind::Binary { left, right, .. } => {
                 self.expr(left);
                 self.expr(right);

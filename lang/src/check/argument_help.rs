@@ -1,0 +1,125 @@
+//! Arguments of another dimension: what the parameter takes, and which parameter takes what is given.
+
+use super::infer::Checker;
+use super::symbols::with_article;
+use super::tree::Expr;
+use super::types::Type;
+use crate::ast::{self, ExprKind};
+use crate::dimension::Dimension;
+use crate::usual_units::{usual, written};
+
+/// A parameter that the call leaves out.
+pub(super) struct Free<'a> {
+    pub name: &'a str,
+    pub ty: Type,
+}
+
+impl Checker<'_> {
+    /// The parameters with a default and a declared type that a call leaves out.
+    pub(super) fn free_parameters<'d>(
+        &mut self,
+        decl: &'d ast::FunctionDecl,
+        given: &[bool],
+    ) -> Vec<Free<'d>> {
+        let left_out = decl.parameters.iter().zip(given).filter(|(parameter, given)| {
+            !**given && matches!(parameter.default, Some((ast::Bind::Evaluate, Some(_))))
+        });
+        let typed = left_out.filter_map(|(parameter, _)| {
+            let ty = self.annotation(parameter.annotation.as_ref()?, false);
+            Some(Free { name: &parameter.name.name, ty })
+        });
+        typed.collect()
+    }
+
+    /// Adds to the dimension error of an argument, which is the last of the diagnostics from `reported` on.
+    pub(super) fn explain_argument(
+        &mut self,
+        reported: usize,
+        (parameter, ty): (&ast::Ident, &Type),
+        argument: &ast::Argument,
+        value: &Expr,
+        free: &[Free<'_>],
+    ) {
+        let found = self.dimension_of(&value.ty);
+        let Some((wanted, found)) = self.dimension_of(ty).zip(found) else { return };
+        let literal = number_of(&argument.value);
+        let known: Vec<&str> = free
+            .iter()
+            .filter(|other| self.dimension_of(&other.ty).is_some_and(|d| d.fits(found) && !found.is_none()))
+            .map(|other| other.name)
+            .collect();
+        let of = |d: Dimension| with_article(&self.store.vocabulary.show(d));
+        let inverse = !wanted.without_angle().is_none() && wanted.times(found).without_angle().is_none();
+        let units = usual(wanted, self.shown_system());
+        let unit = match wanted.known_name() {
+            Some("Angle") => "deg",
+            _ => units.first().map_or("", |unit| unit.name.as_str()),
+        };
+        let text = self.text(value.span).to_string();
+        let name = &parameter.name;
+        let mut help = match (inverse, literal) {
+            (true, Some(_)) => format!(
+                "`{name}` takes {}, such as `{}`: the reciprocal of {}",
+                self.store.vocabulary.in_bases(wanted),
+                written("10", unit),
+                of(found)
+            ),
+            (true, None) => format!("`{name}` takes the reciprocal of {}: divide 1 by it", of(found)),
+            (false, Some(number)) => {
+                format!("`{name}` takes {}, such as `{}`", of(wanted), written(&number.to_string(), unit))
+            }
+            (false, None) => String::new(),
+        };
+        if !known.is_empty() {
+            let names: Vec<String> = known.iter().map(|name| format!("`{name}`")).collect();
+            let verb = if known.len() == 1 { "takes" } else { "take" };
+            let before = if help.is_empty() { "" } else { "; " };
+            help = format!("{help}{before}{} {verb} {}", names.join(" and "), of(found));
+        }
+        let Some(diagnostic) = self
+            .diagnostics
+            .get_mut(reported..)
+            .and_then(|new| new.iter_mut().find(|d| d.code == "E0401" && d.primary.span == value.span))
+        else {
+            return;
+        };
+        if inverse {
+            diagnostic.suggestions.clear();
+        }
+        if let (Some((written, _)), false) = (&argument.name, text.contains('\n')) {
+            for other in &known {
+                let title = format!("give it as `{other}`");
+                *diagnostic = diagnostic.clone().suggest(title, written.span, *other);
+            }
+        }
+        if inverse && !text.contains('\n') {
+            let reciprocal = format!("1 / ({text})");
+            *diagnostic = diagnostic.clone().suggest("take the reciprocal", value.span, reciprocal);
+        }
+        if !help.is_empty() {
+            diagnostic.help = match (diagnostic.help.take(), literal) {
+                (Some(factor), None) => Some(format!("{factor}; {help}")),
+                _ => Some(help),
+            };
+        }
+    }
+
+    fn dimension_of(&self, ty: &Type) -> Option<Dimension> {
+        match self.store.resolve(ty) {
+            Type::Number(dim) | Type::Vector(dim) => dim.as_known(),
+            _ => None,
+        }
+    }
+}
+
+/// The number of a quantity that is written out.
+fn number_of(e: &ast::Expr) -> Option<f64> {
+    match &e.kind {
+        ExprKind::Quantity { value, .. } | ExprKind::Number(value) => Some(*value),
+        ExprKind::Paren(inner) | ExprKind::Unary { operand: inner, .. } => number_of(inner),
+        ExprKind::Binary { left, right, .. } => {
+            number_of(left).filter(|_| matches!(right.kind, ExprKind::Name(_)))
+        }
+        _ => None,
+    }
+}

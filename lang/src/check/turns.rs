@@ -1,0 +1,210 @@
+//! Cycles and angles. A radian is 1, and a cycle is 1 too, but a cycle has 2 pi radians: where quantities that count
+//! cycles (in Hz) meet quantities that count angles (in rad, deg, rev, rpm), a factor of 2 pi is missing.
+//!
+//! What says nothing of either fits both: the root of stiffness by mass, a velocity by a radius, and everything
+//! multiplied or divided by pi.
+
+use super::infer::Checker;
+use super::tree::{Expr, Kind, VarId};
+use super::types::Type;
+use crate::ast::{BinaryOp, UnaryOp};
+use crate::diagnostic::Diagnostic;
+use crate::dimension::{Base, Dimension, Rational};
+use crate::span::Span;
+use std::collections::HashSet;
+use std::f64::consts::PI;
+
+/// What is noted while expressions are checked, for lints at the end.
+#[derive(Debug, Default)]
+pub struct Turns {
+    /// Variables computed with pi.
+    circular: HashSet<VarId>,
+    /// Quotients with literal dividends: place, dividend as written, divisor and its type.
+    reciprocals: Vec<(Span, Span, Span, Type)>,
+    /// Numbers without units that are no angle within one revolution, and the types that they are put in.
+    literals: Vec<(f64, Span, Type)>,
+}
+
+impl Checker<'_> {
+    /// The dimension of a number or vector, if all of it is known.
+    fn known_dimension(&self, ty: &Type) -> Option<Dimension> {
+        match self.store.resolve(ty) {
+            Type::Number(dim) | Type::Vector(dim) | Type::Observable(dim) => dim.as_known(),
+            _ => None,
+        }
+    }
+
+    /// Warns where one side counts cycles and the other angles. Before the two are unified.
+    pub(super) fn check_turns(&mut self, a: &Type, b: &Type, span: Span, other: Option<Span>) {
+        let (Some(x), Some(y)) = (self.known_dimension(a), self.known_dimension(b)) else { return };
+        if !x.lacks_turn(y) {
+            return;
+        }
+        let diagnostic = Diagnostic::warning(
+            "W0518",
+            "cycles meet angles here: one cycle is 2 pi radians, so a factor of 2 pi is missing",
+            span,
+            format!("this counts {}", counted(y)),
+        )
+        .help("multiply cycles by `1 rev` to get angles, or divide angles by `1 rev` to get cycles");
+        self.report(match other {
+            Some(other) => diagnostic.label(other, format!("this counts {}", counted(x))),
+            None => diagnostic,
+        });
+    }
+
+    /// The result of a product or quotient: with pi in it, it may count cycles as well as angles.
+    pub(super) fn turned(&mut self, result: Type, a: &Expr, b: &Expr) -> Type {
+        match self.store.resolve(&result) {
+            Type::Number(dim) => match dim.as_known() {
+                Some(known) if known.is_turning() && (self.has_pi(a) || self.has_pi(b)) => {
+                    Type::quantity(known.without_angle())
+                }
+                _ => result,
+            },
+            _ => result,
+        }
+    }
+
+    fn has_pi(&self, e: &Expr) -> bool {
+        match &e.kind {
+            // Units of angles have pi in them as well.
+            Kind::Number(value) => {
+                let part = Rational::from_f64(value / PI).filter(|part| part.numerator().abs() <= 1000);
+                *value != 0.0
+                    && part.is_some()
+                    && self.known_dimension(&e.ty).is_some_and(|d| d == Dimension::NONE)
+            }
+            Kind::Var(id) => self.turns.circular.contains(id),
+            Kind::Param(id) => self.params.get(*id as usize).is_some_and(|p| self.has_pi(&p.default)),
+            Kind::Def(def) => self.has_pi(&self.defs[def.0 as usize].expr),
+            _ => e.children().into_iter().any(|child| self.has_pi(child)),
+        }
+    }
+
+    /// Notes a variable that is computed with pi.
+    pub(super) fn note_circular(&mut self, id: VarId, value: &Expr) {
+        if self.has_pi(value) {
+            self.turns.circular.insert(id);
+        }
+    }
+
+    /// Notes a number divided by something that may be an angular velocity.
+    pub(super) fn note_reciprocal(&mut self, op: BinaryOp, a: &Expr, b: &Expr, span: Span) {
+        if op == BinaryOp::Divide
+            && !self.has_pi(a)
+            && literal(a).is_some()
+            && self.known_dimension(&a.ty).is_some_and(|d| d == Dimension::NONE)
+        {
+            self.turns.reciprocals.push((span, a.span, b.span, b.ty.clone()));
+        }
+    }
+
+    /// Notes a number without a unit that is put where it may turn out to be an angle.
+    pub(super) fn note_literal(&mut self, expected: &Type, found: &Expr) {
+        if let Some(value) = literal(found).filter(|value| value.abs() > 2.0 * PI)
+            && !self.known_dimension(expected).is_some_and(|d| d.exponent(Base::Angle).is_zero())
+        {
+            let pure = self.known_dimension(&found.ty).is_some_and(|d| d == Dimension::NONE);
+            if pure || is_bare(found) {
+                self.turns.literals.push((value, found.span, expected.clone()));
+            }
+        }
+    }
+
+    /// Lints that need all types.
+    pub(super) fn finish_turns(&mut self) {
+        let speed = Dimension::of(Base::Angle).over(Dimension::of(Base::Time));
+        for (span, dividend, divisor, ty) in std::mem::take(&mut self.turns.reciprocals) {
+            if !matches!(self.store.resolve(&ty), Type::Number(dim) if dim.as_known() == Some(speed)) {
+                continue;
+            }
+            let (number, text) = (self.text(dividend).to_string(), self.text(divisor).to_string());
+            self.report(
+                Diagnostic::warning(
+                    "W0519",
+                    "the reciprocal of an angular velocity is the time for one radian, not for a revolution",
+                    span,
+                    format!("`{text}` is in radians by time"),
+                )
+                .help(format!(
+                    "write `{number} rev / {text}` for revolutions, `{number} rad / {text}` for radians"
+                ))
+                .suggest("divide revolutions", dividend, format!("{number} rev"))
+                .suggest("divide radians", dividend, format!("{number} rad")),
+            );
+        }
+        for (value, span, ty) in std::mem::take(&mut self.turns.literals) {
+            let angle = Some(Dimension::of(Base::Angle));
+            let is_angle = matches!(self.store.resolve(&ty), Type::Number(dim) if dim.as_known() == angle);
+            if is_angle {
+                self.bare_angle(value, span);
+            }
+        }
+    }
+
+    /// A number without a unit where an angle is added or compared.
+    pub(super) fn check_bare_angle(&mut self, a: &Expr, b: &Expr) {
+        for (angle, number) in [(a, b), (b, a)] {
+            let is_angle = self
+                .known_dimension(&angle.ty)
+                .is_some_and(|d| d.without_cycles() == Dimension::of(Base::Angle));
+            let is_pure = self.known_dimension(&number.ty).is_some_and(|d| d == Dimension::NONE);
+            if is_angle && is_pure && literal(number).is_some_and(f64::is_finite) && !self.has_pi(number) {
+                self.bare_angle(literal(number).unwrap_or(f64::NAN), number.span);
+            }
+        }
+    }
+
+    fn bare_angle(&mut self, value: f64, span: Span) {
+        let text = self.text(span).trim().to_string();
+        let degrees = (value.to_degrees() * 10.0).round() / 10.0;
+        self.report(
+            Diagnostic::warning(
+                "W0520",
+                format!("this number without a unit is an angle in radians: {degrees} deg"),
+                span,
+                "radians",
+            )
+            .help(format!("write `{text} deg` or `{text} rad`"))
+            .suggest("degrees", span, format!("{text} deg"))
+            .suggest("radians", span, format!("{text} rad")),
+        );
+    }
+}
+
+/// What a dimension counts.
+fn counted(dimension: Dimension) -> &'static str {
+    match dimension.exponent(Base::Angle).is_zero() {
+        true => "cycles",
+        false => "angles",
+    }
+}
+
+/// A number as it is written, perhaps signed; not zero, which fits everything.
+fn literal(e: &Expr) -> Option<f64> {
+    match &e.kind {
+        Kind::Number(value) | Kind::Bare(value, ..) if *value != 0.0 => Some(*value),
+        Kind::Unary(UnaryOp::Minus, a) => literal(a).map(|value| -value),
+        _ => None,
+    }
+}
+
+/// A literal whose dimension comes from its use.
+fn is_bare(e: &Expr) -> bool {
+    match &e.kind {
+        Kind::Unary(_, a) => is_bare(a),
+        kind => matches!(kind, Kind::Bare(..)),
+    }
+}
+
+/// A value that counts cycles, shown in a unit of angles or the other way round.
+pub(super) fn turn_in_format(span: Span) -> Diagnostic {
+    Diagnostic::error(
+        "E0519",
+        "a unit of angles cannot show cycles, nor a unit of cycles angles: one cycle is 2 pi radians",
+        span,
+        "a factor of 2 pi would be missing",
+    )
+    .help("multiply cycles by `1 rev`, as in `{f * 1 rev : rpm}`, or divide angles by `1 rev`")
+}
