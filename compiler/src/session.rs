@@ -186,7 +186,12 @@ impl Session {
             // The comparison says what does not fit; angles are soft, so a quotient alone would not.
             Some((value, unit)) => format!("({value}) == ({unit});\nprint(({value}) / ({unit}));"),
         };
-        let (_, answer) = self.tried(&entered, false);
+        let (_, mut answer) = self.tried(&entered, false);
+        // What a model may do after a warning is no conversion.
+        for diagnostic in answer.diagnostics.iter_mut().filter(|d| d.code == "W0518") {
+            diagnostic.severity = Severity::Error;
+            diagnostic.code = "E0519".into();
+        }
         if answer.has_errors() {
             return Err(Box::new(answer));
         }

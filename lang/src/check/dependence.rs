@@ -337,8 +337,7 @@ impl Dependence {
     /// An expression is differentiated by a symbol, or evaluated at another value of it.
     pub fn asked(&mut self, question: Question, by: Sym, expr: &Expr, defs: &[Def], span: Span) {
         let Sym::Param(param) = by else { return };
-        let mut named = Named::default();
-        named.collect(expr, defs, &mut HashSet::new());
+        let named = Named::of(expr, defs);
         self.asked.push(Asked { question, param, named, span });
     }
 
@@ -401,32 +400,45 @@ impl Dependence {
     }
 }
 
+/// Definitions met already, and the params that had values of their own there.
+type Seen = HashSet<(DefId, Vec<u32>)>;
+
+/// Of more `at` inside one another the params count as if they had no value of their own, which is safe.
+const MOST_REPLACED: usize = 2;
+
 impl Named {
-    fn collect(&mut self, e: &Expr, defs: &[Def], seen: &mut HashSet<DefId>) {
+    fn of(e: &Expr, defs: &[Def]) -> Named {
+        let mut named = Named::default();
+        named.collect(e, defs, &[], &mut HashSet::new());
+        named
+    }
+
+    /// `replaced` are the params that an `at` around the expression puts a value in for.
+    fn collect(&mut self, e: &Expr, defs: &[Def], replaced: &[u32], seen: &mut Seen) {
         match &e.kind {
             Kind::Var(id) => {
                 self.captured.insert(*id);
             }
-            Kind::Param(id) => {
+            Kind::Param(id) if !replaced.contains(id) => {
                 self.params.insert(*id);
             }
-            Kind::Def(id) if seen.insert(*id) => self.collect(&defs[id.0 as usize].expr, defs, seen),
+            Kind::Def(id) if seen.insert((*id, replaced.to_vec())) => {
+                self.collect(&defs[id.0 as usize].expr, defs, replaced, seen);
+            }
             Kind::Call(call) | Kind::SymbolicCall(call) => {
                 self.functions.insert(call.function);
             }
-            // The param has a value of its own there.
-            Kind::At(inner, Sym::Param(param), at) => {
-                let mut named = Named::default();
-                named.collect(inner, defs, &mut HashSet::new());
-                named.params.remove(param);
-                self.captured.extend(named.captured);
-                self.params.extend(named.params);
-                self.functions.extend(named.functions);
-                return self.collect(at, defs, seen);
+            Kind::At(inner, Sym::Param(param), at) if replaced.len() < MOST_REPLACED => {
+                let mut more = replaced.to_vec();
+                more.push(*param);
+                more.sort_unstable();
+                more.dedup();
+                self.collect(inner, defs, &more, seen);
+                return self.collect(at, defs, replaced, seen);
             }
             _ => {}
         }
-        e.children().into_iter().for_each(|child| self.collect(child, defs, seen));
+        e.children().into_iter().for_each(|child| self.collect(child, defs, replaced, seen));
     }
 
     /// Params that the functions in the expression name count as well. Functions that this check does not see in full
@@ -437,13 +449,13 @@ impl Named {
         let mut pending: Vec<FuncId> = self.functions.iter().copied().collect();
         while let Some(id) = pending.pop() {
             let Some(function) = functions.get(&id).filter(|_| seen.insert(id)) else { continue };
-            let mut inner = Named::default();
+            let (mut inner, mut met) = (Named::default(), Seen::new());
             if let Some(body) = &function.definition {
-                inner.collect(&defs[body.def.0 as usize].expr, defs, &mut HashSet::new());
+                inner.collect(&defs[body.def.0 as usize].expr, defs, &[], &mut met);
             }
             for statement in &function.body {
                 statement.walk(&mut |s| {
-                    s.expressions().into_iter().for_each(|e| inner.collect(e, defs, &mut HashSet::new()));
+                    s.expressions().into_iter().for_each(|e| inner.collect(e, defs, &[], &mut met));
                 });
             }
             // Its variables are its own.
@@ -460,7 +472,7 @@ fn through_graphs(
     defs: &[Def],
     graphs: &Graphs,
 ) -> (BTreeSet<VarId>, BTreeSet<VarId>) {
-    let (mut values, mut seen, mut met) = (BTreeSet::new(), HashSet::new(), BTreeSet::new());
+    let (mut values, mut seen, mut met) = (BTreeSet::new(), Seen::new(), BTreeSet::new());
     let mut pending: Vec<VarId> = captured.iter().copied().collect();
     while let Some(id) = pending.pop() {
         let Some(name) = graphs.captured.get(&id) else {
@@ -470,7 +482,7 @@ fn through_graphs(
         if met.insert(*name) {
             let mut found = Named::default();
             for def in graphs.bound.get(name).into_iter().flatten() {
-                found.collect(&defs[def.0 as usize].expr, defs, &mut seen);
+                found.collect(&defs[def.0 as usize].expr, defs, &[], &mut seen);
             }
             pending.extend(found.captured);
         }

@@ -9,6 +9,7 @@
 mod annotate;
 mod argument_help;
 mod axes;
+mod blind;
 mod builtin_calls;
 pub(crate) mod builtins;
 mod calls;

@@ -59,6 +59,7 @@ impl<'a> Checker<'a> {
             }
             self.domain(&ty, decl.domain.as_ref(), Some(&default), name);
             self.dependence.param(self.params.len() as u32, &default);
+            self.note_circular_param(self.params.len() as u32, &default);
             self.params.push(Param {
                 name: name.clone(),
                 doc: doc.unwrap_or_default().to_string(),

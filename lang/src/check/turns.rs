@@ -5,7 +5,7 @@
 //! multiplied or divided by pi.
 
 use super::infer::Checker;
-use super::tree::{Expr, Kind, VarId};
+use super::tree::{DefId, Expr, Kind, VarId};
 use super::types::Type;
 use crate::ast::{BinaryOp, UnaryOp};
 use crate::diagnostic::Diagnostic;
@@ -17,8 +17,10 @@ use std::f64::consts::PI;
 /// What is noted while expressions are checked, for lints at the end.
 #[derive(Debug, Default)]
 pub struct Turns {
-    /// Variables computed with pi.
+    /// Variables, definitions and params computed with pi.
     circular: HashSet<VarId>,
+    circular_definitions: HashSet<DefId>,
+    circular_params: HashSet<u32>,
     /// Quotients with literal dividends: place, dividend as written, divisor and its type.
     reciprocals: Vec<(Span, Span, Span, Type)>,
     /// Numbers without units that are no angle within one revolution, and the types that they are put in.
@@ -76,8 +78,8 @@ impl Checker<'_> {
                     && self.known_dimension(&e.ty).is_some_and(|d| d == Dimension::NONE)
             }
             Kind::Var(id) => self.turns.circular.contains(id),
-            Kind::Param(id) => self.params.get(*id as usize).is_some_and(|p| self.has_pi(&p.default)),
-            Kind::Def(def) => self.has_pi(&self.defs[def.0 as usize].expr),
+            Kind::Param(id) => self.turns.circular_params.contains(id),
+            Kind::Def(def) => self.turns.circular_definitions.contains(def),
             _ => e.children().into_iter().any(|child| self.has_pi(child)),
         }
     }
@@ -89,11 +91,23 @@ impl Checker<'_> {
         }
     }
 
+    pub(super) fn note_circular_param(&mut self, id: u32, value: &Expr) {
+        if self.has_pi(value) {
+            self.turns.circular_params.insert(id);
+        }
+    }
+
+    pub(super) fn note_circular_definition(&mut self, id: DefId, value: &Expr) {
+        if self.has_pi(value) {
+            self.turns.circular_definitions.insert(id);
+        }
+    }
+
     /// Notes a number divided by something that may be an angular velocity.
     pub(super) fn note_reciprocal(&mut self, op: BinaryOp, a: &Expr, b: &Expr, span: Span) {
         if op == BinaryOp::Divide
-            && !self.has_pi(a)
             && literal(a).is_some()
+            && !self.has_pi(a)
             && self.known_dimension(&a.ty).is_some_and(|d| d == Dimension::NONE)
         {
             self.turns.reciprocals.push((span, a.span, b.span, b.ty.clone()));

@@ -248,10 +248,30 @@ fn read_number(
     if quantity.unit && !quantity::fits(quantity.dimension, param.unit.dimension) {
         return Err(refused(&other_kind(param, quantity.dimension, &description.known_dimensions)));
     }
+    let written = match value {
+        GivenValue::Text(text) | GivenValue::String(text) => text,
+        GivenValue::Quantity(_, unit) => unit,
+        _ => "",
+    };
+    if quantity.unit && lacks_turn((written, quantity.dimension), (&param.unit.name, param.unit.dimension)) {
+        return Err(refused("one cycle is 2 pi radians, and the default counts the other of the two"));
+    }
     if param.integral && value.fract() != 0.0 {
         return Err(refused("it must be a whole number"));
     }
     Ok(value)
+}
+
+/// Whether one of two quantities, each with the text of its unit, counts cycles (in Hz) and the other angles.
+fn lacks_turn(first: (&str, Exponents), second: (&str, Exponents)) -> bool {
+    /// The place of angle among the exponents.
+    const ANGLE: usize = 3;
+    let angles = |(_, dimension): (&str, Exponents)| dimension[ANGLE].0 != 0;
+    let cycles = |(text, dimension): (&str, Exponents)| {
+        let mut names = text.split(|c: char| !c.is_alphabetic());
+        !angles((text, dimension)) && names.any(|name| matches!(name, "Hz" | "kHz"))
+    };
+    angles(first) && cycles(second) || cycles(first) && angles(second)
 }
 
 /// Why a quantity of another dimension is not one of the param's.
