@@ -47,14 +47,14 @@ pub fn for_each_expression<'p>(function: &'p Function, visit: &mut dyn FnMut(&'p
             match statement {
                 Statement::Assign { place, value, .. } | Statement::Push { place, value, .. } => {
                     in_place(place, visit);
-                    in_expression(value, visit);
+                    for_each_part(value, visit);
                 }
                 Statement::Host { arguments, .. } => {
-                    arguments.iter().for_each(|argument| in_expression(argument, visit));
+                    arguments.iter().for_each(|argument| for_each_part(argument, visit));
                 }
-                Statement::Eval(value) => in_expression(value, visit),
+                Statement::Eval(value) => for_each_part(value, visit),
                 Statement::Call { result, arguments, copy_back, .. } => {
-                    arguments.iter().for_each(|argument| in_expression(argument, visit));
+                    arguments.iter().for_each(|argument| for_each_part(argument, visit));
                     result.iter().chain(copy_back).for_each(|place| in_place(place, visit));
                 }
             }
@@ -64,7 +64,7 @@ pub fn for_each_expression<'p>(function: &'p Function, visit: &mut dyn FnMut(&'p
             | Terminator::Return(Some(value))
             | Terminator::Throw { error: value, .. }
             | Terminator::Rethrow(value) => {
-                in_expression(value, visit);
+                for_each_part(value, visit);
             }
             Terminator::Jump(_) | Terminator::Return(None) => {}
         }
@@ -72,12 +72,13 @@ pub fn for_each_expression<'p>(function: &'p Function, visit: &mut dyn FnMut(&'p
 }
 
 fn in_place<'p>(place: &'p Place, visit: &mut dyn FnMut(&'p Expr)) {
-    place.indices().for_each(|index| in_expression(index, visit));
+    place.indices().for_each(|index| for_each_part(index, visit));
 }
 
-fn in_expression<'p>(expr: &'p Expr, visit: &mut dyn FnMut(&'p Expr)) {
+/// Visits an expression and every part of it.
+pub fn for_each_part<'p>(expr: &'p Expr, visit: &mut dyn FnMut(&'p Expr)) {
     visit(expr);
-    let mut each = |parts: &'p [Expr]| parts.iter().for_each(|part| in_expression(part, visit));
+    let mut each = |parts: &'p [Expr]| parts.iter().for_each(|part| for_each_part(part, visit));
     match &expr.kind {
         ExprKind::Number(_)
         | ExprKind::Bool(_)

@@ -164,4 +164,10 @@ pub const CODES: &[Explanation] = codes! {
     "E0791" "a tolerance that cannot be" "A tolerance is a part of an output's largest magnitude, above 0 and below 1, like `tolerance = 2 %`. It is of quasi-static analyses: those in time estimate too little of their errors."
     "E0792" "a tolerance that no setting keeps to" "The finest mesh of the highest fidelity, or as many contact cells and positions as are tried, still have larger estimated errors. The message names the best setting, the output, and a fidelity that the model could not have. Ask for less; or take such an output out of the model: where a result is a jump (pressure at a sharp edge, a place of a maximum), no mesh makes it exact."
     "E0799" "a defect of Calyx; please report it with the model" "Something inside Calyx contradicts itself. It is not the model's fault."
+    "E0820" "points between which nothing can be interpolated" "`interpolate` needs two points or more, as many `ys` as `xs`, and `xs` that increase. Sort the table by `xs`, and take out what stands there twice."
+    "E0821" "an interpolation beyond its points" "`interpolate` gives values between the first and the last of its `xs`. Extend the table, or limit the argument with `min` and `max`."
+    "E0822" "a power at no speed" "A power is a moment times an angular velocity, so at rest no moment gives one. Give the speed at which the body turns."
+    "E0823" "a planetary set with a number of planets that cannot be" "Planets are counted: one or more, a whole number. Where `places` says where they stand, it has one place for each."
+    "E0824" "two torques on a planetary set" "The torque on the sun and that on the ring follow from each other by equilibrium. Give the one that is known."
+    "E0825" "a planetary set that turns as a whole" "Where sun, carrier and ring have one speed, no teeth roll on each other, and there is no mesh to analyse. Give the sun or the ring another speed."
 };

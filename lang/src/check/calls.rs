@@ -236,12 +236,13 @@ impl<'a> Checker<'a> {
                 );
             }
         }
-        let mut values = Vec::new();
+        let (mut values, mut demands) = (Vec::new(), Vec::new());
         let given_ones: Vec<bool> = given.iter().map(Option::is_some).collect();
         for (parameter, argument) in decl.parameters.iter().zip(given) {
             let ty = self.in_file(file, |c| {
                 parameter.annotation.as_ref().map_or(Type::Error, |a| c.annotation(a, true))
             });
+            let is_default = argument.is_none() && !fields.contains_key(&parameter.name.name);
             let value = match (argument, &parameter.default) {
                 (Some(argument), _) => match &ty {
                     Type::Symbolic(inner) => {
@@ -270,17 +271,18 @@ impl<'a> Checker<'a> {
                 // Reported as missing.
                 (None, _) => Expr::error(span),
             };
-            if argument.is_some() {
-                self.in_file(file, |c| {
-                    c.domain(&ty, parameter.domain.as_ref(), Some(&value), &parameter.name.name)
-                });
+            if !is_default {
+                let domain = parameter.domain.as_ref();
+                let demand =
+                    self.in_file(file, |c| c.domain(&ty, domain, Some(&value), &parameter.name.name));
+                demands.extend(demand.map(|demand| (values.len(), Demand { nan_passes: true, ..demand })));
             }
             values.push(value);
         }
         let result =
             self.in_file(file, |c| decl.result.as_ref().map_or(Type::Unit, |r| c.annotation(r, true)));
         let _ = name;
-        self.observed(Expr { kind: Kind::CallExtern(id, values), ty: result, span })
+        self.observed(Expr { kind: Kind::CallExtern(id, values, demands), ty: result, span })
     }
 
     pub(super) fn in_file<T>(&mut self, file: crate::span::FileId, work: impl FnOnce(&mut Self) -> T) -> T {

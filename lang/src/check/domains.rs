@@ -5,7 +5,7 @@
 use super::constant;
 use super::infer::Checker;
 use super::symbols::similar;
-use super::tree::{Demand, Expr};
+use super::tree::{Demand, Expr, Kind};
 use super::types::{Store, Type};
 use crate::ast::{Domain, Parameter};
 use crate::diagnostic::Diagnostic;
@@ -28,15 +28,27 @@ pub struct Check {
 impl Demand {
     /// Whether all of it is constant, so that it was checked with the program.
     pub fn is_decided(&self, value: &Expr, store: &Store) -> bool {
-        let number = |e: &Expr| constant::number(e, store).is_some();
+        let number = |e: &Expr| constant::number(e, store).is_some_and(|number| !number.is_nan());
         let ends = || self.low.iter().chain(&self.high).all(number);
-        constant::text(value).is_some() || (number(value) && ends())
+        let is_text = match elements(value).as_slice() {
+            [] => false,
+            all => all.iter().all(|e| constant::text(e).is_some()),
+        };
+        is_text || (elements(value).into_iter().all(number) && ends())
+    }
+}
+
+/// The elements of an array that is written out, of arrays in it too; the expression itself if it is none.
+fn elements(e: &Expr) -> Vec<&Expr> {
+    match &e.kind {
+        Kind::Array(all) => all.iter().flat_map(elements).collect(),
+        _ => vec![e],
     }
 }
 
 impl<'a> Checker<'a> {
-    /// Notes a domain to be checked when all types are known. Its ends must have the type `ty`.
-    /// What is demanded of the value is handed back.
+    /// Notes a domain to be checked when all types are known. Its ends must have the type `ty`, or that of its elements or
+    /// components. Returns what is demanded of the value.
     pub(super) fn domain(
         &mut self,
         ty: &Type,
@@ -44,6 +56,7 @@ impl<'a> Checker<'a> {
         value: Option<&Expr>,
         name: &str,
     ) -> Option<Demand> {
+        let ty = &self.scalar(ty);
         let check = match domain {
             None => return None,
             Some(Domain::Range { low, high, span }) => {
@@ -97,9 +110,19 @@ impl<'a> Checker<'a> {
             high: check.high.clone(),
             choices: check.choices.clone(),
             text: check.text.trim_start_matches("in").trim().into(),
+            nan_passes: false,
         };
         self.domains.push(check);
         Some(demand)
+    }
+
+    /// The type of the numbers in arrays and vectors of a type; the type itself if it is neither.
+    fn scalar(&self, ty: &Type) -> Type {
+        match self.store.shallow(ty) {
+            Type::Array(element) => self.scalar(&element),
+            Type::Vector(dim) => Type::Number(dim),
+            other => other,
+        }
     }
 
     /// The range or choices of a function's own parameter, checked where they are declared.
@@ -133,8 +156,9 @@ impl<'a> Checker<'a> {
             let low = check.low.as_ref().and_then(|e| constant::number(e, &self.store));
             let high = check.high.as_ref().and_then(|e| constant::number(e, &self.store));
             let ends = [&check.low, &check.high];
-            let mut types = ends.into_iter().chain([&check.value]).flatten().map(|e| &e.ty);
-            if !types.all(|ty| self.fits(ty, &check.ty)) {
+            let mut types = ends.into_iter().chain([&check.value]).flatten().map(|e| self.scalar(&e.ty));
+            let expected = self.scalar(&check.ty);
+            if !types.all(|ty| self.fits(&ty, &expected)) {
                 continue;
             }
             if let (Some(low), Some(high)) = (low, high)
@@ -154,49 +178,66 @@ impl<'a> Checker<'a> {
                 }
                 self.report(diagnostic);
             }
-            let Some(value) = &check.value else { continue };
-            if let Some(number) = constant::number(value, &self.store)
-                && (low.is_some_and(|low| number < low) || high.is_some_and(|high| number > high))
-            {
-                let range = check.text.trim_start_matches("in").trim();
-                self.report(
-                    Diagnostic::error(
-                        "E0314",
-                        format!("`{}` must lie in {range}", check.name),
-                        value.span,
-                        "outside the allowed range",
-                    )
-                    .label(check.span, "allowed here")
-                    .help(format!("choose a value in {range}, ends included")),
-                );
-            }
-            if let Some(text) = constant::text(value)
-                && !check.choices.is_empty()
-                && !check.choices.iter().any(|choice| choice == text)
-            {
-                let allowed = check.choices.iter().map(|c| format!("\"{c}\"")).collect::<Vec<_>>().join(", ");
-                let diagnostic = Diagnostic::error(
-                    "E0314",
-                    format!("`{}` cannot be \"{text}\"", check.name),
-                    value.span,
-                    "not among the allowed values",
-                )
-                .label(check.span, "allowed here");
-                let diagnostic = match similar(text, check.choices.iter().map(String::as_str)) {
-                    Some(near) => diagnostic
-                        .help(format!("did you mean \"{near}\"? Allowed: {allowed}"))
-                        .fix(format!("change to \"{near}\""), value.span, format!("\"{near}\"")),
-                    None => {
-                        let choices = check.choices.iter().take(MOST_CHOICES);
-                        choices.fold(diagnostic.help(format!("allowed: {allowed}")), |diagnostic, choice| {
-                            let choice = format!("\"{choice}\"");
-                            diagnostic.suggest(format!("change to {choice}"), value.span, choice)
-                        })
-                    }
-                };
-                self.report(diagnostic);
+            for value in check.value.iter().flat_map(elements) {
+                if let Some(number) = constant::number(value, &self.store) {
+                    self.check_range(&check, [low, high], number, value.span);
+                }
+                if let Some(text) = constant::text(value) {
+                    self.check_choice(&check, text, value.span);
+                }
             }
         }
+    }
+
+    /// A constant number against a range.
+    fn check_range(&mut self, check: &Check, [low, high]: [Option<f64>; 2], number: f64, span: Span) {
+        if !low.is_some_and(|low| number < low) && !high.is_some_and(|high| number > high) {
+            return;
+        }
+        let range = check.text.trim_start_matches("in").trim();
+        let message = format!("`{}` must lie in {range}", check.name);
+        self.report(
+            Diagnostic::error("E0314", message, span, "outside the allowed range")
+                .label(check.span, "allowed here")
+                .help(format!("choose a value in {range}, ends included")),
+        );
+    }
+
+    /// A constant text against choices.
+    fn check_choice(&mut self, check: &Check, text: &str, span: Span) {
+        if check.choices.is_empty() || check.choices.iter().any(|choice| choice == text) {
+            return;
+        }
+        let allowed = check.choices.iter().map(|c| format!("\"{c}\"")).collect::<Vec<_>>().join(", ");
+        let message = format!("`{}` cannot be \"{text}\"", check.name);
+        let diagnostic = Diagnostic::error("E0314", message, span, "not among the allowed values")
+            .label(check.span, "allowed here");
+        let begun: Vec<&String> =
+            check.choices.iter().filter(|choice| !text.is_empty() && choice.starts_with(text)).collect();
+        let diagnostic = match similar(text, check.choices.iter().map(String::as_str)) {
+            // Which of them is meant, the spelling does not say.
+            _ if begun.len() > 1 => {
+                let names = begun.iter().map(|choice| format!("\"{choice}\"")).collect::<Vec<_>>().join(" or ");
+                let help = format!("did you mean {names}? Allowed: {allowed}");
+                begun.iter().fold(diagnostic.help(help), |diagnostic, choice| {
+                    let choice = format!("\"{choice}\"");
+                    diagnostic.suggest(format!("change to {choice}"), span, choice)
+                })
+            }
+            Some(near) => diagnostic.help(format!("did you mean \"{near}\"? Allowed: {allowed}")).fix(
+                format!("change to \"{near}\""),
+                span,
+                format!("\"{near}\""),
+            ),
+            None => {
+                let choices = check.choices.iter().take(MOST_CHOICES);
+                choices.fold(diagnostic.help(format!("allowed: {allowed}")), |diagnostic, choice| {
+                    let choice = format!("\"{choice}\"");
+                    diagnostic.suggest(format!("change to {choice}"), span, choice)
+                })
+            }
+        };
+        self.report(diagnostic);
     }
 }
 

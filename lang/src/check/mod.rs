@@ -19,6 +19,7 @@ mod consts;
 mod dependence;
 mod dim;
 mod domains;
+mod elsewhere;
 mod errors;
 pub(crate) mod excerpt;
 mod expr;

@@ -38,7 +38,7 @@ struct Resolver<'a> {
 /// Resolves all names. `modules[0]` is the model, `modules[1]` the prelude.
 pub fn resolve<'a>(modules: &'a [ModuleData], around: &'a dyn Surroundings) -> Names<'a> {
     let mut resolver = Resolver {
-        names: Names::default(),
+        names: Names { around: Some(around), ..Names::default() },
         modules,
         around,
         exports: Vec::new(),

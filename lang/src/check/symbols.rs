@@ -2,6 +2,7 @@
 
 use super::builtins::Builtin;
 use super::tree::{FuncId, RecordId, VarId};
+use super::unit::Surroundings;
 use crate::ast::{Expr, FunctionDecl, Ident, Mode, ParamDecl, RecordDecl, TypeExpr, UnitDecl};
 use crate::diagnostic::Diagnostic;
 use crate::span::{FileId, Span};
@@ -113,6 +114,8 @@ pub struct DimensionDecl<'a> {
 /// The result of resolving names.
 #[derive(Default)]
 pub struct Names<'a> {
+    /// The program around, for suggestions.
+    pub around: Option<&'a dyn Surroundings>,
     /// By the identifier's place; declarations too.
     pub uses: HashMap<Span, Res>,
     /// Names that are assigned to.

@@ -73,7 +73,8 @@ pub enum Kind {
     Call(Box<Call>),
     /// A symbolic function in a symbolic expression.
     SymbolicCall(Box<Call>),
-    CallExtern(u32, Vec<Expr>),
+    /// A library function, its arguments, and what some of them must be, by their position.
+    CallExtern(u32, Vec<Expr>, Vec<(usize, Demand)>),
     Print(Vec<Expr>, UnitSystem),
     Assert(Box<Assertion>),
     Array(Vec<Expr>),
@@ -143,6 +144,8 @@ pub struct Demand {
     pub choices: Vec<String>,
     /// As it is written, without `in`.
     pub text: String,
+    /// Whether NaN passes: the library refuses it by itself (E0722), and finds out where it arose.
+    pub nan_passes: bool,
 }
 
 #[derive(Clone, Debug)]
@@ -366,7 +369,7 @@ impl Expr {
             Kind::Assert(assertion) => vec![&assertion.condition, &assertion.message],
             Kind::If(a, b, c) => vec![a, b, c],
             Kind::Op(_, all)
-            | Kind::CallExtern(_, all)
+            | Kind::CallExtern(_, all, _)
             | Kind::Print(all, _)
             | Kind::Array(all)
             | Kind::Tuple(all) => all.iter().collect(),

@@ -20,6 +20,11 @@ use std::sync::Arc;
 pub trait Surroundings {
     /// Names that a module declares.
     fn declared(&self, module: &str) -> Vec<String>;
+    /// What a module says of itself as a whole.
+    fn doc(&self, module: &str) -> String;
+    /// Functions of the library that make a handle of this type: their names with their modules, and the handles that they
+    /// take.
+    fn makers(&self, handle: &str) -> Vec<(String, Vec<String>)>;
     /// Whether a module of this name can be imported.
     fn is_module(&self, name: &str) -> bool;
     /// Modules that can be imported.
@@ -174,6 +179,14 @@ struct Nothing;
 
 impl Surroundings for Nothing {
     fn declared(&self, _: &str) -> Vec<String> {
+        Vec::new()
+    }
+
+    fn doc(&self, _: &str) -> String {
+        String::new()
+    }
+
+    fn makers(&self, _: &str) -> Vec<(String, Vec<String>)> {
         Vec::new()
     }
 

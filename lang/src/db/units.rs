@@ -5,6 +5,7 @@ use super::items::{
     Item, bases, declarations, declared, facts, handles, items, library_bases, module, reachable, vocabulary,
 };
 use super::{Library, Text};
+use crate::ast::{StmtKind, TypeExpr, TypeKind};
 use crate::check::excerpt::{Excerpt, Extract, ItemId, Part};
 use crate::check::interface::Interface;
 use crate::check::item::ItemKind;
@@ -272,6 +273,14 @@ fn is_function(db: &dyn salsa::Database, item: Item<'_>) -> bool {
     matches!(item.kind(db), ItemKind::Function | ItemKind::Extern)
 }
 
+/// The name of a type that has one.
+fn type_name(ty: &TypeExpr) -> Option<&str> {
+    match &ty.kind {
+        TypeKind::Name(name) | TypeKind::Member(_, name) => Some(&name.name),
+        _ => None,
+    }
+}
+
 /// What a check asks where something is wrong.
 struct Around<'db> {
     db: &'db dyn salsa::Database,
@@ -282,17 +291,41 @@ struct Around<'db> {
 /// In a file that declares more names nobody waits for suggestions.
 const MOST_NAMES: usize = 2000;
 
-impl Surroundings for Around<'_> {
-    fn declared(&self, name: &str) -> Vec<String> {
+impl Around<'_> {
+    /// The file of a module, of the prelude, or of the model itself.
+    fn file_of(&self, name: &str) -> Option<Text> {
         let prelude = self.library.prelude(self.db);
-        let file = match name {
-            _ if name == self.file.module(self.db) => self.file,
-            _ if name == prelude.module(self.db) => prelude,
-            _ => match module(self.db, self.library, name.to_string()) {
-                Some(file) => *file,
-                None => return Vec::new(),
-            },
-        };
+        match name {
+            _ if name == self.file.module(self.db) => Some(self.file),
+            _ if name == prelude.module(self.db) => Some(prelude),
+            _ => *module(self.db, self.library, name.to_string()),
+        }
+    }
+}
+
+impl Surroundings for Around<'_> {
+    fn doc(&self, name: &str) -> String {
+        self.file_of(name).map(|file| facts(self.db, file).doc.clone()).unwrap_or_default()
+    }
+
+    fn makers(&self, handle: &str) -> Vec<(String, Vec<String>)> {
+        let mut makers = Vec::new();
+        for name in self.modules() {
+            let Some(file) = *module(self.db, self.library, name.clone()) else { continue };
+            for item in items(self.db, file).iter().filter(|item| *item.kind(self.db) == ItemKind::Extern) {
+                let StmtKind::Function(decl) = &item.content(self.db).statement.kind else { continue };
+                let makes = decl.result.as_ref().is_some_and(|result| type_name(result) == Some(handle));
+                if makes && !item.private(self.db) {
+                    let takes = decl.parameters.iter().filter_map(|p| type_name(p.annotation.as_ref()?));
+                    makers.push((format!("{name}.{}", decl.name.name), takes.map(str::to_owned).collect()));
+                }
+            }
+        }
+        makers
+    }
+
+    fn declared(&self, name: &str) -> Vec<String> {
+        let Some(file) = self.file_of(name) else { return Vec::new() };
         let declared = declared(self.db, file);
         if declared.len() > MOST_NAMES {
             return Vec::new();

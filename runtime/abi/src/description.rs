@@ -65,18 +65,24 @@ pub struct ModelDescription {
     /// they travel with the program.
     #[serde(with = "shared")]
     pub tables: Arc<[FileDescription]>,
-    /// Calls of the engine's functions, in order of place. Elaboration fills them in.
+    /// Calls of the engine's and the library's functions, in order of place. Elaboration fills them in.
     pub calls: Vec<CallDescription>,
 }
 
-/// Where a call of one of the engine's functions is written, so that what the engine says of an argument can be placed on
-/// it without the compiler.
+/// How the names of the library's files begin.
+pub const LIBRARY: &str = "<library>/";
+
+/// Where a call of a function of the engine or the library is written, so that an error can be placed on an argument
+/// without the compiler. A `throw` in the library is described as a call without arguments.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct CallDescription {
     /// Byte range `(file, start, end)` of the call.
     pub place: Place,
     /// Name and byte range of each argument that is written in the call; others are left to their defaults.
     pub arguments: Vec<(String, Place)>,
+    /// Of a call in the library: for each argument the parameters of the function around the call that it is computed from.
+    #[serde(default)]
+    pub carried: Vec<(String, Vec<String>)>,
 }
 
 /// An input of the model.

@@ -8,6 +8,7 @@
 //! [`units`]) and read ([`quantity`]), the description that every compiled model brings along ([`description`]), and the
 //! number by which code knows an engine that keeps the same agreement ([`fingerprint`]).
 
+pub mod attribution;
 pub mod blame;
 pub mod call;
 pub mod cancel;

@@ -1,4 +1,5 @@
-//! Functions every program may call: `print`, `assert`, and the check of `Rotate`.
+//! Functions every program may call: `print`, `assert`, the check of `Rotate`, and the checks of array elements against
+//! ranges and choices.
 
 use crate::context::{RuntimeError, codes};
 
@@ -40,4 +41,34 @@ crate::externs! {
         };
         Err(RuntimeError::new(codes::AXIS, message, help))
     }
+
+    /// `first_outside(Array(Number), Number, Number, Bool)`: index of the first element outside a range, -1 if there is
+    /// none. NaN is outside unless it passes.
+    Pure fn calyx_std_first_outside(context, values: Vec<f64>, low: f64, high: f64, nan_passes: bool) -> f64 {
+        let _ = context;
+        Ok(index_of(values.iter().position(|&value| is_outside(value, low, high, nan_passes))))
+    }
+
+    /// The same of vectors, of which every component must lie in the range.
+    Pure fn calyx_std_first_vector_outside(
+        context, values: Vec<[f64; 3]>, low: f64, high: f64, nan_passes: bool,
+    ) -> f64 {
+        let _ = context;
+        let outside = |vector: &[f64; 3]| vector.iter().any(|&part| is_outside(part, low, high, nan_passes));
+        Ok(index_of(values.iter().position(outside)))
+    }
+
+    /// `first_unknown(Array(String), Array(String))`: index of the first element that is no choice, -1 if there is none.
+    Pure fn calyx_std_first_unknown(context, values: Vec<String>, choices: Vec<String>) -> f64 {
+        let _ = context;
+        Ok(index_of(values.iter().position(|value| !choices.contains(value))))
+    }
+}
+
+fn is_outside(value: f64, low: f64, high: f64, nan_passes: bool) -> bool {
+    if value.is_nan() { !nan_passes } else { value < low || value > high }
+}
+
+fn index_of(position: Option<usize>) -> f64 {
+    position.map_or(-1.0, |index| index as f64)
 }

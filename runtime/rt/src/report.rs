@@ -3,7 +3,8 @@
 use crate::given::Origin;
 use crate::params::Refused;
 use calyx_abi::RuntimeError;
-use calyx_abi::description::{CallDescription, FileDescription, ModelDescription};
+use calyx_abi::attribution::attribute;
+use calyx_abi::description::{FileDescription, LIBRARY, ModelDescription};
 use calyx_abi::error::{Place, call_lines, codes};
 use calyx_gears::error::Severity;
 use serde_json::json;
@@ -11,7 +12,9 @@ use serde_json::json;
 /// `error[E0670]: ...` with the place, its line underlined, and the remedy.
 pub fn problem(severity: Severity, error: &RuntimeError, description: &ModelDescription) -> String {
     let mut error = error.clone();
-    blame(&mut error, &description.calls);
+    let is_library =
+        |file: u32| description.files.get(file as usize).is_some_and(|file| file.name.starts_with(LIBRARY));
+    attribute(&mut error, description.calls.iter(), is_library);
     let mut text = match severity {
         Severity::Error => format!("error[{}]: {}\n", error.code, error.message),
         Severity::Warning => format!("warning[{}]: {}\n", error.code.replacen('E', "W", 1), error.message),
@@ -43,15 +46,6 @@ pub fn problem(severity: Severity, error: &RuntimeError, description: &ModelDesc
 
 /// Codes of errors that NaN causes: of a frame, an output, an argument. Its source is found by interpreting the program.
 const NOT_A_NUMBER: [&str; 3] = ["E0710", "E0721", codes::NOT_A_NUMBER];
-
-/// If the error blames an argument of the call at its place, moves the place to that argument.
-fn blame(error: &mut RuntimeError, calls: &[CallDescription]) {
-    let (Some(place), Some(name)) = (error.place, &error.argument) else { return };
-    let Ok(call) = calls.binary_search_by_key(&place, |call| call.place) else { return };
-    if let Some((_, argument)) = calls[call].arguments.iter().find(|(argument, _)| argument == name) {
-        error.place = Some(*argument);
-    }
-}
 
 /// `error: ...` with the place in the file of params, if it came from one, and the remedy.
 pub fn refused(refused: &Refused) -> String {
@@ -103,6 +97,7 @@ fn excerpt(file: &FileDescription, start: usize, end: usize) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use calyx_abi::description::CallDescription;
 
     #[test]
     fn the_line_is_shown_and_marked() {
@@ -122,7 +117,11 @@ mod tests {
             format!("{expected}  in `f`, called at m.cx:2:2\n")
         );
         // What blames an argument is placed on it, and a warning has a warning's code.
-        let calls = vec![CallDescription { place: (0, 13, 24), arguments: vec![("x".into(), (0, 22, 23))] }];
+        let calls = vec![CallDescription {
+            place: (0, 13, 24),
+            arguments: vec![("x".into(), (0, 22, 23))],
+            carried: Vec::new(),
+        }];
         let blamed = RuntimeError { place: Some((0, 13, 24)), ..error.clone().of_argument("x") };
         let description = ModelDescription { calls, ..description };
         let warning = expected.replacen("error[E", "warning[W", 1);

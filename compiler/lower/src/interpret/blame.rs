@@ -2,57 +2,223 @@
 
 use crate::traverse::for_each_expression;
 use calyx_abi::RuntimeError;
-use calyx_abi::description::CallDescription;
-use calyx_lang::ir::{Expr, ExprKind, Program};
-use std::collections::HashMap;
+use calyx_abi::attribution::attribute;
+use calyx_abi::description::{CallDescription, LIBRARY};
+use calyx_abi::error::{Call, Place};
+use calyx_lang::ir::{Expr, ExprKind, Function, FunctionId, Mode, Program, Statement, Terminator};
+use calyx_lang::span::Span;
+use std::collections::{BTreeSet, HashMap, HashSet};
 
-/// Byte range `(file, start, end)`.
-type Range = (u32, u32, u32);
-
-/// Where the arguments of all calls of provided functions are written.
+/// Where the arguments of all calls of the engine's and the library's functions are written.
 #[derive(Clone, Debug, Default)]
 pub struct CallSites {
-    /// By the place of the call: names and places of its arguments.
-    arguments: HashMap<Range, Vec<(String, Range)>>,
+    /// By the place of the call.
+    calls: HashMap<Place, CallDescription>,
+    /// Files of the library, by index.
+    library: HashSet<u32>,
+    /// The function of the library that a call stands in, by its place.
+    inside: HashMap<Place, Place>,
+    /// Functions of the library, by their place: name, and the places where they are called.
+    callers: HashMap<Place, (String, BTreeSet<Place>)>,
 }
 
 impl CallSites {
     pub fn new(program: &Program) -> Self {
-        let range = |expr: &Expr| (expr.span.file.0, expr.span.start, expr.span.end);
-        let mut sites = CallSites::default();
-        let mut visit = |call: &Expr| {
-            let ExprKind::CallExtern(id, arguments) = &call.kind else { return };
-            let Some(declaration) = program.externs.get(id.0 as usize) else { return };
-            let (file, start, end) = range(call);
-            // A default's text stands in the declaration, outside of the call: such an argument has no place.
-            let written = |at: &Range| at.0 == file && at.1 >= start && at.2 <= end;
-            let pairs = declaration.parameters.iter().zip(arguments);
-            let pairs = pairs.map(|((name, _), argument)| (name.clone(), range(argument)));
-            let pairs = pairs.filter(|(_, at)| written(at)).collect();
-            sites.arguments.insert((file, start, end), pairs);
-        };
-        program.functions.iter().for_each(|function| for_each_expression(function, &mut visit));
+        let files = program.files.iter().enumerate();
+        let library = files.filter(|(_, file)| file.name.starts_with(LIBRARY));
+        let mut sites =
+            CallSites { library: library.map(|(index, _)| index as u32).collect(), ..CallSites::default() };
+        for function in &program.functions {
+            // The chain of blame leads through the library alone.
+            let carried = if sites.is_library(function.span) { carried(function) } else { Carried::default() };
+            for_each_expression(function, &mut |expr| match &expr.kind {
+                ExprKind::CallExtern(id, arguments) => {
+                    let Some(declaration) = program.externs.get(id.0 as usize) else { return };
+                    let names = declaration.parameters.iter().map(|(name, _)| name.as_str());
+                    sites.add(expr.span, names.zip(arguments), &carried, function.span);
+                }
+                ExprKind::Call(callee, arguments) => {
+                    sites.add_call(program, *callee, arguments, expr.span, &carried, function.span);
+                }
+                _ => {}
+            });
+            for block in &function.blocks {
+                for statement in &block.statements {
+                    if let Statement::Call { function: callee, arguments, span, .. } = statement {
+                        sites.add_call(program, *callee, arguments, *span, &carried, function.span);
+                    }
+                }
+                if let Terminator::Throw { error, span, .. } = &block.terminator
+                    && sites.is_library(*span)
+                    && !sites.calls.contains_key(&place(*span))
+                {
+                    sites.add(*span, std::iter::once(("", error)), &carried, function.span);
+                }
+            }
+        }
         sites
+    }
+
+    fn is_library(&self, span: Span) -> bool {
+        self.library.contains(&span.file.0)
+    }
+
+    /// A call of a function of the program, of which only the library's matter.
+    fn add_call(
+        &mut self,
+        program: &Program,
+        callee: FunctionId,
+        arguments: &[Expr],
+        span: Span,
+        carried: &Carried,
+        around: Span,
+    ) {
+        let Some(callee) = program.functions.get(callee.0 as usize) else { return };
+        if !self.is_library(callee.span) {
+            return;
+        }
+        let callers = self.callers.entry(place(callee.span)).or_default();
+        callers.0.clone_from(&callee.name);
+        callers.1.insert(place(span));
+        let passed = callee.parameters.iter().filter(|(_, mode)| *mode != Mode::Out);
+        let names = passed.map(|(local, _)| callee.locals.get(local.0 as usize).map_or("", |l| &l.name));
+        self.add(span, names.zip(arguments), carried, around);
+    }
+
+    fn add<'e>(
+        &mut self,
+        span: Span,
+        arguments: impl Iterator<Item = (&'e str, &'e Expr)>,
+        carried: &Carried,
+        around: Span,
+    ) {
+        let call = place(span);
+        let mut described = CallDescription { place: call, arguments: Vec::new(), carried: Vec::new() };
+        for (name, argument) in arguments {
+            let at = place(argument.span);
+            // A default's text stands in the declaration, outside of the call: such an argument has no place. Nor has what a
+            // function sees around it, which has the place of the call.
+            if at.0 == call.0 && at.1 >= call.1 && at.2 <= call.2 && at != call {
+                described.arguments.push((name.into(), at));
+            }
+            let names = carried.by(argument);
+            if !names.is_empty() {
+                described.carried.push((name.into(), names));
+            }
+        }
+        if self.is_library(span) {
+            self.inside.insert(call, place(around));
+        }
+        self.calls.insert(call, described);
     }
 
     /// The same for those who have no compiler, in order of place.
     pub fn describe(&self) -> Vec<CallDescription> {
-        let calls = self.arguments.iter().filter(|(_, arguments)| !arguments.is_empty());
-        let described =
-            calls.map(|(&place, arguments)| CallDescription { place, arguments: arguments.clone() });
-        let mut described: Vec<_> = described.collect();
+        let is_needed = |call: &&CallDescription| !call.arguments.is_empty() || !call.carried.is_empty();
+        let mut described: Vec<_> = self.calls.values().filter(is_needed).cloned().collect();
         described.sort_by_key(|call| call.place);
         described
     }
 
-    /// If the error blames an argument of the call at its place, moves the place to that argument.
-    /// Arguments left to their default keep the place of the call.
+    /// Moves an error to the argument to blame: see [`calyx_abi::attribution::attribute`].
     pub fn blame(&self, error: &mut RuntimeError) {
-        let arguments = error.place.and_then(|place| self.arguments.get(&place));
-        if let (Some(arguments), Some(name)) = (arguments, &error.argument)
-            && let Some((_, place)) = arguments.iter().find(|(argument, _)| argument == name)
+        if let (Some(at), true) = (error.place, error.details.calls.is_empty())
+            && self.library.contains(&at.0)
         {
-            error.place = Some(*place);
+            error.details.calls = self.only_chain(at);
+        }
+        attribute(error, self.calls.values(), |file| self.library.contains(&file));
+    }
+
+    /// Calls that lead to a place in the library, if they all begin at one place of the program. What the library notes
+    /// without an error comes without its calls.
+    fn only_chain(&self, at: Place) -> Vec<Call> {
+        let Some(first) = self.inside.get(&at) else { return Vec::new() };
+        let mut chains: HashMap<Place, Vec<Call>> = HashMap::from([(*first, Vec::new())]);
+        let mut waiting = vec![*first];
+        let mut found: Option<Vec<Call>> = None;
+        while let Some(function) = waiting.pop() {
+            let chain = chains.get(&function).cloned().unwrap_or_default();
+            let Some((name, callers)) = self.callers.get(&function) else { continue };
+            for caller in callers {
+                let mut chain = chain.clone();
+                chain.push(Call { function: name.clone(), place: *caller });
+                match self.inside.get(caller) {
+                    Some(around) if self.library.contains(&caller.0) => {
+                        if !chains.contains_key(around) {
+                            chains.insert(*around, chain);
+                            waiting.push(*around);
+                        }
+                    }
+                    _ if found.is_none() => found = Some(chain),
+                    _ => return Vec::new(),
+                }
+            }
+        }
+        found.unwrap_or_default()
+    }
+}
+
+/// Parameters of a function that its locals are computed from, whatever way the program takes.
+#[derive(Default)]
+struct Carried {
+    /// By local.
+    names: Vec<Vec<String>>,
+}
+
+impl Carried {
+    /// The parameters that a value is computed from, in the order in which it names them.
+    fn by(&self, value: &Expr) -> Vec<String> {
+        let mut names = Vec::new();
+        if self.names.is_empty() {
+            return names;
+        }
+        crate::traverse::for_each_part(value, &mut |part| {
+            let ExprKind::Local(local) = &part.kind else { return };
+            for name in self.names.get(local.0 as usize).into_iter().flatten() {
+                if !names.contains(name) {
+                    names.push(name.clone());
+                }
+            }
+        });
+        names
+    }
+}
+
+fn carried(function: &Function) -> Carried {
+    let mut carried = Carried { names: vec![Vec::new(); function.locals.len()] };
+    for (local, _) in &function.parameters {
+        if let Some(known) = function.locals.get(local.0 as usize) {
+            carried.names[local.0 as usize] = vec![known.name.clone()];
         }
     }
+    // Names only ever join, so this ends.
+    loop {
+        let mut grown = false;
+        for statement in function.blocks.iter().flat_map(|block| &block.statements) {
+            let (target, values): (_, Vec<&Expr>) = match statement {
+                Statement::Assign { place, value, .. } | Statement::Push { place, value, .. } => {
+                    (place, vec![value])
+                }
+                Statement::Call { result: Some(place), arguments, .. } => (place, arguments.iter().collect()),
+                Statement::Host { result: place, arguments, .. } => (place, arguments.iter().collect()),
+                Statement::Call { result: None, .. } | Statement::Eval(_) => continue,
+            };
+            let names: Vec<String> = values.into_iter().flat_map(|value| carried.by(value)).collect();
+            let Some(known) = carried.names.get_mut(target.local.0 as usize) else { continue };
+            for name in names {
+                if !known.contains(&name) {
+                    known.push(name);
+                    grown = true;
+                }
+            }
+        }
+        if !grown {
+            return carried;
+        }
+    }
+}
+
+fn place(span: Span) -> Place {
+    (span.file.0, span.start, span.end)
 }

@@ -20,7 +20,7 @@ impl Body<'_, '_> {
         let make = |kind, repr| ir::Expr { kind, repr, span };
         let message = make(ExprKind::Format(parts), Repr::String);
         let parameters = [("condition", Repr::Bool), ("message", Repr::String)];
-        let id = self.lowering.standard("assert", Purity::Pure, &parameters);
+        let id = self.lowering.standard("assert", Purity::Pure, &parameters, Repr::Unit);
         let arguments = vec![make(ExprKind::Bool(false), Repr::Bool), message];
         self.push(Statement::Eval(make(ExprKind::CallExtern(id, arguments), Repr::Unit)));
         self.jump(holds);

@@ -383,7 +383,7 @@ impl<'l, 'c> Body<'l, 'c> {
                 }
                 let name = ir::Expr { kind: ExprKind::String(name), repr: Repr::String, span };
                 let parameters = [("name", Repr::String), ("value", Repr::Symbolic(Box::new(Repr::Number)))];
-                let id = self.lowering.standard("output", Purity::Scene, &parameters);
+                let id = self.lowering.standard("output", Purity::Scene, &parameters, Repr::Unit);
                 let call = ExprKind::CallExtern(id, vec![name, value]);
                 self.push(Statement::Eval(ir::Expr { kind: call, repr: Repr::Unit, span }));
             }

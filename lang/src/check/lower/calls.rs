@@ -1,14 +1,14 @@
 //! Calls of the program's functions: what is passed, what is demanded of it, and what is handed back where.
 
 use super::body::Body;
-use super::errors::{error_of, text};
+use super::errors::text;
 use super::sequence::calls;
 use super::values::own_value;
 use crate::ast::Mode;
 use crate::check::tree::{Call, Demand, Place, Step};
 use crate::check::types::Type;
 use crate::diagnostic::Diagnostic;
-use crate::ir::{self, ExprKind, FormatPart, FunctionId, Op, Terminator};
+use crate::ir::{self, ExprKind, FunctionId, Op};
 use crate::span::Span;
 use calyx_abi::Repr;
 
@@ -57,7 +57,8 @@ impl Body<'_, '_> {
         let types = self.types.clone();
         let function = self.lowering.used(call.function, call.instance, &types);
         let modes = self.lowering.modes(call.function);
-        let demands: Vec<(usize, Demand)> = self.demands(call).cloned().collect();
+        let demands: Vec<(usize, Demand)> = 
+            self.demands(&call.arguments, &call.demands).cloned().collect();
         let perhaps_same = |place| call.perhaps_same.iter().any(|(a, b)| *a == place || *b == place);
         // Everything before an argument that takes statements of its own is evaluated by statements too.
         let last = (0..call.arguments.len()).rev().find(|at| {
@@ -188,46 +189,6 @@ impl Body<'_, '_> {
         })
     }
 
-    /// Ends the call under way with an error unless an argument is what it must be.
-    fn demand(&mut self, demand: &Demand, value: ir::Expr, span: Span, ty: &Type) {
-        let truth = |kind| ir::Expr { kind, repr: Repr::Bool, span };
-        let compare = |op, a: ir::Expr, b| truth(ExprKind::Op(op, vec![a, b]));
-        let both = |a, b| truth(ExprKind::And(Box::new(a), Box::new(b)));
-        let mut allowed = Vec::new();
-        if let Some(low) = &demand.low {
-            let low = self.value(low);
-            allowed.push(compare(Op::GreaterEqual, value.clone(), low));
-        }
-        if let Some(high) = &demand.high {
-            let high = self.value(high);
-            allowed.push(compare(Op::LessEqual, value.clone(), high));
-        }
-        let chosen =
-            demand.choices.iter().map(|choice| compare(Op::Equal, value.clone(), text(choice, span)));
-        allowed.extend(chosen.reduce(|a, b| truth(ExprKind::Or(Box::new(a), Box::new(b)))));
-        let Some(allowed) = allowed.into_iter().reduce(both) else { return };
-        let system = self.lowering.system;
-        let display = self.display(ty, None, system);
-        let (before, after) = match demand.choices.is_empty() {
-            true => (format!("`{}` must lie in {}, not ", demand.name, demand.text), ""),
-            false => (format!("`{}` cannot be \"", demand.name), "\""),
-        };
-        let message = ExprKind::Format(vec![
-            FormatPart::Text(before),
-            FormatPart::Value(value, display),
-            FormatPart::Text(after.into()),
-        ]);
-        let message = ir::Expr { kind: message, repr: Repr::String, span };
-        let help = match demand.choices.is_empty() {
-            true => format!("choose a value in {}, ends included", demand.text),
-            false => format!("choose one of {}", demand.text),
-        };
-        let (go_on, refuse) = (self.new_block(), self.new_block());
-        self.branch_on(allowed, go_on, refuse);
-        self.refuse(refuse, "E0314", message, help, span);
-        self.start(go_on);
-    }
-
     /// Ends the call under way with an error if two places turn out to be one.
     fn demand_distinct(&mut self, a: &ir::Place, b: &ir::Place, written: &Place) {
         let span = written.span;
@@ -257,11 +218,5 @@ impl Body<'_, '_> {
             span,
         );
         self.start(go_on);
-    }
-
-    fn refuse(&mut self, block: usize, code: &str, message: ir::Expr, help: String, span: Span) {
-        self.start(block);
-        let error = error_of(text(code, span), message, span);
-        self.end(Terminator::Throw { error, help, span });
     }
 }

@@ -4,6 +4,7 @@ mod assertions;
 mod body;
 mod calls;
 mod closures;
+mod demands;
 mod errors;
 mod hosts;
 mod jumps;
@@ -318,13 +319,19 @@ impl<'c> Lowering<'c> {
         (self.add_extern(decl), result)
     }
 
-    fn standard(&mut self, name: &str, purity: Purity, parameters: &[(&str, Repr)]) -> ExternId {
+    fn standard(
+        &mut self,
+        name: &str,
+        purity: Purity,
+        parameters: &[(&str, Repr)],
+        result: Repr,
+    ) -> ExternId {
         self.add_extern(ExternDecl {
             symbol: format!("calyx_std_{name}"),
             name: name.into(),
             purity,
             parameters: parameters.iter().map(|(name, repr)| (name.to_string(), repr.clone())).collect(),
-            result: Repr::Unit,
+            result,
             span: Span::default(),
         })
     }

@@ -4,7 +4,7 @@
 
 use super::body::Body;
 use crate::ast::{BinaryOp, Mode};
-use crate::check::tree::{Call, Expr, FuncId, Function, Kind};
+use crate::check::tree::{Demand, Expr, FuncId, Function, Kind};
 use crate::ir::{self, ExprKind, Place, Statement};
 use crate::span::Span;
 use calyx_abi::Repr;
@@ -33,7 +33,10 @@ impl Body<'_, '_> {
 
     fn searched(&self, e: &Expr) -> bool {
         let own = match &e.kind {
-            Kind::Call(call) => self.hands_back(call.function) || self.demands(call).next().is_some(),
+            Kind::Call(call) => {
+                self.hands_back(call.function) || self.demands(&call.arguments, &call.demands).next().is_some()
+            }
+            Kind::CallExtern(_, arguments, demands) => self.demands(arguments, demands).next().is_some(),
             Kind::Binary(..) => self.exchanged(e),
             Kind::MakeSymbolic(def) | Kind::Eval(def, _) => {
                 let def = &self.lowering.checker.defs[def.0 as usize];
@@ -124,11 +127,12 @@ impl Body<'_, '_> {
     /// What a call's arguments must be and is not known to be yet.
     pub(super) fn demands<'t>(
         &self,
-        call: &'t Call,
-    ) -> impl Iterator<Item = &'t (usize, crate::check::tree::Demand)> {
+        arguments: &'t [Expr],
+        demands: &'t [(usize, Demand)],
+    ) -> impl Iterator<Item = &'t (usize, Demand)> {
         let store = &self.lowering.checker.store;
-        call.demands.iter().filter(move |(argument, demand)| {
-            let value = call.arguments.get(*argument);
+        demands.iter().filter(move |(argument, demand)| {
+            let value = arguments.get(*argument);
             !value.is_some_and(|value| demand.is_decided(value, store))
         })
     }

@@ -111,9 +111,8 @@ impl Body<'_, '_> {
                 make(ExprKind::If(Box::new(condition), Box::new(a), Box::new(b)), repr)
             }
             Kind::Call(call) => self.call_value(call, &e.ty, span),
-            Kind::CallExtern(id, all) => {
-                // The engine only reads its arguments: nothing to copy.
-                let all = self.values(all);
+            Kind::CallExtern(id, all, demands) => {
+                let all = self.extern_arguments(all, demands);
                 let (id, repr) = self.lowering.extern_id(*id);
                 make(ExprKind::CallExtern(id, all), repr)
             }
@@ -128,7 +127,7 @@ impl Body<'_, '_> {
                     self.format_part(value, None, *system, kept, &mut parts);
                 }
                 let line = make(ExprKind::Format(parts), Repr::String);
-                let id = self.lowering.standard("print", Purity::Scene, &[("line", Repr::String)]);
+                let id = self.lowering.standard("print", Purity::Scene, &[("line", Repr::String)], Repr::Unit);
                 make(ExprKind::CallExtern(id, vec![line]), Repr::Unit)
             }
             Kind::Array(all) => {

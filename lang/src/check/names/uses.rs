@@ -1,6 +1,7 @@
 //! What names refer to where they are used: in expressions, types and units; and what is said of those that nothing declares.
 
 use super::*;
+use crate::check::elsewhere;
 
 /// Diagnostics after which unknown names get no suggestion any more.
 const MOST_SUGGESTIONS: usize = 200;
@@ -204,11 +205,8 @@ impl<'a> Resolver<'a> {
                         near,
                     ),
                     None => {
-                        let all: Vec<_> = all.iter().map(|name| format!("`{name}`")).collect();
-                        match all.is_empty() {
-                            true => diagnostic.help("it has nothing that others see"),
-                            false => diagnostic.help(format!("it has {}", all.join(", "))),
-                        }
+                        let doc = self.around.doc(&self.modules[module].name);
+                        diagnostic.help(elsewhere::help(&name.name, &doc, &field.name, &all))
                     }
                 };
                 self.report(diagnostic);

@@ -1,0 +1,238 @@
+//! The functions of the library by their declarations: every number has a range, and calls with extreme arguments are
+//! refused or work. `CALYX_FUZZ=10` makes ten times as many calls.
+
+mod library;
+
+use calyx_elaborate::{Cancel, Interpreted, ModelLoader, Params, check_text, elaborate};
+use calyx_lang::check::check_program;
+use calyx_lang::diagnostic::Severity;
+use calyx_lang::ir::Program;
+use calyx_lang::span::FileId;
+use calyx_rt::{Engine, Error, Instance};
+use library::{NOT_IN_SCENE, Random, functions};
+use std::collections::BTreeMap;
+use std::sync::Arc;
+use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::time::{Duration, Instant};
+
+/// A number without a range lets a program ask for 10^12 cells. An end may be open where the default is infinite.
+#[test]
+fn every_numeric_argument_has_a_range() {
+    let (mut checked, mut missing) = (0, Vec::new());
+    for function in functions() {
+        for parameter in function.parameters.iter().filter(|parameter| parameter.is_number) {
+            checked += 1;
+            let open = parameter.default.as_deref() == Some("inf");
+            let [low, high] = [&parameter.low, &parameter.high].map(Option::is_some);
+            if !low || !high && !open {
+                missing.push(format!("{}.{}", function.name, parameter.name));
+            }
+        }
+    }
+    assert!(missing.is_empty(), "no range: {missing:?}");
+    assert!(checked > 200, "only {checked} numbers");
+}
+
+/// Counts decide how much is computed and stored.
+#[test]
+fn no_range_of_a_count_is_too_large_to_be_stored() {
+    for function in functions() {
+        for parameter in function.parameters.iter().filter(|parameter| parameter.is_count()) {
+            let high: f64 = parameter.high.as_deref().and_then(|end| end.parse().ok()).unwrap_or(f64::INFINITY);
+            assert!(high <= 1e6, "{}.{}", function.name, parameter.name);
+        }
+    }
+}
+
+/// The samples that are varied below are right, with every default written out.
+#[test]
+fn samples_of_all_functions_are_accepted() {
+    let mut wrong = String::new();
+    for function in functions().into_iter().filter(|f| !NOT_IN_SCENE.contains(&f.name.as_str())) {
+        let given = function.arguments(|parameter| parameter.sample.clone());
+        let text = library::model(&function, &given);
+        match verdict(&text, false) {
+            Verdict::Accepted | Verdict::Solved => {}
+            other => wrong += &format!("{}({}): {other:?}\n", function.name, given.join(", ")),
+        }
+    }
+    assert!(wrong.is_empty(), "\n{wrong}");
+}
+
+/// What is wrong inside a function of the library is shown where the program gave it.
+#[test]
+fn errors_inside_library_functions_are_shown_at_the_argument() {
+    let planetary = |given: &str| {
+        let function = functions().into_iter().find(|f| f.name == "planetary").expect("it exists");
+        let name = given.split(' ').next().unwrap_or_default();
+        let given = given.split_once(" = ").map(|(_, value)| value.to_owned());
+        let arguments = function.arguments(|parameter| match parameter.name == name {
+            true => given.clone(),
+            false => parameter.sample.clone().filter(|_| parameter.default.is_none()),
+        });
+        library::model(&function, &arguments)
+    };
+    let torque = |speed: &str| format!("import gears;\nvar still = 0 rpm;\nprint(gears.torque_of(3 kW, {speed}));");
+    // Model, code, text that is blamed.
+    let cases = [
+        (planetary("cells = 2.5"), "E0672", "2.5"),
+        (planetary("cells = same(1e12)"), "E0314", "same(1e12)"),
+        (planetary("planets = same(2.5)"), "E0823", "same(2.5)"),
+        (planetary("pin_stiffness = -1 N/m"), "E0314", "-1 N/m"),
+        (planetary("ring_free = [\"u_q\"]"), "E0667", "[\"u_q\"]"),
+        (torque("still"), "E0822", "still"),
+    ];
+    for (text, code, blamed) in &cases {
+        let found = check_text("model.cx", text).diagnostics;
+        let error = found.iter().find(|d| d.severity == Severity::Error);
+        let error = error.unwrap_or_else(|| panic!("no error in\n{text}"));
+        let span = error.primary.span;
+        let shown = text.get(span.start as usize..span.end as usize);
+        assert_eq!((error.code.as_str(), shown), (*code, Some(*blamed)), "{error:?}");
+        assert_eq!(span.file, FileId(0), "{error:?}");
+        if *code != "E0314" {
+            assert!(error.labels.iter().any(|label| label.span.file != FileId(0)), "{error:?}");
+        }
+    }
+    // Several arguments lead to it: the call is to blame.
+    let text = planetary("center_distance = 44 mm");
+    let found = check_text("model.cx", &text).diagnostics;
+    let errors: Vec<_> = found.iter().filter(|d| d.severity == Severity::Error).collect();
+    assert!(!errors.is_empty() && errors.iter().all(|d| d.primary.span.file == FileId(0)), "{found:?}");
+}
+
+#[test]
+fn extreme_arguments_are_refused_or_work() {
+    let rounds = std::env::var("CALYX_FUZZ").ok().and_then(|n| n.parse().ok()).unwrap_or(1);
+    let functions = functions();
+    let mut random = Random(0x5EED_CA11);
+    let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
+    let (mut wrong, mut late, mut longest) = (String::new(), String::new(), Duration::ZERO);
+    let calls = 12 * rounds;
+    for call in 0..calls {
+        for function in &functions {
+            let text = library::model(function, &function.extreme(&mut random));
+            let started = Instant::now();
+            let verdict = verdict(&text, call % 4 == 0);
+            longest = longest.max(started.elapsed());
+            let line = text.lines().find(|line| line.contains(library::MARK)).unwrap_or_default().to_owned();
+            let (name, problem) = match &verdict {
+                Verdict::Refused => ("refused", None),
+                Verdict::Accepted => ("accepted", None),
+                Verdict::Solved => ("accepted and solved", None),
+                Verdict::RefusedLate(why) => {
+                    late += &format!("{line}\n    {why}\n");
+                    ("refused by the run alone", None)
+                }
+                Verdict::Defect(why) => ("defects", Some(why)),
+            };
+            *counts.entry(name).or_default() += 1;
+            if let Some(why) = problem {
+                wrong += &format!("{line}\n    {why}\n");
+            }
+        }
+    }
+    println!("{} calls: {counts:?}, longest {longest:?}\n{late}", calls * functions.len());
+    if let Some(peak) = peak_memory() {
+        println!("peak memory {} MB", peak >> 20);
+        assert!(peak < 4 << 30, "{peak} bytes");
+    }
+    assert!(wrong.is_empty(), "\n{wrong}");
+}
+
+/// What became of a model.
+#[derive(Debug)]
+enum Verdict {
+    /// By checking, with a message.
+    Refused,
+    Accepted,
+    Solved,
+    /// By the run, though checking had accepted it.
+    RefusedLate(String),
+    /// A panic, an internal error, or no end.
+    Defect(String),
+}
+
+/// Nothing that is checked takes so long; a run is limited to a tenth of it.
+const PATIENCE: Duration = Duration::from_secs(120);
+
+fn verdict(text: &str, solved: bool) -> Verdict {
+    let (told, heard) = channel();
+    let text = text.to_owned();
+    let cancel = Cancel::default();
+    let switch = cancel.clone();
+    std::thread::spawn(move || {
+        let judged = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| judge(&text, solved, &cancel)));
+        let judged = judged.unwrap_or_else(|_| Verdict::Defect("a panic".into()));
+        let _ = told.send(judged);
+    });
+    match heard.recv_timeout(PATIENCE) {
+        Ok(verdict) => verdict,
+        Err(RecvTimeoutError::Disconnected) => Verdict::Defect("the thread died".into()),
+        Err(RecvTimeoutError::Timeout) => {
+            switch.cancel();
+            let stops = heard.recv_timeout(PATIENCE / 4).is_ok();
+            let how = if stops { "stops when cancelled" } else { "cannot be cancelled" };
+            Verdict::Defect(format!("takes longer than {PATIENCE:?}, and {how}"))
+        }
+    }
+}
+
+fn judge(text: &str, solved: bool, cancel: &Cancel) -> Verdict {
+    let checked = check_program("model.cx", text, &ModelLoader { folder: None });
+    let errors: Vec<String> =
+        checked.diagnostics.iter().filter(|d| d.severity == Severity::Error).map(|d| d.code.clone()).collect();
+    let Some(program) = checked.program.filter(|_| errors.is_empty()) else {
+        return match errors.as_slice() {
+            [] => Verdict::Defect("no program and no error".into()),
+            // Whatever else the types of a generated call have against it is a mistake of the generator.
+            all if all.iter().all(|code| code == "E0314") => Verdict::Refused,
+            _ => Verdict::Defect(format!("{:?}", checked.diagnostics)),
+        };
+    };
+    let Ok(elaborated) = elaborate(&program, Params::Defaults, cancel) else {
+        return Verdict::Defect("cancelled".into());
+    };
+    let errors: Vec<_> = elaborated.found.iter().filter(|d| d.severity == Severity::Error).collect();
+    if let Some(defect) = errors.iter().find(|d| is_defect(&d.code)) {
+        return Verdict::Defect(format!("{}: {}", defect.code, defect.message));
+    }
+    match (errors.is_empty(), solved) {
+        (false, _) => Verdict::Refused,
+        (true, false) => Verdict::Accepted,
+        (true, true) => solve(program),
+    }
+}
+
+/// Defects of Calyx, and limits that no sensible call reaches.
+fn is_defect(code: &str) -> bool {
+    matches!(code, "E0799" | "E0703" | "E0707" | "E0708" | "E0709")
+}
+
+fn solve(program: Program) -> Verdict {
+    // An instance wants to keep its program.
+    let program: &'static Program = Box::leak(Box::new(program));
+    let interpreted = match Interpreted::new(program, calyx_abi::Purity::Effect) {
+        Ok(interpreted) => interpreted,
+        Err(found) => return Verdict::Defect(found.message),
+    };
+    let mut instance = Instance::new(&Engine::default(), Arc::new(interpreted));
+    instance.limit_time(Some(PATIENCE / 10));
+    match instance.solve() {
+        Ok(_) => Verdict::Solved,
+        // Work that is long is allowed, as long as it can be stopped.
+        Err(Error::Model(error)) if error.code == "E0707" => Verdict::Solved,
+        Err(Error::Model(error)) if is_defect(&error.code) => {
+            Verdict::Defect(format!("the run: {}: {}", error.code, error.message))
+        }
+        Err(Error::Model(error)) => Verdict::RefusedLate(format!("{}: {}", error.code, error.message)),
+        Err(other) => Verdict::Defect(format!("the run: {other:?}")),
+    }
+}
+
+/// Of this process, in bytes, where the system tells.
+fn peak_memory() -> Option<u64> {
+    let status = std::fs::read_to_string("/proc/self/status").ok()?;
+    let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;
+    Some(line.split_whitespace().next()?.parse::<u64>().ok()? << 10)
+}

@@ -1,0 +1,109 @@
+//! Help for names that a module does not have: what the module's documentation says of them, and names that are alike.
+//!
+//! The documentation may list concepts in two ways, each an item with the names that people look for:
+//!
+//! ```text
+//! Not available yet:
+//! - bevel and hypoid gears (`bevel`, `hypoid`)
+//!
+//! Under another name:
+//! - `external` makes external gears (`pinion`, `spur_gear`)
+//! ```
+
+/// Names offered at most.
+const MOST_NAMES: usize = 6;
+
+/// What to say of a name that a module does not have.
+pub(super) fn help(module: &str, doc: &str, name: &str, declared: &[String]) -> String {
+    let related = related(name, declared);
+    let near = match related.as_slice() {
+        [] => String::new(),
+        all => {
+            let all: Vec<String> = all.iter().map(|name| format!("`{name}`")).collect();
+            format!("; names like it: {}", all.join(", "))
+        }
+    };
+    match (listed(doc, name), declared.is_empty()) {
+        (Some(Listed::Absent(concept)), _) => format!("Calyx does not have {concept} yet{near}"),
+        (Some(Listed::Renamed(text)), _) => text,
+        (None, true) => "the module has no names that importers see".into(),
+        (None, false) if !related.is_empty() => near.trim_start_matches("; ").replacen("names", "it has names", 1),
+        (None, false) if declared.len() <= MOST_NAMES => {
+            let all: Vec<String> = declared.iter().map(|name| format!("`{name}`")).collect();
+            format!("it has {}", all.join(", "))
+        }
+        (None, false) => {
+            format!("the module has {} names and none like it; type `{module}.` in an editor, or run `calyx doc {module}`, to see them", declared.len())
+        }
+    }
+}
+
+/// What the documentation says of a name.
+enum Listed {
+    Absent(String),
+    Renamed(String),
+}
+
+fn listed(doc: &str, name: &str) -> Option<Listed> {
+    let mut make: Option<fn(String) -> Listed> = None;
+    for line in doc.lines().map(str::trim) {
+        match line {
+            "Not available yet:" => make = Some(Listed::Absent),
+            "Under another name:" => make = Some(Listed::Renamed),
+            "" => make = None,
+            _ => {
+                let Some((make, item)) = make.zip(line.strip_prefix("- ")) else { continue };
+                let Some((text, names)) = item.rsplit_once(" (") else { continue };
+                if names.split('`').skip(1).step_by(2).any(|listed| has_words(name, listed)) {
+                    return Some(make(text.to_owned()));
+                }
+            }
+        }
+    }
+    None
+}
+
+fn words(name: &str) -> Vec<String> {
+    name.split('_').filter(|word| !word.is_empty()).map(str::to_lowercase).collect()
+}
+
+/// Whether the words of `part` stand side by side in `name`.
+fn has_words(name: &str, part: &str) -> bool {
+    let (name, part) = (words(name), words(part));
+    !part.is_empty() && name.windows(part.len()).any(|window| window == part)
+}
+
+/// Names that share a word with a name, those that share most first.
+fn related(name: &str, declared: &[String]) -> Vec<String> {
+    let wanted = words(name);
+    // Words such as `of` and `at` say nothing.
+    let shared = |other: &String| {
+        words(other).iter().filter(|word| word.len() > 3 && wanted.contains(word)).count()
+    };
+    let mut found: Vec<(usize, &String)> =
+        declared.iter().map(|other| (shared(other), other)).filter(|(count, _)| *count > 0).collect();
+    found.sort_by(|a, b| b.0.cmp(&a.0).then(a.1.len().cmp(&b.1.len())).then(a.1.cmp(b.1)));
+    found.into_iter().take(MOST_NAMES).map(|(_, name)| name.clone()).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const DOC: &str = "Gears.\n\nNot available yet:\n- bevel gears (`bevel`, `hypoid`)\n- scuffing (`flash_temperature`)\n\n\
+                       Under another name:\n- `external` makes external gears (`pinion`)\n";
+
+    #[test]
+    fn concepts_that_the_documentation_lists_are_recognised() {
+        let declared: Vec<String> =
+            ["external", "max_root_stress", "gauge_stress", "mesh", "a", "b", "c", "d"].map(String::from).into();
+        let help = |name: &str| super::help("gears", DOC, name, &declared);
+        assert_eq!(help("spiral_bevel"), "Calyx does not have bevel gears yet");
+        assert_eq!(help("flash_temperature"), "Calyx does not have scuffing yet");
+        assert_eq!(help("pinion"), "`external` makes external gears");
+        assert_eq!(help("tooth_root_stress"), "it has names like it: `max_root_stress`, `gauge_stress`");
+        assert!(help("zebra").contains("`calyx doc gears`"));
+        // Parts of words are no words.
+        assert!(!help("bevelled").contains("yet"));
+    }
+}
