@@ -17,10 +17,18 @@ fn main() {
         "{:>24} {:>12} {:>12} {:>8} {:>12} {:>12}",
         "longest interval, ms", "structures", "positions", "whole", "its part", "checkpoints"
     );
-    measure("20 and 40 teeth", &PairOptions { edges: true, ..PairOptions::chapter_5(&RELIEVED) });
-    let gears = [20, 640].map(|teeth| member(standard_data(teeth, 0.0, 0.25), 0.01));
-    let large = PairOptions { center_distance: 330e-3, moment: 20.0, ..PairOptions::chapter_5(&gears) };
-    measure("20 and 640 teeth", &PairOptions { edges: true, ..large });
+    let usual = PairOptions { edges: true, ..PairOptions::chapter_5(&RELIEVED) };
+    measure("20 and 40 teeth", &usual, 16, None);
+    for teeth in [640, 10_000] {
+        let gears = [20, teeth].map(|teeth| member(standard_data(teeth, 0.0, 0.25), 0.01));
+        let center_distance = 0.5e-3 * f64::from(20 + teeth);
+        let large =
+            PairOptions { center_distance, moment: 20.0, edges: true, ..PairOptions::chapter_5(&gears) };
+        measure(&format!("20 and {teeth} teeth"), &large, 16, None);
+    }
+    // The most cells and positions that the library's ranges allow.
+    measure("801 cells", &usual, 2, Some(400));
+    measure("10000 positions", &usual, 10_000, Some(1));
 }
 
 /// Between one checkpoint and the next: their number, the last one, and the longest time.
@@ -39,12 +47,16 @@ impl Watch {
     }
 }
 
-fn measure(name: &str, options: &PairOptions) {
+/// An analysis of so many uniform positions, with so many half cells.
+fn measure(name: &str, options: &PairOptions, steps: usize, half_cells: Option<usize>) {
     let (mut scene, mesh) = pair(options);
     for (body, Member { prototype, .. }) in scene.bodies.iter_mut().zip(&options.gears) {
         body.prototype = prototype.clone();
     }
-    let positions = mesh_cycle(&mesh, 16);
+    for pair in &mut scene.pairs {
+        pair.grid.half_cells = half_cells.or(pair.grid.half_cells);
+    }
+    let positions = mesh_cycle(&mesh, steps);
     let watch = Arc::new(Mutex::new(Watch { checkpoints: 0, last: Instant::now(), longest: Duration::ZERO }));
     let question = {
         let watch = watch.clone();

@@ -147,7 +147,8 @@ pub(crate) fn answer(host: &mut ModelHost) {
                 ahead.as_ref().map_or(Some(0.0), |ahead| Some(row.outputs.get(output(host, ahead)?)?.value));
             framed + ahead.unwrap_or(f64::NAN)
         };
-        match evaluate(request, &result.rows, of, angle) {
+        let interrupt = &host.analysis.resources.interrupt;
+        match evaluate(request, &result.rows, of, angle, interrupt) {
             Ok(answer) => answers.push(answer),
             Err(error) => findings.push(Finding {
                 severity: Severity::Warning,

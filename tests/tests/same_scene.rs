@@ -213,12 +213,12 @@ fn executables_place_and_catch_errors() {
     };
     let (status, _, said) = run(&[]);
     assert_eq!(status, Some(1), "{said}");
-    for part in ["error[E0603]", "racks.cx:5:69", "^^^^^^^^", "in `rack`, called at ./racks.cx:7:20"] {
+    for part in ["error[E0314]", "racks.cx:5:69", "^^^^^^^^", "in `rack`, called at ./racks.cx:7:20"] {
         assert!(said.contains(part), "{part} is not in\n{said}");
     }
     let (status, out, said) = run(&["--set", "caught=TRUE"]);
     assert_eq!(status, Some(0), "{said}");
-    assert!(out.starts_with("E0603 ") && out.ends_with("racks.cx:5:69\n"), "{out}");
+    assert!(out.starts_with("E0314 ") && out.ends_with("racks.cx:5:69\n"), "{out}");
     let (status, _, said) = run(&["--set", "endless=TRUE", "--time-limit", "50ms"]);
     assert!(status == Some(1) && said.contains("error[E0707]") && said.contains("racks.cx:8:8"), "{said}");
 }

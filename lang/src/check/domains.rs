@@ -9,6 +9,7 @@ use super::tree::{Demand, Expr, Kind};
 use super::types::{Store, Type};
 use crate::ast::{Domain, Parameter};
 use crate::diagnostic::Diagnostic;
+use crate::dimension::{Base, Dimension};
 use crate::span::Span;
 
 /// A value and what it may be.
@@ -196,11 +197,21 @@ impl<'a> Checker<'a> {
         }
         let range = check.text.trim_start_matches("in").trim();
         let message = format!("`{}` must lie in {range}", check.name);
-        self.report(
-            Diagnostic::error("E0314", message, span, "outside the allowed range")
-                .label(check.span, "allowed here")
-                .help(format!("choose a value in {range}, ends included")),
-        );
+        let diagnostic = Diagnostic::error("E0314", message, span, "outside the allowed range")
+            .label(check.span, "allowed here")
+            .help(format!("choose a value in {range}, ends included"));
+        // An angle without a unit that would be right in degrees.
+        let angle = Type::quantity(Dimension::of(Base::Angle));
+        let written = self.text(span).trim().to_owned();
+        let in_degrees = number.to_radians();
+        let fits = !low.is_some_and(|low| in_degrees < low) && !high.is_some_and(|high| in_degrees > high);
+        let is_bare = written.parse() == Ok(number) && self.fits(&check.ty, &angle);
+        self.report(match is_bare && fits {
+            true => diagnostic
+                .help(format!("a number without a unit is in radians: write `{written} deg`"))
+                .suggest(format!("write `{written} deg`"), span, format!("{written} deg")),
+            false => diagnostic,
+        });
     }
 
     /// A constant text against choices.
@@ -217,7 +228,8 @@ impl<'a> Checker<'a> {
         let diagnostic = match similar(text, check.choices.iter().map(String::as_str)) {
             // Which of them is meant, the spelling does not say.
             _ if begun.len() > 1 => {
-                let names = begun.iter().map(|choice| format!("\"{choice}\"")).collect::<Vec<_>>().join(" or ");
+                let names =
+                    begun.iter().map(|choice| format!("\"{choice}\"")).collect::<Vec<_>>().join(" or ");
                 let help = format!("did you mean {names}? Allowed: {allowed}");
                 begun.iter().fold(diagnostic.help(help), |diagnostic, choice| {
                     let choice = format!("\"{choice}\"");

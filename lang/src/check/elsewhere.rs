@@ -27,13 +27,18 @@ pub(super) fn help(module: &str, doc: &str, name: &str, declared: &[String]) -> 
         (Some(Listed::Absent(concept)), _) => format!("Calyx does not have {concept} yet{near}"),
         (Some(Listed::Renamed(text)), _) => text,
         (None, true) => "the module has no names that importers see".into(),
-        (None, false) if !related.is_empty() => near.trim_start_matches("; ").replacen("names", "it has names", 1),
+        (None, false) if !related.is_empty() => {
+            near.trim_start_matches("; ").replacen("names", "it has names", 1)
+        }
         (None, false) if declared.len() <= MOST_NAMES => {
             let all: Vec<String> = declared.iter().map(|name| format!("`{name}`")).collect();
             format!("it has {}", all.join(", "))
         }
         (None, false) => {
-            format!("the module has {} names and none like it; type `{module}.` in an editor, or run `calyx doc {module}`, to see them", declared.len())
+            format!(
+                "the module has {} names and none like it; type `{module}.` in an editor, or run `calyx doc {module}`, to see them",
+                declared.len()
+            )
         }
     }
 }
@@ -77,9 +82,8 @@ fn has_words(name: &str, part: &str) -> bool {
 fn related(name: &str, declared: &[String]) -> Vec<String> {
     let wanted = words(name);
     // Words such as `of` and `at` say nothing.
-    let shared = |other: &String| {
-        words(other).iter().filter(|word| word.len() > 3 && wanted.contains(word)).count()
-    };
+    let shared =
+        |other: &String| words(other).iter().filter(|word| word.len() > 3 && wanted.contains(word)).count();
     let mut found: Vec<(usize, &String)> =
         declared.iter().map(|other| (shared(other), other)).filter(|(count, _)| *count > 0).collect();
     found.sort_by(|a, b| b.0.cmp(&a.0).then(a.1.len().cmp(&b.1.len())).then(a.1.cmp(b.1)));
@@ -96,7 +100,9 @@ mod tests {
     #[test]
     fn concepts_that_the_documentation_lists_are_recognised() {
         let declared: Vec<String> =
-            ["external", "max_root_stress", "gauge_stress", "mesh", "a", "b", "c", "d"].map(String::from).into();
+            ["external", "max_root_stress", "gauge_stress", "mesh", "a", "b", "c", "d"]
+                .map(String::from)
+                .into();
         let help = |name: &str| super::help("gears", DOC, name, &declared);
         assert_eq!(help("spiral_bevel"), "Calyx does not have bevel gears yet");
         assert_eq!(help("flash_temperature"), "Calyx does not have scuffing yet");

@@ -302,8 +302,11 @@ impl<'a> Checker<'a> {
             let all: Vec<String> = all.iter().map(|name| format!("`{name}`")).collect();
             all.join(" or ")
         };
-        let direct: Vec<&String> =
-            makers.iter().filter(|(_, takes)| takes.iter().any(|t| t == found)).map(|(name, _)| name).collect();
+        let direct: Vec<&String> = makers
+            .iter()
+            .filter(|(_, takes)| takes.iter().any(|t| t == found))
+            .map(|(name, _)| name)
+            .collect();
         let all: Vec<&String> = makers.iter().map(|(name, _)| name).collect();
         match (direct.as_slice(), all.as_slice()) {
             ([], []) => format!("give {}", with_article(wanted)),

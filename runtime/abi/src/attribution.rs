@@ -18,22 +18,24 @@ pub fn attribute<'c>(
 ) {
     let call_at = |place: Place| calls.clone().find(|call| call.place == place);
     let Some(mut place) = error.place else { return };
-    let mut carried: Vec<String> = Vec::new();
-    match (&error.argument, call_at(place)) {
-        (Some(name), Some(call)) => {
-            carried = call.carried(name).to_vec();
-            place = call.argument(name).unwrap_or(place);
-        }
-        // Compiled code has moved it to the argument already.
-        (Some(name), None) => {
-            let call = calls.clone().find(|call| call.argument(name) == Some(place));
-            carried = call.map_or_else(Vec::new, |call| call.carried(name).to_vec());
-        }
+    let mut carried: Vec<String>;
+    match &error.argument {
+        Some(name) => match call_at(place).filter(|call| call.has(name)) {
+            Some(call) => {
+                carried = call.carried(name).to_vec();
+                place = call.argument(name).unwrap_or(place);
+            }
+            // It has been moved to the argument already.
+            None => {
+                let call = calls.clone().find(|call| call.argument(name) == Some(place));
+                carried = call.map_or_else(Vec::new, |call| call.carried(name).to_vec());
+            }
+        },
         // Of a `throw` or an `assert`: the first parameter that its message names.
-        (None, Some(call)) => {
-            carried = call.carried.iter().flat_map(|(_, names)| names.clone()).collect();
+        None => {
+            let names = call_at(place).into_iter().flat_map(|call| &call.carried);
+            carried = names.flat_map(|(_, names)| names.clone()).collect();
         }
-        (None, None) => {}
     }
     error.place = Some(place);
     if !is_library(place.0) {
@@ -51,7 +53,10 @@ pub fn attribute<'c>(
         if !is_library(passed.place.0) {
             let argument = name.and_then(|name| Some((call?.argument(&name)?, name)));
             let (at, name) = argument.map_or((passed.place, None), |(at, name)| (at, Some(name)));
-            error.details.notes.push((place, format!("raised here, in `{}` of the library", passed.function)));
+            error
+                .details
+                .notes
+                .push((place, format!("raised here, in `{}` of the library", passed.function)));
             error.place = Some(at);
             error.argument = name;
             error.details.calls.drain(..=index);

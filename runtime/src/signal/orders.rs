@@ -4,6 +4,8 @@
 
 use super::spectrum::{padded_spectrum, pieces_of_map};
 use super::{Uniform, Window};
+use crate::error::EngineError;
+use crate::interrupt::Interrupt;
 use std::f64::consts::{PI, TAU};
 
 /// Samples on either side that a value between samples is made of.
@@ -32,12 +34,25 @@ pub struct OrderMap {
 ///
 /// Every whole order has a line, on which a sine of that order shows its amplitude: of pieces that are no whole number of turns the lines are
 /// those of the next one.
-pub fn order_map(signal: &Uniform, angles: &[f64], turns: f64, highest: f64, window: Window) -> OrderMap {
+///
+/// # Errors
+/// That of the interrupt, which is asked before each piece, and whether there is memory for its lines.
+pub fn order_map(
+    signal: &Uniform,
+    angles: &[f64],
+    turns: f64,
+    highest: f64,
+    window: Window,
+    interrupt: &Interrupt,
+) -> Result<OrderMap, EngineError> {
     let mut map = OrderMap { speeds: Vec::new(), orders: Vec::new(), amplitudes: Vec::new() };
-    let Some((by_angle, times)) = resample_by_angle(signal, angles, highest, turns) else { return map };
+    let Some((by_angle, times)) = resample_by_angle(signal, angles, highest, turns) else {
+        return Ok(map);
+    };
     let a_turn = (TAU / by_angle.step).round();
     let (count, lines_of) = ((turns * a_turn).round() as usize, (turns.ceil() * a_turn) as usize);
     for first in pieces_of_map(&by_angle, count) {
+        let _room = interrupt.room_for(BYTES_PER_LINE * lines_of.max(count) as u64)?;
         let spectrum = padded_spectrum(&by_angle.part(first, count), window, lines_of);
         // The highest order is a whole number of lines more often than its digits say.
         let lines = (highest / (spectrum.resolution * TAU) + 1e-9).floor() as usize + 1;
@@ -46,8 +61,11 @@ pub fn order_map(signal: &Uniform, angles: &[f64], turns: f64, highest: f64, win
         map.orders = (0..shown).map(|line| spectrum.frequency(line) * TAU).collect();
         map.amplitudes.push(spectrum.amplitudes[..shown].to_vec());
     }
-    map
+    Ok(map)
 }
+
+/// Bytes that a piece takes for each sample with its zeros: the samples, half as many complex lines, their amplitudes and phases.
+const BYTES_PER_LINE: u64 = 32;
 
 /// The signal at equal steps of the angle (rad) through which the shaft has turned, in the direction in which it turns, and the times (s) of
 /// these samples. As many a turn as show orders up to `highest`, no fewer than there were, and a whole number of them in pieces of so many `turns` where that

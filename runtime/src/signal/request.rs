@@ -7,6 +7,7 @@ use super::{
     order_map, peaks, spectrogram, transfer_function,
 };
 use crate::error::EngineError;
+use crate::interrupt::Interrupt;
 use crate::results::StepRow;
 use crate::scene::BodyId;
 use std::f64::consts::TAU;
@@ -140,12 +141,14 @@ pub struct Signal {
 /// whole turns. Positions with a name of their own stand between the uniform ones, and are left out.
 ///
 /// # Errors
-/// E0776: there are too few samples, in a piece or in all, or the shaft does not turn so far; E0777: they are not uniform.
+/// E0776: there are too few samples, in a piece or in all, or the shaft does not turn so far; E0777: they are not uniform;
+/// that of the interrupt.
 pub fn evaluate(
     request: &SignalRequest,
     rows: &[StepRow],
     output: usize,
     angle: impl Fn(&StepRow) -> f64,
+    interrupt: &Interrupt,
 ) -> Result<Signal, EngineError> {
     let Span { from, to } = request.span;
     let sampled = || rows.iter().filter(|row| row.position.name.is_empty());
@@ -165,7 +168,7 @@ pub fn evaluate(
     let (resolution, table, peaks) = match &request.kind {
         SignalKind::Spectrum { window, piece, scaling } => {
             let spectrum = match piece {
-                Some(piece) => averaged_spectrum(&signal, *window, piece_of(&signal, *piece)?),
+                Some(piece) => averaged_spectrum(&signal, *window, piece_of(&signal, *piece)?, interrupt)?,
                 None => None,
             };
             let spectrum = spectrum.unwrap_or_else(|| super::spectrum(&signal, *window));
@@ -197,7 +200,7 @@ pub fn evaluate(
         }
         SignalKind::Spectrogram { window, piece } => {
             let Spectrogram { times, frequencies, amplitudes } =
-                spectrogram(&signal, *window, piece_of(&signal, *piece)?);
+                spectrogram(&signal, *window, piece_of(&signal, *piece)?, interrupt)?;
             map(times, frequencies, amplitudes)
         }
         SignalKind::OrderMap { turns, highest, window, .. } => {
@@ -210,7 +213,7 @@ pub fn evaluate(
                 ));
             }
             let OrderMap { speeds, orders, amplitudes } =
-                order_map(&signal, &angles, *turns, *highest, *window);
+                order_map(&signal, &angles, *turns, *highest, *window, interrupt)?;
             if speeds.is_empty() {
                 return Err(no_orders(&angles, *turns));
             }

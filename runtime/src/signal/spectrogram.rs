@@ -2,6 +2,8 @@
 
 use super::spectrum::pieces_of_map;
 use super::{Uniform, Window, spectrum};
+use crate::error::EngineError;
+use crate::interrupt::Interrupt;
 
 /// Amplitudes over time and frequency.
 #[derive(Clone, Debug, PartialEq)]
@@ -15,13 +17,22 @@ pub struct Spectrogram {
 }
 
 /// Spectra of pieces of `count` samples that overlap; empty where the signal is shorter than one.
-pub fn spectrogram(signal: &Uniform, window: Window, count: usize) -> Spectrogram {
+///
+/// # Errors
+/// That of the interrupt, which is asked before each piece.
+pub fn spectrogram(
+    signal: &Uniform,
+    window: Window,
+    count: usize,
+    interrupt: &Interrupt,
+) -> Result<Spectrogram, EngineError> {
     let mut map = Spectrogram { times: Vec::new(), frequencies: Vec::new(), amplitudes: Vec::new() };
     for first in pieces_of_map(signal, count) {
+        interrupt.check()?;
         let spectrum = spectrum(&signal.part(first, count), window);
         map.times.push(signal.start + signal.step * (first as f64 + 0.5 * (count - 1) as f64));
         map.frequencies = spectrum.frequencies();
         map.amplitudes.push(spectrum.amplitudes);
     }
-    map
+    Ok(map)
 }

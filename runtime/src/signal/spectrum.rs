@@ -2,6 +2,8 @@
 
 use super::Uniform;
 use super::uniform::FEWEST;
+use crate::error::EngineError;
+use crate::interrupt::Interrupt;
 use realfft::RealFftPlanner;
 use std::f64::consts::{PI, TAU};
 
@@ -144,17 +146,33 @@ pub(super) fn padded_spectrum(signal: &Uniform, window: Window, lines_of: usize)
 
 /// The root mean square of the spectra of pieces of `count` samples that overlap by half (Welch, IEEE Trans. Audio 15(2), 1967): noise
 /// evens out, and lines are as wide as a piece is short. `None` of a signal shorter than a piece, or pieces of fewer than four samples.
-pub fn averaged_spectrum(signal: &Uniform, window: Window, count: usize) -> Option<Spectrum> {
-    let spectra: Vec<Spectrum> =
-        pieces(signal, count).map(|first| spectrum(&signal.part(first, count), window)).collect();
-    let one = spectra.first()?;
-    let mean = |line: usize| {
-        let square: f64 = spectra.iter().map(|spectrum| spectrum.amplitudes[line].powi(2)).sum();
-        (square / spectra.len() as f64).sqrt()
-    };
-    let mut amplitudes: Vec<f64> = (0..one.amplitudes.len()).map(mean).collect();
-    amplitudes[0] = spectra.iter().map(|spectrum| spectrum.amplitudes[0]).sum::<f64>() / spectra.len() as f64;
-    Some(Spectrum { phases: vec![0.0; amplitudes.len()], amplitudes, ..*one })
+///
+/// # Errors
+/// That of the interrupt, which is asked before each piece.
+pub fn averaged_spectrum(
+    signal: &Uniform,
+    window: Window,
+    count: usize,
+    interrupt: &Interrupt,
+) -> Result<Option<Spectrum>, EngineError> {
+    let mut found: Option<Spectrum> = None;
+    // Sums over pieces: of squares, and of means.
+    let (mut squares, mut means, mut spectra) = (Vec::new(), 0.0, 0.0);
+    for first in pieces(signal, count) {
+        interrupt.check()?;
+        let spectrum = spectrum(&signal.part(first, count), window);
+        squares.resize(spectrum.amplitudes.len(), 0.0);
+        for (sum, amplitude) in squares.iter_mut().zip(&spectrum.amplitudes) {
+            *sum += amplitude.powi(2);
+        }
+        means += spectrum.amplitudes[0];
+        spectra += 1.0;
+        found.get_or_insert(spectrum);
+    }
+    let Some(one) = found else { return Ok(None) };
+    let mut amplitudes: Vec<f64> = squares.into_iter().map(|square: f64| (square / spectra).sqrt()).collect();
+    amplitudes[0] = means / spectra;
+    Ok(Some(Spectrum { phases: vec![0.0; amplitudes.len()], amplitudes, ..one }))
 }
 
 /// First samples of pieces of `count` that overlap by half.

@@ -1,7 +1,11 @@
 //! Against closed forms.
 
 use super::*;
+use crate::error::EngineError;
+use crate::interrupt::Interrupt;
 use std::f64::consts::{PI, TAU};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 fn sampled(count: usize, step: f64, mut value: impl FnMut(f64) -> f64) -> Uniform {
     Uniform { start: 0.0, step, values: (0..count).map(|k| value(k as f64 * step)).collect() }
@@ -62,14 +66,15 @@ fn no_power_is_lost() {
 #[test]
 fn an_average_shows_a_steady_sine_as_one_spectrum_does() {
     let signal = sampled(4000, 1e-3, |t| 2.0 * (TAU * 50.0 * t).sin());
-    let averaged = averaged_spectrum(&signal, Window::Hann, 400).expect("it is long enough");
+    let averaged = averaged_spectrum(&signal, Window::Hann, 400, &Interrupt::never());
+    let averaged = averaged.expect("nobody ends it").expect("it is long enough");
     assert!((averaged.amplitudes[20] - 2.0).abs() < 1e-12 && averaged.amplitudes.len() == 201);
 }
 
 #[test]
 fn a_spectrogram_follows_a_rising_tone() {
     let signal = sampled(8000, 1e-3, |t| (TAU * (50.0 * t + 10.0 * t * t)).sin());
-    let map = spectrogram(&signal, Window::Hann, 500);
+    let map = spectrogram(&signal, Window::Hann, 500, &Interrupt::never()).expect("nobody ends it");
     for (time, row) in map.times.iter().zip(&map.amplitudes) {
         let found = peaks(row, 1, Shape::Sine(Window::Hann))[0].line * map.frequencies[1];
         assert!((found - (50.0 + 20.0 * time)).abs() < 0.5, "{time} {found}");
@@ -108,7 +113,8 @@ fn a_density_of_noise_holds_its_mean_square() {
     let expected = 1.0 / 12.0 / 500.0;
     for (_, window) in Window::ALL {
         for count in [256, 1025] {
-            let spectrum = averaged_spectrum(&noise, window, count).expect("it is long enough");
+            let spectrum = averaged_spectrum(&noise, window, count, &Interrupt::never());
+            let spectrum = spectrum.expect("nobody ends it").expect("it is long enough");
             let density = spectrum.density(window);
             let mean = density[1..].iter().sum::<f64>() / (density.len() - 1) as f64;
             assert!((mean / expected - 1.0).abs() < 0.03, "{window:?} {count}: {mean} {expected}");
@@ -127,7 +133,8 @@ fn what_follows_a_shaft_stays_on_its_order() {
     let angle = |t: f64| TAU * (8.0 * t + 6.0 * t * t);
     let signal = sampled(12_000, 5e-4, |t| 1.5 * (3.5 * angle(t) + 0.2).cos() + 0.4 * angle(t).sin());
     let angles: Vec<f64> = (0..12_000).map(|k| -angle(k as f64 * 5e-4)).collect();
-    let map = order_map(&signal, &angles, 8.0, 10.0, Window::Hann);
+    let map =
+        order_map(&signal, &angles, 8.0, 10.0, Window::Hann, &Interrupt::never()).expect("nobody ends it");
     assert!(map.speeds.len() > 20 && map.speeds.is_sorted(), "{}", map.speeds.len());
     assert!((map.orders[1] - 0.125).abs() < 1e-12 && map.orders.last().is_some_and(|last| *last <= 10.0));
     for row in &map.amplitudes {
@@ -145,7 +152,8 @@ fn every_whole_order_has_a_line() {
     for (turns, highest) in
         [(0.5, 10.3), (0.5, 81.0), (1.0, 10.0), (2.5, 33.0), (4.0 / 3.0, 20.0), (3.0, 12.0)]
     {
-        let map = order_map(&signal, &angles, turns, highest, Window::Hann);
+        let map = order_map(&signal, &angles, turns, highest, Window::Hann, &Interrupt::never());
+        let map = map.expect("nobody ends it");
         let per_order = turns.ceil() as usize;
         for (line, order) in map.orders.iter().enumerate().step_by(per_order) {
             assert!((order - (line / per_order) as f64).abs() < 1e-9, "{turns} {highest} {order}");
@@ -202,4 +210,36 @@ fn what_is_not_uniform_is_refused() {
     assert_eq!(error.code, "E0777");
     assert_eq!(Uniform::of(&[0.0, 1.0, 2.0], &[0.0; 3]).expect_err("refused").code, "E0776");
     assert!(Uniform::of(&[1e5, 1e5 + 1e-6, 1e5 + 2e-6, 1e5 + 3e-6], &[0.0; 4]).is_ok());
+}
+
+/// A signal of many pieces, and one whose lines take more memory than there is, end where somebody says so.
+#[test]
+fn signals_end_when_somebody_asks_for_it() {
+    let (count, step) = (4096, 1e-3);
+    let values = (0..count).map(|k| (0.3 * k as f64).sin()).collect();
+    let signal = Uniform { start: 0.0, step, values };
+    let asked = Arc::new(AtomicUsize::new(0));
+    // Says no the third time.
+    let interrupt = || {
+        let asked = asked.clone();
+        asked.store(0, Ordering::Relaxed);
+        Interrupt::new(move || match asked.fetch_add(1, Ordering::Relaxed) {
+            0 | 1 => Ok(()),
+            _ => Err(EngineError::new("E0704", "it is enough", "")),
+        })
+    };
+    let code = |error: EngineError| error.code;
+    let spectrum = averaged_spectrum(&signal, Window::Hann, 8, &interrupt());
+    assert_eq!(spectrum.map_err(code), Err("E0704"));
+    assert_eq!(asked.load(Ordering::Relaxed), 3);
+    assert_eq!(spectrogram(&signal, Window::Hann, 8, &interrupt()).map_err(code), Err("E0704"));
+    assert_eq!(asked.load(Ordering::Relaxed), 3);
+    // The shaft turns by a thousandth of a turn in all: a turn has very many lines.
+    let angles: Vec<f64> = (0..count).map(|k| 1e-3 * TAU * k as f64 / count as f64).collect();
+    let small = Interrupt::counting(|wanted| match wanted.bytes {
+        bytes if bytes > 100_000_000 => Err(EngineError::new("E0707", "it is too much", "")),
+        _ => Ok(()),
+    });
+    let map = order_map(&signal, &angles, 1e-5, 1e6, Window::Hann, &small);
+    assert_eq!(map.map(|map| map.speeds.len()).map_err(code), Err("E0707"));
 }

@@ -178,7 +178,10 @@ impl Coverage {
 /// Codes of checks on what should not happen: meshing and condensing a gear that the library has let pass, a contact
 /// problem that the engine has set up wrongly. E0712 ends a run whose user is told of the error of the file system. E0724 is found
 /// out before, by comparing what a run was given.
-const GUARDS: [&str; 9] = ["E0676", "E0677", "E0678", "E0712", "E0716", "E0717", "E0718", "E0719", "E0724"];
+const GUARDS: [&str; 16] = [
+    "E0662", "E0666", "E0674", "E0676", "E0677", "E0678", "E0679", "E0683", "E0712", "E0716", "E0717",
+    "E0718", "E0719", "E0724", "E0760", "E0790",
+];
 
 const HEADER: &str = "\
 # What the language corpus covers

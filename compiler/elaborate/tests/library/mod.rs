@@ -77,7 +77,7 @@ fn slice(text: &str, span: Span) -> &str {
 fn argument(function: &str, parameter: &Parameter, text: &str) -> Argument {
     let name = parameter.name.name.clone();
     let default = parameter.default.as_ref().and_then(|(_, value)| value.as_ref());
-    let default = default.map(|value| slice(text, value.span).to_owned());
+    let default = default.map(|value| slice(text, value.span).replace("ground()", "gears.ground()"));
     let (mut low, mut high, mut choices) = (None, None, Vec::new());
     match &parameter.domain {
         Some(Domain::Range { low: first, high: last, .. }) => {
@@ -305,7 +305,9 @@ pub fn model(function: &Function, arguments: &[String]) -> String {
         (true, _) => text += &format!("output observed := {call}\n"),
         (false, "analyze") => return text + &call + "\n",
         (false, "planetary") => {
-            text += &format!("var set = {call}\nvar mesh = set.sun_meshes[0];\noutput error := gears.transmission_error(mesh);\n");
+            text += &format!(
+                "var set = {call}\nvar mesh = set.sun_meshes[0];\noutput error := gears.transmission_error(mesh);\n"
+            );
         }
         (false, _) => text += &format!("{call}\n"),
     }
@@ -316,8 +318,20 @@ impl Argument {
     /// A number that says how many of something there are.
     pub fn is_count(&self) -> bool {
         const COUNTS: [&str; 14] = [
-            "teeth", "cells", "cells_along", "steps", "count", "lugs", "planets", "mode", "modes", "tooth", "lug",
-            "face_elements", "keep_every", "turns",
+            "teeth",
+            "cells",
+            "cells_along",
+            "steps",
+            "count",
+            "lugs",
+            "planets",
+            "mode",
+            "modes",
+            "tooth",
+            "lug",
+            "face_elements",
+            "keep_every",
+            "turns",
         ];
         self.is_number && COUNTS.contains(&self.name.as_str())
     }
@@ -331,22 +345,29 @@ impl Argument {
 
     fn number(&self, random: &mut Random) -> String {
         const EXTREME: [&str; 18] = [
-            "0", "-0.0", "-1", "1", "0.5", "1e300", "-1e300", "1e-300", "-1e-300", "1e12", "1e9", "65536", "1e-9", "17.5",
-            "1e5", "nan", "inf", "-inf",
+            "0", "-0.0", "-1", "1", "0.5", "1e300", "-1e300", "1e-300", "-1e-300", "1e12", "1e9", "65536",
+            "1e-9", "17.5", "1e5", "nan", "inf", "-inf",
         ];
         let unit = self.unit();
         let one = if unit.is_empty() { "1".to_owned() } else { format!("(1 {unit})") };
         match random.below(8) {
             0 => self.low.clone().unwrap_or_else(|| format!("0 * {one}")),
             1 => self.high.clone().unwrap_or_else(|| format!("1e300 * {one}")),
-            2 => self.high.as_deref().map_or("1".into(), |high| format!("0.999 * ({high})")),
+            2 => self.high.as_deref().map_or_else(|| one.clone(), |high| format!("0.999 * ({high})")),
             // Anywhere in the range, by order of magnitude.
             3 => {
                 let end = self.high.as_deref().or(self.low.as_deref()).unwrap_or("1");
                 format!("1e-{} * ({end})", random.below(16))
             }
-            4 => self.sample.clone().filter(|_| self.ty.starts_with(char::is_uppercase)).filter(|_| self.is_scalar())
-                .map_or_else(|| format!("0 * {one}"), |sample| format!("{} * ({sample})", ["1e-6", "-1", "1e3", "1.5"][random.below(4)])),
+            4 => self
+                .sample
+                .clone()
+                .filter(|_| self.ty.starts_with(char::is_uppercase))
+                .filter(|_| self.is_scalar())
+                .map_or_else(
+                    || format!("0 * {one}"),
+                    |sample| format!("{} * ({sample})", ["1e-6", "-1", "1e3", "1.5"][random.below(4)]),
+                ),
             _ => format!("({} * {one})", EXTREME[random.below(EXTREME.len())]),
         }
     }
@@ -390,7 +411,9 @@ impl Argument {
             }
             "Bool" => ["TRUE", "FALSE"][random.below(2)].into(),
             "Array(String)" => {
-                ["[]", "[\"\"]", "[\"u_x\", \"u_x\"]", "[\"theta_x\", \"u_z\"]", "[same(\"u_q\")]"][random.below(5)].into()
+                ["[]", "[\"\"]", "[\"u_x\", \"u_x\"]", "[\"theta_x\", \"u_z\"]", "[same(\"u_q\")]"]
+                    [random.below(5)]
+                .into()
             }
             "Symbolic(Transform)" => {
                 let one = ["0", "1e300", "1e-300", "-1", "1e12"][random.below(5)];
@@ -402,7 +425,9 @@ impl Argument {
                 ][random.below(4)]
                 .clone()
             }
-            "Body" => ["ground()", "pinion", "wheel", "housing"][random.below(4)].replace("ground", "gears.ground"),
+            "Body" => {
+                ["ground()", "pinion", "wheel", "housing"][random.below(4)].replace("ground", "gears.ground")
+            }
             ty if ty.starts_with("Array(") => "[]".into(),
             _ => self.sample.clone().unwrap_or_default(),
         }
@@ -428,7 +453,11 @@ impl Function {
         let mut index = 0;
         self.arguments(|parameter| {
             index += 1;
-            if chosen.contains(&(index - 1)) { Some(parameter.extreme(random)) } else { parameter.sample.clone() }
+            if chosen.contains(&(index - 1)) {
+                Some(parameter.extreme(random))
+            } else {
+                parameter.sample.clone()
+            }
         })
     }
 }

@@ -30,7 +30,8 @@ impl CallSites {
             CallSites { library: library.map(|(index, _)| index as u32).collect(), ..CallSites::default() };
         for function in &program.functions {
             // The chain of blame leads through the library alone.
-            let carried = if sites.is_library(function.span) { carried(function) } else { Carried::default() };
+            let carried =
+                if sites.is_library(function.span) { carried(function) } else { Carried::default() };
             for_each_expression(function, &mut |expr| match &expr.kind {
                 ExprKind::CallExtern(id, arguments) => {
                     let Some(declaration) = program.externs.get(id.0 as usize) else { return };

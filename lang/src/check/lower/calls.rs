@@ -57,8 +57,7 @@ impl Body<'_, '_> {
         let types = self.types.clone();
         let function = self.lowering.used(call.function, call.instance, &types);
         let modes = self.lowering.modes(call.function);
-        let demands: Vec<(usize, Demand)> = 
-            self.demands(&call.arguments, &call.demands).cloned().collect();
+        let demands: Vec<(usize, Demand)> = self.demands(&call.arguments, &call.demands).cloned().collect();
         let perhaps_same = |place| call.perhaps_same.iter().any(|(a, b)| *a == place || *b == place);
         // Everything before an argument that takes statements of its own is evaluated by statements too.
         let last = (0..call.arguments.len()).rev().find(|at| {

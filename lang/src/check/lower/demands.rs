@@ -83,7 +83,8 @@ impl Body<'_, '_> {
         };
         let mut allowed = Vec::new();
         for part in &parts {
-            let ends = [(&demand.low, Op::GreaterEqual, Op::Less), (&demand.high, Op::LessEqual, Op::Greater)];
+            let ends =
+                [(&demand.low, Op::GreaterEqual, Op::Less), (&demand.high, Op::LessEqual, Op::Greater)];
             for (end, inside, outside) in ends {
                 let Some(end) = end else { continue };
                 let end = self.value(end);
@@ -154,14 +155,7 @@ impl Body<'_, '_> {
         self.display(&element, None, self.lowering.system)
     }
 
-    pub(super) fn refuse(
-        &mut self,
-        block: usize,
-        code: &str,
-        message: ir::Expr,
-        help: String,
-        span: Span,
-    ) {
+    pub(super) fn refuse(&mut self, block: usize, code: &str, message: ir::Expr, help: String, span: Span) {
         self.start(block);
         let error = error_of(text(code, span), message, span);
         self.end(Terminator::Throw { error, help, span });

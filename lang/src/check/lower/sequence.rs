@@ -34,7 +34,8 @@ impl Body<'_, '_> {
     fn searched(&self, e: &Expr) -> bool {
         let own = match &e.kind {
             Kind::Call(call) => {
-                self.hands_back(call.function) || self.demands(&call.arguments, &call.demands).next().is_some()
+                self.hands_back(call.function)
+                    || self.demands(&call.arguments, &call.demands).next().is_some()
             }
             Kind::CallExtern(_, arguments, demands) => self.demands(arguments, demands).next().is_some(),
             Kind::Binary(..) => self.exchanged(e),

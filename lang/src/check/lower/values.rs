@@ -127,7 +127,8 @@ impl Body<'_, '_> {
                     self.format_part(value, None, *system, kept, &mut parts);
                 }
                 let line = make(ExprKind::Format(parts), Repr::String);
-                let id = self.lowering.standard("print", Purity::Scene, &[("line", Repr::String)], Repr::Unit);
+                let id =
+                    self.lowering.standard("print", Purity::Scene, &[("line", Repr::String)], Repr::Unit);
                 make(ExprKind::CallExtern(id, vec![line]), Repr::Unit)
             }
             Kind::Array(all) => {
