@@ -1,5 +1,5 @@
-//! The functions of the library by their declarations: every number has a range, and calls with extreme arguments are
-//! refused or work. `CALYX_FUZZ=10` makes ten times as many calls.
+//! The declared functions of the library: every number has a range, and a call with extreme arguments
+//! is refused or works. `CALYX_FUZZ=10` makes ten times as many calls.
 
 mod library;
 
@@ -15,7 +15,8 @@ use std::sync::Arc;
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::time::{Duration, Instant};
 
-/// A number without a range lets a program ask for 10^12 cells. An end may be open where the default is infinite.
+/// A number without a range lets a program ask for 10^12 cells. An end may be open if the default is
+/// infinite.
 #[test]
 fn every_numeric_argument_has_a_range() {
     let (mut checked, mut missing) = (0, Vec::new());
@@ -60,7 +61,7 @@ fn samples_of_all_functions_are_accepted() {
     assert!(wrong.is_empty(), "\n{wrong}");
 }
 
-/// What is wrong inside a function of the library is shown where the program gave it.
+/// An error inside a function of the library is shown at the argument that the program gave.
 #[test]
 fn errors_inside_library_functions_are_shown_at_the_argument() {
     let planetary = |given: &str| {
@@ -142,16 +143,16 @@ fn extreme_arguments_are_refused_or_work() {
     assert!(wrong.is_empty(), "\n{wrong}");
 }
 
-/// What became of a model.
+/// The result of checking and solving a model.
 #[derive(Debug)]
 enum Verdict {
-    /// By checking, with a message.
+    /// Checking reports an error.
     Refused,
     Accepted,
     Solved,
-    /// By the run, though checking had accepted it.
+    /// Checking accepts it, and the run reports an error.
     RefusedLate(String),
-    /// A panic, an internal error, or no end.
+    /// A panic, an internal error, or a call that does not end.
     Defect(String),
 }
 
@@ -191,7 +192,7 @@ fn judge(text: &str, solved: bool, cancel: &Cancel) -> Verdict {
     let Some(program) = checked.program.filter(|_| errors.is_empty()) else {
         return match errors.as_slice() {
             [] => Verdict::Defect("no program and no error".into()),
-            // Whatever else the types of a generated call have against it is a mistake of the generator.
+            // Any other error is a mistake of the generator.
             all if all.iter().all(|code| code == "E0314") => Verdict::Refused,
             _ => {
                 let errors = checked.diagnostics.iter().filter(|d| d.severity == Severity::Error);
@@ -239,7 +240,7 @@ fn solve(program: Program) -> Verdict {
     }
 }
 
-/// Of this process, in bytes, where the system tells.
+/// Peak resident memory of this process in bytes; `None` on other systems than Linux.
 fn peak_memory() -> Option<u64> {
     let status = std::fs::read_to_string("/proc/self/status").ok()?;
     let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;

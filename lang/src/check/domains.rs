@@ -39,7 +39,7 @@ impl Demand {
     }
 }
 
-/// The elements of an array that is written out, of arrays in it too; the expression itself if it is none.
+/// The elements of an array literal and of the arrays in it; the expression itself if it is none.
 fn elements(e: &Expr) -> Vec<&Expr> {
     match &e.kind {
         Kind::Array(all) => all.iter().flat_map(elements).collect(),
@@ -48,8 +48,8 @@ fn elements(e: &Expr) -> Vec<&Expr> {
 }
 
 impl<'a> Checker<'a> {
-    /// Notes a domain to be checked when all types are known. Its ends must have the type `ty`, or that of its elements or
-    /// components. Returns what is demanded of the value.
+    /// Notes a domain to be checked when all types are known. Its ends must have the type `ty`, or
+    /// the type of its elements or components. Returns the demand on the value.
     pub(super) fn domain(
         &mut self,
         ty: &Type,

@@ -1,6 +1,7 @@
-//! Help for names that a module does not have: what the module's documentation says of them, and names that are alike.
+//! Help for names that a module does not have, and for handles of the wrong kind.
 //!
-//! The documentation may list concepts in two ways, each an item with the names that people look for:
+//! The documentation of a module may list concepts that the module lacks, and concepts that it has
+//! under another name. Each item ends with the names that people look for:
 //!
 //! ```text
 //! Not available yet:
@@ -10,10 +11,12 @@
 //! - `external` makes external gears (`pinion`, `spur_gear`)
 //! ```
 
+use super::symbols::with_article;
+
 /// Names offered at most.
 const MOST_NAMES: usize = 6;
 
-/// What to say of a name that a module does not have.
+/// The help for a name that a module does not have.
 pub(super) fn help(module: &str, doc: &str, name: &str, declared: &[String]) -> String {
     let related = related(name, declared);
     let near = match related.as_slice() {
@@ -43,7 +46,7 @@ pub(super) fn help(module: &str, doc: &str, name: &str, declared: &[String]) -> 
     }
 }
 
-/// What the documentation says of a name.
+/// An item of the documentation's lists.
 enum Listed {
     Absent(String),
     Renamed(String),
@@ -72,10 +75,30 @@ fn words(name: &str) -> Vec<String> {
     name.split('_').filter(|word| !word.is_empty()).map(str::to_lowercase).collect()
 }
 
-/// Whether the words of `part` stand side by side in `name`.
+/// Returns whether the words of `part` stand side by side in `name`.
 fn has_words(name: &str, part: &str) -> bool {
     let (name, part) = (words(name), words(part));
     !part.is_empty() && name.windows(part.len()).any(|window| window == part)
+}
+
+/// The help where a handle is wanted and something else is given: the functions that make one, those
+/// that make it of what is given before all others. `makers` are functions and the handles they take.
+pub(super) fn handle(makers: &[(String, Vec<String>)], wanted: &str, found: &str) -> String {
+    let quoted = |all: &[&String]| {
+        let all: Vec<String> = all.iter().map(|name| format!("`{name}`")).collect();
+        all.join(" or ")
+    };
+    let takes = |(_, taken): &&(String, Vec<String>)| taken.iter().any(|handle| handle == found);
+    let direct: Vec<&String> = makers.iter().filter(takes).map(|(name, _)| name).collect();
+    let all: Vec<&String> = makers.iter().map(|(name, _)| name).collect();
+    let wanted = with_article(wanted);
+    match (direct.as_slice(), all.as_slice()) {
+        ([], []) => format!("give {wanted}"),
+        ([], all) => format!("make {wanted} with {}", quoted(all)),
+        (direct, _) => {
+            format!("make {wanted} of this {found} with {}, and give the result here", quoted(direct))
+        }
+    }
 }
 
 /// Names that share a word with a name, those that share most first.

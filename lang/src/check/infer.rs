@@ -5,6 +5,7 @@
 
 use super::ModuleData;
 use super::dim::Dim;
+use super::elsewhere;
 use super::excerpt::Layout;
 use super::rules::{self, Rule};
 use super::symbols::{FunctionInfo, Names, Res, VarKind, Variable, with_article};
@@ -290,32 +291,11 @@ impl<'a> Checker<'a> {
             (Type::Number(_), Type::Vector(_)) => "take a component (`.x`, `.y`, `.z`) or `norm(...)`".into(),
             (Type::Bool, Type::Number(_)) => "compare it: `... != 0`".into(),
             (Type::Transform, Type::Vector(_)) => "make a frame of it: `Translate(...)`".into(),
-            (Type::Handle(name), _) => self.handle_help(name, &self.store.show(found)),
+            (Type::Handle(name), _) => {
+                let makers = self.names.around.map(|around| around.makers(name)).unwrap_or_default();
+                elsewhere::handle(&makers, name, &self.store.show(found))
+            }
             _ => format!("give {}", with_article(&self.store.show(expected))),
-        }
-    }
-
-    /// How to come by a handle: from the value that was given instead, if a function makes the one of the other.
-    fn handle_help(&self, wanted: &str, found: &str) -> String {
-        let makers = self.names.around.map(|around| around.makers(wanted)).unwrap_or_default();
-        let quoted = |all: &[&String]| {
-            let all: Vec<String> = all.iter().map(|name| format!("`{name}`")).collect();
-            all.join(" or ")
-        };
-        let direct: Vec<&String> = makers
-            .iter()
-            .filter(|(_, takes)| takes.iter().any(|t| t == found))
-            .map(|(name, _)| name)
-            .collect();
-        let all: Vec<&String> = makers.iter().map(|(name, _)| name).collect();
-        match (direct.as_slice(), all.as_slice()) {
-            ([], []) => format!("give {}", with_article(wanted)),
-            ([], all) => format!("make {} with {}", with_article(wanted), quoted(all)),
-            (direct, _) => format!(
-                "make {} of this {found} with {}, and give the result here",
-                with_article(wanted),
-                quoted(direct)
-            ),
         }
     }
 

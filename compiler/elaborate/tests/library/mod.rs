@@ -1,4 +1,4 @@
-//! The library's functions as their declarations have them, and models with one call of one of them.
+//! The declared functions of the library, and models with a call of one of them.
 
 use calyx_gears::library::{MODULES, PRELUDE};
 use calyx_lang::ast::{Domain, FunctionDecl, Mode, Parameter, StmtKind, TypeExpr, TypeKind};
@@ -140,7 +140,7 @@ fn sample_of(ty: &str) -> Option<String> {
     Some(known.into())
 }
 
-/// What the types do not say: function, parameter, value.
+/// Values that do not follow from types: function, parameter, value.
 const SAMPLES: &[(&str, &str, &str)] = &[
     ("analyze", "method", "\"quasi_static\""),
     ("analyze", "fidelity", "\"analytic\""),
@@ -246,7 +246,7 @@ const SAMPLES: &[(&str, &str, &str)] = &[
     ("mode_energy", "mode", "0"),
 ];
 
-/// Functions whose sample cannot be right in [`SCENE`], which has no planetary set, lugs or motion in time.
+/// Functions that need a planetary set, a splined rim or a dynamic analysis, which the scene lacks.
 pub const NOT_IN_SCENE: [&str; 7] = [
     "mode_kind",
     "lumped_natural_frequency",
@@ -381,7 +381,7 @@ impl Argument {
             let elements = random.below(3);
             let mut number = || {
                 let text = self.number(random);
-                // What a function returns is known when the program runs alone.
+                // The result of a function is not constant: the range is checked when the program runs.
                 if random.below(2) == 0 { text } else { format!("same({text})") }
             };
             let vector = |x: String| format!("({x}) * e1");

@@ -9,10 +9,10 @@ use calyx_lang::ir::{Expr, ExprKind, Function, FunctionId, Mode, Program, Statem
 use calyx_lang::span::Span;
 use std::collections::{BTreeSet, HashMap, HashSet};
 
-/// Where the arguments of all calls of the engine's and the library's functions are written.
+/// The places of the arguments of all calls of the engine's and the library's functions.
 #[derive(Clone, Debug, Default)]
 pub struct CallSites {
-    /// By the place of the call.
+    /// Calls by place.
     calls: HashMap<Place, CallDescription>,
     /// Files of the library, by index.
     library: HashSet<u32>,
@@ -97,8 +97,8 @@ impl CallSites {
         let mut described = CallDescription { place: call, arguments: Vec::new(), carried: Vec::new() };
         for (name, argument) in arguments {
             let at = place(argument.span);
-            // A default's text stands in the declaration, outside of the call: such an argument has no place. Nor has what a
-            // function sees around it, which has the place of the call.
+            // An argument that is left to its default has no place: its text stands in the
+            // declaration. A variable of an enclosing function has the place of the call.
             if at.0 == call.0 && at.1 >= call.1 && at.2 <= call.2 && at != call {
                 described.arguments.push((name.into(), at));
             }
@@ -131,8 +131,8 @@ impl CallSites {
         attribute(error, self.calls.values(), |file| self.library.contains(&file));
     }
 
-    /// Calls that lead to a place in the library, if they all begin at one place of the program. What the library notes
-    /// without an error comes without its calls.
+    /// The calls that lead to a place in the library, if all of them begin at one place of the program.
+    /// Findings that are no errors carry no calls.
     fn only_chain(&self, at: Place) -> Vec<Call> {
         let Some(first) = self.inside.get(&at) else { return Vec::new() };
         let mut chains: HashMap<Place, Vec<Call>> = HashMap::from([(*first, Vec::new())]);
@@ -160,10 +160,10 @@ impl CallSites {
     }
 }
 
-/// Parameters of a function that its locals are computed from, whatever way the program takes.
+/// The parameters of a function that its locals are computed from on any path.
 #[derive(Default)]
 struct Carried {
-    /// By local.
+    /// Names of parameters, by local.
     names: Vec<Vec<String>>,
 }
 

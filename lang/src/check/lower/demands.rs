@@ -10,11 +10,12 @@ use calyx_abi::display::Display;
 use calyx_abi::{Purity, Repr};
 
 impl Body<'_, '_> {
-    /// The arguments of a library function, evaluated from left to right. The library only reads them: nothing to copy.
+    /// Evaluates the arguments of a library function from left to right, and checks them. The
+    /// library only reads them, so nothing is copied.
     pub(super) fn extern_arguments(&mut self, all: &[Expr], demands: &[(usize, Demand)]) -> Vec<ir::Expr> {
         let demands: Vec<(usize, Demand)> = self.demands(all, demands).cloned().collect();
         let is_demanded = |at: usize| demands.iter().any(|(argument, _)| *argument == at);
-        // Everything before an argument that takes statements of its own is evaluated by statements too.
+        // An argument that takes statements of its own is evaluated after all arguments before it.
         let last = (0..all.len()).rev().find(|&at| is_demanded(at) || self.needs_statements(&all[at]));
         let mut values = Vec::with_capacity(all.len());
         for (at, argument) in all.iter().enumerate() {
@@ -30,8 +31,8 @@ impl Body<'_, '_> {
         values
     }
 
-    /// Ends the call under way with an error unless an argument is what it must be: the number or text itself, each
-    /// component of a vector, each element of an array.
+    /// Ends the call under way with an error if an argument violates the demand. Each component of a
+    /// vector and each element of an array must satisfy it.
     pub(super) fn demand(&mut self, demand: &Demand, value: ir::Expr, span: Span, ty: &Type) {
         let tested = match value.repr.clone() {
             Repr::Array(element) => self.first_refused(demand, &value, &element, span),
@@ -73,7 +74,7 @@ impl Body<'_, '_> {
         self.start(go_on);
     }
 
-    /// Whether a number, vector or text is allowed; `None` if nothing is demanded of it.
+    /// The condition on a number, vector or text; `None` if everything is allowed.
     fn is_allowed(&mut self, demand: &Demand, value: &ir::Expr, span: Span) -> Option<ir::Expr> {
         let truth = |kind| ir::Expr { kind, repr: Repr::Bool, span };
         let compare = |op, a: &ir::Expr, b| truth(ExprKind::Op(op, vec![a.clone(), b]));
@@ -99,8 +100,8 @@ impl Body<'_, '_> {
         allowed.into_iter().reduce(|a, b| truth(ExprKind::And(Box::new(a), Box::new(b))))
     }
 
-    /// Whether all elements of an array are allowed, and the index of the first one that is not; `None` if nothing is
-    /// demanded of them.
+    /// The condition on the elements of an array, and the index of the first one that violates it;
+    /// `None` if everything is allowed.
     fn first_refused(
         &mut self,
         demand: &Demand,
@@ -139,7 +140,8 @@ impl Body<'_, '_> {
         let id = self.lowering.standard(name, Purity::Pure, &parameters, Repr::Number);
         let index = ir::Expr { kind: ExprKind::CallExtern(id, arguments), repr: Repr::Number, span };
         let index = self.kept(index);
-        // Not `index < 0`: the index is NaN where elements follow from a call that failed (`check` goes on then).
+        // Not `index < 0`: the index is NaN if elements follow from a call that failed, after which
+        // `check` continues.
         let truth = |kind| ir::Expr { kind, repr: Repr::Bool, span };
         let refused = truth(ExprKind::Op(Op::GreaterEqual, vec![index.clone(), number(0.0)]));
         Some((truth(ExprKind::Op(Op::Not, vec![refused])), Some(index)))
