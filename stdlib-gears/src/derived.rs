@@ -12,7 +12,7 @@ use crate::modification::Modification;
 use crate::prototype::GearPrototype;
 use calyx_abi::math;
 
-/// Diameter in modules of the pins that the measurement over pins is given for (the usual 1.728 over diametral pitch).
+/// Diameter in modules (those of the tool as given) of the pins or balls that the measurement over pins is given for (the usual 1.728 over diametral pitch).
 pub const PIN: f64 = 1.728;
 
 /// What a quantity measures.
@@ -74,9 +74,11 @@ impl Quantity {
         Quantity { note: note.into(), ..self }
     }
 
-    fn in_modules(self, module: f64) -> Self {
-        let modules = self.value / module;
-        if modules.abs() < 0.005 { self } else { self.note(format!("{modules:.2} modules")) }
+    /// With its size in modules of the tool as it was given.
+    fn in_modules(self, form: &ToothForm) -> Self {
+        let modules = self.value / form.tool_module;
+        let unit = modules_of(form);
+        if modules.abs() < 0.005 { self } else { self.note(format!("{modules:.2} {unit}")) }
     }
 
     fn of(self, member: usize) -> Self {
@@ -91,6 +93,7 @@ pub fn of_gear(prototype: &GearPrototype) -> Vec<Quantity> {
     let ToothForm { module, internal, .. } = form;
     let tip = if internal { "tip (minor) diameter" } else { "tip (outside) diameter" };
     let undercut = prototype.gear.external().is_some_and(|gear| gear.undercut);
+    let base_helix = prototype.helix.base_angle(form.pressure_angle);
     let mut all = vec![
         Quantity::number("number of teeth", "z", f64::from(form.teeth)).note(if internal {
             "internal"
@@ -119,14 +122,14 @@ pub fn of_gear(prototype: &GearPrototype) -> Vec<Quantity> {
         Quantity::angle("roll angle at the tip diameter", "xi_a", form.tip_roll.abs()).further(),
         Quantity::length("base pitch", "p_b", form.base_radius * form.pitch_angle()).further(),
         Quantity::length("tooth thickness at the reference circle", "s_t", form.tooth_thickness),
-        Quantity::length("tooth thickness at the tip", "s_a", form.tip_thickness()).in_modules(module),
+        Quantity::length("tooth thickness at the tip", "s_a", form.tip_thickness()).in_modules(&form),
         Quantity::length("tooth depth", "h", (form.tip_radius - form.root_radius).abs())
-            .in_modules(module)
+            .in_modules(&form)
             .further(),
     ]);
     match &prototype.gear {
-        Gear::External(gear) => all.extend(of_external(gear)),
-        Gear::Internal(gear) => all.extend(of_internal(gear)),
+        Gear::External(gear) => all.extend(of_external(gear, base_helix, prototype.face_width)),
+        Gear::Internal(gear) => all.extend(of_internal(gear, base_helix)),
     }
     for modification in &prototype.modifications {
         if let Modification::TipRelief(relief) = modification {
@@ -153,53 +156,79 @@ fn of_helix(helix: &Helix, form: &ToothForm) -> Vec<Quantity> {
         Quantity::length("lead", "p_z", helix.lead(form.pitch_radius)).further(),
         Quantity::length("normal module", "m_n", form.module * cosine),
         Quantity::angle("normal pressure angle", "alpha_n", normal_pressure).further(),
+        Quantity::length(
+            "normal tooth thickness at the reference circle",
+            "s_n",
+            form.tooth_thickness * cosine,
+        ),
     ]
 }
 
-fn of_external(gear: &ExternalGear) -> Vec<Quantity> {
-    let module = gear.rack.module;
+/// What lengths of a gear are counted in.
+const MODULES: &str = "modules";
+
+/// The same of a gear: a rack that was given in the normal plane has a longer module in the transverse one.
+fn modules_of(form: &ToothForm) -> &'static str {
+    if form.tool_module == form.module { MODULES } else { "normal modules" }
+}
+
+/// What a measurement is taken with: pins of spur gears, balls of helical ones.
+fn pins(base_helix: f64) -> &'static str {
+    if base_helix == 0.0 { "pins" } else { "balls" }
+}
+
+fn of_external(gear: &ExternalGear, base_helix: f64, face_width: f64) -> Vec<Quantity> {
+    let module = gear.rack.own_module();
+    let modules = modules_of(&gear.into());
     let mut all = vec![
-        Quantity::number("profile shift coefficient", "x", gear.profile_shift())
-            .note("of its tooth thickness"),
+        Quantity::number("profile shift coefficient", "x", gear.profile_shift()).note(
+            if modules == MODULES {
+                "of its tooth thickness"
+            } else {
+                "of its tooth thickness, in normal modules"
+            },
+        ),
         undercut_margin(gear),
         Quantity::number("teeth below which this depth is undercut", "z_min", gear.undercut_teeth())
             .further(),
-        fillet_radius(gear.root_fillet_curvature_radius(), module),
+        fillet_radius(gear.root_fillet_curvature_radius(), &gear.into()),
     ];
-    if let Some((teeth, span)) = gear.usual_span() {
+    if let Some((teeth, span)) = gear.usual_span(base_helix, face_width) {
         all.push(
             Quantity::length("span measurement", "W_k", span).note(format!("over {teeth} teeth")).further(),
         );
     }
     let pin = PIN * module;
-    if gear.pin_touches_flanks(pin) {
-        let over = Quantity::length("measurement over pins", "M_d", gear.over_pins(pin));
-        all.push(over.note(format!("pins of {PIN} modules")).further());
+    if gear.pin_touches_flanks(pin, base_helix) {
+        let name = if base_helix == 0.0 { "measurement over pins" } else { "measurement over balls" };
+        let over = Quantity::length(name, "M_d", gear.over_pins(pin, base_helix));
+        all.push(over.note(format!("{} of {PIN} {modules}", pins(base_helix))).further());
     }
     all
 }
 
-fn of_internal(gear: &InternalGear) -> Vec<Quantity> {
+fn of_internal(gear: &InternalGear, base_helix: f64) -> Vec<Quantity> {
     let module = gear.shaper.module;
     let mut all = vec![
         Quantity::number("profile shift coefficient", "x", gear.profile_shift())
             .note("of its tooth thickness, positive outwards"),
-        fillet_radius(gear.root_fillet_curvature_radius(), module),
+        fillet_radius(gear.root_fillet_curvature_radius(), &gear.into()),
         Quantity::length("centre distance of the shaper", "a_0", gear.cutting_distance).further(),
         Quantity::length("tooth thickness of the shaper", "s_0", gear.cutter_thickness)
             .note("at its reference circle")
             .further(),
     ];
     let pin = PIN * module;
-    if gear.pin_touches_flanks(pin) {
-        let between = Quantity::length("measurement between pins", "M_d", gear.between_pins(pin));
-        all.push(between.note(format!("pins of {PIN} modules")).further());
+    if gear.pin_touches_flanks(pin, base_helix) {
+        let name = if base_helix == 0.0 { "measurement between pins" } else { "measurement between balls" };
+        let between = Quantity::length(name, "M_d", gear.between_pins(pin, base_helix));
+        all.push(between.note(format!("{} of {PIN} modules", pins(base_helix))).further());
     }
     all
 }
 
-fn fillet_radius(radius: f64, module: f64) -> Quantity {
-    Quantity::length("fillet radius at the root circle", "rho_f", radius).in_modules(module).further()
+fn fillet_radius(radius: f64, form: &ToothForm) -> Quantity {
+    Quantity::length("fillet radius at the root circle", "rho_f", radius).in_modules(form).further()
 }
 
 fn undercut_margin(gear: &ExternalGear) -> Quantity {
@@ -231,7 +260,7 @@ pub fn of_mesh(gears: [ToothForm; 2], mesh: &MeshGeometry) -> Vec<Quantity> {
     all.extend([
         Quantity::length("length of the path of contact", "g_alpha", mesh.line_of_action_length).further(),
         Quantity::number("gear ratio", "u", teeth[1] / teeth[0]).note("second over first"),
-        Quantity::length("circumferential backlash", "j_wt", mesh.backlash).in_modules(first.module),
+        Quantity::length("circumferential backlash", "j_wt", mesh.backlash).in_modules(&first),
         Quantity::length("normal backlash", "j_bn", mesh.normal_backlash).further(),
     ]);
     if let Some(tight) = mesh.zero_backlash_center_distance {
@@ -251,8 +280,7 @@ pub fn of_mesh(gears: [ToothForm; 2], mesh: &MeshGeometry) -> Vec<Quantity> {
         let operating = 2.0 * distance * teeth[member] / (sign * teeth[0] + teeth[1]);
         let mut own = vec![
             Quantity::length("operating pitch diameter", "d_w", operating).further(),
-            Quantity::length("tip clearance at the root", "c", mesh.clearance(gear, mate))
-                .in_modules(gear.module),
+            Quantity::length("tip clearance at the root", "c", mesh.clearance(gear, mate)).in_modules(&gear),
             Quantity::length("start of active profile, diameter", "d_Nf", diameter(start)),
             Quantity::length(
                 "active profile above the fillet",

@@ -23,6 +23,10 @@ pub enum Part {
     Angle(f64),
     /// Of no dimension.
     Number(f64),
+    /// A quantity that suffices as it is written: its digits are rounded up.
+    AtLeast(Box<Part>),
+    /// A quantity that is still allowed as it is written: its digits are rounded down.
+    AtMost(Box<Part>),
 }
 
 /// A sentence with quantities in it, which are written in the unit of whoever reads it.
@@ -51,35 +55,55 @@ struct Rendered<'a> {
 
 impl fmt::Display for Rendered<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for part in &self.sentence.0 {
-            match part {
-                Part::Text(text) => f.write_str(text)?,
-                Part::Length(length) => write!(f, "{} {}", Digits(length / self.metres), self.unit)?,
-                Part::Angle(angle) => write!(f, "{} deg", Digits(angle.to_degrees()))?,
-                Part::Number(number) => write!(f, "{}", Digits(*number))?,
-            }
-        }
-        Ok(())
+        self.sentence.0.iter().try_for_each(|part| self.write(f, part, Rounding::Nearest))
     }
 }
 
-/// A number with five significant digits and no more zeros than needed.
-struct Digits(f64);
-
-impl fmt::Display for Digits {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let value = self.0;
-        if value == 0.0 || !value.is_finite() {
-            return write!(f, "{value}");
+impl Rendered<'_> {
+    fn write(&self, f: &mut fmt::Formatter<'_>, part: &Part, rounding: Rounding) -> fmt::Result {
+        match part {
+            Part::Text(text) => f.write_str(text),
+            Part::Length(length) => {
+                write!(f, "{} {}", digits(length / self.metres, rounding), self.unit)
+            }
+            Part::Angle(angle) => write!(f, "{} deg", digits(angle.to_degrees(), rounding)),
+            Part::Number(number) => f.write_str(&digits(*number, rounding)),
+            Part::AtLeast(part) => self.write(f, part, Rounding::Up),
+            Part::AtMost(part) => self.write(f, part, Rounding::Down),
         }
-        let magnitude = value.abs().log10().floor();
-        if !(-5.0..9.0).contains(&magnitude) {
-            return write!(f, "{value:.4e}");
-        }
-        let decimals = (4.0 - magnitude).max(0.0) as usize;
-        let text = format!("{value:.decimals$}");
-        f.write_str(if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text })
     }
+}
+
+#[derive(Clone, Copy)]
+enum Rounding {
+    Nearest,
+    Up,
+    Down,
+}
+
+/// A number with five significant digits and no more zeros than needed.
+fn digits(value: f64, rounding: Rounding) -> String {
+    if value == 0.0 || !value.is_finite() {
+        return value.to_string();
+    }
+    let magnitude = value.abs().log10().floor();
+    let scientific = !(-5.0..9.0).contains(&magnitude);
+    let decimals = (4.0 - magnitude).max(0.0) as usize;
+    let written = |value: f64| {
+        if scientific { format!("{value:.4e}") } else { format!("{value:.decimals$}") }
+    };
+    let step = if scientific { 10_f64.powf(magnitude - 4.0) } else { 10_f64.powi(-(decimals as i32)) };
+    let mut text = written(value);
+    let nearest: f64 = text.parse().unwrap_or(value);
+    match rounding {
+        Rounding::Up if nearest < value => text = written(nearest + step),
+        Rounding::Down if nearest > value => text = written(nearest - step),
+        _ => {}
+    }
+    if scientific || !text.contains('.') {
+        return text;
+    }
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
 /// A finding about a gear or a pair.
@@ -173,6 +197,21 @@ macro_rules! sentence {
     (@ [$($part:expr,)*]) => {
         $crate::error::Sentence(vec![$($part),*])
     };
+    (@ [$($part:expr,)*] at_least length $value:expr $(, $($rest:tt)*)?) => {
+        $crate::error::sentence!(@ [
+            $($part,)* $crate::error::Part::AtLeast(Box::new($crate::error::Part::Length($value))),
+        ] $($($rest)*)?)
+    };
+    (@ [$($part:expr,)*] at_least number $value:expr $(, $($rest:tt)*)?) => {
+        $crate::error::sentence!(@ [
+            $($part,)* $crate::error::Part::AtLeast(Box::new($crate::error::Part::Number($value))),
+        ] $($($rest)*)?)
+    };
+    (@ [$($part:expr,)*] at_most length $value:expr $(, $($rest:tt)*)?) => {
+        $crate::error::sentence!(@ [
+            $($part,)* $crate::error::Part::AtMost(Box::new($crate::error::Part::Length($value))),
+        ] $($($rest)*)?)
+    };
     (@ [$($part:expr,)*] length $value:expr $(, $($rest:tt)*)?) => {
         $crate::error::sentence!(@ [$($part,)* $crate::error::Part::Length($value),] $($($rest)*)?)
     };
@@ -205,5 +244,15 @@ mod tests {
             sentence.in_unit("inch", 0.0254).to_string(),
             "a tip 0.1 inch thick at 28.648 deg of 20 teeth"
         );
+    }
+
+    #[test]
+    fn bounds_are_rounded_to_the_safe_side() {
+        let bounds = sentence![at_least length 1.000_000_1e-3, " and ", at_most length 0.999_999_9e-3];
+        assert_eq!(bounds.to_string(), "1.0001 mm and 0.99999 mm");
+        let bounds =
+            sentence![at_least number 0.123_451, ", ", at_least number 2.5, ", ", at_least number -0.3333333];
+        assert_eq!(bounds.to_string(), "0.12346, 2.5, -0.33333");
+        assert_eq!(sentence![at_least number 1.234_51e-9].to_string(), "1.2346e-9");
     }
 }

@@ -182,9 +182,15 @@ impl ExternalGear {
         radius_at_roll(self.base_radius, roll)
     }
 
-    /// Profile shift coefficient that gives this thickness.
+    /// Profile shift coefficient that gives this thickness, in modules of the plane that the rack was given in
+    /// ([`Rack::own_module`]).
     pub fn profile_shift(&self) -> f64 {
-        self.rack.shift_of_thickness(self.tooth_thickness)
+        self.shift() / self.rack.own_module()
+    }
+
+    /// Profile shift as a length, m.
+    fn shift(&self) -> f64 {
+        self.rack.shift_of_thickness(self.tooth_thickness) * self.rack.module
     }
 
     /// Radius of curvature of the fillet where it meets the root circle, m.
@@ -192,40 +198,49 @@ impl ExternalGear {
         RootGeneration::Rack(self.generation).curvature_radius(FRAC_PI_2)
     }
 
-    /// Radius of the circle through the centres of pins that rest in the spaces, m.
-    pub fn pin_centre_radius(&self, pin_diameter: f64) -> f64 {
-        let value = self.half_base_angle + 0.5 * pin_diameter / self.base_radius - PI / f64::from(self.teeth);
+    /// Radius of the circle through the centres of balls, or of spur gears pins, that rest in the spaces, m. `base_helix` is the base helix
+    /// angle, rad (ISO 21771, 7.5: a ball touches the flanks of helical teeth at right angles to them).
+    pub fn pin_centre_radius(&self, pin_diameter: f64, base_helix: f64) -> f64 {
+        let along_base_circle = 0.5 * pin_diameter / (self.base_radius * math::cos(base_helix));
+        let value = self.half_base_angle + along_base_circle - PI / f64::from(self.teeth);
         self.radius_at_roll(roll_of_involute(value))
     }
 
-    /// Measurement over two pins in spaces as nearly opposite as there are, m.
-    pub fn over_pins(&self, pin_diameter: f64) -> f64 {
+    /// Measurement over two pins or balls in spaces as nearly opposite as there are, m; see [`Self::pin_centre_radius`].
+    pub fn over_pins(&self, pin_diameter: f64, base_helix: f64) -> f64 {
         let odd = if self.teeth % 2 == 1 { math::cos(FRAC_PI_2 / f64::from(self.teeth)) } else { 1.0 };
-        2.0 * self.pin_centre_radius(pin_diameter) * odd + pin_diameter
+        2.0 * self.pin_centre_radius(pin_diameter, base_helix) * odd + pin_diameter
     }
 
-    /// Whether such pins touch the involutes of the flanks beside a space, as a measurement over them supposes.
-    pub fn pin_touches_flanks(&self, pin_diameter: f64) -> bool {
-        let centre = self.roll_at_radius(self.pin_centre_radius(pin_diameter));
-        let touching = centre - 0.5 * pin_diameter / self.base_radius;
+    /// Whether such pins or balls touch the involutes of the flanks beside a space, as a measurement over them supposes.
+    pub fn pin_touches_flanks(&self, pin_diameter: f64, base_helix: f64) -> bool {
+        let centre = self.roll_at_radius(self.pin_centre_radius(pin_diameter, base_helix));
+        let touching = centre - 0.5 * pin_diameter * math::cos(base_helix) / self.base_radius;
         (self.form_roll..self.tip_roll).contains(&touching)
     }
 
-    /// Span measurement (base tangent length) over a number of teeth, m.
-    pub fn span(&self, teeth: u32) -> f64 {
-        (f64::from(teeth) - 1.0) * self.base_pitch + 2.0 * self.base_radius * self.half_base_angle
+    /// Span measurement (base tangent length) over a number of teeth, m: at right angles to the teeth, `base_helix` (rad) being the base helix
+    /// angle.
+    pub fn span(&self, teeth: u32, base_helix: f64) -> f64 {
+        let transverse =
+            (f64::from(teeth) - 1.0) * self.base_pitch + 2.0 * self.base_radius * self.half_base_angle;
+        transverse * math::cos(base_helix)
     }
 
     /// The number of teeth over which the jaws touch nearest to the middle of the flanks, and the span measurement; `None`
-    /// if for no number they touch involutes.
-    pub fn usual_span(&self) -> Option<(u32, f64)> {
-        let middle = self.roll_at_radius(self.pitch_radius + self.profile_shift() * self.rack.module);
-        // Half the span is the tangent from the base circle to where a jaw touches.
-        let touching = |teeth: u32| 0.5 * self.span(teeth) / self.base_radius;
+    /// if for no number they touch involutes, or if the face is narrower than the span of helical teeth needs (m).
+    pub fn usual_span(&self, base_helix: f64, face_width: f64) -> Option<(u32, f64)> {
+        let middle = self.roll_at_radius(self.pitch_radius + self.shift());
+        // The part of half the span in the transverse section is the tangent from the base circle to where a jaw touches.
+        let cosine = math::cos(base_helix);
+        let touching = |teeth: u32| 0.5 * cosine * self.span(teeth, base_helix) / self.base_radius;
         let most = (self.teeth / 2).max(2);
-        let nearest = (middle - touching(1)) * 2.0 * self.base_radius / self.base_pitch + 1.0;
+        let nearest =
+            (middle - touching(1)) * 2.0 * self.base_radius / (self.base_pitch * cosine * cosine) + 1.0;
         let teeth = (nearest.round() as u32).clamp(2, most);
-        (self.form_roll..self.tip_roll).contains(&touching(teeth)).then(|| (teeth, self.span(teeth)))
+        let span = self.span(teeth, base_helix);
+        let reached = (self.form_roll..self.tip_roll).contains(&touching(teeth));
+        (reached && span * math::sin(base_helix) < face_width).then_some((teeth, span))
     }
 
     /// Depth below the pitch circle to which the straight flank of the rack cuts, m.
@@ -233,11 +248,16 @@ impl ExternalGear {
         self.generation.tip_centre_depth + self.rack.tip_touch_depth(self.rack.pressure_angle)
     }
 
-    /// The profile shift, in modules, by which this gear lies above the beginning of undercut, if outer and root diameter
-    /// shift with it. Negative for a gear that is undercut.
+    /// The profile shift, in modules of the plane that the rack was given in ([`Rack::own_module`]), by which this gear lies above the
+    /// beginning of undercut, if outer and root diameter shift with it. Negative for a gear that is undercut.
     pub fn undercut_margin(&self) -> f64 {
+        self.above_undercut() / self.rack.own_module()
+    }
+
+    /// The same as a length, m.
+    fn above_undercut(&self) -> f64 {
         let sine = math::sin(self.rack.pressure_angle);
-        (self.pitch_radius * sine * sine - self.straight_depth()) / self.rack.module
+        self.pitch_radius * sine * sine - self.straight_depth()
     }
 
     /// The number of teeth below which the rack, reaching to the same depth, undercuts; not whole.
@@ -294,9 +314,9 @@ impl ExternalGear {
             "tip_radius",
             sentence![
                 "the rack's tip radius of ", length self.rack.tip_radius,
-                " does not fit on its tooth: at most ", length largest, " does"
+                " does not fit on its tooth: at most ", at_most length largest, " does"
             ],
-            sentence!["reduce `tip_radius`, or enlarge `root_diameter`"],
+            sentence!["reduce `tip_radius` to at most ", at_most length largest, ", or enlarge `root_diameter`"],
         )
     }
 
@@ -309,8 +329,8 @@ impl ExternalGear {
                 " instead of the base circle's ", length self.base_radius
             ],
             sentence![
-                "use more teeth, or enlarge `profile_shift` (or thickness) and both diameters by a shift of ",
-                number - self.undercut_margin(),
+                "use more teeth, or enlarge `profile_shift` by ", at_least number -self.undercut_margin(),
+                " and both `root_diameter` and `outer_diameter` by ", at_least length -2.0 * self.above_undercut(),
                 " or more"
             ],
         )
@@ -380,11 +400,14 @@ fn check_data(data: &ExternalGearData) -> Vec<GeometryError> {
     }
     let pitch = data.rack.pitch();
     if !(data.tooth_thickness > 0.0 && data.tooth_thickness < pitch) {
+        // In the plane of the argument.
+        let stretch = data.rack.tip_stretch;
+        let (given, pitch) = (data.tooth_thickness / stretch, pitch / stretch);
         errors.push(GeometryError::error(
             "E0605",
             "tooth_thickness",
             sentence![
-                "a tooth ", length data.tooth_thickness, " thick at the pitch circle leaves no tooth or no space: the pitch is ",
+                "a tooth ", length given, " thick at the pitch circle leaves no tooth or no space: the pitch is ",
                 length pitch
             ],
             sentence!["give a thickness near half the pitch, ", length 0.5 * pitch],

@@ -19,6 +19,8 @@ pub struct ToothForm {
     pub teeth: u32,
     /// Transverse.
     pub module: f64,
+    /// Of the tool in the plane that it was given in: the normal module of a rack that was given in the normal plane.
+    pub tool_module: f64,
     /// Transverse, at the pitch circle.
     pub pressure_angle: f64,
     /// Transverse, along the pitch circle.
@@ -86,6 +88,7 @@ impl From<&ExternalGear> for ToothForm {
             internal: false,
             teeth: gear.teeth,
             module: gear.rack.module,
+            tool_module: gear.rack.own_module(),
             pressure_angle: gear.rack.pressure_angle,
             tooth_thickness: gear.tooth_thickness,
             pitch_radius: gear.pitch_radius,
@@ -107,6 +110,7 @@ impl From<&InternalGear> for ToothForm {
             internal: true,
             teeth: gear.teeth,
             module: gear.shaper.module,
+            tool_module: gear.shaper.module,
             pressure_angle: gear.shaper.pressure_angle,
             tooth_thickness: gear.tooth_thickness,
             pitch_radius: gear.pitch_radius,

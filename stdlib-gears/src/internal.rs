@@ -187,18 +187,20 @@ impl InternalGear {
         RootGeneration::Shaper(self.generation).curvature_radius(FRAC_PI_2)
     }
 
-    /// Measurement between two pins in spaces as nearly opposite as there are, m.
-    pub fn between_pins(&self, pin_diameter: f64) -> f64 {
-        let value = self.half_base_angle_of_space - 0.5 * pin_diameter / self.base_radius;
+    /// Measurement between two pins, or of helical gears balls, in spaces as nearly opposite as there are, m. `base_helix` is the base helix
+    /// angle, rad.
+    pub fn between_pins(&self, pin_diameter: f64, base_helix: f64) -> f64 {
+        let along_base_circle = 0.5 * pin_diameter / (self.base_radius * math::cos(base_helix));
+        let value = self.half_base_angle_of_space - along_base_circle;
         let centre = self.radius_at_roll(roll_of_involute(value));
         let odd = if self.teeth % 2 == 1 { math::cos(FRAC_PI_2 / f64::from(self.teeth)) } else { 1.0 };
         2.0 * centre * odd - pin_diameter
     }
 
-    /// Whether such pins touch the involutes of the flanks beside a space, as a measurement between them supposes.
-    pub fn pin_touches_flanks(&self, pin_diameter: f64) -> bool {
-        let value = self.half_base_angle_of_space - 0.5 * pin_diameter / self.base_radius;
-        let touching = roll_of_involute(value) + 0.5 * pin_diameter / self.base_radius;
+    /// Whether such pins or balls touch the involutes of the flanks beside a space, as a measurement between them supposes.
+    pub fn pin_touches_flanks(&self, pin_diameter: f64, base_helix: f64) -> bool {
+        let (half, cosine) = (0.5 * pin_diameter / self.base_radius, math::cos(base_helix));
+        let touching = roll_of_involute(self.half_base_angle_of_space - half / cosine) + half * cosine;
         (self.tip_roll..self.form_roll).contains(&touching)
     }
 
@@ -244,10 +246,12 @@ impl InternalGear {
                 "E0628",
                 "minor_diameter",
                 sentence![
-                    "the shaper's involute ends at its base circle, and cuts the ring's only down to diameter ", length 2.0 * least,
+                    "the shaper's involute ends at its base circle, and cuts the ring's only down to diameter ", at_least length 2.0 * least,
                     ": the tips down to ", length 2.0 * self.minor_radius, " would be cut away"
                 ],
-                sentence!["enlarge `minor_diameter`, or use a shaper with more teeth"],
+                sentence![
+                    "enlarge `minor_diameter` to at least ", at_least length 2.0 * least, ", or use a shaper with more teeth"
+                ],
             ));
         }
         let teeth = [self.shaper.teeth, self.teeth];
@@ -368,9 +372,9 @@ impl Corner {
             "shaper",
             sentence![
                 "the shaper's tip radius of ", length shaper.tip_radius, " does not fit on its tooth: at most ",
-                length largest, " does"
+                at_most length largest, " does"
             ],
-            sentence!["reduce the shaper's `tip_radius`, or the ring's `tooth_thickness`"],
+            sentence!["reduce the shaper's `tip_radius` to at most ", at_most length largest, ", or the ring's `tooth_thickness`"],
         )
     }
 }

@@ -384,10 +384,10 @@ impl MeshGeometry {
                 ],
                 match (self.zero_backlash_center_distance, self.internal) {
                     (Some(distance), false) => sentence![
-                        "place the axes at least ", length distance, " apart, or reduce `tooth_thickness`"
+                        "place the axes at least ", at_least length distance, " apart, or reduce `tooth_thickness`"
                     ],
                     (Some(distance), true) => sentence![
-                        "place the axes at most ", length distance, " apart, or reduce `tooth_thickness`"
+                        "place the axes at most ", at_most length distance, " apart, or reduce `tooth_thickness`"
                     ],
                     (None, _) => sentence!["reduce `tooth_thickness`"],
                 },
@@ -408,14 +408,14 @@ impl MeshGeometry {
                         "deepen this gear's spaces by its `root_diameter`, shorten the mate's teeth, or move the axes"
                     ],
                 ));
-            } else if clearance < 0.05 * gear.module {
+            } else if clearance < 0.05 * gear.tool_module {
                 warnings.push(GeometryError::warning(
                     "E0637",
                     members[member],
                     sentence![
                         "the mate's tips clear the root circle of this gear by only ", length clearance.max(0.0)
                     ],
-                    sentence!["a clearance of ", length 0.25 * gear.module, " (0.25 modules) is usual"],
+                    sentence!["a clearance of ", length 0.25 * gear.tool_module, " (0.25 modules) is usual"],
                 ));
             }
         }

@@ -75,6 +75,12 @@ impl Rack {
         }
     }
 
+    /// The module in the plane that the rack was given in: of a rack that was given in the normal plane and is seen in the transverse one,
+    /// the normal module, as the tip is stretched by `1 / cos(helix angle)` there. Profile shift coefficients count these modules.
+    pub fn own_module(&self) -> f64 {
+        self.module / self.tip_stretch
+    }
+
     /// A thickness given in the rack's plane as it is in the transverse section, m.
     pub fn transverse_thickness(&self, thickness: f64, helix: &Helix) -> f64 {
         match self.plane {

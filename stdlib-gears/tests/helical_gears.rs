@@ -203,3 +203,48 @@ fn what_follows_from_a_helix_is_told() {
     assert!((value("epsilon_gamma") - value("epsilon_alpha") - value("epsilon_beta")).abs() < 1e-15);
     assert!(value("epsilon_beta") > 1.0);
 }
+
+/// ISO 21771: coefficients and measurements of a helical gear are those of the normal section, in which its rack was given.
+#[test]
+fn derived_values_count_in_the_plane_of_the_rack() {
+    let (teeth, shift, beta) = (23_u32, 0.37, 28.0_f64.to_radians());
+    let rack = Rack::new(NORMAL_MODULE, ALPHA, 0.2 * NORMAL_MODULE).expect("a rack");
+    let rack = rack.in_plane(calyx_gears::rack::Plane::Normal);
+    let pitch = f64::from(teeth) * NORMAL_MODULE / beta.cos();
+    let raised = 2.0 * shift * NORMAL_MODULE;
+    let mut blank = GearBlank::standard(teeth, rack)
+        .diameters(pitch + 2.0 * NORMAL_MODULE + raised, pitch - 2.5 * NORMAL_MODULE + raised)
+        .thickness(Thickness::ProfileShift(shift));
+    blank.helix = Helix::new(beta, Hand::Right).expect("a helix");
+    blank.rim.radius = 0.5 * blank.root_diameter - 0.5 * NORMAL_MODULE;
+    blank.rim.held_radius = 0.5 * blank.root_diameter - 2.0 * NORMAL_MODULE;
+    blank.face_width = 40e-3;
+    let told = of_gear(&blank.cut().expect("a gear"));
+    let quantity = |symbol: &str| told.iter().find(|quantity| quantity.symbol == symbol).expect("told");
+    let close = |symbol: &str, expected: f64| {
+        let found = quantity(symbol).value;
+        assert!((found / expected - 1.0).abs() < 1e-12, "{symbol}: {found}, not {expected}");
+    };
+    close("x", shift);
+    close("s_n", NORMAL_MODULE * (0.5 * PI + 2.0 * shift * ALPHA.tan()));
+    let transverse = (ALPHA.tan() / beta.cos()).atan();
+    let involute = |angle: f64| angle.tan() - angle;
+    // Span: W_k = m_n cos(alpha_n) ((k - 0.5) pi + z inv(alpha_t)) + 2 x m_n sin(alpha_n).
+    let spanned: f64 =
+        quantity("W_k").note.split_whitespace().nth(1).and_then(|k| k.parse().ok()).expect("k");
+    let z = f64::from(teeth);
+    let turned = (spanned - 0.5) * PI + z * involute(transverse);
+    close("W_k", NORMAL_MODULE * ALPHA.cos() * turned + raised * ALPHA.sin());
+    // Over balls: inv(alpha_K) = D / (z m_n cos(alpha_n)) - (pi/2 - 2 x tan(alpha_n)) / z + inv(alpha_t).
+    let ball = calyx_gears::derived::PIN * NORMAL_MODULE;
+    let value = ball / (z * NORMAL_MODULE * ALPHA.cos()) - (0.5 * PI - 2.0 * shift * ALPHA.tan()) / z
+        + involute(transverse);
+    let (mut low, mut high) = (0.0, 1.5);
+    for _ in 0..100 {
+        let middle = 0.5 * (low + high);
+        *(if involute(middle) < value { &mut low } else { &mut high }) = middle;
+    }
+    let centres = pitch * transverse.cos() / low.cos();
+    close("M_d", centres * (0.5 * PI / z).cos() + ball);
+    assert!(quantity("M_d").note.contains("normal modules"));
+}

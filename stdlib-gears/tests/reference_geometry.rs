@@ -67,8 +67,8 @@ fn compare_external(name: &str, object: &Value) -> (ExternalGear, usize) {
     }
     if !object["pin"].is_null() {
         let pin = number(object, "pin");
-        with.close("pin_centre_r", gear.pin_centre_radius(pin));
-        with.close("over_pins", gear.over_pins(pin));
+        with.close("pin_centre_r", gear.pin_centre_radius(pin, 0.0));
+        with.close("over_pins", gear.over_pins(pin, 0.0));
     }
     (gear, with.compared)
 }
@@ -134,7 +134,7 @@ fn all_pairs_agree_with_the_closed_forms() {
     for row in ring["thickness_at_r"].as_array().expect("rows") {
         with.equal("thickness", &row[1], gear.thickness_at(row[0].as_f64().expect("a radius")));
     }
-    with.close("between_pins", gear.between_pins(number(ring, "pin")));
+    with.close("between_pins", gear.between_pins(number(ring, "pin"), 0.0));
     let mesh = MeshGeometry::internal(&pinion, &gear, number(&pair["mesh"], "C")).expect("a mesh");
     // Two teeth of half the pitch each at the standard distance: no backlash.
     assert!(mesh.backlash.abs() < 1e-12, "{}", mesh.backlash);
