@@ -2,6 +2,7 @@
 //! once, and what takes long in one file goes beside what does in another.
 
 mod artifact;
+mod check_and_run;
 mod cli;
 mod determinism;
 mod editors;
@@ -15,6 +16,7 @@ mod library;
 mod lsp;
 mod overriding;
 mod planetary;
+mod remedies;
 mod results;
 mod runner;
 mod signals;

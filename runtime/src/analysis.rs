@@ -3,10 +3,8 @@
 //! [`Steps`] is the analysis as an iterator; [`quasi_static`] runs it to its end and tells an observer.
 
 use crate::contact::problem::Certificate;
-use crate::dynamics::check_modes;
 use crate::error::{EngineError, Subject};
 use crate::estimate::{self, Estimates, Judged, quasi_static_siblings};
-use crate::holding;
 use crate::observe::{Equilibrium, Fields, MeshedBodies, ModesTable, check_vibrations};
 use crate::plan::Plan;
 use crate::resources::Resources;
@@ -15,6 +13,7 @@ use crate::scene::{Fidelity, GearMesh, Scene, StructureOptions};
 use crate::step::StepResult;
 use crate::summary::summarize;
 use crate::system::System;
+use crate::validate::{Method, Request};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
@@ -136,12 +135,9 @@ impl<'s> Planned<'s> {
         let mut timing = Timing::default();
         check_solved(&options.solved, positions, outputs)?;
         let highest_frequency = options.highest_frequency;
-        check_modes(options.fidelity, highest_frequency)?;
-        let plan = timing.stage("plan", || Plan::new(scene, options.fidelity, options.structure))?;
-        let plan = plan.yielding(scene, outputs)?.vibrating(scene, highest_frequency);
         // Structures take long, and this is known without them.
-        let first = positions.first().map_or(0.0, |position| position.time);
-        holding::check(scene, &plan, first, &options.resources.interrupt)?;
+        let request = Request::new(scene, outputs, Method::QuasiStatic(positions), options);
+        let plan = timing.stage("plan", || request.plan(&options.resources.interrupt))?;
         Ok(Planned {
             scene,
             positions,

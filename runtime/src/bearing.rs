@@ -203,7 +203,7 @@ impl Bearing {
     }
 
     /// Whether it bears nothing where nothing has moved.
-    pub(crate) fn is_unloaded_at_rest(&self) -> bool {
+    pub fn is_unloaded_at_rest(&self) -> bool {
         let still = self.unloaded.iter().chain(&self.load).all(|&entry| entry == 0.0);
         still && !self.stops.iter().any(Stop::presses_at_rest)
     }

@@ -35,7 +35,7 @@ use crate::inertia::Inertia;
 use crate::interrupt::Interrupt;
 use crate::material::{Material, Plane};
 use crate::profile::{Profile, ProfilePoint};
-use crate::scene::{BodyModel, Prototype, StructureOptions};
+use crate::scene::{BodyModel, Prototype, StructureOptions, no_model_in_space};
 use crate::structure::{
     BodyModes, ElasticStructure, Hold, RigidStructure, SplitOptions, Structure, SurfaceSource,
 };
@@ -174,6 +174,14 @@ impl Disc {
 }
 
 impl Prototype for Disc {
+    fn check(&self, options: &StructureOptions, in_space: bool) -> Result<(), EngineError> {
+        match options.model {
+            _ if in_space => Err(no_model_in_space()),
+            BodyModel::Analytic => Err(no_closed_form()),
+            BodyModel::Rigid | BodyModel::Elements => Ok(()),
+        }
+    }
+
     fn build(
         &self,
         options: &StructureOptions,
@@ -181,13 +189,7 @@ impl Prototype for Disc {
     ) -> Result<Arc<dyn Structure>, EngineError> {
         match options.model {
             BodyModel::Rigid => return Ok(Arc::new(RigidStructure::new(self.quarters().to_vec(), 1))),
-            BodyModel::Analytic => {
-                return Err(EngineError::new(
-                    "E0783",
-                    "a disc has no closed form among those of the fidelity \"analytic\"",
-                    "choose the fidelity \"plane\", or \"rigid\"",
-                ));
-            }
+            BodyModel::Analytic => return Err(no_closed_form()),
             BodyModel::Elements => {}
         }
         let (model, surfaces, split) = self.model(options)?;
@@ -236,6 +238,10 @@ impl Prototype for Disc {
     }
 }
 
+fn no_closed_form() -> EngineError {
+    EngineError::new("E0783", "a disc has no closed form among those of the fidelity \"analytic\"", "")
+}
+
 fn unmeshed(what: &str) -> EngineError {
     EngineError::new("E0676", format!("the body cannot be meshed: {what}"), "give positive sizes")
 }
@@ -251,6 +257,10 @@ impl Platen {
 }
 
 impl Prototype for Platen {
+    fn check(&self, _: &StructureOptions, in_space: bool) -> Result<(), EngineError> {
+        if in_space { Err(no_model_in_space()) } else { Ok(()) }
+    }
+
     fn build(&self, _: &StructureOptions, _: &Interrupt) -> Result<Arc<dyn Structure>, EngineError> {
         let up = match self.facing {
             Facing::Up => 1.0,

@@ -23,6 +23,8 @@ pub struct EngineError {
 pub enum Subject {
     /// A body of the scene.
     Body(usize),
+    /// What a body of the scene is made of: its gear.
+    Prototype(usize),
     /// A bearing of the scene.
     Bearing(usize),
     /// An output that was asked for.

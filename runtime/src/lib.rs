@@ -66,6 +66,7 @@
 //! | [`bearing`] | what connects bodies to each other and to ground besides contact |
 //! | [`disc`] | cylinders and platens; gears are in the crate `calyx-gears` |
 //! | [`plan`] | what of the scene is modelled, what is left out, and why |
+//! | [`validate`] | whether a requested analysis is possible: the rules that a check and a run share |
 //! | [`holding`] | whether contacts can hold what is free, known before anything is solved |
 //! | [`system`], [`step`], [`observe`] | the planned scene, built; a position in equilibrium; values read off it, one [`observe::Observable`] each |
 //! | [`signal`] | outputs in the frequency domain: spectra, orders, transfer functions |
@@ -130,3 +131,4 @@ pub mod summary;
 pub mod surface;
 pub mod system;
 pub mod tolerance;
+pub mod validate;

@@ -184,7 +184,7 @@ fn out_of_plane() -> EngineError {
     EngineError::new(
         "E0610",
         "a plane model needs every body to turn about an axis parallel to e3",
-        "choose a fidelity in space, such as \"medium\", for misaligned axes; else let the frame use rotations about e3 (an axis of unit length) and translations in the plane only",
+        "let the frame use rotations about e3 (an axis of unit length) and translations in the plane only",
     )
     .blame("frame")
 }

@@ -3,8 +3,9 @@
 use crate::bearing::Bearing;
 use crate::cache::Key;
 use crate::error::{EngineError, Subject};
-use crate::motion::check_in_plane;
-use crate::observe::{Needs, Observable};
+use crate::load::Wrench;
+use crate::motion::{check_in_plane, pose_in_space};
+use crate::observe::{GaugeReading, Needs, Observable};
 use crate::results::{Observed, OutputRequest};
 use crate::scene::{
     Body, BodyId, BodyModel, FREEDOMS, Fidelity, Ignored, Prototype, Scene, StructureOptions,
@@ -77,14 +78,9 @@ impl Refused {
                 self.needs.name(),
                 fidelity.name()
             ),
-            format!("choose the fidelity \"{}\", or leave the output out", self.least().name()),
+            "leave the output out",
         )
         .about(Subject::Output(self.output))
-    }
-
-    /// The cheapest fidelity that has what it needs.
-    fn least(&self) -> Fidelity {
-        Fidelity::ALL.into_iter().find(|fidelity| fidelity.gives() >= self.needs).unwrap_or(Fidelity::Plane)
     }
 
     /// Of these outputs those that need more than a fidelity gives.
@@ -165,9 +161,14 @@ impl Plan {
                 refuse_lugs(&body.name, fidelity, in_space, body.free)
                     .map_err(|error| error.about(Subject::Body(index)))?;
             }
+            let options = StructureOptions { stresses, sharp_edges, model, template, ..options };
+            if !untouched && !left_out {
+                let checked = body.prototype.check(&options, in_space);
+                checked.map_err(|error| error.about(Subject::Prototype(index)))?;
+            }
             bodies.push(BodyPlan {
                 name: body.name.clone(),
-                options: StructureOptions { stresses, sharp_edges, model, template, ..options },
+                options,
                 reason: match (left_out, stresses) {
                     (true, _) if untouched => "left out: it touches nothing",
                     (true, _) => "left out: no load goes through it to anything that an output looks at",
@@ -186,6 +187,7 @@ impl Plan {
         }
         if !in_space {
             ignored.extend(unequal_widths(scene, &bodies));
+            ignored.extend(out_of_plane(scene, &bodies));
         }
         let bearings: Vec<BearingPlan> =
             scene.bearings.iter().map(|bearing| plan_bearing(scene, &bodies, bearing)).collect();
@@ -427,7 +429,7 @@ fn refuse_motion_out_of_plane(body: &str, free: [bool; 6]) -> Result<(), EngineE
                 "body \"{body}\" is free in {}, and in a plane model nothing can hold it there",
                 FREEDOMS[freedom]
             ),
-            "remove it from `free`; the plane model has \"u_x\", \"u_y\" and \"theta_z\"",
+            "take it out of `free`: a plane model has \"u_x\", \"u_y\" and \"theta_z\"",
         )
         .blame("free")),
         None => Ok(()),
@@ -442,14 +444,14 @@ fn refuse_lugs(body: &str, fidelity: Fidelity, in_space: bool, free: [bool; 6]) 
             format!(
                 "body \"{body}\" is carried by lugs with clearance, and how it gives between those that bear has no closed form"
             ),
-            "choose the fidelity \"plane\", or \"rigid\"; or leave `clearance` out: closed forms hold a ring all around",
+            "leave `clearance` out: closed forms hold a ring all around",
         ));
     }
     if in_space {
         return Err(EngineError::new(
             "E0756",
             format!("the lugs of body \"{body}\" have clearance, and in space they cannot"),
-            "choose the fidelity \"plane\", or leave `clearance` out: then lugs bear both ways, without play",
+            "leave `clearance` out: then lugs bear both ways, without play",
         ));
     }
     if !free[5] {
@@ -494,11 +496,70 @@ fn unequal_widths(scene: &Scene, bodies: &[BodyPlan]) -> Vec<Ignored> {
     });
     let told = wider.map(|(_, width)| Ignored {
         input: "face_width".into(),
-        // To the digits that a conversion of units leaves right.
         reason: format!(
             "bodies that load each other have one width in a plane model, and are taken as wide as the narrowest, {} mm",
-            (width * 1e9).round() / 1e6
+            rounded_mm(width)
         ),
     });
     told.collect()
+}
+
+/// What of loads, frames and gauges stands out of the plane of a plane model.
+fn out_of_plane(scene: &Scene, bodies: &[BodyPlan]) -> Vec<Ignored> {
+    let ignored = |input: &str, reason: String| Ignored { input: input.into(), reason };
+    let mut found = Vec::new();
+    let modelled = scene.bodies.iter().zip(bodies).filter(|(_, plan)| !plan.left_out);
+    for (body, _) in modelled {
+        let Wrench { force, moment } = body.load.at(0.0);
+        let about = "a plane model has no direction along e3, so the support of body";
+        if force[2] != 0.0 {
+            found.push(ignored("force", format!("{about} \"{}\" takes its force along e3", body.name)));
+        }
+        if moment[0] != 0.0 || moment[1] != 0.0 {
+            found.push(ignored(
+                "moment",
+                format!("{about} \"{}\" takes its moment about e1 and e2", body.name),
+            ));
+        }
+    }
+    for pair in scene.pairs.iter().filter(|pair| pair.front.is_none()) {
+        let members = pair.bodies.map(|body| (&scene.bodies[body.0], &bodies[body.0]));
+        if members.iter().any(|(_, plan)| plan.left_out) {
+            continue;
+        }
+        let [first, second] = members.map(|(body, _)| {
+            let middle = pose_in_space(body.motion.as_ref(), 0.0).map_or(0.0, |pose| pose.origin[2]);
+            let half = 0.5 * body.prototype.face_width();
+            [middle - half, middle + half]
+        });
+        let common = first[1].min(second[1]) - first[0].max(second[0]);
+        let narrowest = (first[1] - first[0]).min(second[1] - second[0]);
+        if common < narrowest * (1.0 - 1e-9) {
+            let [one, other] = members.map(|(body, _)| &body.name);
+            found.push(ignored(
+                "frame",
+                format!(
+                    "a plane model has no direction along e3: the faces of \"{one}\" and \"{other}\" overlap by {} mm, and are taken to be in contact over {} mm",
+                    rounded_mm(common),
+                    rounded_mm(narrowest)
+                ),
+            ));
+        }
+    }
+    let beside_middle = |observable: &Arc<dyn Observable>| {
+        let reading: Option<&GaugeReading> = observable.as_ref().as_any().downcast_ref();
+        reading.is_some_and(|reading| reading.0.place[1] != 0.0)
+    };
+    if scene.observables.iter().any(beside_middle) {
+        found.push(ignored(
+            "axial",
+            "a plane model is the same all along the face, so gauges read the same".into(),
+        ));
+    }
+    found
+}
+
+/// A length in mm, to the digits that a conversion of units leaves right.
+fn rounded_mm(length: f64) -> f64 {
+    (length * 1e9).round() / 1e6
 }

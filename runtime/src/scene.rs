@@ -6,6 +6,7 @@ mod prototype;
 
 pub use fidelity::{BodyModel, Fidelity, StructureOptions, Template};
 pub use pairs::{CharacteristicPoint, GearMesh, GridOptions, SurfacePair};
+pub(crate) use prototype::no_model_in_space;
 pub use prototype::{Ignored, Prototype};
 
 use crate::bearing::Bearing;

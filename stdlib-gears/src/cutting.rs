@@ -1,13 +1,14 @@
 //! Tools, rims and gears as programs make them: the Rust side of `rack`, `shaper`, `external` and `internal` of `gears.cx`.
 
-use crate::blank::{GearBlank, RadialFit, Rim, Spline, Thickness};
+use crate::blank::{GearBlank, RadialFit, Rim, Spline};
 use crate::disc_web::{DiscWeb, Hub};
-use crate::error::Refusal;
+use crate::error::{Refusal, Severity};
 use crate::externs::{engine, entry, host, refusal};
 use crate::helix::{Hand, Helix};
 use crate::host::{ModelHost, keep};
 use crate::internal_blank::InternalBlank;
 use crate::modification::Modification;
+use crate::plausible::{of_gear, thickness};
 use crate::prototype::GearPrototype;
 use crate::rack::{Plane, Rack};
 use crate::shaper::Shaper;
@@ -143,21 +144,25 @@ calyx_abi::externs! {
     ) -> Handle {
         let teeth = whole_teeth(teeth)?;
         let (place, host) = (context.place, host(context)?);
+        let rack = *entry(&host.racks, rack)?;
+        let of_shift = |shift: f64| rack.thickness_of_shift(shift);
+        let thickness = thickness(tooth_thickness, profile_shift, rack.module, of_shift)
+            .map_err(|error| host.told(&error, place))?;
         let blank = GearBlank {
             teeth,
-            rack: *entry(&host.racks, rack)?,
+            rack,
             outer_diameter,
             root_diameter,
             face_width,
             helix: helix(host, helix_angle, &hand, place)?,
             material: *entry(&host.materials, material)?,
             rim: *entry(&host.rims, rim)?,
-            thickness: thickness(tooth_thickness, profile_shift),
-            tip_edge_radius: (tip_edge_radius > 0.0).then_some(tip_edge_radius),
+            thickness,
+            tip_edge_radius: (tip_edge_radius != 0.0).then_some(tip_edge_radius),
             modifications: modifications_of(host, modifications)?,
             pitch_errors,
         };
-        keep_gear(host, blank.cut(), place)
+        keep_gear(host, blank.cut(), rack.module, place)
     }
 
     Pure fn calyx_gears_internal(
@@ -167,21 +172,25 @@ calyx_abi::externs! {
     ) -> Handle {
         let teeth = whole_teeth(teeth)?;
         let (place, host) = (context.place, host(context)?);
+        let shaper = *entry(&host.shapers, shaper)?;
+        let of_shift = |shift: f64| shaper.thickness_of_shift(shift);
+        let thickness = thickness(tooth_thickness, profile_shift, shaper.module, of_shift)
+            .map_err(|error| host.told(&error, place))?;
         let blank = InternalBlank {
             teeth,
-            shaper: *entry(&host.shapers, shaper)?,
+            shaper,
             minor_diameter,
             root_diameter,
             face_width,
             helix: helix(host, helix_angle, &hand, place)?,
             material: *entry(&host.materials, material)?,
             rim: *entry(&host.rims, rim)?,
-            thickness: thickness(tooth_thickness, profile_shift),
-            tip_edge_radius: (tip_edge_radius > 0.0).then_some(tip_edge_radius),
+            thickness,
+            tip_edge_radius: (tip_edge_radius != 0.0).then_some(tip_edge_radius),
             modifications: modifications_of(host, modifications)?,
             pitch_errors,
         };
-        keep_gear(host, blank.cut(), place)
+        keep_gear(host, blank.cut(), shaper.module, place)
     }
 }
 
@@ -260,14 +269,6 @@ fn helix(host: &mut ModelHost, angle: f64, hand: &str, place: Place) -> Result<H
     Helix::new(angle, hand).map_err(|error| host.told(&error, place))
 }
 
-fn thickness(tooth_thickness: f64, profile_shift: f64) -> Thickness {
-    if tooth_thickness > 0.0 {
-        Thickness::Circular(tooth_thickness)
-    } else {
-        Thickness::ProfileShift(profile_shift)
-    }
-}
-
 fn modifications_of(host: &ModelHost, handles: Vec<Handle>) -> Result<Vec<Modification>, RuntimeError> {
     handles.into_iter().map(|handle| entry(&host.modifications, handle).cloned()).collect()
 }
@@ -275,10 +276,17 @@ fn modifications_of(host: &ModelHost, handles: Vec<Handle>) -> Result<Vec<Modifi
 fn keep_gear(
     host: &mut ModelHost,
     cut: Result<Arc<GearPrototype>, Refusal>,
+    module: f64,
     place: Place,
 ) -> Result<Handle, RuntimeError> {
     let gear = cut.map_err(|refusal| host.refused(refusal, place))?;
     host.note(gear.gear.warnings(), place);
+    let (wrong, unusual): (Vec<_>, Vec<_>) =
+        of_gear(&gear, module).into_iter().partition(|found| found.severity == Severity::Error);
+    host.note(&unusual, place);
+    if !wrong.is_empty() {
+        return Err(host.refused(wrong.into(), place));
+    }
     host.gear_places.push(place);
     Ok(keep(&mut host.gears, gear))
 }

@@ -4,7 +4,6 @@ use crate::externs::{body, entry, host, refusal};
 use crate::host::{ModelHost, keep};
 use calyx_abi::RuntimeError;
 use calyx_abi::externs::Handle;
-use calyx_runtime::analysis::Position;
 use calyx_runtime::dynamics::{DynamicOptions, Scheme, Start, TimeRange, kept_positions};
 use calyx_runtime::error::EngineError;
 use calyx_runtime::inertia::Inertia;
@@ -66,12 +65,6 @@ calyx_abi::externs! {
         }
         Ok(())
     }
-}
-
-/// What an analysis does with inertia.
-pub(crate) enum How {
-    QuasiStatic(Vec<Position>),
-    Dynamic(DynamicOptions),
 }
 
 /// A dynamic analysis as `analyze` asks for it.

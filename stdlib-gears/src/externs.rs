@@ -2,34 +2,37 @@
 
 use crate::assembly::{MeshOptions, Misalignment, Pairing, add_body};
 use crate::bearings::GROUND;
-use crate::dynamics_externs::{How, lumped, motion_in_time};
+use crate::dynamics_externs::{lumped, motion_in_time};
 use crate::error::Severity;
-use crate::host::{Asked, Finding, Meeting, ModelHost, keep};
+use crate::host::{Asked, Finding, How, Meeting, ModelHost, keep};
+use crate::loading::check_loads;
+use crate::plausible::{of_material, pitch_line, uneven_planets};
 use calyx_abi::externs::{Handle, SymbolicNumber, SymbolicTransform};
 use calyx_abi::{Context, RuntimeError, SymbolicValue};
 use calyx_runtime::analysis::{AnalysisOptions, Observer, Position, mesh_cycle, quasi_static};
 use calyx_runtime::dynamics::dynamic;
-use calyx_runtime::dynamics::{check_modes, check_section};
 use calyx_runtime::error::{EngineError, Subject};
 use calyx_runtime::estimate::Estimates;
-use calyx_runtime::holding;
 use calyx_runtime::inertia::Inertia;
 use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::load::{Load, Wrench};
 use calyx_runtime::material::Material;
-use calyx_runtime::motion::Motion;
-use calyx_runtime::plan::{Plan, Refused};
+use calyx_runtime::motion::{Motion, turning_speed};
+use calyx_runtime::plan::Plan;
 use calyx_runtime::results::OutputRequest;
 use calyx_runtime::rigid::RigidBody;
 use calyx_runtime::scene::{Body, BodyId, FREEDOMS, Fidelity, PairId, Prototype, StructureOptions};
 use calyx_runtime::structure::BoreHold;
 use calyx_runtime::tolerance::{check_tolerance, quasi_static_within};
+use calyx_runtime::validate::Request;
 use std::sync::Arc;
 
 calyx_abi::externs! {
     Pure fn calyx_gears_material(context, youngs_modulus: f64, poissons_ratio: f64, density: f64) -> Handle {
         let material = Material::new(youngs_modulus, poissons_ratio, density).map_err(engine)?;
-        Ok(keep(&mut host(context)?.materials, material))
+        let (place, host) = (context.place, host(context)?);
+        host.findings.extend(of_material(&material, place));
+        Ok(keep(&mut host.materials, material))
     }
 
     Scene fn calyx_gears_body(
@@ -62,6 +65,10 @@ calyx_abi::externs! {
                     "it is half the number of cells of a grid; 24 across are usual in the plane, 10 across and 8 along in space"));
             }
         }
+        if !(grid_width >= 0.0 && grid_width.is_finite()) {
+            return Err(refusal("E0672", "grid_width", &format!("a contact grid cannot be {grid_width} m wide"),
+                "give a positive width, or 0 to take it from the Hertz half-width"));
+        }
         let ids = [body(context, "first", first)?, body(context, "second", second)?];
         let (place, host) = (context.place, host(context)?);
         host.gear_on("first", ids[0])?;
@@ -70,7 +77,7 @@ calyx_abi::externs! {
             tip_corner_contact,
             half_cells: (cells > 0.0).then_some(cells as usize),
             half_slices: cells_along as usize,
-            grid_width: (grid_width > 0.0).then_some(grid_width),
+            grid_width: (grid_width != 0.0).then_some(grid_width),
             friction,
             misalignment: Misalignment { in_action: misalignment, off_action: misalignment_off_action },
             back_side_contact,
@@ -82,6 +89,9 @@ calyx_abi::externs! {
         }
         let meshed = pairing.mesh(&mut host.scene, &options).map_err(|refusal| host.refused(refusal, place))?;
         host.note(&meshed.warnings, place);
+        let speed = turning_speed(host.scene.bodies[ids[0].0].motion.as_ref(), 0.0).unwrap_or(0.0);
+        let radius = host.gear_on("first", ids[0])?.form().pitch_radius;
+        host.note(&pitch_line(speed, radius).into_iter().collect::<Vec<_>>(), place);
         Ok(Handle(meshed.pair.0 as u64))
     }
 
@@ -93,6 +103,12 @@ calyx_abi::externs! {
             None => Err(refusal("E0654", "mesh", "contact of the back sides is not searched in this mesh",
                 "make it with `gears.mesh(..., back_side_contact = TRUE)`")),
         }
+    }
+
+    Scene fn calyx_gears_check_spacing(context, planets: f64, teeth: f64) -> () {
+        let (place, host) = (context.place, host(context)?);
+        host.note(&uneven_planets(planets, teeth).into_iter().collect::<Vec<_>>(), place);
+        Ok(())
     }
 
     Pure fn calyx_gears_mesh_cycle(context, mesh: Handle, steps: f64) -> Handle {
@@ -150,7 +166,7 @@ calyx_abi::externs! {
             refusal("E0790", "error_estimates", &format!("there are no error estimates called \"{error_estimates}\""),
                 &format!("choose one of {}", known.join(", ")))
         })?;
-        let host = host(context)?;
+        let (place, host) = (context.place, host(context)?);
         let overrides = host.overrides;
         let fidelity = overrides.fidelity.unwrap_or(own_fidelity);
         let error_estimates = overrides.error_estimates.unwrap_or(error_estimates);
@@ -166,19 +182,14 @@ calyx_abi::externs! {
         let options =
             AnalysisOptions { fidelity, structure, highest_frequency, error_estimates, ..host.analysis.clone() };
         let positions = overrides.sample(entry(&host.positions, over)?.clone());
-        check_modes(fidelity, highest_frequency).map_err(|error| engine(overrides.told_of(error)))?;
         let rayleigh = [rayleigh_mass, rayleigh_stiffness];
         let how = match method.as_str() {
             "quasi_static" => How::QuasiStatic(positions),
-            "dynamic" => {
-                check_section(fidelity).map_err(engine)?;
-                How::Dynamic(motion_in_time(host, over, &newmark, rayleigh, &start)?)
-            }
+            "dynamic" => How::Dynamic(motion_in_time(host, over, &newmark, rayleigh, &start)?),
             _ => return Err(refusal("E0679", "method", &format!("there is no analysis called \"{method}\""),
                 "choose \"quasi_static\" or \"dynamic\"")),
         };
         crate::signal_externs::check(host)?;
-        refuse_outputs(host, fidelity)?;
         let (in_time, problems) = match &how {
             How::QuasiStatic(positions) => (false, positions.len()),
             How::Dynamic(dynamic) => (true, dynamic.ranges.iter().map(|range| range.steps).sum()),
@@ -187,7 +198,7 @@ calyx_abi::externs! {
             return Err(RuntimeError::new("E0795", "of a motion in time no step can be left out",
                 "leave `every` to quasi-static analyses; the model's `keep_every` says which steps results have"));
         }
-        host.asked = Some(Asked { fidelity, structure, in_time, problems, highest_frequency });
+        host.asked = Some(Asked { fidelity, structure, in_time, problems, highest_frequency, place });
         if tolerance != 0.0 {
             check_tolerance(tolerance).map_err(engine)?;
             if in_time {
@@ -197,7 +208,11 @@ calyx_abi::externs! {
         }
         // Who turns knobs from outside wants that setting and no other.
         let tolerance = Some(tolerance).filter(|&tolerance| tolerance != 0.0 && overrides.keeps_setting());
-        if host.checking { Ok(()) } else { analyze(host, &how, tolerance, &options) }
+        if host.checking {
+            host.requested = Some(how);
+            return Ok(());
+        }
+        analyze(host, &how, tolerance, &options)
     }
 }
 
@@ -245,6 +260,9 @@ impl Placed {
             added: self.added,
         };
         let id = add_body(&mut host.scene, body).map_err(|refusal| host.refused(refusal, place))?;
+        if !self.host_load.is_empty() {
+            host.host_loaded.insert(id.0);
+        }
         host.body_gears.push(gear);
         host.body_places.push(place);
         Ok(Handle(id.0 as u64))
@@ -262,6 +280,9 @@ fn analyze(
     options: &AnalysisOptions,
 ) -> Result<(), RuntimeError> {
     check_unheld(host);
+    check_loads(host, how, options.fidelity)?;
+    let request = Request::new(&host.scene, &host.outputs, how.method(), options);
+    host.findings.extend(without_value(host, &request));
     let mut observer = host.observer.take();
     let mut unobserved = ();
     let watching =
@@ -281,22 +302,13 @@ fn analyze(
     Ok(())
 }
 
-/// Says of which outputs a fidelity has no value.
-///
-/// # Errors
-/// E0780: of none of them.
-fn refuse_outputs(host: &mut ModelHost, fidelity: Fidelity) -> Result<(), RuntimeError> {
-    let refused = Refused::of(&host.scene, &host.outputs, fidelity);
-    let errors = refused.iter().map(|refused| host.engine_error(refused.error(fidelity)));
-    let errors: Vec<RuntimeError> = errors.collect();
-    match errors.first().filter(|_| errors.len() == host.outputs.len()) {
-        Some(first) => Err(first.clone()),
-        None => {
-            let told = errors.into_iter().map(|error| Finding { severity: Severity::Warning, error });
-            host.findings.extend(told);
-            Ok(())
-        }
-    }
+/// Warnings about outputs that have no value at the fidelity, while others have one.
+fn without_value(host: &ModelHost, request: &Request<'_>) -> Vec<Finding> {
+    let warn = |error| {
+        let error = host.engine_error(host.overrides.told_of(error));
+        Finding { severity: Severity::Warning, error }
+    };
+    request.without_value().into_iter().map(warn).collect()
 }
 
 /// A whole number, or `None` for 0, which leaves it to the fidelity.
@@ -312,27 +324,35 @@ fn count_or_default(argument: &str, count: f64) -> Result<Option<usize>, Runtime
     Ok((count > 0.0).then_some(count as usize))
 }
 
-/// What `check` does in place of an analysis: everything short of solving.
+/// What `check` does in place of an analysis: everything short of building and solving, by the rules of a run.
 ///
 /// # Errors
-/// What the analysis would fail with before its first position is solved, or the interrupt's.
-pub fn check_plan(host: &ModelHost, interrupt: &Interrupt) -> Result<Plan, RuntimeError> {
-    let unasked = || {
-        let fidelity = host.overrides.fidelity.unwrap_or(Fidelity::Plane);
-        let structure = host.overrides.structure(host.analysis.structure);
-        Asked { fidelity, structure, in_time: false, problems: 0, highest_frequency: 0.0 }
+/// What the analysis would fail with before it builds a structure, or the interrupt's.
+pub fn check_plan(host: &mut ModelHost, interrupt: &Interrupt) -> Result<Plan, RuntimeError> {
+    // Of a model that asks for no analysis yet, a mesh cycle, which begins where its first pair of teeth enters.
+    let how = host.requested.take().unwrap_or_else(|| {
+        let starts = host.scene.pairs.iter().filter_map(|pair| Some(pair.mesh.as_ref()?.start));
+        let start = starts.fold(f64::INFINITY, f64::min);
+        How::QuasiStatic(vec![Position::at(if start.is_finite() { start } else { 0.0 })])
+    });
+    if let Some(asked) = host.asked {
+        check_loads(host, &how, asked.fidelity)?;
+    }
+    let unasked = host.overrides.fidelity.unwrap_or(Fidelity::Plane);
+    let request = Request {
+        scene: &host.scene,
+        outputs: &host.outputs,
+        method: how.method(),
+        fidelity: host.asked.map_or(unasked, |asked| asked.fidelity),
+        structure: host
+            .asked
+            .map_or_else(|| host.overrides.structure(host.analysis.structure), |asked| asked.structure),
+        highest_frequency: host.asked.map_or(0.0, |asked| asked.highest_frequency),
     };
-    let Asked { fidelity, structure, in_time, highest_frequency, .. } = host.asked.unwrap_or_else(unasked);
-    let planned = if in_time { Plan::in_time } else { Plan::new };
-    let plan = planned(&host.scene, fidelity, structure);
-    let plan = plan.and_then(|plan| plan.yielding(&host.scene, &host.outputs));
-    let plan = plan.map(|plan| plan.vibrating(&host.scene, highest_frequency));
-    // A mesh cycle begins where its first pair of teeth enters.
-    let starts = host.scene.pairs.iter().filter_map(|pair| Some(pair.mesh.as_ref()?.start));
-    let start = starts.fold(f64::INFINITY, f64::min);
-    let first = if start.is_finite() { start } else { 0.0 };
-    let checked = plan.and_then(|plan| holding::check(&host.scene, &plan, first, interrupt).map(|()| plan));
-    checked.map_err(|error| host.engine_error(host.overrides.told_of(error)))
+    let plan = request.plan(interrupt).map_err(|error| host.engine_error(host.overrides.told_of(error)))?;
+    let warnings = without_value(host, &request);
+    host.findings.extend(warnings);
+    Ok(plan)
 }
 
 /// Bodies that may move, and that neither mesh nor bearing holds: an analysis leaves them out.

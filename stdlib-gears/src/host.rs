@@ -13,7 +13,7 @@ use crate::tables::Table;
 use calyx_abi::RuntimeError;
 use calyx_abi::externs::Handle;
 use calyx_runtime::analysis::{AnalysisOptions, Observer, Position};
-use calyx_runtime::dynamics::TimeRange;
+use calyx_runtime::dynamics::{DynamicOptions, TimeRange};
 use calyx_runtime::error::{EngineError, Subject};
 use calyx_runtime::load::Load;
 use calyx_runtime::material::Material;
@@ -22,7 +22,8 @@ use calyx_runtime::overriding::Override;
 use calyx_runtime::results::{AnalysisResult, OutputRequest};
 use calyx_runtime::scene::{BodyId, Fidelity, Scene, StructureOptions};
 use calyx_runtime::signal::{Signal, SignalRequest};
-use std::collections::BTreeMap;
+use calyx_runtime::validate::Method;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 /// The unit in which messages to the model's author give lengths.
@@ -84,6 +85,8 @@ pub struct ModelHost {
     pub body_gears: Vec<Option<usize>>,
     /// Places of the calls that made each body.
     pub body_places: Vec<(u32, u32, u32)>,
+    /// Bodies whose load the program around the model provides, or may.
+    pub host_loaded: BTreeSet<usize>,
     /// Places of the calls that made each bearing.
     pub bearing_places: Vec<(u32, u32, u32)>,
     /// Places of the calls that made each output.
@@ -124,6 +127,8 @@ pub struct ModelHost {
     pub checking: bool,
     /// How the program wants the scene to be modelled, if it has asked for an analysis.
     pub asked: Option<Asked>,
+    /// Positions or ranges of time of that analysis, while the model is checked.
+    pub requested: Option<How>,
     /// What the last analysis yielded.
     pub result: Option<AnalysisResult>,
     /// Analyses that ended with an error, which the program may have caught.
@@ -157,13 +162,18 @@ impl ModelHost {
     pub fn engine_error(&self, error: EngineError) -> RuntimeError {
         let place = match error.subject {
             Some(Subject::Body(body)) => self.body_places.get(body),
+            Some(Subject::Prototype(body)) => match self.body_gears.get(body) {
+                Some(Some(gear)) => self.gear_places.get(*gear),
+                _ => self.body_places.get(body),
+            },
             Some(Subject::Bearing(bearing)) => self.bearing_places.get(bearing),
             Some(Subject::Output(output)) => self.output_places.get(output),
             None => None,
         };
+        let analysis = || self.asked.map(|asked| asked.place);
         RuntimeError {
             argument: error.argument.map(str::to_owned),
-            place: place.copied(),
+            place: place.copied().or_else(analysis),
             ..RuntimeError::new(error.code, error.message, error.help)
         }
     }
@@ -258,6 +268,27 @@ pub struct Asked {
     pub problems: usize,
     /// Natural frequency up to which bodies have modes, Hz.
     pub highest_frequency: f64,
+    /// Place of the call.
+    pub place: (u32, u32, u32),
+}
+
+/// What an analysis does with inertia, and when it looks at the scene.
+#[derive(Clone, Debug, PartialEq)]
+pub enum How {
+    /// Equilibrium at these positions.
+    QuasiStatic(Vec<Position>),
+    /// Motion in time.
+    Dynamic(DynamicOptions),
+}
+
+impl How {
+    /// The same as the engine takes it.
+    pub fn method(&self) -> Method<'_> {
+        match self {
+            How::QuasiStatic(positions) => Method::QuasiStatic(positions),
+            How::Dynamic(dynamics) => Method::Dynamic(dynamics),
+        }
+    }
 }
 
 /// Two bodies whose gears meet.

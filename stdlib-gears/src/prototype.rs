@@ -180,12 +180,13 @@ impl GearPrototype {
         Err(EngineError::new(
             "E0623",
             "a plane model cannot hold the teeth of a helical gear, which touch along lines that cross the face",
-            "choose a fidelity in three dimensions, or a helix angle of 0 deg",
+            "make both gears spur gears, with `helix_angle = 0 deg`",
         )
         .blame("helix_angle"))
     }
 
-    /// What [`Prototype::build`] condenses, and whose modes are found.
+    /// Whether the elements of its mesh recover the stress of its material.
+    ///
     /// # Errors
     /// E0661 where stress is to be recovered that these elements do not know.
     pub(crate) fn check_recovery(&self, options: &StructureOptions) -> Result<(), EngineError> {
@@ -338,6 +339,21 @@ pub(crate) fn unmeshable(error: impl std::error::Error) -> EngineError {
 }
 
 impl Prototype for GearPrototype {
+    fn check(&self, options: &StructureOptions, in_space: bool) -> Result<(), EngineError> {
+        options.check()?;
+        if !in_space {
+            self.refuse_helix()?;
+        }
+        let [tip, _] = self.roundings(options);
+        self.flanks_with(tip, &self.modifications)?;
+        if options.model != BodyModel::Elements {
+            return Ok(());
+        }
+        self.check_recovery(options)?;
+        // In three dimensions the section is swept along the face.
+        if in_space { self.check_section_mesh(options) } else { self.plane_mesh(options).map(|_| ()) }
+    }
+
     fn build(
         &self,
         options: &StructureOptions,

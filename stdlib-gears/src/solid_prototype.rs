@@ -12,8 +12,8 @@ use crate::template::{along_face, section};
 use calyx_abi::math;
 use calyx_runtime::cache::Key;
 use calyx_runtime::error::EngineError;
-use calyx_runtime::fe::Place;
 use calyx_runtime::fe::solid::{SolidMesh, SolidModel};
+use calyx_runtime::fe::{Place, PlaneMesh};
 use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::scene::StructureOptions;
 use calyx_runtime::structure::solid::{
@@ -125,12 +125,8 @@ impl GearPrototype {
         [options.face_elements.unwrap_or(refined), options.axial_order.unwrap_or(order)]
     }
 
-    /// The mesh of tooth 0 with its sector of the rim, mid-face at z = 0. Named sets of faces are the chains of
-    /// [`webbed_sector_mesh`].
-    ///
-    /// # Errors
-    /// E0675, E0676, E0691: the options or the gear allow none.
-    pub fn solid_mesh(&self, options: &StructureOptions) -> Result<SolidMesh, EngineError> {
+    /// The section that the mesh in three dimensions is swept from.
+    fn section_mesh(&self, options: &StructureOptions) -> Result<PlaneMesh, EngineError> {
         options.check()?;
         let refinement = refined(section(options.template), options.refinement, options.order);
         let [tip, _] = self.roundings(options);
@@ -138,8 +134,26 @@ impl GearPrototype {
         // A web with a mesh of its own is no part of the teeth's.
         let own = self.rim.ring_hold().is_some();
         let inside = if own { self.rim.held_radius } else { self.rim.ring_radius() };
-        let radii = [self.rim.ring_radius(), inside];
-        let plane = webbed_sector_mesh(&self.gear, plain, radii, &refinement).map_err(unmeshable)?;
+        webbed_sector_mesh(&self.gear, plain, [self.rim.ring_radius(), inside], &refinement)
+            .map_err(unmeshable)
+    }
+
+    /// Whether there is such a section.
+    ///
+    /// # Errors
+    /// E0675, E0676, E0691: the options or the gear allow none.
+    pub(crate) fn check_section_mesh(&self, options: &StructureOptions) -> Result<(), EngineError> {
+        self.section_mesh(options).map(|_| ())
+    }
+
+    /// The mesh of tooth 0 with its sector of the rim, mid-face at z = 0. Named sets of faces are the chains of
+    /// [`webbed_sector_mesh`].
+    ///
+    /// # Errors
+    /// E0675, E0676, E0691: the options or the gear allow none.
+    pub fn solid_mesh(&self, options: &StructureOptions) -> Result<SolidMesh, EngineError> {
+        let plane = self.section_mesh(options)?;
+        let own = self.rim.ring_hold().is_some();
         let [elements, axial_order] = Self::along_face(options);
         let stations = self.stations(elements);
         let twist = self.twist_per_length();

@@ -17,6 +17,7 @@ use calyx_lang::ir::{Program, SiteId};
 use calyx_lang::span::Span;
 use calyx_lower::interpret::CallSites;
 use calyx_lower::kernels::lower_site;
+use calyx_rt::results::no_analysis;
 use calyx_rt::{Error, Given, Program as _, Refused, Seen, apply};
 use calyx_runtime::error::EngineError;
 use calyx_runtime::interrupt::Interrupt;
@@ -163,7 +164,7 @@ fn elaborate_with(
         // Of a scene that is not complete nobody can say what it would do.
         if ran.is_ok() && survived.is_empty() {
             check_unheld(host);
-            if !host.scene.pairs.is_empty() {
+            if !host.scene.pairs.is_empty() || host.asked.is_some() {
                 match check_plan(host, &interrupt(cancel)) {
                     Ok(plan) => planned = Some(Planned::of(host, &plan, interpreted.description())),
                     Err(error) => found.push(at_place(&error)),
@@ -172,6 +173,10 @@ fn elaborate_with(
             // An analysis says it itself; there may be none yet.
             if host.asked.is_none() {
                 found.extend(check_signals(host).err().iter().map(at_place));
+                let description = interpreted.description();
+                if !description.outputs.is_empty() {
+                    found.push(at_place(&no_analysis(description, false)));
+                }
             }
         }
         let tables = host.tables.iter();

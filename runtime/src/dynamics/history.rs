@@ -3,8 +3,8 @@
 mod evidence;
 
 use super::effective::Effective;
-use super::matrices::{Forces, Matrices, check_in_section, check_inertia, check_section};
-use super::modal::{Elastic, Modes, check_modes};
+use super::matrices::{Forces, Matrices};
+use super::modal::{Elastic, Modes};
 use super::newmark::{Scheme, State};
 use super::ranges::{Step, TimeRange, check_resolved, kept_positions, steps};
 use crate::analysis::{
@@ -24,6 +24,7 @@ use crate::scene::Scene;
 use crate::step::StepResult;
 use crate::summary::summarize;
 use crate::system::System;
+use crate::validate::{Method, Request};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
@@ -103,31 +104,21 @@ impl<'s> History<'s> {
         if analysis.error_estimates == Estimates::Full {
             analysis.resources.cache.get_or_insert_with(|| Arc::new(OperatorCache::new(KEPT)));
         }
-        check_section(options.fidelity)?;
-        dynamics.ranges.iter().try_for_each(TimeRange::check)?;
-        check_numbers(dynamics)?;
         let highest = options.highest_frequency;
-        check_modes(options.fidelity, highest)?;
+        let request = Request::new(scene, outputs, Method::Dynamic(dynamics), options);
+        let plan = timing.stage("plan", || request.plan(&options.resources.interrupt))?;
         let positions = kept_positions(dynamics.from, &dynamics.ranges);
         check_solved(&options.solved, &positions, outputs)?;
-        let plan = timing.stage("plan", || Plan::in_time(scene, options.fidelity, options.structure))?;
-        let plan = plan.yielding(scene, outputs)?.vibrating(scene, highest);
-        check_in_section(&plan)?;
         observer.observe(Event::Planned(&plan))?;
-        if dynamics.start == Start::Equilibrium {
-            crate::holding::check(scene, &plan, dynamics.from, &options.resources.interrupt)?;
-        }
         observer.observe(Event::Stage("structures"))?;
         let mut system = timing.stage("structures", || System::with(scene, &plan, &analysis.resources))?;
         timing.structures = system.structure_counts();
         let inertias = system.inertias().to_vec();
-        check_inertia(&system, &inertias)?;
         system.modes = timing.stage("modes", || Modes::find(scene, &plan, &options.resources, highest))?;
         check_vibrations(&system)?;
         let count = system.freedoms.len() + system.modes.count();
         let sizing = system.load_at(dynamics.from)?;
         let all: Vec<Step> = steps(dynamics.from, &dynamics.ranges).collect();
-        check_resolved(dynamics.from, &all)?;
         let mut history = History {
             outputs,
             options: dynamics.clone(),
@@ -497,26 +488,33 @@ pub fn dynamic(
     history.finish()
 }
 
-fn check_numbers(dynamics: &DynamicOptions) -> Result<(), EngineError> {
-    let refuse = |argument: &'static str, message: String, help: &str| {
-        Err(EngineError::new("E0764", message, help).blame(argument))
-    };
-    if dynamics.ranges.is_empty() {
-        return refuse(
-            "over",
-            "a dynamic analysis needs a range of time".into(),
-            "give one: `gears.time_ranges([gears.time_range(...)])`",
-        );
+impl DynamicOptions {
+    /// That its numbers make sense together.
+    ///
+    /// # Errors
+    /// E0763: a range of time cannot be integrated, or its steps are lost in the digits of their times. E0764: there is no range, or
+    /// damping is negative.
+    pub fn check(&self) -> Result<(), EngineError> {
+        let refuse = |argument: &'static str, message: &str, help: &str| {
+            Err(EngineError::new("E0764", message, help).blame(argument))
+        };
+        if self.ranges.is_empty() {
+            return refuse(
+                "over",
+                "a dynamic analysis needs a range of time",
+                "give one: `gears.time_ranges([gears.time_range(...)])`",
+            );
+        }
+        self.ranges.iter().try_for_each(TimeRange::check)?;
+        let positive = |number: f64| number.is_finite() && number >= 0.0;
+        for (argument, part) in ["rayleigh_mass", "rayleigh_stiffness"].into_iter().zip(self.rayleigh) {
+            if !positive(part) {
+                let message = format!("damping cannot be negative, and `{argument}` is {part}");
+                return refuse(argument, &message, "give a positive number, or 0 for none");
+            }
+        }
+        check_resolved(self.from, &self.ranges)
     }
-    let positive = |number: f64| number.is_finite() && number >= 0.0;
-    if !dynamics.rayleigh.iter().copied().all(positive) {
-        return refuse(
-            "rayleigh_mass",
-            "damping cannot be negative".into(),
-            "give positive numbers, or 0 for none",
-        );
-    }
-    Ok(())
 }
 
 #[cfg(test)]

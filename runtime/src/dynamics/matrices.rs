@@ -29,7 +29,7 @@ use crate::error::{EngineError, Subject};
 use crate::inertia::Inertia;
 use crate::motion::{angular_acceleration, angular_velocity, point_acceleration};
 use crate::plan::Plan;
-use crate::scene::Fidelity;
+use crate::scene::{Fidelity, Scene};
 use crate::system::{Freedom, System, pose};
 
 /// At a time, per width of the model: freedoms first, then modal coordinates.
@@ -334,7 +334,7 @@ pub fn check_section(fidelity: Fidelity) -> Result<(), EngineError> {
         Fidelity::Rigid => Err(EngineError::new(
             "E0781",
             "bodies of the fidelity \"rigid\" bear no load, and so do not vibrate on their teeth",
-            "choose the fidelity \"analytic\" or \"plane\", or the method \"quasi_static\"",
+            "",
         )
         .blame("fidelity")),
         Fidelity::Solid(_) => Err(in_space()),
@@ -345,26 +345,25 @@ pub fn check_section(fidelity: Fidelity) -> Result<(), EngineError> {
 ///
 /// # Errors
 /// E0761: it is.
-pub(super) fn check_in_section(plan: &Plan) -> Result<(), EngineError> {
+pub(crate) fn check_in_section(plan: &Plan) -> Result<(), EngineError> {
     if plan.in_space { Err(in_space()) } else { Ok(()) }
 }
 
 fn in_space() -> EngineError {
-    EngineError::new(
-        "E0761",
-        "dynamic analyses are of plane models",
-        "choose the fidelity \"plane\", or the method \"quasi_static\"",
-    )
-    .blame("fidelity")
+    EngineError::new("E0761", "dynamic analyses are of plane models", "").blame("fidelity")
 }
 
 /// That free bodies have mass.
 ///
 /// # Errors
 /// E0762: a free freedom has no inertia.
-pub(crate) fn check_inertia(system: &System<'_>, inertias: &[Inertia]) -> Result<(), EngineError> {
-    for freedom in &system.freedoms {
-        let body = &system.scene.bodies[freedom.body];
+pub(crate) fn check_inertia(
+    scene: &Scene,
+    freedoms: &[Freedom],
+    inertias: &[Inertia],
+) -> Result<(), EngineError> {
+    for freedom in freedoms {
+        let body = &scene.bodies[freedom.body];
         let inertia = inertias.get(freedom.body).copied().unwrap_or_default();
         let (resists, what) = match freedom.component {
             0..3 => (inertia.mass, "mass"),

@@ -22,9 +22,7 @@ mod newmark;
 mod ranges;
 
 pub use history::{DynamicOptions, History, Start, dynamic};
-pub use matrices::check_section;
-pub(crate) use matrices::{check_inertia, coupling};
-pub use modal::check_modes;
-pub(crate) use modal::{Elastic, Modes};
+pub(crate) use matrices::{check_in_section, check_inertia, check_section, coupling};
+pub(crate) use modal::{Elastic, Modes, check_modes};
 pub use newmark::{Scheme, State};
 pub use ranges::{TimeRange, kept_positions};

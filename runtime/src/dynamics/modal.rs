@@ -101,12 +101,12 @@ pub fn check_modes(fidelity: Fidelity, highest: f64) -> Result<(), EngineError> 
                 "the modes of bodies are those of their meshes, and the fidelity \"{}\" has none",
                 fidelity.name()
             ),
-            "choose the fidelity \"plane\", or leave `highest_frequency` at 0: bodies then vibrate as rigid ones",
+            "leave `highest_frequency` at 0: bodies then vibrate as rigid ones",
         ),
         Fidelity::Solid(_) if highest > 0.0 => (
             "E0771",
             "the modes of bodies are those of a section, and this model is in space".into(),
-            "choose the fidelity \"plane\", or leave `highest_frequency` at 0: bodies then vibrate as rigid ones",
+            "leave `highest_frequency` at 0: bodies then vibrate as rigid ones",
         ),
         _ => return Ok(()),
     };

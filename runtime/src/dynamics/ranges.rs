@@ -93,22 +93,26 @@ pub(super) fn in_pairs(all: &[Step], ranges: &[TimeRange]) -> Vec<Step> {
 /// A step is at least so many times as long as times are apart that numbers can tell.
 const RESOLVED: f64 = 1e3;
 
-/// That the prescribed motions at the ends of all steps are told apart.
+/// That the times of steps differ by enough of their digits. The steps of a range are equally long, so the last one, or the one farthest from
+/// zero, decides.
 ///
 /// # Errors
 /// E0763: a step is lost in the digits of its time.
-pub(super) fn check_resolved(from: f64, steps: &[Step]) -> Result<(), EngineError> {
-    let apart = |time: f64| RESOLVED * f64::EPSILON * time.abs();
-    let lost = steps.iter().find(|step| step.length < apart(step.time.abs().max(from.abs())));
-    match lost {
-        None => Ok(()),
-        Some(step) => Err(EngineError::new(
-            "E0763",
-            format!("a step of {:e} s is lost in the digits of its time, {} s", step.length, step.time),
-            "begin nearer to 0 s, or take longer steps",
-        )
-        .blame("over")),
+pub(super) fn check_resolved(from: f64, ranges: &[TimeRange]) -> Result<(), EngineError> {
+    let mut end = from;
+    for range in ranges {
+        end += range.duration;
+        let (length, farthest) = (range.duration / range.steps as f64, end.abs().max(from.abs()));
+        if length < RESOLVED * f64::EPSILON * farthest {
+            return Err(EngineError::new(
+                "E0763",
+                format!("a step of {length:e} s is lost in the digits of its time, {end} s"),
+                "begin nearer to 0 s, or take longer steps",
+            )
+            .blame("over"));
+        }
     }
+    Ok(())
 }
 
 /// Times of which rows are kept: the start, in equilibrium, and the ends of kept steps.

@@ -37,8 +37,8 @@ pub use places::{Coordinate, Maximum, PlaceOf};
 pub use pressure::{MaxContactPressure, MaxEdgePressure};
 pub use sliding::{Efficiency, FrictionLoss, MaxSlidingVelocity, SlidingVelocity};
 pub use stress::{FilletSide, MaxRootCompression, MaxRootStress};
-pub(crate) use vibration::check_vibrations;
 pub use vibration::{ModeShare, NaturalFrequency, Vibrations};
+pub(crate) use vibration::{check_mode_count, check_vibrations};
 
 use crate::plan::looks_at;
 use crate::results::Observed;

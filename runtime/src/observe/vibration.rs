@@ -16,6 +16,7 @@ use crate::error::EngineError;
 use crate::inertia::Inertia;
 use crate::results::Observed;
 use crate::scene::BodyId;
+use crate::scene::Scene;
 use crate::step::{PatchGrid, StepResult};
 use crate::structure::Chart;
 use crate::system::System;
@@ -219,9 +220,16 @@ pub(crate) fn check_vibrations(system: &System<'_>) -> Result<(), EngineError> {
     if highest.is_none() && scene.modes_table.is_none() {
         return Ok(());
     }
-    check_inertia(system, system.inertias())?;
-    let count = system.freedoms.len() + system.modes.count();
-    match highest {
+    check_inertia(scene, &system.freedoms, system.inertias())?;
+    check_mode_count(scene, system.freedoms.len() + system.modes.count())
+}
+
+/// That a scene with so many modes has all that are asked for.
+///
+/// # Errors
+/// E0770: there are fewer.
+pub(crate) fn check_mode_count(scene: &Scene, count: usize) -> Result<(), EngineError> {
+    match scene.observables.iter().filter_map(|observable| observable.mode()).max() {
         Some(mode) if mode >= count => Err(EngineError::new(
             "E0770",
             format!("there is no mode {}: the scene has {count}", mode + 1),

@@ -15,6 +15,15 @@ use std::sync::Arc;
 ///
 /// A type, not a view: whoever knows what a body is made of finds it again by [`std::any::Any`].
 pub trait Prototype: Any + Send + Sync {
+    /// Whether the body can be modelled so, in the plane or in three dimensions: what [`Prototype::build`] or [`Prototype::build_solid`]
+    /// would reject after a look at the data. The plan asks this before anything is built, whatever a cache holds.
+    ///
+    /// # Errors
+    /// What building would fail with.
+    fn check(&self, _options: &StructureOptions, _in_space: bool) -> Result<(), EngineError> {
+        Ok(())
+    }
+
     /// Builds the elastic structure (the costly part). Equal prototypes with equal options give equal structures.
     ///
     /// # Errors
@@ -106,11 +115,7 @@ pub trait Prototype: Any + Send + Sync {
         _options: &StructureOptions,
         _interrupt: &Interrupt,
     ) -> Result<Arc<dyn SolidStructure>, EngineError> {
-        Err(EngineError::new(
-            "E0690",
-            "a body of this kind has no model in space",
-            "choose the fidelity \"plane\", which has one of every body",
-        ))
+        Err(no_model_in_space())
     }
 
     /// As [`Prototype::key`], of the structure in space. A kind of structure is the plane's or one in space, so the keys of both never
@@ -203,6 +208,11 @@ pub trait Prototype: Any + Send + Sync {
     fn ignored(&self, _fidelity: Fidelity) -> Vec<Ignored> {
         Vec::new()
     }
+}
+
+/// The refusal of bodies that have only a plane model.
+pub(crate) fn no_model_in_space() -> EngineError {
+    EngineError::new("E0690", "a body of this kind has no model in three dimensions", "")
 }
 
 /// An input that the chosen fidelity cannot see.

@@ -78,7 +78,7 @@ impl<'p> Machine<'_, 'p> {
 
 /// Findings about gears and scenes; anything else is an error of the program.
 fn is_finding(error: &RuntimeError) -> bool {
-    error.code.starts_with("E06")
+    ["E06", "E080"].iter().any(|block| error.code.starts_with(block))
 }
 
 /// A number that was computed from nothing is NaN, whatever else may be.
