@@ -187,7 +187,7 @@ impl Session {
             Some((value, unit)) => format!("({value}) == ({unit});\nprint(({value}) / ({unit}));"),
         };
         let (_, mut answer) = self.tried(&entered, false);
-        // What a model may do after a warning is no conversion.
+        // A model may mix cycles and angles after a warning; a conversion may not.
         for diagnostic in answer.diagnostics.iter_mut().filter(|d| d.code == "W0518") {
             diagnostic.severity = Severity::Error;
             diagnostic.code = "E0519".into();

@@ -136,8 +136,9 @@ const BASES: usize = Base::ALL.len() + OWN_BASES;
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Dimension {
     exponents: [Rational; BASES],
-    /// The power of cycles: 1 in Hz, -1 in a period. Softer than angle: it is neither shown nor compared, and is kept only
-    /// in powers of time. It serves to find where cycles meet angles without the factor 2 pi ([`Dimension::lacks_turn`]).
+    /// The power of cycles: 1 in Hz, -1 in a period. It is softer than angle: neither shown nor
+    /// compared, and kept only in powers of time. The lints use it to find where cycles meet angles
+    /// without the factor 2 pi ([`Dimension::lacks_turn`]).
     cycles: Rational,
 }
 
@@ -235,7 +236,7 @@ impl Dimension {
         Some(Dimension { exponents: result, cycles: power(self.cycles)? })
     }
 
-    /// Of quantities that count cycles, such as those in Hz.
+    /// The same dimension of quantities that count cycles, such as those in Hz.
     pub fn of_cycles(self) -> Dimension {
         Dimension { cycles: Rational::ONE, ..self }
     }
@@ -251,8 +252,8 @@ impl Dimension {
         if time_alone { self } else { self.without_cycles() }
     }
 
-    /// Whether values of the two dimensions differ by a factor of 2 pi where they meet: one counts cycles, the other
-    /// angles, as 50 Hz and 3000 rpm do.
+    /// Reports whether values of the two dimensions lack a factor of 2 pi where they meet: one counts
+    /// cycles, the other angles, as 50 Hz and 3000 rpm do.
     pub fn lacks_turn(self, other: Dimension) -> bool {
         let difference = self.combine(other, -1);
         let (angle, cycles) = (difference.exponent(Base::Angle), difference.cycles);
@@ -260,7 +261,7 @@ impl Dimension {
             && angle.numerator.signum() * cycles.numerator.signum() < 0
     }
 
-    /// Whether it counts cycles or angles by time, or as a pure number.
+    /// Reports whether quantities count cycles or angles, by time or as a pure number.
     pub fn is_turning(self) -> bool {
         let counts = !self.cycles.is_zero() || !self.exponent(Base::Angle).is_zero();
         counts && self.of_cycles().counting_in_time() == self.of_cycles()
@@ -452,7 +453,8 @@ mod tests {
         assert!(hertz.times(named("Time")).lacks_turn(named("Angle")));
         // A radius times a frequency is a velocity, and so is a radius times an angular velocity.
         assert!(!hertz.times(named("Length")).lacks_turn(speed.times(named("Length"))));
-        // The root of stiffness by mass says nothing of cycles; a revolution in each cycle is an angular velocity.
+        // The root of stiffness by mass counts no cycles; a revolution in each cycle is an angular
+        // velocity.
         assert!(!named("Frequency").lacks_turn(speed) && !hertz.lacks_turn(named("Frequency")));
         assert!(!hertz.times(named("Angle")).lacks_turn(speed));
         assert_eq!((hertz.to_string(), hertz.is_none()), ("Frequency".to_string(), false));

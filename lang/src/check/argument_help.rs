@@ -1,4 +1,5 @@
-//! Arguments of another dimension: what the parameter takes, and which parameter takes what is given.
+//! Dimension errors of arguments: the quantity that the parameter takes, and the parameter that
+//! takes the quantity given.
 
 use super::infer::Checker;
 use super::symbols::with_article;
@@ -31,7 +32,8 @@ impl Checker<'_> {
         typed.collect()
     }
 
-    /// Adds to the dimension error of an argument, which is the last of the diagnostics from `reported` on.
+    /// Completes the dimension error of an argument, which is among the diagnostics from
+    /// `reported` on.
     pub(super) fn explain_argument(
         &mut self,
         reported: usize,

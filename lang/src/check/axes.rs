@@ -1,7 +1,9 @@
-//! Axes of rotations: a rotation is about a unit vector, because another one would stretch the frame.
+//! Axes of rotations. A rotation is about a unit vector, because another one would stretch the
+//! frame.
 //!
-//! What is constant as written is checked here. A value is checked when the rotation, or the `:=` that captures it, is
-//! executed. An axis in symbols has no value then: where it is no unit vector, the frame is NaN, which the engine reports.
+//! The compiler checks an axis that is constant as written. A computed axis is checked when the
+//! rotation, or the `:=` that captures the axis, is executed. An axis with symbols has no value
+//! then: if it is no unit vector, the frame is NaN, which the engine reports.
 
 use super::constant;
 use super::infer::Checker;
@@ -43,7 +45,7 @@ impl Checker<'_> {
     }
 }
 
-/// Whether an expression has symbols, so that it has no value when it is bound.
+/// Reports whether an expression has symbols, so that it has no value when it is bound.
 pub(super) fn has_symbols(e: &Expr) -> bool {
     let itself = matches!(
         e.kind,

@@ -1,4 +1,4 @@
-//! What is said of a derivative, or of a value at another param, that would miss a dependence.
+//! Diagnostics of derivatives and of values at another param that would miss a dependence.
 
 use super::dependence::{Blind, Question};
 use super::infer::Checker;

@@ -1,9 +1,10 @@
-//! Which values depend on which params: a derivative by a param, or a value at another one, must not overlook a value
-//! that was computed from the param beforehand.
+//! Dependence of values on params. A derivative by a param, or a value at another one, must not
+//! overlook a value that was computed from the param beforehand.
 //!
-//! A value depends on what it is computed from, and on the conditions that decide whether it is assigned: those of the
-//! statements around the assignment, of jumps past it, of calls of the function it stands in, and of errors before it.
-//! Flow-insensitive, so it may refuse a derivative that would have been right, and never lets a wrong one pass.
+//! A value depends on its operands, and on the conditions that decide whether it is assigned:
+//! the conditions of the statements around the assignment, of jumps past it, of calls of its
+//! function, and of errors before it. The analysis is flow-insensitive: it may refuse a
+//! derivative that would have been right, and it accepts no wrong one.
 
 use super::graphs::Graphs;
 use super::tree::{Call, Def, DefId, Expr, FuncId, Function, Kind, Place, Sym, VarId};
@@ -16,27 +17,27 @@ use std::collections::{BTreeSet, HashMap, HashSet};
 enum Node {
     Variable(VarId),
     Param(u32),
-    /// What a function returns or hands back.
+    /// The result and the out parameters of a function.
     Function(FuncId),
     Definition(DefId),
-    /// What errors carry from where they are thrown to where they are caught.
+    /// The values that errors carry from `throw` to `catch`.
     Error,
-    /// The conditions of a statement that decide what runs inside it.
+    /// The conditions that decide which statements of a region run.
     Control(u32),
-    /// Which expression a `:=` name has.
+    /// The choice of the expression that a `:=` name has.
     Choice(VarId),
-    /// Whether a function is called.
+    /// The conditions of calls of a function.
     Called(FuncId),
-    /// Jumps inside a function by `goto`.
+    /// The conditions of `goto` in a function.
     Jumps(FuncId),
-    /// Whether a function ends before its last statement.
+    /// The conditions of `return` and `throw` in a function.
     Leaves(FuncId),
-    /// Whether a function ends with an error.
+    /// The causes of errors that end a function.
     Fails(FuncId),
 }
 
 impl Node {
-    /// Decides what runs, and is no value.
+    /// Reports whether the node decides which statements run, and is no value.
     fn is_control(self) -> bool {
         !matches!(
             self,
@@ -45,7 +46,7 @@ impl Node {
     }
 }
 
-/// A statement whose conditions decide what runs inside it.
+/// A statement with conditions that decide which statements inside it run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Region {
     Choice,
@@ -55,7 +56,7 @@ pub enum Region {
     Try,
 }
 
-/// What is asked of an expression that captured values cannot follow.
+/// An operation that varies a param, which captured values do not follow.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Question {
     Derivative,
@@ -63,7 +64,7 @@ pub enum Question {
     Value,
 }
 
-/// Why an answer would be wrong.
+/// The reason why the operation would give a wrong value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Blind {
     /// The captured variable was computed from the param.
@@ -84,7 +85,7 @@ struct Asked {
     span: Span,
 }
 
-/// What an expression names besides `Time`.
+/// The variables, params and functions that an expression names.
 #[derive(Clone, Debug, Default)]
 struct Named {
     captured: BTreeSet<VarId>,
@@ -106,14 +107,15 @@ pub struct Dependence {
     asked: Vec<Asked>,
     around: Around,
     controls: u32,
-    /// How many regions were around the declaration of a variable: their conditions also decide whether it is there.
+    /// Number of regions around the declaration of a variable. Outside of them the variable
+    /// does not exist, so their conditions do not count.
     declared: HashMap<VarId, usize>,
 }
 
 impl Dependence {
-    // Where the check is.
+    // The place that is being checked.
 
-    /// The body of a function follows; gives what was around.
+    /// Enters the body of a function, and returns the place to come back to.
     pub fn enter(&mut self, function: FuncId) -> Around {
         std::mem::replace(&mut self.around, Around { function, regions: Vec::new() })
     }
@@ -131,7 +133,7 @@ impl Dependence {
         self.around.regions.pop();
     }
 
-    /// From what a `try` guards to what handles its errors.
+    /// Goes from the guarded statement of a `try` to its handler.
     pub fn handle(&mut self) {
         let guarded = self.around.regions.pop();
         self.open(Region::Choice);
@@ -140,7 +142,7 @@ impl Dependence {
         }
     }
 
-    /// The value decides what runs in the innermost region.
+    /// Notes that the value decides which statements of the innermost region run.
     pub fn decides(&mut self, value: &Expr) {
         if let Some((_, control)) = self.around.regions.last() {
             self.add(Node::Control(*control), value);
@@ -159,7 +161,7 @@ impl Dependence {
         self.jump_to(|region| region == Region::Loop);
     }
 
-    /// What runs in the regions left depends on the conditions of the jump.
+    /// Makes the regions that a jump leaves depend on the conditions of the jump.
     fn jump_to(&mut self, end: impl Fn(Region) -> bool) {
         let here = self.conditions();
         let regions: Vec<_> = self.around.regions.iter().rev().copied().collect();
@@ -181,14 +183,14 @@ impl Dependence {
         self.link(Node::Leaves(self.around.function), here);
     }
 
-    /// Decides whether the statement being checked runs, once its function is called.
+    /// The conditions of the statement that is being checked, once its function is called.
     fn conditions(&self) -> BTreeSet<Node> {
         let function = self.around.function;
         let regions = self.around.regions.iter().map(|(_, control)| Node::Control(*control));
         regions.chain([Node::Jumps(function), Node::Leaves(function)]).collect()
     }
 
-    /// Decides whether a variable is assigned here.
+    /// The conditions of an assignment at this place to a variable of the function `owner`.
     fn conditions_of(&self, id: VarId, owner: FuncId) -> BTreeSet<Node> {
         let function = self.around.function;
         if owner != function {
@@ -201,14 +203,15 @@ impl Dependence {
         inside.chain([Node::Jumps(function)]).collect()
     }
 
-    // What is computed from what.
+    // Operands of values.
 
-    /// A variable that no statement assigns is given a value: a parameter, or a value that a `:=` captures.
+    /// Notes the value of a variable that no statement assigns: a parameter, or a variable that
+    /// a `:=` captures.
     pub fn variable(&mut self, id: VarId, value: &Expr) {
         self.add(Node::Variable(id), value);
     }
 
-    /// A statement assigns a variable of the function `owner`, or a part of it.
+    /// Notes the assignment of a variable of the function `owner`, or of a part of it.
     pub fn assigned(&mut self, place: &Place, owner: FuncId, value: &Expr) {
         let node = Node::Variable(place.variable);
         self.add(node, value);
@@ -219,13 +222,13 @@ impl Dependence {
         self.link(node, self.conditions_of(place.variable, owner));
     }
 
-    /// A name that holds an expression is bound to one.
+    /// Notes that a `:=` name is bound to a definition.
     pub fn bound(&mut self, id: VarId, owner: FuncId, def: DefId) {
         self.link(Node::Variable(id), [Node::Definition(def), Node::Choice(id)]);
         self.link(Node::Choice(id), self.conditions_of(id, owner));
     }
 
-    /// A function hands back the present value of a parameter.
+    /// Notes that a function hands back the value of a parameter.
     pub fn function_on_variable(&mut self, function: FuncId, id: VarId) {
         self.link(
             Node::Function(function),
@@ -248,7 +251,7 @@ impl Dependence {
         self.link(Node::Error, [Node::Variable(id)]);
     }
 
-    /// The innermost region handles the errors of a `try`; they are caught in the variable.
+    /// Notes the variable of the handler that is the innermost region.
     pub fn caught(&mut self, id: VarId) {
         let handler = self.around.regions.last().map(|(_, control)| Node::Control(*control));
         self.link(Node::Variable(id), handler.into_iter().chain([Node::Error]));
@@ -262,7 +265,8 @@ impl Dependence {
         self.add(Node::Param(id), default);
     }
 
-    /// A statement evaluates an expression: the functions it calls run under the conditions here, and it may fail.
+    /// Notes that a statement evaluates an expression. The functions it calls run under the
+    /// conditions of this place, and it may fail.
     pub fn evaluated(&mut self, e: &Expr, owner: &dyn Fn(VarId) -> FuncId) {
         if can_fail(e) {
             self.may_fail(Some(e));
@@ -270,7 +274,7 @@ impl Dependence {
         self.calls(e, &BTreeSet::new(), owner);
     }
 
-    /// An error may arise here, in what is evaluated if anything is.
+    /// Notes that an error may arise here, in the evaluated expression if there is one.
     pub fn may_fail(&mut self, evaluated: Option<&Expr>) {
         let function = self.around.function;
         let guards = self.around.regions.iter().filter(|(region, _)| *region == Region::Try);
@@ -334,7 +338,8 @@ impl Dependence {
         e.children().into_iter().for_each(|child| self.calls(child, guards, owner));
     }
 
-    /// An expression is differentiated by a symbol, or evaluated at another value of it.
+    /// Notes that an expression is differentiated by a symbol, or evaluated at another value of
+    /// it.
     pub fn asked(&mut self, question: Question, by: Sym, expr: &Expr, defs: &[Def], span: Span) {
         let Sym::Param(param) = by else { return };
         let named = Named::of(expr, defs);
@@ -350,7 +355,7 @@ impl Dependence {
         self.edges.entry(node).or_default().extend(to);
     }
 
-    /// Whether a node depends on a param; `by_value` leaves conditions aside.
+    /// Reports whether a node depends on a param; `by_value` leaves conditions aside.
     fn depends(&self, from: Node, param: u32, by_value: bool) -> bool {
         let (mut seen, mut stack) = (HashSet::new(), vec![from]);
         while let Some(node) = stack.pop() {
@@ -365,7 +370,8 @@ impl Dependence {
         false
     }
 
-    /// Derivatives and values that would miss something: the question, the param, what hides it, the place.
+    /// The derivatives and values that would miss a dependence: operation, param, reason and
+    /// place.
     pub fn blind(
         &self,
         defs: &[Def],
@@ -400,10 +406,11 @@ impl Dependence {
     }
 }
 
-/// Definitions met already, and the params that had values of their own there.
+/// Definitions visited, each with the params that an `at` replaces in it.
 type Seen = HashSet<(DefId, Vec<u32>)>;
 
-/// Of more `at` inside one another the params count as if they had no value of their own, which is safe.
+/// Number of nested `at` whose params are left out. The params of deeper ones count, which only
+/// refuses more.
 const MOST_REPLACED: usize = 2;
 
 impl Named {
@@ -413,7 +420,7 @@ impl Named {
         named
     }
 
-    /// `replaced` are the params that an `at` around the expression puts a value in for.
+    /// Collects from an expression; `replaced` are the params that an `at` around it replaces.
     fn collect(&mut self, e: &Expr, defs: &[Def], replaced: &[u32], seen: &mut Seen) {
         match &e.kind {
             Kind::Var(id) => {
@@ -441,8 +448,8 @@ impl Named {
         e.children().into_iter().for_each(|child| self.collect(child, defs, replaced, seen));
     }
 
-    /// Params that the functions in the expression name count as well. Functions that this check does not see in full
-    /// see no params.
+    /// Adds the params that the named functions use. A function of which only the header is in
+    /// the excerpt uses no params.
     fn with_functions(&self, functions: &HashMap<FuncId, Function>, defs: &[Def]) -> Named {
         let mut all = self.clone();
         let mut seen = HashSet::new();
@@ -466,7 +473,8 @@ impl Named {
     }
 }
 
-/// Values captured by an expression, those of the expressions it captured included, and the names of these.
+/// The values captured by an expression and by the expressions that it captured, and the names
+/// of the latter.
 fn through_graphs(
     captured: &BTreeSet<VarId>,
     defs: &[Def],
@@ -509,7 +517,7 @@ fn sources(e: &Expr, found: &mut BTreeSet<Node>) {
     e.children().into_iter().for_each(|child| sources(child, found));
 }
 
-/// Whether the evaluation of an expression may end with an error.
+/// Reports whether the evaluation of an expression may end with an error.
 fn can_fail(e: &Expr) -> bool {
     let itself = matches!(
         e.kind,
@@ -518,7 +526,7 @@ fn can_fail(e: &Expr) -> bool {
     itself || e.children().into_iter().any(can_fail)
 }
 
-/// What decides on the evaluation of something that a condition guards too.
+/// The guards of an operand that is evaluated only under a further condition.
 fn guarded(guards: &BTreeSet<Node>, condition: &Expr) -> BTreeSet<Node> {
     let mut all = guards.clone();
     sources(condition, &mut all);

@@ -88,7 +88,7 @@ pub struct Checker<'a> {
     pub(super) named_fields: Vec<(ast::Ident, Type)>,
     /// A literal in a declaration has a dimension that uses decide.
     pub(super) unsettled: bool,
-    /// Where cycles and angles may meet.
+    /// Notes for the lints of cycles and angles.
     pub(super) turns: super::turns::Turns,
     groups: HashMap<FuncId, Vec<FuncId>>,
     pub(super) variable_types: HashMap<VarId, Type>,

@@ -437,7 +437,8 @@ impl<'a> Checker<'a> {
     }
 }
 
-/// Whether a statement has others inside it; what it evaluates itself is noted where these are checked.
+/// Reports whether a statement has others inside it. Its own expressions are noted where these are
+/// checked.
 fn has_parts(kind: &StmtKind) -> bool {
     use StmtKind::*;
     matches!(

@@ -1,8 +1,9 @@
-//! Cycles and angles. A radian is 1, and a cycle is 1 too, but a cycle has 2 pi radians: where quantities that count
-//! cycles (in Hz) meet quantities that count angles (in rad, deg, rev, rpm), a factor of 2 pi is missing.
+//! Cycles and angles. A radian is 1, and a cycle is 1 too, but a cycle has 2 pi radians. Where
+//! quantities that count cycles (in Hz) meet quantities that count angles (in rad, deg, rev,
+//! rpm), a factor of 2 pi is missing.
 //!
-//! What says nothing of either fits both: the root of stiffness by mass, a velocity by a radius, and everything
-//! multiplied or divided by pi.
+//! Quantities that count neither fit both: the root of stiffness by mass, a velocity by a
+//! radius, and products and quotients with pi.
 
 use super::infer::Checker;
 use super::tree::{DefId, Expr, Kind, VarId};
@@ -14,7 +15,7 @@ use crate::span::Span;
 use std::collections::HashSet;
 use std::f64::consts::PI;
 
-/// What is noted while expressions are checked, for lints at the end.
+/// Notes of expressions for lints that need all types.
 #[derive(Debug, Default)]
 pub struct Turns {
     /// Variables, definitions and params computed with pi.
@@ -23,7 +24,7 @@ pub struct Turns {
     circular_params: HashSet<u32>,
     /// Quotients with literal dividends: place, dividend as written, divisor and its type.
     reciprocals: Vec<(Span, Span, Span, Type)>,
-    /// Numbers without units that are no angle within one revolution, and the types that they are put in.
+    /// Numbers without units above 2 pi, and the types of the places that take them.
     literals: Vec<(f64, Span, Type)>,
 }
 
@@ -55,7 +56,8 @@ impl Checker<'_> {
         });
     }
 
-    /// The result of a product or quotient: with pi in it, it may count cycles as well as angles.
+    /// The result of a product or quotient: with pi in it, it may count cycles as well as
+    /// angles.
     pub(super) fn turned(&mut self, result: Type, a: &Expr, b: &Expr) -> Type {
         match self.store.resolve(&result) {
             Type::Number(dim) => match dim.as_known() {
@@ -187,7 +189,7 @@ impl Checker<'_> {
     }
 }
 
-/// What a dimension counts.
+/// The name of the thing that a dimension counts.
 fn counted(dimension: Dimension) -> &'static str {
     match dimension.exponent(Base::Angle).is_zero() {
         true => "cycles",
@@ -212,7 +214,7 @@ fn is_bare(e: &Expr) -> bool {
     }
 }
 
-/// A value that counts cycles, shown in a unit of angles or the other way round.
+/// The error of a value in cycles that is shown in a unit of angles, or the other way round.
 pub(super) fn turn_in_format(span: Span) -> Diagnostic {
     Diagnostic::error(
         "E0519",

@@ -198,7 +198,7 @@ impl<'a> Checker<'a> {
     pub(super) fn unit_named(&mut self, name: &ast::Ident) -> Option<DisplayUnit> {
         match self.names.uses.get(&name.span).copied() {
             Some(Res::OwnUnit(id)) => self.own_unit(id),
-            // What has a unit's name but is a variable is none.
+            // A variable may have the name of a unit.
             Some(Res::Var(_) | Res::Param(_) | Res::Const(_) | Res::Output(_) | Res::Unknown) => None,
             _ => Unit::find(&name.name).map(|unit| DisplayUnit {
                 name: name.name.clone(),

@@ -12,7 +12,8 @@
 //! Truth values are 1.0 and 0.0; whatever is not equal to zero, NaN included, counts as true.
 //! No operation traps.
 
-/// How far the length of a unit vector may be from one: what rounding its components to six digits does.
+/// The largest deviation of the length of a unit vector from one. Rounding its components to six
+/// digits makes less.
 pub const UNIT_TOLERANCE: f64 = 1e-6;
 
 /// Whether a vector of this length counts as a unit vector.

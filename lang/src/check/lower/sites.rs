@@ -341,7 +341,8 @@ fn symbolic_binary(op: BinaryOp, a: SymExpr, b: SymExpr, span: Span) -> SymExpr 
     }
 }
 
-/// An axis that is a unit vector, else NaN: as long as symbols decide on its length, no message can be given.
+/// The axis if it is a unit vector, else NaN. Its length depends on symbols, so nothing can be
+/// reported when it is bound.
 fn unit_axis_or_nan(axis: SymExpr, captures: &mut Captures) -> SymExpr {
     let span = axis.span;
     let make = |kind, repr| SymExpr { kind, repr, span };

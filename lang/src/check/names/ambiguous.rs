@@ -1,5 +1,5 @@
-//! Names that are both a unit and a variable, in a product or quotient that follows a number with a unit: in `3 N/m` after
-//! `var m` nothing says which of the two is meant.
+//! Names that are both a unit and a variable, in a product or quotient after a number with a
+//! unit. In `3 N/m` after `var m` nothing says which of the two is meant.
 
 use super::*;
 
@@ -31,7 +31,7 @@ impl<'a> Resolver<'a> {
         }
     }
 
-    /// Whether all that an expression names is units: `m`, `m^2`, `(mm*K)`.
+    /// Reports whether an expression names units alone: `m`, `m^2`, `(mm*K)`.
     fn is_unit_factor(&self, e: &Expr) -> bool {
         match &e.kind {
             ExprKind::Name(name) => Unit::find(&name.name).is_some() || self.own_unit(&name.name).is_some(),
@@ -44,7 +44,8 @@ impl<'a> Resolver<'a> {
         }
     }
 
-    /// Names in a factor that is a unit by its names. `quantity` is the number with the units before the factor.
+    /// Resolves a factor that names units alone. `quantity` is the number with the units before
+    /// it.
     fn unit_factor(&mut self, e: &'a Expr, quantity: Span) {
         match &e.kind {
             ExprKind::Name(name) => {
@@ -102,7 +103,8 @@ impl<'a> Resolver<'a> {
         );
     }
 
-    /// How a unit is written where its usual name is taken: another name of it that is free, or after the number 1.
+    /// The spelling of a unit whose name is taken: another name of it that is free, or `(1
+    /// name)`.
     fn other_spelling(&self, name: &str) -> String {
         let taken = |name: &str| self.scopes.iter().any(|scope| scope.names.contains_key(name));
         let spellings = Unit::find(name).into_iter().flat_map(|unit| unit.aliases.iter().chain([&unit.name]));
