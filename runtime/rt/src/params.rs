@@ -235,6 +235,11 @@ fn read_number(
     let refused =
         |why: &str| Refused::new(format!("`{}` cannot be `{value}`: {why}", param.name), takes(param));
     let units = &description.known_units;
+    let written = match value {
+        GivenValue::Text(text) | GivenValue::String(text) => text.as_str(),
+        GivenValue::Quantity(_, unit) => unit.as_str(),
+        _ => "",
+    };
     let quantity = match value {
         GivenValue::Text(text) | GivenValue::String(text) => quantity::parse(text, units),
         GivenValue::Quantity(number, unit) => quantity::with_unit(*number, unit, units),
@@ -248,11 +253,6 @@ fn read_number(
     if quantity.unit && !quantity::fits(quantity.dimension, param.unit.dimension) {
         return Err(refused(&other_kind(param, quantity.dimension, &description.known_dimensions)));
     }
-    let written = match value {
-        GivenValue::Text(text) | GivenValue::String(text) => text,
-        GivenValue::Quantity(_, unit) => unit,
-        _ => "",
-    };
     if quantity.unit && lacks_turn((written, quantity.dimension), (&param.unit.name, param.unit.dimension)) {
         return Err(refused("one cycle is 2 pi radians, and the default counts the other of the two"));
     }
