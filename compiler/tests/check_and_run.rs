@@ -1,5 +1,6 @@
-//! A check applies the rules of a run: over combinations of gears, fidelities and methods both accept the same models with the same
-//! codes, and what a message advises is accepted, or at least not refused with advice to go back.
+//! A check applies the rules of a run: over combinations of gears, fidelities and methods both
+//! accept the same models with the same codes, and what a message advises is accepted, or at least
+//! not refused with advice to go back.
 
 use calyx::{Interpreted, Override, check_run, check_text};
 use calyx_abi::{Context, Purity};
@@ -109,7 +110,8 @@ var mesh = gears.mesh(pinion, gear);
         text
     }
 
-    /// The same after advice that names a fidelity, a method or modes; `None` if it names none of them.
+    /// The same after advice that names a fidelity, a method or modes; `None` if it names none of
+    /// them.
     fn advised(&self, help: &str) -> Option<Case> {
         // What comes behind is another way.
         let first = help.split(", or ").next()?;

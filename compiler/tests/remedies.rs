@@ -1,4 +1,5 @@
-//! Numbers that messages advise cure what they are about: each row is a model with a mistake, and what its help says to set or to add.
+//! Numbers that messages advise cure what they are about: each row is a model with a mistake, and
+//! what its help says to set or to add.
 
 use calyx::check_text;
 use std::fmt::Write;
@@ -62,7 +63,8 @@ var gear = gears.body(\"gear\", ring, frame := Rotate(18 rpm * Time, e3) * Trans
 var mesh = gears.mesh(pinion, gear);
 ";
 
-/// A gear of a rack with so many teeth, by the plane of the rack and a helix angle in degrees, and what differs.
+/// A gear of a rack with so many teeth, by the plane of the rack and a helix angle in degrees, and
+/// what differs.
 fn gear(
     code: &'static str,
     (plane, helix, teeth): (&'static str, f64, f64),

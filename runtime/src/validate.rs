@@ -1,8 +1,9 @@
 //! Validation of a requested analysis: everything that can be decided before a structure is built.
 //!
-//! [`Request::plan`] decides whether a scene can be analysed as requested. A run calls it before it builds anything; a check calls it
-//! and stops there. So both accept the same requests, with the same messages. Where a message suggests another fidelity or method,
-//! this function has accepted the scene with it, so that no advice leads to a refusal that advises back.
+//! [`Request::plan`] decides whether a scene can be analysed as requested. A run calls it before it
+//! builds anything; a check calls it and stops there. So both accept the same requests, with the
+//! same messages. Where a message suggests another fidelity or method, this function has accepted
+//! the scene with it, so that no advice leads to a refusal that advises back.
 
 use crate::analysis::{AnalysisOptions, Position};
 use crate::dynamics::{DynamicOptions, Start, check_in_section, check_inertia, check_modes, check_section};
@@ -17,7 +18,7 @@ use crate::results::OutputRequest;
 use crate::scene::{Fidelity, Scene, StructureOptions};
 use crate::system::number_freedoms;
 
-/// What an analysis does with inertia.
+/// Method of an analysis.
 #[derive(Clone, Copy, Debug)]
 pub enum Method<'a> {
     /// Equilibrium at every position; inertia is left out.
@@ -29,9 +30,9 @@ pub enum Method<'a> {
 /// An analysis as requested, before anything is known about whether it is possible.
 #[derive(Clone, Copy)]
 pub struct Request<'a> {
-    /// What is analysed.
+    /// Scene to analyse.
     pub scene: &'a Scene,
-    /// What is to be recorded.
+    /// Outputs to record.
     pub outputs: &'a [OutputRequest],
     /// Quasi-static or dynamic.
     pub method: Method<'a>,
@@ -64,7 +65,7 @@ impl<'a> Request<'a> {
     /// The plan of the analysis, if it is possible.
     ///
     /// # Errors
-    /// What the analysis would fail with before a structure is built: E0610, E0611, E0623, E0661, E0676, E0677, E0690, E0714, E0715,
+    /// The errors that end a run before it builds a structure: E0610, E0611, E0623, E0661, E0676, E0677, E0690, E0714, E0715,
     /// E0723, E0755, E0756, E0761 to E0764, E0770, E0771, E0780 to E0783. Also the interrupt's.
     pub fn plan(&self, interrupt: &Interrupt) -> Result<Plan, EngineError> {
         let plan = self.decide().map_err(|error| self.advise(error))?;
@@ -79,7 +80,8 @@ impl<'a> Request<'a> {
         Ok(plan)
     }
 
-    /// Outputs that have no value at the requested fidelity while others have one, each as the error to report.
+    /// Outputs that have no value at the requested fidelity while others have one, each as the
+    /// error to report.
     pub fn without_value(&self) -> Vec<EngineError> {
         let refused = Refused::of(self.scene, self.outputs, self.fidelity);
         if refused.len() == self.outputs.len() {
@@ -93,7 +95,7 @@ impl<'a> Request<'a> {
         refused.iter().map(report).collect()
     }
 
-    /// Everything but whether contact holds what is free, which no fidelity and no method changes.
+    /// Applies all rules but the restraint check, which depends on neither fidelity nor method.
     fn decide(&self) -> Result<Plan, EngineError> {
         let Request { scene, fidelity, structure, highest_frequency, .. } = *self;
         structure.check()?;
@@ -117,7 +119,7 @@ impl<'a> Request<'a> {
         Ok(plan)
     }
 
-    /// That what is free has inertia, and that there are as many modes as outputs ask for.
+    /// Checks that free bodies have inertia and that the scene has the modes that outputs request.
     fn check_vibrations(&self, plan: &Plan) -> Result<(), EngineError> {
         let freedoms = number_freedoms(self.scene, plan);
         // Inertia of a gear takes its mesh, so it is found for free bodies alone.
@@ -137,7 +139,8 @@ impl<'a> Request<'a> {
         }
     }
 
-    /// The error with a remedy that works: first changes of the request that make it possible, then what the error itself advises.
+    /// The error with a remedy that works: first changes of the request that make it possible, then
+    /// what the error itself advises.
     fn advise(&self, error: EngineError) -> EngineError {
         if !AVOIDABLE.contains(&error.code) {
             return error;
@@ -150,19 +153,21 @@ impl<'a> Request<'a> {
         EngineError { help, ..error }
     }
 
-    /// The smallest change of fidelity, modes and method that makes the request possible, as an imperative.
+    /// The smallest change of fidelity, modes and method that makes the request possible, as an
+    /// imperative.
     fn possible_change(&self) -> Option<String> {
         let possible = |request: &Request<'_>| request.decide().is_ok();
-        let fidelities = self.other_fidelities();
         let elsewhere = |request: Request<'_>| -> Vec<Fidelity> {
             let at = |fidelity: &Fidelity| possible(&Request { fidelity: *fidelity, ..request });
-            let found: Vec<Fidelity> = fidelities.iter().copied().filter(at).collect();
-            // The nearest with more detail and the nearest with less; bodies that do not deform only if there is nothing else.
-            let more = self.fidelity.all_above().find(|above| found.contains(above));
-            let elastic = |fidelity: &Fidelity| *fidelity != Fidelity::Rigid && found.contains(fidelity);
-            let less = below(self.fidelity).find(elastic);
-            let named: Vec<Fidelity> = more.into_iter().chain(less).collect();
-            if named.is_empty() { found.into_iter().take(1).collect() } else { named }
+            let elastic = |fidelity: &Fidelity| *fidelity != Fidelity::Rigid && at(fidelity);
+            // The nearest with more detail and the nearest with less; rigid bodies only if there is
+            // nothing else.
+            let more = self.fidelity.all_above().find(at);
+            let named: Vec<Fidelity> = more.into_iter().chain(below(self.fidelity).find(elastic)).collect();
+            match named.is_empty() && self.fidelity != Fidelity::Rigid && at(&Fidelity::Rigid) {
+                true => vec![Fidelity::Rigid],
+                false => named,
+            }
         };
         let choice = |named: &[Fidelity]| {
             let names: Vec<String> =
@@ -197,14 +202,6 @@ impl<'a> Request<'a> {
             }
         }
         None
-    }
-
-    /// All other fidelities, those with more detail first, each time the nearest first.
-    fn other_fidelities(&self) -> Vec<Fidelity> {
-        let above: Vec<Fidelity> = self.fidelity.all_above().collect();
-        let others = |fidelity: &Fidelity| *fidelity != self.fidelity && !above.contains(fidelity);
-        let others: Vec<Fidelity> = below(self.fidelity).chain(Fidelity::ALL).filter(others).collect();
-        above.iter().copied().chain(others).collect()
     }
 }
 

@@ -12,7 +12,8 @@ use crate::modification::Modification;
 use crate::prototype::GearPrototype;
 use calyx_abi::math;
 
-/// Diameter in modules (those of the tool as given) of the pins or balls that the measurement over pins is given for (the usual 1.728 over diametral pitch).
+/// Diameter in modules (those of the tool as given) of the pins or balls that the measurement over
+/// pins is given for (the usual 1.728 over diametral pitch).
 pub const PIN: f64 = 1.728;
 
 /// What a quantity measures.
@@ -167,7 +168,8 @@ fn of_helix(helix: &Helix, form: &ToothForm) -> Vec<Quantity> {
 /// What lengths of a gear are counted in.
 const MODULES: &str = "modules";
 
-/// The same of a gear: a rack that was given in the normal plane has a longer module in the transverse one.
+/// The same of a gear: a rack that was given in the normal plane has a longer module in the
+/// transverse one.
 fn modules_of(form: &ToothForm) -> &'static str {
     if form.tool_module == form.module { MODULES } else { "normal modules" }
 }

@@ -182,8 +182,8 @@ impl ExternalGear {
         radius_at_roll(self.base_radius, roll)
     }
 
-    /// Profile shift coefficient that gives this thickness, in modules of the plane that the rack was given in
-    /// ([`Rack::own_module`]).
+    /// Profile shift coefficient that gives this thickness, in modules of the plane that the rack
+    /// was given in ([`Rack::own_module`]).
     pub fn profile_shift(&self) -> f64 {
         self.shift() / self.rack.own_module()
     }
@@ -198,29 +198,32 @@ impl ExternalGear {
         RootGeneration::Rack(self.generation).curvature_radius(FRAC_PI_2)
     }
 
-    /// Radius of the circle through the centres of balls, or of spur gears pins, that rest in the spaces, m. `base_helix` is the base helix
-    /// angle, rad (ISO 21771, 7.5: a ball touches the flanks of helical teeth at right angles to them).
+    /// Radius of the circle through the centres of balls, or of spur gears pins, that rest in the
+    /// spaces, m. `base_helix` is the base helix angle, rad (ISO 21771, 7.5: a ball touches the
+    /// flanks of helical teeth at right angles to them).
     pub fn pin_centre_radius(&self, pin_diameter: f64, base_helix: f64) -> f64 {
         let along_base_circle = 0.5 * pin_diameter / (self.base_radius * math::cos(base_helix));
         let value = self.half_base_angle + along_base_circle - PI / f64::from(self.teeth);
         self.radius_at_roll(roll_of_involute(value))
     }
 
-    /// Measurement over two pins or balls in spaces as nearly opposite as there are, m; see [`Self::pin_centre_radius`].
+    /// Measurement over two pins or balls in spaces as nearly opposite as there are, m; see
+    /// [`Self::pin_centre_radius`].
     pub fn over_pins(&self, pin_diameter: f64, base_helix: f64) -> f64 {
         let odd = if self.teeth % 2 == 1 { math::cos(FRAC_PI_2 / f64::from(self.teeth)) } else { 1.0 };
         2.0 * self.pin_centre_radius(pin_diameter, base_helix) * odd + pin_diameter
     }
 
-    /// Whether such pins or balls touch the involutes of the flanks beside a space, as a measurement over them supposes.
+    /// Whether such pins or balls touch the involutes of the flanks beside a space, as a
+    /// measurement over them supposes.
     pub fn pin_touches_flanks(&self, pin_diameter: f64, base_helix: f64) -> bool {
         let centre = self.roll_at_radius(self.pin_centre_radius(pin_diameter, base_helix));
         let touching = centre - 0.5 * pin_diameter * math::cos(base_helix) / self.base_radius;
         (self.form_roll..self.tip_roll).contains(&touching)
     }
 
-    /// Span measurement (base tangent length) over a number of teeth, m: at right angles to the teeth, `base_helix` (rad) being the base helix
-    /// angle.
+    /// Span measurement (base tangent length) over a number of teeth, m: at right angles to the
+    /// teeth, `base_helix` (rad) being the base helix angle.
     pub fn span(&self, teeth: u32, base_helix: f64) -> f64 {
         let transverse =
             (f64::from(teeth) - 1.0) * self.base_pitch + 2.0 * self.base_radius * self.half_base_angle;
@@ -231,7 +234,8 @@ impl ExternalGear {
     /// if for no number they touch involutes, or if the face is narrower than the span of helical teeth needs (m).
     pub fn usual_span(&self, base_helix: f64, face_width: f64) -> Option<(u32, f64)> {
         let middle = self.roll_at_radius(self.pitch_radius + self.shift());
-        // The part of half the span in the transverse section is the tangent from the base circle to where a jaw touches.
+        // The part of half the span in the transverse section is the tangent from the base circle
+        // to where a jaw touches.
         let cosine = math::cos(base_helix);
         let touching = |teeth: u32| 0.5 * cosine * self.span(teeth, base_helix) / self.base_radius;
         let most = (self.teeth / 2).max(2);
@@ -248,8 +252,9 @@ impl ExternalGear {
         self.generation.tip_centre_depth + self.rack.tip_touch_depth(self.rack.pressure_angle)
     }
 
-    /// The profile shift, in modules of the plane that the rack was given in ([`Rack::own_module`]), by which this gear lies above the
-    /// beginning of undercut, if outer and root diameter shift with it. Negative for a gear that is undercut.
+    /// The profile shift, in modules of the plane that the rack was given in
+    /// ([`Rack::own_module`]), by which this gear lies above the beginning of undercut, if outer
+    /// and root diameter shift with it. Negative for a gear that is undercut.
     pub fn undercut_margin(&self) -> f64 {
         self.above_undercut() / self.rack.own_module()
     }

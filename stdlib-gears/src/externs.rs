@@ -21,7 +21,7 @@ use calyx_runtime::motion::{Motion, turning_speed};
 use calyx_runtime::plan::Plan;
 use calyx_runtime::results::OutputRequest;
 use calyx_runtime::rigid::RigidBody;
-use calyx_runtime::scene::{Body, BodyId, FREEDOMS, Fidelity, PairId, Prototype, StructureOptions};
+use calyx_runtime::scene::{Body, BodyId, FREEDOMS, Fidelity, PairId, Prototype, StructureOptions, Template};
 use calyx_runtime::structure::BoreHold;
 use calyx_runtime::tolerance::{check_tolerance, quasi_static_within};
 use calyx_runtime::validate::Request;
@@ -324,12 +324,12 @@ fn count_or_default(argument: &str, count: f64) -> Result<Option<usize>, Runtime
     Ok((count > 0.0).then_some(count as usize))
 }
 
-/// What `check` does in place of an analysis: everything short of building and solving, by the rules of a run.
+/// Validates the requested analysis by the rules of a run, without building or solving anything.
 ///
 /// # Errors
-/// What the analysis would fail with before it builds a structure, or the interrupt's.
+/// The errors that end a run before it builds a structure, and the interrupt's.
 pub fn check_plan(host: &mut ModelHost, interrupt: &Interrupt) -> Result<Plan, RuntimeError> {
-    // Of a model that asks for no analysis yet, a mesh cycle, which begins where its first pair of teeth enters.
+    // A model without an analysis is checked at the start of its mesh cycle.
     let how = host.requested.take().unwrap_or_else(|| {
         let starts = host.scene.pairs.iter().filter_map(|pair| Some(pair.mesh.as_ref()?.start));
         let start = starts.fold(f64::INFINITY, f64::min);
@@ -349,7 +349,13 @@ pub fn check_plan(host: &mut ModelHost, interrupt: &Interrupt) -> Result<Plan, R
             .map_or_else(|| host.overrides.structure(host.analysis.structure), |asked| asked.structure),
         highest_frequency: host.asked.map_or(0.0, |asked| asked.highest_frequency),
     };
-    let plan = request.plan(interrupt).map_err(|error| host.engine_error(host.overrides.told_of(error)))?;
+    let plan = request.plan(interrupt).or_else(|error| {
+        // Gears of which nobody has said yet how they are analysed need not lie in the plane.
+        let unasked = host.asked.is_none() && host.overrides.fidelity.is_none();
+        let in_space = Request { fidelity: Fidelity::Solid(Template::Medium), ..request };
+        if unasked { in_space.plan(interrupt).map_err(|_| error) } else { Err(error) }
+    });
+    let plan = plan.map_err(|error| host.engine_error(host.overrides.told_of(error)))?;
     let warnings = without_value(host, &request);
     host.findings.extend(warnings);
     Ok(plan)

@@ -19,7 +19,8 @@ pub struct ToothForm {
     pub teeth: u32,
     /// Transverse.
     pub module: f64,
-    /// Of the tool in the plane that it was given in: the normal module of a rack that was given in the normal plane.
+    /// Module of the tool in the plane in which the model gives it: the normal module of a rack in
+    /// the normal plane.
     pub tool_module: f64,
     /// Transverse, at the pitch circle.
     pub pressure_angle: f64,

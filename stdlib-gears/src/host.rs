@@ -272,7 +272,7 @@ pub struct Asked {
     pub place: (u32, u32, u32),
 }
 
-/// What an analysis does with inertia, and when it looks at the scene.
+/// Method of an analysis, with its positions or ranges of time.
 #[derive(Clone, Debug, PartialEq)]
 pub enum How {
     /// Equilibrium at these positions.

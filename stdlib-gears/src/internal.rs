@@ -187,8 +187,8 @@ impl InternalGear {
         RootGeneration::Shaper(self.generation).curvature_radius(FRAC_PI_2)
     }
 
-    /// Measurement between two pins, or of helical gears balls, in spaces as nearly opposite as there are, m. `base_helix` is the base helix
-    /// angle, rad.
+    /// Measurement between two pins, or of helical gears balls, in spaces as nearly opposite as
+    /// there are, m. `base_helix` is the base helix angle, rad.
     pub fn between_pins(&self, pin_diameter: f64, base_helix: f64) -> f64 {
         let along_base_circle = 0.5 * pin_diameter / (self.base_radius * math::cos(base_helix));
         let value = self.half_base_angle_of_space - along_base_circle;
@@ -197,7 +197,8 @@ impl InternalGear {
         2.0 * centre * odd - pin_diameter
     }
 
-    /// Whether such pins or balls touch the involutes of the flanks beside a space, as a measurement between them supposes.
+    /// Whether such pins or balls touch the involutes of the flanks beside a space, as a
+    /// measurement between them supposes.
     pub fn pin_touches_flanks(&self, pin_diameter: f64, base_helix: f64) -> bool {
         let (half, cosine) = (0.5 * pin_diameter / self.base_radius, math::cos(base_helix));
         let touching = roll_of_involute(self.half_base_angle_of_space - half / cosine) + half * cosine;

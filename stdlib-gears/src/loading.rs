@@ -1,4 +1,5 @@
-//! Whether the loads of a scene reach its teeth, and whether its teeth can bear them: told before anything is solved, by a check and a run alike.
+//! Plausibility of the loads of a scene: that they reach its teeth, and that its teeth can carry
+//! them. A check and a run report it before anything is solved.
 
 use crate::error::Severity;
 use crate::host::{Finding, How, ModelHost};
@@ -7,18 +8,20 @@ use calyx_runtime::error::{EngineError, Subject};
 use calyx_runtime::observe::Needs;
 use calyx_runtime::scene::{BodyId, FREEDOMS, Fidelity, Scene};
 
-/// Times at which loads that change are looked at.
+/// Times at which variable loads are sampled.
 const SAMPLES: usize = 8;
-/// Mesh stiffness of a tooth pair by face width and Young's modulus: 14 N/(mm um) of steel teeth (ISO 6336-1) over 206 GPa.
+/// Mesh stiffness of a tooth pair by face width and Young's modulus: 14 N/(mm um) of steel teeth
+/// (ISO 6336-1) over 206 GPa.
 const STIFFNESS: f64 = 14e9 / 206e9;
-/// Deflection in modules from which on teeth of any material are overloaded, and from which on they cannot stay in mesh.
+/// Deflection in modules above which teeth of any material are overloaded.
 const OVERLOADED: f64 = 0.25;
+/// Deflection in modules above which teeth leave the mesh.
 const CRUSHED: f64 = 1.0;
 
 /// Checks how the bodies of a scene are loaded for an analysis: warnings join the findings.
 ///
 /// # Errors
-/// E0800: a load reaches no tooth. E0806: an output looks at a gear in no mesh. E0807: the load would bend the teeth out of mesh.
+/// E0800: a load reaches no tooth. E0806: an output observes a gear in no mesh. E0807: the load would bend the teeth out of mesh.
 pub(crate) fn check_loads(host: &mut ModelHost, how: &How, fidelity: Fidelity) -> Result<(), RuntimeError> {
     let mut found = unmeshed(host)?;
     let times = times(how);
@@ -41,7 +44,7 @@ fn warning(host: &ModelHost, error: EngineError) -> Finding {
     Finding { severity: Severity::Warning, error: host.engine_error(error) }
 }
 
-/// Some of the times that an analysis looks at, s.
+/// Sample of the times of an analysis, s.
 fn times(how: &How) -> Vec<f64> {
     match how {
         How::QuasiStatic(positions) => {
@@ -81,12 +84,12 @@ fn groups(scene: &Scene) -> Vec<Vec<usize>> {
     groups
 }
 
-/// What acts on a connected group of bodies.
+/// Loads on a connected group of bodies.
 struct Loads {
     /// Whether a body is free at all.
     free: bool,
-    /// Whether something acts along a free component, or may: loads that another program provides, bearings with a load of their own,
-    /// impulses.
+    /// Whether something acts along a free component, or may: loads that another program provides,
+    /// bearings with a load of their own, impulses.
     on_free: bool,
     /// A body with a load along components that are all held.
     on_held: Option<(usize, &'static str)>,
@@ -104,7 +107,12 @@ impl Loads {
         for &index in group {
             let body = &scene.bodies[index];
             loads.free |= body.free.contains(&true);
-            loads.on_free |= host.host_loaded.contains(&index) || !body.blows.is_empty();
+            loads.on_free |= !body.blows.is_empty();
+            // A load that another program provides is asked for at positions alone.
+            if host.host_loaded.contains(&index) {
+                loads.on_free = true;
+                continue;
+            }
             for &time in times {
                 let wrench = body.load.at(time);
                 let components = wrench.force.into_iter().chain(wrench.moment).enumerate();
@@ -186,7 +194,8 @@ fn unmeshed(host: &ModelHost) -> Result<Vec<Finding>, RuntimeError> {
     Ok(held.map(warn).collect())
 }
 
-/// Meshes whose load is out of proportion to their teeth, by a mesh stiffness that is right to a factor of two.
+/// Meshes whose load is out of proportion to their teeth, by a mesh stiffness that is right to a
+/// factor of two.
 fn overloaded(host: &ModelHost, times: &[f64]) -> Result<Vec<Finding>, RuntimeError> {
     let scene = &host.scene;
     let mut found = Vec::new();
@@ -197,6 +206,9 @@ fn overloaded(host: &ModelHost, times: &[f64]) -> Result<Vec<Finding>, RuntimeEr
         let force = |side: usize| {
             let body = pair.bodies[side];
             let meshes = scene.pairs.iter().filter(|p| p.front.is_none() && p.bodies.contains(&body)).count();
+            if host.host_loaded.contains(&body.0) {
+                return 0.0;
+            }
             let load = |time: &f64| scene.bodies[body.0].load.at(*time).moment[2].abs();
             let moment = times.iter().map(load).fold(0.0, f64::max);
             let moment = if scene.bodies[body.0].free[5] { moment } else { 0.0 };

@@ -1,7 +1,9 @@
-//! Data that a gear may have and that nobody gives on purpose: mostly quantities in a unit that is a thousand times too small or too large.
+//! Data that a gear may have and that nobody gives on purpose: mostly quantities in a unit that is
+//! a thousand times too small or too large.
 //!
-//! What cannot be meant is an error; what is only unusual is a warning. Both name the value that was probably meant. The limits lie far
-//! outside of what is made: materials from elastomers to tungsten carbide, gears from watches to mills.
+//! What cannot be meant is an error; what is only unusual is a warning. Both name the value that
+//! was probably meant. The limits lie far outside of what is made: materials from elastomers to
+//! tungsten carbide, gears from watches to mills.
 
 use crate::blank::{Rim, Thickness};
 use crate::error::{GeometryError, Severity, sentence};
@@ -12,7 +14,8 @@ use calyx_abi::RuntimeError;
 use calyx_runtime::material::Material;
 use std::ops::RangeInclusive;
 
-/// Young's modulus of materials that gears are made of, Pa: from soft polyurethane to tungsten carbide.
+/// Young's modulus of materials that gears are made of, Pa: from soft polyurethane to tungsten
+/// carbide.
 const YOUNGS_MODULI: RangeInclusive<f64> = 1e9..=1e12;
 /// The same of what a warning suggests.
 const USUAL_YOUNGS_MODULI: RangeInclusive<f64> = 1e9..=800e9;
@@ -25,10 +28,12 @@ const FACE_WIDTHS: RangeInclusive<f64> = 0.2..=150.0;
 const POSSIBLE_FACE_WIDTHS: RangeInclusive<f64> = 0.02..=2000.0;
 /// The same of what a message suggests.
 const USUAL_FACE_WIDTHS: RangeInclusive<f64> = 2.0..=50.0;
-/// Thinnest metal between the spaces and where the gear is held, and thinnest ring that a rim adds, in modules.
+/// Thinnest metal between the spaces and where the gear is held, and thinnest ring that a rim adds,
+/// in modules.
 const THINNEST_METAL: f64 = 0.4;
 const THINNEST_RING: f64 = 0.1;
-/// Thickness in modules up to which a profile shift and a tooth thickness are the same: more than the rounding of a drawing.
+/// Thickness in modules up to which a profile shift and a tooth thickness are the same: more than
+/// the rounding of a drawing.
 const SAME_THICKNESS: f64 = 1e-3;
 /// Fastest pitch line, m/s: beyond the speed of sound in air no gear runs.
 const FASTEST: f64 = 300.0;
@@ -82,7 +87,8 @@ pub(crate) fn of_material(material: &Material, place: (u32, u32, u32)) -> Vec<Fi
     found
 }
 
-/// What is wrong or unusual about the face and the rim of a gear that has been cut. The module is that of the tool as it was given.
+/// What is wrong or unusual about the face and the rim of a gear that has been cut. The module is
+/// that of the tool as it was given.
 pub(crate) fn of_gear(gear: &GearPrototype, module: f64) -> Vec<GeometryError> {
     let found = [face_width(gear.face_width, module), thin_rim(&gear.form(), &gear.rim, module)];
     found.into_iter().flatten().collect()
@@ -141,8 +147,9 @@ fn thin_rim(form: &ToothForm, rim: &Rim, module: f64) -> Option<GeometryError> {
     })
 }
 
-/// The thickness that a tooth thickness and a profile shift coefficient give together, one of which may be zero and then counts as left
-/// out. `of_shift` gives the thickness of a shift, and `module` is that of the tool.
+/// The thickness that a tooth thickness and a profile shift coefficient give together, one of which
+/// may be zero and then counts as left out. `of_shift` gives the thickness of a shift, and `module`
+/// is that of the tool.
 ///
 /// # Errors
 /// E0605: the thickness is negative. E0805: they contradict each other.
@@ -190,8 +197,8 @@ pub(crate) fn pitch_line(speed: f64, pitch_radius: f64) -> Option<GeometryError>
     })
 }
 
-/// Warns of planets that cannot be evenly spaced; `teeth` are those of sun and ring together (the assembly condition, see
-/// [`crate::phasing`]).
+/// Warns of planets that cannot be evenly spaced; `teeth` are those of sun and ring together (the
+/// assembly condition, see [`crate::phasing`]).
 pub(crate) fn uneven_planets(planets: f64, teeth: f64) -> Option<GeometryError> {
     if planets < 2.0 || teeth % planets == 0.0 {
         return None;

@@ -25,7 +25,7 @@ use calyx_runtime::structure::{
     Structure, StructureSize, SurfaceSource,
 };
 use calyx_runtime::surface::Surface;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex};
 
 /// Of this library's source: what is kept of gears is kept for those that this very source meshes.
 const SOURCE: &str = env!("CALYX_SOURCE");
@@ -66,6 +66,9 @@ pub struct GearPrototype {
     /// Angle by which each tooth stands off its place, rad; teeth beyond the list stand right.
     pub pitch_errors: Vec<f64>,
     flanks: [Arc<Flank>; 2],
+    /// Options, and whether in three dimensions, that [`Prototype::check`] has accepted: meshing a
+    /// section takes a good part of a check.
+    accepted: Mutex<Vec<(StructureOptions, bool)>>,
 }
 
 /// Meshes with less than this part of the usual elements along every direction, such as error estimates compare with, have wide matching
@@ -87,13 +90,24 @@ impl GearPrototype {
         let gear = gear.into();
         let flanks = flanks(gear.form(), &modifications)?;
         let helix = Helix::SPUR;
-        Ok(GearPrototype { gear, helix, modifications, material, rim, face_width, pitch_errors, flanks })
+        let accepted = Mutex::default();
+        Ok(GearPrototype {
+            gear,
+            helix,
+            modifications,
+            material,
+            rim,
+            face_width,
+            pitch_errors,
+            flanks,
+            accepted,
+        })
     }
 
     /// The gear with its teeth along a helix.
     #[must_use]
     pub fn along(self, helix: Helix) -> Self {
-        GearPrototype { helix, ..self }
+        GearPrototype { helix, accepted: Mutex::default(), ..self }
     }
 
     /// Angle by which the transverse section turns counter-clockwise per length along z, rad/m.
@@ -340,18 +354,28 @@ pub(crate) fn unmeshable(error: impl std::error::Error) -> EngineError {
 
 impl Prototype for GearPrototype {
     fn check(&self, options: &StructureOptions, in_space: bool) -> Result<(), EngineError> {
+        let request = (*options, in_space);
+        if self.accepted.lock().is_ok_and(|accepted| accepted.contains(&request)) {
+            return Ok(());
+        }
         options.check()?;
         if !in_space {
             self.refuse_helix()?;
         }
         let [tip, _] = self.roundings(options);
         self.flanks_with(tip, &self.modifications)?;
-        if options.model != BodyModel::Elements {
-            return Ok(());
+        if options.model == BodyModel::Elements {
+            self.check_recovery(options)?;
+            // In three dimensions the section is swept along the face.
+            match in_space {
+                true => self.check_section_mesh(options)?,
+                false => self.plane_mesh(options).map(|_| ())?,
+            }
         }
-        self.check_recovery(options)?;
-        // In three dimensions the section is swept along the face.
-        if in_space { self.check_section_mesh(options) } else { self.plane_mesh(options).map(|_| ()) }
+        if let Ok(mut accepted) = self.accepted.lock() {
+            accepted.push(request);
+        }
+        Ok(())
     }
 
     fn build(

@@ -75,8 +75,9 @@ impl Rack {
         }
     }
 
-    /// The module in the plane that the rack was given in: of a rack that was given in the normal plane and is seen in the transverse one,
-    /// the normal module, as the tip is stretched by `1 / cos(helix angle)` there. Profile shift coefficients count these modules.
+    /// The module in the plane that the rack was given in: of a rack that was given in the normal
+    /// plane and is seen in the transverse one, the normal module, as the tip is stretched by `1 /
+    /// cos(helix angle)` there. Profile shift coefficients count these modules.
     pub fn own_module(&self) -> f64 {
         self.module / self.tip_stretch
     }

@@ -146,8 +146,8 @@ impl GearPrototype {
         self.section_mesh(options).map(|_| ())
     }
 
-    /// The mesh of tooth 0 with its sector of the rim, mid-face at z = 0. Named sets of faces are the chains of
-    /// [`webbed_sector_mesh`].
+    /// The mesh of tooth 0 with its sector of the rim, mid-face at z = 0. Named sets of faces are
+    /// the chains of [`webbed_sector_mesh`].
     ///
     /// # Errors
     /// E0675, E0676, E0691: the options or the gear allow none.

@@ -62,7 +62,7 @@ fn impossible_gears_are_refused() {
             chapter_5_data(20, 0.06, 0.15708),
             "E0612",
             "tip_radius",
-            "0.06 inch does not fit on its tooth: at most 0.04979 inch does",
+            "0.06 inch does not fit on its tooth: at most 0.049789 inch does",
         ),
         (
             "deep rack",

@@ -182,6 +182,25 @@ fn a_plane_model_refuses_a_helical_gear() {
     assert_eq!((error.code, error.argument), ("E0623", Some("helix_angle")));
 }
 
+/// The transverse section of a helical gear is a spur gear, whose structure a cache may hold: the plan refuses the gear whatever the
+/// plane of its rack is.
+#[test]
+fn a_plan_in_the_plane_refuses_helical_gears_of_either_rack() {
+    for rack in [normal_rack(0.3), normal_rack(0.3).in_plane(Plane::Transverse)] {
+        let helix = Helix::new(BETA, Hand::Left).expect("a helix");
+        let pitch = 25.0 * rack.transverse(&helix).module;
+        let mut blank =
+            GearBlank::standard(25, rack).diameters(pitch + 2.0 * NORMAL_MODULE, pitch - 2.5 * NORMAL_MODULE);
+        blank.helix = helix;
+        blank.rim.radius = 0.5 * pitch - 2.0 * NORMAL_MODULE;
+        blank.rim.held_radius = 0.5 * pitch - 3.5 * NORMAL_MODULE;
+        let gear = blank.cut().expect("a gear");
+        let check = |in_space| gear.check(&StructureOptions::default(), in_space).map_err(|error| error.code);
+        assert_eq!(check(false), Err("E0623"));
+        assert_eq!(check(true), Ok(()));
+    }
+}
+
 #[test]
 fn what_follows_from_a_helix_is_told() {
     let gears = [gear(25, Hand::Left, BETA), gear(50, Hand::Right, BETA)];
@@ -204,12 +223,13 @@ fn what_follows_from_a_helix_is_told() {
     assert!(value("epsilon_beta") > 1.0);
 }
 
-/// ISO 21771: coefficients and measurements of a helical gear are those of the normal section, in which its rack was given.
+/// ISO 21771: coefficients and measurements of a helical gear are those of the normal section, in
+/// which its rack was given.
 #[test]
 fn derived_values_count_in_the_plane_of_the_rack() {
     let (teeth, shift, beta) = (23_u32, 0.37, 28.0_f64.to_radians());
     let rack = Rack::new(NORMAL_MODULE, ALPHA, 0.2 * NORMAL_MODULE).expect("a rack");
-    let rack = rack.in_plane(calyx_gears::rack::Plane::Normal);
+    let rack = rack.in_plane(Plane::Normal);
     let pitch = f64::from(teeth) * NORMAL_MODULE / beta.cos();
     let raised = 2.0 * shift * NORMAL_MODULE;
     let mut blank = GearBlank::standard(teeth, rack)
@@ -235,7 +255,8 @@ fn derived_values_count_in_the_plane_of_the_rack() {
     let z = f64::from(teeth);
     let turned = (spanned - 0.5) * PI + z * involute(transverse);
     close("W_k", NORMAL_MODULE * ALPHA.cos() * turned + raised * ALPHA.sin());
-    // Over balls: inv(alpha_K) = D / (z m_n cos(alpha_n)) - (pi/2 - 2 x tan(alpha_n)) / z + inv(alpha_t).
+    // Over balls: inv(alpha_K) = D / (z m_n cos(alpha_n)) - (pi/2 - 2 x tan(alpha_n)) / z +
+    // inv(alpha_t).
     let ball = calyx_gears::derived::PIN * NORMAL_MODULE;
     let value = ball / (z * NORMAL_MODULE * ALPHA.cos()) - (0.5 * PI - 2.0 * shift * ALPHA.tan()) / z
         + involute(transverse);

@@ -175,8 +175,8 @@ fn shown(summary: &OutputSummary, unit: f64) -> OutputSummary {
     }
 }
 
-/// The error of a model that declares outputs without an analysis that yields them; `failed`: it caught the error of one. The place is the
-/// end of the model, where an analysis would stand.
+/// The error of a model that declares outputs without an analysis that yields them; `failed`: it
+/// caught the error of one. The place is the end of the model, where an analysis would stand.
 pub fn no_analysis(description: &ModelDescription, failed: bool) -> RuntimeError {
     let end = description.files.first().map_or(0, |file| file.text.trim_end().len() as u32);
     let (message, help) = match failed {

@@ -93,8 +93,8 @@ pub(super) fn in_pairs(all: &[Step], ranges: &[TimeRange]) -> Vec<Step> {
 /// A step is at least so many times as long as times are apart that numbers can tell.
 const RESOLVED: f64 = 1e3;
 
-/// That the times of steps differ by enough of their digits. The steps of a range are equally long, so the last one, or the one farthest from
-/// zero, decides.
+/// That the times of steps differ by enough of their digits. The steps of a range are equally long,
+/// so the last one, or the one farthest from zero, decides.
 ///
 /// # Errors
 /// E0763: a step is lost in the digits of its time.

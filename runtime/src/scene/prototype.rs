@@ -15,8 +15,9 @@ use std::sync::Arc;
 ///
 /// A type, not a view: whoever knows what a body is made of finds it again by [`std::any::Any`].
 pub trait Prototype: Any + Send + Sync {
-    /// Whether the body can be modelled so, in the plane or in three dimensions: what [`Prototype::build`] or [`Prototype::build_solid`]
-    /// would reject after a look at the data. The plan asks this before anything is built, whatever a cache holds.
+    /// Whether the body can be modelled so, in the plane or in three dimensions: what
+    /// [`Prototype::build`] or [`Prototype::build_solid`] would reject after a look at the data.
+    /// The plan asks this before anything is built, whatever a cache holds.
     ///
     /// # Errors
     /// What building would fail with.

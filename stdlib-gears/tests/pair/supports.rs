@@ -2,8 +2,10 @@
 
 use crate::common::pair::{COARSE, FIRST, PLAIN, PairOptions, TORQUE, member, pair, system};
 use crate::common::{INCH, chapter_5_data, resources};
+use calyx_runtime::contact::solid::Pose;
 use calyx_runtime::error::EngineError;
 use calyx_runtime::load::Wrench;
+use calyx_runtime::motion::Placed;
 use calyx_runtime::plan::Plan;
 use calyx_runtime::scene::{Body, Fidelity};
 use calyx_runtime::system::System;
@@ -93,6 +95,27 @@ fn faces_of_unequal_width_are_reported() {
     assert_eq!(found.len(), 1);
     assert_eq!(found[0].input, "face_width");
     assert!(found[0].reason.contains("25.4 mm"), "{}", found[0].reason);
+}
+
+/// A plane model says what it does not see of loads along the axis and of faces that stand apart.
+#[test]
+fn what_stands_out_of_the_plane_is_reported() {
+    let ignored = |change: &dyn Fn(&mut [Body])| -> Vec<String> {
+        let (mut scene, _) = pair(&PairOptions::chapter_5(&PLAIN));
+        change(&mut scene.bodies);
+        let plan = Plan::new(&scene, Fidelity::Plane, COARSE).expect("a plan");
+        plan.ignored.into_iter().map(|ignored| ignored.input).collect()
+    };
+    assert!(ignored(&|_| {}).is_empty());
+    let wrench = Wrench { force: [0.0, 0.0, 5.0], moment: [1.0, 0.0, TORQUE] };
+    assert_eq!(ignored(&|bodies| bodies[0].load = Arc::new(wrench)), ["force", "moment"]);
+    let beside = |bodies: &mut [Body]| {
+        let motion = bodies[1].motion.clone();
+        let pose =
+            Pose { rotation: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], origin: [0.0, 0.0, 5e-3] };
+        bodies[1].motion = Arc::new(Placed { motion, pose });
+    };
+    assert_eq!(ignored(&beside), ["frame"]);
 }
 
 /// The better width that warnings speak of, m.
