@@ -28,7 +28,7 @@ pub fn add_body(scene: &mut Scene, body: Body) -> Result<BodyId, Refusal> {
         return Err(EngineError::new(
             "E0671",
             format!("there are two bodies called \"{}\"", body.name),
-            "results speak of bodies by name; give each its own",
+            "give each body a name of its own: results refer to bodies by name",
         )
         .blame("name")
         .into());
@@ -374,7 +374,7 @@ fn meet_once(scene: &Scene, ids: [BodyId; 2]) -> Result<(), EngineError> {
         return Err(EngineError::new(
             "E0652",
             format!("\"{first}\" and \"{second}\" are in mesh already"),
-            "keep the mesh that was made before in a variable, and use it again",
+            "store the first mesh in a variable, and use it wherever the mesh is needed",
         )
         .blame("second"));
     }

@@ -159,7 +159,7 @@ impl Rim {
                 "E0665",
                 "inner_diameter",
                 sentence!["the rim's inner diameter must be positive and smaller than its diameter"],
-                sentence!["the body is held at the inner diameter"],
+                sentence!["give an `inner_diameter` between 0 and `diameter`: there the body's frame holds the rim"],
             ));
         }
         Ok(Rim {
@@ -212,8 +212,8 @@ impl Rim {
             return Err(GeometryError::error(
                 "E0655",
                 "rim",
-                sentence!["the rim is said to be held otherwise than by lugs already"],
-                sentence!["leave out how the rim itself is held; its lugs say it"],
+                sentence!["the rim has a free bore or seat, and lugs would hold it too"],
+                sentence!["leave the rim's `bore` or `seat` \"rigid\": the lugs take its place"],
             ));
         }
         if self.web.is_some_and(|web| web.disc.is_some()) {

@@ -206,7 +206,7 @@ fn module_of(tool: &str, module: f64, diametral_pitch: f64) -> Result<f64, Runti
             "E0663",
             "diametral_pitch",
             &format!("the {tool} has both a module and a diametral pitch"),
-            "give one of them; they are each other's inverse",
+            "give one of them: the diametral pitch is 1 divided by the module",
         )),
         (false, false) => Err(refusal(
             "E0664",

@@ -240,8 +240,8 @@ impl Placed {
                 return Err(refusal(
                     "E0670",
                     "free",
-                    &format!("\"{freedom}\" is not a freedom of a frame"),
-                    "the freedoms are \"u_x\", \"u_y\", \"u_z\", \"theta_x\", \"theta_y\" and \"theta_z\"",
+                    &format!("a frame has no degree of freedom called \"{freedom}\""),
+                    "choose from \"u_x\", \"u_y\", \"u_z\", \"theta_x\", \"theta_y\" and \"theta_z\"",
                 ));
             };
             free[at] = true;
