@@ -159,7 +159,9 @@ impl Rim {
                 "E0665",
                 "inner_diameter",
                 sentence!["the rim's inner diameter must be positive and smaller than its diameter"],
-                sentence!["give an `inner_diameter` between 0 and `diameter`: there the body's frame holds the rim"],
+                sentence![
+                    "give an `inner_diameter` between 0 and `diameter`: there the body's frame holds the rim"
+                ],
             ));
         }
         Ok(Rim {

@@ -46,6 +46,11 @@ pub(super) fn help(module: &str, doc: &str, name: &str, declared: &[String]) -> 
     }
 }
 
+/// Returns whether the documentation lists a name.
+pub(super) fn lists(doc: &str, name: &str) -> bool {
+    listed(doc, name).is_some()
+}
+
 /// An item of the documentation's lists.
 enum Listed {
     Absent(String),

@@ -198,16 +198,15 @@ impl<'a> Resolver<'a> {
                     "not found in the module",
                 );
                 let all = self.around.declared(&self.modules[module].name);
-                diagnostic = match similar(&field.name, all.iter().map(String::as_str)) {
+                let doc = self.around.doc(&self.modules[module].name);
+                let near = similar(&field.name, all.iter().map(String::as_str));
+                diagnostic = match near.filter(|_| !elsewhere::lists(&doc, &field.name)) {
                     Some(near) => diagnostic.help(format!("did you mean `{near}`?")).fix(
                         format!("change to `{near}`"),
                         field.span,
                         near,
                     ),
-                    None => {
-                        let doc = self.around.doc(&self.modules[module].name);
-                        diagnostic.help(elsewhere::help(&name.name, &doc, &field.name, &all))
-                    }
+                    None => diagnostic.help(elsewhere::help(&name.name, &doc, &field.name, &all)),
                 };
                 self.report(diagnostic);
                 Res::Unknown
