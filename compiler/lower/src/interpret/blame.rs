@@ -16,7 +16,7 @@ pub struct CallSites {
     calls: HashMap<Place, CallDescription>,
     /// Files of the library, by index.
     library: HashSet<u32>,
-    /// The function of the library that a call stands in, by its place.
+    /// The function of the library that contains a call, by the places of the call and its arguments.
     inside: HashMap<Place, Place>,
     /// Functions of the library, by their place: name, and the places where they are called.
     callers: HashMap<Place, (String, BTreeSet<Place>)>,
@@ -108,6 +108,10 @@ impl CallSites {
             }
         }
         if self.is_library(span) {
+            // An error may have been moved to the argument before.
+            for (_, at) in &described.arguments {
+                self.inside.entry(*at).or_insert_with(|| place(around));
+            }
             self.inside.insert(call, place(around));
         }
         self.calls.insert(call, described);
