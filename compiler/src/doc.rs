@@ -8,6 +8,7 @@ mod html;
 
 pub use collect::{Entry, Field, Kind, Page};
 
+use crate::replace::replace;
 use calyx_elaborate::ModelLoader;
 use calyx_gears::library::{MODULES, PRELUDE};
 use calyx_lang::check::check_program;
@@ -22,6 +23,10 @@ pub enum DocError {
     Unknown {
         name: String,
         known: Vec<&'static str>,
+    },
+    /// A file would be replaced that is not a page of this program.
+    Foreign {
+        path: PathBuf,
     },
     Io {
         path: PathBuf,
@@ -59,11 +64,22 @@ pub fn library() -> Vec<&'static str> {
     std::iter::once(PRELUDE.path).chain(MODULES.iter().map(|module| module.path)).collect()
 }
 
-/// Writes a file for each page and, for more than one, an index; returns the file to open first.
+/// Whether a file is a page of this program: by its generator, or by the beginning of pages of older versions.
+fn is_page(path: &Path) -> bool {
+    const OLD: [&str; 2] = [
+        "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n",
+        "placeholder=\"Search by name\"",
+    ];
+    let text = std::fs::read_to_string(path).unwrap_or_default();
+    text.contains(html::GENERATOR) || (text.starts_with(OLD[0]) && text.contains(OLD[1]))
+}
+
+/// Writes a file for each page and, for more than one, an index; returns the file to open first. Replaces files that are not
+/// pages of this program with `force` only.
 ///
 /// # Errors
-/// A file cannot be written.
-pub fn write(pages: &[Page], directory: &Path) -> Result<PathBuf, DocError> {
+/// A file is in the way or cannot be written.
+pub fn write(pages: &[Page], directory: &Path, force: bool) -> Result<PathBuf, DocError> {
     let unwritable = |path: &Path, error| DocError::Io { path: path.to_owned(), error };
     std::fs::create_dir_all(directory).map_err(|error| unwritable(directory, error))?;
     let mut first = None;
@@ -72,9 +88,14 @@ pub fn write(pages: &[Page], directory: &Path) -> Result<PathBuf, DocError> {
         files.push(("index.html".into(), html::index(pages)));
     }
     files.extend(pages.iter().map(|page| (format!("{}.html", page.name), html::page(page, pages))));
-    for (name, text) in files {
-        let path = directory.join(name);
-        std::fs::write(&path, text).map_err(|error| unwritable(&path, error))?;
+    let paths: Vec<PathBuf> = files.iter().map(|(name, _)| directory.join(name)).collect();
+    // Before the first page is written.
+    if let Some(path) = paths.iter().find(|path| !force && path.symlink_metadata().is_ok() && !is_page(path))
+    {
+        return Err(DocError::Foreign { path: path.clone() });
+    }
+    for ((_, text), path) in files.into_iter().zip(paths) {
+        replace(&path, &text).map_err(|error| unwritable(&path, error))?;
         first.get_or_insert(path);
     }
     Ok(first.unwrap_or_else(|| directory.to_owned()))

@@ -1,5 +1,6 @@
 //! Applies the fixes that diagnostics are certain of to the files of a model.
 
+use crate::replace::replace;
 use calyx_elaborate::{Checked, check_file};
 use calyx_lang::diagnostic::{Diagnostic, Fix};
 use calyx_lang::ir::SourceFile;
@@ -45,7 +46,7 @@ pub fn fix_file(path: &Path) -> io::Result<Fixed> {
         for (file, text) in texts {
             // The model is written where it was read, whatever it is shown as; modules are shown by their path.
             let target = if file == 0 { path } else { Path::new(&checked.files[file].name) };
-            std::fs::write(target, text)?;
+            replace(target, &text)?;
         }
         applied.extend(changes);
     }

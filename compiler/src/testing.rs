@@ -184,6 +184,7 @@ fn run(interpreted: &Interpreted, program: &Program, test: usize) -> (Vec<String
     context.fuel = FUEL;
     context.limits.memory = Some(MEMORY);
     context.kernels = interpreted.kernels();
+    context.keeps_output = true;
     context.print = Box::new(move |line| {
         if let Ok(mut lines) = printed.lock() {
             lines.push(line.to_owned());

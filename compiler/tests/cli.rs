@@ -480,12 +480,16 @@ fn quiet_is_quiet_and_what_is_zero_is_not_ignored() {
     let (run, err, directory) = run_example(&["--set", "lead_crown=0", "--quiet"]);
     assert_eq!(err, "");
     assert_eq!(run["ignored_inputs"], serde_json::json!({}));
-    // A run leaves no results of an earlier one behind, however it ends.
+    // A run that fails before its first position leaves the results of an earlier one as they are.
     let model = edited(&["[\"theta_z\"],\n    moment => [\"theta_z\", \"u_x\"],\n    moment"]);
     std::fs::write(directory.path().join("pair.cx"), model).unwrap();
     let arguments = ["run", "pair.cx", "--set", "steps=2"].map(str::to_owned);
-    assert_eq!(calyx(directory.path(), &arguments).status.code(), Some(1));
-    assert!(!directory.path().join("pair.cx.run/run.json").exists());
+    let before = std::fs::read(directory.path().join("pair.cx.run/run.json")).expect("results");
+    let failed = calyx(directory.path(), &arguments);
+    assert_eq!(failed.status.code(), Some(1));
+    let err = String::from_utf8_lossy(&failed.stderr).into_owned();
+    assert!(err.contains("those of an earlier run and were not changed"), "{err}");
+    assert_eq!(std::fs::read(directory.path().join("pair.cx.run/run.json")).expect("results"), before);
 }
 
 /// What a run condensed is there for the next one, unless it is not to be; the results have the same bits.

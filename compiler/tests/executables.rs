@@ -237,3 +237,30 @@ fn code_of_another_version_is_refused() {
     assert_eq!((status, &*out), (Some(1), ""));
     assert!(said.contains("description is damaged"), "{said}");
 }
+
+/// Where `cargo install` puts `calyx`, there is no runtime library: the executable is a copy of `calyx` then, and that is said.
+#[test]
+fn without_the_runtime_library_an_executable_is_a_copy() {
+    let folder = tempfile::tempdir().expect("a directory");
+    let bin = folder.path().join("bin");
+    std::fs::create_dir(&bin).unwrap();
+    let calyx = bin.join("calyx");
+    std::fs::copy(env!("CARGO_BIN_EXE_calyx"), &calyx).unwrap();
+    std::fs::write(folder.path().join("model.cx"), "print(42);").unwrap();
+    let build = |library: Option<&str>| {
+        let mut command = std::process::Command::new(&calyx);
+        command.args(["build", "model.cx"]).current_dir(folder.path()).env("HOME", folder.path());
+        command.env_remove("XDG_DATA_HOME").env_remove("CALYX_RT_LIBRARY");
+        library.map(|library| command.env("CALYX_RT_LIBRARY", library));
+        let output = command.output().expect("calyx starts");
+        (output.status.code(), String::from_utf8_lossy(&output.stderr).into_owned())
+    };
+    // One that is named is meant.
+    let (status, err) = build(Some("missing.a"));
+    assert_eq!(status, Some(1), "{err}");
+    let (status, err) = build(None);
+    assert_eq!(status, Some(0), "{err}");
+    assert!(err.contains("a copy of `calyx` with the model") && err.contains("was not found"), "{err}");
+    let ran = std::process::Command::new(folder.path().join("model")).current_dir(folder.path()).output();
+    assert_eq!(String::from_utf8_lossy(&ran.expect("it starts").stdout), "42\n");
+}

@@ -49,7 +49,8 @@ fn runs(results: &Path) -> BTreeMap<String, String> {
         let run = run.unwrap().path();
         for file in fs::read_dir(&run).unwrap().map(|file| file.unwrap().path()) {
             let name = file.strip_prefix(results).unwrap().display().to_string();
-            if file.is_file() && !name.ends_with("timing.json") && !name.ends_with("report.html") {
+            let differs = ["timing.json", "report.html", ".calyx-run"].iter().any(|end| name.ends_with(end));
+            if file.is_file() && !differs {
                 all.insert(name, fs::read_to_string(&file).expect("text"));
             }
         }

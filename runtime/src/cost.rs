@@ -60,15 +60,19 @@ impl Rates {
     /// Those that a file keeps of this machine; measured and kept there if it has none, or if they are to be measured `anew`. A file that
     /// cannot be written is done without.
     pub fn of_this_machine(file: Option<&Path>, anew: bool) -> Rates {
-        let kept = file.filter(|_| !anew).and_then(|file| std::fs::read(file).ok());
-        let kept = kept.and_then(|text| serde_json::from_slice::<Rates>(&text).ok());
-        if let Some(rates) = kept.filter(Rates::are_sound) {
+        let there = file.and_then(|file| std::fs::read(file).ok());
+        let kept = there.as_deref().and_then(|text| serde_json::from_slice::<Rates>(text).ok());
+        // A file of somebody else with this name stays.
+        let ours = there.as_deref().is_none_or(<[u8]>::is_empty) || kept.is_some();
+        if let Some(rates) = kept.filter(|rates| !anew && rates.are_sound()) {
             return rates;
         }
         let rates = Rates::measure();
-        if let (Some(file), Ok(text)) = (file, serde_json::to_vec(&rates)) {
+        if let (Some(file), Ok(text), true) = (file, serde_json::to_vec(&rates), ours) {
             let _ = file.parent().map(std::fs::create_dir_all);
-            let _ = std::fs::write(file, text);
+            // In one step, so that a kill leaves no part of a file, which would count as somebody else's.
+            let unfinished = file.with_extension(format!("{}.part", std::process::id()));
+            let _ = std::fs::write(&unfinished, text).and_then(|()| std::fs::rename(&unfinished, file));
         }
         rates
     }
@@ -216,6 +220,9 @@ mod tests {
             std::fs::write(&file, text).unwrap();
             assert!(Rates::of_this_machine(Some(&file), false).are_sound());
         }
+        std::fs::write(&file, "notes").unwrap();
+        assert!(Rates::of_this_machine(Some(&file), true).are_sound());
+        assert_eq!(std::fs::read_to_string(&file).unwrap(), "notes");
         assert!(Rates::of_this_machine(None, false).are_sound());
     }
 }

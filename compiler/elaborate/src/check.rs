@@ -57,7 +57,20 @@ pub fn check_file(path: &Path) -> io::Result<Checked> {
 /// # Errors
 /// As for [`check_file`].
 pub fn check_run(path: &Path, given: &[Given], overrides: Override) -> io::Result<Checked> {
-    check_at(path, Params::Given(given, overrides))
+    check_run_within(path, given, overrides, None)
+}
+
+/// As [`check_run`], for a run whose memory is limited to so many bytes.
+///
+/// # Errors
+/// As for [`check_file`].
+pub fn check_run_within(
+    path: &Path,
+    given: &[Given],
+    overrides: Override,
+    memory: Option<u64>,
+) -> io::Result<Checked> {
+    check_at(path, Params::Given(given, overrides, memory))
 }
 
 fn check_at(path: &Path, params: Params) -> io::Result<Checked> {

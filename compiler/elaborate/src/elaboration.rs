@@ -29,8 +29,8 @@ use std::sync::{Arc, Mutex};
 /// Basic blocks a program may enter while it is checked: models build and end; one that does not is stopped.
 pub const FUEL: u64 = 20_000_000;
 
-/// Bytes that its values may take meanwhile.
-pub const MEMORY: u64 = 1_000_000_000;
+/// Bytes that its values and its output may take meanwhile: an editor checks several models beside other programs.
+pub const MEMORY: u64 = 256_000_000;
 
 /// Goes on, unless somebody has cancelled.
 fn go_on(cancel: &Cancel) -> Result<(), Cancelled> {
@@ -63,7 +63,8 @@ impl std::error::Error for Cancelled {}
 pub enum Params<'a> {
     Defaults,
     /// For a run, which may take as long as it likes, and which may change the analysis.
-    Given(&'a [Given], Override),
+    /// The memory is that of the run, bytes, if it has a limit.
+    Given(&'a [Given], Override, Option<u64>),
 }
 
 /// What a program describes, at some params.
@@ -92,7 +93,7 @@ pub struct Elaboration {
 /// # Errors
 /// It was cancelled.
 pub fn elaborate(program: &Program, params: Params, cancel: &Cancel) -> Result<Elaboration, Cancelled> {
-    elaborate_with(program, params, cancel, Box::new(|_| {}))
+    elaborate_with(program, params, cancel, None)
 }
 
 /// Elaborates a program at its params' defaults: the lines it prints, and what was found.
@@ -104,7 +105,7 @@ pub fn elaborate_printing(program: &Program) -> (Vec<String>, Vec<Diagnostic>) {
             lines.push(line.to_owned());
         }
     };
-    let elaboration = elaborate_with(program, Params::Defaults, &Cancel::default(), Box::new(print));
+    let elaboration = elaborate_with(program, Params::Defaults, &Cancel::default(), Some(Box::new(print)));
     let lines = lines.lock().map(|lines| lines.clone()).unwrap_or_default();
     (lines, elaboration.map(|elaboration| elaboration.found).unwrap_or_default())
 }
@@ -113,7 +114,7 @@ fn elaborate_with(
     program: &Program,
     params: Params,
     cancel: &Cancel,
-    print: Box<dyn FnMut(&str) + Send>,
+    print: Option<Box<dyn FnMut(&str) + Send>>,
 ) -> Result<Elaboration, Cancelled> {
     let mut tapes = Vec::with_capacity(program.sites.len());
     for site in (0..program.sites.len() as u32).map(SiteId) {
@@ -130,21 +131,23 @@ fn elaborate_with(
     go_on(cancel)?;
     let overrides = match params {
         Params::Defaults => Override::default(),
-        Params::Given(_, overrides) => overrides,
+        Params::Given(_, overrides, _) => overrides,
     };
     let host = ModelHost { checking: true, overrides, ..ModelHost::new(&interpreted.description().units) };
     let mut context = Context::new(Box::new(host));
     context.cancel = cancel.clone();
     context.fuel = FUEL;
-    context.limits.memory = Some(MEMORY);
+    let memory = if let Params::Given(_, _, Some(limit)) = params { limit.min(MEMORY) } else { MEMORY };
+    context.limits.memory = Some(memory);
     let seen = Seen::new(cancel.clone(), context.limits);
     context.kernels = seen.watched(interpreted.kernels());
-    context.print = print;
+    context.keeps_output = print.is_some();
+    context.print = print.unwrap_or_else(|| Box::new(|_| {}));
     let defaults =
         apply(&interpreted, &[], &mut context).and_then(|()| interpreted.describe_params(&mut context));
     let (applied, given) = match params {
         Params::Defaults => (defaults, &[][..]),
-        Params::Given(given, _) => (apply(&interpreted, given, &mut context), given),
+        Params::Given(given, ..) => (apply(&interpreted, given, &mut context), given),
     };
     let ran = applied.and_then(|()| interpreted.main_to_values(&mut context).map_err(Error::Model));
     let values = ran.as_ref().map(|slots| values::of_top_level(program, slots, &context)).unwrap_or_default();

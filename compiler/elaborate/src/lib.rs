@@ -42,7 +42,7 @@ pub use calyx_abi::Cancel;
 pub use calyx_gears::derived::{Kind, Quantity};
 pub use calyx_lower::kernels::SymbolKind;
 pub use calyx_rt::{Given, Override, Refused};
-pub use check::{Checked, check_file, check_run, check_sources, check_text, render};
+pub use check::{Checked, check_file, check_run, check_run_within, check_sources, check_text, render};
 pub use cost::PlannedCost;
 pub use elaboration::{Cancelled, Elaboration, FUEL, MEMORY, Params, elaborate, elaborate_printing};
 pub use geometry::{GearGeometry, Geometry, Made, Membership, MeshGeometry};

@@ -52,7 +52,8 @@ fn params_from_outside_are_used_or_refused() {
     let program = program("param n = 3 in 1 .. 5; assert(n < 4);");
     let given = |text: &str| [Given::text("n", text)];
     let ended = |text: &str| {
-        elaborate(&program, Params::Given(&given(text), Override::default()), &Cancel::default()).unwrap()
+        elaborate(&program, Params::Given(&given(text), Override::default(), None), &Cancel::default())
+            .unwrap()
     };
     assert!(codes(&ended("2")).is_empty());
     assert_eq!(codes(&ended("5")), ["E0705"]);

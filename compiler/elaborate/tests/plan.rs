@@ -8,7 +8,7 @@ fn planned(text: &str, set: &[(&str, &str)]) -> Option<Planned> {
     let checked = calyx_lang::check::check_program("model.cx", text, &ModelLoader { folder: None });
     let program = checked.program.unwrap_or_else(|| panic!("{:?}", checked.diagnostics));
     let given: Vec<Given> = set.iter().map(|(name, text)| Given::text(*name, *text)).collect();
-    elaborate(&program, Params::Given(&given, Override::default()), &Cancel::default())
+    elaborate(&program, Params::Given(&given, Override::default(), None), &Cancel::default())
         .expect("nobody cancels")
         .plan
 }

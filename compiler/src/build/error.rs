@@ -39,6 +39,10 @@ pub enum BuildError {
     Source {
         path: PathBuf,
     },
+    /// A file that no build made would be replaced.
+    Foreign {
+        path: PathBuf,
+    },
     /// A file cannot be written.
     Io {
         path: PathBuf,
@@ -53,6 +57,8 @@ pub enum WrongLibrary {
     /// It has no fingerprint, so it is something else.
     Foreign,
     Version(Fingerprint),
+    /// It was built without the command line that executables have.
+    NoCommand,
 }
 
 impl BuildError {
@@ -75,6 +81,9 @@ impl BuildError {
             }
             BuildError::WrongLibrary { .. } => MAKE.into(),
             BuildError::Source { .. } => "name the executable with `-o NAME`".into(),
+            BuildError::Foreign { .. } => {
+                "choose another name with `-o NAME`, or replace the file with --force".into()
+            }
             BuildError::Io { .. } => "choose another place with `-o NAME`".into(),
             BuildError::Code(_) | BuildError::Description(_) | BuildError::Module(_) => String::new(),
         }
@@ -123,6 +132,10 @@ impl fmt::Display for BuildError {
                         write!(f, "the library {path} cannot be read: {error}")
                     }
                     WrongLibrary::Foreign => write!(f, "{path} is not Calyx's runtime library"),
+                    WrongLibrary::NoCommand => write!(
+                        f,
+                        "the library {path} has no command line for executables: it was built without the feature `command`"
+                    ),
                     WrongLibrary::Version(found) => write!(
                         f,
                         "the library {path} is of another version of Calyx: its interface is {found}, and this \
@@ -132,6 +145,9 @@ impl fmt::Display for BuildError {
             }
             BuildError::Source { path } => {
                 write!(f, "{} is a source of the model and would be overwritten", path.display())
+            }
+            BuildError::Foreign { path } => {
+                write!(f, "{} is there already, and `calyx build` did not make it", path.display())
             }
             BuildError::Io { path, error } => write!(f, "cannot write {}: {error}", path.display()),
         }

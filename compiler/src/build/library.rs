@@ -1,8 +1,8 @@
 //! Finds the static library of `calyx-rt` that executables are linked with.
 //!
 //! It must be of this very version: the engine's fingerprint in it is read and compared before anything is linked. Cargo leaves
-//! the library in `deps/` beside an executable that it builds, under a name with a hash, together with those of earlier builds;
-//! the newest that fits is taken.
+//! the library in `deps/` beside an executable that it builds, under a name with a hash, together with those of earlier builds
+//! and of builds with other features; the newest that fits is taken. Executables need one with the feature `command`.
 
 use super::error::{BuildError, WrongLibrary};
 use calyx_abi::Fingerprint;
@@ -20,19 +20,38 @@ pub const VARIABLE: &str = "CALYX_RT_LIBRARY";
 
 /// The symbol that holds the fingerprint.
 const FINGERPRINT_SYMBOL: &str = "CALYX_RT_ABI";
+/// The function that `main` of an executable calls.
+const COMMAND_SYMBOL: &str = "calyx_rt_main";
 
 /// The library that fits this compiler: the one given, else the one that [`VARIABLE`] names, else the first that fits in
 /// [`places`].
 ///
 /// # Errors
 /// There is none, or the one that was named does not fit.
-pub fn find(given: Option<&Path>) -> Result<PathBuf, BuildError> {
-    let named = std::env::var_os(VARIABLE).filter(|name| !name.is_empty()).map(PathBuf::from);
-    if let Some(path) = given.map(Path::to_owned).or(named) {
-        check(&path)?;
+pub fn find(given: Option<&Path>, needs: Needs) -> Result<PathBuf, BuildError> {
+    if let Some(path) = given.map(Path::to_owned).or(named()) {
+        check(&path, needs)?;
         return Ok(path);
     }
-    find_in(&places())
+    find_in(&places(), needs)
+}
+
+/// What a library is needed for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Needs {
+    /// Programs of the user's own: the interface to C.
+    Interface,
+    /// Executables: the command line as well.
+    Command,
+}
+
+/// Whether [`VARIABLE`] names a library.
+pub fn is_named() -> bool {
+    named().is_some()
+}
+
+fn named() -> Option<PathBuf> {
+    std::env::var_os(VARIABLE).filter(|name| !name.is_empty()).map(PathBuf::from)
 }
 
 /// The directories that are searched, in this order: that of the running executable and `deps` beside it, where the newer of
@@ -50,11 +69,11 @@ pub fn places() -> Vec<Vec<PathBuf>> {
     places
 }
 
-fn find_in(places: &[Vec<PathBuf>]) -> Result<PathBuf, BuildError> {
+fn find_in(places: &[Vec<PathBuf>], needs: Needs) -> Result<PathBuf, BuildError> {
     let mut unfit = None;
     for directories in places {
         for path in libraries(directories) {
-            match check(&path) {
+            match check(&path, needs) {
                 Ok(()) => return Ok(path),
                 Err(error) => unfit = unfit.or(Some(error)),
             }
@@ -81,34 +100,40 @@ fn is_library(name: &OsStr) -> bool {
     middle.is_some_and(|middle| middle.is_empty() || middle.starts_with('-'))
 }
 
-/// Whether a library is of this version.
-fn check(path: &Path) -> Result<(), BuildError> {
+/// Whether a library is of this version and has what is needed.
+fn check(path: &Path, needs: Needs) -> Result<(), BuildError> {
     let wrong = |why| Err(BuildError::WrongLibrary { path: path.into(), why });
-    match fingerprint(path) {
-        Ok(Some(found)) if found == FINGERPRINT => Ok(()),
-        Ok(Some(found)) => wrong(WrongLibrary::Version(found)),
+    match read(path) {
+        Ok(Some((FINGERPRINT, false))) if needs == Needs::Command => wrong(WrongLibrary::NoCommand),
+        Ok(Some((FINGERPRINT, _))) => Ok(()),
+        Ok(Some((found, _))) => wrong(WrongLibrary::Version(found)),
         Ok(None) => wrong(WrongLibrary::Foreign),
         Err(error) => wrong(WrongLibrary::Unreadable(error)),
     }
 }
 
-/// The fingerprint in a static library; `None` if it holds none. Reads no more of the file than it must: libraries with
-/// debugging information take a hundred megabytes.
-fn fingerprint(path: &Path) -> Result<Option<Fingerprint>, String> {
+/// The fingerprint in a static library, and whether it has the command line of executables; `None` if it has no fingerprint.
+/// Reads no more of the file than it must: libraries with debugging information take a hundred megabytes.
+fn read(path: &Path) -> Result<Option<(Fingerprint, bool)>, String> {
     let cache = ReadCache::new(File::open(path).map_err(|error| error.to_string())?);
-    read_fingerprint(&cache).map_err(|error| error.to_string())
+    read_symbols(&cache).map_err(|error| error.to_string())
 }
 
-fn read_fingerprint<'data, R: ReadRef<'data>>(data: R) -> object::Result<Option<Fingerprint>> {
+fn read_symbols<'data, R: ReadRef<'data>>(data: R) -> object::Result<Option<(Fingerprint, bool)>> {
     let archive = ArchiveFile::parse(data)?;
     let Some(symbols) = archive.symbols()? else { return Ok(None) };
     // Names begin with an underscore on some systems.
-    let is_it = |name: &[u8]| name.strip_prefix(b"_").unwrap_or(name) == FINGERPRINT_SYMBOL.as_bytes();
+    let is = |name: &[u8], symbol: &str| name.strip_prefix(b"_").unwrap_or(name) == symbol.as_bytes();
+    let is_it = |name: &[u8]| is(name, FINGERPRINT_SYMBOL);
+    let (mut found_in, mut command) = (Vec::new(), false);
     for symbol in symbols {
         let symbol = symbol?;
-        if !is_it(symbol.name()) {
-            continue;
+        command |= is(symbol.name(), COMMAND_SYMBOL);
+        if is_it(symbol.name()) {
+            found_in.push(symbol);
         }
+    }
+    for symbol in found_in {
         let file = object::File::parse(archive.member(symbol.offset())?.data(data)?)?;
         let found =
             file.symbols().find(|symbol| symbol.name_bytes().is_ok_and(is_it) && symbol.is_definition());
@@ -118,7 +143,7 @@ fn read_fingerprint<'data, R: ReadRef<'data>>(data: R) -> object::Result<Option<
         if let Some(bytes) = bytes.and_then(|bytes| bytes.try_into().ok()) {
             let number =
                 if file.is_little_endian() { u64::from_le_bytes(bytes) } else { u64::from_be_bytes(bytes) };
-            return Ok(Some(Fingerprint(number)));
+            return Ok(Some((Fingerprint(number), command)));
         }
     }
     Ok(None)
@@ -146,14 +171,48 @@ mod tests {
     fn what_does_not_fit_is_told_from_what_is_not_there() {
         let directory = tempfile::tempdir().unwrap();
         let places = [vec![directory.path().to_owned()]];
-        let missing = find_in(&places).unwrap_err();
+        let missing = find_in(&places, Needs::Command).unwrap_err();
         assert!(matches!(missing, BuildError::NoLibrary { .. }), "{missing}");
         assert!(missing.help().contains("cargo build --release -p calyx-rt"), "{}", missing.help());
         fs::write(directory.path().join("libcalyx_rt.a"), "not an archive").unwrap();
-        let damaged = find_in(&places).unwrap_err();
+        let damaged = find_in(&places, Needs::Command).unwrap_err();
         assert!(damaged.to_string().contains("cannot be read"), "{damaged}");
         fs::write(directory.path().join("libcalyx_rt.a"), "!<arch>\n").unwrap();
-        let foreign = find_in(&places).unwrap_err();
+        let foreign = find_in(&places, Needs::Command).unwrap_err();
         assert!(foreign.to_string().contains("is not Calyx's runtime library"), "{foreign}");
+    }
+
+    /// A library of this version; its symbols are those that [`check`] looks for.
+    fn library(directory: &Path, name: &str, with_command: bool) -> PathBuf {
+        let source = directory.join(format!("{name}.c"));
+        let command = if with_command { "int calyx_rt_main(void) { return 0; }" } else { "" };
+        let text = format!("const unsigned long long CALYX_RT_ABI = {}ull;\n{command}\n", FINGERPRINT.0);
+        fs::write(&source, text).unwrap();
+        let object = source.with_extension("o");
+        let done =
+            |command: &mut std::process::Command| assert!(command.status().expect("it starts").success());
+        done(std::process::Command::new("cc").arg("-c").arg(&source).arg("-o").arg(&object));
+        let archive = directory.join(format!("lib{name}.a"));
+        done(std::process::Command::new("ar").arg("rcs").arg(&archive).arg(&object));
+        archive
+    }
+
+    #[test]
+    fn executables_get_a_library_with_a_command_line_though_a_newer_one_has_none() {
+        let directory = tempfile::tempdir().unwrap();
+        let places = [vec![directory.path().to_owned()]];
+        let older = library(directory.path(), "calyx_rt-1", true);
+        let newer = library(directory.path(), "calyx_rt-2", false);
+        let age = |path: &Path, seconds| {
+            let time = SystemTime::now() - std::time::Duration::from_secs(seconds);
+            File::options().append(true).open(path).unwrap().set_modified(time).unwrap();
+        };
+        age(&older, 100);
+        age(&newer, 10);
+        assert_eq!(find_in(&places, Needs::Command).unwrap(), older);
+        assert_eq!(find_in(&places, Needs::Interface).unwrap(), newer);
+        fs::remove_file(&older).unwrap();
+        let error = find_in(&places, Needs::Command).unwrap_err();
+        assert!(error.to_string().contains("has no command line for executables"), "{error}");
     }
 }

@@ -19,10 +19,12 @@ mod error;
 mod executable;
 mod header;
 pub mod library;
+mod recognise;
 
 pub use calyx_codegen::TargetCpu;
 pub use error::BuildError;
 pub use executable::{GlibcVersion, Linker, glibc_floor};
+pub use library::Needs;
 
 use crate::module::serialize;
 use calyx_codegen::{ObjectOptions, compile_object};
@@ -61,6 +63,10 @@ pub struct BuildOptions {
     /// The `calyx` that executables are to be copies of, with the module behind them. Then neither linker nor runtime library is
     /// needed for them.
     pub bundle: Option<PathBuf>,
+    /// The `calyx` that executables become copies of if no runtime library is found, and none was named.
+    pub bundle_without_library: Option<PathBuf>,
+    /// Replaces files that no build made.
+    pub force: bool,
 }
 
 impl BuildOptions {
@@ -74,6 +80,8 @@ impl BuildOptions {
             library: None,
             linker: Linker::from_environment(),
             bundle: None,
+            bundle_without_library: None,
+            force: false,
         }
     }
 
@@ -103,6 +111,8 @@ pub struct Built {
     pub size: u64,
     /// The oldest glibc that an executable runs with; `None` if it needs none, and for what is not an executable.
     pub glibc: Option<GlibcVersion>,
+    /// Why an executable is a copy of `calyx` although that was not asked for; `None` if it is none.
+    pub why_bundled: Option<String>,
 }
 
 /// Builds everything that is asked for; in order of [`Emit`].
@@ -121,22 +131,23 @@ pub fn build(checked: &Checked, options: &BuildOptions) -> Result<Vec<Built>, Bu
         compile_object(program, &object).map_err(BuildError::Code)
     };
     keep_sources(checked, options)?;
+    keep_foreign(options)?;
     if options.output.file_name().is_none() || options.output.is_dir() {
         return Err(BuildError::unwritable(&options.output, io::ErrorKind::IsADirectory.into()));
     }
     let staging = Staging::beside(&options.output)?;
-    let mut built = Vec::new();
+    let (mut built, mut why_bundled) = (Vec::new(), None);
     for &emit in &options.emit {
         let unfinished = staging.path(&options.path(emit));
         match emit {
-            Emit::Executable => match &options.bundle {
-                Some(calyx) => {
+            Emit::Executable => match executable_from(options)? {
+                Made::Copied(calyx, why) => {
                     let module = serialize(program, &checked.description, options.cpu)?;
-                    bundle::write(calyx, &module, &unfinished)
+                    bundle::write(&calyx, &module, &unfinished)
                         .map_err(|error| BuildError::unwritable(&unfinished, error))?;
+                    why_bundled = why;
                 }
-                None => {
-                    let library = library::find(options.library.as_deref())?;
+                Made::Linked(library) => {
                     let file = staging.write("model.o", &object(true)?)?;
                     executable::link(&file, &library, &unfinished, options)?;
                 }
@@ -145,14 +156,15 @@ pub fn build(checked: &Checked, options: &BuildOptions) -> Result<Vec<Built>, Bu
                 staging.write(&unfinished, &object(false)?)?;
             }
             Emit::Library => {
-                let library = library::find(options.library.as_deref())?;
+                let library = library::find(options.library.as_deref(), Needs::Interface)?;
                 archive::with_member(&library, &format!("{name}.o"), &object(false)?, &unfinished)?;
             }
             Emit::Header => {
                 staging.write(&unfinished, header::header(&name, &checked.description).as_bytes())?;
             }
         }
-        built.push(staging.finish(&unfinished, emit, options)?);
+        let finished = staging.finish(&unfinished, emit, options)?;
+        built.push(Built { why_bundled: why_bundled.take(), ..finished });
     }
     Ok(built)
 }
@@ -165,6 +177,42 @@ fn keep_sources(checked: &Checked, options: &BuildOptions) -> Result<(), BuildEr
     match targets.into_iter().find(|path| fs::canonicalize(path).is_ok_and(|path| sources.contains(&path))) {
         Some(path) => Err(BuildError::Source { path }),
         None => Ok(()),
+    }
+}
+
+/// # Errors
+/// A file to be written exists, and no build made it.
+fn keep_foreign(options: &BuildOptions) -> Result<(), BuildError> {
+    let foreign = |emit: &Emit| {
+        let path = options.path(*emit);
+        let there = path.symlink_metadata().is_ok() && !path.is_dir();
+        (there && !recognise::is_built(&path, *emit)).then_some(path)
+    };
+    match options.emit.iter().find_map(foreign) {
+        Some(path) if !options.force => Err(BuildError::Foreign { path }),
+        _ => Ok(()),
+    }
+}
+
+/// How an executable is made.
+enum Made {
+    /// Linked with this library.
+    Linked(PathBuf),
+    /// As a copy of this `calyx`, and why, if that was not asked for.
+    Copied(PathBuf, Option<String>),
+}
+
+/// # Errors
+/// There is no runtime library that fits, and nothing to copy.
+fn executable_from(options: &BuildOptions) -> Result<Made, BuildError> {
+    if let Some(calyx) = &options.bundle {
+        return Ok(Made::Copied(calyx.clone(), None));
+    }
+    match (library::find(options.library.as_deref(), Needs::Command), &options.bundle_without_library) {
+        (Err(error), Some(calyx)) if options.library.is_none() && !library::is_named() => {
+            Ok(Made::Copied(calyx.clone(), Some(error.to_string())))
+        }
+        (library, _) => library.map(Made::Linked),
     }
 }
 
@@ -201,7 +249,7 @@ impl Staging {
         };
         let size = fs::metadata(file).map_err(|error| BuildError::unwritable(file, error))?.len();
         fs::rename(file, &path).map_err(|error| BuildError::unwritable(&path, error))?;
-        Ok(Built { emit, path, size, glibc })
+        Ok(Built { emit, path, size, glibc, why_bundled: None })
     }
 }
 

@@ -4,8 +4,9 @@ use crate::compile::checked;
 use crate::messages::{MODEL_ERROR, MessageFormat};
 use calyx::build::{BuildOptions, Built, Emit, TargetCpu, build};
 use calyx::check_file;
+use calyx::rt::shell;
 use clap::{Args, ValueEnum};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 pub const EXAMPLES: &str = "Examples:
@@ -57,8 +58,16 @@ pub struct Build {
     #[arg(long)]
     keep_symbols: bool,
     /// Make the executable a copy of `calyx` with the compiled model behind it: larger, but no linker and no library are needed
+    ///
+    /// This is done without the option, too, where the runtime library is not found, as after `cargo install`. Like every
+    /// executable, it is machine code: run only those whose origin you trust.
     #[arg(long)]
     bundle: bool,
+    /// Replace files that `calyx build` did not make
+    ///
+    /// Without it, only executables, object files, libraries and headers of an earlier build are replaced.
+    #[arg(long)]
+    force: bool,
     /// How messages are written to standard error
     #[arg(long, value_enum, default_value_t, value_name = "FORMAT")]
     message_format: MessageFormat,
@@ -81,8 +90,10 @@ impl Build {
             Cpu::Baseline => TargetCpu::Baseline,
             Cpu::Native => TargetCpu::Native,
         };
-        let bundle = match self.bundle.then(std::env::current_exe).transpose() {
-            Ok(bundle) => bundle,
+        let (bundle, bundle_without_library) = match std::env::current_exe() {
+            Ok(calyx) if self.bundle => (Some(calyx), None),
+            Ok(calyx) => (None, Some(calyx)),
+            Err(_) if !self.bundle => (None, None),
             Err(error) => {
                 format.failure(
                     &format!("`calyx` cannot find its own file: {error}"),
@@ -97,6 +108,8 @@ impl Build {
             cpu,
             keep_symbols: self.keep_symbols,
             bundle,
+            bundle_without_library,
+            force: self.force,
             ..BuildOptions::executable(output)
         };
         match build(&checked, &options) {
@@ -118,13 +131,20 @@ impl Build {
 /// One line about a file: how large it is, what it needs, how it is used.
 fn told(built: &Built) -> String {
     let Built { path, size, .. } = built;
-    let shown = path.display();
+    let shown = shell::path(path);
     let size = shown_size(*size);
     match built.emit {
+        Emit::Executable if built.why_bundled.is_some() => {
+            let why = built.why_bundled.as_deref().unwrap_or_default();
+            format!(
+                "{shown}: {size}, a copy of `calyx` with the model, as by --bundle, because {why}; run it with {} --help\n",
+                shell::command(path)
+            )
+        }
         Emit::Executable => {
             let needs =
                 built.glibc.map(|floor| format!(", needs glibc {floor} or newer")).unwrap_or_default();
-            format!("{shown}: {size}{needs}; run it with {} --help\n", command(path))
+            format!("{shown}: {size}{needs}; run it with {} --help\n", shell::command(path))
         }
         Emit::Object => format!("{shown}: {size}; link it with your program and libcalyx_rt.a\n"),
         Emit::Library => {
@@ -139,13 +159,5 @@ fn shown_size(bytes: u64) -> String {
     match bytes as f64 {
         bytes if bytes < 1e5 => format!("{:.1} kB", bytes / 1e3),
         bytes => format!("{:.1} MB", bytes / 1e6),
-    }
-}
-
-/// How a shell is told to run the file: a name without a slash would be looked up elsewhere.
-fn command(path: &Path) -> String {
-    match path.parent() {
-        Some(parent) if !parent.as_os_str().is_empty() => path.display().to_string(),
-        _ => format!("./{}", path.display()),
     }
 }

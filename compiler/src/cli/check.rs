@@ -60,11 +60,12 @@ impl Check {
     /// The last line; errors speak for themselves, but those with a certain remedy are worth a hint.
     fn summary(&self, checked: &Checked) -> String {
         let fixes = checked.diagnostics.iter().filter(|diagnostic| diagnostic.fix.is_some()).count();
+        let file = calyx::rt::shell::path(&self.file);
         if checked.has_errors() {
             return match fixes {
                 0 => String::new(),
-                1 => format!("1 of these is mended by `calyx check --fix {}`\n", self.file.display()),
-                _ => format!("{fixes} of these are mended by `calyx check --fix {}`\n", self.file.display()),
+                1 => format!("1 of these is mended by `calyx check --fix {file}`\n"),
+                _ => format!("{fixes} of these are mended by `calyx check --fix {file}`\n"),
             };
         }
         let warnings = checked.diagnostics.iter().filter(|d| d.severity == Severity::Warning).count();

@@ -20,6 +20,9 @@ pub struct Doc {
     /// Directory to write to
     #[arg(short, long, value_name = "DIR", default_value = "doc")]
     output: PathBuf,
+    /// Replace files that have names of pages and that `calyx doc` did not write
+    #[arg(long)]
+    force: bool,
 }
 
 impl Doc {
@@ -31,7 +34,7 @@ impl Doc {
             self.modules
         };
         let pages: Result<Vec<_>, _> = modules.iter().map(|name| page(name)).collect();
-        match pages.and_then(|pages| write(&pages, &self.output)) {
+        match pages.and_then(|pages| write(&pages, &self.output, self.force)) {
             Ok(first) => {
                 eprintln!("wrote {}", first.display());
                 ExitCode::SUCCESS
@@ -40,6 +43,13 @@ impl Doc {
                 format.failure(
                     &format!("there is no module `{name}`"),
                     &format!("the library has {}; a file of your own ends in .cx", known.join(", ")),
+                );
+                ExitCode::from(USAGE)
+            }
+            Err(DocError::Foreign { path }) => {
+                format.failure(
+                    &format!("{} is there already, and `calyx doc` did not write it", path.display()),
+                    "choose another directory with -o, or replace it with --force",
                 );
                 ExitCode::from(USAGE)
             }

@@ -1,6 +1,7 @@
 //! `calyx fmt`: models in their canonical layout.
 
 use crate::messages::{MODEL_ERROR, MessageFormat, USAGE};
+use calyx::replace::replace;
 use calyx_lang::format::{NotFormatted, format};
 use calyx_lang::ir::SourceFile;
 use clap::Args;
@@ -77,7 +78,7 @@ impl Fmt {
             return Ok(Outcome::AsItWas);
         }
         if !self.check {
-            std::fs::write(path, formatted)?;
+            replace(path, &formatted)?;
         }
         Ok(Outcome::Changed)
     }

@@ -1,6 +1,7 @@
 //! `calyx new`: a model to start from.
 
 use crate::messages::{MODEL_ERROR, MessageFormat, USAGE};
+use calyx::rt::shell;
 use clap::{Args, ValueEnum};
 use std::fs::{self, OpenOptions};
 use std::io::{self, Write};
@@ -57,7 +58,8 @@ impl New {
         match write(directory.as_deref(), &file, self.template.text()) {
             Ok(()) => {
                 eprintln!("wrote {}", file.display());
-                eprintln!("check it:  calyx check {0}\nrun it:    calyx run {0}", file.display());
+                let shown = shell::path(&file);
+                eprintln!("check it:  calyx check {shown}\nrun it:    calyx run {shown}");
                 ExitCode::SUCCESS
             }
             Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {

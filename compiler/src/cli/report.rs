@@ -3,9 +3,10 @@
 use crate::messages::{MODEL_ERROR, MessageFormat, USAGE};
 use calyx::rt::directory::default_directory;
 use calyx::rt::page;
+use calyx::rt::run_directory::{DirectoryError, Kind, RunDirectory};
 use clap::Args;
 use std::io::ErrorKind;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 pub const EXAMPLES: &str = "\
@@ -25,17 +26,25 @@ impl Report {
     pub fn run(self) -> ExitCode {
         let directory = if self.run.is_file() { default_directory(&self.run) } else { self.run };
         let shown = directory.display();
-        let (what, help, status) = match page::write(&directory) {
+        let (what, help, status) = match write(&directory) {
             Ok(path) => {
                 println!("{}", path.display());
                 return ExitCode::SUCCESS;
             }
-            Err(error) if error.kind() == ErrorKind::NotFound => (
+            Err(DirectoryError::InUse { path, owner }) => (
+                format!("a run writes to {}: {owner}", path.display()),
+                "wait until it has ended; its report is made then",
+                MODEL_ERROR,
+            ),
+            Err(error @ (DirectoryError::Foreign { .. } | DirectoryError::InTheWay { .. })) => {
+                (error.to_string(), "name the directory that `calyx run` wrote; move other files away", USAGE)
+            }
+            Err(DirectoryError::Io { error, .. }) if error.kind() == ErrorKind::NotFound => (
                 format!("there is no run in {shown}"),
                 "name the directory that `calyx run` wrote, or its model",
                 USAGE,
             ),
-            Err(error) => (
+            Err(DirectoryError::Io { error, .. }) => (
                 format!("cannot make the report of {shown}: {error}"),
                 "the run may be one of another version of Calyx: run the model again",
                 MODEL_ERROR,
@@ -44,4 +53,15 @@ impl Report {
         MessageFormat::Human.failure(&what, help);
         ExitCode::from(status)
     }
+}
+
+/// Makes the report of the run in a directory while no run writes there.
+fn write(directory: &Path) -> Result<PathBuf, DirectoryError> {
+    let unreadable = |error| DirectoryError::Io { path: directory.to_owned(), error };
+    // Of no run, nothing is written.
+    if !page::is_run(directory) {
+        return Err(unreadable(ErrorKind::NotFound.into()));
+    }
+    let locked = RunDirectory::lock(directory, Kind::Run, false)?;
+    page::write_locked(&locked).map_err(unreadable)
 }

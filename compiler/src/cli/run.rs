@@ -1,13 +1,13 @@
 //! `calyx run`: solves a model and writes its results.
 
 use crate::compile::{checked, compile};
-use crate::messages::{MODEL_ERROR, MessageFormat, USAGE};
+use crate::messages::{MessageFormat, USAGE};
 use calyx::rt::Refused;
-use calyx::rt::command::{Messages, RunCommand, unwritable};
-use calyx::rt::directory::{default_directory, prepare};
+use calyx::rt::command::{Messages, RunCommand, refused_by_check};
+use calyx::rt::directory::default_directory;
 use calyx::rt::options::RunArguments;
 use calyx::rt::schema::schema;
-use calyx::{Module, check_file, check_run};
+use calyx::{Module, check_file, check_run_within};
 use calyx_abi::RuntimeError;
 use calyx_gears::host::Finding;
 use clap::Args;
@@ -55,20 +55,15 @@ impl Run {
             }
         };
         let overrides = arguments.overrides.knobs();
-        let (module, before) =
-            match compile(&file, arguments.quiet, format, || check_run(&file, &given, overrides)) {
-                Ok(compiled) => compiled,
-                Err(status) => return status,
-            };
+        let check = || check_run_within(&file, &given, overrides, arguments.memory_limit);
+        let (module, before) = match compile(&file, arguments.quiet, format, check) {
+            Ok(compiled) => compiled,
+            Err(status) => return status,
+        };
         let directory = arguments.out.clone().unwrap_or_else(|| default_directory(&file));
         let messages = Said { module: &module, format };
         if module.has_errors() {
-            // As after any run that fails, no results of an earlier one are left behind, unless they are to be gone on with.
-            let prepared = if arguments.resume { Ok(()) } else { prepare(&directory) };
-            return ExitCode::from(match prepared {
-                Ok(()) => MODEL_ERROR,
-                Err(error) => unwritable(&directory, &error, &messages),
-            });
+            return ExitCode::from(refused_by_check(&directory, &messages));
         }
         let command = RunCommand {
             program: module.as_program(),

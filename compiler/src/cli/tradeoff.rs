@@ -5,6 +5,7 @@ use crate::messages::{MODEL_ERROR, MessageFormat, USAGE};
 use calyx::elaborate::Planned;
 use calyx::rt::options::given_of;
 use calyx::rt::progress::{ProgressFormat, Tour};
+use calyx::rt::run_directory::{DirectoryError, Kind, RunDirectory};
 use calyx::rt::tradeoff::campaign::{Campaign, Outcome};
 use calyx::rt::tradeoff::text::{LeftOut, left_out, recommendations, seconds, table};
 use calyx::rt::tradeoff::{Comparison, Measured, Setting, files, picture, reference, settings};
@@ -67,6 +68,11 @@ pub struct Tradeoff {
     /// there is kept as long as model and params are the same.
     #[arg(short, long, value_name = "DIR")]
     out: Option<PathBuf>,
+    /// Write to a directory that holds files which `calyx tradeoff` has not written
+    ///
+    /// Files that have names of results, like tradeoff.csv, are replaced; all others stay.
+    #[arg(long)]
+    force: bool,
     /// Use this many threads [default: one a core]
     #[arg(long, value_name = "N")]
     threads: Option<NonZeroUsize>,
@@ -114,6 +120,11 @@ impl Tradeoff {
             }
         };
         let directory = self.out.clone().unwrap_or_else(|| beside(&self.file));
+        let locked = RunDirectory::lock(&directory, Kind::Tradeoff, self.force);
+        let locked = match locked.and_then(|locked| claimed(locked, &directory)) {
+            Ok(locked) => locked,
+            Err(error) => return refused(format, &error),
+        };
         let campaign = Campaign {
             program: module.as_program(),
             given,
@@ -135,6 +146,11 @@ impl Tradeoff {
                 format.diagnostics(&[module.error(&error)], module.files());
                 return ExitCode::from(MODEL_ERROR);
             }
+            Err(RunError::Ended { error, .. }) => {
+                format.diagnostics(&[module.error(&error)], module.files());
+                return ExitCode::from(MODEL_ERROR);
+            }
+            Err(RunError::Directory(error)) => return refused(format, &error),
             Err(RunError::Io { path, error }) => return unwritable(format, &path, &error.to_string()),
         };
         let known = |name: &str| measured.iter().any(|measured| measured.setting.name == name);
@@ -152,7 +168,9 @@ impl Tradeoff {
             );
             return ExitCode::from(MODEL_ERROR);
         };
-        self.tell(&comparison, &left, &directory)
+        let told = self.tell(&comparison, &left, &directory);
+        drop(locked);
+        told
     }
 
     /// The settings to run, in order, and the name of the reference; what is left out is noted.
@@ -317,6 +335,22 @@ fn beside(model: &Path) -> PathBuf {
     let mut name = model.file_name().unwrap_or_default().to_owned();
     name.push(".tradeoff");
     model.with_file_name(name)
+}
+
+/// Lists everything that a comparison writes at the top of its directory.
+fn claimed(locked: RunDirectory, path: &Path) -> Result<RunDirectory, DirectoryError> {
+    let names = ["tradeoff.csv", "tradeoff.json", "tradeoff.svg", "runs", "structures"];
+    let listed = locked.claim_all(names);
+    listed.map(|()| locked).map_err(|error| DirectoryError::Io { path: path.to_owned(), error })
+}
+
+/// Says why results cannot be written to a directory.
+fn refused(format: MessageFormat, error: &DirectoryError) -> ExitCode {
+    format.failure(&error.to_string(), error.help());
+    ExitCode::from(match error {
+        DirectoryError::Foreign { .. } | DirectoryError::InTheWay { .. } => USAGE,
+        DirectoryError::InUse { .. } | DirectoryError::Io { .. } => MODEL_ERROR,
+    })
 }
 
 fn unwritable(format: MessageFormat, path: &Path, error: &str) -> ExitCode {

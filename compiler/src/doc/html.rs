@@ -77,10 +77,13 @@ fn title(page: &Page) -> String {
     }
 }
 
+/// By which a page of this program is recognised.
+pub(super) const GENERATOR: &str = "<meta name=\"generator\" content=\"calyx doc\">";
+
 fn document(title: &str, navigation: &str, body: &str) -> String {
     format!(
         "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
-         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{}</title>\n\
+         {GENERATOR}\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{}</title>\n\
          <style>\n{STYLE}</style>\n</head>\n<body>\n<nav>{navigation}</nav>\n<main>\n{body}</main>\n\
          <script>\n{SCRIPT}</script>\n</body>\n</html>\n",
         escape(title)

@@ -4,6 +4,9 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
+/// By which a run recognises its directory.
+const MARKER: &str = ".calyx-run";
+
 /// Every file of a run directory by its path in it, but for what the run's own speed decides: `timing.json`, and the section of the report
 /// that shows it.
 ///
@@ -27,6 +30,10 @@ fn read(directory: &Path, below: &str, all: &mut BTreeMap<String, String>) {
     for entry in fs::read_dir(directory).expect("a directory") {
         let path = entry.expect("an entry").path();
         let name = format!("{below}{}", path.file_name().unwrap_or_default().to_string_lossy());
+        // The marker has the process and the time.
+        if name == MARKER {
+            continue;
+        }
         match path.is_dir() {
             true => read(&path, &format!("{name}/"), all),
             false => {

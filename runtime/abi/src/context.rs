@@ -63,6 +63,10 @@ pub struct Context {
     pub units: Arc<[UnitDescription]>,
     /// The string under construction.
     pub text: String,
+    /// Whether printed lines stay in memory, where they count towards the limit.
+    pub keeps_output: bool,
+    /// Bytes of the lines that were kept.
+    pub kept_output: u64,
 }
 
 /// Offsets in bytes of the fields of [`Context`] that generated code touches.
@@ -103,6 +107,8 @@ impl Context {
             tables: None,
             units: Arc::default(),
             text: String::new(),
+            keeps_output: false,
+            kept_output: 0,
         }
     }
 

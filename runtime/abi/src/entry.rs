@@ -175,7 +175,9 @@ entry_points! {
 
     /// Makes an array of `count` slots; stores its id in `result`.
     fn calyx_array_new(ctx, stride, address, count, result) {
-        let elements = slots(address, count).to_vec();
+        let elements = slots(address, count);
+        limits::ask_memory(ctx, size_of_val(elements) as u64)?;
+        let elements = elements.to_vec();
         slots_mut(result, 1)[0] = helpers::new_array(ctx, stride as usize, elements)?;
         Ok(())
     }
@@ -205,8 +207,7 @@ entry_points! {
 
     /// Appends text to the string under construction.
     fn calyx_text(ctx, address, count) {
-        ctx.text.push_str(text(address, count)?);
-        Ok(())
+        helpers::append_text(ctx, text(address, count)?)
     }
 
     /// Appends a value to the string under construction.

@@ -4,7 +4,7 @@
 use crate::call::Slot;
 use crate::context::{Context, RuntimeError, codes};
 use crate::entry::guarded;
-use crate::heap::{Object, SymbolicValue};
+use crate::heap::{OBJECT, Object, SymbolicValue};
 use crate::limits;
 use crate::shape::Shape;
 use std::sync::Arc;
@@ -15,6 +15,14 @@ pub trait Value: Sized {
     /// Reads the value; `None` if the slots hold no such value (a defect of the caller, not of the program).
     fn read(context: &Context, slots: &[Slot]) -> Option<Self>;
     fn write(self, context: &mut Context, slots: &mut [Slot]);
+    /// Bytes on the heap that reading the value takes.
+    fn bytes_to_read(_context: &Context, _slots: &[Slot]) -> u64 {
+        0
+    }
+    /// Bytes on the heap that writing the value takes.
+    fn bytes_to_write(&self) -> u64 {
+        0
+    }
     /// Whether a number in the value is NaN.
     fn has_nan(&self) -> bool {
         false
@@ -63,6 +71,12 @@ impl Value for String {
     }
     fn write(self, context: &mut Context, slots: &mut [Slot]) {
         slots[0] = context.heap.string(&self);
+    }
+    fn bytes_to_read(context: &Context, slots: &[Slot]) -> u64 {
+        slots.first().and_then(|&slot| context.heap.str(slot)).map_or(0, |text| text.len() as u64)
+    }
+    fn bytes_to_write(&self) -> u64 {
+        OBJECT + self.len() as u64
     }
 }
 
@@ -129,6 +143,15 @@ impl<T: Value> Value for Vec<T> {
         }
         slots[0] = context.heap.insert(Object::Array { stride, slots: flat });
     }
+    fn bytes_to_read(context: &Context, slots: &[Slot]) -> u64 {
+        let Some((flat, stride)) = slots.first().and_then(|&slot| context.heap.array(slot)) else { return 0 };
+        let elements = flat.chunks(stride.max(1));
+        elements.map(|element| size_of::<T>() as u64 + T::bytes_to_read(context, element)).sum()
+    }
+    fn bytes_to_write(&self) -> u64 {
+        let slots = size_of::<Slot>() * T::SHAPE.slots() * self.len();
+        OBJECT + slots as u64 + self.iter().map(Value::bytes_to_write).sum::<u64>()
+    }
     fn has_nan(&self) -> bool {
         self.iter().any(Value::has_nan)
     }
@@ -161,11 +184,12 @@ impl Arguments<'_> {
     /// The next argument.
     ///
     /// # Errors
-    /// Internal if the slots hold no such value.
+    /// Internal if the slots hold no such value; E0707 if it takes too much memory.
     pub fn take<T: Value>(&mut self, context: &Context) -> Result<T, RuntimeError> {
         let count = T::SHAPE.slots().min(self.slots.len());
         let (now, rest) = self.slots.split_at(count);
         self.slots = rest;
+        limits::ask_memory(context, T::bytes_to_read(context, now))?;
         T::read(context, now).ok_or_else(|| {
             RuntimeError::new(
                 codes::INTERNAL,
@@ -196,6 +220,7 @@ pub unsafe fn call<T: Value>(
         // SAFETY: as above.
         let ret =
             if width == 0 { &mut [][..] } else { unsafe { std::slice::from_raw_parts_mut(ret, width) } };
+        limits::ask_memory(context, value.bytes_to_write())?;
         value.write(context, ret);
         Ok(())
     };

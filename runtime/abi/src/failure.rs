@@ -5,6 +5,7 @@ use crate::context::Context;
 use crate::error::{Place, RuntimeError, codes};
 use crate::heap::{HeapId, Object};
 use crate::helpers::malformed;
+use crate::limits::check_memory;
 use std::sync::Arc;
 
 /// Slots of the record `Error`: code, message, place, value.
@@ -33,12 +34,14 @@ pub fn thrown(ctx: &Context, error: &[Slot], help: &str) -> RuntimeError {
 /// Takes the error that ended a statement, and keeps it while it is handled.
 ///
 /// # Errors
-/// Internal, if nothing failed.
+/// Internal, if nothing failed; E0707 if errors that were caught take too much memory.
 pub fn catch(ctx: &mut Context) -> Result<HeapId, RuntimeError> {
     // The string under construction when it failed will not be finished.
     ctx.text.clear();
     let error = ctx.error.take().ok_or_else(|| malformed("a handler without an error"))?;
-    Ok(ctx.heap.insert(Object::Error(Arc::new(error))))
+    let id = ctx.heap.insert(Object::Error(Arc::new(error)));
+    check_memory(ctx)?;
+    Ok(id)
 }
 
 /// The slots of the `Error` that a handler sees.
@@ -52,6 +55,7 @@ pub fn fields(ctx: &mut Context, caught: HeapId) -> Result<[Slot; ERROR_SLOTS], 
         origin => origin.into(),
     };
     let texts = [&error.code, &error.message, &place].map(|text| ctx.heap.string(text));
+    check_memory(ctx)?;
     let [code, message, place] = texts;
     Ok([code, message, place, error.details.value.unwrap_or(f64::NAN).to_bits()])
 }

@@ -5,6 +5,8 @@
 
 use crate::call::{Repr, Slot};
 use crate::error::{Call, RuntimeError};
+use crate::helpers::malformed;
+use crate::limits::Limits;
 use std::collections::{BTreeSet, HashMap, HashSet};
 use std::sync::Arc;
 
@@ -140,12 +142,23 @@ impl Object {
         let content = match self {
             Object::String(text) => text.len(),
             Object::Array { slots, .. } => size_of_val(slots.as_slice()),
-            Object::Symbolic(value) => size_of_val(value.captured.as_slice()),
-            Object::Error(error) => error.message.len() + error.details.calls.len() * size_of::<Call>(),
+            Object::Symbolic(value) => {
+                let lists = size_of_val(value.captured.as_slice())
+                    + size_of_val(value.observables.as_slice())
+                    + size_of_val(value.parts.as_slice());
+                size_of::<SymbolicValue>() + lists
+            }
+            Object::Error(error) => {
+                let calls = error.details.calls.len() * size_of::<Call>();
+                size_of::<RuntimeError>() + error.message.len() + error.help.len() + calls
+            }
         };
-        (size_of::<Object>() + content) as u64
+        OBJECT + content as u64
     }
 }
+
+/// Memory of an object beside its content, bytes: its entry in the heap, and what an allocation takes beside what is asked for.
+pub const OBJECT: u64 = size_of::<Object>() as u64 + 32;
 
 /// All heap objects of one instance.
 #[derive(Default)]
@@ -212,36 +225,78 @@ impl Heap {
     }
 
     /// A copy of an array that shares nothing with the original. `element` is the element's representation.
-    pub fn copy_array(&mut self, id: HeapId, element: &Repr) -> Option<HeapId> {
-        let (slots, stride) = self.array(id)?;
-        let mut slots = slots.to_vec();
-        if contains_array(element) && stride > 0 {
-            for chunk in slots.chunks_mut(stride) {
-                self.copy_value(chunk, element)?;
-            }
+    ///
+    /// # Errors
+    /// E0707 before more memory is taken than the limits allow; internal if the slots do not fit the representation.
+    pub fn copy_array(
+        &mut self,
+        id: HeapId,
+        element: &Repr,
+        limits: &Limits,
+    ) -> Result<HeapId, RuntimeError> {
+        let (slots, stride) = self.array(id).ok_or_else(not_copied)?;
+        limits.check_memory(self.bytes + OBJECT + size_of_val(slots) as u64)?;
+        let slots = slots.to_vec();
+        let stride_of_parts = if contains_array(element) { stride } else { 0 };
+        // Inserted before its elements are copied, so that all that is taken counts.
+        let copy = self.insert(Object::Array { stride, slots });
+        if stride_of_parts > 0 {
+            let mut slots = self.take_slots(copy);
+            let copied =
+                slots.chunks_mut(stride).try_for_each(|chunk| self.copy_value(chunk, element, limits));
+            self.put_slots(copy, slots);
+            copied?;
         }
-        Some(self.insert(Object::Array { stride, slots }))
+        Ok(copy)
     }
 
-    /// Replaces the arrays inside a value by copies of their own. `None` if the slots do not fit the representation.
-    pub fn copy_value(&mut self, slots: &mut [Slot], repr: &Repr) -> Option<()> {
+    /// Replaces the arrays inside a value by copies of their own.
+    ///
+    /// # Errors
+    /// As for [`Heap::copy_array`].
+    pub fn copy_value(
+        &mut self,
+        slots: &mut [Slot],
+        repr: &Repr,
+        limits: &Limits,
+    ) -> Result<(), RuntimeError> {
         match repr {
             Repr::Array(element) => {
-                let slot = slots.first_mut()?;
-                *slot = self.copy_array(*slot, element)?;
+                let slot = slots.first_mut().ok_or_else(not_copied)?;
+                *slot = self.copy_array(*slot, element, limits)?;
             }
             Repr::Tuple(parts) => {
                 let mut rest = slots;
                 for part in parts {
-                    let (slots, after) = rest.split_at_mut_checked(part.slots())?;
-                    self.copy_value(slots, part)?;
+                    let (slots, after) = rest.split_at_mut_checked(part.slots()).ok_or_else(not_copied)?;
+                    self.copy_value(slots, part, limits)?;
                     rest = after;
                 }
             }
             _ => {}
         }
-        Some(())
+        Ok(())
     }
+
+    /// Takes the slots out of an array that is in the making.
+    fn take_slots(&mut self, id: HeapId) -> Vec<Slot> {
+        match self.get_mut(id) {
+            Some(Object::Array { slots, .. }) => std::mem::take(slots),
+            _ => Vec::new(),
+        }
+    }
+
+    /// Puts them back.
+    fn put_slots(&mut self, id: HeapId, taken: Vec<Slot>) {
+        if let Some(Object::Array { slots, .. }) = self.get_mut(id) {
+            *slots = taken;
+        }
+    }
+}
+
+/// The error of slots that do not hold a value of their representation.
+fn not_copied() -> RuntimeError {
+    malformed("not a value that can be copied")
 }
 
 fn contains_array(repr: &Repr) -> bool {
@@ -261,12 +316,24 @@ mod tests {
         let mut heap = Heap::default();
         let inner = heap.insert(Object::Array { stride: 1, slots: vec![1f64.to_bits()] });
         let outer = heap.insert(Object::Array { stride: 1, slots: vec![inner] });
-        let copy = heap.copy_array(outer, &Repr::Array(Box::new(Repr::Number))).unwrap();
+        let copy = heap.copy_array(outer, &Repr::Array(Box::new(Repr::Number)), &Limits::default()).unwrap();
         let copied_inner = heap.array(copy).unwrap().0[0];
         assert_ne!(copied_inner, inner);
         if let Some(Object::Array { slots, .. }) = heap.get_mut(copied_inner) {
             slots[0] = 2f64.to_bits();
         }
         assert_eq!(heap.numbers(inner).unwrap(), [1.0]);
+    }
+
+    #[test]
+    fn copies_are_refused_before_they_are_made() {
+        let mut heap = Heap::default();
+        let row = heap.insert(Object::Array { stride: 1, slots: vec![0; 1000] });
+        let table = heap.insert(Object::Array { stride: 1, slots: vec![row; 1000] });
+        let limit = 100_000;
+        let limits = Limits { memory: Some(limit), ..Limits::default() };
+        let nested = Repr::Array(Box::new(Repr::Number));
+        assert_eq!(heap.copy_array(table, &nested, &limits).unwrap_err().code, "E0707");
+        assert!(heap.bytes() <= limit, "{}", heap.bytes());
     }
 }

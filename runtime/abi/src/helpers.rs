@@ -6,8 +6,8 @@
 use crate::call::{Extern, Repr, Slot, Status};
 use crate::context::{Context, RuntimeError, codes};
 use crate::display::Display;
-use crate::heap::{HeapId, Object, SymbolicValue};
-use crate::limits::check_memory;
+use crate::heap::{HeapId, OBJECT, Object, SymbolicValue};
+use crate::limits::{ask_memory, check_memory};
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -53,9 +53,17 @@ pub fn outcome(ctx: &mut Context, status: i32) -> Result<(), RuntimeError> {
 /// # Errors
 /// E0707 if it takes too much memory.
 pub fn new_array(ctx: &mut Context, stride: usize, slots: Vec<Slot>) -> Result<HeapId, RuntimeError> {
-    let id = ctx.heap.insert(Object::Array { stride, slots });
-    check_memory(ctx)?;
-    Ok(id)
+    ask_memory(ctx, OBJECT + size_of_val(slots.as_slice()) as u64)?;
+    Ok(ctx.heap.insert(Object::Array { stride, slots }))
+}
+
+/// A new string.
+///
+/// # Errors
+/// E0707 if it takes too much memory.
+pub fn new_string(ctx: &mut Context, text: &str) -> Result<HeapId, RuntimeError> {
+    ask_memory(ctx, OBJECT + text.len() as u64)?;
+    Ok(ctx.heap.string(text))
 }
 
 fn array(ctx: &mut Context, id: HeapId) -> Result<(&mut Vec<Slot>, usize), RuntimeError> {
@@ -114,13 +122,15 @@ fn element_range(index: f64, slots: usize, stride: usize) -> Result<Range<usize>
 /// # Errors
 /// Internal, if it is no array of such elements; E0707 if it takes too much memory.
 pub fn push(ctx: &mut Context, id: HeapId, value: &[Slot]) -> Result<(), RuntimeError> {
-    let (slots, stride) = array(ctx, id)?;
+    let (_, stride) = array(ctx, id)?;
     if value.len() != stride {
         return Err(malformed("an element of the wrong size"));
     }
+    ask_memory(ctx, size_of_val(value) as u64)?;
+    let (slots, _) = array(ctx, id)?;
     slots.extend_from_slice(value);
     ctx.heap.grown(value.len());
-    check_memory(ctx)
+    Ok(())
 }
 
 /// Replaces the arrays inside a value by copies that share nothing with the originals.
@@ -128,22 +138,34 @@ pub fn push(ctx: &mut Context, id: HeapId, value: &[Slot]) -> Result<(), Runtime
 /// # Errors
 /// Internal, if the slots do not hold such a value; E0707 if it takes too much memory.
 pub fn copy(ctx: &mut Context, repr: &Repr, slots: &mut [Slot]) -> Result<(), RuntimeError> {
-    ctx.heap.copy_value(slots, repr).ok_or_else(|| malformed("not a value that can be copied"))?;
-    check_memory(ctx)
+    ctx.heap.copy_value(slots, repr, &ctx.limits)
+}
+
+/// Appends text to the string under construction ([`Context::text`]).
+///
+/// # Errors
+/// E0707 if it takes too much memory.
+pub fn append_text(ctx: &mut Context, text: &str) -> Result<(), RuntimeError> {
+    ask_memory(ctx, text.len() as u64)?;
+    ctx.text.push_str(text);
+    Ok(())
 }
 
 /// Appends a value to the string under construction ([`Context::text`]).
 ///
 /// # Errors
-/// Internal, if the slots do not hold such a value.
+/// Internal, if the slots do not hold such a value; E0707 if its text takes too much memory.
 pub fn append_value(
     ctx: &mut Context,
     repr: &Repr,
     slots: &[Slot],
     display: &Display,
 ) -> Result<(), RuntimeError> {
-    crate::text::append(&ctx.heap, repr, slots, display, &mut ctx.text)
-        .ok_or_else(|| malformed("not a value that can be shown"))
+    let others = ctx.heap.bytes().saturating_add(ctx.kept_output);
+    let limits = ctx.limits;
+    let room = |length: usize| limits.check_memory(others.saturating_add(length as u64));
+    let mut text = crate::text::Growing::new(&mut ctx.text, &room);
+    text.append(&ctx.heap, repr, slots, display)
 }
 
 /// Makes a string of the text under construction and begins anew.
@@ -151,10 +173,10 @@ pub fn append_value(
 /// # Errors
 /// E0707 if it takes too much memory.
 pub fn finish_text(ctx: &mut Context) -> Result<HeapId, RuntimeError> {
+    // The string is a copy of the text.
+    ask_memory(ctx, OBJECT + ctx.text.len() as u64)?;
     let text = std::mem::take(&mut ctx.text);
-    let id = ctx.heap.string(&text);
-    check_memory(ctx)?;
-    Ok(id)
+    Ok(ctx.heap.string(&text))
 }
 
 /// Whether two values are equal: numbers as IEEE 754 says, the rest by content.
@@ -262,7 +284,9 @@ pub fn make_symbolic(
             "look for a loop that binds a `:=` name again without end",
         ));
     }
-    Ok(ctx.heap.insert(Object::Symbolic(Arc::new(value))))
+    let id = ctx.heap.insert(Object::Symbolic(Arc::new(value)));
+    check_memory(ctx)?;
+    Ok(id)
 }
 
 /// The value of a symbolic value at a time, at present params, without its derivatives. Brackets, which are a tuple in

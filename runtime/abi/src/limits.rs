@@ -70,12 +70,21 @@ pub fn check(ctx: &Context) -> Result<(), RuntimeError> {
     ctx.limits.check_time()
 }
 
-/// Ends a program whose values take too much memory. Asked wherever one may have grown.
+/// Ends a program whose values take too much memory.
 ///
 /// # Errors
 /// E0707.
 pub fn check_memory(ctx: &Context) -> Result<(), RuntimeError> {
-    ctx.limits.check_memory(ctx.heap.bytes())
+    ask_memory(ctx, 0)
+}
+
+/// Ends a program whose values would take too much memory with so many bytes more. Asked before they are allocated.
+///
+/// # Errors
+/// E0707.
+pub fn ask_memory(ctx: &Context, more: u64) -> Result<(), RuntimeError> {
+    let taken = [ctx.heap.bytes(), ctx.kept_output, ctx.text.len() as u64, more];
+    ctx.limits.check_memory(taken.into_iter().fold(0, u64::saturating_add))
 }
 
 /// Grants more basic blocks to the program.

@@ -2,11 +2,17 @@
 //! ranges and choices.
 
 use crate::context::{RuntimeError, codes};
+use crate::limits;
 
 crate::externs! {
     /// `print(String)`: hands one line to [`Context::print`](crate::Context::print). Whoever runs the program decides what
     /// becomes of it, so it may be called while nothing is solved.
     Scene fn calyx_std_print(context, line: String) -> () {
+        if context.keeps_output {
+            let bytes = (size_of::<String>() + line.len()) as u64;
+            limits::ask_memory(context, bytes)?;
+            context.kept_output += bytes;
+        }
         (context.print)(&line);
         Ok(())
     }

@@ -2,9 +2,10 @@
 
 use crate::call::{Repr, Slot};
 use crate::display::{Display, NumberStyle};
+use crate::error::RuntimeError;
 use crate::heap::Heap;
+use crate::helpers::malformed;
 use crate::units::{from_si, to_si};
-use std::fmt::Write;
 
 /// The shortest decimal that reads back as the same number; powers of ten outside 1e-5 .. 1e16.
 pub fn number(x: f64) -> String {
@@ -60,85 +61,129 @@ pub fn quantity(x: f64, style: &NumberStyle) -> String {
     text
 }
 
-/// Appends a value. `None` if the slots or the display do not fit the representation.
-pub fn append(heap: &Heap, repr: &Repr, slots: &[Slot], display: &Display, text: &mut String) -> Option<()> {
-    let plain = NumberStyle::default();
-    let style = match display {
-        Display::Number(style) => style,
-        _ => &plain,
-    };
-    // A component that is minus zero is nothing.
-    let numbers = |slots: &[Slot], style: &NumberStyle| {
-        let shown: Vec<_> = slots.iter().map(|&s| quantity(f64::from_bits(s) + 0.0, style)).collect();
-        format!("[{}]", shown.join(", "))
-    };
-    match repr {
-        Repr::Unit => {}
-        Repr::Number => text.push_str(&quantity(f64::from_bits(*slots.first()?), style)),
-        Repr::Bool => pad(if *slots.first()? != 0 { "TRUE" } else { "FALSE" }, display, text),
-        Repr::String => pad(heap.str(*slots.first()?)?, display, text),
-        Repr::Vector => text.push_str(&numbers(slots.get(..3)?, style)),
-        Repr::Transform => {
-            // Rows of the rotation, then the translation.
-            let rotation = NumberStyle { factor: 0.0, unit: String::new(), ..style.clone() };
-            let (rows, translation) = slots.get(..12)?.split_at(9);
-            let rows: Vec<_> = rows.chunks(3).map(|row| numbers(row, &rotation)).collect();
-            write!(text, "[{}, {}]", rows.join(", "), numbers(translation, style)).ok()?;
-        }
-        Repr::Array(element) => {
-            let (elements, stride) = heap.array(*slots.first()?)?;
-            let shown = match display {
-                Display::Array(shown) => shown,
-                other => other,
-            };
-            text.push('[');
-            for (index, slots) in elements.chunks(stride.max(1)).enumerate() {
-                if index > 0 {
-                    text.push_str(", ");
-                }
-                append(heap, element, slots, shown, text)?;
-            }
-            text.push(']');
-        }
-        Repr::Tuple(parts) => {
-            let (open, close) = match display {
-                Display::Record(name, _) => (format!("{name}("), ')'),
-                _ => ("[".into(), ']'),
-            };
-            text.push_str(&open);
-            let mut rest = slots;
-            for (index, part) in parts.iter().enumerate() {
-                if index > 0 {
-                    text.push_str(", ");
-                }
-                let (slots, after) = rest.split_at_checked(part.slots())?;
-                rest = after;
-                let shown = match display {
-                    Display::Tuple(all) => all.get(index)?,
-                    Display::Record(_, fields) => {
-                        let (name, shown) = fields.get(index)?;
-                        write!(text, "{name} = ").ok()?;
-                        shown
-                    }
-                    other => other,
-                };
-                append(heap, part, slots, shown, text)?;
-            }
-            text.push(close);
-        }
-        Repr::Symbolic(_) => text.push_str("(symbolic)"),
-        Repr::Handle => write!(text, "#{}", slots.first()?).ok()?,
-    }
-    Some(())
+/// A text that values are appended to as long as there is room.
+pub struct Growing<'t> {
+    text: &'t mut String,
+    /// Fails if the text may not be so many bytes long.
+    room: &'t dyn Fn(usize) -> Result<(), RuntimeError>,
 }
 
-/// Appends a text with blanks behind it up to the width it is to have.
-fn pad(shown: &str, display: &Display, text: &mut String) {
-    text.push_str(shown);
-    if let Display::Text { width } = display {
-        let missing = usize::from(*width).saturating_sub(shown.chars().count());
-        text.extend(std::iter::repeat_n(' ', missing));
+impl<'t> Growing<'t> {
+    pub fn new(text: &'t mut String, room: &'t dyn Fn(usize) -> Result<(), RuntimeError>) -> Growing<'t> {
+        Growing { text, room }
     }
+
+    fn push(&mut self, text: &str) -> Result<(), RuntimeError> {
+        (self.room)(self.text.len().saturating_add(text.len()))?;
+        self.text.push_str(text);
+        Ok(())
+    }
+
+    /// Appends a value.
+    ///
+    /// # Errors
+    /// There is no room; internal if the slots or the display do not fit the representation.
+    pub fn append(
+        &mut self,
+        heap: &Heap,
+        repr: &Repr,
+        slots: &[Slot],
+        display: &Display,
+    ) -> Result<(), RuntimeError> {
+        let plain = NumberStyle::default();
+        let style = match display {
+            Display::Number(style) => style,
+            _ => &plain,
+        };
+        // A component that is minus zero is nothing.
+        let numbers = |slots: &[Slot], style: &NumberStyle| {
+            let shown: Vec<_> = slots.iter().map(|&s| quantity(f64::from_bits(s) + 0.0, style)).collect();
+            format!("[{}]", shown.join(", "))
+        };
+        let first = || slots.first().copied().ok_or_else(not_shown);
+        match repr {
+            Repr::Unit => Ok(()),
+            Repr::Number => self.push(&quantity(f64::from_bits(first()?), style)),
+            Repr::Bool => self.pad(if first()? != 0 { "TRUE" } else { "FALSE" }, display),
+            Repr::String => self.pad(heap.str(first()?).ok_or_else(not_shown)?, display),
+            Repr::Vector => self.push(&numbers(slots.get(..3).ok_or_else(not_shown)?, style)),
+            Repr::Transform => {
+                // Rows of the rotation, then the translation.
+                let rotation = NumberStyle { factor: 0.0, unit: String::new(), ..style.clone() };
+                let (rows, translation) = slots.get(..12).ok_or_else(not_shown)?.split_at(9);
+                let rows: Vec<_> = rows.chunks(3).map(|row| numbers(row, &rotation)).collect();
+                self.push(&format!("[{}, {}]", rows.join(", "), numbers(translation, style)))
+            }
+            Repr::Array(element) => {
+                let (elements, stride) = heap.array(first()?).ok_or_else(not_shown)?;
+                let shown = match display {
+                    Display::Array(shown) => shown,
+                    other => other,
+                };
+                self.push("[")?;
+                for (index, slots) in elements.chunks(stride.max(1)).enumerate() {
+                    if index > 0 {
+                        self.push(", ")?;
+                    }
+                    self.append(heap, element, slots, shown)?;
+                }
+                self.push("]")
+            }
+            Repr::Tuple(parts) => self.append_parts(heap, parts, slots, display),
+            Repr::Symbolic(_) => self.push("(symbolic)"),
+            Repr::Handle => self.push(&format!("#{}", first()?)),
+        }
+    }
+
+    /// Appends a tuple or a record.
+    fn append_parts(
+        &mut self,
+        heap: &Heap,
+        parts: &[Repr],
+        slots: &[Slot],
+        display: &Display,
+    ) -> Result<(), RuntimeError> {
+        let (open, close) = match display {
+            Display::Record(name, _) => (format!("{name}("), ")"),
+            _ => ("[".into(), "]"),
+        };
+        self.push(&open)?;
+        let mut rest = slots;
+        for (index, part) in parts.iter().enumerate() {
+            if index > 0 {
+                self.push(", ")?;
+            }
+            let (slots, after) = rest.split_at_checked(part.slots()).ok_or_else(not_shown)?;
+            rest = after;
+            let shown = match display {
+                Display::Tuple(all) => all.get(index).ok_or_else(not_shown)?,
+                Display::Record(_, fields) => {
+                    let (name, shown) = fields.get(index).ok_or_else(not_shown)?;
+                    self.push(name)?;
+                    self.push(" = ")?;
+                    shown
+                }
+                other => other,
+            };
+            self.append(heap, part, slots, shown)?;
+        }
+        self.push(close)
+    }
+
+    /// Appends a text with blanks behind it up to the width it is to have.
+    fn pad(&mut self, shown: &str, display: &Display) -> Result<(), RuntimeError> {
+        self.push(shown)?;
+        if let Display::Text { width } = display {
+            let missing = usize::from(*width).saturating_sub(shown.chars().count());
+            self.push(&" ".repeat(missing))?;
+        }
+        Ok(())
+    }
+}
+
+/// The error of slots that do not hold a value of their representation.
+fn not_shown() -> RuntimeError {
+    malformed("not a value that can be shown")
 }
 
 #[cfg(test)]
@@ -203,7 +248,8 @@ mod tests {
         let show = |repr: Repr, numbers: &[f64], display: Display| {
             let slots: Vec<Slot> = numbers.iter().map(|x| x.to_bits()).collect();
             let mut text = String::new();
-            append(&Heap::default(), &repr, &slots, &display, &mut text).unwrap();
+            let endless = |_| Ok(());
+            Growing::new(&mut text, &endless).append(&Heap::default(), &repr, &slots, &display).unwrap();
             text
         };
         let pair = Repr::Tuple(vec![Repr::Number, Repr::Vector]);

@@ -9,7 +9,8 @@ use crate::options::RunArguments;
 use crate::params::Refused;
 use crate::program::Program;
 use crate::run::{RunError, RunOptions, RunReport, run};
-use calyx_abi::{RuntimeError, Status};
+use crate::run_directory::DirectoryError;
+use calyx_abi::RuntimeError;
 use calyx_gears::host::Finding;
 use std::io::{self, Write};
 use std::num::NonZeroUsize;
@@ -70,6 +71,7 @@ impl RunCommand<'_> {
             before,
             time_limit: arguments.time_limit,
             memory_limit: arguments.memory_limit,
+            force: arguments.force,
             resume: arguments.resume,
             fields: arguments.fields,
             vtu: arguments.vtu,
@@ -111,16 +113,37 @@ fn failed(error: &RunError, directory: &Path, messages: &dyn Messages) -> u8 {
         }
         RunError::Run(Error::Model(error)) => {
             messages.error(error);
-            if error.status() == Status::Cancelled && directory.join("steps.csv").exists() {
-                messages.note(&format!(
-                    "the positions solved until then are in {}; the same command with --resume goes on after them",
-                    directory.display()
-                ));
-            }
+            refused_by_check(directory, messages)
+        }
+        RunError::Ended { error, .. } => {
+            messages.error(error);
+            messages.note(&format!(
+                "the positions solved until then are in {}; the same command with --resume goes on after them",
+                directory.display()
+            ));
             MODEL_ERROR
+        }
+        RunError::Directory(error) => {
+            messages.refused(&Refused::new(error.to_string(), error.help()));
+            match error {
+                DirectoryError::Foreign { .. } | DirectoryError::InTheWay { .. } => USAGE,
+                DirectoryError::InUse { .. } | DirectoryError::Io { .. } => MODEL_ERROR,
+            }
         }
         RunError::Io { path, error } => unwritable(path, error, messages),
     }
+}
+
+/// Says that a run which failed before its first position left the results of an earlier run as they are, if there are
+/// any: the exit status.
+pub fn refused_by_check(directory: &Path, messages: &dyn Messages) -> u8 {
+    if directory.join("run.json").exists() {
+        messages.note(&format!(
+            "the results in {} are those of an earlier run and were not changed",
+            directory.display()
+        ));
+    }
+    MODEL_ERROR
 }
 
 /// Says that a directory does not take results.

@@ -1,9 +1,8 @@
 //! The run directory: `run.json`, `timing.json` and `steps.csv`, each position on disk before the next begins.
 
 use crate::field_tables::{self, FieldTables};
-use crate::journal::{self, Found, Journal};
-use crate::modes_table;
-use crate::stress_range::{self, StressRange};
+use crate::journal::{Found, Journal};
+use crate::stress_range::StressRange;
 use crate::vtu::{self, Pictures};
 use calyx_abi::RuntimeError;
 use calyx_abi::description::{
@@ -37,25 +36,6 @@ pub fn default_directory(model: &Path) -> PathBuf {
     let mut name = model.file_name().unwrap_or_default().to_owned();
     name.push(".run");
     model.with_file_name(name)
-}
-
-/// Makes the directory, and removes the results of an earlier run: what a run leaves behind belongs together.
-pub fn prepare(directory: &Path) -> io::Result<()> {
-    fs::create_dir_all(directory)?;
-    vtu::remove(directory)?;
-    match fs::remove_dir_all(directory.join(SIGNALS)) {
-        Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(error),
-        _ => {}
-    }
-    modes_table::remove(directory)?;
-    let names = ["run.json", "timing.json", "steps.csv", REPORT, stress_range::NAME];
-    for name in names.into_iter().chain(field_tables::NAMES) {
-        match fs::remove_file(directory.join(name)) {
-            Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(error),
-            _ => {}
-        }
-    }
-    journal::remove(directory)
 }
 
 /// What `run.json` of a run in a directory says; `None` if there is none.

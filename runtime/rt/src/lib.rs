@@ -43,8 +43,11 @@ pub mod resume;
 #[cfg(feature = "command")]
 pub mod run;
 #[cfg(feature = "command")]
+pub mod run_directory;
+#[cfg(feature = "command")]
 pub mod schema;
 pub mod seen;
+pub mod shell;
 #[cfg(feature = "command")]
 pub mod signals;
 pub mod stepping;

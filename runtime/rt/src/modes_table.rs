@@ -1,7 +1,6 @@
 //! The modes about the first position as a table of the run directory, where the model asks for it.
 
 use calyx_runtime::observe::{ModeKind, ModesTable};
-use std::fs;
 use std::io;
 use std::path::Path;
 
@@ -23,14 +22,6 @@ pub fn write(directory: &Path, table: &ModesTable) -> io::Result<()> {
         writer.write_record(record)?;
     }
     writer.flush()
-}
-
-/// Takes away that of an earlier run.
-pub fn remove(directory: &Path) -> io::Result<()> {
-    match fs::remove_file(directory.join(NAME)) {
-        Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
-        _ => Ok(()),
-    }
 }
 
 /// The lowest modes in a line.

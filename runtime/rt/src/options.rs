@@ -36,9 +36,16 @@ pub struct RunArguments {
     /// Directory for the results [default: the model's name and .run]
     ///
     /// Gets report.html (all of it, to be looked at), run.json (inputs, outputs, certificate), steps.csv (a row a position) and
-    /// timing.json.
+    /// timing.json. A run replaces only files that an earlier run wrote; they are listed in .calyx-run. Results of an earlier run
+    /// stay until the first position is solved. One run at a time writes to a directory.
     #[arg(long, value_name = "DIR", help_heading = RESULTS)]
     pub out: Option<PathBuf>,
+    /// Write to a directory that holds files which no run wrote
+    ///
+    /// Without it, a run replaces only files that an earlier run wrote, and refuses a directory with other files. With it, files
+    /// that have names of results, like run.json and steps.csv, are replaced; all others stay.
+    #[arg(long, help_heading = RESULTS)]
+    pub force: bool,
     /// Go on where an earlier run was ended
     ///
     /// Begins after the last position that the run in the results' directory completed. Model and params must be those of
@@ -71,7 +78,8 @@ pub struct RunArguments {
     /// Keep the structures of gears in this directory for runs to come [default: calyx/structures in the user's cache]
     ///
     /// Condensing the structures is most of the work of a run, and the same as long as geometry and material are. The environment
-    /// variable CALYX_CACHE names a directory too, or is "off".
+    /// variable CALYX_CACHE names a directory too, or is "off". Files there are trusted: whoever can write to the directory can
+    /// change the results of later runs.
     #[arg(long, value_name = "DIR", help_heading = KEPT)]
     pub cache: Option<PathBuf>,
     /// Keep no structures on disk, and take none from there

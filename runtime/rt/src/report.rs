@@ -2,6 +2,7 @@
 
 use crate::given::Origin;
 use crate::params::Refused;
+use crate::shell;
 use calyx_abi::RuntimeError;
 use calyx_abi::attribution::attribute;
 use calyx_abi::description::{FileDescription, LIBRARY, ModelDescription};
@@ -27,7 +28,7 @@ pub fn problem(severity: Severity, error: &RuntimeError, description: &ModelDesc
         text += &format!("  help: {}\n", error.help);
     }
     if NOT_A_NUMBER.contains(&error.code.as_str()) && error.details.notes.is_empty() {
-        let model = &description.name;
+        let model = shell::word(&description.name);
         text += &format!("  note: with these params, `calyx run {model}` shows the operation it came from\n");
     }
     let shown_place = |(file, start, _): Place| {

@@ -1,20 +1,21 @@
 //! A run for people and for those who read its directory: an instance, watched and written down.
 
 use crate::directory::{
-    Details, REPORT, Record, StageTimes, Stages, head, prepare, write_run, write_unfinished,
+    Details, REPORT, Record, SIGNALS, StageTimes, Stages, head, write_run, write_unfinished,
 };
 use crate::engine::Engine;
 use crate::error::Error;
 use crate::given::Given;
 use crate::instance::Instance;
-use crate::journal::{self, Found};
+use crate::journal::Found;
 use crate::program::Program;
 use crate::progress::{Progress, ProgressFormat};
 use crate::results::Results;
 use crate::resume::{self, Begun};
-use crate::{modes_table, page, signals, table};
-use calyx_abi::description::OutputDescription;
-use calyx_abi::{Cancel, Status};
+use crate::run_directory::{DirectoryError, Kind, RunDirectory};
+use crate::{field_tables, journal, modes_table, page, signals, stress_range, table, vtu};
+use calyx_abi::description::{ModelDescription, OutputDescription};
+use calyx_abi::{Cancel, RuntimeError, Status};
 use calyx_gears::host::Finding;
 use calyx_runtime::error::EngineError;
 use calyx_runtime::observe::Fields;
@@ -22,7 +23,7 @@ use calyx_runtime::overriding::Override;
 use calyx_runtime::results::Solved;
 use serde_json::Value;
 use std::io;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
@@ -46,6 +47,8 @@ pub struct RunOptions {
     pub time_limit: Option<Duration>,
     /// Bytes that it may take: of the program's values, and of the process while it analyses.
     pub memory_limit: Option<u64>,
+    /// Replaces files with names of results in a directory that no run has written.
+    pub force: bool,
     /// Goes on after the positions that an earlier run completed.
     pub resume: bool,
     /// Writes the fields of every position as tables.
@@ -69,6 +72,13 @@ impl RunOptions {
 pub enum RunError {
     /// What was given, the model or its analysis.
     Run(Error),
+    /// It was ended from outside or by a limit, and the positions solved until then are in its directory.
+    Ended {
+        error: RuntimeError,
+        positions: usize,
+    },
+    /// Results cannot be written to the directory. Nothing in it was changed.
+    Directory(DirectoryError),
     Io {
         path: PathBuf,
         error: io::Error,
@@ -86,12 +96,21 @@ pub struct RunReport {
     pub findings: Vec<Finding>,
     /// An earlier run had done everything; this one did nothing.
     pub finished_before: bool,
+    /// The directory of the results. No other run writes to it until this is dropped.
+    pub directory: Option<Arc<RunDirectory>>,
 }
 
-/// Runs a model and writes its run directory.
+impl From<DirectoryError> for RunError {
+    fn from(error: DirectoryError) -> RunError {
+        RunError::Directory(error)
+    }
+}
+
+/// Runs a model and writes its run directory. Results of an earlier run there are removed when the first position is solved;
+/// a run that fails before leaves them as they are.
 pub fn run(program: Arc<dyn Program>, options: &RunOptions) -> Result<RunReport, RunError> {
-    let directory = options.directory.as_path();
-    let unwritable = |error| RunError::Io { path: directory.to_owned(), error };
+    let path = options.directory.as_path();
+    let unwritable = |error| RunError::Io { path: path.to_owned(), error };
     let mut instance = Instance::new(&options.engine, program.clone());
     for given in &options.given {
         instance.give(given).map_err(RunError::Run)?;
@@ -103,28 +122,35 @@ pub fn run(program: Arc<dyn Program>, options: &RunOptions) -> Result<RunReport,
     let params = instance.params().map_err(RunError::Run)?;
     let description = program.description();
     let head = head(description, &params, &options.overrides);
+    let directory = Arc::new(RunDirectory::lock(path, Kind::Run, options.force)?);
+    directory.check_folder(SIGNALS, |name| signals::is_name_of_a_run(description, name))?;
+    directory.check_folder(vtu::FOLDER, vtu::is_name_of_a_run)?;
     let progress = Arc::new(Progress::new(options.progress, options.quiet, options.print_to_error));
     let found = match earlier(options, &head)? {
         Begun::Finished => {
             progress.finish();
             // It may have been ended before its last file.
-            if !directory.join(REPORT).exists() {
-                page::write(directory).map_err(unwritable)?;
+            if !path.join(REPORT).exists() {
+                page::write_locked(&directory).map_err(unwritable)?;
             }
-            return Ok(RunReport { finished_before: true, ..RunReport::default() });
+            return Ok(RunReport {
+                finished_before: true,
+                directory: Some(directory),
+                ..RunReport::default()
+            });
         }
         Begun::Unfinished(found) => {
             let count = found.solved.len();
-            progress.note(&format!("going on after {count} positions of the run in {}", directory.display()));
+            progress.note(&format!("going on after {count} positions of the run in {}", path.display()));
             instance.begin_after(found.solved.clone());
+            directory.keep().map_err(unwritable)?;
             Some(found)
         }
         Begun::Nothing => {
             if options.resume {
-                let directory = directory.display();
-                progress.note(&format!("there is nothing to go on with in {directory}: the run begins anew"));
+                let path = path.display();
+                progress.note(&format!("there is nothing to go on with in {path}: the run begins anew"));
             }
-            prepare(directory).map_err(unwritable)?;
             None
         }
     };
@@ -135,46 +161,78 @@ pub fn run(program: Arc<dyn Program>, options: &RunOptions) -> Result<RunReport,
     });
     instance.on_print(move |line| printed.print(line));
     let (solved, outcome) =
-        write_steps(instance, directory, &head, found.as_ref(), (options.details(), progress.clone()));
+        write_steps(instance, &directory, &head, found.as_ref(), (options.details(), progress.clone()));
     progress.finish();
-    // What was solved until somebody ended the run is worth keeping, with what it is of.
-    if let Err(RunError::Run(Error::Model(error))) = &outcome
-        && error.status() == Status::Cancelled
-        && solved > 0
-    {
-        write_unfinished(directory, head.clone(), solved, error).map_err(unwritable)?;
-        page::write(directory).map_err(unwritable)?;
-    }
-    let results = outcome?;
-    let stages = Stages {
-        before: options.before.clone(),
-        program: results.time(),
-        solved_before: found.as_ref().map_or(0, |found| found.solved.len()),
+    let results = match outcome {
+        // What was solved until somebody ended the run is worth keeping, with what it is of.
+        Err(RunError::Run(Error::Model(error))) if error.status() == Status::Cancelled && solved > 0 => {
+            let written = write_unfinished(path, head, solved, &error);
+            written.and_then(|()| page::write_locked(&directory)).map_err(unwritable)?;
+            return Err(RunError::Ended { error, positions: solved });
+        }
+        outcome => outcome?,
     };
-    let all_warnings = results.warnings();
+    if solved == 0 {
+        begin(&directory, options.details()).map_err(unwritable)?;
+    }
+    let solved_before = found.map_or(0, |found| found.solved.len());
+    let stages = Stages { before: options.before.clone(), program: results.time(), solved_before };
+    let written = write_results(&directory, head, description, &results, &stages);
+    written.map_err(unwritable)?;
+    Ok(RunReport { directory: Some(directory), ..report(description, &results) })
+}
+
+/// Removes the results of an earlier run and lists the files that every run writes.
+fn begin(directory: &RunDirectory, details: Details) -> io::Result<()> {
+    directory.clear()?;
+    directory.claim_all(["run.json", "run.json.part", "timing.json", "timing.json.part", "steps.csv"])?;
+    directory.claim_all(["journal.jsonl", REPORT, "report.html.part"])?;
+    directory.claim_all([stress_range::NAME, "root_stress_range.csv.part"])?;
+    let asked_for = if details.tables { &field_tables::NAMES[..] } else { &[field_tables::LINE_LOAD] };
+    directory.claim_all(asked_for)
+}
+
+/// Writes what is known at the end of a run.
+fn write_results(
+    directory: &RunDirectory,
+    head: Value,
+    description: &ModelDescription,
+    results: &Results,
+    stages: &Stages,
+) -> io::Result<()> {
+    let path = directory.path();
     let findings = results.findings().iter();
-    let mut written: Vec<String> =
+    let mut warnings: Vec<String> =
         findings.map(|finding| format!("{}: {}", finding.error.code, finding.error.message)).collect();
-    written.extend(all_warnings.iter().cloned());
+    warnings.extend(results.warnings());
+    let result = results.analysis();
+    if let Some(modes) = result.and_then(|result| result.modes.as_ref()) {
+        directory.claim(modes_table::NAME)?;
+        modes_table::write(path, modes)?;
+    }
+    directory.claim_all(signals::files(results.signals()))?;
+    signals::write(path, description, results.signals())?;
+    let listed = signals::list(description, results.signals());
+    write_run(path, head, description, result, listed, &warnings, stages)?;
+    journal::remove(path)?;
+    page::write_locked(directory).map(drop)
+}
+
+/// What people are told of a finished run.
+fn report(description: &ModelDescription, results: &Results) -> RunReport {
     let result = results.analysis();
     let modes = result.and_then(|result| result.modes.as_ref());
-    modes.map_or(Ok(()), |modes| modes_table::write(directory, modes)).map_err(unwritable)?;
-    signals::write(directory, description, results.signals()).map_err(unwritable)?;
-    let listed = signals::list(description, results.signals());
-    write_run(directory, head, description, result, listed, &written, &stages).map_err(unwritable)?;
-    journal::remove(directory).map_err(unwritable)?;
-    page::write(directory).map_err(unwritable)?;
     let ignored = result.iter().flat_map(|result| &result.plan.ignored);
     let ignored =
         ignored.map(|ignored| format!("`{}` is not seen as given: {}", ignored.input, ignored.reason));
-    Ok(RunReport {
+    RunReport {
         summary: result.map(|result| table::summary(description, result)).unwrap_or_default()
             + &modes.map(modes_table::summary).unwrap_or_default()
             + &signals::summary(description, results.signals()),
-        warnings: ignored.chain(all_warnings).collect(),
+        warnings: ignored.chain(results.warnings()).collect(),
         findings: results.findings().to_vec(),
-        finished_before: false,
-    })
+        ..RunReport::default()
+    }
 }
 
 /// The run that is to be gone on with, if there is one.
@@ -199,30 +257,31 @@ fn earlier(options: &RunOptions, head: &Value) -> Result<Begun, RunError> {
 /// Runs the instance with each position on disk before the next one begins: how many there are, and how it ended.
 fn write_steps(
     mut instance: Instance,
-    directory: &Path,
+    directory: &Arc<RunDirectory>,
     head: &Value,
     found: Option<&Found>,
     (details, progress): (Details, Arc<Progress>),
 ) -> (usize, Result<Results, RunError>) {
-    let unwritable = |error| RunError::Io { path: directory.to_owned(), error };
+    let path = directory.path();
+    let unwritable = |error| RunError::Io { path: path.to_owned(), error };
     let outputs = instance.description().outputs.clone();
     instance.tell_fields(details.positions());
     instance.tell_bodies(details.pictures);
     let solved = found.map_or(0, |found| found.solved.len());
-    let record = match found.map(|found| Record::go_on(directory, &outputs, found, details)).transpose() {
+    let record = match found.map(|found| Record::go_on(path, &outputs, found, details)).transpose() {
         Ok(record) => record,
         Err(error) => return (solved, Err(unwritable(error))),
     };
     let written = Arc::new(Mutex::new(Written { record, solved, failure: None }));
     let mut unsaid = true;
-    let (writing, head, path) = (written.clone(), head.clone(), directory.to_owned());
+    let (writing, head, directory) = (written.clone(), head.clone(), directory.clone());
     instance.on_solved(move |index, solved, fields| {
         for (body, reason) in fields.iter().filter(|_| unsaid).flat_map(|fields| &fields.without_mesh) {
             progress.note(&format!("`{body}` is not among the bodies in the pictures: it {reason}"));
         }
         unsaid &= fields.is_none();
         let mut written = writing.lock().unwrap_or_else(PoisonError::into_inner);
-        written.write(&path, &outputs, &head, details, (index, solved, fields)).map_err(|error| {
+        written.write(&directory, &outputs, &head, details, (index, solved, fields)).map_err(|error| {
             written.failure = Some(error);
             // The run ends with what is kept; this ends the analysis.
             EngineError::new("E0712", "the results cannot be written", "")
@@ -247,7 +306,7 @@ struct Written {
 impl Written {
     fn write(
         &mut self,
-        directory: &Path,
+        directory: &RunDirectory,
         outputs: &[OutputDescription],
         head: &Value,
         details: Details,
@@ -256,8 +315,14 @@ impl Written {
         // A model may go on after an analysis that failed, and begin another.
         let record = match self.record.take().filter(|_| index > 0) {
             Some(record) => record,
-            None => Record::begin(directory, outputs, head, details)?,
+            None => {
+                begin(directory, details)?;
+                Record::begin(directory.path(), outputs, head, details)?
+            }
         };
+        if details.pictures {
+            directory.claim_all(vtu::files_of(index))?;
+        }
         self.record.insert(record).write(index, outputs, solved, fields)?;
         self.solved = index + 1;
         Ok(())

@@ -62,6 +62,23 @@ pub fn names(signals: &[Signal]) -> Vec<String> {
     signals.iter().enumerate().map(numbered).collect()
 }
 
+/// Names of the files of all signals, in the run directory.
+pub fn files(signals: &[Signal]) -> Vec<String> {
+    let of = |name: String| ["csv", "svg"].map(|ending| format!("{SIGNALS}/{name}.{ending}"));
+    names(signals).into_iter().flat_map(of).collect()
+}
+
+/// Whether a file in [`SIGNALS`] has a name that a run of this model may write.
+pub fn is_name_of_a_run(description: &ModelDescription, file: &str) -> bool {
+    let stem = file.strip_suffix(".csv").or_else(|| file.strip_suffix(".svg"));
+    stem.is_some_and(|stem| {
+        let of = |output: &OutputDescription| {
+            stem.strip_prefix(output.name.as_str()).is_some_and(|rest| rest.starts_with('_'))
+        };
+        description.outputs.iter().any(of)
+    })
+}
+
 /// The largest peaks of each spectrum, in the units of the model.
 pub fn summary(description: &ModelDescription, signals: &[Signal]) -> String {
     let mut text = String::new();

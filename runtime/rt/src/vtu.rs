@@ -10,6 +10,9 @@ use std::fs::{self, File};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
+/// The directory of the files below a run directory.
+pub const FOLDER: &str = "vtu";
+
 /// A kind of pictures of a position.
 struct Kind {
     name: &'static str,
@@ -73,7 +76,7 @@ impl Pictures {
 }
 
 fn folder(directory: &Path) -> PathBuf {
-    directory.join("vtu")
+    directory.join(FOLDER)
 }
 
 fn name(kind: &str, step: usize) -> String {
@@ -85,28 +88,26 @@ pub fn are_in(directory: &Path, positions: usize) -> bool {
     positions == 0 || folder(directory).join(name(KINDS[0].name, positions - 1)).exists()
 }
 
-/// Removes the pictures of an earlier run.
-pub fn remove(directory: &Path) -> io::Result<()> {
-    let folder = folder(directory);
-    let ours = |name: &str| {
-        KINDS.iter().any(|kind| {
-            name.strip_prefix(kind.name)
-                .is_some_and(|rest| rest == ".pvd" || (rest.starts_with('-') && rest.ends_with(".vtu")))
-        })
-    };
-    let entries = match fs::read_dir(&folder) {
-        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(()),
-        entries => entries?,
-    };
-    for entry in entries {
-        let entry = entry?;
-        if entry.file_name().to_str().is_some_and(ours) {
-            fs::remove_file(entry.path())?;
-        }
-    }
-    // Somebody else's files stay, and their folder with them.
-    let _ = fs::remove_dir(&folder);
-    Ok(())
+/// Names of the files that are written of a position, in the run directory.
+pub fn files_of(step: usize) -> impl Iterator<Item = String> {
+    KINDS.iter().flat_map(move |kind| {
+        [format!("{FOLDER}/{}", name(kind.name, step)), format!("{FOLDER}/{}.pvd", kind.name)]
+    })
+}
+
+/// Whether a file in [`FOLDER`] has a name that a run writes.
+pub fn is_name_of_a_run(name: &str) -> bool {
+    KINDS.iter().any(|kind| {
+        name.strip_prefix(kind.name)
+            .is_some_and(|rest| rest == ".pvd" || (rest.starts_with('-') && rest.ends_with(".vtu")))
+    })
+}
+
+/// Names of the files in [`FOLDER`] that have names of a run, in the run directory.
+pub fn files_in(directory: &Path) -> Vec<String> {
+    let entries = fs::read_dir(folder(directory)).into_iter().flatten().flatten();
+    let names = entries.filter_map(|entry| entry.file_name().into_string().ok());
+    names.filter(|name| is_name_of_a_run(name)).map(|name| format!("{FOLDER}/{name}")).collect()
 }
 
 #[cfg(test)]
@@ -233,20 +234,18 @@ mod tests {
     }
 
     #[test]
-    fn only_pictures_are_removed() {
+    fn names_of_files_are_known() {
         let directory = tempfile::tempdir().unwrap();
         let mut pictures = Pictures::begin(directory.path(), Vec::new()).unwrap();
         pictures.write(0, 0.25, &fields(1)).unwrap();
         assert!(are_in(directory.path(), 1) && !are_in(directory.path(), 2));
         let list = fs::read_to_string(folder(directory.path()).join("contact.pvd")).unwrap();
         assert!(list.contains("timestep=\"0.25\" file=\"contact-0000.vtu\""), "{list}");
-        let own = folder(directory.path()).join("notes.txt");
-        fs::write(&own, "").unwrap();
-        remove(directory.path()).unwrap();
-        assert!(own.exists() && !are_in(directory.path(), 1));
-        fs::remove_file(&own).unwrap();
-        remove(directory.path()).unwrap();
-        assert!(!folder(directory.path()).exists());
-        remove(directory.path()).unwrap();
+        fs::write(folder(directory.path()).join("notes.txt"), "").unwrap();
+        let (mut found, known) = (files_in(directory.path()), files_of(0).collect::<Vec<_>>());
+        found.sort();
+        let expected = ["contact-0000.vtu", "contact.pvd", "root_stress-0000.vtu", "root_stress.pvd"];
+        assert_eq!(found, expected.map(|name| format!("{FOLDER}/{name}")));
+        assert!(found.iter().all(|name| known.contains(name)), "{known:?}");
     }
 }

@@ -19,6 +19,7 @@ const MAGIC: [u8; 16] = *b"calyx structure\x01";
 const HEADER: usize = MAGIC.len() + 32 + 32;
 const WHOLE: &str = "structure";
 const PARTIAL: &str = "partial";
+const LOCK: &str = "lock";
 
 /// A directory of structures with a bound on its size.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -77,7 +78,7 @@ impl Store {
             file.write_all(&Sha256::digest(content))?;
             file.write_all(content)
         });
-        let lock = File::options().create(true).append(true).open(self.directory.join("lock"));
+        let lock = File::options().create(true).append(true).open(self.directory.join(LOCK));
         let placed = written.and(lock).and_then(|lock| {
             lock.lock()?;
             fs::rename(&partial, self.path(key))?;
@@ -92,7 +93,10 @@ impl Store {
 
     /// Removes what was used least recently until the rest fits. Files that are not of a store are left alone.
     fn shrink(&self) -> io::Result<()> {
-        let ours = |path: &Path| path.extension().is_some_and(|end| end == WHOLE || end == PARTIAL);
+        let ours = |path: &Path| {
+            let name = path.file_name().and_then(|name| name.to_str());
+            name.is_some_and(|name| name != LOCK && is_name_of_a_store(name))
+        };
         let mut files: Vec<(SystemTime, PathBuf, u64)> = fs::read_dir(&self.directory)?
             .flatten()
             .filter(|entry| ours(&entry.path()))
@@ -115,9 +119,40 @@ impl Store {
         Ok(())
     }
 
+    /// Removes the files of this store, and its directory if no others are in it.
+    ///
+    /// # Errors
+    /// One of them cannot be removed.
+    pub fn clear(&self) -> io::Result<()> {
+        let ignore_missing = |removed: io::Result<()>| match removed {
+            Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
+            _ => Ok(()),
+        };
+        let entries = match fs::read_dir(&self.directory) {
+            Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(()),
+            entries => entries?,
+        };
+        for entry in entries {
+            let entry = entry?;
+            if entry.file_name().to_str().is_some_and(is_name_of_a_store) {
+                ignore_missing(fs::remove_file(entry.path()))?;
+            }
+        }
+        // With files of somebody else, it stays.
+        let _ = fs::remove_dir(&self.directory);
+        Ok(())
+    }
+
     fn path(&self, key: &Key) -> PathBuf {
         self.directory.join(format!("{key:?}.{WHOLE}"))
     }
+}
+
+/// Whether a file has the name of a structure, whole or partial, or of the lock.
+fn is_name_of_a_store(name: &str) -> bool {
+    let Some((stem, ending)) = name.rsplit_once('.') else { return name == LOCK };
+    let key = if ending == PARTIAL { stem.split('-').next().unwrap_or_default() } else { stem };
+    [WHOLE, PARTIAL].contains(&ending) && key.len() == 64 && key.bytes().all(|byte| byte.is_ascii_hexdigit())
 }
 
 #[cfg(test)]
@@ -183,7 +218,9 @@ mod tests {
         let content = [7; 100];
         let size = (HEADER + content.len()) as u64;
         let store = Store::new(folder.path(), 3 * size);
-        fs::write(folder.path().join("letter.txt"), [0; 4096]).unwrap();
+        for name in ["letter.txt", "house.structure", "work.partial"] {
+            fs::write(folder.path().join(name), [0; 4096]).unwrap();
+        }
         for number in 0..3 {
             store.write(&key(number), &content);
             // As if it were longer ago.
@@ -233,5 +270,20 @@ mod tests {
         let whole = files(folder.path()).into_iter().filter(|path| path.extension().is_some());
         let sizes: Vec<u64> = whole.map(|path| path.metadata().unwrap().len()).collect();
         assert!(!sizes.is_empty() && sizes.iter().sum::<u64>() <= limit, "{sizes:?}");
+    }
+
+    #[test]
+    fn a_cleared_store_leaves_files_of_others() {
+        let folder = tempfile::tempdir().unwrap();
+        let store = Store::new(folder.path().join("structures"), 1 << 20);
+        store.clear().unwrap();
+        store.write(&key(1), b"content");
+        store.clear().unwrap();
+        assert!(!store.directory().exists());
+        store.write(&key(1), b"content");
+        let own = store.directory().join("house.structure");
+        fs::write(&own, "plan").unwrap();
+        store.clear().unwrap();
+        assert_eq!(files(store.directory()), [own]);
     }
 }

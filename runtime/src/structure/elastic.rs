@@ -178,6 +178,8 @@ impl ElasticStructure {
         let bore = released.map(|released| bore_coupling(released, &condensed, &prepared, (sectors, angle)));
         let first = ring.coupled.saturating_add(1);
         let known = flexibility.as_ref().filter(|_| ring.hold.carries_far());
+        let bytes = known.map_or(0, |known| FarCoupling::bytes_of(&condensed, known, first));
+        let _room = interrupt.room_for(bytes).map_err(StructureError::Interrupted)?;
         let far = known.and_then(|known| FarCoupling::new(&condensed, &prepared, known, (sectors, first)));
         let joined = flexibility.as_ref().map(|flexibility| (flexibility, ring.coupled));
         let body = Self::assemble(model, sectors, prepared, &condensed, joined, interrupt)?;
@@ -269,6 +271,7 @@ impl ElasticStructure {
         ring: Option<&RingFlexibility>,
         interrupt: &Interrupt,
     ) -> Result<OffsetTables, StructureError> {
+        let _room = interrupt.room_for(table_bytes(condensed)).map_err(StructureError::Interrupted)?;
         let response = response(condensed, ring, offset, interrupt)?;
         let directions = self.directions;
         let sides = || (0..prepared.len() * directions).map(|side| (side / directions, side % directions));
@@ -350,6 +353,13 @@ impl ElasticStructure {
         }
         Ok(smooth)
     }
+}
+
+/// Memory of the tables of one offset while they are made, bytes: the answers, and spline coefficients in one variable and in both.
+fn table_bytes(condensed: &Condensed) -> u64 {
+    let (loads, rows, cuts) = (condensed.own.nrows(), condensed.rows_own.nrows(), condensed.on_cuts.nrows());
+    let numbers = loads * (4 * loads + 6 * rows + 2 * cuts);
+    (size_of::<f64>() * numbers) as u64
 }
 
 /// What the mesh answers to unit mollified loads on one sector.

@@ -27,6 +27,15 @@ pub(crate) struct FarCoupling {
 }
 
 impl FarCoupling {
+    /// Memory that [`FarCoupling::new`] takes, bytes.
+    pub(super) fn bytes_of(condensed: &Condensed, ring: &RingFlexibility, first: u32) -> u64 {
+        let far = (ring.window() + 1).saturating_sub(first) as usize;
+        let (cuts, loads) = (condensed.on_cuts.nrows(), condensed.on_cuts.ncols());
+        let numbers =
+            if far == 0 { 0 } else { cuts * (far * cuts + 2 * loads + condensed.rows_cuts.nrows()) };
+        (size_of::<f64>() * numbers) as u64
+    }
+
     /// Of sectors at least `first` apart on a ring known for all distances; `None` if there are none.
     pub(super) fn new(
         condensed: &Condensed,

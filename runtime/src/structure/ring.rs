@@ -220,6 +220,10 @@ impl RingFlexibility {
         assert!(sectors >= 1, "a ring has sectors");
         let window = window.min(sectors / 2).min(sectors - 1);
         let (n, count) = (sector.cut_size(), sector.shared.count);
+        // Of joining two chains; and for each sector of the window what was passed, its cuts, its rows and its result.
+        let matrices = 12 + 4 * window as u64;
+        let bytes = matrices * (size_of::<f64>() * (2 * n + count).pow(2)) as u64;
+        let _room = interrupt.room_for(bytes).map_err(StructureError::Interrupted)?;
         let pitch = TAU / f64::from(sectors);
         let ends = [[0, 0], [0, 1], [1, 0], [1, 1]];
         if sectors == 1 {

@@ -266,7 +266,8 @@ fn run(
     let mut shown = String::new();
     if let Ok(slots) = &result {
         let repr = &program.functions[program.main.0 as usize].result;
-        calyx_abi::text::append(&ctx.heap, repr, slots, &calyx_abi::display::Display::Plain, &mut shown)
+        calyx_abi::text::Growing::new(&mut shown, &|_| Ok(()))
+            .append(&ctx.heap, repr, slots, &calyx_abi::display::Display::Plain)
             .unwrap();
     }
     let canonical = |slot: Slot| if f64::from_bits(slot).is_nan() { f64::NAN.to_bits() } else { slot };

@@ -20,7 +20,10 @@ impl<'p> Machine<'_, 'p> {
                 self.stack.push(slot);
             }
             ExprKind::Bool(value) => self.stack.push(u64::from(*value)),
-            ExprKind::String(text) => self.stack.push(self.ctx.heap.string(text)),
+            ExprKind::String(text) => {
+                let id = helpers::new_string(self.ctx, text)?;
+                self.stack.push(id);
+            }
             ExprKind::Local(local) => {
                 let slots = self.local(*local)?;
                 self.stack.extend_from_within(slots);
@@ -205,7 +208,7 @@ impl<'p> Machine<'_, 'p> {
         let mut at = start;
         for part in parts {
             match part {
-                FormatPart::Text(text) => self.ctx.text.push_str(text),
+                FormatPart::Text(text) => helpers::append_text(self.ctx, text)?,
                 FormatPart::Value(value, display) => {
                     let end = at + value.repr.slots();
                     helpers::append_value(self.ctx, &value.repr, &self.stack[at..end], display)?;

@@ -2,6 +2,7 @@
 
 use super::read::{End, Run};
 use super::{accuracy, number, paragraphs, prose};
+use crate::shell::word;
 use maud::{Markup, PreEscaped, html};
 use serde_json::Value;
 
@@ -301,10 +302,4 @@ pub fn asked(of: &str, run: &Run) -> String {
         words.push(format!("--set {}", word(format!("{name}={} {unit}", value(param)).trim_end())));
     }
     words.join(" ")
-}
-
-/// A word of a shell's command line.
-fn word(text: &str) -> String {
-    let plain = |c: char| c.is_alphanumeric() || "._-/=+:,".contains(c);
-    if text.chars().all(plain) { text.to_owned() } else { format!("'{}'", text.replace('\'', "'\\''")) }
 }

@@ -12,6 +12,7 @@ mod read;
 mod units;
 
 use crate::directory::REPORT;
+use crate::run_directory::RunDirectory;
 use chart::{Axis, Curve, NARROW, Plot, WIDE};
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use read::{End, Output, Run};
@@ -30,6 +31,20 @@ pub fn write(directory: &Path) -> io::Result<PathBuf> {
     fs::write(&unfinished, page)?;
     fs::rename(unfinished, &path)?;
     Ok(path)
+}
+
+/// Makes the page of the run in a locked directory, and lists it as a file of the run: its path.
+///
+/// # Errors
+/// As for [`write`]; or a page is there that no run wrote.
+pub fn write_locked(directory: &RunDirectory) -> io::Result<PathBuf> {
+    directory.claim_all([REPORT, "report.html.part"])?;
+    write(directory.path())
+}
+
+/// Whether there is a run in a directory: its summary or its journal.
+pub fn is_run(directory: &Path) -> bool {
+    directory.join("run.json").exists() || crate::journal::path(directory).exists()
 }
 
 /// What plots of outputs go over.

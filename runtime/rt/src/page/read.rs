@@ -354,7 +354,8 @@ fn files(directory: &Path) -> io::Result<Vec<String>> {
         names.push(format!("{}{slash}", entry.file_name().to_string_lossy()));
     }
     // Itself is there once it is written, and so is what a later command leaves.
-    names.retain(|name| name != crate::directory::REPORT && !name.ends_with(".part"));
+    let hidden = |name: &str| name.starts_with('.') || name.ends_with(".part");
+    names.retain(|name| name != crate::directory::REPORT && !hidden(name));
     names.sort();
     Ok(names)
 }

@@ -16,7 +16,6 @@ use crate::resume::{self, Begun};
 use crate::run::{RunError, RunOptions, run};
 use calyx_abi::{Cancel, Status};
 use calyx_runtime::cache::Store;
-use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -52,8 +51,8 @@ impl Campaign {
         self.directory.join("runs").join(setting.folder())
     }
 
-    fn structures(&self) -> PathBuf {
-        self.directory.join("structures")
+    fn store(&self) -> Store {
+        Store::new(self.directory.join("structures"), KEPT)
     }
 
     /// Runs a setting, unless an earlier run has done it. `known` are settings measured before, whose structures it may share.
@@ -78,12 +77,12 @@ impl Campaign {
         }
         if sharing.is_none() {
             // The time to condense them is to be measured, and those of other meshes are not needed any more.
-            remove(&self.structures()).map_err(unwritable)?;
+            self.store().clear().map_err(unwritable)?;
         }
         let options = RunOptions {
             engine: Engine::new(EngineConfig {
                 threads: self.threads,
-                store: Some(Store::new(self.structures(), KEPT)),
+                store: Some(self.store()),
                 ..EngineConfig::default()
             }),
             directory: directory.clone(),
@@ -98,7 +97,9 @@ impl Campaign {
         };
         match run(self.program.clone(), &options) {
             Ok(_) => {}
-            Err(RunError::Run(Error::Model(error))) if error.status() == Status::Cancelled => {
+            Err(RunError::Ended { error, .. } | RunError::Run(Error::Model(error)))
+                if error.status() == Status::Cancelled =>
+            {
                 return Ok(Outcome::Ended);
             }
             Err(RunError::Run(Error::Model(error))) => {
@@ -155,13 +156,6 @@ impl Campaign {
     /// # Errors
     /// It is there and cannot be removed.
     pub fn tidy(&self) -> io::Result<()> {
-        remove(&self.structures())
-    }
-}
-
-fn remove(directory: &Path) -> io::Result<()> {
-    match fs::remove_dir_all(directory) {
-        Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
-        _ => Ok(()),
+        self.store().clear()
     }
 }

@@ -1,0 +1,486 @@
+//! Ownership of a directory of results: which of its files a run wrote, and which process writes there now.
+//!
+//! A run replaces and removes only files that an earlier run wrote. The file [`MARKER`] lists them: its first line
+//! identifies the directory, and each file is listed before it is created. Everything else in the directory belongs to the
+//! user. The process that writes locks the marker with a lock of the operating system, which ends with the process however
+//! that ends. A kill at any moment leaves a marker that can be read: lines are appended, and an incomplete last line counts
+//! as none.
+
+use crate::directory::REPORT;
+use crate::journal;
+use serde_json::Value;
+use std::collections::BTreeSet;
+use std::fs::{self, File, TryLockError};
+use std::io::{self, ErrorKind, Read, Seek, SeekFrom, Write};
+use std::os::unix::fs::{MetadataExt, OpenOptionsExt};
+use std::path::{Component, Path, PathBuf};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+mod error;
+mod owner;
+
+pub use error::DirectoryError;
+
+/// The marker's name in the directory.
+pub const MARKER: &str = ".calyx-run";
+/// A line of the marker that lists a file begins with this.
+const FILE: &str = "file ";
+/// A line of the marker that says who writes begins with this.
+const OWNER: &str = "locked by ";
+/// Attempts to lock a marker that other processes remove.
+const ATTEMPTS: usize = 100;
+
+/// A kind of directory of results.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// Written by `calyx run` or an executable.
+    Run,
+    /// Written by `calyx tradeoff`.
+    Tradeoff,
+}
+
+impl Kind {
+    /// The first line of the marker.
+    fn header(self) -> &'static str {
+        match self {
+            Kind::Run => "Calyx run directory, format 1. A run replaces only the files listed here.\n",
+            Kind::Tradeoff => {
+                "Calyx tradeoff directory, format 1. `calyx tradeoff` replaces only the files listed here.\n"
+            }
+        }
+    }
+
+    /// The names that are the same for every model. If one of them exists and is not listed, nothing is written: readers of
+    /// the directory would mistake it for a result.
+    fn fixed_names(self) -> &'static [&'static str] {
+        match self {
+            Kind::Run => &FILES_OF_A_RUN,
+            Kind::Tradeoff => &["tradeoff.csv", "tradeoff.json", "tradeoff.svg", "runs", "structures"],
+        }
+    }
+
+    /// Directories in which other names are listed.
+    fn folders(self) -> &'static [&'static str] {
+        match self {
+            Kind::Run => &[crate::directory::SIGNALS, crate::vtu::FOLDER],
+            Kind::Tradeoff => &[],
+        }
+    }
+
+    /// The names that a version without markers wrote, if the directory has a summary that only such a version wrote.
+    fn names_without_marker(self, directory: &Path) -> Option<BTreeSet<String>> {
+        let read = |name: &str| -> Option<Value> {
+            serde_json::from_slice(&fs::read(regular(directory.join(name))?).ok()?).ok()
+        };
+        let has = |summary: &Value, names: &[&str]| {
+            summary["calyx"].is_string() && names.iter().all(|name| !summary[*name].is_null())
+        };
+        let of_a_run = |summary: &Value| {
+            has(summary, &["abi", "model", "params"]) && summary["source"]["files"].is_array()
+        };
+        let mut names = present(self, directory);
+        match self {
+            Kind::Run => {
+                let summary = read("run.json").filter(of_a_run);
+                let begun = || journal::find(directory).ok()?.filter(|found| of_a_run(&found.head));
+                if summary.is_none() {
+                    regular(journal::path(directory)).and_then(|_| begun())?;
+                }
+                let signals = summary.iter().flat_map(|summary| summary["signals"].as_array()).flatten();
+                let of_signal = |signal: &Value| ["table", "picture"].map(|key| signal[key].clone());
+                let listed = signals.flat_map(of_signal);
+                names.extend(listed.filter_map(|name| name.as_str().map(str::to_owned)));
+                names.extend(crate::vtu::files_in(directory));
+            }
+            Kind::Tradeoff => {
+                read("tradeoff.json").filter(|all| has(all, &["model", "settings", "reference"]))?;
+            }
+        }
+        names.retain(|name| self.allows(name));
+        Some(names)
+    }
+
+    /// Whether a listed name is one that this kind of directory has: a marker from elsewhere must not name other files.
+    fn allows(self, name: &str) -> bool {
+        let parts: Vec<Component> = Path::new(name).components().collect();
+        match parts[..] {
+            [Component::Normal(_)] => self.fixed_names().contains(&name),
+            [Component::Normal(folder), Component::Normal(_)] => {
+                self.folders().iter().any(|known| folder == *known)
+            }
+            _ => false,
+        }
+    }
+}
+
+/// Files at the top of a run directory. Those that end in `.part` are renamed when they are complete.
+const FILES_OF_A_RUN: [&str; 15] = [
+    "run.json",
+    "journal.jsonl",
+    "run.json.part",
+    "timing.json",
+    "timing.json.part",
+    "steps.csv",
+    "line_load.csv",
+    "pressure.csv",
+    "root_stress.csv",
+    "places.csv",
+    "root_stress_range.csv",
+    "root_stress_range.csv.part",
+    "modes.csv",
+    REPORT,
+    "report.html.part",
+];
+
+/// A directory of results that this process alone writes to, until this value is dropped.
+#[derive(Debug)]
+pub struct RunDirectory {
+    path: PathBuf,
+    kind: Kind,
+    /// Files that no run wrote may be replaced.
+    force: bool,
+    /// The directory did not exist before.
+    created: bool,
+    /// The marker did not exist before.
+    marked: bool,
+    marker: Mutex<Marker>,
+}
+
+/// The marker, locked.
+#[derive(Debug)]
+struct Marker {
+    file: File,
+    /// Names that may be replaced.
+    owned: BTreeSet<String>,
+    /// Those of them that the file lists.
+    listed: BTreeSet<String>,
+    /// Something was removed or listed.
+    used: bool,
+}
+
+impl RunDirectory {
+    /// Locks a directory for writing, and makes it if it does not exist. Removes and replaces nothing. With `force`, files
+    /// of the user that have names of results become files of the run.
+    ///
+    /// # Errors
+    /// The directory has files and no marker and is not one of an older version; files that no run wrote are in the way;
+    /// another process writes to it; or it cannot be written.
+    pub fn lock(path: &Path, kind: Kind, force: bool) -> Result<RunDirectory, DirectoryError> {
+        let unwritable = |error| DirectoryError::Io { path: path.to_owned(), error };
+        let mut created = false;
+        for _ in 0..ATTEMPTS {
+            created |= !path.exists();
+            fs::create_dir_all(path).map_err(unwritable)?;
+            let marker = path.join(MARKER);
+            let marked = !exists(&marker);
+            // Nothing is written to a directory that is not a run's, not even a marker for a moment.
+            if marked
+                && !force
+                && let Contents::Foreign(files) = contents(path, kind, "").map_err(unwritable)?
+            {
+                if exists(&marker) {
+                    continue;
+                }
+                return Err(DirectoryError::Foreign { path: path.to_owned(), kind, files });
+            }
+            let file = match open(&marker) {
+                // Another process removed the directory, which it had made.
+                Err(error) if error.kind() == ErrorKind::NotFound => continue,
+                Err(error) if error.raw_os_error() == Some(libc::ELOOP) => {
+                    return Err(DirectoryError::InTheWay {
+                        path: path.to_owned(),
+                        files: vec![MARKER.into()],
+                    });
+                }
+                file => file.map_err(unwritable)?,
+            };
+            match file.try_lock() {
+                Ok(()) => {}
+                Err(TryLockError::WouldBlock) => {
+                    let owner = owner::read(&file);
+                    return Err(DirectoryError::InUse { path: path.to_owned(), owner });
+                }
+                // A file system without locks still takes results.
+                Err(TryLockError::Error(error)) if error.kind() == ErrorKind::Unsupported => {}
+                Err(TryLockError::Error(error)) => return Err(unwritable(error)),
+            }
+            // The process that had it locked may have removed it meanwhile.
+            if !is_at(&file, &marker) {
+                continue;
+            }
+            return RunDirectory::locked(path, kind, force, (created, marked), file);
+        }
+        Err(unwritable(ErrorKind::ResourceBusy.into()))
+    }
+
+    fn locked(
+        path: &Path,
+        kind: Kind,
+        force: bool,
+        (created, mut marked): (bool, bool),
+        file: File,
+    ) -> Result<RunDirectory, DirectoryError> {
+        let unwritable = |error| DirectoryError::Io { path: path.to_owned(), error };
+        let text = read(&file).map_err(unwritable)?;
+        let contents = contents(path, kind, &text).map_err(unwritable)?;
+        if let (Contents::Foreign(files), false) = (&contents, force) {
+            return Err(DirectoryError::Foreign { path: path.to_owned(), kind, files: files.clone() });
+        }
+        let (mut owned, mut listed) = (BTreeSet::new(), BTreeSet::new());
+        match contents {
+            Contents::Listed(names) => {
+                listed.clone_from(&names);
+                owned = names;
+                let complete = text.rfind('\n').map_or(0, |end| end + 1);
+                file.set_len(complete as u64).map_err(unwritable)?;
+            }
+            Contents::Old(names) => owned = names,
+            Contents::Nothing | Contents::Foreign(_) => {}
+        }
+        let others: Vec<String> =
+            present(kind, path).into_iter().filter(|name| !owned.contains(name)).collect();
+        if !force && !others.is_empty() {
+            return Err(DirectoryError::InTheWay { path: path.to_owned(), files: others });
+        }
+        if !text.starts_with(kind.header()) {
+            marked = true;
+            // A version without markers wrote these.
+            let lines: String = owned.iter().map(|name| format!("{FILE}{name}\n")).collect();
+            file.set_len(0).map_err(unwritable)?;
+            append(&file, &(kind.header().to_owned() + &lines)).map_err(unwritable)?;
+            listed.clone_from(&owned);
+        }
+        // What is replaced by force is listed when it is replaced.
+        owned.extend(others);
+        append(&file, &owner::line()).map_err(unwritable)?;
+        let marker = Mutex::new(Marker { file, owned, listed, used: false });
+        Ok(RunDirectory { path: path.to_owned(), kind, force, created, marked, marker })
+    }
+
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// Removes the files that an earlier run wrote.
+    ///
+    /// # Errors
+    /// One of them cannot be removed.
+    pub fn clear(&self) -> io::Result<()> {
+        let mut marker = self.marker();
+        let first = FILES_OF_A_RUN.iter().filter(|name| marker.owned.contains(**name));
+        let rest = marker.owned.iter().map(String::as_str).filter(|name| !FILES_OF_A_RUN.contains(name));
+        // The summary and the journal go first: neither may remain of a run whose tables are gone.
+        for name in first.copied().chain(rest) {
+            if self.is_inside(name) {
+                ignore_missing(fs::remove_file(self.path.join(name)))?;
+            }
+        }
+        for folder in self.kind.folders() {
+            let below = format!("{folder}/");
+            if marker.owned.iter().any(|name| name.starts_with(&below)) {
+                // A folder with files of the user stays.
+                let _ = fs::remove_dir(self.path.join(folder));
+            }
+        }
+        marker.used = true;
+        marker.owned.clear();
+        marker.listed.clear();
+        marker.file.set_len(self.kind.header().len() as u64)?;
+        append(&marker.file, &owner::line())
+    }
+
+    /// Lists the files of an earlier run, which this one continues.
+    ///
+    /// # Errors
+    /// The marker cannot be written.
+    pub fn keep(&self) -> io::Result<()> {
+        let mut marker = self.marker();
+        let names: Vec<String> = marker.owned.difference(&marker.listed).cloned().collect();
+        names.iter().try_for_each(|name| marker.list(name))
+    }
+
+    /// Lists a file, which may be created or replaced then: its path.
+    ///
+    /// # Errors
+    /// A file of this name exists that no run wrote, or the marker cannot be written.
+    pub fn claim(&self, name: &str) -> io::Result<PathBuf> {
+        let path = self.path.join(name);
+        let mut marker = self.marker();
+        if marker.listed.contains(name) {
+            return Ok(path);
+        }
+        let foreign = !marker.owned.contains(name) && exists(&path);
+        if !self.is_inside(name) || (foreign && !self.force) {
+            return Err(io::Error::new(
+                ErrorKind::AlreadyExists,
+                format!("{name} is there, and no run wrote it"),
+            ));
+        }
+        marker.list(name)?;
+        Ok(path)
+    }
+
+    /// Lists several files, see [`RunDirectory::claim`].
+    ///
+    /// # Errors
+    /// As for one.
+    pub fn claim_all<N: AsRef<str>>(&self, names: impl IntoIterator<Item = N>) -> io::Result<()> {
+        names.into_iter().try_for_each(|name| self.claim(name.as_ref()).map(drop))
+    }
+
+    /// # Errors
+    /// Files in a folder below this directory have names that the run may write, and no run wrote them.
+    pub fn check_folder(&self, folder: &str, may_write: impl Fn(&str) -> bool) -> Result<(), DirectoryError> {
+        let below = self.path.join(folder);
+        if self.force || !exists(&below) {
+            return Ok(());
+        }
+        let in_the_way = |files| Err(DirectoryError::InTheWay { path: self.path.clone(), files });
+        if !self.is_inside(&format!("{folder}/x")) {
+            return in_the_way(vec![folder.to_owned()]);
+        }
+        let unreadable = |error| DirectoryError::Io { path: below.clone(), error };
+        let owned = &self.marker().owned;
+        let names = names_in(&below).map_err(unreadable)?.into_iter().filter(|name| may_write(name));
+        let files: Vec<String> =
+            names.map(|name| format!("{folder}/{name}")).filter(|name| !owned.contains(name)).collect();
+        if files.is_empty() { Ok(()) } else { in_the_way(files) }
+    }
+
+    /// Whether a name is one of this kind of directory and leads to no other place by a symbolic link.
+    fn is_inside(&self, name: &str) -> bool {
+        let folder = name.split_once('/').map(|(folder, _)| self.path.join(folder));
+        let is_folder = |folder: &PathBuf| match folder.symlink_metadata() {
+            Ok(about) => about.is_dir(),
+            Err(error) => error.kind() == ErrorKind::NotFound,
+        };
+        self.kind.allows(name) && folder.is_none_or(|folder| is_folder(&folder))
+    }
+
+    fn marker(&self) -> MutexGuard<'_, Marker> {
+        self.marker.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+impl Drop for RunDirectory {
+    fn drop(&mut self) {
+        let unused = self.marked && !self.marker().used;
+        if unused {
+            // Nothing was written: the directory is as it was.
+            let _ = fs::remove_file(self.path.join(MARKER));
+            if self.created {
+                let _ = fs::remove_dir(&self.path);
+            }
+        }
+    }
+}
+
+impl Marker {
+    fn list(&mut self, name: &str) -> io::Result<()> {
+        append(&self.file, &format!("{FILE}{name}\n"))?;
+        self.used = true;
+        self.owned.insert(name.to_owned());
+        self.listed.insert(name.to_owned());
+        Ok(())
+    }
+}
+
+/// What a directory has.
+enum Contents {
+    Nothing,
+    /// The files that its marker lists, and perhaps others.
+    Listed(BTreeSet<String>),
+    /// The files of a version that wrote no markers, and perhaps others.
+    Old(BTreeSet<String>),
+    /// Files that no run wrote.
+    Foreign(Vec<String>),
+}
+
+/// What a directory with this marker has; without one, `marker` is empty.
+fn contents(directory: &Path, kind: Kind, marker: &str) -> io::Result<Contents> {
+    if let Some(lines) = marker.strip_prefix(kind.header()) {
+        let complete = lines.split_inclusive('\n').filter_map(|line| line.strip_suffix('\n'));
+        let names = complete.filter_map(|line| line.strip_prefix(FILE)).filter(|name| kind.allows(name));
+        return Ok(Contents::Listed(names.map(str::to_owned).collect()));
+    }
+    let mut files = names_in(directory)?;
+    // A kill may have left a part of the header.
+    if kind.header().starts_with(marker) {
+        files.retain(|name| name != MARKER);
+        if files.is_empty() {
+            return Ok(Contents::Nothing);
+        }
+        if let Some(names) = kind.names_without_marker(directory) {
+            return Ok(Contents::Old(names));
+        }
+    }
+    Ok(Contents::Foreign(files))
+}
+
+/// Names of the entries of a directory, in order.
+fn names_in(directory: &Path) -> io::Result<Vec<String>> {
+    let entries = fs::read_dir(directory)?;
+    let names = entries.map(|entry| Ok(entry?.file_name().to_string_lossy().into_owned()));
+    let mut names = names.collect::<io::Result<Vec<String>>>()?;
+    names.sort();
+    Ok(names)
+}
+
+/// The fixed names that exist in a directory.
+fn present(kind: Kind, directory: &Path) -> BTreeSet<String> {
+    let names = kind.fixed_names().iter().filter(|name| exists(&directory.join(name)));
+    names.map(|name| (*name).to_owned()).collect()
+}
+
+fn exists(path: &Path) -> bool {
+    path.symlink_metadata().is_ok()
+}
+
+/// A path if a regular file is there, not a symbolic link to one.
+fn regular(path: PathBuf) -> Option<PathBuf> {
+    path.symlink_metadata().is_ok_and(|about| about.is_file()).then_some(path)
+}
+
+/// Opens a marker, or makes it; follows no symbolic link.
+fn open(marker: &Path) -> io::Result<File> {
+    let flags = libc::O_NOFOLLOW | libc::O_NONBLOCK;
+    let file = File::options().read(true).append(true).create(true).custom_flags(flags).open(marker)?;
+    match file.metadata()?.is_file() {
+        true => Ok(file),
+        false => Err(io::Error::new(ErrorKind::InvalidInput, format!("{MARKER} is not a regular file"))),
+    }
+}
+
+/// Whether an open file is the one at a path.
+fn is_at(file: &File, path: &Path) -> bool {
+    let identity = |about: fs::Metadata| (about.dev(), about.ino());
+    match (file.metadata(), path.symlink_metadata()) {
+        (Ok(open), Ok(there)) => identity(open) == identity(there),
+        _ => false,
+    }
+}
+
+/// Longest marker that is read, in bytes: a hundred thousand files.
+const LONGEST: u64 = 16 << 20;
+
+fn read(mut file: &File) -> io::Result<String> {
+    file.seek(SeekFrom::Start(0))?;
+    let mut bytes = Vec::new();
+    file.take(LONGEST).read_to_end(&mut bytes)?;
+    Ok(String::from_utf8_lossy(&bytes).into_owned())
+}
+
+/// In one piece.
+fn append(mut file: &File, line: &str) -> io::Result<()> {
+    file.write_all(line.as_bytes())
+}
+
+fn ignore_missing(removed: io::Result<()>) -> io::Result<()> {
+    match removed {
+        Err(error) if error.kind() != ErrorKind::NotFound => Err(error),
+        _ => Ok(()),
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,231 @@
+use super::*;
+use serde_json::json;
+use tempfile::TempDir;
+
+fn lock(directory: &Path) -> Result<RunDirectory, DirectoryError> {
+    RunDirectory::lock(directory, Kind::Run, false)
+}
+
+/// A folder with files that have their own names as text.
+fn folder(files: &[&str]) -> TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    files.iter().for_each(|name| write(folder.path(), name));
+    folder
+}
+
+fn write(directory: &Path, name: &str) {
+    fs::create_dir_all(directory.join(name).parent().unwrap()).unwrap();
+    fs::write(directory.join(name), name).unwrap();
+}
+
+/// Files in a directory and below it, without the marker.
+fn files(directory: &Path) -> Vec<String> {
+    let mut all = Vec::new();
+    for name in names_in(directory).unwrap() {
+        let path = directory.join(&name);
+        if path.is_dir() {
+            all.extend(files(&path).into_iter().map(|below| format!("{name}/{below}")));
+        } else if name != MARKER {
+            all.push(name);
+        }
+    }
+    all
+}
+
+/// What a run does: it removes what an earlier one wrote and writes these files.
+fn run(directory: &Path, names: &[&str]) {
+    let locked = lock(directory).unwrap();
+    locked.clear().unwrap();
+    for name in names {
+        locked.claim(name).unwrap();
+        write(directory, name);
+    }
+}
+
+#[test]
+fn a_directory_with_files_of_the_user_is_refused_and_unchanged() {
+    for own in [&["notes.txt"][..], &["run.json", "signals/measured.csv"], &[".hidden"], &[".calyx-run"]] {
+        let folder = folder(own);
+        let Err(error) = lock(folder.path()) else { panic!("{own:?} is taken for a run") };
+        assert!(matches!(error, DirectoryError::Foreign { .. }), "{error}");
+        assert!(error.help().contains("--force"), "{}", error.help());
+        assert_eq!(names_in(folder.path()).unwrap().len(), own.len());
+        own.iter().for_each(|name| assert_eq!(fs::read_to_string(folder.path().join(name)).unwrap(), *name));
+    }
+    // Named, as many as fit a line.
+    let folder = folder(&["a", "b", "c", "d", "e", "f"]);
+    let said = lock(folder.path()).unwrap_err().to_string();
+    assert!(said.ends_with("has files that a run did not write: a, b, c, d, and 2 more"), "{said}");
+}
+
+#[test]
+fn a_run_replaces_what_a_run_wrote_and_nothing_else() {
+    let folder = tempfile::tempdir().unwrap();
+    let directory = folder.path().join("made");
+    run(&directory, &["run.json", "steps.csv", "pressure.csv", "signals/te_spectrum.csv", "vtu/contact.pvd"]);
+    for own in ["notes.txt", "signals/notes.csv", "vtu/scene.pvsm", "data/steps.csv"] {
+        write(&directory, own);
+    }
+    run(&directory, &["run.json"]);
+    let kept = ["data/steps.csv", "notes.txt", "run.json", "signals/notes.csv", "vtu/scene.pvsm"];
+    assert_eq!(files(&directory), kept);
+    // A file of the user that has the name of a result.
+    write(&directory, "modes.csv");
+    let error = lock(&directory).unwrap_err();
+    assert!(matches!(&error, DirectoryError::InTheWay { files, .. } if *files == ["modes.csv"]), "{error}");
+    // Forced, it is replaced; what has other names stays.
+    RunDirectory::lock(&directory, Kind::Run, true).unwrap().clear().unwrap();
+    assert_eq!(files(&directory), ["data/steps.csv", "notes.txt", "signals/notes.csv", "vtu/scene.pvsm"]);
+}
+
+#[test]
+fn files_below_that_a_run_may_write_are_in_the_way() {
+    let folder = tempfile::tempdir().unwrap();
+    run(folder.path(), &["run.json", "signals/te_spectrum.csv"]);
+    write(folder.path(), "signals/te_order_map.csv");
+    let locked = lock(folder.path()).unwrap();
+    let of_te = |name: &str| name.starts_with("te_");
+    let error = locked.check_folder("signals", of_te).unwrap_err();
+    assert!(
+        matches!(&error, DirectoryError::InTheWay { files, .. } if *files == ["signals/te_order_map.csv"])
+    );
+    locked.check_folder("signals", |name| name == "te_spectrum.csv").unwrap();
+    assert_eq!(locked.claim("signals/te_order_map.csv").unwrap_err().kind(), ErrorKind::AlreadyExists);
+    for elsewhere in ["../x", "/x", "signals/../x", "signals/a/b", "other.csv"] {
+        assert!(locked.claim(elsewhere).is_err(), "{elsewhere}");
+    }
+}
+
+#[test]
+fn nothing_outside_is_reached() {
+    let outside = folder(&["te_spectrum.csv", "target"]);
+    let folder = tempfile::tempdir().unwrap();
+    run(folder.path(), &["run.json", "signals/te_spectrum.csv", "steps.csv"]);
+    fs::remove_dir_all(folder.path().join("signals")).unwrap();
+    std::os::unix::fs::symlink(outside.path(), folder.path().join("signals")).unwrap();
+    fs::remove_file(folder.path().join("steps.csv")).unwrap();
+    std::os::unix::fs::symlink(outside.path().join("target"), folder.path().join("steps.csv")).unwrap();
+    let locked = lock(folder.path()).unwrap();
+    assert!(locked.check_folder("signals", |_| true).is_err());
+    locked.clear().unwrap();
+    assert_eq!(files(outside.path()), ["target", "te_spectrum.csv"]);
+    assert_eq!(files(folder.path()), ["signals/target", "signals/te_spectrum.csv"]);
+    drop(locked);
+    // A marker that lists files elsewhere.
+    let text = format!("{}{FILE}../{}/target\n{FILE}/etc/passwd\n", Kind::Run.header(), "x");
+    fs::write(folder.path().join(MARKER), text).unwrap();
+    assert!(lock(folder.path()).unwrap().marker().owned.is_empty());
+    // A marker that is a link.
+    fs::remove_file(folder.path().join(MARKER)).unwrap();
+    std::os::unix::fs::symlink(outside.path().join("target"), folder.path().join(MARKER)).unwrap();
+    assert!(lock(folder.path()).is_err());
+    assert_eq!(fs::read_to_string(outside.path().join("target")).unwrap(), "target");
+}
+
+#[test]
+fn one_writes_at_a_time() {
+    let folder = tempfile::tempdir().unwrap();
+    let directory = folder.path().join("made");
+    let first = lock(&directory).unwrap();
+    let DirectoryError::InUse { owner, .. } = lock(&directory).unwrap_err() else { panic!("not locked") };
+    assert!(owner.contains(&format!("process {} on ", std::process::id())), "{owner}");
+    assert!(owner.ends_with(" UTC"), "{owner}");
+    // Not even by force.
+    assert!(RunDirectory::lock(&directory, Kind::Run, true).is_err());
+    // It wrote nothing, so nothing remains.
+    drop(first);
+    assert!(!directory.exists());
+    let first = lock(&directory).unwrap();
+    first.claim("run.json").unwrap();
+    drop(first);
+    drop(lock(&directory).unwrap());
+    assert!(directory.join(MARKER).exists());
+}
+
+#[test]
+fn threads_that_make_and_remove_a_directory_are_alone_in_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let directory = folder.path().join("made");
+    let (inside, entered) = (std::sync::atomic::AtomicUsize::new(0), std::sync::atomic::AtomicUsize::new(0));
+    std::thread::scope(|scope| {
+        for _ in 0..4 {
+            scope.spawn(|| {
+                for _ in 0..200 {
+                    use std::sync::atomic::Ordering::SeqCst;
+                    match lock(&directory) {
+                        Ok(locked) => {
+                            assert_eq!(inside.fetch_add(1, SeqCst), 0, "two in one directory");
+                            entered.fetch_add(1, SeqCst);
+                            std::thread::yield_now();
+                            inside.fetch_sub(1, SeqCst);
+                            drop(locked);
+                        }
+                        Err(DirectoryError::InUse { .. }) => {}
+                        Err(DirectoryError::Io { error, .. }) if error.kind() == ErrorKind::ResourceBusy => {}
+                        Err(error) => panic!("{error}"),
+                    }
+                }
+            });
+        }
+    });
+    assert!(entered.into_inner() > 0);
+    assert!(!directory.exists());
+}
+
+#[test]
+fn a_marker_that_was_cut_off_is_read_as_far_as_it_goes() {
+    let folder = tempfile::tempdir().unwrap();
+    run(folder.path(), &["run.json", "steps.csv"]);
+    let whole = fs::read(folder.path().join(MARKER)).unwrap();
+    let header = Kind::Run.header().len();
+    for length in header..=whole.len() {
+        fs::write(folder.path().join(MARKER), &whole[..length]).unwrap();
+        let text = String::from_utf8(whole[..length].to_vec()).unwrap();
+        let listed = |name: &str| text.contains(&format!("{FILE}{name}\n"));
+        match lock(folder.path()) {
+            Ok(_) => assert!(listed("run.json") && listed("steps.csv"), "{text}"),
+            Err(error) => assert!(!listed("run.json") || !listed("steps.csv"), "{error}"),
+        }
+    }
+    // A kill while the header was written: nothing else is there yet.
+    let folder = tempfile::tempdir().unwrap();
+    for length in 0..header {
+        fs::write(folder.path().join(MARKER), &whole[..length]).unwrap();
+        lock(folder.path()).unwrap();
+    }
+}
+
+#[test]
+fn runs_of_versions_without_markers_are_recognised() {
+    let run = json!({
+        "calyx": "0.1.0", "abi": "1", "model": "pair.cx", "source": { "files": [] }, "params": {},
+        "signals": [{ "table": "signals/te_spectrum.csv", "picture": "../picture.svg" }],
+    });
+    let old =
+        folder(&["steps.csv", "signals/te_spectrum.csv", "signals/own.csv", "own.txt", "vtu/contact.pvd"]);
+    fs::write(old.path().join("run.json"), run.to_string()).unwrap();
+    // A run that fails before its first position leaves everything as it was.
+    drop(lock(old.path()).unwrap());
+    assert!(!old.path().join(MARKER).exists());
+    lock(old.path()).unwrap().clear().unwrap();
+    assert_eq!(files(old.path()), ["own.txt", "signals/own.csv"]);
+    // Killed: a journal and no summary.
+    let killed = folder(&["steps.csv"]);
+    let journal = format!("{}\n", json!({ "journal": 2, "run": run }));
+    fs::write(killed.path().join("journal.jsonl"), journal).unwrap();
+    lock(killed.path()).unwrap();
+    // Somebody else's `run.json`.
+    for other in [json!({}), json!([1]), json!({ "calyx": "0.1.0", "params": {} })] {
+        let foreign = folder(&["steps.csv"]);
+        fs::write(foreign.path().join("run.json"), other.to_string()).unwrap();
+        assert!(matches!(lock(foreign.path()).unwrap_err(), DirectoryError::Foreign { .. }), "{other}");
+    }
+}
+
+#[test]
+fn kinds_of_directories_are_distinct() {
+    let folder = tempfile::tempdir().unwrap();
+    run(folder.path(), &["run.json"]);
+    let other = RunDirectory::lock(folder.path(), Kind::Tradeoff, false).unwrap_err();
+    assert!(matches!(other, DirectoryError::Foreign { .. }), "{other}");
+}

@@ -1,0 +1,100 @@
+//! Words of a shell's command line, for commands that are shown to be copied.
+
+use std::path::Path;
+
+/// A text as one word of a POSIX shell: quoted if the shell would read it as anything else.
+///
+/// ```
+/// use calyx_rt::shell::word;
+/// assert_eq!(word("pair.cx"), "pair.cx");
+/// assert_eq!(word("torque=5 N*m"), "'torque=5 N*m'");
+/// assert_eq!(word("it's; rm -rf ~"), r"'it'\''s; rm -rf ~'");
+/// ```
+pub fn word(text: &str) -> String {
+    let plain = |c: char| c.is_alphanumeric() || "._-/=+:,@%".contains(c);
+    if text.chars().any(is_invisible) {
+        // Written as they are, such characters change what a terminal shows.
+        let escaped = |c: char| match c {
+            '\'' | '\\' => format!("\\{c}"),
+            c if is_invisible(c) => c.to_string().bytes().map(|byte| format!("\\x{byte:02x}")).collect(),
+            c => c.into(),
+        };
+        return format!("$'{}'", text.chars().map(escaped).collect::<String>());
+    }
+    match !text.is_empty() && text.chars().all(plain) {
+        true => text.to_owned(),
+        false => format!("'{}'", text.replace('\'', r"'\''")),
+    }
+}
+
+/// A path as one word that no command reads as an option.
+pub fn path(path: &Path) -> String {
+    let text = path.to_string_lossy();
+    if text.starts_with('-') { word(&format!("./{text}")) } else { word(&text) }
+}
+
+/// The path of an executable as a word that runs it: a name without a slash would be looked up elsewhere.
+pub fn command(executable: &Path) -> String {
+    match executable.parent() {
+        Some(parent) if !parent.as_os_str().is_empty() => path(executable),
+        _ => word(&format!("./{}", executable.to_string_lossy())),
+    }
+}
+
+/// Control characters, and those that reorder the text around them.
+fn is_invisible(c: char) -> bool {
+    c.is_control()
+        || matches!(c, '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2060}'..='\u{2069}' | '\u{feff}')
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::process::Command;
+
+    /// What a shell makes of a word is the text.
+    #[test]
+    fn a_shell_reads_back_what_was_written() {
+        let texts = [
+            "pair",
+            "",
+            "a b",
+            "it's",
+            "$(touch x)",
+            "`id`",
+            "a;b",
+            "a\nb",
+            "\u{1b}[31mred",
+            "\\",
+            "\"",
+            "*",
+            "~",
+            "!x",
+            "-rf",
+            "#x",
+            "é",
+            "\u{202e}cx.exe",
+            "a\t'\\b",
+            "x\u{7f}",
+            "a=$HOME",
+            "{a,b}",
+            "&",
+            "|",
+            "<",
+            ">",
+        ];
+        for text in texts {
+            let said = Command::new("bash").args(["-c", &format!("printf %s {}", word(text))]).output();
+            let said = said.expect("a shell").stdout;
+            let expected = text.as_bytes();
+            // `printf` takes a first word that begins with a dash for an option.
+            if !text.starts_with('-') {
+                assert_eq!(said, expected, "{text:?} as {}", word(text));
+            }
+            assert!(!word(text).contains(|c: char| c.is_control() || c == '\u{202e}'), "{text:?}");
+        }
+        assert_eq!(path(Path::new("-rf")), "./-rf");
+        assert_eq!(command(Path::new("pair")), "./pair");
+        assert_eq!(command(Path::new("/bin/a b")), "'/bin/a b'");
+    }
+}
