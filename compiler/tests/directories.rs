@@ -60,8 +60,14 @@ fn all_files(directory: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
 }
 
 /// Files that a user may have in a directory of results, with names like those of results.
-const OWN: [&str; 6] =
-    ["notes.txt", "signals/measured.csv", "vtu/scene.pvsm", "steps.csv.bak", "figures/report.html", ".hidden"];
+const OWN: [&str; 6] = [
+    "notes.txt",
+    "signals/measured.csv",
+    "vtu/scene.pvsm",
+    "steps.csv.bak",
+    "figures/report.html",
+    ".hidden",
+];
 
 fn write_own(directory: &Path) {
     for name in OWN {
@@ -82,7 +88,9 @@ fn a_directory_of_the_user_is_refused_and_unchanged() {
     let folder = folder();
     let out = folder.path().join("out");
     write_own(&out);
-    for name in ["run.json", "steps.csv", "timing.json", "journal.jsonl", "signals/transmission_error_spectrum.csv"] {
+    for name in
+        ["run.json", "steps.csv", "timing.json", "journal.jsonl", "signals/transmission_error_spectrum.csv"]
+    {
         fs::write(out.join(name), "{}").unwrap();
     }
     let before = all_files(folder.path());
@@ -104,7 +112,11 @@ fn a_directory_of_the_user_is_refused_and_unchanged() {
     assert_eq!(status, Some(0), "{err}");
     assert_own(&out, "after --force");
     assert!(fs::read_to_string(out.join("run.json")).unwrap().contains("\"pair.cx\""));
-    // From then on it is a run directory.
+    // From then on it is a run directory. A file that a run of this model may write one day is still the user's.
+    let (status, err) = said(calyx(folder.path(), &["run", "pair.cx"]));
+    assert_eq!(status, Some(2), "{err}");
+    assert!(err.contains("signals/transmission_error_spectrum.csv"), "{err}");
+    fs::remove_file(out.join("signals/transmission_error_spectrum.csv")).unwrap();
     let (status, err) = said(calyx(folder.path(), &["run", "pair.cx"]));
     assert_eq!(status, Some(0), "{err}");
     assert_own(&out, "after a second run");
@@ -144,7 +156,8 @@ fn a_run_that_fails_before_its_first_position_changes_nothing() {
 #[test]
 fn a_second_run_into_a_directory_says_who_writes_there() {
     let folder = folder();
-    let mut first = calyx(folder.path(), &["run", "pair.cx", "--set", "steps=100", "--quiet"]).spawn().unwrap();
+    let mut first =
+        calyx(folder.path(), &["run", "pair.cx", "--set", "steps=100", "--quiet"]).spawn().unwrap();
     let marker = folder.path().join("pair.cx.run/.calyx-run");
     let patience = Instant::now() + Duration::from_secs(60);
     while !fs::read_to_string(&marker).is_ok_and(|text| text.contains("steps.csv")) {
@@ -165,7 +178,8 @@ fn a_second_run_into_a_directory_says_who_writes_there() {
     // The lock ends with the process, however that ends.
     first.kill().unwrap();
     first.wait().unwrap();
-    let (status, err) = said(calyx(folder.path(), &["run", "pair.cx", "--set", "steps=100", "--resume", "--quiet"]));
+    let (status, err) =
+        said(calyx(folder.path(), &["run", "pair.cx", "--set", "steps=100", "--resume", "--quiet"]));
     assert_eq!(status, Some(0), "{err}");
 }
 
@@ -221,7 +235,8 @@ fn random_pairs_of_runs_and_kills_lose_nothing() {
     for round in 0..rounds {
         let start = |random: &mut Random| {
             let (variant, resume) = (random.below(VARIANTS.len()), random.chance(50));
-            let mut arguments = [&["run", "pair.cx", "--quiet", "--out", "shared"][..], VARIANTS[variant]].concat();
+            let mut arguments =
+                [&["run", "pair.cx", "--quiet", "--out", "shared"][..], VARIANTS[variant]].concat();
             arguments.extend(resume.then_some("--resume"));
             let mut command = calyx(folder.path(), &arguments);
             let child = command.stderr(Stdio::piped()).stdout(Stdio::null()).spawn().expect("it starts");
@@ -265,7 +280,9 @@ fn random_pairs_of_runs_and_kills_lose_nothing() {
         }
         write_own(&shared);
     }
-    println!("{rounds} rounds: {finished} finished, {killed} killed, {refused} refused, {continued} continued or repeated");
+    println!(
+        "{rounds} rounds: {finished} finished, {killed} killed, {refused} refused, {continued} continued or repeated"
+    );
 }
 
 /// Whether two runs wrote the same files. Their reports list the files of the directory, of which some are the user's.

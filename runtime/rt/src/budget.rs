@@ -39,6 +39,16 @@ fn quantity(text: &str, units: &[(&str, f64)]) -> Result<f64, String> {
     }
 }
 
+/// Returns memory that was freed to the system, where the allocator can: it keeps what small values took, and a limit of a run
+/// would count that twice.
+pub fn return_freed() {
+    #[cfg(all(target_os = "linux", target_env = "gnu"))]
+    // SAFETY: it touches free memory alone, and may be called at any time.
+    unsafe {
+        libc::malloc_trim(0);
+    }
+}
+
 /// Bytes of memory that this process takes, where the system tells.
 pub fn taken() -> Option<u64> {
     told("/proc/self/status", "VmRSS:")

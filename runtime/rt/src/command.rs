@@ -1,5 +1,6 @@
 //! A run as a command: what `calyx run` and an executable do with their options, once there is a program.
 
+use crate::budget;
 use crate::directory::{self, StageTimes};
 use crate::engine::{Engine, EngineConfig};
 use crate::error::Error;
@@ -57,6 +58,10 @@ impl RunCommand<'_> {
         let RunCommand { program, arguments, before, default_directory, messages, silent } = self;
         let directory = arguments.out.clone().unwrap_or(default_directory);
         let threads = arguments.threads.map_or(0, NonZeroUsize::get);
+        if arguments.memory_limit.is_some() {
+            // What checking took is not the run's.
+            budget::return_freed();
+        }
         let options = RunOptions {
             engine: Engine::new(EngineConfig {
                 threads,

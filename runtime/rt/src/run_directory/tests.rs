@@ -169,7 +169,8 @@ fn threads_that_make_and_remove_a_directory_are_alone_in_it() {
         }
     });
     assert!(entered.into_inner() > 0);
-    assert!(!directory.exists());
+    // One that another thread entered before it was removed stays, empty.
+    assert!(!directory.exists() || names_in(&directory).unwrap().is_empty());
 }
 
 #[test]
