@@ -64,6 +64,16 @@ impl PlaneModel {
         )
     }
 
+    /// Entries of all element matrices.
+    fn entries(&self) -> usize {
+        self.mesh.elements.iter().map(|element| (2 * element.nodes.len()).pow(2)).sum()
+    }
+
+    /// Memory that assembling a matrix takes at most, bytes: its entries with their rows and columns, and half as much to sort them.
+    pub fn assembly_memory(&self) -> u64 {
+        (self.entries() * size_of::<(usize, usize, f64)>() * 3 / 2) as u64
+    }
+
     /// Sums element matrices (row-major, unknowns of a node adjacent) into a sparse one, in a fixed order.
     fn assemble(
         &self,
@@ -71,7 +81,7 @@ impl PlaneModel {
         matrix: impl Fn(&[Tabulated], &Element) -> Vec<f64>,
     ) -> SparseColMat<usize, f64> {
         let mut tables = BTreeMap::<(ElementOrder, ElementOrder), Vec<Tabulated>>::new();
-        let mut entries = Vec::new();
+        let mut entries = Vec::with_capacity(self.entries());
         for element in &self.mesh.elements {
             let table = tables
                 .entry((element.order, element.coordinate_order))

@@ -156,7 +156,9 @@ impl ElasticStructure {
             }
         };
         let angle = TAU / f64::from(sectors);
+        let room = interrupt.room_for(model.assembly_memory()).map_err(StructureError::Interrupted)?;
         let assembled = Assembled::plane(model);
+        drop(room);
         let cuts = match_cuts(&assembled.positions, &first, &last, &held, angle)
             .ok_or_else(|| StructureError::CutsDiffer { cuts: ring.cuts.map(String::from) })?;
         let prepared = prepare(model, surfaces, options, interrupt)?;
@@ -199,7 +201,9 @@ impl ElasticStructure {
     ) -> Result<Self, StructureError> {
         let prepared = prepare(model, surfaces, options, interrupt)?;
         let (loads, rows) = gathered(&prepared);
+        let room = interrupt.room_for(model.assembly_memory()).map_err(StructureError::Interrupted)?;
         let assembled = Assembled::plane(model);
+        drop(room);
         let condense = |support| condense(&assembled, &support, None, &loads, &rows, interrupt);
         let condensed = match hold {
             Hold::Free => {
