@@ -121,7 +121,7 @@ const CODES: &[Explanation] = codes! {
     "W0518" "cycles where angles are expected" "Hz and kHz count cycles, and so does the dimension `Frequency`; rad, deg, rev and rpm are angles. One cycle is 2 pi radians, so where the two meet in a sum, a comparison, an assignment or an argument, a factor of 2 pi is missing. Multiply cycles by `1 rev`, or divide angles by it."
     "E0519" "a unit of angles for cycles" "A value in Hz cannot be shown in rpm, nor one in rad/s in Hz: one cycle is 2 pi radians. Multiply cycles by `1 rev`, or divide angles by it."
     "W0519" "the reciprocal of an angular velocity" "`1/(60 rpm)` is the time in which something turns by one radian, 0.159 s; a revolution takes 1 s. Write `1 rev / speed` for the time of a revolution, `1 rad / speed` for that of a radian."
-    "W0520" "a number without a unit as an angle" "Without a unit a number is an angle in radians, which is seldom meant in a sum or comparison with an angle that has a unit, or above one revolution. Write `2 deg` or `2 rad`."
+    "W0520" "a number without a unit as an angle" "Without a unit a number is an angle in radians, which is seldom meant in a sum or comparison with an angle that is written in degrees, or above one revolution. Write `2 deg` or `2 rad`."
 };
 
 #[cfg(test)]

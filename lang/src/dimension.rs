@@ -252,8 +252,8 @@ impl Dimension {
         if time_alone { self } else { self.without_cycles() }
     }
 
-    /// Reports whether values of the two dimensions lack a factor of 2 pi where they meet: one counts
-    /// cycles, the other angles, as 50 Hz and 3000 rpm do.
+    /// Reports whether a factor of 2 pi is missing where values of the two dimensions meet: one
+    /// counts cycles, the other angles, as 50 Hz and 3000 rpm do.
     pub fn lacks_turn(self, other: Dimension) -> bool {
         let difference = self.combine(other, -1);
         let (angle, cycles) = (difference.exponent(Base::Angle), difference.cycles);

@@ -167,7 +167,12 @@ impl Checker<'_> {
                 .is_some_and(|d| d.without_cycles() == Dimension::of(Base::Angle));
             let is_pure = self.known_dimension(&number.ty).is_some_and(|d| d == Dimension::NONE);
             if is_angle && is_pure && literal(number).is_some_and(f64::is_finite) && !self.has_pi(number) {
-                self.bare_angle(literal(number).unwrap_or(f64::NAN), number.span);
+                let value = literal(number).unwrap_or(f64::NAN);
+                // A tolerance or a series in radians is not in the way of a variable.
+                let other_unit = literal(angle).is_some() && !self.text(angle.span).trim().ends_with("rad");
+                if other_unit || value.abs() > 2.0 * PI {
+                    self.bare_angle(value, number.span);
+                }
             }
         }
     }

@@ -262,7 +262,8 @@ fn read_number(
     Ok(value)
 }
 
-/// Whether one of two quantities, each with the text of its unit, counts cycles (in Hz) and the other angles.
+/// Reports whether one of two quantities, each with the text of its unit, counts cycles (in Hz) and
+/// the other angles.
 fn lacks_turn(first: (&str, Exponents), second: (&str, Exponents)) -> bool {
     /// The place of angle among the exponents.
     const ANGLE: usize = 3;
