@@ -45,9 +45,9 @@ pub struct Request<'a> {
 }
 
 /// Codes of errors that another fidelity or another method may avoid.
-const AVOIDABLE: [&str; 13] = [
-    "E0610", "E0611", "E0623", "E0661", "E0676", "E0690", "E0756", "E0761", "E0771", "E0780", "E0781",
-    "E0782", "E0783",
+const AVOIDABLE: [&str; 12] = [
+    "E0610", "E0611", "E0623", "E0676", "E0690", "E0756", "E0761", "E0771", "E0780", "E0781", "E0782",
+    "E0783",
 ];
 
 impl<'a> Request<'a> {

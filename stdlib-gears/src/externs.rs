@@ -350,8 +350,8 @@ pub fn check_plan(host: &mut ModelHost, interrupt: &Interrupt) -> Result<Plan, R
         highest_frequency: host.asked.map_or(0.0, |asked| asked.highest_frequency),
     };
     let plan = request.plan(interrupt).or_else(|error| {
-        // Gears of which nobody has said yet how they are analysed need not lie in the plane.
-        let unasked = host.asked.is_none() && host.overrides.fidelity.is_none();
+        // Helical gears need not lie in the plane until the model says how they are analysed.
+        let unasked = host.asked.is_none() && host.overrides.fidelity.is_none() && error.code == "E0623";
         let in_space = Request { fidelity: Fidelity::Solid(Template::Medium), ..request };
         if unasked { in_space.plan(interrupt).map_err(|_| error) } else { Err(error) }
     });
