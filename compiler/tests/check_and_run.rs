@@ -222,3 +222,17 @@ fn options_count_in_a_check_as_in_a_run() {
         assert_eq!(codes.first().copied(), refused(&text, overrides).as_deref(), "{kind} at {fidelity}");
     }
 }
+
+/// E0808 as a warning: 24 + 60 teeth are a multiple of 3 and of 4, not of 5.
+#[test]
+fn planets_that_cannot_be_evenly_spaced_are_reported() {
+    let three = Case { kind: "planetary", fidelity: "plane", dynamic: false, modes: false }.text();
+    let of = |planets: usize| {
+        let text = three
+            .replace("center_distance = 42 mm", &format!("center_distance = 42 mm, planets = {planets}"));
+        let found = check_text("model.cx", &text).diagnostics;
+        found.iter().map(|found| found.code.clone()).collect::<Vec<_>>()
+    };
+    assert_eq!([of(3), of(4)], [vec![], Vec::<String>::new()]);
+    assert_eq!(of(5), ["W0808"]);
+}
