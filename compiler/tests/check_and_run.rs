@@ -133,7 +133,7 @@ var mesh = gears.mesh(pinion, gear);
 /// Ends an analysis where its structures would be built.
 struct Ended;
 
-const ACCEPTED: &str = "E0704";
+const ACCEPTED: &str = "accepted";
 
 impl Observer for Ended {
     fn observe(&mut self, event: Event<'_>) -> Result<(), EngineError> {
