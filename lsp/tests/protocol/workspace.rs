@@ -4,7 +4,7 @@ use crate::client::{Client, Folder};
 use serde_json::json;
 
 const MODULE: &str = "units mm_N_s;\nfunction twice(in x) { return 2*x; }\n";
-const MODEL: &str = "import util;\nunits mm_N_s;\noutput o := util.twice(1 mm);\n";
+const MODEL: &str = "import util;\nunits mm_N_s;\nprint(util.twice(1 mm));\n";
 
 #[test]
 fn a_module_on_the_disk_is_found_and_its_buffer_wins() {
