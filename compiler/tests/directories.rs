@@ -112,7 +112,8 @@ fn a_directory_of_the_user_is_refused_and_unchanged() {
     assert_eq!(status, Some(0), "{err}");
     assert_own(&out, "after --force");
     assert!(fs::read_to_string(out.join("run.json")).unwrap().contains("\"pair.cx\""));
-    // From then on it is a run directory. A file that a run of this model may write one day is still the user's.
+    // From then on it is a run directory. A file that a later run of this model may write is still
+    // the user's.
     let (status, err) = said(calyx(folder.path(), &["run", "pair.cx"]));
     assert_eq!(status, Some(2), "{err}");
     assert!(err.contains("signals/transmission_error_spectrum.csv"), "{err}");
@@ -201,13 +202,14 @@ fn setting(name: &str, usual: u64) -> u64 {
     std::env::var(name).ok().and_then(|number| number.parse().ok()).unwrap_or(usual)
 }
 
-/// What a fuzzed run may be asked for.
+/// Options of the fuzzed runs.
 const VARIANTS: [&[&str]; 4] =
     [&[], &["--set", "torque=30"], &["--fields", "--set", "steps=4"], &["--vtu", "--set", "torque=10"]];
 
-/// Random pairs of runs into one directory at once, killed at random moments, among files of the user: these survive, at most one
-/// run writes at a time, and a run that ends with success leaves exactly the results of a run alone. `CALYX_FUZZ` is the
-/// number of rounds, `CALYX_FUZZ_SEED` the seed.
+/// Random pairs of runs into one directory at the same time, killed at random moments, among files
+/// of the user: these survive, at most one run writes at a time, and a run that ends with success
+/// leaves exactly the results of a run alone. `CALYX_FUZZ` is the number of rounds,
+/// `CALYX_FUZZ_SEED` the seed.
 #[test]
 fn random_pairs_of_runs_and_kills_lose_nothing() {
     let (rounds, seed) = (setting("CALYX_FUZZ", 8), setting("CALYX_FUZZ_SEED", 1));
@@ -285,13 +287,15 @@ fn random_pairs_of_runs_and_kills_lose_nothing() {
     );
 }
 
-/// Whether two runs wrote the same files. Their reports list the files of the directory, of which some are the user's.
+/// Returns whether two runs wrote the same files. Their reports list the files of the directory, of
+/// which some are the user's.
 fn same(there: &BTreeMap<String, String>, expected: &BTreeMap<String, String>) -> bool {
     let names = there.keys().eq(expected.keys());
     names && there.iter().all(|(name, text)| name == "report.html" || expected[name] == *text)
 }
 
-/// Waits for a run, or kills it after a time: its exit status, `None` if it was killed, and standard error.
+/// Waits for a run, or kills it after a time: its exit status, `None` if it was killed, and standard
+/// error.
 fn end(mut child: Child, kill: Option<Duration>) -> (Option<i32>, String) {
     if let Some(delay) = kill {
         std::thread::sleep(delay);

@@ -214,7 +214,7 @@ fn code_of_another_version_is_refused() {
         let Linker { program, arguments } = Linker::from_environment();
         let linked = Command::new(program)
             .args(arguments)
-            .args([&object, &library::find(None).unwrap()])
+            .args([&object, &library::find(None, library::Needs::Interface).unwrap()])
             .args(["-lm", "-lpthread", "-ldl", "-o"])
             .arg(&executable)
             .output()
@@ -238,17 +238,18 @@ fn code_of_another_version_is_refused() {
     assert!(said.contains("description is damaged"), "{said}");
 }
 
-/// Where `cargo install` puts `calyx`, there is no runtime library: the executable is a copy of `calyx` then, and that is said.
+/// `cargo install` installs no runtime library: the executable is a copy of `calyx` then, and a
+/// message says so.
 #[test]
 fn without_the_runtime_library_an_executable_is_a_copy() {
     let folder = tempfile::tempdir().expect("a directory");
     let bin = folder.path().join("bin");
-    std::fs::create_dir(&bin).unwrap();
+    fs::create_dir(&bin).unwrap();
     let calyx = bin.join("calyx");
-    std::fs::copy(env!("CARGO_BIN_EXE_calyx"), &calyx).unwrap();
-    std::fs::write(folder.path().join("model.cx"), "print(42);").unwrap();
+    fs::copy(env!("CARGO_BIN_EXE_calyx"), &calyx).unwrap();
+    fs::write(folder.path().join("model.cx"), "print(42);").unwrap();
     let build = |library: Option<&str>| {
-        let mut command = std::process::Command::new(&calyx);
+        let mut command = Command::new(&calyx);
         command.args(["build", "model.cx"]).current_dir(folder.path()).env("HOME", folder.path());
         command.env_remove("XDG_DATA_HOME").env_remove("CALYX_RT_LIBRARY");
         library.map(|library| command.env("CALYX_RT_LIBRARY", library));
@@ -261,6 +262,6 @@ fn without_the_runtime_library_an_executable_is_a_copy() {
     let (status, err) = build(None);
     assert_eq!(status, Some(0), "{err}");
     assert!(err.contains("a copy of `calyx` with the model") && err.contains("was not found"), "{err}");
-    let ran = std::process::Command::new(folder.path().join("model")).current_dir(folder.path()).output();
+    let ran = Command::new(folder.path().join("model")).current_dir(folder.path()).output();
     assert_eq!(String::from_utf8_lossy(&ran.expect("it starts").stdout), "42\n");
 }

@@ -48,7 +48,7 @@ fn the_reference_of_the_gears_says_what_it_said() {
 fn links_of_the_reference_lead_somewhere() {
     let directory = tempfile::tempdir().expect("a directory");
     let pages: Vec<_> = doc::library().into_iter().map(|name| doc::page(name).expect("a module")).collect();
-    doc::write(&pages, directory.path()).expect("they can be written");
+    doc::write(&pages, directory.path(), false).expect("they can be written");
     let read = |name: &str| std::fs::read_to_string(directory.path().join(name)).unwrap_or_default();
     let mut links = 0;
     for page in std::fs::read_dir(directory.path()).expect("the directory") {

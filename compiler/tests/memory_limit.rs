@@ -1,4 +1,4 @@
-//! What a program takes of the machine's memory under a limit, seen from outside: by the largest size of the process.
+//! Memory of the process under a limit: the largest resident size, seen from outside.
 #![cfg(target_os = "linux")]
 
 use std::fs;
@@ -57,8 +57,8 @@ fn size(folder: &Path, arguments: &[&str]) -> (Option<i32>, u64) {
     }
 }
 
-/// The process takes no more than the limit and what it takes for a model that does nothing, a half added for what the allocator keeps of the
-/// check before the run.
+/// The process takes no more than the limit and the size for a model that does nothing, and a half of
+/// the limit for what the allocator keeps.
 #[test]
 fn programs_keep_to_their_memory_limit() {
     let folder = tempfile::tempdir().expect("a directory");

@@ -80,7 +80,7 @@ fn interface() -> (TempDir, PathBuf) {
         .arg(directory.path())
         .arg(here("interface.c"))
         .args(["small.o", "spur_pair.o", "foreign.o"].map(at))
-        .arg(library::find(None).unwrap())
+        .arg(library::find(None, library::Needs::Interface).unwrap())
         .args(["-lm", "-lpthread", "-ldl", "-o"])
         .arg(at("interface")));
     let program = at("interface");

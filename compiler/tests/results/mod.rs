@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
-/// By which a run recognises its directory.
+/// The file by which a run recognises its directory.
 const MARKER: &str = ".calyx-run";
 
 /// Every file of a run directory by its path in it, but for what the run's own speed decides: `timing.json`, and the section of the report
