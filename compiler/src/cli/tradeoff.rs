@@ -8,7 +8,7 @@ use calyx::rt::progress::{ProgressFormat, Tour};
 use calyx::rt::run_directory::{DirectoryError, Kind, RunDirectory};
 use calyx::rt::tradeoff::campaign::{Campaign, Outcome};
 use calyx::rt::tradeoff::text::{LeftOut, left_out, recommendations, seconds, table};
-use calyx::rt::tradeoff::{Comparison, Measured, Setting, files, picture, reference, settings};
+use calyx::rt::tradeoff::{Comparison, Measured, Setting, files, picture, references, settings};
 use calyx::rt::{Error, Given, Override, RunError, budget, interrupt};
 use calyx::{Severity, check_run};
 use calyx_runtime::cost::Rates;
@@ -25,8 +25,9 @@ pub const EXAMPLES: &str = "\
 Every setting is a run of its own below runs/ in the directory of results, with the model's params, the same positions and structures
 condensed anew. What a setting is off is its largest deviation from the reference at any position, over the largest magnitude of the
 output in the reference run; settings that leave positions out are off by what their extremes and mean miss. The reference is the finest level
-within --longest, with contact grids twice as fine. Its own error is in none of the numbers: a plane model that agrees with it to 1 % is
-right to 1 % and what the reference is off.
+within --longest, with contact grids twice as fine and, if that is within --longest too, a finer mesh than any other setting. Settings whose mesh
+is no coarser than the reference's are marked: the error of the mesh is not in their numbers. The reference's own error is in none of the
+numbers: a plane model that agrees with it to 1 % is right to 1 % and what the reference is off.
 
 Examples:
   calyx tradeoff pair.cx                                results go to pair.cx.tradeoff
@@ -56,7 +57,7 @@ pub struct Tradeoff {
     #[arg(long, value_name = "KNOBS", value_delimiter = ',', value_parser = ["refinement", "cells", "cells_along", "every", "none"])]
     knobs: Vec<String>,
     /// What errors are measured against: a level, or a setting as the table names it [default: the finest level within
-    /// --longest, with contact grids twice as fine]
+    /// --longest, with contact grids twice as fine and a finer mesh]
     #[arg(long, value_name = "SETTING")]
     reference: Option<String>,
     /// Leave out settings that are predicted to take longer than this, like 30s or 2h
@@ -195,7 +196,7 @@ impl Tradeoff {
             }
         };
         let mut expected: Vec<Expected> = Vec::new();
-        let (mut references, mut added) = (Vec::new(), Vec::new());
+        let (mut best_of_levels, mut added) = (Vec::new(), Vec::new());
         for level in levels {
             let own = match planned(Override { fidelity: Some(level), ..Override::default() }) {
                 Ok(own) => own,
@@ -205,16 +206,20 @@ impl Tradeoff {
                 }
             };
             let grid = own.grid().unwrap_or(Grid { half_cells: 0, half_slices: None });
-            let finest = reference(level, grid);
+            let finest = references(level, grid);
             let mut of_level = settings(level, grid, own.is_sampled());
             let turned = |knob: &str| self.knobs.is_empty() || self.knobs.iter().any(|known| known == knob);
             of_level.retain(|setting| setting.knobs().iter().all(|(knob, _)| turned(knob)));
-            let at =
-                of_level.iter().rposition(|setting| setting.mesh() == finest.mesh()).map_or(0, |at| at + 1);
-            if !of_level.contains(&finest) {
-                added.push(finest.name.clone());
-                of_level.insert(at, finest.clone());
+            for finest in &finest {
+                if !of_level.contains(finest) {
+                    // Settings of one mesh stand together; a mesh of its own comes last.
+                    let shares = |setting: &Setting| setting.mesh() == finest.mesh();
+                    let at = of_level.iter().rposition(shares).map_or(of_level.len(), |at| at + 1);
+                    added.push(finest.name.clone());
+                    of_level.insert(at, finest.clone());
+                }
             }
+            let mut affordable = Vec::new();
             for setting in of_level {
                 let cost = match planned(setting.overrides) {
                     Ok(plan) => plan.cost(&rates),
@@ -235,8 +240,8 @@ impl Tradeoff {
                         1e-9 * room as f64
                     ),
                     _ => {
-                        if setting == finest {
-                            references.push(setting.name.clone());
+                        if finest.contains(&setting) {
+                            affordable.push(setting.name.clone());
                         }
                         expected.push((setting, Some(time)));
                         continue;
@@ -244,6 +249,8 @@ impl Tradeoff {
                 };
                 left.push(LeftOut { name: setting.name, reason });
             }
+            let best = finest.into_iter().map(|setting| setting.name).find(|name| affordable.contains(name));
+            best_of_levels.extend(best);
         }
         if expected.is_empty() {
             let why: Vec<String> =
@@ -256,7 +263,7 @@ impl Tradeoff {
                 return Err(format!("`{name}` is no setting that is run; there are {}", known.join(", ")));
             }
             Some(name) => Some(name.clone()),
-            None => references.pop(),
+            None => best_of_levels.pop(),
         };
         // Of the finest grids of all levels one is needed.
         expected

@@ -74,6 +74,9 @@ pub struct Comparison {
     pub settings: Vec<Measured>,
     /// Which of them is the reference.
     pub reference: usize,
+    /// By setting: true if the mesh of the reference is finer, so that the errors include the
+    /// discretization error. Other settings are not recommended.
+    pub mesh_seen: Vec<bool>,
     pub outputs: Vec<OutputErrors>,
 }
 
@@ -87,6 +90,12 @@ impl Comparison {
             .sort_by(|a, b| a.time().total_cmp(&b.time()).then_with(|| a.setting.name.cmp(&b.setting.name)));
         let reference = settings.iter().position(|measured| measured.setting.name == reference)?;
         let truth = &settings[reference];
+        let finer = |measured: &Measured| {
+            // Settings that are no levels differ by their names alone.
+            let known = [truth, measured].iter().all(|one| one.setting.overrides.fidelity.is_some());
+            !known || truth.setting.is_finer_than(&measured.setting)
+        };
+        let mesh_seen: Vec<bool> = settings.iter().map(finer).collect();
         let outputs = truth.outputs.iter().map(|output| {
             let errors: Vec<Option<Errors>> = settings
                 .iter()
@@ -94,20 +103,22 @@ impl Comparison {
                     Errors::between(measured.output(&output.name)?, &measured.times, output, &truth.times)
                 })
                 .collect();
-            let frontier = frontier(&errors, reference);
+            let frontier = frontier(&errors, reference, &mesh_seen);
             OutputErrors { name: output.name.clone(), magnitude: output.magnitude(), errors, frontier }
         });
         let outputs = outputs.collect();
-        Some(Comparison { settings, reference, outputs })
+        Some(Comparison { settings, reference, mesh_seen, outputs })
     }
 }
 
-/// Settings, sorted from cheap to dear, each with a smaller error than all before. The reference has none to speak of.
-fn frontier(errors: &[Option<Errors>], reference: usize) -> Vec<usize> {
+/// Settings, sorted from cheap to dear, each with a smaller error than all before. The reference and
+/// settings whose errors leave out the mesh are not among them.
+fn frontier(errors: &[Option<Errors>], reference: usize, mesh_seen: &[bool]) -> Vec<usize> {
     let mut least = f64::INFINITY;
     let mut frontier = Vec::new();
     for (index, errors) in errors.iter().enumerate() {
-        let Some(error) = errors.as_ref().map(Errors::error).filter(|_| index != reference) else { continue };
+        let counts = index != reference && mesh_seen[index];
+        let Some(error) = errors.as_ref().map(Errors::error).filter(|_| counts) else { continue };
         if error < least {
             least = error;
             frontier.push(index);
@@ -129,6 +140,7 @@ pub(super) mod tests {
     use super::super::Setting;
     use super::*;
     use calyx_runtime::overriding::Override;
+    use calyx_runtime::scene::Fidelity;
 
     /// A run with one output per series of values.
     pub(in super::super) fn measured(
@@ -223,5 +235,43 @@ pub(super) mod tests {
         assert_eq!(a.cheapest(0.05).map(name), Some("better"));
         assert_eq!(a.cheapest(0.01).map(name), Some("best"));
         assert_eq!(a.cheapest(0.001), None);
+    }
+
+    /// A comparison with the same mesh is no measure of its error.
+    #[test]
+    fn settings_on_the_mesh_of_the_reference_are_not_recommended() {
+        let level = |name: &str, refinement: Option<f64>| {
+            Setting::new(Override { fidelity: Fidelity::named(name), refinement, ..Override::default() })
+        };
+        let of = |setting: Setting, time, value: f64| Measured {
+            setting,
+            ..measured("", time, &TIMES, &[("a", &[100.0, 100.0, 100.0 + value])])
+        };
+        let all = vec![
+            of(level("plane", None), 1.0, 5.0),
+            of(level("medium", None), 2.0, 0.1),
+            of(level("medium", Some(0.7)), 1.5, 2.0),
+            of(level("finest", Some(0.5)), 1.8, 0.05),
+            of(Setting::new(Override { cells: Some(20), ..level("medium", None).overrides }), 4.0, 0.0),
+        ];
+        let compared = Comparison::new(all, "medium cells=20").unwrap();
+        let seen: Vec<(&str, bool)> = compared
+            .settings
+            .iter()
+            .map(|m| m.setting.name.as_str())
+            .zip(compared.mesh_seen.iter().copied())
+            .collect();
+        assert_eq!(
+            seen,
+            [
+                ("plane", true),
+                ("medium refinement=0.7", true),
+                ("finest refinement=0.5", false),
+                ("medium", false),
+                ("medium cells=20", false)
+            ]
+        );
+        assert_eq!(compared.outputs[0].frontier, [0, 1]);
+        assert_eq!(compared.outputs[0].cheapest(0.01), None);
     }
 }

@@ -27,6 +27,7 @@ pub fn write_table(path: &Path, comparison: &Comparison) -> io::Result<()> {
         "mean",
         "peak_to_peak",
         "frontier",
+        "mesh_seen",
     ]);
     writer.write_record(header)?;
     for (index, measured) in comparison.settings.iter().enumerate() {
@@ -49,6 +50,7 @@ pub fn write_table(path: &Path, comparison: &Comparison) -> io::Result<()> {
                 None => Default::default(),
             });
             row.push(output.frontier.contains(&index).to_string());
+            row.push(comparison.mesh_seen[index].to_string());
             writer.write_record(row)?;
         }
     }
@@ -75,6 +77,7 @@ pub fn document(model: &str, params: &Value, comparison: &Comparison, left_out: 
             "time": { "unit": "s", "structures": measured.structures, "positions": measured.positions, "predicted": measured.predicted },
             "memory": { "unit": "byte", "asked": measured.memory },
             "errors": errors.collect::<Map<_, _>>(),
+            "mesh_seen": comparison.mesh_seen[index],
         })
     });
     let name = |index: usize| json!(comparison.settings[index].setting.name);

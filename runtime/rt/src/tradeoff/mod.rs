@@ -14,4 +14,4 @@ pub mod text;
 pub use campaign::{Campaign, Outcome};
 pub use compared::{Comparison, Errors, OutputErrors};
 pub use measured::Measured;
-pub use settings::{Setting, reference, settings};
+pub use settings::{Setting, references, settings};

@@ -17,6 +17,9 @@ pub struct Setting {
 const REFINEMENTS: [f64; 2] = [0.5, 0.7];
 /// The same in section, where they cost little.
 const REFINEMENTS_IN_SECTION: [f64; 3] = [0.5, 0.7, 1.4];
+/// Meshes of references, finer than any above.
+const REFERENCE_IN_SPACE: f64 = 1.4;
+const REFERENCE_IN_SECTION: f64 = 2.0;
 /// Parts of the positions.
 const EVERY: [usize; 2] = [2, 4];
 
@@ -45,6 +48,22 @@ impl Setting {
     /// What its structures depend on: settings that have this alike share them.
     pub fn mesh(&self) -> Override {
         Override { cells: None, cells_along: None, every: None, ..self.overrides }
+    }
+
+    /// Returns true if its mesh is finer than that of the other setting: a comparison then includes
+    /// the discretization error of the other. No mesh of the same level is finer where it has none.
+    pub fn is_finer_than(&self, other: &Setting) -> bool {
+        let rank = |setting: &Setting| {
+            let level = setting.overrides.fidelity?;
+            Fidelity::ALL.iter().position(|known| *known == level)
+        };
+        match (rank(self), rank(other)) {
+            (Some(own), Some(others)) if own == others => {
+                let refinement = |setting: &Setting| setting.overrides.refinement.unwrap_or(1.0);
+                refinement(self) > refinement(other)
+            }
+            (own, others) => own > others,
+        }
     }
 
     /// The knobs that are turned below the level.
@@ -97,16 +116,26 @@ pub fn settings(level: Fidelity, grid: Grid, sampled: bool) -> Vec<Setting> {
     settings
 }
 
-/// The reference of a level: its own mesh, in section the finest, with grids twice as fine.
-pub fn reference(level: Fidelity, grid: Grid) -> Setting {
+/// The references of a level, the better one first: one with a finer mesh than all settings, and one
+/// with the level's own mesh (in section the finest of them). Both have contact grids twice as fine.
+/// A level without meshes has one reference.
+pub fn references(level: Fidelity, grid: Grid) -> Vec<Setting> {
     let [.., finest] = REFINEMENTS_IN_SECTION;
-    Setting::new(Override {
-        fidelity: Some(level),
-        refinement: (level == Fidelity::Plane).then_some(finest),
-        cells: (grid.half_cells > 0).then_some(2 * grid.half_cells),
-        cells_along: grid.half_slices.map(|slices| 2 * slices),
-        ..Override::default()
-    })
+    let refinements = match level {
+        Fidelity::Rigid | Fidelity::Analytic => vec![None],
+        Fidelity::Plane => vec![Some(REFERENCE_IN_SECTION), Some(finest)],
+        Fidelity::Solid(_) => vec![Some(REFERENCE_IN_SPACE), None],
+    };
+    let of = |refinement: Option<f64>| {
+        Setting::new(Override {
+            fidelity: Some(level),
+            refinement,
+            cells: (grid.half_cells > 0).then_some(2 * grid.half_cells),
+            cells_along: grid.half_slices.map(|slices| 2 * slices),
+            ..Override::default()
+        })
+    };
+    refinements.into_iter().map(of).collect()
 }
 
 #[cfg(test)]
@@ -142,10 +171,27 @@ mod tests {
     }
 
     #[test]
-    fn the_reference_shares_the_mesh_of_its_level() {
+    fn the_reference_has_a_finer_mesh_than_any_setting() {
+        for level in Fidelity::ALL {
+            let all = settings(level, GRID, true);
+            let references = references(level, GRID);
+            let meshless = references.len() == 1;
+            assert_eq!(meshless, matches!(level, Fidelity::Rigid | Fidelity::Analytic));
+            for setting in &all {
+                assert_eq!(references[0].is_finer_than(setting), !meshless, "{}", setting.name);
+            }
+        }
         let level = Fidelity::Solid(Template::Finest);
-        let reference = reference(level, GRID);
-        assert_eq!(reference.name, "finest cells=20 cells_along=16");
-        assert_eq!(reference.mesh(), settings(level, GRID, true)[0].mesh());
+        let names: Vec<String> = references(level, GRID).into_iter().map(|setting| setting.name).collect();
+        assert_eq!(
+            names,
+            ["finest refinement=1.4 cells=20 cells_along=16", "finest cells=20 cells_along=16"]
+        );
+        let own = &settings(level, GRID, true)[0];
+        let [finer, same] = &references(level, GRID)[..] else { panic!("two references") };
+        assert!(finer.is_finer_than(own) && !same.is_finer_than(own) && same.mesh() == own.mesh());
+        // Levels compare by their places on the ladder.
+        let plane = &references(Fidelity::Plane, GRID)[0];
+        assert!(same.is_finer_than(plane) && !plane.is_finer_than(own));
     }
 }

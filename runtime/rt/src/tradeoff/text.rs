@@ -50,7 +50,11 @@ pub fn table(comparison: &Comparison) -> String {
                 return "reference".into();
             }
             let Some(errors) = &output.errors[index] else { return String::new() };
-            let mark = if output.frontier.contains(&index) { "*" } else { " " };
+            let mark = match output.frontier.contains(&index) {
+                true => "*",
+                false if !comparison.mesh_seen[index] => "~",
+                false => " ",
+            };
             format!("{} %{mark}", percent(errors.error()))
         }));
         rows.push(row);
@@ -71,9 +75,15 @@ pub fn table(comparison: &Comparison) -> String {
     for (number, output) in (1..).zip(&comparison.outputs) {
         text += &format!("[{number}] {}\n", output.name);
     }
-    text + "\
+    text += "\
 errors are the largest deviation at any position over the largest magnitude in the reference run; * is what no cheaper setting beats;
-what the reference run itself is off is not in them\n"
+what the reference run itself is off is not in them\n";
+    let unseen = |index: usize| index != comparison.reference && !comparison.mesh_seen[index];
+    if (0..comparison.settings.len()).any(unseen) {
+        text += "\
+~ leaves out the error of the mesh, and of the level: the mesh of the reference is no finer; such settings are not recommended\n";
+    }
+    text
 }
 
 /// What to choose for which tolerance, output by output and for all of them.
@@ -121,7 +131,7 @@ fn percent_of(tolerance: f64) -> String {
 pub fn cheapest_of_all(comparison: &Comparison, tolerance: f64) -> Option<usize> {
     let within = |errors: &Option<Errors>| errors.as_ref().is_some_and(|errors| errors.error() <= tolerance);
     (0..comparison.settings.len())
-        .filter(|index| *index != comparison.reference)
+        .filter(|index| *index != comparison.reference && comparison.mesh_seen[*index])
         .find(|index| comparison.outputs.iter().all(|output| within(&output.errors[*index])))
 }
 
