@@ -378,6 +378,28 @@ fn progress_is_told_and_may_end_the_run() {
     assert_eq!(run.finish().err().map(|error| error.kind()), Some(ErrorKind::Cancelled));
 }
 
+/// The best results of a search that is ended are those of the run, which says what they miss.
+#[test]
+fn a_cancelled_search_for_a_tolerance_has_results() {
+    let text = std::fs::read_to_string(example()).unwrap();
+    let searched = text.replace("fidelity = fidelity", "fidelity = \"rigid\", tolerance = 0.01 %");
+    assert_ne!(searched, text);
+    let mut pair = module(&searched).instantiate();
+    pair.set("steps", 4).unwrap();
+    let cancel = pair.cancel_handle();
+    pair.on_choosing(move |choosing| {
+        if choosing.best.is_some() {
+            cancel.cancel();
+        }
+    });
+    let results = pair.solve().expect("what was found is kept");
+    let chosen = results.analysis().unwrap().chosen.as_ref().unwrap();
+    assert_eq!(chosen.ended.as_deref(), Some("the run was cancelled"));
+    assert!(results.summary("transmission_error").unwrap().max.is_finite());
+    let codes: Vec<&str> = results.findings().iter().map(|finding| finding.error.code.as_ref()).collect();
+    assert!(codes.contains(&"E0793"), "{codes:?}");
+}
+
 /// What is called back may panic; that is an error of the run.
 #[test]
 fn panics_end_the_run_that_they_are_in() {

@@ -13,6 +13,7 @@ use crate::scene::{Fidelity, GearMesh, Scene, StructureOptions};
 use crate::step::StepResult;
 use crate::summary::summarize;
 use crate::system::System;
+use crate::tolerance::Choosing;
 use crate::validate::{Method, Request};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -388,6 +389,8 @@ pub enum Event<'a> {
     Planned(&'a Plan),
     /// A stage begins: `structures`, `positions` or, where they are estimated, `errors`.
     Stage(&'static str),
+    /// A setting is tried for a tolerance.
+    Choosing(&'a Choosing),
     /// A position is solved. `index` counts from 0 to `count` - 1, beginning behind those that an earlier run had solved.
     Step {
         /// Of the position.

@@ -6,6 +6,10 @@
 //! give back within a third, but for contact of twisted flanks, which takes half to twice as long as is told. How far off they are elsewhere nothing
 //! measures but `calyx tradeoff`, which prints predicted beside measured times. A prediction is for telling seconds from minutes.
 
+mod analysis;
+
+pub use analysis::{AnalysisCost, Meshes, Task};
+
 use crate::dense::product;
 use crate::structure::StructureSize;
 use faer::Mat;

@@ -12,11 +12,13 @@
 //! Orders and factors are measured (`cargo bench -p calyx-gears --bench convergence`), and what comes of them is tested: estimate over true
 //! error, the effectivity (`stdlib-gears/tests/estimates.rs`).
 
+mod besides;
 mod in_time;
 mod rounding;
 mod sampling;
 mod siblings;
 
+pub(crate) use besides::{Sibling, siblings_of};
 pub(crate) use in_time::Moved;
 pub(crate) use rounding::of_outputs as rounding_of;
 pub(crate) use siblings::{Judged, quasi_static_siblings};

@@ -7,7 +7,13 @@
 //! whole analysis is judged by its own estimates, and where they miss the tolerance it is done again one better; so are positions doubled where too
 //! much lies between them. What is not estimated keeps to nothing.
 //!
-//! Choices depend on estimates alone, never on times, so that they are the same on every machine.
+//! Choices depend on estimates and on counted work ([`bound`]), never on times, so that they are the same on every machine. A search that would
+//! take too much work, or that is interrupted, ends with the best results so far, marked as such ([`Chosen::ended`]).
+
+mod best;
+mod bound;
+
+pub use bound::{MOST_WORK, Rung, SearchCost, search_cost};
 
 use crate::analysis::{AnalysisOptions, Event, Observer, Position, quasi_static};
 use crate::cache::OperatorCache;
@@ -15,6 +21,8 @@ use crate::error::EngineError;
 use crate::estimate::{Estimates, Part, Statistics};
 use crate::results::{AnalysisResult, OutputRequest, OutputSummary};
 use crate::scene::{BodyModel, Fidelity, Scene, SurfacePair, Template};
+use best::Best;
+use bound::Work;
 use std::borrow::Cow;
 use std::sync::Arc;
 
@@ -77,21 +85,75 @@ pub struct Chosen {
     pub tolerance: f64,
     /// With which the results were had.
     pub setting: Setting,
-    /// All that were tried, in order; the last is the chosen one over all positions.
+    /// All that were tried, in order; of a search that came to its end the last is the chosen one over all positions.
     pub tried: Vec<Tried>,
+    /// Which of these the results are of.
+    pub taken: usize,
+    /// Why the search ended before a setting kept to the tolerance, if it did: the results do not keep to it.
+    pub ended: Option<String>,
     /// Why what the level leaves out is not in the estimates, if it is not.
     pub level_unseen: Option<String>,
 }
 
+/// A setting that is about to be tried for a tolerance, as observers are told.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Choosing {
+    /// The setting.
+    pub setting: Setting,
+    /// Whether at all positions.
+    pub whole: bool,
+    /// Those tried before that have the least estimated error; a search that ends now ends with them.
+    pub best: Option<Tried>,
+    /// Part of the work that the search may do which is done, 0 to 1.
+    pub part: f64,
+}
+
+impl Choosing {
+    /// In words.
+    pub fn describe(&self) -> String {
+        let mut text = format!("trying {}", self.setting.describe());
+        if !self.whole {
+            text += " at a few of the positions";
+        }
+        if let Some(best) = &self.best {
+            text += &format!("; the best so far is {} with {}", best.setting.describe(), best.error());
+        }
+        text
+    }
+}
+
 impl Chosen {
+    /// Why the results do not keep to the tolerance, if they do not.
+    pub fn missed(&self) -> Option<EngineError> {
+        let reason = self.ended.as_ref()?;
+        let reached = self.tried.get(self.taken).map_or_else(String::new, |taken| {
+            let all = if taken.whole { "" } else { " at a few of the positions" };
+            format!(": they are of {}{all}, with {}", self.setting.describe(), taken.error())
+        });
+        let tolerance = percent(self.tolerance);
+        let message =
+            format!("the results do not meet the tolerance of {tolerance}, because {reason}{reached}");
+        let help = "run it again to its end, ask for a larger tolerance, or take out of the model what cannot be had so exactly";
+        Some(EngineError::new("E0793", message, help).blame("tolerance"))
+    }
+
     /// What was chosen, and why.
     pub fn describe(&self) -> String {
         let mut text = format!("tolerance {}: took {}", percent(self.tolerance), self.setting.describe());
-        if let Some((last, before)) = self.tried.split_last() {
-            text += &format!(", estimated to be within {}", last.error());
-            for missed in before.iter().filter(|tried| tried.worst.1 > self.tolerance) {
-                text += &format!("; {} has {}", missed.setting.describe(), missed.error());
-            }
+        if let Some(reason) = &self.ended {
+            text = format!(
+                "tolerance {} not met, because {reason}: took {}",
+                percent(self.tolerance),
+                self.setting.describe()
+            );
+        }
+        if let Some(taken) = self.tried.get(self.taken) {
+            let all = if taken.whole { "" } else { " at a few of the positions" };
+            text += &format!("{all}, estimated to be within {}", taken.error());
+        }
+        let others = self.tried.iter().enumerate().filter(|(index, _)| *index != self.taken);
+        for (_, missed) in others.filter(|(_, tried)| tried.worst.1 > self.tolerance) {
+            text += &format!("; {} has {}", missed.setting.describe(), missed.error());
         }
         if let Some(reason) = &self.level_unseen {
             text += &format!("; what the level leaves out is not in it ({reason})");
@@ -153,24 +215,28 @@ pub fn quasi_static_within(
     let setting = Setting { fidelity: options.fidelity, refinement, cells: 1, positions: 1 };
     let levels = options.fidelity.all_above().collect();
     let ladder = Ladder { tolerance, setting, levels };
-    let mut search = Search { ladder, scene, outputs, options, missing: None, tried: Vec::new() };
-    let few = few_of(positions);
-    let few_are_all = few.len() == positions.len();
-    // Whether a few positions have been compared by the setting, or need not be.
-    let mut compared = few_are_all;
-    loop {
-        observer.observe(Event::Stage("choosing"))?;
-        if !compared && search.attempt(&few, false, &mut ())?.is_none() {
-            continue;
-        }
-        let setting = search.ladder.setting;
-        let all = (0..setting.positions.ilog2()).fold(positions.to_vec(), |all, _| doubled(&all));
-        if let Some(result) = search.attempt(&all, true, observer)? {
-            return Ok(search.chosen(result));
-        }
-        // More positions change nothing at the few.
-        compared =
-            few_are_all || Setting { positions: setting.positions, ..search.ladder.setting } == setting;
+    let mut search = Search {
+        ladder,
+        scene,
+        outputs,
+        options,
+        missing: None,
+        tried: Vec::new(),
+        work: Work::default(),
+        best: None,
+        observed: None,
+    };
+    match search.climb(positions, observer) {
+        Ok(result) => Ok(search.chosen(result, None)),
+        Err(Stop::Failed(error)) => Err(error),
+        Err(Stop::Ended(reason, error)) => match search.best.take() {
+            Some(best) => {
+                best.observed(&search, observer)?;
+                search.ladder.setting = best.setting;
+                Ok(search.chosen(best.result, Some((reason, best.tried))))
+            }
+            None => Err(error),
+        },
     }
 }
 
@@ -205,6 +271,26 @@ struct Search<'a> {
     /// The first that it cannot be had at, and why.
     missing: Option<(Fidelity, EngineError)>,
     tried: Vec<Tried>,
+    work: Work,
+    /// The results with the least estimated error.
+    best: Option<Best>,
+    /// Which of those tried the observer has been told the positions of last.
+    observed: Option<usize>,
+}
+
+/// Why a search ends without a setting that keeps to the tolerance.
+enum Stop {
+    /// There are no results.
+    Failed(EngineError),
+    /// It is interrupted, or has done its work: the best results so far are taken. The reason, and
+    /// the error if there are none.
+    Ended(String, EngineError),
+}
+
+impl From<EngineError> for Stop {
+    fn from(error: EngineError) -> Stop {
+        Stop::Failed(error)
+    }
 }
 
 /// Who is told, and whether it was they that ended an analysis.
@@ -273,13 +359,49 @@ impl Ladder {
 }
 
 impl Search<'_> {
-    /// Analyses by the setting; where that misses the tolerance there is no result, and the setting is a better one.
+    /// Tries settings from cheap to dear until one keeps to the tolerance at all positions.
+    fn climb(&mut self, positions: &[Position], observer: &mut dyn Observer) -> Result<AnalysisResult, Stop> {
+        let few = few_of(positions);
+        let few_are_all = few.len() == positions.len();
+        // Whether a few positions have been compared by the setting, or need not be.
+        let mut compared = few_are_all;
+        loop {
+            observer.observe(Event::Stage("choosing"))?;
+            observer.observe(Event::Choosing(&self.choosing(compared)))?;
+            if !compared && !self.attempt(&few, false, &mut ())? {
+                continue;
+            }
+            let setting = self.ladder.setting;
+            let all = (0..setting.positions.ilog2()).fold(positions.to_vec(), |all, _| doubled(&all));
+            if self.attempt(&all, true, observer)?
+                && let Some(best) = self.best.take()
+            {
+                return Ok(best.result);
+            }
+            // More positions change nothing at the few.
+            compared =
+                few_are_all || Setting { positions: setting.positions, ..self.ladder.setting } == setting;
+        }
+    }
+
+    /// How far the search is.
+    fn choosing(&self, whole: bool) -> Choosing {
+        Choosing {
+            setting: self.ladder.setting,
+            whole,
+            best: self.best.as_ref().and_then(|best| self.tried.get(best.tried)).cloned(),
+            part: self.work.part(),
+        }
+    }
+
+    /// Analyses by the setting, and keeps the results if none are better. Returns whether they keep to the tolerance; where they do not, the
+    /// setting is a better one afterwards.
     fn attempt(
         &mut self,
         positions: &[Position],
         whole: bool,
         observer: &mut dyn Observer,
-    ) -> Result<Option<AnalysisResult>, EngineError> {
+    ) -> Result<bool, Stop> {
         let Setting { fidelity, refinement, cells, .. } = self.ladder.setting;
         let mut scene = self.scene.clone();
         for SurfacePair { grid, .. } in scene.pairs.iter_mut().filter(|_| cells > 1) {
@@ -295,14 +417,25 @@ impl Search<'_> {
         if !whole {
             options.fields = 0;
         }
+        let first = self.best.is_none();
+        if self.work.begin(&scene, self.outputs, &options, (refinement, positions.len()), first).is_none() {
+            return Err(Stop::Ended(
+                "the next setting would take more work than a search may do".into(),
+                self.refuse(),
+            ));
+        }
+        if whole {
+            self.observed = Some(self.tried.len());
+        }
         let mut heard = Heard { observer, refused: false };
         let result = match quasi_static(&scene, positions, self.outputs, &options, &mut heard) {
-            Err(error) if heard.refused => return Err(error),
+            Err(error) if heard.refused => return Err(error.into()),
+            Err(error) if options.resources.interrupt.check().is_err() => {
+                return Err(Stop::Ended(error.message.clone(), error));
+            }
             // The scene cannot be had at a level that nobody asked for.
-            Err(error)
-                if fidelity != self.options.fidelity && options.resources.interrupt.check().is_ok() =>
-            {
-                return self.pass_over(error).map(|()| None);
+            Err(error) if fidelity != self.options.fidelity => {
+                return Ok(self.pass_over(error).map(|()| false)?);
             }
             result => result?,
         };
@@ -319,9 +452,6 @@ impl Search<'_> {
         let (output, error) = worst_in(&counted);
         let name = self.outputs.get(output).map(|request| request.name.clone()).unwrap_or_default();
         self.tried.push(Tried { setting: self.ladder.setting, whole, worst: (name, error) });
-        if error <= self.ladder.tolerance {
-            return Ok(Some(result));
-        }
         let beyond_mesh = |summary: &OutputSummary| {
             let of = |part: Part| relative(summary, &[part], fidelity, several);
             of(Part::Level) - of(Part::Discretization)
@@ -333,9 +463,20 @@ impl Search<'_> {
             grid: worst_in(&[Part::ContactGrid]).1,
             between: if whole { worst_in(&[Part::Positions]).1 } else { 0.0 },
         };
+        let kept = error <= self.ladder.tolerance;
+        let (setting, tried) = (self.ladder.setting, self.tried.len() - 1);
+        let is_better = |best: &Best| {
+            kept || error <= self.tried[best.tried].worst.1 || (whole && best.setting == setting)
+        };
+        if self.best.as_ref().is_none_or(is_better) {
+            self.best = Some(Best { result, setting, tried });
+        }
+        if kept {
+            return Ok(true);
+        }
         match self.ladder.better(wanting) {
-            true => Ok(None),
-            false => Err(self.refuse()),
+            true => Ok(false),
+            false => Err(self.refuse().into()),
         }
     }
 
@@ -374,7 +515,9 @@ impl Search<'_> {
         .blame("tolerance")
     }
 
-    fn chosen(self, mut result: AnalysisResult) -> AnalysisResult {
+    /// Notes in results with which setting they were had: with the last one, or for a reason with
+    /// another of those tried.
+    fn chosen(self, mut result: AnalysisResult, ended: Option<(String, usize)>) -> AnalysisResult {
         let unseen = result.summaries.iter().filter_map(|summary| summary.error.as_ref()).find_map(|error| {
             error
                 .not_estimated
@@ -382,10 +525,14 @@ impl Search<'_> {
                 .find(|(part, _)| *part == Part::Level)
                 .map(|(_, reason)| reason.clone())
         });
+        let last = self.tried.len().saturating_sub(1);
+        let (ended, taken) = ended.map_or((None, last), |(reason, taken)| (Some(reason), taken));
         result.chosen = Some(Chosen {
             tolerance: self.ladder.tolerance,
             setting: self.ladder.setting,
             tried: self.tried,
+            taken,
+            ended,
             level_unseen: unseen,
         });
         result

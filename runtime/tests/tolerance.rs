@@ -16,6 +16,7 @@ use calyx_runtime::scene::{
 };
 use calyx_runtime::structure::Structure;
 use calyx_runtime::tolerance::quasi_static_within;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, LazyLock, Mutex};
 
 const RADIUS: f64 = 0.02;
@@ -192,4 +193,66 @@ fn an_observer_ends_the_search() {
     let options = AnalysisOptions { resources, ..from(Fidelity::Rigid) };
     let ended = quasi_static_within(0.05, &scene, &at, &outputs, &options, &mut ());
     assert_eq!(ended.err().map(|error| error.code), Some("E0704"));
+}
+
+/// Counts what it is told, and interrupts a search once there are results.
+struct Ending {
+    ended: Arc<AtomicBool>,
+    steps: Vec<(usize, f64)>,
+}
+
+impl Observer for Ending {
+    fn observe(&mut self, event: Event<'_>) -> Result<(), EngineError> {
+        match event {
+            Event::Choosing(choosing) => {
+                let described = choosing.describe();
+                assert_eq!(
+                    choosing.best.is_some(),
+                    described.contains("; the best so far is "),
+                    "{described}"
+                );
+                let finite = choosing.best.as_ref().is_some_and(|best| best.worst.1.is_finite());
+                self.ended.fetch_or(finite, Ordering::Relaxed);
+            }
+            Event::Step { index, solved, .. } => {
+                // Whoever writes positions down begins anew with the first.
+                self.steps.truncate(index);
+                self.steps.push((index, solved.row.position.time));
+            }
+            _ => {}
+        }
+        Ok(())
+    }
+}
+
+/// Nothing that was found is lost: the best results are there, and observers have been told their positions.
+#[test]
+fn a_search_that_is_ended_has_the_best_results() {
+    let (scene, outputs, _) = squeezed(LONG);
+    let at: Vec<Position> = (0..12).map(|time| Position::at(f64::from(time))).collect();
+    let ended = Arc::new(AtomicBool::new(false));
+    let asked = ended.clone();
+    let interrupt = Interrupt::new(move || match asked.load(Ordering::Relaxed) {
+        true => Err(EngineError::new("E0704", "the run was cancelled", "")),
+        false => Ok(()),
+    });
+    let cache = Some(ROLLERS.clone());
+    let resources = Resources { interrupt, cache, ..Resources::default() };
+    let options = AnalysisOptions { resources, ..from(Fidelity::Rigid) };
+    let mut ending = Ending { ended, steps: Vec::new() };
+    let result = quasi_static_within(1e-5, &scene, &at, &outputs, &options, &mut ending);
+    let result = result.expect("there are results when it is ended");
+    let chosen = result.chosen.as_ref().expect("it says what they are of");
+    assert_eq!(chosen.ended.as_deref(), Some("the run was cancelled"));
+    let taken = &chosen.tried[chosen.taken];
+    assert!(taken.worst.1 > 1e-5 && chosen.tried.iter().all(|tried| tried.worst.1 >= taken.worst.1));
+    assert_eq!((taken.setting, taken.whole), (chosen.setting, result.rows.len() == at.len()));
+    let missed = chosen.missed().expect("the tolerance is missed");
+    assert_eq!((missed.code, missed.argument), ("E0793", Some("tolerance")));
+    for part in ["0.001 %", "the run was cancelled", "at a few of the positions", " % in `"] {
+        assert!(missed.message.contains(part), "{part} in {}", missed.message);
+    }
+    assert!(chosen.describe().starts_with("tolerance 0.001 % not met, because the run was cancelled"));
+    let rows: Vec<(usize, f64)> = result.rows.iter().map(|row| row.position.time).enumerate().collect();
+    assert_eq!(ending.steps, rows);
 }

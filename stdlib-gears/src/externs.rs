@@ -23,7 +23,7 @@ use calyx_runtime::results::OutputRequest;
 use calyx_runtime::rigid::RigidBody;
 use calyx_runtime::scene::{Body, BodyId, FREEDOMS, Fidelity, PairId, Prototype, StructureOptions, Template};
 use calyx_runtime::structure::BoreHold;
-use calyx_runtime::tolerance::{check_tolerance, quasi_static_within};
+use calyx_runtime::tolerance::{Chosen, check_tolerance, quasi_static_within};
 use calyx_runtime::validate::Request;
 use std::sync::Arc;
 
@@ -198,7 +198,18 @@ calyx_abi::externs! {
             return Err(RuntimeError::new("E0795", "of a motion in time no step can be left out",
                 "leave `every` to quasi-static analyses; the model's `keep_every` says which steps results have"));
         }
-        host.asked = Some(Asked { fidelity, structure, in_time, problems, highest_frequency, place });
+        // Who turns knobs from outside wants that setting and no other.
+        let searched = Some(tolerance).filter(|&tolerance| tolerance != 0.0 && overrides.keeps_setting());
+        host.asked = Some(Asked {
+            fidelity,
+            structure,
+            in_time,
+            problems,
+            highest_frequency,
+            estimates: error_estimates,
+            tolerance: searched,
+            place,
+        });
         if tolerance != 0.0 {
             check_tolerance(tolerance).map_err(engine)?;
             if in_time {
@@ -206,13 +217,11 @@ calyx_abi::externs! {
                     "leave it out, and take shorter steps and finer meshes; or analyse quasi-statically"));
             }
         }
-        // Who turns knobs from outside wants that setting and no other.
-        let tolerance = Some(tolerance).filter(|&tolerance| tolerance != 0.0 && overrides.keeps_setting());
         if host.checking {
             host.requested = Some(how);
             return Ok(());
         }
-        analyze(host, &how, tolerance, &options)
+        analyze(host, &how, searched, &options)
     }
 }
 
@@ -297,7 +306,12 @@ fn analyze(
     };
     host.observer = observer;
     host.failed_analyses += usize::from(result.is_err());
-    host.result = Some(result.map_err(|error| host.engine_error(host.overrides.told_of(error)))?);
+    let result = result.map_err(|error| host.engine_error(host.overrides.told_of(error)))?;
+    if let Some(missed) = result.chosen.as_ref().and_then(Chosen::missed) {
+        let error = host.engine_error(missed);
+        host.findings.push(Finding { severity: Severity::Warning, error });
+    }
+    host.result = Some(result);
     crate::signal_externs::answer(host);
     Ok(())
 }

@@ -15,6 +15,7 @@ use calyx_abi::externs::Handle;
 use calyx_runtime::analysis::{AnalysisOptions, Observer, Position};
 use calyx_runtime::dynamics::{DynamicOptions, TimeRange};
 use calyx_runtime::error::{EngineError, Subject};
+use calyx_runtime::estimate::Estimates;
 use calyx_runtime::load::Load;
 use calyx_runtime::material::Material;
 use calyx_runtime::observe::Gauge;
@@ -268,6 +269,10 @@ pub struct Asked {
     pub problems: usize,
     /// Natural frequency up to which bodies have modes, Hz.
     pub highest_frequency: f64,
+    /// Which errors it estimates.
+    pub estimates: Estimates,
+    /// The tolerance that the setting is searched for, if it is.
+    pub tolerance: Option<f64>,
     /// Place of the call.
     pub place: (u32, u32, u32),
 }

@@ -1,37 +1,58 @@
 //! What a planned analysis will cost on a machine of known rates.
 
-use crate::plan::Planned;
-use calyx_runtime::cost::{Cost, Rates, positions, structure};
+use crate::plan::{Planned, PlannedWork};
+use calyx_runtime::cost::{AnalysisCost, Rates};
+use calyx_runtime::estimate::Estimates;
 use calyx_runtime::overriding::Grid;
+use calyx_runtime::tolerance::{SearchCost, search_cost};
 
 /// The costs of a plan's parts.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PlannedCost {
-    /// Each structure with the bodies that share it.
-    pub structures: Vec<(Vec<String>, Cost)>,
-    /// All positions, or steps in time.
-    pub positions: Cost,
-    /// Positions that are analysed.
-    pub count: usize,
+    /// Cost of the analysis with the model's own setting.
+    pub analysis: AnalysisCost,
+    /// The tolerance, and the cost of the search for a setting that meets it, if the model asks for one.
+    pub search: Option<(f64, SearchCost)>,
+    estimates: Estimates,
 }
 
+/// Positions at which settings are compared for a tolerance: some spread over all of them, and the
+/// characteristic points of a mesh cycle.
+const COMPARED: usize = 8;
+
 impl PlannedCost {
-    /// s
+    fn of(work: &PlannedWork, rates: &Rates) -> PlannedCost {
+        let task = work.task();
+        // The scene has been planned already.
+        let analysis = task.cost(rates).unwrap_or_default();
+        let search = work.tolerance().map(|tolerance| (tolerance, search_cost(&task, COMPARED, rates)));
+        PlannedCost { analysis, search, estimates: work.estimates() }
+    }
+
+    /// s; of a search for a setting the most that it takes.
     pub fn time(&self) -> f64 {
-        self.positions.time + self.structures.iter().map(|(_, cost)| cost.time).sum::<f64>()
+        self.search.as_ref().map_or(self.analysis.time(), |(_, search)| search.most)
     }
 
-    /// The most that is taken at once, bytes: structures are condensed side by side, and positions solved beside all that is kept.
+    /// Largest memory use, bytes.
     pub fn memory(&self) -> f64 {
-        self.positions.memory.max(self.structures.iter().map(|(_, cost)| cost.memory).sum())
+        let rungs = self.search.iter().flat_map(|(_, search)| &search.rungs);
+        rungs.map(|rung| rung.memory).fold(self.analysis.memory(), f64::max)
     }
-}
 
-impl PlannedCost {
     /// The predictions as a section of a plan.
     pub fn text(&self) -> String {
+        let lines = match &self.search {
+            Some((tolerance, search)) => search_lines(*tolerance, search),
+            None => self.analysis_lines(),
+        };
+        lines.join("\n  ") + "\n"
+    }
+
+    fn analysis_lines(&self) -> Vec<String> {
+        let AnalysisCost { structures, positions, count, errors } = &self.analysis;
         let mut lines = vec!["Predicted for this machine, structures condensed anew".to_owned()];
-        for (bodies, cost) in &self.structures {
+        for (bodies, cost) in structures {
             let names: Vec<String> = bodies.iter().map(|name| format!("\"{name}\"")).collect();
             lines.push(format!(
                 "structure of {}: {}, {} while it is condensed",
@@ -40,18 +61,36 @@ impl PlannedCost {
                 bytes(cost.memory)
             ));
         }
-        if self.count > 0 {
-            let each = self.positions.time / self.count as f64;
-            lines.push(format!(
-                "{} positions: {}, {} each",
-                self.count,
-                seconds(self.positions.time),
-                seconds(each)
-            ));
+        if *count > 0 {
+            let each = positions.time / *count as f64;
+            lines.push(format!("{count} positions: {}, {} each", seconds(positions.time), seconds(each)));
+        }
+        if self.estimates != Estimates::None {
+            lines.push(format!("\"{}\" error estimates: {}", self.estimates.name(), seconds(errors.time)));
         }
         lines.push(format!("together {}, at most {}", seconds(self.time()), bytes(self.memory())));
-        lines.join("\n  ") + "\n"
+        lines
     }
+}
+
+fn search_lines(tolerance: f64, search: &SearchCost) -> Vec<String> {
+    let percent = (1e6 * tolerance).round() / 1e4;
+    let mut lines = vec![
+        format!("Predicted for this machine, to a tolerance of {percent} %"),
+        "settings are tried in this order until one is estimated to meet it; error estimates included".into(),
+    ];
+    for rung in &search.rungs {
+        lines.push(format!(
+            "{}: {} to compare it at a few positions, {} for all",
+            rung.setting.describe(),
+            seconds(rung.few),
+            seconds(rung.all)
+        ));
+    }
+    lines.push("contact grids with more cells, or more positions, take longer where they are needed".into());
+    lines
+        .push(format!("at most {}: then the search ends with the best results so far", seconds(search.most)));
+    lines
 }
 
 /// In two digits or so: more would be a promise.
@@ -85,17 +124,6 @@ impl Planned {
 
     /// What it will cost.
     pub fn cost(&self, rates: &Rates) -> PlannedCost {
-        let sizes = self.sizes();
-        let structures = sizes.iter().map(|(names, size)| {
-            (names.iter().map(|name| (*name).to_owned()).collect(), structure(size, self.in_space, rates))
-        });
-        let count = self.positions.iter().copied().max().unwrap_or(0);
-        let twisted = self.in_space && sizes.iter().any(|(_, size)| !size.mirrored);
-        let side_by_side = !self.in_time;
-        PlannedCost {
-            structures: structures.collect(),
-            positions: positions(self.cells_in_contact(), twisted, count, side_by_side, rates),
-            count,
-        }
+        PlannedCost::of(&self.work, rates)
     }
 }

@@ -49,5 +49,5 @@ pub use geometry::{GearGeometry, Geometry, Made, Membership, MeshGeometry};
 pub use infix::Infix;
 pub use interpreted::{Interpreted, param_function};
 pub use loader::ModelLoader;
-pub use plan::Planned;
+pub use plan::{Planned, PlannedWork};
 pub use values::Value;

@@ -6,10 +6,13 @@ use calyx_gears::host::{LengthUnit, ModelHost};
 use calyx_lang::dimension::Dimension;
 use calyx_lang::units::UnitSystem;
 use calyx_runtime::bearing::Support;
+use calyx_runtime::cost::Task;
+use calyx_runtime::estimate::Estimates;
 use calyx_runtime::load::Wrench;
 use calyx_runtime::overriding::Grid;
 use calyx_runtime::plan::Plan;
-use calyx_runtime::scene::{Body, BodyId, FREEDOMS, Fidelity, Prototype, StructureOptions};
+use calyx_runtime::results::OutputRequest;
+use calyx_runtime::scene::{Body, BodyId, FREEDOMS, Fidelity, Prototype, Scene, StructureOptions};
 use calyx_runtime::structure::StructureSize;
 use std::fmt::{self, Write};
 use std::sync::Arc;
@@ -36,6 +39,77 @@ pub struct Planned {
     pub refused: Vec<(String, &'static str)>,
     /// Inputs that this fidelity cannot see, each with the reason.
     pub not_seen: Vec<(String, String)>,
+    /// The analysis as its cost is predicted.
+    pub work: PlannedWork,
+}
+
+/// An analysis whose cost can be predicted. Its meshes are generated when the cost is computed.
+#[derive(Clone)]
+pub struct PlannedWork {
+    scene: Arc<Scene>,
+    outputs: Vec<OutputRequest>,
+    structure: StructureOptions,
+    fidelity: Fidelity,
+    positions: usize,
+    in_time: bool,
+    estimates: Estimates,
+    tolerance: Option<f64>,
+}
+
+impl PlannedWork {
+    fn of(host: &ModelHost, plan: &Plan) -> PlannedWork {
+        let scene = Arc::new(host.scene.clone());
+        let longest = host.positions.iter().map(Vec::len).max().unwrap_or(0);
+        let structure = host.overrides.structure(host.analysis.structure);
+        PlannedWork {
+            scene,
+            outputs: host.outputs.clone(),
+            structure: host.asked.map_or(structure, |asked| asked.structure),
+            fidelity: plan.fidelity,
+            positions: host.asked.map_or(longest, |asked| asked.problems),
+            in_time: host.asked.is_some_and(|asked| asked.in_time),
+            estimates: host.asked.map_or(Estimates::None, |asked| asked.estimates),
+            tolerance: host.asked.and_then(|asked| asked.tolerance),
+        }
+    }
+
+    /// The tolerance relative to the largest magnitude of every output, if the model asks for one.
+    pub fn tolerance(&self) -> Option<f64> {
+        self.tolerance
+    }
+
+    /// Which errors are estimated.
+    pub fn estimates(&self) -> Estimates {
+        self.estimates
+    }
+
+    pub(crate) fn task(&self) -> Task<'_> {
+        Task {
+            scene: &self.scene,
+            outputs: &self.outputs,
+            fidelity: self.fidelity,
+            structure: self.structure,
+            positions: self.positions,
+            in_time: self.in_time,
+            estimates: self.estimates,
+        }
+    }
+
+    fn asked(&self) -> (Fidelity, StructureOptions, usize, bool, Estimates, Option<f64>) {
+        (self.fidelity, self.structure, self.positions, self.in_time, self.estimates, self.tolerance)
+    }
+}
+
+impl fmt::Debug for PlannedWork {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_tuple("PlannedWork").field(&self.asked()).finish()
+    }
+}
+
+impl PartialEq for PlannedWork {
+    fn eq(&self, other: &Self) -> bool {
+        self.asked() == other.asked()
+    }
 }
 
 /// How a body is treated.
@@ -190,6 +264,7 @@ impl Planned {
                 .iter()
                 .map(|refused| (refused.name.clone(), refused.needs.name()))
                 .collect(),
+            work: PlannedWork::of(host, plan),
             not_seen: plan.ignored.iter().map(|i| (i.input.clone(), i.reason.clone())).collect(),
         }
     }

@@ -1,16 +1,22 @@
 //! The plan of a model in words.
 
 use calyx_elaborate::{Cancel, Given, ModelLoader, Override, Params, Planned, elaborate};
+use calyx_runtime::cost::Rates;
+use calyx_runtime::estimate::Estimates;
+use calyx_runtime::scene::Fidelity;
+use calyx_runtime::tolerance::MOST_WORK;
 
 const PAIR: &str = include_str!("../../../examples/spur_pair.cx");
 
 fn planned(text: &str, set: &[(&str, &str)]) -> Option<Planned> {
+    planned_with(text, set, Override::default())
+}
+
+fn planned_with(text: &str, set: &[(&str, &str)], overrides: Override) -> Option<Planned> {
     let checked = calyx_lang::check::check_program("model.cx", text, &ModelLoader { folder: None });
     let program = checked.program.unwrap_or_else(|| panic!("{:?}", checked.diagnostics));
     let given: Vec<Given> = set.iter().map(|(name, text)| Given::text(*name, *text)).collect();
-    elaborate(&program, Params::Given(&given, Override::default(), None), &Cancel::default())
-        .expect("nobody cancels")
-        .plan
+    elaborate(&program, Params::Given(&given, overrides, None), &Cancel::default()).expect("nobody cancels").plan
 }
 
 #[test]
@@ -88,4 +94,46 @@ fn what_is_wrong_or_touches_nothing_has_no_plan() {
     assert!(planned("print(1);", &[]).is_none());
     assert!(planned(&PAIR.replace("teeth = 20,", "teeth = 2,"), &[]).is_none());
     assert!(planned(PAIR, &[("torque", "-1")]).is_none());
+}
+
+/// A machine of two cores.
+const RATES: Rates = Rates { products: 1e10, logarithms: 2.8e8, threads: 2 };
+
+#[test]
+fn costs_include_estimates_of_errors() {
+    for fidelity in ["analytic", "plane", "medium"] {
+        let of = |estimates: Estimates| {
+            let overrides = Override { error_estimates: Some(estimates), ..Override::default() };
+            planned_with(PAIR, &[("fidelity", fidelity)], overrides).expect("a plan").cost(&RATES)
+        };
+        let [none, cheap, full] = [Estimates::None, Estimates::Cheap, Estimates::Full].map(of);
+        let [own, with, most] = [&none, &cheap, &full].map(|cost| cost.time());
+        assert_eq!(none.analysis.errors.time, 0.0);
+        assert!(with > 1.3 * own && with < 4.0 * own, "{fidelity}: {own} {with}");
+        assert!(most > 1.5 * with, "{fidelity}: {with} {most}");
+        assert!(
+            !none.text().contains("error estimates") && cheap.text().contains("\"cheap\" error estimates: ")
+        );
+    }
+}
+
+#[test]
+fn the_cost_of_a_tolerance_is_that_of_its_settings() {
+    let text = PAIR.replace("fidelity = fidelity", "fidelity = \"rigid\", tolerance = 3 %");
+    assert_ne!(text, PAIR);
+    let cost = planned(&text, &[]).expect("a plan").cost(&RATES);
+    let (tolerance, search) = cost.search.as_ref().expect("a search");
+    assert_eq!((*tolerance, search.most), (0.03, MOST_WORK));
+    let names: Vec<&str> = search.rungs.iter().map(|rung| rung.setting.fidelity.name()).collect();
+    let expected = ["rigid", "analytic", "plane", "plane", "plane", "medium", "fineroot", "finest", "finest"];
+    assert_eq!(names, expected);
+    assert!(search.rungs.iter().all(|rung| rung.few > 0.0 && rung.all > 0.0), "{search:?}");
+    let said = cost.text();
+    for part in ["to a tolerance of 3 %", "\"medium\": ", "at most 10 min: "] {
+        assert!(said.contains(part), "{part} in {said}");
+    }
+    // With a setting from outside there is no search.
+    let overrides = Override { fidelity: Fidelity::named("plane"), ..Override::default() };
+    let cost = planned_with(&text, &[], overrides).expect("a plan").cost(&RATES);
+    assert!(cost.search.is_none());
 }

@@ -1,8 +1,8 @@
 //! Finds the messages in the bytes of a client.
 //!
-//! The crate below ends its input at the first message that it cannot decode. So it never reads what
-//! a client has sent, but what [`Reader`] makes of it: every message that is well formed, and for
-//! every malformed one a request [`MALFORMED`], which is answered with the error of the protocol.
+//! The library below ends its input at the first message that it cannot decode. Therefore it reads
+//! the output of [`Reader`]: every well-formed message, and for every malformed one a request
+//! [`MALFORMED`], which the server answers with the error of the protocol.
 //!
 //! After an error [`Framing`] searches for the next header. A JSON text cannot contain
 //! `Content-Length: 12` with a raw end of line, because strings escape control characters. So this
@@ -115,7 +115,7 @@ impl Framing {
         }
     }
 
-    /// What is missing when the stream ends here; `None` between two messages.
+    /// Describes the incomplete message if the stream ends here; `None` between two messages.
     pub fn missing(&self) -> Option<String> {
         match &self.state {
             State::Header if self.buffer.is_empty() => None,
@@ -232,7 +232,7 @@ fn length_of(value: &str) -> Result<usize, String> {
     }
 }
 
-/// Whether the value of `Content-Type` names UTF-8, which is also the default.
+/// Returns true if the value of `Content-Type` names UTF-8, which is also the default.
 fn is_utf8(value: &str) -> bool {
     let parameters = value.split(';').skip(1).filter_map(|parameter| parameter.split_once('='));
     let mut encodings = parameters.filter(|(name, _)| name.trim().eq_ignore_ascii_case("charset"));
@@ -254,7 +254,7 @@ fn shown(bytes: &[u8]) -> String {
     shown
 }
 
-/// Where a header begins that states a length.
+/// Start of a header that states a length.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Found {
     At(usize),
@@ -278,7 +278,7 @@ fn find_header(bytes: &[u8], from: usize) -> Found {
     Found::NoneBefore(bytes.len())
 }
 
-/// Whether bytes begin with a line that states a length; `None` if they end too early to decide.
+/// Returns true if the bytes begin with a line that states a length; `None` if they end too early.
 fn is_header(bytes: &[u8]) -> Option<bool> {
     let name = bytes.iter().zip(LENGTH.bytes()).take_while(|(a, b)| a.eq_ignore_ascii_case(b)).count();
     if name < LENGTH.len() {
@@ -303,8 +303,7 @@ fn is_header(bytes: &[u8]) -> Option<bool> {
     }
 }
 
-/// Skips some bytes of a kind; `None` if nothing follows them. More than a number has are not
-/// skipped.
+/// Skips bytes of a kind, at most [`LONGEST_NUMBER`]; `None` if nothing follows them.
 fn skip(bytes: &[u8], of_kind: impl Fn(u8) -> bool) -> Option<(usize, &[u8])> {
     let count = bytes.iter().take(LONGEST_NUMBER).take_while(|&&byte| of_kind(byte)).count();
     (count < bytes.len()).then(|| (count, &bytes[count..]))

@@ -88,10 +88,11 @@ impl RunCommand<'_> {
                 if !arguments.quiet {
                     tell(&report, &directory, messages);
                 }
-                match arguments.json {
+                let status = match arguments.json {
                     true => print_document(&directory, messages),
                     false => SUCCESS,
-                }
+                };
+                if report.tolerance_missed { status.max(MODEL_ERROR) } else { status }
             }
             Err(error) => failed(&error, &directory, messages),
         }

@@ -367,8 +367,13 @@ fn chosen_json(chosen: &Chosen) -> Value {
     let tried = chosen.tried.iter().map(|Tried { setting: own, whole, worst: (output, error) }| {
         json!({ "setting": setting(own), "all_positions": whole, "output": output, "relative": error })
     });
+    let taken = chosen.tried.get(chosen.taken);
     json!({
         "tolerance": chosen.tolerance,
+        "met": chosen.ended.is_none(),
+        "ended_by": chosen.ended,
+        "relative": taken.map(|tried| tried.worst.1),
+        "all_positions": taken.is_none_or(|tried| tried.whole),
         "setting": setting(&chosen.setting),
         "reason": chosen.describe(),
         "tried": tried.collect::<Vec<_>>(),

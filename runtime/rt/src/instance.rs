@@ -13,12 +13,13 @@ use crate::stepping::{Run, Steps};
 use crate::watching::{Watcher, interrupt};
 use calyx_abi::description::{ModelDescription, ParamValue};
 use calyx_abi::limits::Limits;
-use calyx_abi::{Cancel, Context, stack};
+use calyx_abi::{Cancel, Context, Status, stack};
 use calyx_gears::host::ModelHost;
 use calyx_runtime::error::EngineError;
 use calyx_runtime::observe::Fields;
 use calyx_runtime::overriding::Override;
 use calyx_runtime::results::Solved;
+use calyx_runtime::tolerance::Choosing;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
@@ -36,6 +37,7 @@ pub struct Progress {
 pub(crate) type ProgressSink = Arc<Mutex<dyn FnMut(Progress) + Send>>;
 pub(crate) type RecordSink =
     Arc<Mutex<dyn FnMut(usize, &Solved, Option<&Fields>) -> Result<(), EngineError> + Send>>;
+pub(crate) type ChoosingSink = Arc<Mutex<dyn FnMut(&Choosing) + Send>>;
 type PrintSink = Arc<Mutex<dyn FnMut(&str) + Send>>;
 
 /// A model with values of its own.
@@ -56,6 +58,7 @@ pub struct Instance {
     print: Option<PrintSink>,
     progress: Option<ProgressSink>,
     record: Option<RecordSink>,
+    choosing: Option<ChoosingSink>,
     solved: Vec<Solved>,
     fields: usize,
     bodies: bool,
@@ -79,6 +82,7 @@ impl Instance {
             print: None,
             progress: None,
             record: None,
+            choosing: None,
             solved: Vec::new(),
             fields: 0,
             bodies: false,
@@ -217,6 +221,12 @@ impl Instance {
         self.progress = Some(Arc::new(Mutex::new(sink)));
     }
 
+    /// Sets the function that receives each setting before it is tried for a tolerance. It is called
+    /// on the thread of the run.
+    pub fn on_choosing(&mut self, sink: impl FnMut(&Choosing) + Send + 'static) {
+        self.choosing = Some(Arc::new(Mutex::new(sink)));
+    }
+
     /// What is given each position by its index, with its certificate and, where [`Instance::tell_fields`] asks for them, its fields, on
     /// the thread of the run. Other than [`Instance::run`]
     /// it holds the run until it is done with the position. An error from it ends the analysis.
@@ -280,6 +290,7 @@ impl Instance {
             print: self.print.clone(),
             progress: self.progress.clone(),
             record: self.record.clone(),
+            choosing: self.choosing.clone(),
             solved: self.solved.clone(),
             fields: self.fields,
             bodies: self.bodies,
@@ -300,6 +311,7 @@ struct Job {
     print: Option<PrintSink>,
     progress: Option<ProgressSink>,
     record: Option<RecordSink>,
+    choosing: Option<ChoosingSink>,
     solved: Vec<Solved>,
     fields: usize,
     bodies: bool,
@@ -350,6 +362,7 @@ impl Job {
                 hand_over,
                 progress: self.progress,
                 record: self.record,
+                choosing: self.choosing,
             }));
             let interrupt = interrupt(self.cancel, self.limits);
             host.analysis.resources = self.engine.resources(interrupt)?;
@@ -359,7 +372,15 @@ impl Job {
             host.overrides = self.overrides;
         }
         let started = Instant::now();
-        self.program.main(&mut context)?;
+        let outcome = self.program.main(&mut context);
+        // An interrupt that ends the search for a setting also stops the program; the results are there.
+        let chosen = |host: &mut ModelHost| host.result.as_ref()?.chosen.as_ref()?.ended.clone();
+        if let Err(error) = outcome {
+            let searched = context.host::<ModelHost>().and_then(chosen).is_some();
+            if error.status() != Status::Cancelled || !searched {
+                return Err(error.into());
+            }
+        }
         let time = started.elapsed();
         Results::of(self.program, self.shape, params, &mut context, time)
     }

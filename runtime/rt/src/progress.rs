@@ -1,5 +1,6 @@
 //! Progress with the time that remains: a bar on a terminal, or one JSON object a line for programs.
 
+use calyx_runtime::tolerance::Choosing;
 use clap::ValueEnum;
 use indicatif::{HumanDuration, ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde_json::json;
@@ -46,6 +47,24 @@ impl Progress {
         if let Some(Ok(mut stage)) = self.lines.as_ref().map(Mutex::lock) {
             *stage = (name, Instant::now());
             eprintln!("{}", line(name, 0, None, None));
+        }
+    }
+
+    /// Shows a setting that is tried for a tolerance, and the best one before it.
+    pub fn choosing(&self, choosing: &Choosing) {
+        if let Some(lines) = &self.lines {
+            let mut line = line("choosing", 0, None, None);
+            line["setting"] = json!(choosing.setting.describe());
+            line["all_positions"] = json!(choosing.whole);
+            line["work_done"] = json!(choosing.part);
+            if let Some(best) = &choosing.best {
+                line["best"] = json!(best.setting.describe());
+                line["best_error"] = json!(best.worst.1);
+            }
+            let _order = lines.lock();
+            eprintln!("{line}");
+        } else {
+            self.note(&choosing.describe());
         }
     }
 

@@ -46,7 +46,9 @@ pub fn find(directory: &Path, head: &Value) -> Result<Begun, Not> {
     if let Some(found) = journal::find(directory)? {
         return same(&found.head).map(|()| Begun::Unfinished(found));
     }
-    match read_run(directory)?.filter(|run| run.get("incomplete").is_none()) {
+    // Results that miss their tolerance are those of a search that was ended.
+    let finished = |run: &Value| run.get("incomplete").is_none() && run["chosen"]["met"] != false;
+    match read_run(directory)?.filter(finished) {
         Some(run) => same(&run).map(|()| Begun::Finished),
         None => Ok(Begun::Nothing),
     }

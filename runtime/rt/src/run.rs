@@ -98,6 +98,8 @@ pub struct RunReport {
     pub finished_before: bool,
     /// The directory of the results. No other run writes to it until this is dropped.
     pub directory: Option<Arc<RunDirectory>>,
+    /// The search for a setting ended early: the results do not meet the tolerance.
+    pub tolerance_missed: bool,
 }
 
 impl From<DirectoryError> for RunError {
@@ -160,6 +162,8 @@ pub fn run(program: Arc<dyn Program>, options: &RunOptions) -> Result<RunReport,
         None => shown.stage(now.stage),
     });
     instance.on_print(move |line| printed.print(line));
+    let chosen = progress.clone();
+    instance.on_choosing(move |choosing| chosen.choosing(choosing));
     let (solved, outcome) =
         write_steps(instance, &directory, &head, found.as_ref(), (options.details(), progress.clone()));
     progress.finish();
@@ -231,6 +235,7 @@ fn report(description: &ModelDescription, results: &Results) -> RunReport {
             + &signals::summary(description, results.signals()),
         warnings: ignored.chain(results.warnings()).collect(),
         findings: results.findings().to_vec(),
+        tolerance_missed: result.and_then(|result| result.chosen.as_ref()?.ended.as_ref()).is_some(),
         ..RunReport::default()
     }
 }

@@ -1,7 +1,7 @@
 //! Watches an analysis for an instance: hands over positions, tells of progress, and ends what is to end.
 
 use crate::budget;
-use crate::instance::{Progress, ProgressSink, RecordSink};
+use crate::instance::{ChoosingSink, Progress, ProgressSink, RecordSink};
 use crate::program::Program;
 use crate::stepping::{Step, Steps};
 use calyx_abi::Cancel;
@@ -20,6 +20,7 @@ pub struct Watcher {
     pub hand_over: Option<Steps>,
     pub progress: Option<ProgressSink>,
     pub record: Option<RecordSink>,
+    pub choosing: Option<ChoosingSink>,
 }
 
 impl Watcher {
@@ -104,6 +105,11 @@ impl Observer for Watcher {
     fn observe(&mut self, event: Event<'_>) -> Result<(), EngineError> {
         match event {
             Event::Planned(_) => {}
+            Event::Choosing(choosing) => {
+                if let Some(sink) = &self.choosing {
+                    sink.lock().unwrap_or_else(PoisonError::into_inner)(choosing);
+                }
+            }
             Event::Stage(stage) => self.tell(Progress { stage, done: 0, total: None }),
             Event::Step { index, count, solved, fields } => {
                 if let Some(record) = &self.record {

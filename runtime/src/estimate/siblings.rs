@@ -32,10 +32,10 @@ const OF_ORDER: [[f64; 2]; 2] = [[0.15, 0.08], [0.4, 1.9]];
 /// The same of contact grids with half as many cells.
 pub(super) const OF_GRID: f64 = 0.4;
 /// Positions that are solved again, at least; where there are many, a part of them.
-const SAMPLES: usize = 8;
-const PART_OF_POSITIONS: usize = 4;
+pub(super) const SAMPLES: usize = 8;
+pub(super) const PART_OF_POSITIONS: usize = 4;
 /// Of them spread over all positions, for means.
-const SPREAD: usize = 4;
+pub(super) const SPREAD: usize = 4;
 /// Values within this part of peak to peak from an extreme might be it.
 const NEAR: f64 = 0.05;
 /// An extreme is not better known than this part of what is usual for all samples: that errors of either sign cancel where it is, is chance.
@@ -45,7 +45,7 @@ const OF_SUMS: f64 = 0.2;
 /// For so many positions one between two is solved besides. Few positions are solved again all of them, twice on grids of half the cells, each of which
 /// takes a quarter of the time or less: so estimates take no more than about the run itself. Structures are not counted: they may be kept from an
 /// earlier run.
-const BETWEEN: usize = 2;
+pub(super) const BETWEEN: usize = 2;
 /// In so many rounds, each of which knows what the ones before have found.
 const ROUNDS: usize = 4;
 
@@ -117,6 +117,16 @@ pub(crate) fn quasi_static_siblings(
     Ok(Evidence { found, rows: judged.with_some_between()?, rounding })
 }
 
+/// The refinement of a level above that is compared with a mesh of this refinement. In space
+/// elements are eight times as many for twice as many along every direction: a refinement of the
+/// plane is no measure there.
+pub(super) fn refinement_above(own: Fidelity, above: Fidelity, refinement: f64) -> f64 {
+    match (own, above) {
+        (Fidelity::Solid(_), _) | (_, Fidelity::Rigid | Fidelity::Analytic | Fidelity::Plane) => refinement,
+        (_, Fidelity::Solid(_)) => 1.0,
+    }
+}
+
 /// Why there is no sibling.
 enum Failed {
     /// The run is to end.
@@ -185,13 +195,7 @@ impl Judged<'_, '_> {
         let in_space = own == Fidelity::Analytic && self.plan.in_space;
         let mut refused = None;
         for fidelity in own.all_above().filter(|above| !in_space || matches!(above, Fidelity::Solid(_))) {
-            // In space elements are eight times as many for twice as many along every direction: what the plane takes is no measure there.
-            let refinement = match (own, fidelity) {
-                (Fidelity::Solid(_), _) | (_, Fidelity::Rigid | Fidelity::Analytic | Fidelity::Plane) => {
-                    self.structure.refinement
-                }
-                (_, Fidelity::Solid(_)) => 1.0,
-            };
+            let refinement = refinement_above(own, fidelity, self.structure.refinement);
             let structure = StructureOptions { refinement, ..self.structure };
             match part_of(self.sibling(self.system.scene, fidelity, structure, samples))? {
                 Ok(values) => return Ok(Ok(values)),

@@ -7,13 +7,13 @@ use tower_lsp_server::jsonrpc::{Error, ErrorCode, Id, Request, Response};
 /// Method of the request that stands for a malformed message.
 pub const MALFORMED: &str = "calyx/malformedMessage";
 
-/// What is wrong with a message.
+/// Error of a malformed message.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Malformed {
     /// The code of JSON-RPC.
     pub code: i64,
     pub problem: String,
-    /// Whom to answer. The standard asks for `null` where it cannot be read.
+    /// Id of the answer; JSON-RPC requires `null` if the message has no valid one.
     pub id: Id,
 }
 
@@ -71,7 +71,7 @@ pub(super) fn decode(body: &[u8]) -> Result<String, Malformed> {
         return refused("`id` must be a string or a whole number of 64 bits");
     }
     let text = message.to_string();
-    // What is not decoded here would end the input of the crate below.
+    // The library below must not fail to decode it: that would end its input.
     let decoded = match message.get("method") {
         Some(Value::String(_)) => serde_json::from_value::<Request>(message).map(|_| ()),
         Some(_) => return refused("`method` must be a string"),

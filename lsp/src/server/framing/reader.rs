@@ -17,7 +17,7 @@ pub struct Reader<R, F> {
     message: Vec<u8>,
     passed: usize,
     ended: bool,
-    /// Is told why the stream ended, unless it ended between two messages.
+    /// Receives the reason if the stream ends within a message, or with an error.
     report: F,
 }
 

@@ -136,8 +136,8 @@ fn memory_is_bounded() {
     assert!(framing.buffer.capacity() < 4 * LONGEST_HEADER);
 }
 
-/// Random streams of damaged messages: the same messages are read however they arrive in pieces,
-/// and they are read again from the second undamaged message at the latest. `CALYX_FUZZ` sets how many.
+/// Random streams of damaged messages: the same messages are read whatever the size of the pieces,
+/// and the second undamaged message is read. `CALYX_FUZZ` sets the number of streams.
 #[test]
 fn damaged_streams_are_read_on() {
     let count = std::env::var("CALYX_FUZZ").ok().and_then(|count| count.parse().ok());
@@ -178,10 +178,10 @@ fn damaged_streams_are_read_on() {
                 stream.push(b'x');
             }
         }
-        // What is left of the damaged messages may be the beginning of the header of the first.
+        // The end of the damaged messages may become the beginning of the first header.
         stream.extend(request("first").as_bytes());
         stream.extend(request("next").as_bytes());
-        // Whether bytes after an error are a second one may depend on which of them have arrived.
+        // The number of errors may depend on how many bytes have arrived.
         let messages = |piece: usize| {
             let read = read(&stream, piece);
             read.split(' ').filter(|shown| !shown.starts_with('-')).collect::<Vec<_>>().join(" ")
