@@ -74,6 +74,19 @@ impl Diagnostic {
         moved
     }
 
+    /// Error of a decimal comma, as in `2,5`; `None` if the two parts make no number.
+    pub(crate) fn decimal_comma(span: Span, whole: &str, fraction: &str) -> Option<Self> {
+        let is_number = whole.bytes().all(|b| b.is_ascii_digit())
+            && fraction.starts_with(|c: char| c.is_ascii_digit())
+            && !fraction.contains('.');
+        let written = format!("{whole}.{fraction}");
+        let message = format!("`{whole},{fraction}` is not one number");
+        let problem = Diagnostic::error("E0130", message, span, "a comma separates values");
+        is_number.then(|| {
+            problem.help("the decimal separator is a point").fix(format!("write `{written}`"), span, written)
+        })
+    }
+
     pub fn label(mut self, span: Span, message: impl Into<String>) -> Self {
         self.labels.push(Label { span, message: message.into() });
         self

@@ -3,9 +3,11 @@
 use crate::diagnostic::{Diagnostic, Label as Note, Severity};
 use crate::ir::SourceFile;
 use crate::span::{FileId, Span};
+use crate::visible::visible;
 use ariadne::{Cache, Color, Config, IndexType, Label, Report, ReportKind, Source};
 use calyx_abi::error::call_lines;
 use serde_json::{Value, json};
+use std::borrow::Cow;
 
 /// Whether text may hold terminal colours.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -24,12 +26,13 @@ pub struct Renderer<'a> {
 impl<'a> Renderer<'a> {
     /// `files` are those that spans refer to, by index.
     pub fn new(files: &'a [SourceFile], colour: Colour) -> Self {
-        let sources = files.iter().map(|f| Source::from(f.text.as_str())).collect();
+        let sources = files.iter().map(|f| Source::from(visible(&f.text))).collect();
         Renderer { files: Files { files, sources }, colour }
     }
 
     /// One diagnostic; ends with a line end.
     pub fn text(&mut self, diagnostic: &Diagnostic) -> String {
+        let diagnostic = &shown(diagnostic);
         let text = if self.has_long_line(diagnostic) {
             self.without_source(diagnostic)
         } else {
@@ -46,7 +49,7 @@ impl<'a> Renderer<'a> {
         let config =
             Config::default().with_index_type(IndexType::Byte).with_color(self.colour == Colour::Always);
         let files = self.files.files;
-        let primary = place(diagnostic.primary.span, files);
+        let primary = shown_place(diagnostic.primary.span, files);
         let main = Label::new(primary.clone())
             .with_message(&diagnostic.primary.message)
             .with_color(colour_of_primary);
@@ -56,7 +59,7 @@ impl<'a> Renderer<'a> {
             .with_message(&diagnostic.message)
             .with_label(main);
         for label in &diagnostic.labels {
-            let place = place(label.span, files);
+            let place = shown_place(label.span, files);
             report =
                 report.with_label(Label::new(place).with_message(&label.message).with_color(Color::Blue));
         }
@@ -81,7 +84,7 @@ impl Renderer<'_> {
         let lines = call_lines(&diagnostic.calls, |(file, start, end)| {
             let (file, text) = file_of(FileId(file), self.files.files);
             let (line, column) = line_column(text, clipped(Span { file: FileId(0), start, end }, text).0);
-            format!("{file}:{line}:{column}")
+            format!("{}:{line}:{column}", visible(file))
         });
         lines.into_iter().map(|line| format!("    {line}\n")).collect()
     }
@@ -105,7 +108,7 @@ impl Renderer<'_> {
         };
         let place = place_json(diagnostic.primary.span, self.files.files);
         let [file, line, column] = ["file", "line", "column"].map(|key| match &place[key] {
-            Value::String(text) => text.clone(),
+            Value::String(text) => visible(text).into_owned(),
             other => other.to_string(),
         });
         let help = diagnostic.help.as_ref().map(|help| format!("    Help: {help}\n")).unwrap_or_default();
@@ -119,18 +122,47 @@ impl Renderer<'_> {
 /// The sources as the report writer asks for them: by index, shown by name.
 struct Files<'a> {
     files: &'a [SourceFile],
-    sources: Vec<Source<&'a str>>,
+    sources: Vec<Source<Cow<'a, str>>>,
 }
 
 impl<'f> Cache<usize> for Files<'f> {
-    type Storage = &'f str;
+    type Storage = Cow<'f, str>;
 
     fn fetch(&mut self, id: &usize) -> Result<&Source<Self::Storage>, impl std::fmt::Debug> {
         self.sources.get(*id).ok_or("no such file")
     }
 
     fn display<'a>(&self, id: &'a usize) -> Option<impl std::fmt::Display + 'a> {
-        self.files.get(*id).map(|f| f.name.clone())
+        self.files.get(*id).map(|f| visible(&f.name).into_owned())
+    }
+}
+
+/// A diagnostic whose messages hold no control characters.
+fn shown(diagnostic: &Diagnostic) -> Diagnostic {
+    let mut shown = diagnostic.clone();
+    let notes = std::iter::once(&mut shown.primary).chain(&mut shown.labels);
+    let messages = notes.map(|note| &mut note.message).chain(shown.help.as_mut());
+    for message in messages.chain([&mut shown.message]) {
+        *message = visible(message).into_owned();
+    }
+    for call in &mut shown.calls {
+        call.function = visible(&call.function).into_owned();
+    }
+    shown
+}
+
+/// Range of bytes in a file, by index, in its text as shown.
+fn shown_place(span: Span, files: &[SourceFile]) -> (usize, std::ops::Range<usize>) {
+    let (file, range) = place(span, files);
+    let text = files.get(file).map_or("", |f| f.text.as_str());
+    // A `\r` right before its `\n` stays.
+    let shown = |byte: usize| match text[..byte].strip_suffix('\r') {
+        Some(before) if text[byte..].starts_with('\n') => visible(before).len() + 1,
+        _ => visible(&text[..byte]).len(),
+    };
+    match visible(text) {
+        Cow::Borrowed(_) => (file, range),
+        Cow::Owned(_) => (file, shown(range.start)..shown(range.end)),
     }
 }
 
@@ -250,6 +282,24 @@ mod tests {
         }
         assert!(!text.contains('\u{1b}'), "{text}");
         assert!(Renderer::new(&files, Colour::Always).text(&sample()).contains('\u{1b}'));
+    }
+
+    #[test]
+    fn no_control_character_of_a_source_reaches_the_terminal() {
+        let text = "print(\"\u{1b}]0;title\u{7}\", wrong);\r\nnext;\n";
+        let files = [SourceFile { name: "a\u{1b}[2J.cx".into(), text: text.into() }];
+        let at = text.find("wrong").unwrap();
+        let place = Span::new(FileId(0), at, at + 5);
+        let mut diagnostic =
+            Diagnostic::error("E0201", "`\u{1b}[1m` is unknown", place, "\u{9b}here").help("\rgone");
+        let long = SourceFile { name: "a\u{1b}[2J.cx".into(), text: text.to_string() + &"x".repeat(2000) };
+        let mut shown = Renderer::new(&files, Colour::Never).text(&diagnostic);
+        diagnostic.primary.span = Span::new(FileId(0), text.len(), text.len() + 5);
+        shown += &Renderer::new(&[long], Colour::Never).text(&diagnostic);
+        assert!(!shown.chars().any(|c| c.is_control() && c != '\n'), "{shown:?}");
+        for part in ["a␛[2J.cx:1:21", "␛]0;title␇", "`␛[1m` is unknown", "␍gone"] {
+            assert!(shown.contains(part), "{part} is not in\n{shown}");
+        }
     }
 
     #[test]

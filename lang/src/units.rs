@@ -30,6 +30,12 @@ impl Unit {
 
     /// The unit's name that is spelt most like `name`, for "did you mean".
     pub fn similar(name: &str) -> Option<&'static str> {
+        Unit::nearest(name).into_iter().next()
+    }
+
+    /// Names of the units that are spelt most like `name`, the nearest first. Contains only names that are
+    /// about as near as the first.
+    pub fn nearest(name: &str) -> Vec<&'static str> {
         let spellings = UNITS.iter().flat_map(|u| u.aliases.iter().chain([&u.name]));
         let lower = name.to_lowercase();
         let close = |spelling: &str| {
@@ -42,12 +48,19 @@ impl Unit {
             strsim::jaro_winkler(spelling, name).max(if slip { 0.85 } else { 0.0 })
         };
         // Where letters are missing likeness alone finds `rad` in `breadth`.
-        spellings
+        let mut near: Vec<(f64, &'static str)> = spellings
             .filter(|spelling| spelling.chars().count().abs_diff(name.chars().count()) <= 2)
             .map(|s| (close(s), *s))
             .filter(|(similarity, _)| *similarity > 0.8)
-            .max_by(|a, b| a.0.total_cmp(&b.0))
-            .map(|(_, spelling)| spelling)
+            .collect();
+        // Prefer names to aliases, which come first.
+        near.reverse();
+        near.sort_by(|a, b| b.0.total_cmp(&a.0));
+        let best = near.first().map_or(0.0, |(similarity, _)| *similarity);
+        near.into_iter()
+            .take_while(|(similarity, _)| best - similarity < 0.05)
+            .map(|(_, name)| name)
+            .collect()
     }
 
     /// All units, in the order of the reference.

@@ -267,6 +267,123 @@ fn broken_models_do_no_harm() {
     }
 }
 
+/// Picks a text and replaces `#` by a record, `@` by a function and `$` by an expression.
+fn random_of(choices: &[&str], depth: usize, random: &mut Random) -> String {
+    const EXPRESSIONS: &[&str] = &[
+        "p",
+        "q",
+        "v",
+        "#()",
+        "1",
+        "2 mm",
+        "[]",
+        "p.x",
+        "p.next",
+        "q.x",
+        "p.all[0]",
+        "v.next.x",
+        "$.x",
+        "$.next",
+        "$[0]",
+        "#(x = $)",
+        "#($, $)",
+        "@($, $)",
+        "[$, $]",
+        "[$]",
+        "$ + $",
+        "$*$",
+        "$/$",
+        "$ == $",
+        "\"{$}\"",
+        "if (TRUE) $ else $",
+        "len($)",
+    ];
+    let mut text = String::new();
+    for c in random.pick(choices).chars() {
+        match c {
+            '#' => text.push_str(random.pick(&["P", "Q", "R"])),
+            '@' => text.push_str(random.pick(&["f", "g", "h"])),
+            // The first ones are leaves.
+            '$' if depth == 0 => text += &random_of(&EXPRESSIONS[..12], 0, random),
+            '$' => text += &random_of(EXPRESSIONS, depth - 1, random),
+            c => text.push(c),
+        }
+    }
+    text
+}
+
+/// A program of records whose fields have types, defaults, both or neither, and of functions that use
+/// them in random ways.
+fn half_typed_records(random: &mut Random) -> String {
+    const FIELDS: &[&str] = &[
+        ";",
+        ";",
+        ": #;",
+        ": Array(#);",
+        ": Number;",
+        ": Length;",
+        ": Array;",
+        " = #();",
+        " = [];",
+        " = [#()];",
+        " = [[], 1];",
+        " = 1;",
+        " = 2 mm;",
+        ": # = #();",
+        ": Array(#) = [];",
+        " = $;",
+    ];
+    const STATEMENTS: &[&str] = &[
+        "return $;",
+        "return $;",
+        "return p;",
+        "p = $;",
+        "p.x = $;",
+        "p.next = $;",
+        "p.all[0] = $;",
+        "v = $;",
+        "push(p.all, $);",
+        "push(v, $);",
+        "if ($ == $) return $;",
+        "print($);",
+        "@($, $);",
+        "@(p, q);",
+        "throw $;",
+    ];
+    let mut text = String::new();
+    for name in ["P", "Q", "R"] {
+        text += &format!("record {name} {{ ");
+        for field in ["x", "next", "all"].iter().take(1 + random.below(3)) {
+            text += &format!("{field}{} ", random_of(FIELDS, 1, random));
+        }
+        text += "}\n";
+    }
+    for name in ["f", "g", "h"] {
+        let header = random_of(
+            &["(in p, in q)", "(inout p, in q)", "(in p: #, in q)", "(in p, in q = #())"],
+            0,
+            random,
+        );
+        text += &format!("function {name}{header} {{ var v; ");
+        for _ in 0..1 + random.below(4) {
+            text += &random_of(STATEMENTS, 2, random);
+        }
+        text += "}\n";
+    }
+    text += "var p = #(); var q = #(); var v; ";
+    (0..1 + random.below(6)).for_each(|_| text += &random_of(STATEMENTS, 2, random));
+    random_of(&[&text.replace('$', "1").replace('@', "f")], 0, random)
+}
+
+#[test]
+fn half_typed_records_do_no_harm() {
+    let library = Library::read();
+    let mut random = random(5);
+    for _ in 0..count(600) {
+        survives(&half_typed_records(&mut random), &library);
+    }
+}
+
 #[test]
 fn any_text_does_no_harm() {
     let library = Library::read();

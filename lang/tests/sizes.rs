@@ -55,15 +55,40 @@ fn endless_texts_have_an_answer() {
         repeated("f(", "a = 1, ", ");"),
         repeated("x = [", "1, ", "];"),
         "x = 1;\n".repeat(20_000),
-        "var x = 1;\n".repeat(10_000),
+        "var x = 1;\n".repeat(20_000),
         "{ var x = 1; print(x); }\n".repeat(5_000),
-        "function f() { }\n".repeat(2_000),
+        "function f() { }\n".repeat(10_000),
         (0..20_000).map(|i| format!("var x{i} = {};\n", i.max(1) - 1)).collect(),
         (1..5_000).fold("var x0 = 1;\n".into(), |text, i| text + &format!("var x{i} = 2*x{};\n", i - 1)),
         (1..500).fold("function f0() { }\n".into(), |text, i| {
             text + &format!("function f{i}() {{ f{}(); }}\n", i - 1)
         }),
     ];
+    // Chains of declarations and of types, in the order of their dependence and against it.
+    let chain = |first: &str, next: &str| -> [String; 2] {
+        let first = first.replace('#', "0");
+        let rest = (1..10_000).map(|i| next.replace('#', &i.to_string()).replace('@', &(i - 1).to_string()));
+        let mut lines: Vec<String> = std::iter::once(first).chain(rest).collect();
+        let forwards = lines.concat();
+        lines.reverse();
+        [forwards, lines.concat()]
+    };
+    let chains = [
+        chain("const c# = 1;\n", "const c# = c@ + 1;\n"),
+        chain("unit u# = 2 mm;\n", "unit u# = 2 u@;\n"),
+        chain("dimension D# = Length;\n", "dimension D# = D@;\n"),
+        chain("record R# { x: Number; }\n", "record R# { x: R@; }\n"),
+        chain("record R# { x = 1; y = 2; }\n", "record R# { x = R@(); y = R@(); }\n"),
+        chain("function f#(in a) { return a; }\n", "function f#(in a) { return f@([a]); }\n"),
+        chain("var x#;\n", "var x#; x# = x@;\n"),
+        chain("var x#;\n", "var x#; x@ = [x#];\n"),
+        chain("units SI; var x# = 1;\n", "var x# = 1; x# = x@;\n"),
+        chain(
+            "var s = 1; function f#(in a) { return a + s; }\n",
+            "function f#(in a) { return f@(a) + s; }\n",
+        ),
+    ];
+    let texts: Vec<String> = texts.into_iter().chain(chains.into_iter().flatten()).collect();
     // The longest takes seconds: two at a time.
     let texts = Mutex::new(texts.into_iter());
     let next = || texts.lock().expect("no panic").next();

@@ -96,20 +96,30 @@ impl<'a> Checker<'a> {
                                 name.span,
                                 "unknown parameter",
                             );
-                            let diagnostic =
-                                match similar(&name.name, parameters.iter().map(|(name, _)| *name)) {
-                                    Some(near) => diagnostic.help(format!("did you mean `{near}`?")).fix(
-                                        format!("change to `{near}`"),
-                                        name.span,
-                                        near,
-                                    ),
-                                    None => diagnostic.help(format!("its parameters are {}", list())),
-                                };
+                            // A misspelt name cannot mean a parameter that is given already.
+                            let is_free = |parameter: &str| {
+                                let mut named =
+                                    arguments.iter().filter_map(|argument| argument.name.as_ref());
+                                !named.any(|(name, _)| name.name == parameter)
+                            };
+                            let free = parameters.iter().map(|(name, _)| *name).filter(|name| is_free(name));
+                            let diagnostic = match similar(&name.name, free) {
+                                Some(near) => diagnostic.help(format!("did you mean `{near}`?")).fix(
+                                    format!("change to `{near}`"),
+                                    name.span,
+                                    near,
+                                ),
+                                None => diagnostic.help(format!("its parameters are {}", list())),
+                            };
                             self.report(diagnostic);
                             sound = false;
                             continue;
                         }
                     }
+                }
+                None if self.is_decimal_comma(arguments, index, named || index >= parameters.len()) => {
+                    sound = false;
+                    continue;
                 }
                 None if named => {
                     let place = Span { end: argument.value.span.start, ..argument.value.span };
@@ -203,6 +213,33 @@ impl<'a> Checker<'a> {
             self.check_loosely(arguments);
         }
         sound.then_some(given)
+    }
+
+    /// Reports a decimal comma if an argument without a parameter is the fraction of the number before
+    /// it. Returns whether it did.
+    fn is_decimal_comma(
+        &mut self,
+        arguments: &[ast::Argument],
+        index: usize,
+        has_no_parameter: bool,
+    ) -> bool {
+        let before = index.checked_sub(1).and_then(|before| arguments.get(before));
+        let (Some(before), Some(argument)) = (before, arguments.get(index)) else { return false };
+        let ExprKind::Number(_) = &before.value.kind else { return false };
+        let (first, second) = (before.value.span, argument.value.span);
+        let number = match &argument.value.kind {
+            ExprKind::Number(_) => second,
+            ExprKind::Quantity { unit, .. } => Span { end: unit.span.start, ..second },
+            _ => return false,
+        };
+        let between = Span { start: first.end, end: second.start, ..first };
+        if !has_no_parameter || self.text(between) != "," {
+            return false;
+        }
+        let number = self.text(number).trim_end();
+        let whole = Span { end: second.start + number.len() as u32, ..first };
+        let problem = Diagnostic::decimal_comma(whole, self.text(first), number);
+        problem.map(|problem| self.report(problem)).is_some()
     }
 
     fn extern_call(

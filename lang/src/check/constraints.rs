@@ -1,7 +1,7 @@
 //! Operators: what they demand of their operands, decided as soon as the operands' types allow it.
 
 use super::dim::Dim;
-use super::infer::Checker;
+use super::infer::{Checker, too_large};
 use super::rules::{self, Rule};
 use super::symbols::with_article;
 use super::tree::{Constraint, ConstraintKind, RecordId};
@@ -168,8 +168,11 @@ impl Checker<'_> {
                     self.fresh_number()
                 }
             };
-            // An unknown takes any type.
-            let _ = self.store.unify(&unknown, &number);
+            if self.store.unify(&unknown, &number).is_err() {
+                // Nothing decides it, and what it is a part of leaves no room for an array.
+                self.report(too_large(constraint.span));
+                self.pending.remove(0);
+            }
             self.solve_constraints();
         }
     }
@@ -177,6 +180,7 @@ impl Checker<'_> {
     fn fit(&mut self, constraint: &Constraint, a: &Type, b: &Type) -> Outcome {
         match self.store.unify(a, b) {
             Ok(()) => Outcome::Solved,
+            Err(Mismatch::Infinite) => Outcome::failed(too_large(constraint.span)),
             Err(mismatch) => {
                 let (found, wanted) = (with_article(&self.store.show(a)), with_article(&self.store.show(b)));
                 let code = if matches!(mismatch, Mismatch::Dimension(..)) { "E0402" } else { "E0301" };

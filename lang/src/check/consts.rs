@@ -2,6 +2,8 @@
 
 use super::constant;
 use super::infer::Checker;
+use super::order::MOST_OPEN;
+use super::symbols::Res;
 use super::tree::*;
 use super::types::Type;
 use crate::diagnostic::Diagnostic;
@@ -13,7 +15,12 @@ const MOST_PARTS: usize = 10_000;
 impl<'a> Checker<'a> {
     /// Computes all constants, used or not.
     pub(super) fn declare_consts(&mut self) {
-        for id in 0..self.names.consts.len() as u32 {
+        let texts: Vec<Span> = self.names.consts.iter().map(|declared| declared.decl.value.span).collect();
+        let of = |res| match res {
+            Res::Const(id) => Some(id),
+            _ => None,
+        };
+        for id in self.by_dependence(&texts, of) {
             self.const_value(id);
         }
         self.solve_constraints();
@@ -41,7 +48,8 @@ impl<'a> Checker<'a> {
         };
         match self.consts.get(&id) {
             Some(Some(value)) => return value.clone(),
-            Some(None) => {
+            None if self.open_consts < MOST_OPEN => {}
+            Some(None) | None => {
                 self.report(
                     Diagnostic::error(
                         "E0212",
@@ -53,12 +61,13 @@ impl<'a> Checker<'a> {
                 );
                 return Expr::error(decl.value.span);
             }
-            None => {}
         }
+        self.open_consts += 1;
         self.consts.insert(id, None);
         let place = self.constant_place.replace("a constant");
         let value = self.in_file(file, |c| c.as_value(|c| c.whole(decl.value)));
         self.constant_place = place;
+        self.open_consts -= 1;
         let value = self.settled(value, &decl.name.name);
         self.consts.insert(id, Some(value.clone()));
         value

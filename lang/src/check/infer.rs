@@ -7,8 +7,8 @@ use super::ModuleData;
 use super::dim::Dim;
 use super::elsewhere;
 use super::excerpt::Layout;
-use super::rules::{self, Rule};
-use super::symbols::{FunctionInfo, Names, Res, VarKind, Variable, with_article};
+use super::generalise::recursive_groups;
+use super::symbols::{Names, Res, VarKind, Variable, with_article};
 use super::tree::*;
 use super::types::{Mismatch, Store, Substitution, Type};
 use crate::ast;
@@ -18,6 +18,7 @@ use crate::ir::DisplayUnit;
 use crate::span::{FileId, Span};
 use crate::units::UnitSystem;
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
+use std::rc::Rc;
 
 /// Which `:=` a symbolic name has at some point of the text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -71,6 +72,8 @@ pub struct Checker<'a> {
     pub(super) domains: Vec<super::domains::Check>,
     /// Values of constants; `None` while one is computed.
     pub(super) consts: HashMap<u32, Option<Expr>>,
+    /// How many constants are being computed, each for the one before.
+    pub(super) open_consts: usize,
     /// Declared dimensions and units that are known; `None` for those that make no sense or are being found out.
     pub(super) own_dimensions: HashMap<u32, Option<Dimension>>,
     pub(super) own_units: HashMap<u32, Option<DisplayUnit>>,
@@ -86,18 +89,28 @@ pub struct Checker<'a> {
     pub(super) parameter_types: HashMap<Span, Type>,
     /// Fields of values, and the types of the values.
     pub(super) named_fields: Vec<(ast::Ident, Type)>,
-    /// A literal in a declaration has a dimension that uses decide.
+    /// Some literal or field in a declaration has a type that only uses determine.
     pub(super) unsettled: bool,
     /// Notes for the lints of cycles and angles.
     pub(super) turns: super::turns::Turns,
-    groups: HashMap<FuncId, Vec<FuncId>>,
+    pub(super) groups: HashMap<FuncId, Rc<[FuncId]>>,
+    /// Functions by the one that they are declared in.
+    pub(super) nested: HashMap<FuncId, Vec<FuncId>>,
     pub(super) variable_types: HashMap<VarId, Type>,
+    /// Variables whose types may not be known yet.
+    pub(super) open_variables: Vec<VarId>,
     reported: HashSet<(String, Span, String)>,
 }
 
 impl<'a> Checker<'a> {
     pub fn new(modules: &'a [ModuleData], names: Names<'a>, layout: &'a Layout) -> Self {
         let groups = recursive_groups(&names.functions);
+        let mut nested: HashMap<FuncId, Vec<FuncId>> = HashMap::new();
+        for (id, function) in (0..).map(FuncId).zip(&names.functions) {
+            if let Some(around) = function.parent {
+                nested.entry(around).or_default().push(id);
+            }
+        }
         Checker {
             modules,
             layout,
@@ -123,6 +136,7 @@ impl<'a> Checker<'a> {
             handlers: 0,
             domains: Vec::new(),
             consts: HashMap::new(),
+            open_consts: 0,
             own_dimensions: HashMap::new(),
             own_units: HashMap::new(),
             opening: Vec::new(),
@@ -135,7 +149,9 @@ impl<'a> Checker<'a> {
             unsettled: false,
             turns: Default::default(),
             groups,
+            nested,
             variable_types: HashMap::new(),
+            open_variables: Vec::new(),
             reported: HashSet::new(),
         }
     }
@@ -147,7 +163,7 @@ impl<'a> Checker<'a> {
         self.declare_vocabulary();
         self.declare_records();
         self.declare_consts();
-        self.unsettled = self.store.has_open_literals();
+        self.unsettled = self.store.has_open_literals() || self.has_open_records();
         self.declare_params();
         self.find_rebound(&model.tree.statements);
         self.find_foreign(&model.tree.statements);
@@ -170,6 +186,7 @@ impl<'a> Checker<'a> {
             self.ensure_inferred(FuncId(index as u32));
         }
         self.check_extern_declarations();
+        self.store.compress();
         self.finish_constraints();
         self.finish_turns();
         self.finish_params();
@@ -187,8 +204,13 @@ impl<'a> Checker<'a> {
             return ty.clone();
         }
         let ty = self.store.fresh();
-        self.variable_types.insert(id, ty.clone());
+        self.set_variable_type(id, ty.clone());
         ty
+    }
+
+    pub(super) fn set_variable_type(&mut self, id: VarId, ty: Type) {
+        self.variable_types.insert(id, ty);
+        self.open_variables.push(id);
     }
 
     /// A variable that holds a value captured by a `:=`, shown to people as `name`.
@@ -201,7 +223,7 @@ impl<'a> Checker<'a> {
             owner: self.function,
             reads: 1,
         });
-        self.variable_types.insert(id, ty);
+        self.set_variable_type(id, ty);
         id
     }
 
@@ -251,13 +273,7 @@ impl<'a> Checker<'a> {
         }
         let resolved = (self.store.shallow(expected), self.store.shallow(&found.ty));
         let mut diagnostic = match (&mismatch, &resolved) {
-            (Mismatch::Infinite, _) => Diagnostic::error(
-                "E0302",
-                "a value cannot contain itself, nor more than 100 arrays inside one another or 1000 parts",
-                found.span,
-                "its type would be infinite or too large",
-            )
-            .help("use another variable, or an array of parts of one type"),
+            (Mismatch::Infinite, _) => too_large(found.span),
             (_, (_, Type::Observable(_))) => self.observable_as_value(found.span),
             (_, (_, Type::Unit)) => Diagnostic::error(
                 "E0303",
@@ -311,33 +327,44 @@ impl<'a> Checker<'a> {
 
     // Functions.
 
-    /// Infers a function and its group if that has not been done.
+    /// Infers a function and its group, the functions that it calls first. Does nothing if that has been
+    /// done.
     pub fn ensure_inferred(&mut self, id: FuncId) {
-        if self.signatures.contains_key(&id) {
-            return;
-        }
-        let Some(group) = self.groups.get(&id).cloned() else { return };
-        for &member in &group {
-            let callees: Vec<_> = self.names.functions[member.0 as usize].callees.iter().copied().collect();
-            for callee in callees.into_iter().filter(|callee| !group.contains(callee)) {
-                self.ensure_inferred(callee);
+        // A chain of calls may be as long as a program.
+        let mut open = vec![(id, false)];
+        while let Some((id, called_are_inferred)) = open.pop() {
+            // Its body may also have been reached through its enclosing function.
+            if self.signatures.contains_key(&id) {
+                continue;
             }
+            let Some(group) = self.groups.get(&id).cloned() else { continue };
+            if called_are_inferred {
+                self.infer_group(&group);
+                continue;
+            }
+            open.push((id, true));
+            let called: Vec<FuncId> = group
+                .iter()
+                .flat_map(|member| &self.names.functions[member.0 as usize].callees)
+                .copied()
+                .collect();
+            let outside = |callee: &FuncId| !self.groups.get(callee).is_some_and(|of| Rc::ptr_eq(of, &group));
+            open.extend(called.into_iter().rev().filter(outside).map(|callee| (callee, false)));
         }
-        // A callee's body may have been reached through its enclosing function, which is in this group.
-        if self.signatures.contains_key(&id) {
-            return;
-        }
+    }
+
+    fn infer_group(&mut self, group: &[FuncId]) {
         let outer_constraints = std::mem::take(&mut self.pending);
-        self.check_symbolic_recursion(&group);
-        for &member in &group {
+        self.check_symbolic_recursion(group);
+        for &member in group {
             self.declare_signature(member);
         }
-        for &member in &group {
+        for &member in group {
             self.function_body(member);
         }
         self.solve_constraints();
         let inner = std::mem::replace(&mut self.pending, outer_constraints);
-        self.generalise(&group, inner);
+        self.generalise(group, inner);
     }
 
     fn declare_signature(&mut self, id: FuncId) {
@@ -435,116 +462,6 @@ impl<'a> Checker<'a> {
         self.file = file;
     }
 
-    /// Closes the types of a group over what nothing outside can still decide.
-    fn generalise(&mut self, group: &[FuncId], constraints: Vec<Constraint>) {
-        let (mut types, mut dims) = (BTreeSet::new(), BTreeSet::new());
-        for &member in group {
-            let Some(signature) = self.signatures.get(&member) else { continue };
-            for ty in signature.parameters.iter().chain([&signature.result]) {
-                self.store.unknowns(ty, &mut types, &mut dims);
-            }
-        }
-        // Unknowns of local variables that no parameter decides: they become defaults per instance.
-        let inside: BTreeSet<FuncId> = self.inside(group);
-        let (mut outer_types, mut outer_dims) = (BTreeSet::new(), BTreeSet::new());
-        for (id, ty) in &self.variable_types {
-            if !inside.contains(&self.names.variables[id.0 as usize].owner) {
-                self.store.unknowns(ty, &mut outer_types, &mut outer_dims);
-            }
-        }
-        for param in &self.params {
-            self.store.unknowns(&param.ty, &mut outer_types, &mut outer_dims);
-        }
-        let sees_unknown = !types.is_disjoint(&outer_types) || !dims.is_disjoint(&outer_dims);
-        types.retain(|v| !outer_types.contains(v));
-        dims.retain(|v| !outer_dims.contains(v) && !self.store.is_literal(*v));
-        // A constraint on a quantified type quantifies what else it mentions.
-        let mut own = Vec::new();
-        let mut rest = constraints;
-        loop {
-            let (taken, left): (Vec<_>, Vec<_>) = rest.into_iter().partition(|constraint| {
-                let (mut t, mut d) = (BTreeSet::new(), BTreeSet::new());
-                constraint.types().iter().for_each(|ty| self.store.unknowns(ty, &mut t, &mut d));
-                !t.is_disjoint(&types)
-            });
-            rest = left;
-            if taken.is_empty() {
-                break;
-            }
-            for constraint in taken {
-                let (mut t, mut d) = (BTreeSet::new(), BTreeSet::new());
-                constraint.types().iter().for_each(|ty| self.store.unknowns(ty, &mut t, &mut d));
-                types.extend(t.into_iter().filter(|v| !outer_types.contains(v)));
-                dims.extend(d.into_iter().filter(|v| !outer_dims.contains(v) && !self.store.is_literal(*v)));
-                own.push(constraint);
-            }
-        }
-        self.pending.extend(rest);
-        let applied = [
-            (!types.is_empty(), Rule::GeneraliseType),
-            (!dims.is_empty(), Rule::GeneraliseDimension),
-            (!own.is_empty(), Rule::GeneraliseConstraint),
-            (group.len() > 1, Rule::RecursiveGroup),
-            (sees_unknown, Rule::OuterUnknown),
-        ];
-        applied.iter().filter(|(holds, _)| *holds).for_each(|(_, rule)| rules::applied(*rule));
-        let scheme =
-            Scheme { types: types.into_iter().collect(), dims: dims.into_iter().collect(), constraints: own };
-        for member in group {
-            if let Some(signature) = self.signatures.get_mut(member) {
-                signature.scheme = Some(scheme.clone());
-            }
-            if let Some(function) = self.functions.get_mut(member) {
-                function.scheme = scheme.clone();
-            }
-        }
-    }
-
-    /// The functions of a group and those nested in them.
-    fn inside(&self, group: &[FuncId]) -> BTreeSet<FuncId> {
-        let mut inside: BTreeSet<FuncId> = group.iter().copied().collect();
-        // A nested function has a higher number than the one around it only within one block; look up the chain.
-        for index in 0..self.names.functions.len() {
-            let mut at = Some(FuncId(index as u32));
-            while let Some(id) = at {
-                if group.contains(&id) {
-                    inside.insert(FuncId(index as u32));
-                    break;
-                }
-                at = self.names.functions[id.0 as usize].parent;
-            }
-        }
-        inside
-    }
-
-    /// A use of a function: its parameter types and result with fresh unknowns.
-    pub fn instantiate(&mut self, id: FuncId, span: Span) -> (Vec<Type>, Type, UseId) {
-        self.ensure_inferred(id);
-        let Some(signature) = self.signatures.get(&id).cloned() else {
-            return (Vec::new(), Type::Error, UseId(0));
-        };
-        let mut substitution = Substitution::default();
-        if let Some(scheme) = &signature.scheme {
-            rules::applied(Rule::Instantiate);
-            for &variable in &scheme.types {
-                let fresh = self.store.fresh();
-                substitution.types.insert(variable, fresh);
-            }
-            for &variable in &scheme.dims {
-                let fresh = self.store.fresh_dim();
-                substitution.dims.insert(variable, fresh);
-            }
-            for constraint in &scheme.constraints {
-                self.pending
-                    .push(Constraint { kind: constraint.map(|ty| substitution.ty(&self.store, ty)), span });
-            }
-        }
-        let parameters = signature.parameters.iter().map(|ty| substitution.ty(&self.store, ty)).collect();
-        let result = substitution.ty(&self.store, &signature.result);
-        self.instances.push(substitution);
-        (parameters, result, UseId(self.instances.len() as u32 - 1))
-    }
-
     /// Types of what the model declares at its top level.
     pub fn shown_types(&self) -> BTreeMap<String, String> {
         let variables = self.names.variables.iter().enumerate().filter_map(|(index, variable)| {
@@ -574,51 +491,19 @@ impl<'a> Checker<'a> {
     }
 }
 
+/// Error of a value whose type would be infinite or too large.
+pub(super) fn too_large(span: Span) -> Diagnostic {
+    Diagnostic::error(
+        "E0302",
+        "a value cannot contain itself, nor more than 100 arrays inside one another or 1000 parts",
+        span,
+        "its type would be infinite or too large",
+    )
+    .help("use another variable, or an array of parts of one type")
+}
+
 fn returns_value(statement: &Stmt) -> bool {
     let mut found = false;
     statement.walk(&mut |s| found |= matches!(s.kind, StmtKind::Return(Some(_))));
     found
-}
-
-/// Functions that name each other, by Tarjan's algorithm. The top level belongs to none.
-fn recursive_groups(functions: &[FunctionInfo<'_>]) -> HashMap<FuncId, Vec<FuncId>> {
-    struct Search<'s, 'a> {
-        functions: &'s [FunctionInfo<'a>],
-        index: HashMap<FuncId, (usize, usize)>,
-        stack: Vec<FuncId>,
-        groups: HashMap<FuncId, Vec<FuncId>>,
-    }
-    impl Search<'_, '_> {
-        fn visit(&mut self, id: FuncId) -> usize {
-            let own = self.index.len();
-            self.index.insert(id, (own, own));
-            self.stack.push(id);
-            let mut low = own;
-            let functions = self.functions;
-            for &callee in &functions[id.0 as usize].callees {
-                match self.index.get(&callee) {
-                    None => low = low.min(self.visit(callee)),
-                    Some(&(index, _)) if self.stack.contains(&callee) => low = low.min(index),
-                    _ => {}
-                }
-            }
-            if low == own {
-                let at = self.stack.iter().position(|other| *other == id).unwrap_or(0);
-                let mut group = self.stack.split_off(at);
-                group.sort();
-                for &member in &group {
-                    self.groups.insert(member, group.clone());
-                }
-            }
-            low
-        }
-    }
-    let mut search = Search { functions, index: HashMap::new(), stack: Vec::new(), groups: HashMap::new() };
-    for index in 1..functions.len() {
-        let id = FuncId(index as u32);
-        if !search.index.contains_key(&id) {
-            search.visit(id);
-        }
-    }
-    search.groups
 }

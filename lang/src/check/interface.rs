@@ -43,7 +43,7 @@ struct Renaming<'s> {
 
 impl Renaming<'_> {
     fn ty(&mut self, ty: &Type) -> Type {
-        match self.store.resolve(ty) {
+        match self.store.shallow(ty) {
             Type::Unknown(variable) => {
                 let next = TypeVar(self.types.len() as u32);
                 match self.types.get(&variable) {
@@ -243,7 +243,7 @@ impl Interface {
                 Type::Symbolic(inner) => (**inner).clone(),
                 ty => ty.clone(),
             };
-            checker.variable_types.insert(*variable, held);
+            checker.set_variable_type(*variable, held);
             // What it does with its arguments is not seen here.
             checker.dependence.function_on_variable(id, *variable);
             checker.dependence.thrown_variable(*variable);

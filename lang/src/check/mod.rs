@@ -24,7 +24,9 @@ mod errors;
 pub(crate) mod excerpt;
 mod expr;
 pub(crate) mod expressions;
+mod extent;
 mod flow;
+mod generalise;
 mod graphs;
 mod hosts;
 mod infer;
@@ -35,6 +37,7 @@ pub(crate) mod meanings;
 mod mismatch;
 mod names;
 mod offers;
+mod order;
 mod params;
 mod places;
 mod records;
@@ -50,6 +53,7 @@ mod turns;
 mod typed;
 mod types;
 pub(crate) mod unit;
+mod unit_names;
 mod vocabulary;
 
 pub(crate) use annotate::handles_of;
@@ -73,6 +77,11 @@ use std::sync::Arc;
 pub trait Loader {
     /// Name shown to people and text of a module.
     fn module(&self, path: &[String]) -> Option<(String, String)>;
+    /// Reason for not reading a module whose file exists, such as a symbolic link that leads out of the
+    /// model's folder.
+    fn refusal(&self, _path: &[String]) -> Option<String> {
+        None
+    }
     /// Name and text of the module every program sees.
     fn prelude(&self) -> (String, String);
     /// Modules there are, for suggestions.

@@ -1,7 +1,7 @@
 //! Places: what can be assigned to or handed back into, and whether two of them are the same.
 
 use super::constant;
-use super::infer::Checker;
+use super::infer::{Checker, too_large};
 use super::symbols::{Res, VarKind, with_article};
 use super::tree::*;
 use super::types::Type;
@@ -166,8 +166,10 @@ impl<'a> Checker<'a> {
         let (step, ty) = match (&base_ty, at) {
             (Type::Array(_) | Type::Unknown(_) | Type::Error, _) => {
                 let element = self.store.fresh();
-                // Cannot fail for these.
-                let _ = self.store.unify(&base_ty, &Type::array(element.clone()));
+                if self.store.unify(&base_ty, &Type::array(element.clone())).is_err() {
+                    self.report(too_large(span));
+                    return None;
+                }
                 (Step::Index(index), element)
             }
             (Type::Tuple(parts), Some(at)) => match parts.get(at) {

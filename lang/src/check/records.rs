@@ -1,14 +1,28 @@
 //! Records: their fields, how they are made, and how their fields become arguments.
 
+use super::extent::{MOST_FIELDS, MOST_NESTED};
 use super::infer::Checker;
 use super::meanings::note_arguments;
-use super::symbols::{similar, with_article};
+use super::order::MOST_OPEN;
+use super::symbols::{Res, similar, with_article};
 use super::tree::*;
-use super::types::{RecordType, Type};
+use super::types::{Mismatch, RecordType, Type};
 use crate::ast;
 use crate::diagnostic::Diagnostic;
 use crate::span::Span;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
+
+impl ast::RecordDecl {
+    /// From the first field to the last.
+    fn span_of_fields(&self) -> Span {
+        let ends = |field: &ast::RecordField| {
+            let value = field.default.as_ref().map(|default| default.span);
+            value.or(field.annotation.as_ref().map(|annotation| annotation.span)).unwrap_or(field.name.span)
+        };
+        let whole = self.fields.first().zip(self.fields.last());
+        whole.map_or(self.name.span, |(first, last)| first.name.span.to(ends(last)))
+    }
+}
 
 impl<'a> Checker<'a> {
     /// Gives the fields of all records the types that annotations and defaults say.
@@ -27,26 +41,58 @@ impl<'a> Checker<'a> {
         for (id, at, field, file) in all() {
             if let Some(annotation) = &field.annotation {
                 let annotated = self.in_file(file, |c| c.annotation(annotation, false));
-                // A fresh unknown takes any type.
-                let _ = self.store.unify(&self.field_type(id, at), &annotated);
+                if self.store.unify(&self.field_type(id, at), &annotated).is_err() {
+                    // Infinite or too large. `refuse_endless_records` reports the record.
+                    self.store.records[id.0 as usize].fields[at].1 = annotated;
+                }
             }
         }
-        for (id, at, field, file) in all() {
-            if let Some(default) = &field.default {
-                let ty = self.field_type(id, at);
-                let around = self.constant_place.replace("the default of a field");
-                self.making.push(id);
-                self.in_file(file, |c| {
-                    let value = c.as_value(|c| c.whole(default));
-                    let what = format!("the default of `{}`", field.name.name);
-                    c.expect(&ty, &value, &what, Some((field.name.span, "declared here".into())));
-                });
-                self.making.pop();
-                self.constant_place = around;
-            }
+        let texts: Vec<Span> = records.iter().map(|record| record.decl.span_of_fields()).collect();
+        let of_records = |res| match res {
+            Res::Record(id) => Some(id.0),
+            _ => None,
+        };
+        let order = self.by_dependence(&texts, of_records);
+        self.refuse_endless_records(&order);
+        for id in &order {
+            self.field_defaults(RecordId(*id));
+            self.refuse_endless_records(&[*id]);
         }
         self.solve_constraints();
-        self.refuse_endless_records();
+        self.refuse_endless_records(&order);
+    }
+
+    /// Gives the fields of a record the types that their defaults say.
+    fn field_defaults(&mut self, id: RecordId) {
+        let (decl, file) = {
+            let record = &self.names.records[id.0 as usize];
+            (record.decl, record.file)
+        };
+        for (at, field) in decl.fields.iter().enumerate() {
+            let Some(default) = &field.default else { continue };
+            let ty = self.field_type(id, at);
+            let around = self.constant_place.replace("the default of a field");
+            self.making.push(id);
+            self.in_file(file, |c| {
+                let value = c.as_value(|c| c.whole(default));
+                let what = format!("the default of `{}`", field.name.name);
+                match c.store.unify(&ty, &value.ty) {
+                    Err(Mismatch::Infinite) if c.holds(&value.ty, id) => c.endless_record(id, at),
+                    Err(Mismatch::Infinite) => c.large_record(id),
+                    _ => c.expect(&ty, &value, &what, Some((field.name.span, "declared here".into()))),
+                }
+            });
+            self.making.pop();
+            self.constant_place = around;
+        }
+    }
+
+    /// Returns true if some field has a type that only uses determine, such as `x = [];`.
+    pub(super) fn has_open_records(&self) -> bool {
+        let (mut types, mut dims) = Default::default();
+        let fields = self.store.records.iter().flat_map(|record| &record.fields);
+        fields.for_each(|(_, ty)| self.store.unknowns(ty, &mut types, &mut dims));
+        !types.is_empty() || !dims.is_empty()
     }
 
     fn field_type(&self, id: RecordId, at: usize) -> Type {
@@ -54,42 +100,68 @@ impl<'a> Checker<'a> {
         field.map_or(Type::Error, |(_, ty)| ty.clone())
     }
 
-    /// A record that holds itself, directly or in other records or arrays, would have no end.
-    fn refuse_endless_records(&mut self) {
-        for index in 0..self.store.records.len() {
-            let id = RecordId(index as u32);
-            for at in 0..self.store.records[index].fields.len() {
-                let ty = self.field_type(id, at);
-                if self.holds(&ty, id, &mut Vec::new()) {
-                    let decl = self.names.records[index].decl;
-                    self.report(
-                        Diagnostic::error(
-                            "E0302",
-                            format!("a `{}` cannot contain itself", decl.name.name),
-                            decl.fields[at].name.span,
-                            "its type would be infinite",
-                        )
-                        .help("keep the parts in an array beside it, and an index here"),
-                    );
-                    self.store.records[index].fields[at].1 = Type::Error;
-                }
+    /// Reports records that contain themselves, directly or through other records or arrays, and records
+    /// that are too large.
+    fn refuse_endless_records(&mut self, order: &[u32]) {
+        for id in order.iter().copied().map(RecordId) {
+            if self.store.is_bounded(&Type::Record(id)) {
+                continue;
+            }
+            let fields = 0..self.store.records[id.0 as usize].fields.len();
+            let own: Vec<usize> = fields.filter(|at| self.holds(&self.field_type(id, *at), id)).collect();
+            match own.is_empty() {
+                true => self.large_record(id),
+                false => own.into_iter().for_each(|at| self.endless_record(id, at)),
             }
         }
     }
 
-    fn holds(&self, ty: &Type, id: RecordId, seen: &mut Vec<RecordId>) -> bool {
-        match self.store.shallow(ty) {
-            Type::Record(inner) if inner == id => true,
-            Type::Record(inner) if seen.contains(&inner) => false,
-            Type::Record(inner) => {
-                seen.push(inner);
-                let fields = self.store.record(inner).into_iter().flat_map(|record| &record.fields);
-                fields.into_iter().any(|(_, ty)| self.holds(ty, id, seen))
+    /// Reports a field that makes its record infinite, and leaves it without a type.
+    fn endless_record(&mut self, id: RecordId, at: usize) {
+        let decl = self.names.records[id.0 as usize].decl;
+        self.report(
+            Diagnostic::error(
+                "E0302",
+                format!("a `{}` cannot contain itself", decl.name.name),
+                decl.fields[at].name.span,
+                "its type would be infinite",
+            )
+            .help("keep the parts in an array beside it, and an index here"),
+        );
+        self.store.records[id.0 as usize].fields[at].1 = Type::Error;
+    }
+
+    /// Reports a record with too many parts, and leaves its fields without types.
+    fn large_record(&mut self, id: RecordId) {
+        let name = &self.names.records[id.0 as usize].decl.name;
+        self.report(
+            Diagnostic::error(
+                "E0302",
+                format!("a `{}` would be too large", name.name),
+                name.span,
+                format!("more than {MOST_NESTED} values inside one another, or {MOST_FIELDS} parts"),
+            )
+            .help("keep the parts in an array"),
+        );
+        self.store.records[id.0 as usize].fields.iter_mut().for_each(|(_, ty)| *ty = Type::Error);
+    }
+
+    /// Returns true if a type contains a record.
+    fn holds(&self, ty: &Type, id: RecordId) -> bool {
+        let (mut left, mut seen) = (vec![ty], HashSet::new());
+        while let Some(ty) = left.pop() {
+            match self.store.known(ty) {
+                Type::Record(inner) if *inner == id => return true,
+                Type::Record(inner) if seen.insert(*inner) => {
+                    let fields = self.store.record(*inner).into_iter().flat_map(|record| &record.fields);
+                    left.extend(fields.map(|(_, ty)| ty));
+                }
+                Type::Array(inner) => left.push(inner),
+                Type::Tuple(parts) => left.extend(parts),
+                _ => {}
             }
-            Type::Array(inner) => self.holds(&inner, id, seen),
-            Type::Tuple(parts) => parts.iter().any(|part| self.holds(part, id, seen)),
-            _ => false,
         }
+        false
     }
 
     /// `Name(field = value, ...)`
@@ -123,7 +195,11 @@ impl<'a> Checker<'a> {
                     self.field_argument(&wanted, &field.name, &mut fields, span)
                 }
                 // Made in the default of its own field, so it holds itself, which is reported there.
-                (None, Some(_)) if self.making.contains(&id) => return failed,
+                (None, Some(_)) if self.making.contains(&id) || self.making.len() >= MOST_OPEN => {
+                    return failed;
+                }
+                // Reported with the field.
+                (None, Some(_)) if matches!(self.store.shallow(&wanted), Type::Error) => Expr::error(span),
                 (None, Some(default)) => {
                     self.making.push(id);
                     let value = self.in_file(file, |c| {

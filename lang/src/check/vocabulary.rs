@@ -2,6 +2,7 @@
 
 use super::constant;
 use super::infer::Checker;
+use super::order::MOST_OPEN;
 use super::symbols::Res;
 use super::types::Type;
 use crate::ast::{self, BinaryOp, ExprKind, UnitMeaning};
@@ -19,6 +20,28 @@ impl<'a> Checker<'a> {
         let bases = self.layout.bases.iter().take(OWN_BASES);
         self.store.vocabulary.bases =
             bases.map(|(_, name)| OwnBase { name: name.clone(), unit: None }).collect();
+        let texts = self.names.dimensions.iter().map(|declared| match declared.decl.value {
+            Some(value) => value.span,
+            None => declared.decl.name.span,
+        });
+        let of_dimensions = |res| match res {
+            Res::Dimension(id) => Some(id),
+            _ => None,
+        };
+        for id in self.by_dependence(&texts.collect::<Vec<_>>(), of_dimensions) {
+            self.own_dimension(id);
+        }
+        let texts = self.names.units.iter().map(|declared| match &declared.decl.meaning {
+            UnitMeaning::Coherent(dimension) => dimension.span,
+            UnitMeaning::Equal(value) => value.span,
+        });
+        let of_units = |res| match res {
+            Res::OwnUnit(id) => Some(id),
+            _ => None,
+        };
+        for id in self.by_dependence(&texts.collect::<Vec<_>>(), of_units) {
+            self.own_unit(id);
+        }
         for id in 0..self.names.dimensions.len() as u32 {
             if let (Some(dimension), Some(_)) =
                 (self.own_dimension(id), self.names.dimensions[id as usize].decl.value)
@@ -45,6 +68,10 @@ impl<'a> Checker<'a> {
                 self.made_of_itself("dimension", decl.name);
             }
             return known;
+        }
+        if self.opening.len() >= MOST_OPEN {
+            self.made_of_itself("dimension", decl.name);
+            return None;
         }
         self.own_dimensions.insert(id, None);
         self.opening.push(Res::Dimension(id));
@@ -99,6 +126,10 @@ impl<'a> Checker<'a> {
                 self.made_of_itself("unit", &decl.name);
             }
             return known;
+        }
+        if self.opening.len() >= MOST_OPEN {
+            self.made_of_itself("unit", &decl.name);
+            return None;
         }
         self.own_units.insert(id, None);
         self.opening.push(Res::OwnUnit(id));
@@ -284,25 +315,6 @@ impl<'a> Checker<'a> {
             ExprKind::Error => *sound = false,
             _ => {}
         }
-    }
-
-    pub(super) fn unknown_unit(&mut self, unit: &ast::Ident, label: &str) {
-        let diagnostic =
-            Diagnostic::error("E0403", format!("`{}` is not a unit", unit.name), unit.span, label);
-        let own = self.names.units.iter().map(|unit| unit.decl.name.name.as_str());
-        let near = super::symbols::similar(&unit.name, own);
-        let diagnostic = match Unit::similar(&unit.name).map(str::to_string).or(near) {
-            Some(near) => diagnostic.help(format!("did you mean `{near}`?")).fix(
-                format!("change to `{near}`"),
-                unit.span,
-                near,
-            ),
-            None => diagnostic.help(format!(
-                "write `*` between a number and a variable, or declare the unit: `unit {} = ...;`",
-                unit.name
-            )),
-        };
-        self.report(diagnostic);
     }
 }
 

@@ -1,10 +1,11 @@
 //! Queries over names: which items an item needs, and which functions need each other.
 
-use super::items::{Item, declared, items, module, reachable};
+use super::items::{Item, declared, items, module, nameable, reachable};
 use super::{Library, Text};
 use crate::check::excerpt::{Extract, Part};
 use crate::check::item::{self, ItemKind};
 use crate::check::sees;
+use crate::components::components;
 use salsa::plumbing::AsId;
 use std::collections::{BTreeSet, HashMap, HashSet};
 use std::sync::Arc;
@@ -24,26 +25,20 @@ fn meant<'db>(
 ) -> Vec<Item<'db>> {
     let mut found: Vec<Item<'db>> = Vec::new();
     let mut imported = Vec::new();
-    let (own, prelude) = (declared(db, file), library.prelude(db));
-    for name in names {
-        for &item in own.get(name).into_iter().flatten() {
-            match item.kind(db) {
-                ItemKind::State | ItemKind::Other => continue,
-                ItemKind::Import(path) => imported.extend(module(db, library, path.clone())),
-                ItemKind::Function | ItemKind::Extern | ItemKind::Declaration => {}
-            }
-            found.push(item);
+    let (own, prelude) = (nameable(db, file), library.prelude(db));
+    for item in names.iter().filter_map(|name| own.get(name).copied()) {
+        if let ItemKind::Import(path) = item.kind(db) {
+            imported.extend(module(db, library, path.clone()));
         }
+        found.push(item);
     }
     imported.extend((prelude != file).then_some(prelude));
     for file in imported {
-        let exported = declared(db, file);
-        for name in names {
-            let all = exported.get(name).into_iter().flatten().copied();
-            found.extend(all.filter(|item| {
-                matches!(item.kind(db), ItemKind::Function | ItemKind::Extern | ItemKind::Declaration)
-            }));
-        }
+        let exported = nameable(db, file);
+        let all = names.iter().filter_map(|name| exported.get(name).copied());
+        found.extend(all.filter(|item| {
+            matches!(item.kind(db), ItemKind::Function | ItemKind::Extern | ItemKind::Declaration)
+        }));
     }
     found.sort_by_key(|item| item.as_id());
     found.dedup();
@@ -105,15 +100,12 @@ fn groups_of_leader(db: &dyn salsa::Database, first: Text, library: Library) -> 
     let all = files.iter().flat_map(|file| items(db, *file)).copied();
     let mut all: Vec<Item<'_>> = all.filter(|item| is_node(db, *item)).collect();
     all.sort_by_key(|item| item.as_id());
-    let mut search = Search::default();
-    for &item in &all {
-        search.visit(item, &|item| {
-            let all = links(db, item, library).iter().copied();
-            all.filter(|to| is_node(db, *to) && files.contains(&to.file(db))).collect()
-        });
-    }
+    let found = components(all, |item| {
+        let all = links(db, item, library).iter().copied();
+        all.filter(|to| is_node(db, *to) && files.contains(&to.file(db))).collect::<Vec<_>>()
+    });
     let mut groups = Groups::default();
-    for mut members in search.found {
+    for mut members in found {
         members.retain(|item| *item.kind(db) != ItemKind::Declaration);
         members.sort_by_key(|item| item.as_id());
         groups.of.extend(members.iter().map(|item| (*item, groups.order.len())));
@@ -124,68 +116,6 @@ fn groups_of_leader(db: &dyn salsa::Database, first: Text, library: Library) -> 
 
 fn is_node(db: &dyn salsa::Database, item: Item<'_>) -> bool {
     matches!(item.kind(db), ItemKind::Function | ItemKind::Extern | ItemKind::Declaration)
-}
-
-/// Tarjan's algorithm, without recursion: a chain of calls may be as long as a file.
-#[derive(Default)]
-struct Search<'db> {
-    index: HashMap<Item<'db>, usize>,
-    low: HashMap<Item<'db>, usize>,
-    stack: Vec<Item<'db>>,
-    on_stack: HashSet<Item<'db>>,
-    found: Vec<Vec<Item<'db>>>,
-}
-
-impl<'db> Search<'db> {
-    fn visit(&mut self, first: Item<'db>, links: &dyn Fn(Item<'db>) -> Vec<Item<'db>>) {
-        if self.index.contains_key(&first) {
-            return;
-        }
-        let mut open: Vec<(Item<'db>, Vec<Item<'db>>)> = Vec::new();
-        self.enter(first, &mut open, links);
-        while let Some((item, left)) = open.last_mut() {
-            let item = *item;
-            match left.pop() {
-                Some(to) if !self.index.contains_key(&to) => self.enter(to, &mut open, links),
-                Some(to) => {
-                    if self.on_stack.contains(&to) {
-                        let low = self.low[&item].min(self.index[&to]);
-                        self.low.insert(item, low);
-                    }
-                }
-                None => {
-                    open.pop();
-                    let low = self.low[&item];
-                    if let Some((around, _)) = open.last() {
-                        let least = self.low[around].min(low);
-                        self.low.insert(*around, least);
-                    }
-                    if low == self.index[&item] {
-                        let at = self.stack.iter().rposition(|other| *other == item).unwrap_or(0);
-                        let group = self.stack.split_off(at);
-                        group.iter().for_each(|member| {
-                            self.on_stack.remove(member);
-                        });
-                        self.found.push(group);
-                    }
-                }
-            }
-        }
-    }
-
-    fn enter(
-        &mut self,
-        item: Item<'db>,
-        open: &mut Vec<(Item<'db>, Vec<Item<'db>>)>,
-        links: &dyn Fn(Item<'db>) -> Vec<Item<'db>>,
-    ) {
-        let next = self.index.len();
-        self.index.insert(item, next);
-        self.low.insert(item, next);
-        self.stack.push(item);
-        self.on_stack.insert(item);
-        open.push((item, links(item)));
-    }
 }
 
 pub(super) fn groups<'db>(db: &'db dyn salsa::Database, file: Text, library: Library) -> &'db Groups<'db> {

@@ -116,6 +116,10 @@ pub(super) struct Item<'db> {
     /// Not seen by importers.
     #[returns(copy)]
     pub private: bool,
+    /// Number of items of the same kind and name before this one. It makes the hash of equal statements
+    /// differ; a generated text may have thousands of them.
+    #[returns(copy)]
+    pub number: u32,
     #[tracked]
     pub content: Content,
     /// Where it starts in its file. An edit above changes it and nothing else.
@@ -126,12 +130,18 @@ pub(super) struct Item<'db> {
 
 #[salsa::tracked]
 pub(super) fn items(db: &dyn salsa::Database, text: Text) -> Vec<Item<'_>> {
-    let each = parts(db, text).iter().flat_map(|part| part.splits.iter().map(|split| (part.start, split)));
-    let item = |(start, split): (u32, &Split)| {
-        let (kind, name, more) = (split.kind.clone(), split.name.clone(), split.more.clone());
-        Item::new(db, text, kind, name, more, split.private, Content(split.item.clone()), start + split.start)
-    };
-    each.map(item).collect()
+    let mut alike: HashMap<(&ItemKind, &str), u32> = HashMap::new();
+    let mut found = Vec::new();
+    for part in parts(db, text).iter() {
+        for split in part.splits.iter() {
+            let next = alike.entry((&split.kind, &split.name)).or_default();
+            let number = std::mem::replace(next, *next + 1);
+            let (kind, name, more) = (split.kind.clone(), split.name.clone(), split.more.clone());
+            let (content, start) = (Content(split.item.clone()), part.start + split.start);
+            found.push(Item::new(db, text, kind, name, more, split.private, number, content, start));
+        }
+    }
+    found
 }
 
 /// What a file says of itself as a whole.
@@ -163,6 +173,20 @@ pub(super) fn declared(db: &dyn salsa::Database, text: Text) -> HashMap<String, 
         }
     }
     declared
+}
+
+/// Items that functions and declarations can refer to, by name: the first one of each name, without
+/// variables and statements.
+#[salsa::tracked]
+pub(super) fn nameable(db: &dyn salsa::Database, text: Text) -> HashMap<String, Item<'_>> {
+    let mut nameable = HashMap::new();
+    for &item in items(db, text) {
+        if !matches!(item.kind(db), ItemKind::State | ItemKind::Other) {
+            nameable.entry(item.name(db).clone()).or_insert(item);
+        }
+    }
+    nameable.remove("");
+    nameable
 }
 
 /// Imports and declarations of a file in order: those whose order matters.

@@ -82,6 +82,8 @@ struct Library {
     prelude: Text,
     /// Modules there are, for suggestions.
     known: Vec<String>,
+    /// Reasons for not reading files of imported modules, by dotted path.
+    refused: BTreeMap<String, String>,
 }
 
 #[salsa::db]
@@ -102,7 +104,7 @@ impl Database {
     fn with_storage(salsa: Storage, loader: &dyn Loader) -> Self {
         let (name, content) = loader.prelude();
         let prelude = Text::new(&salsa, name.into(), "prelude".into(), content, Kept::default());
-        let library = Library::new(&salsa, BTreeMap::new(), prelude, loader.names());
+        let library = Library::new(&salsa, BTreeMap::new(), prelude, loader.names(), BTreeMap::new());
         Database { salsa, models: BTreeMap::new(), library, recent: Arc::default() }
     }
 
@@ -129,6 +131,18 @@ impl Database {
                 modules.insert(path.into(), text);
                 self.library.set_modules(&mut self.salsa).to(modules);
             }
+        }
+    }
+
+    /// Sets the reason for not reading the file of a module; `None` if it can be read.
+    pub fn set_refusal(&mut self, path: &str, refusal: Option<String>) {
+        if self.library.refused(&self.salsa).get(path) != refusal.as_ref() {
+            let mut refused = self.library.refused(&self.salsa).clone();
+            match refusal {
+                Some(refusal) => refused.insert(path.into(), refusal),
+                None => refused.remove(path),
+            };
+            self.library.set_refused(&mut self.salsa).to(refused);
         }
     }
 
@@ -185,10 +199,11 @@ impl Database {
                     continue;
                 }
                 let names: Vec<String> = path.split('.').map(str::to_string).collect();
-                if !self.library.modules(&self.salsa).contains_key(&path)
-                    && let Some((name, content)) = loader.module(&names)
-                {
-                    self.set_module(&path, &name, &content);
+                if !self.library.modules(&self.salsa).contains_key(&path) {
+                    match loader.module(&names) {
+                        Some((name, content)) => self.set_module(&path, &name, &content),
+                        None => self.set_refusal(&path, loader.refusal(&names)),
+                    }
                 }
                 texts.extend(self.library.modules(&self.salsa).get(&path));
             }

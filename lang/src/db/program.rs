@@ -118,10 +118,21 @@ fn missing_modules(db: &dyn salsa::Database, text: Text, file: FileId, library: 
         let moved =
             |ident: &Ident| Span { file, start: ident.span.start + start, end: ident.span.end + start };
         if let (Some(first), Some(last)) = (names.first(), names.last()) {
-            found.push(missing(path, moved(first).to(moved(last)), library.known(db)));
+            let place = moved(first).to(moved(last));
+            found.push(match library.refused(db).get(path) {
+                Some(refusal) => refused(path, place, refusal),
+                None => missing(path, place, library.known(db)),
+            });
         }
     }
     found
+}
+
+/// The error of a module whose file is there and not read.
+fn refused(module: &str, span: Span, refusal: &str) -> Diagnostic {
+    let file = format!("{}.cx", module.replace('.', "/"));
+    Diagnostic::error("E0230", format!("the module `{module}` cannot be read: {refusal}"), span, format!("its file is `{file}`"))
+        .help("modules are regular files of text below the model's directory; put the file itself there, not a link to another place")
 }
 
 fn missing(module: &str, span: Span, known: &[String]) -> Diagnostic {

@@ -385,3 +385,23 @@ fn another_database_can_be_asked_in_the_middle_of_an_attempt() {
     });
     assert_eq!(found.ok(), Some((Some(0), true, true)));
 }
+
+/// A generated text may have thousands of equal statements. Each is an item of its own with few links.
+#[test]
+fn statements_alike_need_few_others() {
+    for line in
+        ["var x = 1;\n", "x = 1;\n", "print(1);\n", "function x() { return x(); }\n", "record x { a = 1; }\n"]
+    {
+        let links_of = |lines: usize| {
+            let mut db = Database::new(&Modules::default());
+            db.set_model("m.cx", &line.repeat(lines));
+            let text = db.models["m.cx"];
+            let all = items::items(&db.salsa, text);
+            let apart: BTreeSet<_> =
+                all.iter().map(|item| (item.name(&db.salsa).clone(), item.number(&db.salsa))).collect();
+            assert_eq!((all.len(), apart.len()), (lines, lines), "{line}");
+            all.iter().map(|item| groups::links(&db.salsa, *item, db.library).len()).sum::<usize>()
+        };
+        assert!(links_of(200) <= 2 * links_of(100) + 2, "{line}");
+    }
+}

@@ -251,7 +251,14 @@ impl<'db> Gathered<'db> {
             for (name, all) in by_name {
                 match all.as_slice() {
                     [only] => chosen.push(*only),
+                    // Those of one kind are numbered in order.
+                    _ if all.iter().all(|item| item.kind(db) == all[0].kind(db)) => {
+                        let mut all = all;
+                        all.sort_by_key(|item| item.number(db));
+                        chosen.extend(all);
+                    }
                     _ => {
+                        let all: HashSet<Item<'db>> = all.into_iter().collect();
                         chosen.extend(named(db, file, name.clone()).iter().filter(|item| all.contains(item)))
                     }
                 }

@@ -65,6 +65,13 @@ pub(super) fn name<'a>(source: &'a Source<'a>, what: &'static str) -> Rule<'a, O
         }
         let reserved = lexer::keywords().any(|word| source.kind(at).is_some() && word == source.text(at));
         let same_line = !source.begins_line(at);
+        if let Some(problem) = at.checked_sub(1).and_then(|comma| decimal_comma(source, comma)) {
+            // The unit belongs to the number.
+            let end = (at + 1..).find(|next| source.kind(*next) != Some(Kind::Identifier)).unwrap_or(at + 1);
+            advance_to(input, end);
+            input.emit(problem.into());
+            return Ok(None);
+        }
         let problem = if reserved && same_line {
             input.next();
             let message = format!("`{}` is a word of the language and cannot name {what}", source.text(at));
@@ -202,8 +209,51 @@ pub(super) fn foreign_operator(source: &Source<'_>, at: usize, problem: Diagnost
     }
 }
 
+/// Error of a decimal comma: `2,5 mm`.
+fn decimal_comma(source: &Source<'_>, comma: usize) -> Option<Diagnostic> {
+    let first = comma.checked_sub(1)?;
+    let numbers = [first, comma + 1].iter().all(|at| source.kind(*at) == Some(Kind::Number));
+    let touching = source.touches_previous(comma) && source.touches_previous(comma + 1);
+    if source.kind(comma) != Some(Kind::Comma) || !numbers || !touching {
+        return None;
+    }
+    let place = source.place(first).to(source.place(comma + 1));
+    Diagnostic::decimal_comma(place, source.text(first), source.text(comma + 1))
+}
+
+/// Error of a number right after another number, as in `100 1/min`.
+fn second_number(source: &Source<'_>, at: usize) -> Option<Diagnostic> {
+    let before = at.checked_sub(1)?;
+    if source.kind(at) != Some(Kind::Number) || source.kind(before) != Some(Kind::Number) {
+        return None;
+    }
+    let (first, second) = (source.text(before), source.text(at));
+    let place = source.place(at);
+    let problem = Diagnostic::error(
+        "E0131",
+        format!("`{second}` follows the number `{first}` without an operator"),
+        place,
+        "a second number",
+    );
+    let unit = source.kind(at + 1) == Some(Kind::Slash) && source.kind(at + 2) == Some(Kind::Identifier);
+    if second != "1" || !unit {
+        return Some(problem.help("write an operator or a `,` between the two"));
+    }
+    let written = format!("{first}/{}", source.text(at + 2));
+    let problem = problem.help(format!("a unit of the form 1/x is written with `/` alone: `{written}`"));
+    // Without parentheses the operator would apply to the number alone.
+    if matches!(source.previous(before), Some(Kind::Slash | Kind::Caret)) {
+        return Some(problem);
+    }
+    let between = Span { start: source.after(at).end, ..place };
+    Some(problem.fix(format!("write `{written}`"), between, ""))
+}
+
 /// A token no rule can use.
 pub(super) fn unexpected(source: &Source<'_>, at: usize) -> Diagnostic {
+    if let Some(problem) = decimal_comma(source, at).or_else(|| second_number(source, at)) {
+        return problem;
+    }
     let place = source.place(at);
     let problem = |what: String| Diagnostic::error("E0113", what, place, "not expected here");
     match source.kind(at) {
@@ -261,6 +311,9 @@ pub(super) fn close<'a>(source: &'a Source<'a>, kind: Kind, expected: &'static s
         let closing = closing_ahead(source, at, kind);
         let place = source.after(at);
         let mut problem = match closing {
+            Some(_) if decimal_comma(source, at).is_some() || second_number(source, at).is_some() => {
+                unexpected(source, at)
+            }
             Some(_) => {
                 let message = format!("{expected} is expected, not {}", source.describe(at));
                 Diagnostic::error("E0115", message, source.place(at), "found here")

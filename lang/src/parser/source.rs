@@ -4,7 +4,7 @@ use crate::ast::Ident;
 use crate::lexer::{Kind, Token};
 use crate::span::{FileId, Span};
 use chumsky::span::SimpleSpan;
-use std::cell::Cell;
+use std::cell::{Cell, OnceCell};
 use std::collections::HashMap;
 
 /// A lexed file. Tokens are addressed by index; an index past the end stands for the end of the file.
@@ -17,7 +17,16 @@ pub(super) struct Source<'a> {
     ends_file: bool,
     /// Where the statement that is being read begins, if it begins with an expression.
     statement: Cell<usize>,
+    /// Innermost open bracket at each token, for each kind of bracket. Computed at the first use.
+    openings: OnceCell<[Vec<Option<usize>>; 3]>,
 }
+
+/// Kinds of brackets.
+const BRACKETS: [(Kind, Kind); 3] = [
+    (Kind::OpenParen, Kind::CloseParen),
+    (Kind::OpenBracket, Kind::CloseBracket),
+    (Kind::OpenBrace, Kind::CloseBrace),
+];
 
 impl<'a> Source<'a> {
     pub(super) fn new(
@@ -27,7 +36,15 @@ impl<'a> Source<'a> {
         docs: &'a HashMap<usize, String>,
         ends_file: bool,
     ) -> Self {
-        Source { file, text, tokens, docs, ends_file, statement: Cell::new(usize::MAX) }
+        Source {
+            file,
+            text,
+            tokens,
+            docs,
+            ends_file,
+            statement: Cell::new(usize::MAX),
+            openings: OnceCell::new(),
+        }
     }
 
     pub(super) fn len(&self) -> usize {
@@ -140,22 +157,22 @@ impl<'a> Source<'a> {
 
     /// The last bracket before `index` that `close` would close there; other kinds of brackets do not count.
     pub(super) fn opening(&self, index: usize, close: Kind) -> Option<usize> {
-        let open = match close {
-            Kind::CloseParen => Kind::OpenParen,
-            Kind::CloseBracket => Kind::OpenBracket,
-            _ => Kind::OpenBrace,
-        };
-        let mut closed = 0_usize;
-        for i in (0..index.min(self.tokens.len())).rev() {
-            let kind = self.tokens[i].kind;
-            if kind == close {
-                closed += 1;
-            } else if kind == open && closed == 0 {
-                return Some(i);
-            } else if kind == open {
-                closed -= 1;
+        let kind = BRACKETS.iter().position(|(_, closes)| *closes == close)?;
+        let openings = self.openings.get_or_init(|| BRACKETS.map(|pair| self.openings_of(pair)));
+        openings[kind].get(index.min(self.tokens.len())).copied().flatten()
+    }
+
+    fn openings_of(&self, (opens, closes): (Kind, Kind)) -> Vec<Option<usize>> {
+        let mut open = Vec::new();
+        let mut found = vec![None];
+        for (index, token) in self.tokens.iter().enumerate() {
+            if token.kind == opens {
+                open.push(index);
+            } else if token.kind == closes {
+                open.pop();
             }
+            found.push(open.last().copied());
         }
-        None
+        found
     }
 }

@@ -2,7 +2,7 @@
 
 use super::body::Body;
 use super::errors::text;
-use super::sequence::calls;
+use super::sequence::{calls, order_as_written};
 use super::values::own_value;
 use crate::ast::Mode;
 use crate::check::tree::{Call, Demand, Place, Step};
@@ -59,36 +59,45 @@ impl Body<'_, '_> {
         let modes = self.lowering.modes(call.function);
         let demands: Vec<(usize, Demand)> = self.demands(&call.arguments, &call.demands).cloned().collect();
         let perhaps_same = |place| call.perhaps_same.iter().any(|(a, b)| *a == place || *b == place);
+        let reordered = order_as_written(&call.arguments, span);
+        let in_order = reordered.is_none();
+        let order = reordered.unwrap_or_else(|| (0..call.arguments.len()).collect());
         // Everything before an argument that takes statements of its own is evaluated by statements too.
-        let last = (0..call.arguments.len()).rev().find(|at| {
-            let argument = &call.arguments[*at];
-            let place = modes.get(*at).is_some_and(|(_, mode)| *mode != Mode::In);
-            demands.iter().any(|(argument, _)| argument == at)
+        let last = (0..order.len()).rev().find(|position| {
+            let at = order[*position];
+            let argument = &call.arguments[at];
+            let place = modes.get(at).is_some_and(|(_, mode)| *mode != Mode::In);
+            !in_order
+                || demands.iter().any(|(argument, _)| *argument == at)
                 || self.needs_statements(argument)
                 || (place && calls(argument))
         });
         let around = std::mem::replace(&mut self.span, span);
-        let (mut arguments, mut copy_back) = (Vec::new(), Vec::new());
-        let mut values = Vec::new();
-        for (at, ((_, mode), argument)) in modes.iter().zip(&call.arguments).enumerate() {
-            let before_last = last.is_some_and(|last| at < last);
+        let mut places: Vec<Option<ir::Place>> = vec![None; call.copy_back.len()];
+        let mut evaluated: Vec<Option<ir::Expr>> = vec![None; call.arguments.len()];
+        for (position, at) in order.into_iter().enumerate() {
+            let (Some((_, mode)), argument) = (modes.get(at), &call.arguments[at]) else { continue };
+            let before_last = last.is_some_and(|last| position < last);
             let demanded = demands.iter().any(|(argument, _)| *argument == at);
             let value = if *mode == Mode::In {
                 self.owned(argument)
             } else {
-                let Some(place) = call.copy_back.get(copy_back.len()) else { break };
+                let number = modes[..at].iter().filter(|(_, mode)| *mode != Mode::In).count();
+                let Some(place) = call.copy_back.get(number) else { continue };
                 let again = *mode == Mode::InOut && place.indices().any(calls);
-                let kept = before_last || again || perhaps_same(copy_back.len());
+                let kept = before_last || again || perhaps_same(number);
                 let place = self.place(place, kept);
-                copy_back.push(place.clone());
+                places[number] = Some(place.clone());
                 own_value(self.read(place, argument.span))
             };
-            let value = if before_last || demanded { self.kept(value) } else { value };
-            values.push(value.clone());
-            if *mode != Mode::Out {
-                arguments.push(value);
-            }
+            // The callee does not read the value of an `out` argument.
+            let kept = (before_last || demanded) && *mode != Mode::Out;
+            evaluated[at] = Some(if kept { self.kept(value) } else { value });
         }
+        let mut copy_back: Vec<ir::Place> = places.into_iter().flatten().collect();
+        let values: Vec<ir::Expr> = evaluated.into_iter().flatten().collect();
+        let passed = modes.iter().zip(&values).filter(|((_, mode), _)| *mode != Mode::Out);
+        let mut arguments: Vec<ir::Expr> = passed.map(|(_, value)| value.clone()).collect();
         for (argument, demand) in &demands {
             if let (Some(value), Some(written)) = (values.get(*argument), call.arguments.get(*argument)) {
                 self.demand(demand, value.clone(), written.span, &call.arguments[*argument].ty);

@@ -2,6 +2,7 @@
 
 use super::body::Body;
 use super::errors::{error_of, text};
+use super::sequence::order_as_written;
 use crate::check::tree::{Demand, Expr};
 use crate::check::types::Type;
 use crate::ir::{self, ExprKind, FormatPart, Op, Terminator};
@@ -10,19 +11,29 @@ use calyx_abi::display::Display;
 use calyx_abi::{Purity, Repr};
 
 impl Body<'_, '_> {
-    /// Evaluates the arguments of a library function from left to right, and checks them. The
-    /// library only reads them, so nothing is copied.
-    pub(super) fn extern_arguments(&mut self, all: &[Expr], demands: &[(usize, Demand)]) -> Vec<ir::Expr> {
+    /// Evaluates the arguments of a library function in the order in which they are written, and checks
+    /// them. The library only reads them, so nothing is copied.
+    pub(super) fn extern_arguments(
+        &mut self,
+        all: &[Expr],
+        demands: &[(usize, Demand)],
+        call: Span,
+    ) -> Vec<ir::Expr> {
         let demands: Vec<(usize, Demand)> = self.demands(all, demands).cloned().collect();
         let is_demanded = |at: usize| demands.iter().any(|(argument, _)| *argument == at);
+        let reordered = order_as_written(all, call);
+        let is_reordered = reordered.is_some();
+        let order = reordered.unwrap_or_else(|| (0..all.len()).collect());
         // An argument that takes statements of its own is evaluated after all arguments before it.
-        let last = (0..all.len()).rev().find(|&at| is_demanded(at) || self.needs_statements(&all[at]));
-        let mut values = Vec::with_capacity(all.len());
-        for (at, argument) in all.iter().enumerate() {
-            let value = self.value(argument);
-            let is_before = last.is_some_and(|last| at < last);
-            values.push(if is_before || is_demanded(at) { self.kept(value) } else { value });
+        let last = order.iter().rposition(|&at| is_demanded(at) || self.needs_statements(&all[at]));
+        let mut values: Vec<Option<ir::Expr>> = vec![None; all.len()];
+        for (position, at) in order.into_iter().enumerate() {
+            let value = self.value(&all[at]);
+            let is_before = last.is_some_and(|last| position < last);
+            let is_kept = is_reordered || is_before || is_demanded(at);
+            values[at] = Some(if is_kept { self.kept(value) } else { value });
         }
+        let values: Vec<ir::Expr> = values.into_iter().flatten().collect();
         for (at, demand) in &demands {
             if let (Some(value), Some(argument)) = (values.get(*at), all.get(*at)) {
                 self.demand(demand, value.clone(), argument.span, &argument.ty);

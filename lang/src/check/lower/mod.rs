@@ -15,6 +15,7 @@ mod sites;
 mod symbolic_functions;
 mod values;
 
+use super::infer::too_large;
 use super::tree::{self, FuncId, UseId};
 use super::typed::Typed;
 use super::types::{Substitution, Type};
@@ -225,6 +226,12 @@ impl<'c> Lowering<'c> {
         let linked: &'c Linked<'c> = self.linked;
         let typed = linked.typed.get(unit).unwrap_or(self.checker);
         let scheme = typed.functions.get(&function).map(|f| f.scheme.clone()).unwrap_or_default();
+        // Each function of a chain may put what it is given into brackets once more.
+        if !types.types.values().all(|ty| typed.store.is_bounded(ty)) {
+            let span = typed.functions.get(&function).map_or_else(Span::default, |f| f.span);
+            self.within(unit, |lowering| lowering.report(too_large(span)));
+            return FunctionId(0);
+        }
         let reprs = scheme
             .types
             .iter()

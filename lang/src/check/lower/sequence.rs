@@ -36,8 +36,12 @@ impl Body<'_, '_> {
             Kind::Call(call) => {
                 self.hands_back(call.function)
                     || self.demands(&call.arguments, &call.demands).next().is_some()
+                    || order_as_written(&call.arguments, e.span).is_some()
             }
-            Kind::CallExtern(_, arguments, demands) => self.demands(arguments, demands).next().is_some(),
+            Kind::CallExtern(_, all, demands) => {
+                self.demands(all, demands).next().is_some() || order_as_written(all, e.span).is_some()
+            }
+            Kind::Op(_, all) | Kind::Tuple(all) => order_as_written(all, e.span).is_some(),
             Kind::Binary(..) => self.exchanged(e),
             Kind::MakeSymbolic(def) | Kind::Eval(def, _) => {
                 let def = &self.lowering.checker.defs[def.0 as usize];
@@ -58,14 +62,14 @@ impl Body<'_, '_> {
         }
     }
 
-    /// Values of expressions in order.
-    pub(super) fn values(&mut self, all: &[Expr]) -> Vec<ir::Expr> {
-        self.in_order(all, |f, e| f.value(e))
+    /// Values of the parts of an expression, evaluated in the order in which they are written.
+    pub(super) fn values(&mut self, all: &[Expr], whole: Span) -> Vec<ir::Expr> {
+        self.in_order(all, whole, |f, e| f.value(e))
     }
 
-    /// Values of expressions in order, arrays copied if a place still holds them.
-    pub(super) fn owned_values(&mut self, all: &[Expr]) -> Vec<ir::Expr> {
-        self.in_order(all, |f, e| f.owned(e))
+    /// The same; arrays are copied if a place still holds them.
+    pub(super) fn owned_values(&mut self, all: &[Expr], whole: Span) -> Vec<ir::Expr> {
+        self.in_order(all, whole, |f, e| f.owned(e))
     }
 
     pub(super) fn pair(&mut self, a: &Expr, b: &Expr) -> (ir::Expr, ir::Expr) {
@@ -74,7 +78,20 @@ impl Body<'_, '_> {
         (first, self.value(b))
     }
 
-    fn in_order(&mut self, all: &[Expr], value: impl Fn(&mut Self, &Expr) -> ir::Expr) -> Vec<ir::Expr> {
+    fn in_order(
+        &mut self,
+        all: &[Expr],
+        whole: Span,
+        value: impl Fn(&mut Self, &Expr) -> ir::Expr,
+    ) -> Vec<ir::Expr> {
+        if let Some(order) = order_as_written(all, whole) {
+            let mut values: Vec<Option<ir::Expr>> = vec![None; all.len()];
+            for at in order {
+                let evaluated = value(self, &all[at]);
+                values[at] = Some(self.kept(evaluated));
+            }
+            return values.into_iter().flatten().collect();
+        }
         let last = all.iter().rposition(|e| self.needs_statements(e));
         let lower = |(index, e)| {
             let value = value(self, e);
@@ -137,6 +154,57 @@ impl Body<'_, '_> {
             !value.is_some_and(|value| demand.is_decided(value, store))
         })
     }
+}
+
+/// Order of evaluation of the arguments or fields of an expression, by their index: the written ones
+/// from left to right, then the defaults. `None` if the order of the parameters has the same effect.
+pub(super) fn order_as_written(parts: &[Expr], whole: Span) -> Option<Vec<usize>> {
+    let is_written =
+        |e: &Expr| e.span.file == whole.file && e.span.start >= whole.start && e.span.end <= whole.end;
+    let mut order: Vec<usize> = (0..parts.len()).collect();
+    order.sort_by_key(|at| match is_written(&parts[*at]) {
+        true => (false, parts[*at].span.start),
+        false => (true, 0),
+    });
+    if order.is_sorted() {
+        return None;
+    }
+    let effects: Vec<Effect> = order.iter().map(|at| effect(&parts[*at])).collect();
+    let exchanged = |first: usize, second: usize| {
+        let both = [effects[first], effects[second]];
+        let noticed = match both.iter().max() {
+            Some(Effect::Assigns) => both.iter().min() >= Some(&Effect::Reads),
+            _ => both.iter().min() >= Some(&Effect::Acts),
+        };
+        order[first] > order[second] && noticed
+    };
+    let noticed =
+        (0..order.len()).any(|first| (first + 1..order.len()).any(|second| exchanged(first, second)));
+    noticed.then_some(order)
+}
+
+/// Side effects of evaluating an expression, the weakest first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Effect {
+    Nothing,
+    /// Depends on variables.
+    Reads,
+    /// Calls or shows something, or may fail.
+    Acts,
+    /// Calls a function of the program, which may assign variables around it.
+    Assigns,
+}
+
+fn effect(e: &Expr) -> Effect {
+    let own = match &e.kind {
+        Kind::Number(_) | Kind::Bare(..) | Kind::Bool(_) | Kind::Text(_) => Effect::Nothing,
+        Kind::Call(_) => Effect::Assigns,
+        Kind::CallExtern(..) | Kind::Print(..) | Kind::Index(..) | Kind::Eval(..) | Kind::UnitAxis(_) => {
+            Effect::Acts
+        }
+        _ => Effect::Reads,
+    };
+    e.children().into_iter().map(effect).fold(own, Effect::max)
 }
 
 /// Whether anything is called.

@@ -96,7 +96,7 @@ impl Body<'_, '_> {
                 binary(*op, a, b, span)
             }
             Kind::Op(op, all) => {
-                let all = self.values(all);
+                let all = self.values(all, span);
                 let repr = self.repr(&e.ty);
                 make(ExprKind::Op(*op, all), repr)
             }
@@ -112,7 +112,7 @@ impl Body<'_, '_> {
             }
             Kind::Call(call) => self.call_value(call, &e.ty, span),
             Kind::CallExtern(id, all, demands) => {
-                let all = self.extern_arguments(all, demands);
+                let all = self.extern_arguments(all, demands, span);
                 let (id, repr) = self.lowering.extern_id(*id);
                 make(ExprKind::CallExtern(id, all), repr)
             }
@@ -132,11 +132,11 @@ impl Body<'_, '_> {
                 make(ExprKind::CallExtern(id, vec![line]), Repr::Unit)
             }
             Kind::Array(all) => {
-                let all = self.owned_values(all);
+                let all = self.owned_values(all, span);
                 make(ExprKind::Array(all), self.repr(&e.ty))
             }
             Kind::Tuple(all) => {
-                let all = self.owned_values(all);
+                let all = self.owned_values(all, span);
                 let repr = Repr::Tuple(all.iter().map(|a| a.repr.clone()).collect());
                 make(ExprKind::Tuple(all), repr)
             }

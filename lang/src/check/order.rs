@@ -1,0 +1,36 @@
+//! Declarations in the order of their dependence.
+//!
+//! Constants, records, dimensions and units are computed when they are first named. A long chain of them, each named
+//! before it is declared, would otherwise be as deep a recursion.
+
+use super::infer::Checker;
+use super::symbols::Res;
+use crate::components::components;
+use crate::span::Span;
+
+/// Largest number of declarations computed inside one another. In the order of dependence only circular
+/// declarations reach it.
+pub const MOST_OPEN: usize = 100;
+
+impl Checker<'_> {
+    /// Indices of declarations, each after those that it names; of a circle the first declared comes
+    /// first. `texts` are the places of what they are computed from; `of` selects the uses of
+    /// declarations of this kind.
+    pub(super) fn by_dependence(&self, texts: &[Span], of: impl Fn(Res) -> Option<u32>) -> Vec<u32> {
+        let mut uses: Vec<(Span, u32)> =
+            self.names.uses.iter().filter_map(|(span, res)| Some((*span, of(*res)?))).collect();
+        uses.sort_by_key(|(span, _)| (span.file, span.start));
+        let named = |at: u32| {
+            let text = &texts[at as usize];
+            let from = uses.partition_point(|(span, _)| (span.file, span.start) < (text.file, text.start));
+            let to = uses.partition_point(|(span, _)| (span.file, span.start) < (text.file, text.end));
+            uses[from..to.max(from)].iter().map(|(_, named)| *named).collect::<Vec<_>>()
+        };
+        let in_circles = components(0..texts.len() as u32, named);
+        let in_order = in_circles.into_iter().flat_map(|mut circle| {
+            circle.sort();
+            circle
+        });
+        in_order.collect()
+    }
+}
