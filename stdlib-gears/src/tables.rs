@@ -80,22 +80,29 @@ fn unreadable(path: &str, message: &str, help: &str) -> RuntimeError {
     RuntimeError::new("E0730", format!("`{path}` cannot be read: {message}"), help).of_argument("path")
 }
 
-/// Why a table cannot be read, and what to do.
-type Unreadable = (String, &'static str);
+/// Why a file cannot be read, and what to do.
+pub type Unreadable = (String, &'static str);
 
 /// The text of a table: one that travels with the program, or that of a file.
 fn text_of(context: &Context, path: &str) -> Result<String, Unreadable> {
     if let Some(table) = context.tables.iter().flat_map(|all| all.iter()).find(|table| table.name == path) {
         return Ok(table.text.clone());
     }
-    let read = |file: PathBuf| {
-        std::fs::read_to_string(file).map_err(|error| (error.to_string(), "a table is a text file in UTF-8"))
-    };
-    let found = locate(context.directory.as_deref(), path).and_then(read);
+    let found = read_below(context.directory.as_deref(), path, "a table is a text file in UTF-8");
     found.map_err(|(message, help)| match context.tables {
         Some(_) => (format!("it does not travel with the program, and {message}"), help),
         None => (message, help),
     })
+}
+
+/// Text of a file that a model names: a table, or a module that it imports. `text` is the help where the
+/// file is no text.
+///
+/// # Errors
+/// It is not a regular file below the directory, whatever links lead there, or it cannot be read.
+pub fn read_below(directory: Option<&Path>, path: &str, text: &'static str) -> Result<String, Unreadable> {
+    let file = locate(directory, path)?;
+    std::fs::read_to_string(file).map_err(|error| (error.to_string(), text))
 }
 
 /// The file a path names, which must lie below the directory, whatever links lead there.

@@ -48,6 +48,6 @@ pub use elaboration::{Cancelled, Elaboration, FUEL, MEMORY, Params, elaborate, e
 pub use geometry::{GearGeometry, Geometry, Made, Membership, MeshGeometry};
 pub use infix::Infix;
 pub use interpreted::{Interpreted, param_function};
-pub use loader::ModelLoader;
+pub use loader::{ModelLoader, read_module};
 pub use plan::{Planned, PlannedWork};
 pub use values::Value;

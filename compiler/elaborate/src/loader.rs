@@ -1,6 +1,7 @@
 //! Where imported modules come from: the library, then files beside the model; or the texts a compiled model brings along.
 
 use calyx_gears::library::{MODULES, PRELUDE};
+use calyx_gears::tables::read_below;
 use calyx_lang::check::Loader;
 use calyx_lang::ir::SourceFile;
 use std::path::{Path, PathBuf};
@@ -17,9 +18,13 @@ impl Loader for ModelLoader {
         if let Some(module) = MODULES.iter().find(|module| module.path == name) {
             return Some((module.file.to_owned(), module.text.to_owned()));
         }
-        let file = beside(self.folder.as_deref()?, path);
-        let text = std::fs::read_to_string(&file).ok()?;
-        Some((file.display().to_string(), text))
+        let folder = self.folder.as_deref()?;
+        let text = read_module(folder, path).ok()??;
+        Some((beside(folder, path).display().to_string(), text))
+    }
+
+    fn refusal(&self, path: &[String]) -> Option<String> {
+        read_module(self.folder.as_deref()?, path).err()
     }
 
     fn names(&self) -> Vec<String> {
@@ -28,6 +33,25 @@ impl Loader for ModelLoader {
 
     fn prelude(&self) -> (String, String) {
         (PRELUDE.file.to_owned(), PRELUDE.text.to_owned())
+    }
+}
+
+/// Text of the module in a file below a model's folder; `None` if there is no such file.
+///
+/// The rule for files is that of `read_table`: regular files below the folder, symbolic links resolved.
+///
+/// # Errors
+/// Says why a file that is there is not read.
+pub fn read_module(folder: &Path, path: &[String]) -> Result<Option<String>, String> {
+    let relative = beside(Path::new(""), path);
+    // A folder without a name is the working directory.
+    let folder = if folder == Path::new("") { Path::new(".") } else { folder };
+    if std::fs::symlink_metadata(folder.join(&relative)).is_err() {
+        return Ok(None);
+    }
+    match read_below(Some(folder), &relative.to_string_lossy(), "") {
+        Ok(text) => Ok(Some(text)),
+        Err((message, _)) => Err(message),
     }
 }
 
@@ -65,5 +89,51 @@ impl Loader for TextLoader<'_> {
 
     fn prelude(&self) -> (String, String) {
         self.named(PRELUDE.file).unwrap_or_else(|| ModelLoader { folder: None }.prelude())
+    }
+}
+
+#[cfg(all(test, unix))]
+mod tests {
+    use super::*;
+    use calyx_lang::check::check_program;
+    use std::fs;
+    use std::os::unix::fs::symlink;
+
+    /// Diagnostics of a model that imports `part`, a file that `make` creates.
+    fn imported(name: &str, make: impl FnOnce(&Path, &Path)) -> Vec<String> {
+        let root = std::env::temp_dir().join(format!("calyx-loader-{name}-{}", std::process::id()));
+        let folder = root.join("model");
+        fs::create_dir_all(folder.join("inside")).unwrap();
+        make(&root, &folder);
+        let loader = ModelLoader { folder: Some(folder.clone()) };
+        let checked = check_program("model.cx", "import part;\nprint(part.size);\n", &loader);
+        fs::remove_dir_all(&root).unwrap();
+        checked.diagnostics.iter().map(|found| format!("{} {}", found.code, found.message)).collect()
+    }
+
+    const MODULE: &str = "const size = 1 mm;\n";
+
+    #[test]
+    fn modules_are_regular_files_below_the_models_folder() {
+        let inside = imported("inside", |_, folder| {
+            fs::write(folder.join("inside/real.cx"), MODULE).unwrap();
+            symlink(folder.join("inside/real.cx"), folder.join("part.cx")).unwrap();
+        });
+        assert_eq!(inside, Vec::<String>::new());
+        let outside = imported("outside", |root, folder| {
+            fs::write(root.join("secret.cx"), MODULE).unwrap();
+            symlink(root.join("secret.cx"), folder.join("part.cx")).unwrap();
+        });
+        assert!(
+            outside[0].starts_with("E0230") && outside[0].ends_with("leads out of the model's directory")
+        );
+        let pipe = imported("pipe", |_, folder| {
+            let made = std::process::Command::new("mkfifo").arg(folder.join("part.cx")).status();
+            assert!(made.is_ok_and(|status| status.success()));
+        });
+        assert!(pipe[0].starts_with("E0230") && pipe[0].ends_with("it is not a file"), "{pipe:?}");
+        let binary = imported("binary", |_, folder| fs::write(folder.join("part.cx"), [0xff, 0xfe]).unwrap());
+        assert!(binary[0].starts_with("E0230"), "{binary:?}");
+        assert!(imported("none", |_, _| ())[0].starts_with("E0209"));
     }
 }

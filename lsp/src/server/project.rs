@@ -5,6 +5,7 @@ use super::library::Library;
 use super::text::Text;
 use crate::ide::Snapshot;
 use crate::ide::elaborated::Elaborated;
+use calyx_elaborate::read_module;
 use calyx_lang::check::Loader;
 use calyx_lang::db::Database;
 use std::collections::{BTreeMap, BTreeSet};
@@ -36,7 +37,7 @@ pub type Files = BTreeMap<Arc<str>, File>;
 
 /// Where the texts of files beside a model come from.
 pub trait Sources {
-    /// The text of a file: of an open one as it is in the editor.
+    /// The text of an open file.
     fn text(&self, path: &Path) -> Option<Arc<Text>>;
     /// Modules that closed models of a folder import: such files are modules although nobody who is open says so.
     fn imported_in(&self, folder: &Path) -> BTreeSet<String>;
@@ -179,8 +180,14 @@ impl Project {
                 continue;
             }
             let name = name_of(&folder, &path);
-            let text = texts.get(&name).cloned().or_else(|| sources.text(Path::new(&*name)));
-            if let Some(text) = text {
+            let open = texts.get(&name).cloned().or_else(|| sources.text(Path::new(&*name)));
+            let names: Vec<String> = path.split('.').map(str::to_owned).collect();
+            let read = match open {
+                Some(text) => Ok(Some(text)),
+                None => read_module(&folder, &names).map(|text| text.map(|text| Arc::new(Text::new(text)))),
+            };
+            self.database.set_refusal(&path, read.as_ref().err().cloned());
+            if let Ok(Some(text)) = read {
                 wanted.extend(imports(text.content()));
                 texts.insert(name.clone(), text);
                 modules.insert(path, name);
@@ -294,6 +301,9 @@ pub fn imported_by_files(folder: &Path) -> BTreeSet<String> {
     let Ok(entries) = fs::read_dir(folder) else { return BTreeSet::new() };
     let paths = entries.flatten().map(|entry| entry.path());
     let models = paths.filter(|path| path.extension().is_some_and(|extension| extension == "cx"));
-    let texts = models.take(MOST_FILES).filter_map(|path| fs::read_to_string(path).ok());
+    // The name of a module, whether it is one or not.
+    let name = |path: PathBuf| path.file_stem()?.to_str().map(str::to_owned);
+    let texts =
+        models.take(MOST_FILES).filter_map(name).filter_map(|name| read_module(folder, &[name]).ok()?);
     texts.flat_map(|text| imports(&text)).collect()
 }

@@ -11,7 +11,6 @@ use super::view::View;
 use crate::ide::elaborated::Elaborated;
 use calyx_elaborate::results::RunSummary;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use tower_lsp_server::ls_types::{
@@ -85,10 +84,7 @@ struct Seen<'a> {
 impl Sources for Seen<'_> {
     fn text(&self, path: &Path) -> Option<Arc<Text>> {
         let open = self.documents.values().find(|document| Path::new(&*document.name) == path);
-        match open {
-            Some(document) => Some(document.text.clone()),
-            None => Some(Arc::new(Text::new(fs::read_to_string(path).ok()?))),
-        }
+        open.map(|document| document.text.clone())
     }
 
     fn imported_in(&self, _: &Path) -> BTreeSet<String> {

@@ -114,3 +114,37 @@ fn files_are_watched_if_the_client_can() {
     assert!(client.notifications.iter().any(registers));
     assert!(client.leave());
 }
+
+/// Modules are regular files below the folder of their model. Reading a pipe would block the server.
+#[cfg(unix)]
+#[test]
+fn pipes_and_links_that_lead_out_are_not_read() {
+    let (folder, elsewhere) = (Folder::new(), Folder::new());
+    elsewhere.write("secret.cx", MODULE);
+    std::os::unix::fs::symlink(elsewhere.path("secret.cx"), folder.path("util.cx")).expect("a link");
+    let made = std::process::Command::new("mkfifo").arg(folder.path("pipe.cx")).status();
+    assert!(made.is_ok_and(|status| status.success()));
+    let model = folder.write("pair.cx", MODEL);
+    let mut client = Client::ready(json!({}));
+    client.open(&model, MODEL);
+    client.codes_become(&model, &["E0230"]);
+    client.set(&model, 2, "import pipe;\n");
+    client.codes_become(&model, &["E0230"]);
+    std::fs::remove_file(folder.path("pipe.cx")).expect("it is there");
+    client.set(&model, 3, "import pipe;\nprint(1);\n");
+    client.codes_become(&model, &["E0209"]);
+    assert!(client.leave());
+}
+
+#[test]
+fn half_typed_records_do_not_end_the_server() {
+    let folder = Folder::new();
+    let text = "record P { x; }\nfunction f(in p) {\n    return p;\n    return p.x;\n}\nprint(f(P()));\n";
+    let model = folder.write("pair.cx", text);
+    let mut client = Client::ready(json!({}));
+    client.open(&model, text);
+    client.codes_become(&model, &["E0115", "E0302"]);
+    client.set(&model, 2, "print(1);\n");
+    client.codes_become(&model, &[]);
+    assert!(client.leave());
+}
