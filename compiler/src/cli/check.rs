@@ -44,7 +44,10 @@ impl Check {
         let fixed = fix_file(&self.file)?;
         for Applied { file, line, column, code, title } in &fixed.applied {
             match self.message_format {
-                MessageFormat::Human => eprintln!("fixed {code} at {file}:{line}:{column}: {title}"),
+                MessageFormat::Human => {
+                    let text = format!("fixed {code} at {file}:{line}:{column}: {title}\n");
+                    self.message_format.note(&text);
+                }
                 MessageFormat::Json => {
                     let place = json!({ "file": file, "line": line, "column": column });
                     eprintln!("{}", json!({ "fixed": code, "title": title, "primary": place }));

@@ -3,6 +3,7 @@
 use crate::messages::{MODEL_ERROR, MessageFormat, USAGE};
 use calyx::check_file;
 use calyx::dump::{Format, ProgramStage, TextStage, names, of_program, of_text, types};
+use calyx_lang::visible::visible;
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -77,7 +78,7 @@ impl Dump {
         format.diagnostics(&checked.diagnostics, &checked.files);
         let Some(stage) = stage else {
             // Types are known of what is sound, whatever else is wrong.
-            print!("{}", types(&checked.types));
+            print!("{}", visible(&types(&checked.types)));
             return if checked.has_errors() { ExitCode::from(MODEL_ERROR) } else { ExitCode::SUCCESS };
         };
         let Some(program) = &checked.program else { return ExitCode::from(MODEL_ERROR) };
@@ -93,7 +94,7 @@ impl Dump {
         }
         match of_program(stage, program, &checked.files, self.function.as_deref()) {
             Ok(text) => {
-                print!("{text}");
+                print!("{}", visible(&text));
                 ExitCode::SUCCESS
             }
             Err(error) => {
@@ -107,7 +108,7 @@ impl Dump {
     fn text(&self, stage: TextStage) -> ExitCode {
         match std::fs::read_to_string(&self.file) {
             Ok(text) => {
-                print!("{}", of_text(stage, &text));
+                print!("{}", visible(&of_text(stage, &text)));
                 ExitCode::SUCCESS
             }
             Err(error) => MessageFormat::Human.unreadable(&self.file, &error),

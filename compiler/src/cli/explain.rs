@@ -6,6 +6,7 @@ use calyx::explain::{all, page, similar_codes};
 use calyx::rt::options::rates_file;
 use calyx::rt::overriding::OverrideArguments;
 use calyx::rt::{Given, Override};
+use calyx_lang::visible::visible;
 use calyx_runtime::cost::Rates;
 use clap::Args;
 use std::path::Path;
@@ -73,7 +74,7 @@ fn plan(file: &Path, set: &[Given], overrides: Override, recalibrate: bool) -> E
     match &checked.plan {
         Some(plan) => {
             let rates = Rates::of_this_machine(rates_file().as_deref(), recalibrate);
-            print!("{}\n{}", plan.text(), plan.cost(&rates).text());
+            print!("{}\n{}", visible(&plan.text()), visible(&plan.cost(&rates).text()));
         }
         None if checked.has_errors() => return ExitCode::from(MODEL_ERROR),
         None => println!("There is nothing to analyse: no two bodies mesh."),

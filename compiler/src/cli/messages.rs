@@ -6,6 +6,7 @@ use calyx::rt::{Refused, report};
 use calyx_lang::diagnostic::Diagnostic;
 use calyx_lang::ir::SourceFile;
 use calyx_lang::render::to_json;
+use calyx_lang::visible::visible;
 use clap::ValueEnum;
 use serde_json::json;
 use std::path::Path;
@@ -41,9 +42,9 @@ impl MessageFormat {
     pub fn failure(self, message: &str, help: &str) {
         match self {
             MessageFormat::Human => {
-                eprintln!("error: {message}");
+                eprintln!("error: {}", visible(message));
                 if !help.is_empty() {
-                    eprintln!("  help: {help}");
+                    eprintln!("  help: {}", visible(help));
                 }
             }
             MessageFormat::Json => eprintln!("{}", without_place("error", message, help)),
@@ -53,7 +54,7 @@ impl MessageFormat {
     /// Says why a value given for a param cannot be used.
     pub fn refused(self, refused: &Refused) {
         match self {
-            MessageFormat::Human => eprint!("{}", report::refused(refused)),
+            MessageFormat::Human => eprint!("{}", visible(&report::refused(refused))),
             MessageFormat::Json => {
                 let mut said = without_place("error", &refused.message, &refused.help);
                 said["primary"] = refused.origin.as_ref().map_or(json!(null), report::place_json);
@@ -65,7 +66,7 @@ impl MessageFormat {
     /// Says what deserves a second look and has no place in a text.
     pub fn warning(self, message: &str) {
         match self {
-            MessageFormat::Human => eprintln!("warning: {message}"),
+            MessageFormat::Human => eprintln!("warning: {}", visible(message)),
             MessageFormat::Json => eprintln!("{}", without_place("warning", message, "")),
         }
     }
@@ -73,7 +74,7 @@ impl MessageFormat {
     /// Says what only people want to know.
     pub fn note(self, text: &str) {
         if self == MessageFormat::Human {
-            eprint!("{text}");
+            eprint!("{}", visible(text));
         }
     }
 
