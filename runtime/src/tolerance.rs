@@ -7,12 +7,14 @@
 //! whole analysis is judged by its own estimates, and where they miss the tolerance it is done again one better; so are positions doubled where too
 //! much lies between them. What is not estimated keeps to nothing.
 //!
-//! Choices depend on estimates and on counted work ([`bound`]), never on times, so that they are the same on every machine. A search that would
-//! take too much work, or that is interrupted, ends with the best results so far, marked as such ([`Chosen::ended`]).
+//! Choices depend on estimates and on counted work ([`bound`]), never on times, so that they are the
+//! same on every machine. A search that would take too much work, or that is interrupted, ends with
+//! the best results so far, and says so ([`Chosen::ended`]).
 
 mod best;
 mod bound;
 
+pub use best::Choosing;
 pub use bound::{MOST_WORK, Rung, SearchCost, search_cost};
 
 use crate::analysis::{AnalysisOptions, Event, Observer, Position, quasi_static};
@@ -85,45 +87,18 @@ pub struct Chosen {
     pub tolerance: f64,
     /// With which the results were had.
     pub setting: Setting,
-    /// All that were tried, in order; of a search that came to its end the last is the chosen one over all positions.
+    /// All settings tried, in order. If the tolerance is met, the last is the chosen one at all positions.
     pub tried: Vec<Tried>,
     /// Which of these the results are of.
     pub taken: usize,
-    /// Why the search ended before a setting kept to the tolerance, if it did: the results do not keep to it.
+    /// The reason for which the search ended before a setting met the tolerance, if it did.
     pub ended: Option<String>,
     /// Why what the level leaves out is not in the estimates, if it is not.
     pub level_unseen: Option<String>,
 }
 
-/// A setting that is about to be tried for a tolerance, as observers are told.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Choosing {
-    /// The setting.
-    pub setting: Setting,
-    /// Whether at all positions.
-    pub whole: bool,
-    /// Those tried before that have the least estimated error; a search that ends now ends with them.
-    pub best: Option<Tried>,
-    /// Part of the work that the search may do which is done, 0 to 1.
-    pub part: f64,
-}
-
-impl Choosing {
-    /// In words.
-    pub fn describe(&self) -> String {
-        let mut text = format!("trying {}", self.setting.describe());
-        if !self.whole {
-            text += " at a few of the positions";
-        }
-        if let Some(best) = &self.best {
-            text += &format!("; the best so far is {} with {}", best.setting.describe(), best.error());
-        }
-        text
-    }
-}
-
 impl Chosen {
-    /// Why the results do not keep to the tolerance, if they do not.
+    /// The warning if the results do not meet the tolerance.
     pub fn missed(&self) -> Option<EngineError> {
         let reason = self.ended.as_ref()?;
         let reached = self.tried.get(self.taken).map_or_else(String::new, |taken| {
@@ -133,7 +108,7 @@ impl Chosen {
         let tolerance = percent(self.tolerance);
         let message =
             format!("the results do not meet the tolerance of {tolerance}, because {reason}{reached}");
-        let help = "run it again to its end, ask for a larger tolerance, or take out of the model what cannot be had so exactly";
+        let help = "run it again to its end, ask for a larger tolerance, or remove the outputs that cannot be computed so accurately";
         Some(EngineError::new("E0793", message, help).blame("tolerance"))
     }
 
@@ -278,7 +253,7 @@ struct Search<'a> {
     observed: Option<usize>,
 }
 
-/// Why a search ends without a setting that keeps to the tolerance.
+/// The reason for which a search ends without a setting that meets the tolerance.
 enum Stop {
     /// There are no results.
     Failed(EngineError),
@@ -359,7 +334,7 @@ impl Ladder {
 }
 
 impl Search<'_> {
-    /// Tries settings from cheap to dear until one keeps to the tolerance at all positions.
+    /// Tries settings from cheap to dear until one meets the tolerance at all positions.
     fn climb(&mut self, positions: &[Position], observer: &mut dyn Observer) -> Result<AnalysisResult, Stop> {
         let few = few_of(positions);
         let few_are_all = few.len() == positions.len();
@@ -394,8 +369,8 @@ impl Search<'_> {
         }
     }
 
-    /// Analyses by the setting, and keeps the results if none are better. Returns whether they keep to the tolerance; where they do not, the
-    /// setting is a better one afterwards.
+    /// Analyses with the setting, and stores the results if none are better. Returns true if they meet
+    /// the tolerance; otherwise the setting is a better one afterwards.
     fn attempt(
         &mut self,
         positions: &[Position],

@@ -221,7 +221,7 @@ calyx_abi::externs! {
             host.requested = Some(how);
             return Ok(());
         }
-        analyze(host, &how, searched, &options)
+        analyze(host, &how, searched, (&options, place))
     }
 }
 
@@ -286,7 +286,7 @@ fn analyze(
     host: &mut ModelHost,
     how: &How,
     tolerance: Option<f64>,
-    options: &AnalysisOptions,
+    (options, place): (&AnalysisOptions, (u32, u32, u32)),
 ) -> Result<(), RuntimeError> {
     check_unheld(host);
     check_loads(host, how, options.fidelity)?;
@@ -308,7 +308,7 @@ fn analyze(
     host.failed_analyses += usize::from(result.is_err());
     let result = result.map_err(|error| host.engine_error(host.overrides.told_of(error)))?;
     if let Some(missed) = result.chosen.as_ref().and_then(Chosen::missed) {
-        let error = host.engine_error(missed);
+        let error = RuntimeError { place: Some(place), ..host.engine_error(missed) };
         host.findings.push(Finding { severity: Severity::Warning, error });
     }
     host.result = Some(result);

@@ -1,5 +1,5 @@
-//! What estimates of errors solve besides an analysis, known before it begins: their cost is
-//! predicted from it.
+//! The perturbed solves of error estimates, counted before an analysis begins: their cost is
+//! predicted from the counts.
 
 use super::Estimates;
 use super::siblings::{BETWEEN, OtherMesh, PART_OF_POSITIONS, SAMPLES, SPREAD, refinement_above};
@@ -12,13 +12,13 @@ pub(crate) struct Sibling {
     pub models: Vec<(Fidelity, StructureOptions)>,
     /// Positions that are solved, at most.
     pub positions: usize,
-    /// Whether on contact grids of half the cells in every direction.
+    /// True if contact grids have half the cells in every direction.
     pub coarse_grid: bool,
-    /// Whether on structures of another mesh than the analysis.
+    /// True if the structures are of another mesh than those of the analysis.
     pub condensed: bool,
 }
 
-/// The siblings of a quasi-static analysis of some positions and outputs.
+/// The perturbed solves of a quasi-static analysis with these numbers of positions and outputs.
 pub(crate) fn siblings_of(
     estimates: Estimates,
     fidelity: Fidelity,

@@ -117,9 +117,9 @@ pub(crate) fn quasi_static_siblings(
     Ok(Evidence { found, rows: judged.with_some_between()?, rounding })
 }
 
-/// The refinement of a level above that is compared with a mesh of this refinement. In space
-/// elements are eight times as many for twice as many along every direction: a refinement of the
-/// plane is no measure there.
+/// The refinement of a level above that is compared with a mesh of this refinement. In three
+/// dimensions twice as many elements along every direction are eight times as many in all, so a
+/// refinement of a plane mesh is not applied there.
 pub(super) fn refinement_above(own: Fidelity, above: Fidelity, refinement: f64) -> f64 {
     match (own, above) {
         (Fidelity::Solid(_), _) | (_, Fidelity::Rigid | Fidelity::Analytic | Fidelity::Plane) => refinement,

@@ -1,7 +1,7 @@
 //! How much a search for a setting may cost, known before it begins.
 //!
-//! Costs are counted as in [`crate::cost`], but for a machine of fixed rates: a search ends at the same
-//! setting on every machine.
+//! Costs are counted as in [`crate::cost`], but for a machine of fixed rates, so that a search ends at
+//! the same setting on every machine.
 
 use super::{Setting, meshes};
 use crate::analysis::AnalysisOptions;
