@@ -200,10 +200,10 @@ impl Random {
         if self.one_in(3) {
             self.damage(&mut message);
         }
-        if self.one_in(3) {
-            if let Some(params) = message.get_mut("params") {
-                self.damage(params);
-            }
+        if self.one_in(3)
+            && let Some(params) = message.get_mut("params")
+        {
+            self.damage(params);
         }
         let body = message.to_string();
         let length = match self.below(20) {
@@ -228,7 +228,7 @@ fn any_messages_leave_the_server_alive() {
     let number = |name: &str| std::env::var(name).ok().and_then(|number| number.parse::<u64>().ok());
     let seed = number("CALYX_FUZZ_SEED").unwrap_or(0);
     for session in 0..number("CALYX_FUZZ").unwrap_or(SESSIONS) {
-        let mut random = Random((seed << 32 | session).wrapping_mul(0x9E37_79B9_7F4A_7C15) | 1);
+        let mut random = Random(((seed << 32) | session).wrapping_mul(0x9E37_79B9_7F4A_7C15) | 1);
         let mut client = Client::new(router());
         if !random.one_in(4) {
             client.initialize(json!({}));
