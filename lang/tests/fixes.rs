@@ -27,7 +27,7 @@ fn a_fix_keeps_the_dimension_that_is_meant() {
         ("var torque = 1 N*m; print(torque/100 Nm);", "var torque = 1 N*m; print(torque/(100 N*m));"),
         ("var x = 1 N*m; print(\"{x : .3 Nm}\");", "var x = 1 N*m; print(\"{x : .3 N*m}\");"),
         ("print(3 KN, 1 N);", "print(3 kN, 1 N);"),
-        ("print(3 inchs);", "print(3 inch);"),
+        ("print(3 inchs);", "print(3 inches);"),
         ("print(30 rmp);", "print(30 rpm);"),
         ("var x = 2,5 mm; print(x);", "var x = 2.5 mm; print(x);"),
         ("print((2,5 mm)/1 mm);", "print((2.5 mm)/1 mm);"),
