@@ -57,7 +57,7 @@ fn endless_texts_have_an_answer() {
         "x = 1;\n".repeat(20_000),
         "var x = 1;\n".repeat(20_000),
         "{ var x = 1; print(x); }\n".repeat(5_000),
-        "function f() { }\n".repeat(10_000),
+        "function f() { }\n".repeat(4_000),
         (0..20_000).map(|i| format!("var x{i} = {};\n", i.max(1) - 1)).collect(),
         (1..5_000).fold("var x0 = 1;\n".into(), |text, i| text + &format!("var x{i} = 2*x{};\n", i - 1)),
         (1..500).fold("function f0() { }\n".into(), |text, i| {
