@@ -143,7 +143,7 @@ fn half_typed_records_do_not_end_the_server() {
     let model = folder.write("pair.cx", text);
     let mut client = Client::ready(json!({}));
     client.open(&model, text);
-    client.codes_become(&model, &["E0115", "E0302"]);
+    client.codes_become(&model, &["E0115", "E0302", "E0206"]);
     client.set(&model, 2, "print(1);\n");
     client.codes_become(&model, &[]);
     assert!(client.leave());
