@@ -8,7 +8,7 @@ use std::thread::sleep;
 use std::time::Duration;
 
 /// Models whose memory grows without end.
-const ENDLESS: [(&str, &str); 9] = [
+const ENDLESS: [(&str, &str); 8] = [
     ("text that doubles", "var s = \"0123456789\"; while (TRUE) { s = \"{s}{s}\"; }"),
     (
         "text that grows",
@@ -29,7 +29,6 @@ const ENDLESS: [(&str, &str); 9] = [
         "errors that are caught",
         "while (TRUE) { try { assert(1 > 2, \"a text of an error\"); } catch (e) { } }",
     ),
-    ("expressions", "param a = 1; while (TRUE) { var f := a*Time; }"),
 ];
 
 /// Runs a command: its exit status, and the most that its process took, bytes.
