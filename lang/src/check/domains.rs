@@ -201,11 +201,15 @@ impl<'a> Checker<'a> {
             .label(check.span, "allowed here")
             .help(format!("choose a value in {range}, ends included"));
         // An angle without a unit that would be right in degrees.
-        let angle = Type::quantity(Dimension::of(Base::Angle));
+        let angle = Dimension::of(Base::Angle);
         let written = self.text(span).trim().to_owned();
         let in_degrees = number.to_radians();
         let fits = !low.is_some_and(|low| in_degrees < low) && !high.is_some_and(|high| in_degrees > high);
-        let is_bare = written.parse() == Ok(number) && self.fits(&check.ty, &angle);
+        let is_angle = match self.store.resolve(&check.ty) {
+            Type::Number(dim) => dim.as_known() == Some(angle),
+            _ => false,
+        };
+        let is_bare = written.parse() == Ok(number) && is_angle;
         self.report(match is_bare && fits {
             true => diagnostic
                 .help(format!("a number without a unit is in radians: write `{written} deg`"))
