@@ -23,6 +23,10 @@ pub fn diagnostic(error: &RuntimeError) -> Diagnostic {
         .iter()
         .fold(diagnostic, |diagnostic, (at, note)| diagnostic.label(place(Some(*at)), note.clone()));
     match (error.help.as_str(), error.details.origin.as_str()) {
+        // A `throw` in the library has no help of its own; its code has a page.
+        ("", "") if error.code.starts_with("E08") => {
+            diagnostic.help(format!("see `calyx explain {}` for what to do", error.code))
+        }
         ("", "") => diagnostic,
         ("", origin) => diagnostic.help(format!("by its own words it arose at {origin}")),
         (help, _) => diagnostic.help(help),
