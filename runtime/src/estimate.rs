@@ -239,13 +239,12 @@ pub(crate) fn attach(
     evidence: &Evidence,
 ) {
     let Evidence { found, rows: more, rounding } = evidence;
-    let course = Course::of(rows);
     // What is closed, and what is not, goes on behind the last row or does not.
     let known = [false, true].map(|closed| within(if more.is_empty() { rows } else { more }, rows, closed));
     for (index, (summary, request)) in summaries.iter_mut().zip(outputs).enumerate() {
         let closed = summary::is_closed(rows, request, observables);
         let known = known[usize::from(closed)];
-        let between = match (&course, Course::of(known)) {
+        let between = match (Course::of(rows, Some(index)), Course::of(known, Some(index))) {
             (Some(_), Some(_)) if known.len() < FEWEST => {
                 Err("between two positions none could be solved to see what lies there".to_owned())
             }

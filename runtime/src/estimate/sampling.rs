@@ -2,21 +2,24 @@
 //!
 //! In every interval between two positions an output is continued from the left and from the right, by parabolas through the positions on
 //! either side alone: so neither a smooth maximum between positions is missed, nor one where slopes jump, as where a pair of teeth takes up
-//! load. Where loads of rigid teeth jump, positions stand on both sides, and nothing is continued across.
+//! load. Where loads of rigid teeth jump, positions stand on both sides, and nothing is continued across. Elastic teeth
+//! do not jump there; courses are continued through both positions.
 //!
 //! Continuations miss what begins and ends inside an interval. That there is such a thing they tell by missing the position at the other end. So a few
 //! intervals are divided ([`most_promising`]), those where an extreme may be and something is hidden; beside a position with a name close to it, where
 //! pairs of teeth take up load within a small part of the cycle. What this shows is measured, and continuations begin from there. How far they still miss
 //! positions is what they may leave out.
 
-use super::{Ends, Statistics};
+use super::{Ends, Statistics, ends};
 use crate::analysis::Position;
 use crate::results::StepRow;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
-/// Named positions nearer to each other than this part of a cycle stand on both sides of a jump.
+/// Named positions nearer to each other than this part of a cycle stand on both sides of a place where loads of rigid teeth jump.
 const BESIDE: f64 = 1e-5;
+/// They do jump if an output changes there by more than this part of its peak to peak: those of elastic teeth do not.
+const JUMP: f64 = 0.01;
 /// Positions nearer to each other than this part of the interval that they are continued into do not make a parabola: what little they differ by would
 /// be carried too far.
 const APART: f64 = 0.3;
@@ -41,7 +44,9 @@ pub(crate) struct Course {
     at: Vec<f64>,
     /// Of a closed course: a cycle.
     period: f64,
-    /// Whether nothing is continued from a position to the next.
+    /// Whether a position and the next one are at one place.
+    beside: Vec<bool>,
+    /// Whether nothing is continued from a position to the next: the output jumps there.
     breaks: Vec<bool>,
     /// Whether a position has a name.
     named: Vec<bool>,
@@ -59,8 +64,8 @@ struct Look {
 }
 
 impl Course {
-    /// `None` of rows that do not go anywhere.
-    pub(crate) fn of(rows: &[StepRow]) -> Option<Course> {
+    /// The course of an output, if one is given; `None` of rows that do not go anywhere.
+    pub(crate) fn of(rows: &[StepRow], output: Option<usize>) -> Option<Course> {
         let positions = || rows.iter().map(|row| &row.position);
         let cyclic = positions().any(|position| position.cycle != 0.0);
         let at: Vec<f64> = positions().map(|p| if cyclic { p.cycle } else { p.time }).collect();
@@ -68,12 +73,21 @@ impl Course {
             return None;
         }
         let named: Vec<bool> = positions().map(|position| !position.name.is_empty()).collect();
-        let mut course = Course { at, period: 1.0, breaks: Vec::new(), named };
-        let is_break = |i: usize| {
+        let mut course = Course { at, period: 1.0, beside: Vec::new(), breaks: Vec::new(), named };
+        let is_beside = |i: usize| {
             let both = course.named[i] && course.named[(i + 1) % rows.len()];
             cyclic && both && course.place(i as isize + 1) - course.at[i] < BESIDE
         };
-        course.breaks = (0..rows.len()).map(is_break).collect();
+        course.beside = (0..rows.len()).map(is_beside).collect();
+        let values: Vec<f64> =
+            output.map_or_else(Vec::new, |output| ends(rows, output).iter().map(|end| end.value).collect());
+        let finite = || values.iter().copied().filter(|value| value.is_finite());
+        let spread = finite().fold(f64::NEG_INFINITY, f64::max) - finite().fold(f64::INFINITY, f64::min);
+        let jumps = |i: usize| {
+            let ends = values.get(i).zip(values.get((i + 1) % rows.len()));
+            ends.is_some_and(|(one, next)| (next - one).abs() > JUMP * spread)
+        };
+        course.breaks = (0..rows.len()).map(|i| course.beside[i] && jumps(i)).collect();
         Some(course)
     }
 
@@ -117,7 +131,7 @@ impl Course {
     /// Intervals between neighbours of which something is to be known, by the position they begin with.
     fn intervals(&self, closed: bool) -> impl Iterator<Item = isize> + '_ {
         let count = self.at.len() as isize;
-        (0..if closed { count } else { count - 1 }).filter(|&interval| !self.breaks[interval as usize])
+        (0..if closed { count } else { count - 1 }).filter(|&interval| !self.beside[interval as usize])
     }
 
     /// What continues a course into an interval from the left and from the right, and which of them by itself.
@@ -127,10 +141,10 @@ impl Course {
             [self.stencil(interval, -1, length, closed), self.stencil(interval + 1, 1, length, closed)];
         let alone = [0, 1].map(|side: usize| stencils[side].len() > 1);
         // A single position beside a jump or an end continues nothing: it is met from the other side.
+        let nearest = [0, 1].map(|side: usize| stencils[side].iter().take(2).copied().collect::<Vec<_>>());
         for side in 0..2 {
             if !alone[side] {
-                let others = stencils[1 - side].iter().take(2).copied().collect::<Vec<_>>();
-                stencils[side].extend(others);
+                stencils[side].extend(&nearest[1 - side]);
             }
         }
         (stencils, alone)

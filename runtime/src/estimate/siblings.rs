@@ -231,7 +231,7 @@ impl Judged<'_, '_> {
 
     /// All rows, and some between them where extremes may be: intervals are divided, and again what this leaves of them.
     fn with_some_between(&self) -> Result<Vec<StepRow>, EngineError> {
-        let Some(average) = Course::of(self.rows).map(|course| course.average()) else {
+        let Some(average) = Course::of(self.rows, None).map(|course| course.average()) else {
             return Ok(self.rows.to_vec());
         };
         let is_closed = |output| is_closed(self.rows, output, &self.system.scene.observables);
@@ -239,9 +239,10 @@ impl Judged<'_, '_> {
         let mut all = self.rows.to_vec();
         let mut left = self.rows.len().div_ceil(BETWEEN);
         for round in 0..ROUNDS {
-            let courses = [false, true].map(|closed| Course::of(within(&all, self.rows, closed)));
+            let course = |(output, &closed)| Course::of(within(&all, self.rows, closed), Some(output));
+            let courses: Vec<Option<Course>> = closed.iter().enumerate().map(course).collect();
             let known = |(output, &closed): (usize, &bool)| {
-                let course = courses[usize::from(closed)].as_ref()?;
+                let course = courses[output].as_ref()?;
                 Some(Known { course, ends: ends(within(&all, self.rows, closed), output), closed })
             };
             let known: Vec<Known<'_>> = closed.iter().enumerate().filter_map(known).collect();
