@@ -1,0 +1,237 @@
+//! Effectivities over a suite of pairs that no other test uses: estimate over true error of every statistic. The cases are data
+//! (`data/effectivity.txt`). The true error is against a run of the same fidelity level with a finer mesh, finer contact grids and
+//! more positions.
+
+use super::*;
+use calyx_gears::assembly::{MeshOptions, add_body, mesh};
+use calyx_gears::blank::{GearBlank, Rim, Thickness};
+use calyx_gears::helix::{Hand, Helix};
+use calyx_gears::modification::{Modification, ReliefShape};
+use calyx_gears::rack::{Plane, Rack};
+use calyx_runtime::load::Wrench;
+use calyx_runtime::motion::SteadyRotation;
+use calyx_runtime::observe::{
+    LoadShare, MaxContactPressure, MaxRootStress, MeshStiffness, TransmissionError,
+};
+use calyx_runtime::scene::{Body, Component};
+use std::collections::BTreeMap;
+
+const CASES: &str = include_str!("../data/effectivity.txt");
+
+/// A row of the table, by column.
+pub(super) struct Row(BTreeMap<&'static str, &'static str>);
+
+impl Row {
+    fn all() -> Vec<Row> {
+        Row::lines().skip(1).map(Row::of).collect()
+    }
+
+    fn lines() -> impl Iterator<Item = &'static str> {
+        CASES.lines().filter(|line| !line.starts_with('#') && !line.trim().is_empty())
+    }
+
+    /// A row by its text.
+    pub(super) fn of(line: &'static str) -> Row {
+        let columns: Vec<&str> = Row::lines().next().expect("a row of names").split_whitespace().collect();
+        let cells: Vec<&str> = line.split_whitespace().collect();
+        assert_eq!(cells.len(), columns.len(), "{line}");
+        Row(columns.into_iter().zip(cells).collect())
+    }
+
+    fn text(&self, column: &str) -> &'static str {
+        self.0[column]
+    }
+
+    fn number(&self, column: &str) -> f64 {
+        self.text(column).parse().unwrap_or_else(|_| panic!("{column}: {}", self.text(column)))
+    }
+
+    fn whole(&self, column: &str) -> usize {
+        self.number(column) as usize
+    }
+
+    /// The setting under test, or the one that stands for the truth.
+    fn setting(&self, true_one: bool) -> Setting {
+        let own = |column: &str| match true_one {
+            true => self.number(&format!("true_{column}")),
+            false => self.number(column),
+        };
+        Setting {
+            fidelity: self.text("level"),
+            structure: StructureOptions { refinement: own("mesh"), order: own("order") as usize, ..MESH },
+            cells: Some([own("cells") as usize, own("slices") as usize]),
+            steps: own("steps") as usize,
+            estimates: if true_one { Estimates::None } else { Estimates::Cheap },
+        }
+    }
+
+    /// Two gears in mesh, and the outputs whose errors are estimated.
+    pub(super) fn scene(&self) -> (Scene, GearMesh, Vec<OutputRequest>) {
+        let module = 1e-3 * self.number("module");
+        let (angle, helix) = (self.number("angle").to_radians(), self.number("helix").to_radians());
+        let plane = if helix == 0.0 { Plane::Transverse } else { Plane::Normal };
+        let rack = Rack::new(module, angle, 0.25 * module).expect("a rack").in_plane(plane);
+        let teeth = [self.whole("z1") as u32, self.whole("z2") as u32];
+        let shifts = [self.number("x1"), self.number("x2")];
+        let pitch = teeth.map(|teeth| f64::from(teeth) * module / helix.cos());
+        let transverse = (angle.tan() / helix.cos()).atan();
+        let gear = |number: usize| {
+            let outer = pitch[number] + 2.0 * module * (1.0 + shifts[number]);
+            let root = pitch[number] + 2.0 * module * (shifts[number] - 1.25);
+            let hand = [Hand::Right, Hand::Left][number];
+            let mut blank = GearBlank::standard(teeth[number], rack);
+            blank.helix = Helix::new(helix, hand).expect("a helix");
+            // Relief takes the outer third of the addendum's roll.
+            let tip = ((outer / (pitch[number] * transverse.cos())).powi(2) - 1.0).sqrt();
+            let start = tip - 0.33 * (tip - transverse.tan());
+            let relief =
+                Modification::tip_relief(1e-6 * self.number("relief"), start, ReliefShape::Quadratic);
+            let crown = Modification::lead_crown(1e-6 * self.number("crown")).expect("a crown");
+            let rim = Rim::new(root - 2.0 * module, root - 6.0 * module).expect("a rim");
+            let blank = blank.diameters(outer, root).thickness(Thickness::ProfileShift(shifts[number]));
+            let blank = blank.face_width(1e-3 * self.number("face")).rim(rim);
+            let blank = if self.number("relief") > 0.0 { blank.modified(relief) } else { blank };
+            let blank = if self.number("crown") > 0.0 { blank.modified(crown) } else { blank };
+            blank.cut().expect("a gear")
+        };
+        let mut scene = Scene::default();
+        let turning = |x, speed| SteadyRotation { origin: [x, 0.0], start: 0.0, speed };
+        let pinion = Body::new("pinion", gear(0), turning(0.0, 1.0))
+            .free_in(&[Component::ThetaZ])
+            .loaded(Wrench::of_moment([0.0, 0.0, self.number("torque")]));
+        // Shifts are balanced or small: the distance is the standard one and a little backlash.
+        let distance = 0.5 * (pitch[0] + pitch[1]) + module * (shifts[0] + shifts[1]) + 0.02 * module;
+        let ratio = f64::from(teeth[0]) / f64::from(teeth[1]);
+        let wheel = Body::new("wheel", gear(1), turning(distance, -ratio));
+        let [pinion, wheel] = [pinion, wheel].map(|body| add_body(&mut scene, body).expect("a body"));
+        let corners = self.text("corners") == "yes";
+        let options = MeshOptions { tip_corner_contact: corners, ..MeshOptions::default() };
+        let pair = mesh(&mut scene, pinion, wheel, &options).expect("a mesh").pair;
+        let outputs = vec![
+            OutputRequest::observing("te", scene.observe(TransmissionError(pair))),
+            OutputRequest::observing("share", scene.observe(LoadShare(pair))),
+            OutputRequest::observing("stiffness", scene.observe(MeshStiffness(pair))),
+            OutputRequest::observing("pressure", scene.observe(MaxContactPressure(pair))),
+            OutputRequest::observing("pinion", scene.observe(MaxRootStress(pinion))),
+            OutputRequest::observing("wheel", scene.observe(MaxRootStress(wheel))),
+        ];
+        let cycle = scene.pairs[pair.0].mesh.clone().expect("gears in mesh");
+        (scene, cycle, outputs)
+    }
+
+    /// What is estimated, of each statistic, and what is true.
+    fn measured(&self) -> Vec<Measured> {
+        let run = |true_one| {
+            let (scene, cycle, outputs) = self.scene();
+            analyse_scene((scene, &cycle), &outputs, &self.setting(true_one))
+        };
+        let ((own, names), (exact, _)) = (run(false), run(true));
+        let mut all = Vec::new();
+        for ((output, own), exact) in names.iter().zip(&own.summaries).zip(&exact.summaries) {
+            let error = own.error.as_ref().expect("it is estimated");
+            let scale = exact.max.abs().max(exact.min.abs());
+            let statistics: [(&str, f64, fn(&Statistics) -> f64); 4] = [
+                ("min", own.min - exact.min, |of| of.min),
+                ("max", own.max - exact.max, |of| of.max),
+                ("mean", own.mean - exact.mean, |of| of.mean),
+                ("peak_to_peak", own.peak_to_peak - exact.peak_to_peak, |of| of.peak_to_peak),
+            ];
+            for (statistic, off, of) in statistics {
+                let parts = error.parts.iter().map(|(part, errors)| (part.name(), of(errors) / scale));
+                all.push(Measured {
+                    case: self.text("case"),
+                    output: output.clone(),
+                    statistic,
+                    estimate: of(&error.total) / scale,
+                    true_error: off.abs() / scale,
+                    parts: parts.collect(),
+                });
+            }
+        }
+        all
+    }
+}
+
+/// Errors as parts of the output's largest magnitude.
+struct Measured {
+    case: &'static str,
+    output: String,
+    statistic: &'static str,
+    estimate: f64,
+    true_error: f64,
+    parts: Vec<(&'static str, f64)>,
+}
+
+impl Measured {
+    /// Estimate over true error. Both are taken as no less than [`FLOOR`], so two errors below it agree.
+    fn effectivity(&self) -> f64 {
+        (self.estimate + FLOOR) / (self.true_error + FLOOR)
+    }
+
+    fn line(&self) -> String {
+        let parts: Vec<String> =
+            self.parts.iter().map(|(part, error)| format!("{part} {:.2} %", 100.0 * error)).collect();
+        format!(
+            "{:<12} {:<10} {:<13} {:8.3} {:8.3} {:8.2}   {}",
+            self.case,
+            self.output,
+            self.statistic,
+            100.0 * self.estimate,
+            100.0 * self.true_error,
+            self.effectivity(),
+            parts.join(", ")
+        )
+    }
+}
+
+/// Prints all effectivities and how they are distributed; returns those below 0.3, and the share between 0.5 and 5.
+fn report(all: &[Measured]) -> (Vec<String>, f64) {
+    println!("case         output     statistic     estimate %  true %  effectivity  parts");
+    all.iter().for_each(|one| println!("{}", one.line()));
+    let mut sorted: Vec<f64> = all.iter().map(Measured::effectivity).collect();
+    sorted.sort_by(f64::total_cmp);
+    let count = |of: &dyn Fn(f64) -> bool| sorted.iter().filter(|own| of(**own)).count();
+    let within = count(&|own| (0.5..=5.0).contains(&own));
+    println!(
+        "{} statistics: median {:.2}, {} below 0.3, {} below 0.5, {} above 5, {:.1} % between 0.5 and 5",
+        sorted.len(),
+        sorted[sorted.len() / 2],
+        count(&|own| own < 0.3),
+        count(&|own| own < 0.5),
+        count(&|own| own > 5.0),
+        100.0 * within as f64 / sorted.len() as f64
+    );
+    let low = all.iter().filter(|one| one.effectivity() < 0.3).map(Measured::line).collect();
+    (low, within as f64 / sorted.len() as f64)
+}
+
+/// The cases marked as fast, which take seconds.
+#[test]
+fn effectivities_of_the_fast_cases() {
+    let all: Vec<Measured> =
+        Row::all().iter().filter(|row| row.text("fast") == "yes").flat_map(Row::measured).collect();
+    let (low, within) = report(&all);
+    assert!(low.is_empty(), "{low:#?}");
+    assert!(within >= 0.95, "{within}");
+}
+
+/// All cases; `CALYX_SUITE=NAME,...` takes some of them.
+#[test]
+#[ignore = "takes many minutes: .ci/full runs it"]
+fn effectivities_of_all_cases() {
+    let wanted = std::env::var("CALYX_SUITE").unwrap_or_default();
+    let is_wanted = |row: &&Row| wanted.is_empty() || wanted.split(',').any(|name| name == row.text("case"));
+    let all: Vec<Measured> = Row::all()
+        .iter()
+        .filter(is_wanted)
+        .flat_map(|row| {
+            let started = std::time::Instant::now();
+            let measured = row.measured();
+            println!("{}: {:.0} s", row.text("case"), started.elapsed().as_secs_f64());
+            measured
+        })
+        .collect();
+    let (low, within) = report(&all);
+    assert!(low.is_empty(), "{low:#?}");
+    assert!(within >= 0.95, "{within}");
+}
