@@ -106,7 +106,7 @@ var mesh = gears.mesh(pinion, gear);
             false => "\"quasi_static\", over = gears.mesh_cycle(mesh, 2)",
         };
         let _ =
-            write!(text, "analyze({how}, fidelity = \"{fidelity}\", error_estimates = \"none\"{modes});\n");
+            writeln!(text, "analyze({how}, fidelity = \"{fidelity}\", error_estimates = \"none\"{modes});");
         text
     }
 

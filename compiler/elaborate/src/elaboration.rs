@@ -110,11 +110,14 @@ pub fn elaborate_printing(program: &Program) -> (Vec<String>, Vec<Diagnostic>) {
     (lines, elaboration.map(|elaboration| elaboration.found).unwrap_or_default())
 }
 
+/// Receives each line that a program prints.
+type PrintLine = Box<dyn FnMut(&str) + Send>;
+
 fn elaborate_with(
     program: &Program,
     params: Params,
     cancel: &Cancel,
-    print: Option<Box<dyn FnMut(&str) + Send>>,
+    print: Option<PrintLine>,
 ) -> Result<Elaboration, Cancelled> {
     let mut tapes = Vec::with_capacity(program.sites.len());
     for site in (0..program.sites.len() as u32).map(SiteId) {

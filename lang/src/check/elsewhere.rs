@@ -120,8 +120,6 @@ fn related(name: &str, declared: &[String]) -> Vec<String> {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
-
     const DOC: &str = "Gears.\n\nNot available yet:\n- bevel gears (`bevel`, `hypoid`)\n- scuffing (`flash_temperature`)\n\n\
                        Under another name:\n- `external` makes external gears (`pinion`)\n";
 

@@ -74,7 +74,7 @@ pub enum RunError {
     Run(Error),
     /// It was ended from outside or by a limit, and the positions solved until then are in its directory.
     Ended {
-        error: RuntimeError,
+        error: Box<RuntimeError>,
         positions: usize,
     },
     /// Results cannot be written to the directory. Nothing in it was changed.
@@ -172,7 +172,7 @@ pub fn run(program: Arc<dyn Program>, options: &RunOptions) -> Result<RunReport,
         Err(RunError::Run(Error::Model(error))) if error.status() == Status::Cancelled && solved > 0 => {
             let written = write_unfinished(path, head, solved, &error);
             written.and_then(|()| page::write_locked(&directory)).map_err(unwritable)?;
-            return Err(RunError::Ended { error, positions: solved });
+            return Err(RunError::Ended { error: Box::new(error), positions: solved });
         }
         outcome => outcome?,
     };

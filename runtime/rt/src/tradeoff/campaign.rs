@@ -97,9 +97,8 @@ impl Campaign {
         };
         match run(self.program.clone(), &options) {
             Ok(_) => {}
-            Err(RunError::Ended { error, .. } | RunError::Run(Error::Model(error)))
-                if error.status() == Status::Cancelled =>
-            {
+            Err(RunError::Ended { .. }) => return Ok(Outcome::Ended),
+            Err(RunError::Run(Error::Model(error))) if error.status() == Status::Cancelled => {
                 return Ok(Outcome::Ended);
             }
             Err(RunError::Run(Error::Model(error))) => {
