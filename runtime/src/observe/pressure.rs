@@ -1,11 +1,10 @@
 //! How hard surfaces are pressed together.
 
 use super::{Equilibrium, Observable, Quantity};
-use crate::contact::zone::Zone;
 use crate::results::Observed;
 use crate::scene::PairId;
 
-/// Largest pressure on the flanks of a pair, at least one Hertzian half-width away from edges. Pa.
+/// The largest pressure on the flanks of a pair, edges left out. Pa.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MaxContactPressure(pub PairId);
 
@@ -15,7 +14,7 @@ impl Observable for MaxContactPressure {
     }
 
     fn value(&self, at: &Equilibrium<'_>) -> Observed {
-        largest(at, self.0, Zone::Flank)
+        largest(at, self.0, false)
     }
 
     fn pair_of(&self) -> Option<PairId> {
@@ -23,7 +22,7 @@ impl Observable for MaxContactPressure {
     }
 }
 
-/// Largest pressure on the edges of a pair, and within one Hertzian half-width of them. Pa.
+/// The largest pressure on the edges of a pair. Pa.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MaxEdgePressure(pub PairId);
 
@@ -33,7 +32,7 @@ impl Observable for MaxEdgePressure {
     }
 
     fn value(&self, at: &Equilibrium<'_>) -> Observed {
-        largest(at, self.0, Zone::Edge)
+        largest(at, self.0, true)
     }
 
     fn pair_of(&self) -> Option<PairId> {
@@ -41,12 +40,12 @@ impl Observable for MaxEdgePressure {
     }
 }
 
-/// Of all patches, the largest in a zone.
-fn largest(at: &Equilibrium<'_>, pair: PairId, zone: Zone) -> Observed {
+/// Of the patches that an edge cuts off, or of the others.
+fn largest(at: &Equilibrium<'_>, pair: PairId, at_edge: bool) -> Observed {
     let mut largest = Observed::number(0.0);
-    for contact in at.contacts(pair) {
+    for contact in at.contacts(pair).filter(|contact| contact.at_edge() == at_edge) {
         let larger = |(pressure, _): &(f64, _)| *pressure > largest.value || pressure.is_nan();
-        if let Some((value, place)) = contact.peak(0, zone).filter(larger) {
+        if let Some((value, place)) = contact.peak(0).filter(larger) {
             largest = Observed { value, least: None, place };
         }
     }

@@ -338,13 +338,8 @@ fn contact_section(run: &Run, units: Units) -> Markup {
             @let [first, second] = &mesh.bodies;
             article {
                 h3 { (first) " and " (second) @if mesh.back { ", back sides of the teeth" } }
-                p { "Largest pressure away from tip edges: " b { (number(units.stress.of(mesh.largest))) " " (units.stress.name) } "."
-                    @if mesh.largest_on_edges > 0.0 {
-                        " On tip edges and within one half-width of them: " (number(units.stress.of(mesh.largest_on_edges))) " "
-                        (units.stress.name) "."
-                    }
-                }
-                (figure(&mesh.pattern, &format!("Contact pattern on {first}: the largest pressure away from tip edges that each place of the flank sees over all positions, teeth laid over each other.")))
+                p { "Largest pressure: " b { (number(units.stress.of(mesh.largest))) " " (units.stress.name) } "." }
+                (figure(&mesh.pattern, &format!("Contact pattern on {first}: the largest pressure that each place of the flank sees over all positions, teeth laid over each other.")))
                 (figure(&mesh.along_face, "Load along the face: of the position with the largest load, tooth pair by tooth pair, and the largest of all positions."))
                 (figure(&mesh.path, "Sharing between teeth: the load of a pair on its way through the mesh. Its place is the middle of its load."))
             }

@@ -2,10 +2,9 @@
 //!
 //! Across each slice and along the slices' peaks the square of the pressure is nearly a parabola, as in the plane.
 
-use super::grid::{Cell, Grid, Slice};
+use super::grid::{Cell, Grid};
 use crate::contact::grid::{LEAST_LOADED_CELLS, MARGIN};
 use crate::contact::pressure::{self, zeros_of_squared_pressure};
-use crate::contact::zone::Zone;
 
 /// Pressure in each cell (Pa) for cell forces (N).
 pub fn pressures(cells: &[Cell], forces: &[f64]) -> Vec<f64> {
@@ -29,41 +28,15 @@ fn strip(grid: &Grid, pressures: &[f64], slice: usize) -> (Vec<[f64; 2]>, Vec<f6
     (grid.cells[cells.clone()].iter().map(|cell| cell.ends(0)).collect(), pressures[cells].to_vec())
 }
 
-/// The peak of a slice that carries no load.
-const NONE: pressure::Peak = pressure::Peak { pressure: 0.0, x: 0.0, cell: 0 };
-
 /// The peak of each slice, Pa; 0 where none of it is loaded.
 fn slice_peaks(grid: &Grid, pressures: &[f64]) -> Vec<pressure::Peak> {
+    let none = pressure::Peak { pressure: 0.0, x: 0.0, cell: 0 };
     (0..grid.slices.len())
         .map(|slice| {
             let (cells, pressures) = strip(grid, pressures, slice);
-            pressure::peak(&cells, &pressures).unwrap_or(NONE)
+            pressure::peak(&cells, &pressures).unwrap_or(none)
         })
         .collect()
-}
-
-/// The largest pressure of each slice in a zone, Pa; 0 where none of it is loaded. Cells are counted within the slice.
-pub fn slice_peaks_in(grid: &Grid, pressures: &[f64], zone: Zone) -> Vec<pressure::Peak> {
-    let half_width = half_width(grid, pressures);
-    (0..grid.slices.len())
-        .map(|slice| {
-            let (cells, pressures) = strip(grid, pressures, slice);
-            let Slice { flank, ridge, .. } = grid.slices[slice];
-            zone.peak(&cells, &pressures, (flank, ridge), half_width).unwrap_or(NONE)
-        })
-        .collect()
-}
-
-/// Hertzian half-width of the patch, m: of the line loads of its slices, averaged by the forces that they carry.
-fn half_width(grid: &Grid, pressures: &[f64]) -> f64 {
-    let force = |cell: usize| pressures[cell] * grid.cells[cell].area();
-    let (mut sum, mut by_load) = (0.0, 0.0);
-    for slice in &grid.slices {
-        let own: f64 = slice.cells.clone().map(force).sum();
-        sum += own;
-        by_load += own * own / (slice.y[1] - slice.y[0]);
-    }
-    if sum > 0.0 { grid.unit_half_width * (by_load / sum).sqrt() } else { 0.0 }
 }
 
 /// Ends along the ridge of each slice, m.
@@ -73,16 +46,7 @@ fn lengths(grid: &Grid) -> Vec<[f64; 2]> {
 
 /// The peak pressure, between cells and slices; `None` if no cell is loaded. `pressures` in Pa, one a cell.
 pub fn peak(grid: &Grid, pressures: &[f64]) -> Option<Peak> {
-    along(grid, &slice_peaks(grid, pressures))
-}
-
-/// The same of a zone. Side faces are no edges: every patch reaches them.
-pub fn peak_in(grid: &Grid, pressures: &[f64], zone: Zone) -> Option<Peak> {
-    along(grid, &slice_peaks_in(grid, pressures, zone))
-}
-
-/// The largest of slices' peaks.
-fn along(grid: &Grid, peaks: &[pressure::Peak]) -> Option<Peak> {
+    let peaks = slice_peaks(grid, pressures);
     let values: Vec<f64> = peaks.iter().map(|peak| peak.pressure).collect();
     let found = pressure::peak(&lengths(grid), &values)?;
     let own = &peaks[found.cell];
@@ -194,4 +158,18 @@ fn judge(pieces: &[[f64; 2]], pressures: &[f64], surface_ends: [bool; 2], extent
         smaller
     };
     Judgement { truncated, under_resolved, recommended }
+}
+
+impl Grid {
+    /// Whether a loaded patch lies on a rounded edge or is cut off across where a surface ends: its pressures are edge pressures. Side
+    /// faces are no such edges: every patch reaches them.
+    pub fn at_edge(&self, forces: &[f64]) -> bool {
+        let loaded = |cell: usize| forces[cell] > 0.0;
+        let on_edge = (0..self.cells.len()).any(|cell| self.cells[cell].edge && loaded(cell));
+        on_edge
+            || self.slices.iter().any(|slice| {
+                (slice.surface_ends[0] && loaded(slice.cells.start))
+                    || (slice.surface_ends[1] && loaded(slice.cells.end - 1))
+            })
+    }
 }
