@@ -138,7 +138,6 @@ fn rows() -> Vec<Row> {
         ));
     }
     let kind = ("transverse", 0.0, 30.0);
-    rows.push(gear("E0603", kind, &[("tip_radius", -1.0, "mm")], vec![Set("tip_radius", 0)]));
     rows.push(gear("E0803", kind, &[("face_width", 0.02, "mm")], vec![Set("face_width", 0)]));
     rows.push(gear("W0802", kind, &[("modulus", 206.0, "MPa")], vec![Set("modulus", 0)]));
     rows.push(gear("W0802", kind, &[("density", 7.85, "kg/m^3")], vec![Set("density", 0)]));
@@ -157,7 +156,6 @@ fn rows() -> Vec<Row> {
     ));
     rows.push(ring("E0626", &[("tip_radius", 1.2, "mm")], vec![Set("tip_radius", 0)]));
     rows.push(ring("E0628", &[("minor", 113.3, "mm")], vec![Set("minor", 0)]));
-    rows.push(ring("E0624", &[("addendum", -1.0, "mm")], vec![Set("addendum", 0)]));
     rows
 }
 

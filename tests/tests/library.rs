@@ -9,7 +9,15 @@ use calyx_lang::span::FileId;
 use std::collections::BTreeSet;
 
 /// Functions that the language itself calls: `print`, `assert` and `output` have their own syntax or types.
-const OF_THE_LANGUAGE: &[&str] = &["calyx_std_print", "calyx_std_assert", "calyx_std_output"];
+const OF_THE_LANGUAGE: &[&str] = &[
+    "calyx_std_print",
+    "calyx_std_assert",
+    "calyx_std_output",
+    "calyx_std_unit_axis",
+    "calyx_std_first_outside",
+    "calyx_std_first_vector_outside",
+    "calyx_std_first_unknown",
+];
 
 /// Link symbol, declaration and doc comment of every extern function of the library.
 fn declared() -> Vec<(String, FunctionDecl, Option<String>)> {

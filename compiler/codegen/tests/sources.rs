@@ -70,7 +70,7 @@ const MODELS: &[(&str, &[&str])] = &[
          print(interpolate(xs, ys, 2 mm) == 2 N, interpolate(xs, ys, 0.5 mm), interpolate(xs, ys, 4 mm));
          print(interpolate(xs, ys, 2 mm, \"monotone\"), interpolate(xs, ys, 0.25 mm, \"monotone\") > 0.5 N);
          print(interpolate(xs, ys, 5 mm));",
-        &["TRUE 1 N 6 N", "2 N TRUE", "E0705"],
+        &["TRUE 1 N 6 N", "2 N TRUE", "E0821"],
     ),
     ("print(\"before\"); var a = [1]; print(\"{a[1]}\");", &["before", "E0701"]),
 ];

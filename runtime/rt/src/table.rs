@@ -58,7 +58,7 @@ fn without_level(result: &AnalysisResult) -> Option<String> {
     ];
     missing.push(format!("the error of fidelity \"{}\" itself", result.plan.fidelity.name()));
     Some(format!(
-        "numerical error: {}; not included: {} ({reason})\n",
+        "numerical error: {}\nnot included: {}\n({reason})\n",
         included.join(", "),
         missing.join(", ")
     ))
