@@ -19,7 +19,7 @@ pub fn summary(description: &ModelDescription, result: &AnalysisResult) -> Strin
     };
     let head = ["output", "unit", "min", "mean", "max", "peak to peak", at].map(String::from);
     let without_level = without_level(result);
-    let error_head = if without_level.is_some() { "numerical error" } else { "error" };
+    let error_head = if without_level.is_some() { "error*" } else { "error" };
     let mut rows = vec![with_error(head.into(), error_head.into())];
     for (output, summary) in description.outputs.iter().zip(&result.summaries) {
         let shown = |si: f64| number(from_si(si, output.unit.factor));
@@ -58,7 +58,7 @@ fn without_level(result: &AnalysisResult) -> Option<String> {
     ];
     missing.push(format!("the error of fidelity \"{}\" itself", result.plan.fidelity.name()));
     Some(format!(
-        "numerical error: {}\nnot included: {}\n({reason})\n",
+        "* numerical error: {}\n  not included: {}\n  ({reason})\n",
         included.join(", "),
         missing.join(", ")
     ))
