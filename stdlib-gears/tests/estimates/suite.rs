@@ -130,7 +130,7 @@ impl Row {
         for ((output, own), exact) in names.iter().zip(&own.summaries).zip(&exact.summaries) {
             let error = own.error.as_ref().expect("it is estimated");
             let scale = exact.max.abs().max(exact.min.abs());
-            let statistics: [(&str, f64, fn(&Statistics) -> f64); 4] = [
+            let statistics: [(&str, f64, OneOf); 4] = [
                 ("min", own.min - exact.min, |of| of.min),
                 ("max", own.max - exact.max, |of| of.max),
                 ("mean", own.mean - exact.mean, |of| of.mean),
@@ -151,6 +151,9 @@ impl Row {
         all
     }
 }
+
+/// Selects one of the statistics.
+type OneOf = fn(&Statistics) -> f64;
 
 /// Errors as parts of the output's largest magnitude.
 struct Measured {

@@ -36,7 +36,7 @@ pub fn write(directory: &Path) -> io::Result<PathBuf> {
 /// Makes the page of the run in a locked directory, and lists it as a file of the run: its path.
 ///
 /// # Errors
-/// As for [`write`]; or a page is there that no run wrote.
+/// Fails as [`write()`] does, and if there is a page that no run wrote.
 pub fn write_locked(directory: &RunDirectory) -> io::Result<PathBuf> {
     directory.claim_all([REPORT, "report.html.part"])?;
     write(directory.path())
