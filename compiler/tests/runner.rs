@@ -338,7 +338,7 @@ fn an_executable_explains_itself() {
                 "TRUE",
                 "kind",
                 "\"plane\" or \"solid\"",
-                "Giving params:",
+                "Params:",
                 "--set <NAME=VALUE>",
                 "--print-params",
                 "Results:",

@@ -16,59 +16,61 @@ pub const EXAMPLES: &str = "Examples:
   CC=clang calyx build pair.cx
   calyx build pair.cx --bundle                 needs no linker; the executable is as large as calyx
 
-Exit status: 0 when everything is built, 1 if the model is wrong or cannot be built, 2 if the command was not used as it can be.";
+Exit status: 0 if everything was built, 1 if the model has errors or cannot be built, 2 for wrong usage of the command.";
 
 /// What a model is made into.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Kind {
-    /// NAME, an executable
+    /// NAME: an executable
     Exe,
-    /// NAME.o, the model's code, to be linked with libcalyx_rt.a
+    /// NAME.o: machine code of the model, to be linked with libcalyx_rt.a
     Obj,
-    /// libNAME.a, model and engine in one library
+    /// libNAME.a: a library with model and engine
     Lib,
-    /// NAME.h, the header of both for C and C++
+    /// NAME.h: the header for C and C++
     Header,
 }
 
 /// The machines that code is for.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 enum Cpu {
-    /// Every machine of this architecture
+    /// All processors of this architecture
     #[default]
     Baseline,
-    /// This machine, and those that have all its instructions
+    /// This processor and those with the same instruction sets
     Native,
 }
 
 #[derive(Args)]
 pub struct Build {
-    /// The model, a .cx file
+    /// The model (.cx file)
     file: PathBuf,
-    /// The executable to write; the endings of other kinds are added [default: beside the model, named after it]
+    /// Output file; extensions of other kinds are added [default: the model's path without its
+    /// extension]
     #[arg(short, long, value_name = "NAME")]
     output: Option<PathBuf>,
-    /// What to make; several with commas between them
+    /// Kinds of output, separated by commas
     #[arg(long, value_enum, value_delimiter = ',', default_value = "exe", value_name = "KIND")]
     emit: Vec<Kind>,
-    /// The machines that the model's code is for; results have the same bits on all
+    /// Target processors of the model's code; results are identical on all
     #[arg(long, value_enum, default_value_t, value_name = "CPU")]
     target_cpu: Cpu,
-    /// Leave the names of functions in the executable, for debuggers and profilers
+    /// Keep function names in the executable, for debuggers and profilers
     #[arg(long)]
     keep_symbols: bool,
-    /// Make the executable a copy of `calyx` with the compiled model behind it: larger, but no linker and no library are needed
+    /// Make the executable a copy of `calyx` with the compiled model attached
     ///
-    /// This is done without the option, too, where the runtime library is not found, as after `cargo install`. Like every
-    /// executable, it is machine code: run only those whose origin you trust.
+    /// Such an executable is larger, but requires neither a linker nor the runtime library. This is
+    /// also the fallback if the runtime library is not found, as after `cargo install`. An
+    /// executable is machine code: run only executables from sources you trust.
     #[arg(long)]
     bundle: bool,
-    /// Replace files that `calyx build` did not make
+    /// Replace files that `calyx build` did not write
     ///
-    /// Without it, only executables, object files, libraries and headers of an earlier build are replaced.
+    /// Without this option, only output files of an earlier build are replaced.
     #[arg(long)]
     force: bool,
-    /// How messages are written to standard error
+    /// Format of messages on standard error
     #[arg(long, value_enum, default_value_t, value_name = "FORMAT")]
     message_format: MessageFormat,
 }

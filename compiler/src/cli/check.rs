@@ -14,16 +14,16 @@ pub const EXAMPLES: &str = "Examples:
   calyx check pair.cx --fix
   calyx check pair.cx --message-format json 2> messages.jsonl
 
-Exit status: 0 without errors, 1 with errors, 2 if the command was not used as it can be.";
+Exit status: 0 without errors, 1 with errors, 2 for wrong usage of the command.";
 
 #[derive(Args)]
 pub struct Check {
-    /// The model, a .cx file
+    /// The model (.cx file)
     file: PathBuf,
-    /// Apply the fixes that are certain to the model and the modules beside it, then check again
+    /// Apply unambiguous fixes to the model and the modules in its directory, then check again
     #[arg(long)]
     fix: bool,
-    /// How messages are written to standard error
+    /// Format of messages on standard error
     #[arg(long, value_enum, default_value_t, value_name = "FORMAT")]
     message_format: MessageFormat,
 }

@@ -11,16 +11,16 @@ pub const EXAMPLES: &str = "Examples:
   calyx doc gears -o reference   one module
   calyx doc pair.cx shapes.cx    params, outputs and functions of your own files
 
-The pages are single files of HTML: open them in any browser.";
+Each page is a self-contained HTML file.";
 
 #[derive(Args)]
 pub struct Doc {
-    /// Modules of the library, or files ending in .cx [default: all of the library]
+    /// Modules of the library, or .cx files [default: the whole library]
     modules: Vec<String>,
-    /// Directory to write to
+    /// Output directory
     #[arg(short, long, value_name = "DIR", default_value = "doc")]
     output: PathBuf,
-    /// Replace files that have names of pages and that `calyx doc` did not write
+    /// Replace files with the names of pages that `calyx doc` did not write
     #[arg(long)]
     force: bool,
 }

@@ -13,47 +13,47 @@ pub const EXAMPLES: &str = "Examples:
   calyx dump --stage ir --function area pair.cx
   calyx dump --stage graph --format dot pair.cx | dot -Tsvg > graph.svg
 
-The texts are for people and may change with any version.";
+The format is for reading and can change in any version.";
 
 /// A stage of compilation, in order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Stage {
-    /// Words and signs, with their places
+    /// Tokens with their positions
     Tokens,
-    /// The syntax tree, names unresolved
+    /// The syntax tree before name resolution
     Tree,
-    /// Type and dimension of the model's variables, params and outputs
+    /// Types and dimensions of the model's variables, params and outputs
     Types,
-    /// The typed program: functions as graphs of basic blocks, numbers in SI
+    /// The typed intermediate representation: functions as control-flow graphs, numbers in SI units
     Ir,
-    /// The operations of every `:=` expression, each distinct one once
+    /// The operations of every `:=` expression, after common subexpression elimination
     Graph,
-    /// The code generator's input
+    /// Cranelift intermediate representation
     Clif,
-    /// Machine code of this machine
+    /// Machine code for this machine
     Asm,
 }
 
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 enum GraphFormat {
-    /// One operation a line
+    /// One operation per line
     #[default]
     Text,
-    /// For Graphviz
+    /// Graphviz format
     Dot,
 }
 
 #[derive(Args)]
 pub struct Dump {
-    /// The model, a .cx file
+    /// The model (.cx file)
     file: PathBuf,
-    /// The stage to show
+    /// Stage of compilation
     #[arg(long, value_enum)]
     stage: Stage,
-    /// Only the functions or `:=` expressions of this name (from `ir` on)
+    /// Only functions or `:=` expressions with this name (from `ir` on)
     #[arg(long, value_name = "NAME")]
     function: Option<String>,
-    /// How graphs are written
+    /// Format of graphs
     #[arg(long, value_enum, default_value_t, value_name = "FORMAT")]
     format: GraphFormat,
 }

@@ -12,17 +12,17 @@ pub const EXAMPLES: &str = "Examples:
   calyx eval --units inch_lbf_s \"200 GPa\"
   calyx eval --file pair.cx \"contact_ratio(24, 40)\"
 
-After `to` or `in` stands a unit or a product of units; without it the result is shown in the unit system. Functions and
-params of a file can be used with --file; what it runs is passed over.";
+`to` or `in` is followed by a unit or a product of units. Without it the result is in the unit system. With --file,
+the functions and params of a file are available; its analyses are skipped.";
 
 #[derive(Args)]
 pub struct Eval {
-    /// An expression, as it would stand in a model
+    /// An expression in the syntax of a model
     expression: String,
     /// Unit system for bare numbers and the result: SI, mm_N_s or inch_lbf_s [default: the file's, or SI]
     #[arg(long, value_name = "SYSTEM")]
     units: Option<String>,
-    /// A model or module whose declarations the expression may use
+    /// A model or module whose declarations are available in the expression
     #[arg(long, value_name = "FILE")]
     file: Option<PathBuf>,
 }

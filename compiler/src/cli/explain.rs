@@ -16,21 +16,22 @@ pub const EXAMPLES: &str = "Examples:
   calyx explain E0401
   calyx explain
   calyx explain pair.cx --set torque=500
-  calyx explain pair.cx --fidelity finest      before it is run so";
+  calyx explain pair.cx --fidelity finest      before running it";
 
 #[derive(Args)]
 pub struct Explain {
-    /// The code, like E0401; or a model, a .cx file, whose analysis is explained without being done
+    /// A diagnostic code such as E0401, or a model (.cx file) whose planned analysis is described
     #[arg(value_name = "CODE or FILE")]
     subject: Option<String>,
-    /// Set a param of the model, as for `calyx run`
+    /// Set a param of the model, see `calyx run`
     #[arg(long, value_name = "NAME=VALUE", value_parser = Given::name_and_value)]
     set: Vec<Given>,
     #[command(flatten)]
     overrides: OverrideArguments,
-    /// Measure anew how fast this machine is, which predictions of time follow from
+    /// Measure the speed of this machine again, for predictions of computing time
     ///
-    /// It takes a tenth of a second, and is kept in the directory of kept structures (see `calyx run --help`).
+    /// Takes a tenth of a second. The result is stored in the structure cache (see `calyx run
+    /// --help`).
     #[arg(long)]
     recalibrate: bool,
 }

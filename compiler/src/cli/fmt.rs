@@ -14,15 +14,16 @@ pub const EXAMPLES: &str = "Examples:
   calyx fmt --check models
   calyx fmt --stdin < pair.cx
 
-Exit status: 0 if all is well, 1 if a file has errors of syntax or, with --check, is not formatted, 2 if the command was
-not used as it can be.";
+Exit status: 0 on success, 1 if a file has syntax errors or, with --check, is not formatted, 2 for wrong
+usage of the command.";
 
 #[derive(Args)]
 pub struct Fmt {
-    /// Models, and directories in which every .cx file is meant [default: the current directory]
+    /// Source files, or directories that are searched for .cx files [default: the current
+    /// directory]
     #[arg(value_name = "FILE or DIR")]
     paths: Vec<PathBuf>,
-    /// Change nothing, only name the files that are not formatted
+    /// List files that are not formatted without changing them
     #[arg(long)]
     check: bool,
     /// Format standard input to standard output

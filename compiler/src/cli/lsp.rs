@@ -10,7 +10,7 @@ use std::process::ExitCode;
 
 pub const EXAMPLES: &str = "\
 Editors:
-  VS Code   install the extension in lsp/editors/vscode; it starts `calyx lsp` by itself
+  VS Code   install the extension in lsp/editors/vscode; it starts `calyx lsp` automatically
   Neovim    vim.lsp.start({ name = 'calyx', cmd = { 'calyx', 'lsp' }, root_dir = vim.fn.getcwd() })
             in an autocommand for the file type of *.cx; see lsp/editors/neovim
   Helix     languages.toml:  [language-server.calyx]
@@ -20,17 +20,17 @@ Editors:
   Emacs     (add-to-list 'eglot-server-programs '(calyx-mode \"calyx\" \"lsp\")); see lsp/editors/emacs
   others    the command is `calyx lsp`, files end in .cx
 
-Exit status: 0 when the editor has said `shutdown` and `exit`, 1 if it was gone before.";
+Exit status: 0 after the requests `shutdown` and `exit`, 1 if the editor exited before.";
 
 #[derive(Args)]
 pub struct Lsp {
-    /// What is said on standard error and in the editor's log: error, info or debug
+    /// Level of log messages on standard error and in the editor's log: error, info or debug
     #[arg(long, value_name = "LEVEL", default_value_t)]
     log: Level,
-    /// Write every message of the editor to a file, to go with a report of a bug. It holds the texts that are edited
+    /// Write all protocol messages to a file, for bug reports. The file contains the edited texts
     #[arg(long, value_name = "FILE")]
     record: Option<PathBuf>,
-    /// What editors say by habit; there is no other way
+    /// Accepted for compatibility: standard input and output are the only transport
     #[arg(long, hide = true)]
     stdio: bool,
 }

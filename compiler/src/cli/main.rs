@@ -23,14 +23,14 @@ use std::process::ExitCode;
 
 /// Design gear systems: write a model as text, check it, run it.
 ///
-/// A model is a text file ending in .cx. `calyx check` says what is wrong with it without running it; `calyx run` solves
-/// it and writes a directory of results.
+/// A model is a text file with the extension .cx. `calyx check` reports its errors without solving
+/// it; `calyx run` solves it and writes a directory of results.
 #[derive(Parser)]
 #[command(
     name = "calyx",
     version,
-    after_help = "Start with:
-  calyx new pair                   a commented model that runs
+    after_help = "First steps:
+  calyx new pair                   create a commented example model
   calyx run examples/spur_pair.cx"
 )]
 struct Arguments {
@@ -40,75 +40,82 @@ struct Arguments {
 
 #[derive(Subcommand)]
 enum Command {
-    /// Write a commented model that runs, to start from
+    /// Create a commented example model
     ///
-    /// `calyx new pair.cx` writes that file, `calyx new pair` a directory with pair.cx in it. Nothing is overwritten.
+    /// `calyx new pair.cx` creates that file, `calyx new pair` a directory with pair.cx in it.
+    /// Existing files are never overwritten.
     #[command(after_help = new::EXAMPLES)]
     New(new::New),
-    /// Say everything that is wrong with a model, without solving anything
+    /// Check a model without solving it
     ///
-    /// Finds errors of the language, of dimensions and units, and of the gears themselves (undercut, pointed teeth,
-    /// contact ratio below 1, interference, a body that nothing holds) at the params' defaults.
+    /// Reports errors of syntax, types, dimensions and units, and errors of the gear design
+    /// (undercut, pointed teeth, contact ratio below 1, interference, a body without supports),
+    /// with the default values of the params.
     #[command(after_help = check::EXAMPLES)]
     Check(check::Check),
     /// Run a model and write its results
     ///
-    /// Prints a summary table and writes a directory with report.html (all of it, to be looked at), run.json (inputs, outputs,
-    /// certificate), steps.csv (one row a position) and timing.json.
+    /// Prints a summary table and writes a directory with report.html (an illustrated report),
+    /// run.json (inputs, outputs, solver residuals), steps.csv (one row per position) and
+    /// timing.json.
     #[command(after_help = run::EXAMPLES)]
     Run(run::Run),
-    /// Make the report of a run again from its directory, as one page of HTML
+    /// Regenerate the HTML report of a run
     ///
-    /// A run writes report.html by itself. This makes it anew: of a run of an earlier day, of one that was killed, or with what
-    /// `calyx tradeoff` has measured since.
+    /// Every run writes report.html. This command writes it again from the results: after an
+    /// interrupted run, or to include the measurements of a later `calyx tradeoff`.
     #[command(after_help = report::EXAMPLES)]
     Report(report::Report),
-    /// Make a model an executable that runs where there is no Calyx, or a library for programs in C
+    /// Compile a model to a standalone executable or a C library
     ///
-    /// The executable has its own `--help`, made from the model's doc comments, params and outputs, and writes the same bits
-    /// as `calyx run`. It is linked by the system's C compiler ($CC, else cc) with the library libcalyx_rt.a, which is found
-    /// beside `calyx`, in deps/ beside it (cargo puts it there), in ../lib/calyx, or in the user's data directory;
-    /// CALYX_RT_LIBRARY names another.
+    /// The executable needs no Calyx installation. It has its own `--help`, generated from the
+    /// model's doc comments, params and outputs, and its results are identical to those of `calyx
+    /// run`. The system's C compiler ($CC, else cc) links it with the library libcalyx_rt.a. Calyx
+    /// searches this library in its own directory, in deps/ below it (where cargo writes it), in
+    /// ../lib/calyx and in the user's data directory; CALYX_RT_LIBRARY names another path.
     #[command(after_help = build::EXAMPLES)]
     Build(build::Build),
-    /// Lay out models as all of them are laid out
+    /// Format source files
     ///
-    /// Changes blanks and line ends only; comments stay. A file with errors of syntax is left as it is.
+    /// Changes only white space; comments are kept. A file with syntax errors is not changed.
     #[command(after_help = fmt::EXAMPLES)]
     Fmt(fmt::Fmt),
-    /// Run the tests in files: functions marked with `test`
+    /// Run the test functions in source files
     #[command(after_help = test::EXAMPLES)]
     Test(test::Test),
-    /// Say what a diagnostic means and how to mend it
+    /// Explain a diagnostic code, or the plan of a model's analysis
     ///
-    /// Without a code, lists all codes.
+    /// Without an argument, lists all codes.
     #[command(after_help = explain::EXAMPLES)]
     Explain(explain::Explain),
-    /// Measure speed against accuracy: a model at every level and knob, error against time for each output
+    /// Measure accuracy against computing time for the fidelity levels and settings
     ///
-    /// Runs the ladder of levels (plane sections to the finest meshes in three dimensions) and the knobs below them (mesh, contact grid,
-    /// positions), each once, and compares all with the finest that is affordable. Prints a table with what is worth its time marked, and
-    /// what to choose for which tolerance; writes it as tradeoff.csv, tradeoff.json and a picture, tradeoff.svg.
+    /// Runs the model once at each fidelity level (from two-dimensional models to the finest
+    /// three-dimensional meshes) and for each setting (mesh, contact grid, positions), and compares
+    /// the results with the finest affordable run. Prints a table that marks the efficient settings
+    /// and recommends a setting for each tolerance. Writes the table as tradeoff.csv, tradeoff.json
+    /// and a plot, tradeoff.svg.
     #[command(after_help = tradeoff::EXAMPLES)]
     Tradeoff(tradeoff::Tradeoff),
-    /// Compute an expression, or convert a quantity: calyx eval "3 inch to mm"
+    /// Evaluate an expression or convert units: calyx eval "3 inch to mm"
     #[command(after_help = eval::EXAMPLES)]
     Eval(eval::Eval),
-    /// Enter statements and expressions one after another and see what they give
+    /// Start an interactive session
     ///
-    /// Definitions and variables stay. An error is shown and leaves everything as it was. Nothing is solved: `analyze` is
-    /// passed over.
+    /// Evaluates statements and expressions one after another. Definitions and variables persist. A
+    /// statement with an error has no effect. `analyze` is skipped: a session solves nothing.
     #[command(after_help = repl::EXAMPLES)]
     Repl(repl::Repl),
-    /// Write reference pages from doc comments: of the library, of your modules, of a model's params and outputs
+    /// Generate reference pages from doc comments
     #[command(after_help = doc::EXAMPLES)]
     Doc(doc::Doc),
-    /// Serve an editor: diagnostics as you type, completion, hover and the rest
+    /// Start the language server for editors
     ///
-    /// Speaks the Language Server Protocol on standard input and output; editors start it by themselves.
+    /// Implements the Language Server Protocol on standard input and output: diagnostics,
+    /// completion, hover, and more. Editors start it automatically.
     #[command(after_help = lsp::EXAMPLES)]
     Lsp(lsp::Lsp),
-    /// Show a model at a stage of compilation: tokens, tree, types, ir, graph, clif or asm
+    /// Print an intermediate representation of a model: tokens, tree, types, ir, graph, clif or asm
     #[command(after_help = dump::EXAMPLES)]
     Dump(dump::Dump),
 }

@@ -20,10 +20,10 @@ pub const USAGE: u8 = 2;
 /// Who reads what the command says.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum MessageFormat {
-    /// Text with the source beside it
+    /// Text with an excerpt of the source
     #[default]
     Human,
-    /// One JSON object a line
+    /// One JSON object per line
     Json,
 }
 

@@ -10,19 +10,19 @@ use std::process::ExitCode;
 
 pub const EXAMPLES: &str = "Examples:
   calyx new pair                      directory pair with pair.cx, two spur gears in mesh
-  calyx new pair.cx                   the file alone
+  calyx new pair.cx                   only the file
   calyx new planet --template frames  kinematics without gears";
 
 /// What the model is about.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 #[value(rename_all = "snake_case")]
 enum Template {
-    /// Two spur gears in mesh: transmission error, contact pressure, root stress
+    /// A spur gear pair: transmission error, contact pressure, root stress
     #[default]
     SpurPair,
     /// Moving frames: a planet on its carrier, positions and velocities
     Frames,
-    /// Quantities, functions and a table of results, nothing of gears
+    /// Quantities, functions and a table of results, without gears
     Calculation,
 }
 
@@ -38,9 +38,9 @@ impl Template {
 
 #[derive(Args)]
 pub struct New {
-    /// The directory to make, or the file if it ends in .cx
+    /// The directory to create, or the file if the name ends in .cx
     name: PathBuf,
-    /// What the model is about
+    /// Subject of the model
     #[arg(long, value_enum, default_value_t, value_name = "TEMPLATE")]
     template: Template,
 }

@@ -31,7 +31,7 @@ Commands:
 
 #[derive(Args)]
 pub struct Repl {
-    /// A model or module whose declarations can be used
+    /// A model or module whose declarations are available
     file: Option<PathBuf>,
     /// Unit system for bare numbers and results: SI, mm_N_s or inch_lbf_s [default: the file's, or SI]
     #[arg(long, value_name = "SYSTEM")]

@@ -14,11 +14,11 @@ Examples:
   calyx report pair.cx.run          writes pair.cx.run/report.html
   calyx report pair.cx              the same
 
-Exit status: 0 when the page is written, 1 if it cannot be, 2 if there is no run.";
+Exit status: 0 if the report was written, 1 on errors, 2 if there is no run.";
 
 #[derive(Args)]
 pub struct Report {
-    /// The directory of a run, or its model
+    /// The directory of a run, or the model file
     run: PathBuf,
 }
 

@@ -16,27 +16,27 @@ use std::process::ExitCode;
 
 pub const EXAMPLES: &str = "\
 Examples:
-  calyx run pair.cx                                     results go to pair.cx.run
+  calyx run pair.cx                                     writes results to pair.cx.run
   calyx run pair.cx --set torque=500 --set \"tip_radius=0.5 mm\"
   calyx run pair.cx --params case.toml --out results/case-1 --quiet
-  calyx run pair.cx --print-params > params.schema.json what a file of params may hold
+  calyx run pair.cx --print-params > params.schema.json schema of a params file
   calyx run pair.cx --json --quiet | jq .outputs.max_contact_pressure.max
-  calyx run pair.cx --resume                            after a run that was ended
-  calyx run pair.cx --fidelity plane --cells 12         whatever the model says of its analysis
+  calyx run pair.cx --resume                            after an interrupted run
+  calyx run pair.cx --fidelity plane --cells 12         overrides settings of the model
 
-A file of params, case.toml:
+A params file, case.toml:
   torque = 500              # in the unit of the param's default
   tip_radius = \"0.5 mm\"
 
-Exit status: 0 when results are written, 1 if the model or its analysis failed, 2 if the command was not used as it can be.";
+Exit status: 0 if the results were written, 1 if the model or its analysis failed, 2 for wrong usage of the command.";
 
 #[derive(Args)]
 pub struct Run {
-    /// The model, a .cx file
+    /// The model (.cx file)
     file: PathBuf,
     #[command(flatten)]
     run: RunArguments,
-    /// How messages are written to standard error
+    /// Format of messages on standard error
     #[arg(long, value_enum, default_value_t, value_name = "FORMAT")]
     message_format: MessageFormat,
 }

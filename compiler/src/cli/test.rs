@@ -21,17 +21,17 @@ A test is a function without parameters that asserts:
   }
 
 It sees functions, constants, records and params (at their defaults), not the variables of the model, and runs on its own.
-Nothing is solved. Exit status: 0 if all tests passed, 1 if one failed, 2 if the command was not used as it can be.";
+Nothing is solved. Exit status: 0 if all tests passed, 1 if one failed, 2 for wrong usage of the command.";
 
 #[derive(Args)]
 pub struct Test {
     /// A file, or a directory whose files are searched for tests
     #[arg(default_value = ".")]
     path: PathBuf,
-    /// Run only tests whose names contain this
+    /// Run only tests whose names contain this text
     #[arg(long, value_name = "NAME", default_value = "", hide_default_value = true)]
     filter: String,
-    /// How results are written: text, or one JSON object a line
+    /// Format of results: text, or one JSON object per line
     #[arg(long, value_enum, default_value_t, value_name = "FORMAT")]
     message_format: MessageFormat,
 }

@@ -22,68 +22,69 @@ use std::process::ExitCode;
 use std::time::Duration;
 
 pub const EXAMPLES: &str = "\
-Every setting is a run of its own below runs/ in the directory of results, with the model's params, the same positions and structures
-condensed anew. What a setting is off is its largest deviation from the reference at any position, over the largest magnitude of the
-output in the reference run; settings that leave positions out are off by what their extremes and mean miss. The reference is the finest level
+Every setting is a separate run below runs/ in the results directory, with the same params and positions and without cached
+structures. The error of a setting is its largest deviation from the reference at any position, divided by the largest magnitude of
+the output in the reference run; for settings with fewer positions, the deviation of extremes and mean. The reference is the finest level
 within --longest, with contact grids twice as fine and, if that is within --longest too, a finer mesh than any other setting. Settings whose mesh
-is no coarser than the reference's are marked: the error of the mesh is not in their numbers. The reference's own error is in none of the
-numbers: a plane model that agrees with it to 1 % is right to 1 % and what the reference is off.
+is not coarser than that of the reference are marked: their errors exclude the mesh error. No figure includes the error of the
+reference itself: a model that agrees with it to 1 % has an error of up to 1 % plus that of the reference.
 
 Examples:
   calyx tradeoff pair.cx                                results go to pair.cx.tradeoff
   calyx tradeoff pair.cx --set steps=8 --levels plane,medium
   calyx tradeoff pair.cx --longest 1h --reference finest
-  calyx tradeoff pair.cx                                again, after it was ended: goes on; once finished it is instant
+  calyx tradeoff pair.cx                                continues after an interruption
 
-Then: calyx run pair.cx --fidelity plane --cells 12, with what the table recommends.
+Then run with the recommended settings, e.g. calyx run pair.cx --fidelity plane --cells 12.
 
-Exit status: 0 when the comparison is written, 1 if the model or all levels failed, 2 if the command was not used as it can be.";
+Exit status: 0 if the comparison was written, 1 if the model or all levels failed, 2 for wrong usage of the command.";
 
 #[derive(Args)]
 pub struct Tradeoff {
-    /// The model, a .cx file
+    /// The model (.cx file)
     file: PathBuf,
-    /// Set a param of the model, as for `calyx run`
+    /// Set a param of the model, see `calyx run`
     #[arg(long, value_name = "NAME=VALUE", value_parser = Given::name_and_value)]
     set: Vec<Given>,
-    /// Read params from FILE.json or FILE.toml, as for `calyx run`
+    /// Read params from FILE.json or FILE.toml, see `calyx run`
     #[arg(long, value_name = "FILE")]
     params: Option<PathBuf>,
-    /// Levels to measure, with commas between them [default: all that the model can be analysed at]
+    /// Fidelity levels to measure, separated by commas [default: all that support the model]
     #[arg(long, value_name = "LEVELS", value_delimiter = ',', value_parser = level)]
     levels: Vec<Fidelity>,
-    /// Knobs to turn below the levels, with commas between them: refinement of the mesh, cells and cells_along of contact grids, every so
-    /// many positions; "none" measures the levels alone [default: all]
+    /// Settings to vary within the levels, separated by commas: mesh refinement, cells and
+    /// cells_along of contact grids, every n-th position; "none" measures only the levels [default:
+    /// all]
     #[arg(long, value_name = "KNOBS", value_delimiter = ',', value_parser = ["refinement", "cells", "cells_along", "every", "none"])]
     knobs: Vec<String>,
-    /// What errors are measured against: a level, or a setting as the table names it [default: the finest level within
-    /// --longest, with contact grids twice as fine and a finer mesh]
+    /// Reference for errors: a level, or a setting as the table names it [default: the finest level
+    /// within --longest, with contact grids twice as fine and a finer mesh]
     #[arg(long, value_name = "SETTING")]
     reference: Option<String>,
-    /// Leave out settings that are predicted to take longer than this, like 30s or 2h
+    /// Skip settings whose predicted time is longer than this, e.g. 30s or 2h
     #[arg(long, value_name = "TIME", value_parser = budget::time, default_value = "10min")]
     longest: Duration,
-    /// Directory for the results [default: the model's file name and .tradeoff]
+    /// Directory for the results [default: the model's file name with the suffix .tradeoff]
     ///
-    /// Gets tradeoff.csv (a row for each setting and output), tradeoff.json, tradeoff.svg and the run directories. What is finished
-    /// there is kept as long as model and params are the same.
+    /// Contains tradeoff.csv (one row per setting and output), tradeoff.json, tradeoff.svg and the
+    /// run directories. Finished runs are reused while model and params are unchanged.
     #[arg(short, long, value_name = "DIR")]
     out: Option<PathBuf>,
-    /// Write to a directory that holds files which `calyx tradeoff` has not written
+    /// Write to a directory that contains other files
     ///
-    /// Files that have names of results, like tradeoff.csv, are replaced; all others stay.
+    /// Files with the names of results, such as tradeoff.csv, are replaced; all others are kept.
     #[arg(long)]
     force: bool,
-    /// Use this many threads [default: one a core]
+    /// Number of threads [default: number of cores]
     #[arg(long, value_name = "N")]
     threads: Option<NonZeroUsize>,
-    /// Print what tradeoff.json says instead of the table
+    /// Print the content of tradeoff.json instead of the table
     #[arg(long)]
     json: bool,
-    /// Print the table and errors alone
+    /// Print only the table and errors
     #[arg(long)]
     quiet: bool,
-    /// How progress is shown on standard error
+    /// Format of progress on standard error
     #[arg(long, value_enum, default_value_t, value_name = "FORMAT")]
     progress: ProgressFormat,
 }

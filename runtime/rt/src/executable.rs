@@ -33,10 +33,10 @@ struct Arguments {
 
 #[derive(Args)]
 struct Tables {
-    /// Read the model's tables from this directory, not those that it was compiled with
+    /// Read the model's tables from this directory instead of those compiled into the executable
     ///
-    /// The tables that the model reads at the defaults of its params are part of this program; others are looked for in the
-    /// working directory.
+    /// Tables that the model reads with default params are part of the executable. Other tables are
+    /// searched for in the working directory.
     #[arg(long, value_name = "DIR")]
     tables: Option<PathBuf>,
 }

@@ -16,92 +16,100 @@ use std::time::Duration;
 /// The options of a run.
 #[derive(Args, Clone, Debug, Default)]
 pub struct RunArguments {
-    /// Set a param, like torque=500 or "torque=60 N*m"
+    /// Set a param, e.g. torque=500 or "torque=60 N*m"
     ///
-    /// A bare VALUE is in the unit of the param's default. May be given several times; the last of a name counts, and it
-    /// counts more than a file of --params.
+    /// A VALUE without a unit is in the unit of the param's default. Can be repeated; the last
+    /// value of a param applies. Overrides values in a --params file.
     #[arg(long, value_name = "NAME=VALUE", value_parser = Given::name_and_value, help_heading = PARAMS)]
     pub set: Vec<Given>,
     /// Read params from FILE.json or FILE.toml
     ///
-    /// An object or table of names and values. Numbers are in the unit of the param's default, texts like "0.5 mm" have
-    /// their own. --print-params says what such a file may hold.
+    /// The file contains an object or table of names and values. Numbers are in the unit of the
+    /// param's default; strings like "0.5 mm" include their unit. --print-params prints the schema
+    /// of such a file.
     #[arg(long, value_name = "FILE", help_heading = PARAMS)]
     pub params: Option<PathBuf>,
-    /// Print what the params are, as JSON Schema, and run nothing
+    /// Print a JSON Schema of the params and exit
     #[arg(long, help_heading = PARAMS)]
     pub print_params: bool,
     #[command(flatten)]
     pub overrides: OverrideArguments,
-    /// Directory for the results [default: the model's name and .run]
+    /// Directory for the results [default: the model's name with the suffix .run]
     ///
-    /// Gets report.html (all of it, to be looked at), run.json (inputs, outputs, certificate), steps.csv (a row a position) and
-    /// timing.json. A run replaces only files that an earlier run wrote; they are listed in .calyx-run. Results of an earlier run
-    /// stay until the first position is solved. One run at a time writes to a directory.
+    /// Contains report.html (an illustrated report), run.json (inputs, outputs, solver residuals),
+    /// steps.csv (one row per position) and timing.json. A run replaces only files of an earlier
+    /// run, which are listed in .calyx-run, and keeps them until the first position is solved. Only
+    /// one run at a time can write to a directory.
     #[arg(long, value_name = "DIR", help_heading = RESULTS)]
     pub out: Option<PathBuf>,
-    /// Write to a directory that holds files which no run wrote
+    /// Write to a directory that contains other files
     ///
-    /// Without it, a run replaces only files that an earlier run wrote, and refuses a directory with other files. With it, files
-    /// that have names of results, like run.json and steps.csv, are replaced; all others stay.
+    /// Without this option, a run refuses a directory with files that are not from an earlier run.
+    /// With it, files with the names of results, such as run.json and steps.csv, are replaced; all
+    /// others are kept.
     #[arg(long, help_heading = RESULTS)]
     pub force: bool,
-    /// Go on where an earlier run was ended
+    /// Resume an interrupted run
     ///
-    /// Begins after the last position that the run in the results' directory completed. Model and params must be those of
-    /// that run, and the results are those of a run that was never ended.
+    /// Continues after the last completed position of the run in the results directory. Model and
+    /// params must be unchanged. The results are identical to those of an uninterrupted run.
     #[arg(long, help_heading = RESULTS)]
     pub resume: bool,
-    /// Write the fields of every position too
+    /// Write field results for every position
     ///
-    /// pressure.csv (cell by cell), root_stress.csv (along the fillets, if an output asks for stress) and places.csv (where each
-    /// maximum is). line_load.csv (along the lines of contact) is always there; of more than 256 positions it then has all.
+    /// Writes pressure.csv (contact pressure per cell), root_stress.csv (stress along the fillets,
+    /// if an output requires it) and places.csv (location of each maximum). line_load.csv (load
+    /// along the contact lines) is always written, by default for at most 256 positions; with this
+    /// option for all.
     #[arg(long, help_heading = RESULTS)]
     pub fields: bool,
-    /// Write pictures of every position for ParaView
+    /// Write VTU files for ParaView for every position
     ///
-    /// Contact pressure, stress in the fillets if an output asks for stress, and the meshes of elastic bodies with their displacements and
-    /// stresses, as VTU files in the directory vtu of the results.
+    /// Contain the contact pressure, the stress in the fillets (if an output requires it), and the
+    /// meshes of elastic bodies with displacements and stresses. Written to the directory vtu of
+    /// the results.
     #[arg(long, help_heading = RESULTS)]
     pub vtu: bool,
-    /// Print the results on standard output, as one JSON document
+    /// Print the results to standard output as one JSON document
     ///
-    /// What run.json says, and the rows of steps.csv. What the model prints then goes to standard error.
+    /// Contains the content of run.json and the rows of steps.csv. Output of the model's `print`
+    /// statements goes to standard error.
     #[arg(long, help_heading = RESULTS)]
     pub json: bool,
-    /// Print nothing but what the model prints, and errors
+    /// Print only errors and the output of the model's `print` statements
     #[arg(long)]
     pub quiet: bool,
-    /// How progress is shown on standard error
+    /// Format of progress on standard error
     #[arg(long, value_enum, default_value_t, value_name = "FORMAT")]
     pub progress: ProgressFormat,
-    /// Keep the structures of gears in this directory for runs to come [default: calyx/structures in the user's cache]
+    /// Directory of the structure cache [default: calyx/structures in the user's cache directory]
     ///
-    /// Condensing the structures is most of the work of a run, and the same as long as geometry and material are. The environment
-    /// variable CALYX_CACHE names a directory too, or is "off". Files there are trusted: whoever can write to the directory can
+    /// Static condensation of the gear bodies is most of the work of a run, and is reused while
+    /// geometry and material do not change. The environment variable CALYX_CACHE also names a
+    /// directory, or is "off". Cached files are trusted: anyone who can write to the directory can
     /// change the results of later runs.
     #[arg(long, value_name = "DIR", help_heading = KEPT)]
     pub cache: Option<PathBuf>,
-    /// Keep no structures on disk, and take none from there
+    /// Do not use the structure cache on disk
     #[arg(long, conflicts_with = "cache", help_heading = KEPT)]
     pub no_cache: bool,
-    /// Use this many threads [default: one a core]
+    /// Number of threads [default: number of cores]
     ///
-    /// The results have the same bits with any number.
+    /// The results do not depend on it, to the last bit.
     #[arg(long, value_name = "N", help_heading = LIMITS)]
     pub threads: Option<NonZeroUsize>,
-    /// End the run with an error after this time, like 10s or 5min
+    /// Stop the run with an error after this time, e.g. 10s or 5min
     #[arg(long, value_name = "TIME", value_parser = budget::time, help_heading = LIMITS)]
     pub time_limit: Option<Duration>,
-    /// End the run with an error when it takes more memory, like 2GB
+    /// Stop the run with an error if it requires more memory, e.g. 2GB
     #[arg(long, value_name = "SIZE", value_parser = budget::memory, help_heading = LIMITS)]
     pub memory_limit: Option<u64>,
 }
 
-const PARAMS: &str = "Giving params";
+const PARAMS: &str = "Params";
 const RESULTS: &str = "Results";
 const LIMITS: &str = "Limits";
-const KEPT: &str = "Kept structures";
+const KEPT: &str = "Structure cache";
 /// Names the directory of kept structures, or is "off".
 const CACHE_VARIABLE: &str = "CALYX_CACHE";
 /// Of kept structures on disk, bytes: some dozens of pairs of gears in space.

@@ -5,38 +5,40 @@ use clap::Args;
 
 /// Options that take the place of what a model says of its analysis.
 #[derive(Args, Clone, Debug, Default)]
-#[command(next_help_heading = "Changing the analysis, whatever the model says")]
+#[command(next_help_heading = "Overrides of the analysis settings in the model")]
 pub struct OverrideArguments {
-    /// Model bodies at this level: from cheap to exact rigid, analytic, plane, medium, thinrim, fineroot, finest
+    /// Fidelity level, in order of cost: rigid, analytic, plane, medium, thinrim, fineroot, finest
     ///
-    /// What an output needs and a level does not have is refused by name. `calyx tradeoff` measures what each level costs and how
-    /// far it is off.
+    /// Outputs that a level does not support are reported by name. `calyx tradeoff` measures cost
+    /// and accuracy of each level.
     #[arg(long, value_name = "LEVEL", value_parser = |text: &str| knob("fidelity", text))]
     fidelity: Option<Turned>,
-    /// Multiply the number of elements along every direction of the mesh
+    /// Factor for the number of elements in every direction of the mesh
     ///
-    /// 0.5 is half as many each way; 1 is the mesh of the fidelity.
+    /// 0.5 halves the number of elements in each direction; 1 is the default mesh of the fidelity
+    /// level.
     #[arg(long, value_name = "FACTOR", value_parser = |text: &str| knob("refinement", text))]
     refinement: Option<Turned>,
-    /// Order of displacements in the section, 1 to 3
+    /// Polynomial order of the elements in the transverse section, 1 to 3
     #[arg(long, value_name = "ORDER", value_parser = |text: &str| knob("order", text))]
     order: Option<Turned>,
-    /// Elements along the face, in three dimensions
+    /// Number of elements along the face, in three dimensions
     #[arg(long, value_name = "COUNT", value_parser = |text: &str| knob("face_elements", text))]
     face_elements: Option<Turned>,
-    /// Order of displacements along the face in each of them
+    /// Polynomial order of these elements along the face
     #[arg(long, value_name = "ORDER", value_parser = |text: &str| knob("displacement_order", text))]
     displacement_order: Option<Turned>,
-    /// M: contact grids have 2M+1 cells across
+    /// Contact grids have 2M+1 cells across the contact
     #[arg(long, value_name = "M", value_parser = |text: &str| knob("cells", text))]
     cells: Option<Turned>,
-    /// N: contact grids have 2N+1 slices along the face, in three dimensions
+    /// Contact grids have 2N+1 slices along the face, in three dimensions
     #[arg(long, value_name = "N", value_parser = |text: &str| knob("cells_along", text))]
     cells_along: Option<Turned>,
-    /// Analyse every COUNT-th of the positions only, and those that have a name
+    /// Analyse only every COUNT-th position and the characteristic points
     #[arg(long, value_name = "COUNT", value_parser = |text: &str| knob("every", text))]
     every: Option<Turned>,
-    /// Estimate errors of outputs: none, cheap (what costs less than the run), or full (what the level leaves out, too)
+    /// Error estimates of outputs: none, cheap (costs less than the run), or full (includes the
+    /// model error of the fidelity level)
     #[arg(long, value_name = "WHICH", value_parser = |text: &str| knob("error_estimates", text))]
     error_estimates: Option<Turned>,
 }

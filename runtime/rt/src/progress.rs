@@ -11,10 +11,10 @@ use std::time::{Duration, Instant};
 /// How progress is shown.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum ProgressFormat {
-    /// A bar, on a terminal
+    /// Progress bar, if standard error is a terminal
     #[default]
     Human,
-    /// One JSON object a line: stage, done, total, seconds_left
+    /// One JSON object per line: stage, done, total, seconds_left
     ///
     /// When a stage begins, and after each position. What is not known is null.
     Json,
