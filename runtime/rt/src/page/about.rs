@@ -40,15 +40,15 @@ pub fn notices(run: &Run) -> Markup {
             End::Stopped(why) => {
                 div.notice.alarm {
                     b { "This run is not complete: " (why) "." }
-                    " The page shows the " (solved) " positions that were solved; the same command with "
-                    code { "--resume" } " goes on after them."
+                    " The report shows the " (solved) " positions that were solved. To continue, run the same command with "
+                    code { "--resume" } "."
                 }
             },
             End::Open => {
                 div.notice.alarm {
-                    b { "This run is not complete: it is under way, or was killed." }
-                    " The page shows the " (solved) " positions that were solved until now; the same command with "
-                    code { "--resume" } " goes on after them."
+                    b { "This run is not complete: it is in progress or was interrupted." }
+                    " The report shows the " (solved) " positions that were solved so far. To continue an interrupted run, run the same command with "
+                    code { "--resume" } "."
                 }
             },
         }
@@ -60,13 +60,13 @@ pub fn notices(run: &Run) -> Markup {
         }
         @if !refused.is_empty() {
             div.notice {
-                b { "Outputs that this fidelity has no value of" }
-                ul { @for (output, needs) in refused { li { code { (output) } ": it needs " (needs.as_str().unwrap_or_default()) } } }
+                b { "Outputs that this fidelity level does not support" }
+                ul { @for (output, needs) in refused { li { code { (output) } ": requires " (needs.as_str().unwrap_or_default()) } } }
             }
         }
         @if !ignored.is_empty() {
             div.notice {
-                b { "What the model could not see" }
+                b { "Inputs that this fidelity level ignores" }
                 ul { @for (input, reason) in ignored { li { code { (input) } ": " (reason.as_str().unwrap_or_default()) } } }
             }
         }
@@ -98,7 +98,7 @@ pub fn plan(run: &Run) -> Markup {
         p { (level(run.text("fidelity"))) }
         @if let Some(reason) = run.head["chosen"]["reason"].as_str() { p { (reason) } }
         @if !options(run).is_empty() {
-            p { "Changed from outside the model, whatever it says: " code { (options(run)) } "." }
+            p { "Settings of the model overridden on the command line: " code { (options(run)) } "." }
         }
         table {
             tbody { @for (kind, parts) in &rows { @for (name, reason) in parts {
@@ -112,14 +112,14 @@ pub fn plan(run: &Run) -> Markup {
 fn level(fidelity: &str) -> String {
     let words = match fidelity {
         "rigid" => {
-            "surfaces that do not deform, under a load that vanishes: who touches where, and how motion is passed on"
+            "rigid surfaces at vanishing load; computes contact points and motion"
         }
         "analytic" => {
-            "no mesh: published compliances of tooth, foundation and contact, in slices along the face"
+            "closed-form compliances of tooth, foundation and contact in slices along the face, without a mesh"
         }
-        "plane" => "one transverse section in plane strain, the same all along the face, by finite elements",
+        "plane" => "two-dimensional finite elements (plane strain) in the transverse section",
         "" => return "Nothing is analysed.".into(),
-        _ => "finite elements in three dimensions, contact of surfaces on grids along and across the face",
+        _ => "three-dimensional finite elements; surface contact on grids over the face",
     };
     format!("Fidelity \"{fidelity}\": {words}.")
 }
@@ -132,7 +132,7 @@ pub fn params(run: &Run) -> Markup {
     }
     html! {
         table {
-            thead { tr { th { "param" } th { "value" } th { "unit" } th { "what" } } }
+            thead { tr { th { "param" } th { "value" } th { "unit" } th { "description" } } }
             tbody { @for (name, param) in params {
                 tr {
                     th scope="row" { code { (name) } }
@@ -143,8 +143,8 @@ pub fn params(run: &Run) -> Markup {
             } }
         }
         p.note {
-            "Bold: not the model's default."
-            @if !options(run).is_empty() { " What options of the command line change counts more: " code { (options(run)) } "." }
+            "Bold values differ from the model's defaults."
+            @if !options(run).is_empty() { " Command-line options that override the model: " code { (options(run)) } "." }
         }
     }
 }
@@ -179,25 +179,25 @@ pub fn certificate(run: &Run) -> Markup {
     let rows = [
         (
             "equilibrium",
-            "What is free to move is in balance: the sum of all forces on it, over their magnitudes.",
+            "Residual force on the free degrees of freedom, relative to the magnitude of the forces.",
         ),
         (
             "penetration",
-            "Surfaces that touch do not overlap: the largest overlap, over the displacements that it is made of.",
+            "Largest overlap of contacting surfaces, relative to their displacements.",
         ),
         (
             "complementarity",
-            "Where pressure is there is no gap: the largest product of both, over the largest force and displacement.",
+            "Largest product of contact force and gap, relative to the largest force and displacement.",
         ),
-        ("tension", "Nothing pulls: the largest force that does, over the largest force."),
+        ("tension", "Largest tensile contact force, relative to the largest contact force."),
     ];
     let verdict = |residual: f64| match residual {
-        _ if residual <= ROUNDING => "solved to rounding",
-        _ if residual <= NEGLIGIBLE => "far below any other error",
-        _ => "look at this",
+        _ if residual <= ROUNDING => "rounding error",
+        _ if residual <= NEGLIGIBLE => "negligible",
+        _ => "too large",
     };
     html! {
-        p { "The worst of all positions. This is how well the equations were solved; how well the equations are those of the gears is the matter of error estimates." }
+        p { "Largest residuals over all positions. They measure how accurately the equations were solved; error estimates measure how accurately the equations describe the gears." }
         table {
             tbody { @for (name, what) in rows {
                 tr { th scope="row" { (name) } td.number { (number(residual(name))) } td { b { (verdict(residual(name))) } } td.word { (what) } }
@@ -210,7 +210,7 @@ pub fn certificate(run: &Run) -> Markup {
 fn stage(name: &str) -> &str {
     match name {
         "program" => "the program",
-        "meshes" => "meshes for pictures",
+        "meshes" => "visualization meshes",
         "errors" => "error estimates",
         other => other,
     }
@@ -238,11 +238,11 @@ pub fn timing(run: &Run) -> Markup {
             }
         }
         @if let (Some(built), Some(reused)) = (built, reused) {
-            p { (built) " structures were condensed, " (reused) " were there already." }
+            p { (built) " substructures were condensed, " (reused) " were reused." }
         }
         (accuracy::costs(run, |stage| timing["stages"][stage].as_f64()))
         @if let Some(memory) = timing["memory"]["asked"].as_f64().filter(|bytes| *bytes > 0.0) {
-            p { "The most memory asked for at once: " (number(memory * 1e-6)) " MB." }
+            p { "Peak memory: " (number(memory * 1e-6)) " MB." }
         }
     }
 }
@@ -252,7 +252,7 @@ pub fn origin(run: &Run) -> Markup {
     let source = &run.head["source"];
     let files = |kind: &str| source[kind].as_array().cloned().unwrap_or_default();
     html! {
-        p { "To run it again:" }
+        p { "To repeat this run:" }
         pre { code { (command(run)) } }
         table {
             tbody {
@@ -262,7 +262,7 @@ pub fn origin(run: &Run) -> Markup {
                 }
             }
         }
-        p { "In this directory: " @for (index, name) in run.files.iter().enumerate() { @if index > 0 { ", " } code { (name) } } "." }
+        p { "Files in this directory: " @for (index, name) in run.files.iter().enumerate() { @if index > 0 { ", " } code { (name) } } "." }
     }
 }
 

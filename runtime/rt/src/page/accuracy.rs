@@ -28,7 +28,7 @@ const SOURCES: [Source; 6] = [
     Source {
         name: MESH,
         shown: "mesh",
-        remedy: "1.5 times the elements along every direction, or the fidelity above",
+        remedy: "1.5 times the elements in every direction, or the next fidelity level",
         option: Some("--refinement"),
         cost: Some(("structures", 2.0)),
         in_time: None,
@@ -44,23 +44,23 @@ const SOURCES: [Source; 6] = [
     Source {
         name: "positions",
         shown: "positions",
-        remedy: "1.4 times as many positions: what lies between them falls with their square",
+        remedy: "1.4 times as many positions (second-order convergence)",
         option: None,
         cost: Some(("positions", 1.4)),
         in_time: Some(false),
     },
     Source {
         name: "positions",
-        shown: "steps kept",
-        remedy: "1.4 times as many of the steps kept, and where all are, steps 0.7 times as long",
+        shown: "stored steps",
+        remedy: "1.4 times as many stored steps; if all are stored, steps 0.7 times as long",
         option: None,
         cost: Some(("positions", 1.0)),
         in_time: Some(true),
     },
     Source {
         name: LEVEL,
-        shown: "level of modelling",
-        remedy: "the fidelity above",
+        shown: "fidelity level",
+        remedy: "the next fidelity level",
         option: Some("--fidelity"),
         cost: None,
         in_time: None,
@@ -68,7 +68,7 @@ const SOURCES: [Source; 6] = [
     Source {
         name: TIME_STEP,
         shown: "time step",
-        remedy: "0.7 of the time step: its error falls with the square",
+        remedy: "0.7 times the time step (second-order convergence)",
         option: None,
         cost: Some(("positions", 1.4)),
         in_time: None,
@@ -110,7 +110,7 @@ fn lacks_level(run: &Run) -> bool {
 
 /// Head of the columns of errors.
 pub fn off_by_head(run: &Run) -> &'static str {
-    if lacks_level(run) { "numerically off by" } else { "may be off by" }
+    if lacks_level(run) { "numerical error" } else { "estimated error" }
 }
 
 /// A note on what errors leave out, if they do.
@@ -118,8 +118,8 @@ pub fn without_level(run: &Run) -> Markup {
     html! {
         @if lacks_level(run) {
             p.note {
-                "Numerical errors (mesh, contact grid, positions, time step): the error of fidelity " q { (run.text("fidelity")) }
-                " itself is not included; see " a href="#accuracy" { "accuracy" } "."
+                "Numerical error (mesh, contact grid, positions, time step). The model error of fidelity level " q { (run.text("fidelity")) }
+                " is not included; see " a href="#accuracy" { "accuracy" } "."
             }
         }
     }
@@ -179,12 +179,12 @@ fn taking(sources: &[&Source]) -> (Vec<(&'static str, f64)>, bool) {
 fn cost(sources: &[&Source]) -> String {
     let (stages, other_level) = taking(sources);
     let longer = |(stage, times): &(&str, f64)| match *times == 1.0 {
-        true => "hardly longer".to_owned(),
+        true => "little more time".to_owned(),
         false => format!("{stage} take {} times as long", number(*times)),
     };
     let mut words: Vec<String> = stages.iter().map(longer).collect();
     if other_level {
-        words.push("the fidelity above".into());
+        words.push("the next fidelity level".into());
     }
     words.join(", ")
 }
@@ -206,24 +206,24 @@ pub fn of_output(output: &Output) -> Markup {
     let with_unit =
         |off: f64| format!("{} {}", off_by(output, off), output.unit).trim_end().replace(' ', "\u{a0}");
     let Statistics { min, max, mean, .. } = estimate.total;
-    let other = if output.of_largest(&estimate.total) == max { ("least", min) } else { ("largest", max) };
+    let other = if output.of_largest(&estimate.total) == max { ("minimum", min) } else { ("maximum", max) };
     html! {
         p.off {
             @if estimate.is_rounding {
-                "Nothing but rounding: values and errors are no larger than what sums that cancel leave."
+                "Rounding only: values and errors are as small as the cancellation errors of the sums."
             } @else {
                 @if is_sure(output) {
-                    "The value of largest magnitude is sure"
+                    "The value of largest magnitude is exact. Estimated error: "
                 } @else {
-                    @if estimate.includes_level() { "May be off by " } @else { "May be off numerically by " }
+                    @if estimate.includes_level() { "Estimated error: " } @else { "Estimated numerical error: " }
                     b { (with_unit(output.of_largest(&estimate.total))) }
-                    " where it is largest in magnitude (" (part_of_value(estimate)) ")"
+                    " at the value of largest magnitude (" (part_of_value(estimate)) "), "
                 }
-                ", by " (with_unit(other.1)) " where it is " (other.0)
-                @if let Some(mean) = mean { ", in the mean by " (with_unit(mean)) }
+                (with_unit(other.1)) " at the " (other.0)
+                @if let Some(mean) = mean { ", " (with_unit(mean)) " for the mean" }
                 "."
                 @if parts.iter().any(|(_, part)| *part > 0.0) {
-                    " " (if is_sure(output) { "The mean's error" } else { "That" }) " comes of "
+                    " " (if is_sure(output) { "Contributions to the error of the mean: " } else { "Contributions: " })
                     @for (index, (source, part)) in parts.iter().enumerate() { @if index > 0 { ", " } (source.shown) " " (percent(*part)) }
                     ". " a href="#accuracy" { "To halve it" } ": " (names(&sources)) " (" (cost(&sources)) ")."
                 }
@@ -261,15 +261,15 @@ pub fn costs(run: &Run, stage: impl Fn(&str) -> Option<f64>) -> Markup {
     let rough = |time: f64| number(format!("{time:.1e}").parse().unwrap_or(time));
     html! {
         @if !groups.is_empty() {
-            h3 { "What half of the error would cost here" }
+            h3 { "Cost of halving the error" }
             table {
-                thead { tr { th { "outputs" } th { "to be halved" } th { "structures and positions take" } } }
+                thead { tr { th { "outputs" } th { "errors to halve" } th { "time for substructures and positions" } } }
                 tbody { @for (sources, outputs) in &groups { tr {
                     td.word { @for (index, name) in outputs.iter().enumerate() { @if index > 0 { ", " } code { (name) } } }
                     td.word { (names(sources)) }
                     td.word { @match seconds(sources) {
                         Some([now, then]) => { "about " b { (rough(then)) " s" } ", now " (rough(now)) " s" },
-                        None => { "what the fidelity above takes: " code { "calyx explain" } " predicts it" },
+                        None => { "that of the next fidelity level, as predicted by " code { "calyx explain" } },
                     } }
                 } } }
             }
@@ -287,7 +287,7 @@ pub fn section(run: &Run) -> Markup {
     let model = run.text("model");
     html! {
         @if estimated.is_empty() {
-            p { "This run has no error estimates. " code { "analyze(..., error_estimates = \"cheap\")" } " in the model asks for them, or" }
+            p { "This run has no error estimates. Request them in the model with " code { "analyze(..., error_estimates = \"cheap\")" } ", or run" }
             pre { code { (about::turned(run, Some(("error_estimates", "cheap")))) } }
         } @else {
             (table(run, &estimated))
@@ -297,9 +297,9 @@ pub fn section(run: &Run) -> Markup {
         }
         (tradeoff(run))
         @if run.tradeoff.is_none() {
-            p { "What more accuracy costs is measured by" }
+            p { "To measure accuracy against computing time, run" }
             pre { code { (about::asked("tradeoff", run)) } }
-            p.note { "which runs " code { (model) } " at every level and setting; a report made after it, by " code { "calyx report" } ", shows the result here." }
+            p.note { "This command runs " code { (model) } " with every fidelity level and setting. Then " code { "calyx report" } " includes the result here." }
         }
     }
 }
@@ -329,12 +329,12 @@ fn table(run: &Run, outputs: &[&Output]) -> Markup {
         @if part.is_some() && is_sure(output) { small { " of the mean" } } }
     };
     html! {
-        p { "How far the value of largest magnitude of each output may be off, in all and by what that comes from; then its mean and its peak to peak. What weighs most is bold. The parts add up: about half is left when all those are halved that the last column names." }
+        p { "Estimated error of the value of largest magnitude of each output: total and contributions, the largest in bold; then of the mean and of the peak-to-peak value. Contributions add up. Halving those in the last column about halves the total." }
         table.numbers {
             thead { tr {
-                th { "output" } th { "of largest magnitude" } th { (off_by_head(run)) } th { "in all" }
+                th { "output" } th { "largest magnitude" } th { (off_by_head(run)) } th { "total" }
                 @for source in &sources { th { (source.shown) } }
-                th { "mean off by" } th { "peak to peak off by" }
+                th { "error of mean" } th { "error of peak to peak" }
                 th { "to halve it" }
             } }
             tbody { @for output in outputs { @if let Some(estimate) = &output.error {
@@ -364,18 +364,18 @@ fn halving(outputs: &[&Output]) -> Markup {
     html! {
         @if !sources.is_empty() {
             table {
-                thead { tr { th { "part" } th { "is halved by" } th { "option" } th { "which takes about" } } }
+                thead { tr { th { "contribution" } th { "halved by" } th { "option" } th { "computing time" } } }
                 tbody { @for source in sources { tr {
                     th scope="row" { (source.shown) }
                     td.word { (source.remedy) } td { @if let Some(option) = source.option { code.option { (option) } } }
                     td.word { @match source.cost {
-                        Some((_, 1.0)) => "hardly longer",
-                        Some((stage, times)) => { (number(times)) " times as long for the " (stage) },
-                        None => { "what " code { "calyx explain --fidelity" } " predicts" },
+                        Some((_, 1.0)) => "little more time",
+                        Some((stage, times)) => { (number(times)) " times the time for " (stage) },
+                        None => { "see " code { "calyx explain --fidelity" } },
                     } }
                 } } }
             }
-            p.note { "In seconds: " a href="#time" { "time and memory" } "." }
+            p.note { "Times in seconds: " a href="#time" { "time and memory" } "." }
         }
     }
 }
@@ -393,13 +393,13 @@ fn not_estimated(run: &Run, outputs: &[&Output]) -> Markup {
     }
     html! {
         @if !missing.is_empty() {
-            p.note { "Not estimated, and on top of it:" }
+            p.note { "Errors that are not estimated:" }
             ul.note { @for (source, reason) in &missing {
                 li { (source.shown) @if !reason.is_empty() { ": " (reason) } }
             } }
         }
         @if missing.iter().any(|(source, _)| source.name == LEVEL) {
-            p.note { "What the level of modelling leaves out is estimated by the level above:" }
+            p.note { "To estimate the model error of the fidelity level with the next level, run" }
             pre { code { (about::turned(run, Some(("error_estimates", "full")))) } }
         }
     }
@@ -449,16 +449,16 @@ fn tradeoff(run: &Run) -> Markup {
         let half = Some(0.5 * output.error.as_ref()?.relative).filter(|half| half.is_finite())?;
         let setting =
             best.iter().find(|setting| setting.error(&output.name).is_some_and(|error| error <= half));
-        Some(setting.map_or_else(|| html! { "none that was measured" }, |setting| setting.told(&output.name)))
+        Some(setting.map_or_else(|| html! { "no measured setting" }, |setting| setting.told(&output.name)))
     };
     html! {
-        h3 { "What was measured" }
+        h3 { "Accuracy and computing time" }
         p {
-            (settings.len()) " settings, each from the beginning, against " b { (tradeoff["reference"].as_str().unwrap_or_default()) }
-            ". Of each output those that no other beats in time and error: time, and the largest deviation of any position over the largest magnitude."
+            (settings.len()) " settings, each without cached structures, compared with " b { (tradeoff["reference"].as_str().unwrap_or_default()) }
+            ". For each output the Pareto-optimal settings: time, and the largest deviation at any position relative to the largest magnitude."
         }
         table {
-            thead { tr { th { "output" } th { "from cheap to dear" } th { "half of this run's error" } } }
+            thead { tr { th { "output" } th { "settings in order of time" } th { "setting with half of this run's error" } } }
             tbody { @for output in &run.outputs {
                 @let best = best(&output.name);
                 @if !best.is_empty() { tr {

@@ -200,14 +200,14 @@ fn along_face(rows: &[&Loaded], units: Units) -> Plot {
         Some((at, lines.values().filter_map(|line| between(line, at)).max_by(f64::total_cmp)?))
     });
     let mut all = vec![Curve {
-        name: "largest of all positions".into(),
+        name: "maximum over all positions".into(),
         colour: 0,
         points: largest.collect(),
         off: None,
     }];
     let of_worst = lines.iter().filter(|((step, _), _)| *step == worst.step);
     for (index, ((_, [first, second]), points)) in of_worst.enumerate() {
-        let name = format!("teeth {first} and {second} at the largest");
+        let name = format!("teeth {first} and {second} at the maximum");
         all.push(Curve { name, colour: index + 1, points: points.clone(), off: None });
     }
     let across = Axis { what: "from mid-face", unit: units.length.name };
@@ -237,7 +237,7 @@ fn path(rows: &[&Loaded], along: &Along, body: &str, units: Units) -> Plot {
     let mut points: Vec<(f64, f64)> = points.filter(|point| point.0.is_finite()).collect();
     points.sort_by(|one, other| one.0.total_cmp(&other.0).then(one.1.total_cmp(&other.1)));
     let what = format!("{} on {body}", along.what);
-    let load = Axis { what: "load of a pair", unit: units.force.name };
+    let load = Axis { what: "load of a tooth pair", unit: units.force.name };
     curves(WIDE, &along.axis(&what), &load, &[Curve { points, ..Curve::default() }], &[])
 }
 

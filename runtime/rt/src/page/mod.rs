@@ -50,7 +50,7 @@ pub fn is_run(directory: &Path) -> bool {
 /// What plots of outputs go over.
 fn course(run: &Run) -> &'static str {
     match run.positions.len() {
-        0 | 1 => "One by one",
+        0 | 1 => "Positions",
         _ if by_time(run) => "Over time",
         _ => "Over the mesh cycle",
     }
@@ -63,17 +63,17 @@ fn page(run: &Run) -> Markup {
     let units = Units::of_system(run.text("units"));
     let sections: Vec<Section> = [
         ("outputs", "Outputs", summary(run)),
-        ("accuracy", "How wrong, and what less would cost", accuracy::section(run)),
+        ("accuracy", "Error estimates", accuracy::section(run)),
         ("cycle", course(run), plots(run)),
         ("contact", "Contact", contact_section(run, units)),
         ("stress", "Root stress", stress_section(run, units)),
-        ("signals", "In the frequency domain", signals(run)),
+        ("signals", "Spectra", signals(run)),
         ("modes", "Modes", modes(run)),
-        ("plan", "What is modelled", about::plan(run)),
+        ("plan", "Model", about::plan(run)),
         ("params", "Params", about::params(run)),
-        ("solved", "How well it is solved", about::certificate(run)),
+        ("solved", "Solver residuals", about::certificate(run)),
         ("time", "Time and memory", about::timing(run)),
-        ("origin", "Where it comes from", about::origin(run)),
+        ("origin", "Provenance", about::origin(run)),
     ]
     .into_iter()
     .filter(|(_, _, content)| !content.0.is_empty())
@@ -229,10 +229,10 @@ fn summary(run: &Run) -> Markup {
     html! {
         table.numbers {
             thead { tr {
-                th { "output" } th.word { "unit" } th { "least" } th { "mean" } th { "largest" }
+                th { "output" } th.word { "unit" } th { "min" } th { "mean" } th { "max" }
                 @if estimated { th { (accuracy::off_by_head(run)) } th {} }
                 th { "peak to peak" }
-                th { "largest at" }
+                th { "max at" }
             } }
             tbody { @for output in &run.outputs {
                 @let of = output.statistics;
@@ -257,7 +257,7 @@ fn summary(run: &Run) -> Markup {
         }
         (accuracy::without_level(run))
         @if run.end != End::Finished {
-            p.note { "Of the positions that were solved; means are known at the end." }
+            p.note { "Statistics of the positions solved so far; the mean is available after the last position." }
         }
     }
 }
@@ -271,7 +271,7 @@ fn plots(run: &Run) -> Markup {
     let clock = units::clock(run.positions.iter().map(|position| position.time));
     let x = match by_time {
         true => Axis { what: "time", unit: clock.name },
-        false => Axis { what: "roll angle of the entering pair, first gear", unit: "deg" },
+        false => Axis { what: "roll angle of the entering tooth pair on the first gear", unit: "deg" },
     };
     let place = |position: &read::Position| match by_time {
         true => clock.of(position.time),
@@ -282,7 +282,7 @@ fn plots(run: &Run) -> Markup {
     let marks: Vec<(f64, String)> = named.map(|(position, place)| (*place, position.point.clone())).collect();
     let banded = run.outputs.iter().any(|output| output.error.is_some());
     html! {
-        @if banded { p.note { "The band is how far values may be off, by the error estimates of this run: the least by what the estimate says of it, the largest likewise, others by what lies between." } }
+        @if banded { p.note { "The band is the estimated error: that of the minimum at the minimum, that of the maximum at the maximum, and interpolated in between." } }
         @for output in run.outputs.iter().filter(|output| output.has_values()) { (plot(output, &x, &places, &marks)) }
     }
 }
@@ -318,7 +318,7 @@ fn plot(output: &Output, x: &Axis<'_>, places: &[f64], marks: &[(f64, String)]) 
                 p { b { (number(output.statistics.max)) " " (output.unit) } @if places.len() > 1 { " at all positions." } }
             }
             @if !course.is_empty() {
-                @if course.band_is_cut { p.note { "The band is wider than the plot: what the curve does is within what it may be off by." } }
+                @if course.band_is_cut { p.note { "The band is wider than the plot: the variation of the curve is smaller than its estimated error." } }
                 div.side {
                     div.wide { (described(&course.svg, &name)) }
                     @if !harmonics.is_empty() { div.narrow { (described(&harmonics.svg, &format!("harmonics of {}", output.name))) } }
@@ -337,15 +337,15 @@ fn contact_section(run: &Run, units: Units) -> Markup {
         @for mesh in &meshes {
             @let [first, second] = &mesh.bodies;
             article {
-                h3 { (first) " and " (second) @if mesh.back { ", back sides of the teeth" } }
+                h3 { (first) " and " (second) @if mesh.back { ", back flanks" } }
                 p { "Largest pressure: " b { (number(units.stress.of(mesh.largest))) " " (units.stress.name) } "." }
-                (figure(&mesh.pattern, &format!("Contact pattern on {first}: the largest pressure that each place of the flank sees over all positions, teeth laid over each other.")))
-                (figure(&mesh.along_face, "Load along the face: of the position with the largest load, tooth pair by tooth pair, and the largest of all positions."))
-                (figure(&mesh.path, "Sharing between teeth: the load of a pair on its way through the mesh. Its place is the middle of its load."))
+                (figure(&mesh.pattern, &format!("Contact pattern on {first}: largest pressure at each point of the flank over all positions and teeth.")))
+                (figure(&mesh.along_face, "Line load along the face: each tooth pair at the position with the largest line load, and the maximum over all positions."))
+                (figure(&mesh.path, "Load sharing: load of a tooth pair over its contact point, the centre of its load."))
             }
         }
         @if left_out > 0 {
-            p.note { "Shown are the meshes with the largest pressures; " (left_out) " more meshes are in " code { "line_load.csv" } "." }
+            p.note { "Shows the meshes with the largest pressures; " (left_out) " more meshes are in " code { "line_load.csv" } "." }
         }
     }
 }
@@ -356,17 +356,17 @@ fn stress_section(run: &Run, units: Units) -> Markup {
         return PreEscaped(String::new());
     }
     html! {
-        p.note { "Principal stresses in the surface of the fillets, of all positions and teeth, at each place the largest and the smallest: what a strength of fatigue is to bear. The flank that carries load is the loaded side." }
+        p.note { "Principal stresses in the surface of the fillets: largest and smallest value at each point over all positions and teeth, the stress range for fatigue. The loaded side is that of the flank that carries load." }
         @for fillet in &fillets {
             article {
                 h3 { (fillet.body) }
                 p { "From " b { (number(units.stress.of(fillet.smallest))) } " to " b { (number(units.stress.of(fillet.largest))) } " " (units.stress.name) "." }
                 @if let Some(radius) = fillet.one_radius {
-                    p.note { "This fidelity knows the stress of one place of a profile, at radius " (number(units.length.of(radius))) " " (units.length.name) "." }
+                    p.note { "This fidelity level computes the stress at one point of the profile, at radius " (number(units.length.of(radius))) " " (units.length.name) "." }
                 }
-                (figure(&fillet.along_face, "Along the face, at that place."))
-                (figure(&fillet.along_profile, "Along the fillet, the largest and smallest of all places along the face."))
-                (figure(&fillet.over_face, "The largest stress over fillet and face, on the loaded side."))
+                (figure(&fillet.along_face, "Stress along the face at that radius."))
+                (figure(&fillet.along_profile, "Stress along the fillet: largest and smallest value over the face."))
+                (figure(&fillet.over_face, "Largest stress over fillet and face, loaded side."))
             }
         }
         @if left_out > 0 {
@@ -387,7 +387,7 @@ fn modes(run: &Run) -> Markup {
     let Some((header, rows)) = run.modes.split_first() else { return PreEscaped(String::new()) };
     let shown = |cell: &str| cell.parse().map_or_else(|_| cell.replace('_', " "), number);
     html! {
-        p.note { "About the first position. Frequencies in Hz; what follows the kind are parts of the energy." }
+        p.note { "Modes at the first position. Frequencies in Hz; the columns after the type are fractions of the kinetic energy." }
         table.numbers {
             thead { tr { @for name in header { th { (name.replace('_', " ")) } } } }
             tbody { @for row in rows { tr { @for cell in row { td { (shown(cell)) } } } } }

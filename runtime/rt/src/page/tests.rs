@@ -98,15 +98,15 @@ fn a_page_says_what_the_run_was() {
         "it touches nothing",
         "nothing moves",
         "W0715: look here",
-        "solved to rounding",
-        "look at this",
+        "rounding error",
+        "too large",
         "roll angle 22.92°, LPSTC, pinion, tooth 3, radius 0.7874 inch",
         "calyx run pair.cx --set 'torque=5 N*m' --set 'name=it'\\''s'",
         "This run has no error estimates",
         "calyx tradeoff pair.cx",
         " --fidelity plane --face-elements 3",
-        "Changed from outside the model, whatever it says: <code>--fidelity plane --face-elements 3</code>.",
-        "2 structures were condensed",
+        "Settings of the model overridden on the command line: <code>--fidelity plane --face-elements 3</code>.",
+        "2 substructures were condensed",
         "harmonics of te",
     ] {
         assert!(page.contains(said), "{said}");
@@ -141,12 +141,12 @@ fn errors_stand_beside_what_they_are_of() {
         "<b>1.7 %</b>",
         "0.33 %",
         "1.4 times as many positions",
-        "<th>numerically off by</th>",
-        "the error of fidelity <q>plane</q> itself is not included",
-        "Not estimated, and on top of it:</p><ul class=\"note\"><li>level of modelling: it costs more than the run</li>",
+        "<th>numerical error</th>",
+        "The model error of fidelity level <q>plane</q> is not included",
+        "Errors that are not estimated:</p><ul class=\"note\"><li>fidelity level: it costs more than the run</li>",
         // Of what weighs most half is half of nearly all.
-        "May be off numerically by <b>± 0.06 urad</b> where it is largest in magnitude (2 %), by ± 0.06 urad where it is least, in the mean by ± 0.06 urad.",
-        "That comes of positions 1.7 %, mesh 0.33 %. <a href=\"#accuracy\">To halve it</a>: positions (positions take 1.4 times as long).",
+        "Estimated numerical error: <b>± 0.06 urad</b> at the value of largest magnitude (2 %), ± 0.06 urad at the minimum, ± 0.06 urad for the mean.",
+        "Contributions: positions 1.7 %, mesh 0.33 %. <a href=\"#accuracy\">To halve it</a>: positions (positions take 1.4 times as long).",
         "<td class=\"word\">positions</td><td class=\"word\">about <b>2.2 s</b>, now 2 s</td>",
         " --fidelity plane --face-elements 3 --error-estimates full</code>",
         "<polygon",
@@ -172,17 +172,17 @@ fn all_that_weighs_is_to_be_halved() {
     run["outputs"]["te"]["error_estimate"] = estimate;
     let page = text(directory(&run).path());
     for said in [
-        "May be off by <b>± 0.051 urad</b> where it is largest in magnitude (1.7 %), by ± 0.1 urad where it is least,",
-        "That comes of mesh 1 %, level of modelling 0.67 %, contact grid 0.67 %, positions 0.033 %.",
-        "To halve it</a>: level of modelling, contact grid (positions take 2 times as long, the fidelity above).",
-        "what the fidelity above takes: <code>calyx explain</code> predicts it",
+        "Estimated error: <b>± 0.051 urad</b> at the value of largest magnitude (1.7 %), ± 0.1 urad at the minimum,",
+        "Contributions: mesh 1 %, fidelity level 0.67 %, contact grid 0.67 %, positions 0.033 %.",
+        "To halve it</a>: fidelity level, contact grid (positions take 2 times as long, the next fidelity level).",
+        "that of the next fidelity level, as predicted by <code>calyx explain</code>",
     ] {
         assert!(page.contains(said), "{said}\n{page}");
     }
     assert!(
-        !page.contains("Not estimated")
+        !page.contains("not estimated")
             && !page.contains("not included")
-            && page.contains("<th>may be off by</th>")
+            && page.contains("<th>estimated error</th>")
     );
 }
 
@@ -198,9 +198,9 @@ fn what_is_sure_at_its_largest_has_an_error_in_the_mean() {
     run["outputs"]["te"]["error_estimate"] = estimate;
     let page = text(directory(&run).path());
     for said in [
-        "The value of largest magnitude is sure, by ± 0.02 urad where it is least, in the mean by ± 0.03 urad.",
+        "The value of largest magnitude is exact. Estimated error: ± 0.02 urad at the minimum, ± 0.03 urad for the mean.",
         "0.83 %</b><small> of the mean</small>",
-        "The mean's error comes of mesh 0.83 %, positions 0.17 %. <a href=\"#accuracy\">To halve it</a>: mesh (structures take 2 times as long).",
+        "Contributions to the error of the mean: mesh 0.83 %, positions 0.17 %. <a href=\"#accuracy\">To halve it</a>: mesh (structures take 2 times as long).",
         "<td class=\"main\">± 0</td><td class=\"main\">0 %</td>",
     ] {
         assert!(page.contains(said), "{said}\n{page}");
@@ -219,9 +219,9 @@ fn between_kept_steps_all_is_known() {
     run["outputs"]["te"]["error_estimate"] = estimate;
     let page = text(directory(&run).path());
     for said in [
-        "To halve it</a>: steps kept (hardly longer).",
-        "1.4 times as many of the steps kept",
-        "<td class=\"word\">hardly longer</td>",
+        "To halve it</a>: stored steps (little more time).",
+        "1.4 times as many stored steps",
+        "<td class=\"word\">little more time</td>",
         "about <b>2 s</b>, now 2 s",
     ] {
         assert!(page.contains(said), "{said}\n{page}");
@@ -249,7 +249,7 @@ fn what_has_no_course_has_no_plot() {
     fs::write(directory.path().join("steps.csv"), "step,time,cycle,roll_angle,point,te\n0,0,0,0,,0.000003\n")
         .unwrap();
     let page = text(directory.path());
-    assert!(page.contains("<h2>One by one</h2>") && page.contains("<p><b>3 urad</b></p>"), "{page}");
+    assert!(page.contains("<h2>Positions</h2>") && page.contains("<p><b>3 urad</b></p>"), "{page}");
 }
 
 /// Titles are a sentence; names between backticks are code; short times are told in short units.
@@ -273,7 +273,7 @@ fn what_is_rounding_is_said_and_not_drawn() {
     let mut run = run_json();
     run["outputs"]["te"]["error_estimate"] = json!({ "min": 1e-7, "max": 1e-7, "mean": 1e-7, "peak_to_peak": 1e-7, "relative": null, "is_rounding": true, "parts": {}, "not_estimated": [] });
     let page = text(directory(&run).path());
-    assert!(page.contains("Nothing but rounding") && !page.contains("te in urad"), "{page}");
+    assert!(page.contains("Rounding only") && !page.contains("te in urad"), "{page}");
 }
 
 /// What a fidelity has no value of is said once, and has neither a plot nor an address to go to.
@@ -293,7 +293,7 @@ fn outputs_without_values_are_named_once() {
     fs::write(directory.path().join("steps.csv"), rows.concat()).unwrap();
     let page = text(directory.path());
     assert_eq!(page.matches("<code>stress</code>").count(), 2, "in the list and in the table");
-    for said in ["it needs root stresses", "no value</td>", "W0715: look here"] {
+    for said in ["requires root stresses", "no value</td>", "W0715: look here"] {
         assert!(page.contains(said), "{said}");
     }
     assert!(!page.contains("output-stress") && !page.contains("E0780"));
@@ -319,7 +319,7 @@ fn a_measured_trade_off_is_shown() {
     for said in [
         "coarse, 1 s: 3 %<br>middle, 3 s: 0.8 %<br>fine, 8 s: 0.4 %",
         "<td class=\"word\">middle, 3 s: 0.8 %</td>",
-        "against <b>finest</b>",
+        "compared with <b>finest</b>",
     ] {
         assert!(page.contains(said), "{said}");
     }
@@ -343,7 +343,7 @@ fn runs_that_are_not_whole_say_so() {
     fs::write(killed.path().join("steps.csv"), rows + "3,0.3,0.").unwrap();
     let page = text(killed.path());
     for said in
-        ["it is under way, or was killed", "the 3 positions", "--resume", "How far.", "te in urad: 1 to 3"]
+        ["it is in progress or was interrupted", "the 3 positions", "--resume", "How far.", "te in urad: 1 to 3"]
     {
         assert!(page.contains(said), "{said}");
     }
