@@ -1,4 +1,5 @@
-//! The `calyx` command as its users meet it. What it says is fixed by the pages in `cli/`; what it writes, here.
+//! The `calyx` command as its users meet it. The pages in `cli/` fix its messages; this file tests
+//! what it writes. A second run condenses nothing.
 
 use serde_json::Value;
 use std::io::Write;

@@ -1,4 +1,6 @@
-//! What `calyx build` makes of models, run where there is nothing of Calyx: an empty environment, another directory.
+//! Executables and bundles made by `calyx build`, run where nothing of Calyx is installed: an empty
+//! environment and another directory. They write the bits of `calyx run`. Code of another engine is
+//! refused.
 #![cfg(unix)]
 
 use calyx::build::{Linker, library};

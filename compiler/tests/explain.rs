@@ -1,4 +1,5 @@
-//! The pages behind diagnostic codes: their examples are right, and no code is without a page.
+//! The pages behind diagnostic codes. Every code has a page, every example shows its code, and the
+//! corrected form of an example has no errors.
 
 use calyx::check_text;
 use calyx::explain::{all, example, examples, explanation};

@@ -1,4 +1,6 @@
-//! Arrows between crates go one way (ARCHITECTURE.md): every manifest is read, and any other arrow fails.
+//! Dependencies between crates point in one direction: every manifest is read, and any other
+//! dependency fails. Each of Cranelift, chumsky, salsa, faer and Clarabel is named by one crate
+//! only. Every member of the workspace is listed, and every file of tests is run.
 
 use calyx_tests::root;
 use std::collections::BTreeSet;

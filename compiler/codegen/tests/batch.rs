@@ -1,4 +1,5 @@
-//! Kernels for many points give the bits of kernels for one, whatever varies and however many points there are.
+//! Batch kernels give the bits of kernels for one point, whatever varies and however many points
+//! there are, and take no more operations than the same formulas written by hand.
 
 #[allow(dead_code, reason = "shared by several tests")]
 mod workloads;

@@ -1,4 +1,5 @@
-//! What is computed anew after an edit, by the event log of the database.
+//! Queries that run after an edit, by the event log of the database. An edited text parses as if it
+//! were new, and the work for a longer model grows in proportion to its length.
 
 use super::*;
 use crate::check::Checked;

@@ -1,4 +1,5 @@
-//! Pairs of gears in space, analysed.
+//! Three-dimensional pairs of gears: axial forces, hands of the helix, equilibrium and periodicity,
+//! bearings, misalignment, runout, both sides of the teeth, and the levels without meshes.
 
 mod bearings;
 mod both_sides;

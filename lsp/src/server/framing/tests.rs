@@ -1,4 +1,4 @@
-//! Streams as data: what arrives, and what it is read as.
+//! Streams as data: each malformed message is reported, and the messages after it are read.
 
 use super::*;
 use std::fmt::Write;

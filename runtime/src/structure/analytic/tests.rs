@@ -1,4 +1,6 @@
-//! Closed forms that have a number for every part, and what must hold of all of them together.
+//! Analytic tooth compliance against closed forms: Timoshenko's beam and Weber's depth under
+//! Hertz's pressure. The ring (a half-plane, a layer, published displacements) and the slices of a
+//! face have tests in their own modules.
 
 use super::*;
 use crate::contact::half_plane::HalfPlane;

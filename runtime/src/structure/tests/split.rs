@@ -1,4 +1,5 @@
-//! The split compliance and the stress map against direct solutions on meshes that resolve the load.
+//! The split compliance and the stress map against direct solutions on meshes that resolve the
+//! load, for normal forces and for forces inclined to the surface.
 
 use super::bodies::{COARSE, Divisions, ring_source, toothed_sector};
 use crate::fe::SparseVector;

@@ -1,3 +1,5 @@
+//! Means of 1/r over mollified loads, against closed forms and brute-force quadrature.
+
 use super::*;
 use crate::structure::kernel::PairQuadrature;
 use crate::structure::solid::test_surface::ScrewedArc;
