@@ -87,7 +87,10 @@ fn inline_formulas_end_on_their_line() {
     for (page, text) in pages() {
         for (line, text) in prose(&text) {
             let outside: String = text.split('`').step_by(2).collect();
-            assert!(outside.matches('$').count() % 2 == 0, "{page}:{line}: a formula without an end");
+            assert!(
+                outside.matches('$').count().is_multiple_of(2),
+                "{page}:{line}: a formula without an end"
+            );
         }
     }
 }
