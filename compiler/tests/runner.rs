@@ -234,7 +234,7 @@ fn a_journal_that_was_cut_off_is_gone_on_with() {
         assert_eq!(status, Some(0), "{err}");
         let told = match whole {
             Some(count) => format!("going on after {count} positions"),
-            None => "there is nothing to go on with".into(),
+            None => "contains nothing to resume".into(),
         };
         assert!(err.contains(&told), "{length} bytes: {err}");
         assert!(results(directory.path()) == expected, "{length} bytes");
@@ -404,7 +404,7 @@ fn an_executable_places_what_it_says() {
     let (status, _, err) = standing.run(&["--set", "steps=2", "--set", "offset=-1"]);
     assert_eq!(status, Some(0), "{err}");
     for part in [
-        "warning[W0715]: nothing holds body \"idle\"",
+        "warning[W0715]: nothing constrains body \"idle\"",
         "    free = [\"theta_z\"],",
         "           ^^^^^^^^^^^",
         "help: ",

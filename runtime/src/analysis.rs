@@ -485,7 +485,7 @@ pub(crate) fn check_solved(
     Err(EngineError::new(
         "E0724",
         "the positions solved before are not those that this analysis begins with",
-        "go on with the model and the params of the earlier run, or begin anew",
+        "resume with the model and params of the earlier run, or start a new run",
     ))
 }
 

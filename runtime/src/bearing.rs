@@ -148,7 +148,7 @@ impl Stop {
         Err(EngineError::new(
             "E0688",
             "a clearance of the bearing has no stiffness behind it, no direction, or is not a number",
-            "give what bears once the clearance is used up a positive stiffness; of a hard stop, that of the parts around it",
+            "give the positive stiffness that acts once the clearance is closed; for a hard stop, that of the surrounding parts",
         ))
     }
 }
@@ -252,7 +252,7 @@ const ROUNDING: f64 = 1e-6;
 
 /// What is wrong with a matrix, and what to do.
 fn check_matrix(matrix: &BearingMatrix) -> Result<(), (String, &'static str)> {
-    const SYMMETRIC: &str = "what pushes one freedom by another one's motion does the same the other way round: entries i, j and j, i are equal";
+    const SYMMETRIC: &str = "the matrix is symmetric: entries i, j and j, i are equal";
     if !matrix.iter().flatten().all(|entry| entry.is_finite()) {
         return Err(("has an entry that is not a finite number".into(), "look for a division by zero"));
     }

@@ -135,16 +135,16 @@ pub(crate) fn explain(scene: &Scene, freedoms: &[Freedom], error: &ContactError)
         ContactError::Infeasible(motion) => about(
             EngineError::new(
                 "E0714",
-                format!("no contact can hold the load: it drives {}", named(motion)),
-                "hold such a freedom (take it out of `free`) or give its body a bearing, or check the sign of the load and that the teeth are in mesh; a load that reverses needs `back_side_contact = TRUE` in `gears.mesh`",
+                format!("no contact can balance the load: it drives {}", named(motion)),
+                "constrain this degree of freedom (remove it from `free`) or add a bearing, or check the sign of the load and that the teeth are in mesh; a reversing load needs `back_side_contact = TRUE` in `gears.mesh`",
             ),
             motion,
         ),
         ContactError::Unconstrained(motion) => about(
             EngineError::new(
                 "E0715",
-                format!("nothing holds {}", named(motion)),
-                "hold such a freedom (take it out of `free`) or give its body a bearing, or load it",
+                format!("nothing constrains {}", named(motion)),
+                "constrain this degree of freedom (remove it from `free`), add a bearing, or apply a load",
             ),
             motion,
         ),

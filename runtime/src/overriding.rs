@@ -104,7 +104,7 @@ impl Override {
                         .collect();
                     return Err(EngineError::new(
                         "E0795",
-                        format!("an analysis has no knob called `{name}`"),
+                        format!("an analysis has no setting called `{name}`"),
                         format!("choose one of {}", known.join(", ")),
                     ));
                 };
@@ -196,7 +196,7 @@ impl Override {
         }
         let given: Vec<String> =
             self.turned().iter().map(|(name, value)| format!("{name} = {value}")).collect();
-        let help = format!("{}; the run was given {}, whatever the model says", error.help, given.join(", "));
+        let help = format!("{}; the run overrides settings of the model: {}", error.help, given.join(", "));
         EngineError { help, ..error }
     }
 }
@@ -292,7 +292,7 @@ mod tests {
         let told = knobs.told_of(error).help;
         assert_eq!(
             told,
-            "choose another; the run was given fidelity = plane, cells = 6, whatever the model says"
+            "choose another; the run overrides settings of the model: fidelity = plane, cells = 6"
         );
         let ended = EngineError::new("E0704", "the run was cancelled", "");
         assert_eq!(knobs.told_of(ended.clone()), ended);

@@ -172,9 +172,7 @@ impl Plan {
                 reason: match (left_out, stresses) {
                     (true, _) if untouched => "left out: it touches nothing",
                     (true, _) => "left out: no load goes through it to anything that an output looks at",
-                    (false, _) if rigid => {
-                        "rigid: no surface of it touches anything, and bearings hold its frame"
-                    }
+                    (false, _) if rigid => "rigid: it has no contact, and bearings support its frame",
                     (false, _) if model == BodyModel::Rigid => {
                         "rigid, as the fidelity has it: its surfaces touch others as the load vanishes"
                     }
@@ -392,7 +390,7 @@ fn plan_bearing(scene: &Scene, bodies: &[BodyPlan], bearing: &Bearing) -> Bearin
         name: bearing.name.clone(),
         reason: match (unwanted, idle) {
             (true, _) => "left out: no output depends on what it connects",
-            (_, true) => "left out: the frames on both sides are held, and it has no load of its own",
+            (_, true) => "left out: the frames on both sides are constrained, and it carries no load",
             _ => "a stiffness between the frames of its races",
         },
         left_out: unwanted || idle,
@@ -413,7 +411,7 @@ fn unseen_of(bearing: &Bearing, in_space: bool) -> Vec<Ignored> {
         unseen.push(Ignored {
             input: "bearing".into(),
             reason:
-                "in a plane model bearings hold u_x, u_y and theta_z; u_z, theta_x and theta_y do not move"
+                "in a two-dimensional model bearings support u_x, u_y and theta_z; u_z, theta_x and theta_y are zero"
                     .into(),
         });
     }
@@ -426,7 +424,7 @@ fn refuse_motion_out_of_plane(body: &str, free: [bool; 6]) -> Result<(), EngineE
         Some(freedom) => Err(EngineError::new(
             "E0611",
             format!(
-                "body \"{body}\" is free in {}, and in a plane model nothing can hold it there",
+                "body \"{body}\" is free in {}, which a two-dimensional model does not have",
                 FREEDOMS[freedom]
             ),
             "take it out of `free`: a plane model has \"u_x\", \"u_y\" and \"theta_z\"",
@@ -442,23 +440,25 @@ fn refuse_lugs(body: &str, fidelity: Fidelity, in_space: bool, free: [bool; 6]) 
         return Err(EngineError::new(
             "E0783",
             format!(
-                "body \"{body}\" is carried by lugs with clearance, and how it gives between those that bear has no closed form"
+                "body \"{body}\" is on a spline with clearance, and the fidelity level \"analytic\" has no closed form for its compliance"
             ),
-            "leave `clearance` out: closed forms hold a ring all around",
+            "remove `clearance`: closed forms assume a rim that is supported all around",
         ));
     }
     if in_space {
         return Err(EngineError::new(
             "E0756",
-            format!("the lugs of body \"{body}\" have clearance, and in space they cannot"),
-            "leave `clearance` out: then lugs bear both ways, without play",
+            format!(
+                "the spline of body \"{body}\" has clearance, which three-dimensional models do not support"
+            ),
+            "remove `clearance` for a spline without backlash",
         ));
     }
     if !free[5] {
         return Err(EngineError::new(
             "E0755",
-            format!("the lugs of body \"{body}\" have clearance, and its frame cannot turn to use it up"),
-            "free it, `free = [\"u_x\", \"u_y\", \"theta_z\"]`: the lugs carry it; or leave `clearance` out: then they hold it as the frame does",
+            format!("the spline of body \"{body}\" has clearance, but its frame is constrained in rotation"),
+            "free the body, `free = [\"u_x\", \"u_y\", \"theta_z\"]`, so that the spline supports it; or remove `clearance`",
         )
         .blame("free"));
     }

@@ -448,7 +448,7 @@ pub(crate) fn loads_on(
             return Err(EngineError::new(
                 "E0723",
                 format!("the load on body \"{body}\" is not a finite number at Time = {time} s"),
-                "look at what gives the load; it must have a value at every position that is analysed",
+                "check the function that gives the load; it must have a value at every position of the analysis",
             )
             .about(Subject::Body(freedom.body)));
         }

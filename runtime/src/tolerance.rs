@@ -477,15 +477,13 @@ impl Search<'_> {
             format!(": the best is {} with {}", tried.setting.describe(), tried.error())
         });
         if let Some((fidelity, error)) = &self.missing {
-            told += &format!("; \"{}\" cannot be had ({}: {})", fidelity.name(), error.code, error.message);
+            told +=
+                &format!("; \"{}\" is not supported ({}: {})", fidelity.name(), error.code, error.message);
         }
         EngineError::new(
             "E0792",
-            format!(
-                "no setting is estimated to keep to a tolerance of {}{told}",
-                percent(self.ladder.tolerance)
-            ),
-            "ask for less, or take out of the model what cannot be had so exactly",
+            format!("no setting satisfies a tolerance of {}{told}", percent(self.ladder.tolerance)),
+            "increase the tolerance, or remove outputs that cannot be computed that accurately",
         )
         .blame("tolerance")
     }

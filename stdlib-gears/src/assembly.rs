@@ -391,7 +391,7 @@ fn drive_sense(scene: &Scene, bodies: [BodyId; 2], sign: f64, speed: f64) -> Res
             return Err(EngineError::new(
                 "E0723",
                 format!("the load on body \"{}\" is not a number at Time = 0 s", body.name),
-                "look at what gives the load; it says which flanks drive",
+                "check the function that gives the load; it determines which flanks drive",
             )
             .about(Subject::Body(id.0)));
         }

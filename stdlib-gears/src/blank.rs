@@ -77,7 +77,7 @@ impl Spline {
         if self.lugs < 3 {
             return Err(wrong(
                 "lugs",
-                sentence!["a spline needs three lugs to centre a rim; it has ", number f64::from(self.lugs)],
+                sentence!["a spline needs at least three teeth to centre a rim; it has ", number f64::from(self.lugs)],
                 sentence!["give at least 3"],
             ));
         }
@@ -87,9 +87,9 @@ impl Spline {
             return Err(wrong(
                 "width",
                 sentence![
-                    "lugs that are ", length width, " wide do not fit side by side around the rim, where each has ", length pitch
+                    "spline teeth of width ", length width, " do not fit around the rim, where the spline pitch is ", length pitch
                 ],
-                sentence!["reduce `width`, or leave it out for lugs as wide as the spaces between them"],
+                sentence!["reduce `width`, or omit it for half the spline pitch"],
             ));
         }
         let fits = self.clearance > 0.0 && width + self.clearance < pitch;
@@ -98,10 +98,12 @@ impl Spline {
                 "E0754",
                 "clearance",
                 sentence![
-                    "spaces wider by ", length self.clearance, " than lugs of ", length width, " there cannot be where each lug has ",
+                    "a clearance of ", length self.clearance, " on spline teeth of width ", length width, " does not fit within the spline pitch of ",
                     length pitch
                 ],
-                sentence!["give the difference of a space and a lug, or 0 for lugs without play"],
+                sentence![
+                    "give the difference of the widths of a space and a spline tooth, or 0 for a spline without backlash"
+                ],
             ));
         }
         let compliance = |argument: &'static str, stiffness: Option<f64>| match stiffness {
@@ -109,8 +111,8 @@ impl Spline {
             Some(stiffness) if stiffness > 0.0 && stiffness.is_finite() => Ok(1.0 / stiffness),
             Some(_) => Err(wrong(
                 argument,
-                sentence!["the stiffness of lugs must be positive"],
-                sentence!["leave it out for rigid lugs"],
+                sentence!["the stiffness of spline teeth must be positive"],
+                sentence!["omit it for rigid spline teeth"],
             )),
         };
         let radial = match self.radial {
@@ -160,7 +162,7 @@ impl Rim {
                 "inner_diameter",
                 sentence!["the rim's inner diameter must be positive and smaller than its diameter"],
                 sentence![
-                    "give an `inner_diameter` between 0 and `diameter`: there the body's frame holds the rim"
+                    "give an `inner_diameter` between 0 and `diameter`, where the frame of the body supports the rim"
                 ],
             ));
         }
@@ -185,7 +187,9 @@ impl Rim {
                 "E0665",
                 "bore_diameter",
                 sentence!["the web's bore must be positive and smaller than the inner diameter of the rim"],
-                sentence!["the body is held at the bore; a ring without a web is held at its inner diameter"],
+                sentence![
+                    "the body is supported at the bore; a rim without a web is supported at its inner diameter"
+                ],
             ));
         }
         if !(thickness > 0.0 && thickness.is_finite() && offset.is_finite()) {
@@ -214,15 +218,17 @@ impl Rim {
             return Err(GeometryError::error(
                 "E0655",
                 "rim",
-                sentence!["the rim has a free bore or seat, and lugs would hold it too"],
-                sentence!["leave the rim's `bore` or `seat` \"rigid\": the lugs take its place"],
+                sentence!["the rim has a free bore or seat, so spline teeth cannot support it"],
+                sentence![
+                    "leave the rim's `bore` or `seat` \"rigid\"; the spline teeth replace this constraint"
+                ],
             ));
         }
         if self.web.is_some_and(|web| web.disc.is_some()) {
             return Err(GeometryError::error(
                 "E0655",
                 "rim",
-                sentence!["lugs cannot hold a disc web, which has a mesh of its own"],
+                sentence!["spline teeth cannot support a disc web, which has a mesh of its own"],
                 sentence!["take a `webbed_rim`, whose web is in the mesh of the teeth"],
             ));
         }
@@ -231,11 +237,12 @@ impl Rim {
             return Ok(self.held(BoreHold::Lugs(lugs)));
         }
         if lugs.radial.is_some() || self.web.is_some() {
-            let what = if lugs.radial.is_some() { "hold a diameter" } else { "are in the bore of a web" };
+            let what =
+                if lugs.radial.is_some() { "centre on a diameter" } else { "are in the bore of a web" };
             return Err(GeometryError::error(
                 "E0754",
                 "clearance",
-                sentence!["lugs that ", text what, " cannot have clearance"],
+                sentence!["spline teeth that ", text what, " cannot have clearance"],
                 sentence![
                     "with it they are contact of flanks in the plane, which has no room for a web; leave it out"
                 ],
@@ -288,10 +295,10 @@ impl Rim {
                     "E0649",
                     "rim",
                     sentence![
-                        "the rim is held up to order ", number f64::from(waves), " around, which takes as many teeth; there are ",
+                        "the rim is constrained up to harmonic ", number f64::from(waves), ", which requires as many teeth; there are ",
                         number f64::from(teeth)
                     ],
-                    sentence!["reduce the circumferential order, or hold the rim rigidly"],
+                    sentence!["reduce the circumferential order, or use a rigid constraint"],
                 ))
             }
             BoreHold::Lugs(lugs) | BoreHold::LooseLugs { lugs, .. }
@@ -301,10 +308,10 @@ impl Rim {
                     "E0656",
                     "rim",
                     sentence![
-                        "the lugs that hold the rim take ", number f64::from(lugs.waves()), " waves around to be told apart, and a mesh with ",
+                        "the spline teeth of the rim need ", number f64::from(lugs.waves()), " harmonics, and a mesh with ",
                         number f64::from(teeth), " teeth has at most ", number f64::from(LUG_WAVES_BY_TOOTH * teeth)
                     ],
-                    sentence!["take fewer or wider lugs"],
+                    sentence!["reduce the number of spline teeth or increase their width"],
                 ))
             }
             _ => Ok(()),
@@ -328,7 +335,7 @@ impl Rim {
             "E0644",
             "rim",
             sentence![
-                "the web reaches from ", length start, " to ", length end, " beside mid-face, but the face only from ",
+                "the web reaches from ", length start, " to ", length end, " from mid-face, but the face only from ",
                 length - 0.5 * face_width, " to ", length 0.5 * face_width
             ],
             sentence!["reduce `web_thickness` or `web_offset`, or enlarge `face_width`"],
@@ -345,7 +352,7 @@ impl Rim {
                 "E0665",
                 "outer_diameter",
                 sentence!["the rim's outer diameter must be larger than its diameter, and that positive"],
-                sentence!["an internal gear is held at the outer diameter"],
+                sentence!["an internal gear is supported at its outer diameter"],
             ));
         }
         Ok(Rim {

@@ -118,7 +118,7 @@ calyx_abi::externs! {
             (_, Some(_)) => return Err(refusal(
                 "E0655",
                 "radial_stiffness",
-                "`radial_stiffness` is of lugs that hold the diameter, and these hold by their flanks alone",
+                "`radial_stiffness` requires `centring = \"diameter\"`; these spline teeth centre on their flanks",
                 "leave it out, or choose \"diameter\"",
             )),
         };

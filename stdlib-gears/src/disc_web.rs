@@ -100,7 +100,7 @@ impl Rim {
                         "the hub's diameter of ", length 2.0 * hub.radius, " is not between that of the bore, ",
                         length 2.0 * rim.held_radius, ", and that of the ring's inside, ", length 2.0 * rim.ring_radius()
                     ],
-                    sentence!["the web stands between hub and ring"],
+                    sentence!["the web is between hub and rim"],
                 );
             }
             let ([from, to], [start, end]) = (ends(hub.width, hub.offset), disc.inner_ends());
@@ -109,7 +109,7 @@ impl Rim {
                 return refusal(
                     "hub_width",
                     sentence![
-                        "the hub reaches from ", length from, " to ", length to, " beside mid-face, the web that stands on it from ",
+                        "the hub reaches from ", length from, " to ", length to, " from mid-face, but the web on it from ",
                         length start, " to ", length end
                     ],
                     sentence!["enlarge `hub_width`, or give the hub the web's offset with `hub_offset`"],

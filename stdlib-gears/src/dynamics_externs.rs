@@ -54,7 +54,7 @@ calyx_abi::externs! {
         context, on: Handle, at: f64, duration: f64, momentum: [f64; 3], angular_momentum: [f64; 3],
     ) -> () {
         if !(duration.is_finite() && duration > 0.0) {
-            return Err(refusal("E0766", "duration", &format!("a blow cannot take {duration} s"),
+            return Err(refusal("E0766", "duration", &format!("an impulse cannot have a duration of {duration} s"),
                 "give a positive time, a few steps long and much shorter than the periods that are looked at"));
         }
         let id = body(context, "on", on)?;

@@ -62,7 +62,7 @@ calyx_abi::externs! {
         for (argument, count) in [("cells", cells), ("cells_along", cells_along)] {
             if count.fract() != 0.0 {
                 return Err(refusal("E0672", argument, "the number of cells must be whole",
-                    "it is half the number of cells of a grid; 24 across are usual in the plane, 10 across and 8 along in space"));
+                    "a grid has twice as many cells plus one; 24 across are usual in two dimensions, 10 across and 8 along in three"));
             }
         }
         if !(grid_width >= 0.0 && grid_width.is_finite()) {
@@ -172,7 +172,7 @@ calyx_abi::externs! {
         let error_estimates = overrides.error_estimates.unwrap_or(error_estimates);
         let asked = host.asked.is_some() && host.checking;
         if asked || host.result.is_some() {
-            return Err(RuntimeError::new("E0680", "the model has a second analysis, and a run holds the results of one",
+            return Err(RuntimeError::new("E0680", "the model has a second analysis, and a run has the results of one",
                 "keep one `analyze`; run the model twice with different params instead"));
         }
         let structure = StructureOptions { face_elements, axial_order, ..host.analysis.structure };
@@ -385,8 +385,8 @@ pub fn check_unheld(host: &mut ModelHost) {
         .filter_map(|(index, body)| {
             let error = EngineError::new(
                 "E0715",
-                format!("nothing holds body \"{}\" in {}, so it is left out", body.name, free(body)?),
-                "mesh it with another body, give it a bearing, or hold it (take the freedom out of `free`)",
+                format!("nothing constrains body \"{}\" in {}, so it is left out", body.name, free(body)?),
+                "mesh it with another body, add a bearing, or constrain it (remove the degree of freedom from `free`)",
             );
             let error = host.engine_error(error.about(Subject::Body(index)).blame("free"));
             Some(Finding { severity: Severity::Warning, error })
@@ -499,14 +499,14 @@ pub(crate) fn lug_number(host: &ModelHost, body: BodyId, lug: f64) -> Result<u32
         false if lugs == 0 => Err(refusal(
             "E0657",
             "body",
-            "the rim of this body has no lugs",
-            "hold it by some with `splined`",
+            "the rim of this body has no spline teeth",
+            "support it with `splined`",
         )),
         false => Err(refusal(
             "E0657",
             "lug",
-            &format!("there is no lug {lug}"),
-            &format!("lugs are counted counter-clockwise from 0 to {}", lugs - 1),
+            &format!("there is no spline tooth {lug}"),
+            &format!("spline teeth are numbered counter-clockwise from 0 to {}", lugs - 1),
         )),
     }
 }

@@ -136,7 +136,7 @@ impl Loads {
             _ if self.on_free => Ok(None),
             Some((index, component)) => {
                 let message = format!(
-                    "the load on body \"{}\" reaches no tooth: its frame holds {component}, and nothing that it meshes with is free under a load",
+                    "the load on body \"{}\" reaches no tooth: its frame constrains {component}, and no body that it meshes with is free under a load",
                     name(index)
                 );
                 let help = format!(

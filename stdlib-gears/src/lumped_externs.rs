@@ -17,7 +17,7 @@ calyx_abi::externs! {
         let mut fixed = [false; 3];
         for freedom in &held {
             let Some(at) = FREEDOMS.iter().position(|known| known == freedom) else {
-                return Err(refusal("E0670", "held", &format!("\"{freedom}\" is not a freedom of a lumped member"),
+                return Err(refusal("E0670", "held", &format!("\"{freedom}\" is not a degree of freedom of a lumped member"),
                     "they are \"u_x\", \"u_y\" and \"theta_z\""));
             };
             fixed[at] = true;

@@ -333,7 +333,7 @@ impl MeshGeometry {
                 "second",
                 sentence![
                     "the tips of the gear and of the ring run into each other by ", length -margin * second.minor_radius,
-                    " beside the mesh: with ", number f64::from(first.teeth), " and ", number f64::from(second.teeth),
+                    " outside of the mesh: with ", number f64::from(first.teeth), " and ", number f64::from(second.teeth),
                     " teeth they are too nearly of one size"
                 ],
                 sentence!["use fewer teeth in the ring, reduce `outer_diameter` of the gear, or enlarge `minor_diameter` of the ring"],

@@ -262,7 +262,7 @@ fn mode_number(mode: f64) -> Result<usize, RuntimeError> {
             "E0770",
             "mode",
             &format!("there is no mode {mode}"),
-            "modes are counted from 1, from the lowest natural frequency up; there are as many as free freedoms",
+            "modes are numbered from 1 for the lowest natural frequency; their number is that of the free degrees of freedom",
         )),
     }
 }

@@ -52,22 +52,24 @@ pub(crate) fn judge(
     let impossible = off > geometry.backlash.max(0.0) + OUT_OF_PLACE * second.module;
     let message = if impossible {
         sentence![
-            "these gears cannot be put together: both are phased by earlier meshes, and here their teeth stand ", length off,
-            " off each other's spaces, along the pitch circle"
+            "these gears cannot be assembled: both are phased by earlier meshes, and here their teeth are ", length off,
+            " away from the spaces of the mating gear, along the pitch circle"
         ]
     } else {
         sentence![
-            "both gears are phased by earlier meshes, and here their teeth stand ", length off,
-            " off where they would touch, along the pitch circle: they bear more or less than those of other planets"
+            "both gears are phased by earlier meshes, and here their teeth are ", length off,
+            " away from contact, along the pitch circle: they carry more or less load than those of other planets"
         ]
     };
     let help = match spacing {
         Some(Spacing { feasible, given, teeth, .. }) if (feasible - given).abs() > 1e-9 => sentence![
-            "planets stand whole multiples of 360 deg / ", number teeth, " apart, the teeth of both coaxial gears added up: place this one ",
+            "planets are integer multiples of 360 deg / ", number teeth, " apart, the sum of teeth of both coaxial gears: place this one ",
             angle feasible, " from the one that is in mesh already, instead of ", angle given
         ],
         _ => {
-            sentence!["look at numbers of teeth, at tooth thickness and at where the axes of the loop stand"]
+            sentence![
+                "check the numbers of teeth, the tooth thicknesses and the positions of the axes in the loop"
+            ]
         }
     };
     match impossible {

@@ -140,7 +140,7 @@ fn thin_rim(form: &ToothForm, rim: &Rim, module: f64) -> Option<GeometryError> {
             "rim",
             sentence!["the ring between the two diameters of the rim is only ", length ring, " thick"],
             sentence![
-                "`diameter` is where the toothed part ends, and the gear is held at `", text held,
+                "the mesh of the teeth ends at `diameter`, and the gear is supported at `", text held,
                 "`: with ", length 2.0 * usual, " there the rim is two modules thick"
             ],
         )
@@ -210,11 +210,11 @@ pub(crate) fn uneven_planets(planets: f64, teeth: f64) -> Option<GeometryError> 
         "planets",
         sentence![
             number planets, " planets cannot be evenly spaced: sun and ring have ", number teeth,
-            " teeth together, and ", number teeth, " / ", number planets, " is not whole. They bear unequal shares of the load"
+            " teeth together, and ", number teeth, " / ", number planets, " is not an integer. They carry unequal shares of the load"
         ],
         sentence![
             "choose teeth of sun and ring that add up to a multiple of ", number planets, ", such as ", number fitting,
-            "; or say where planets stand by `places`"
+            "; or give the positions of the planets with `places`"
         ],
     ))
 }

@@ -193,7 +193,7 @@ impl GearPrototype {
         }
         Err(EngineError::new(
             "E0623",
-            "a plane model cannot hold the teeth of a helical gear, which touch along lines that cross the face",
+            "a two-dimensional model cannot represent a helical gear, whose contact lines cross the face",
             "make both gears spur gears, with `helix_angle = 0 deg`",
         )
         .blame("helix_angle"))
@@ -404,7 +404,7 @@ impl Prototype for GearPrototype {
 
     fn without_modes(&self) -> Option<&'static str> {
         matches!(self.rim.hold_in_plane(), BoreHold::Lugs(_) | BoreHold::LooseLugs { .. })
-            .then_some("lugs hold it, which are not alike for all of its teeth")
+            .then_some("spline teeth support it, which breaks the cyclic symmetry")
     }
 
     fn inertia(&self) -> Inertia {
@@ -568,7 +568,7 @@ impl Prototype for GearPrototype {
                 BoreHold::Rigid if self.rim.web.is_none() => Vec::new(),
                 _ => self.idle(
                     &["rim"],
-                    "closed forms have a ring that is held rigidly, where its web begins if it has one",
+                    "closed forms assume a rim that is rigidly supported, where its web begins if it has one",
                 ),
             },
             Fidelity::Plane => {
@@ -579,13 +579,14 @@ impl Prototype for GearPrototype {
                 };
                 let web = self.rim.web.map(|_| Ignored {
                     input: "web".into(),
-                    reason: "a plane model has no direction along the face: it is held where the web begins"
+                    reason: "a two-dimensional model has no face-width direction: the rim is supported where the web begins"
                         .into(),
                 });
                 let on_web = self.rim.web.is_some() && matches!(self.rim.hold, BoreHold::Lugs(_));
                 let lugs = on_web.then(|| Ignored {
                     input: "lugs".into(),
-                    reason: "they hold the bore of a web, which a plane model does not have".into(),
+                    reason: "they support the bore of a web, which a two-dimensional model does not have"
+                        .into(),
                 });
                 unseen.map(along_face).chain(web).chain(lugs).collect()
             }

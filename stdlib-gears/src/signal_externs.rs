@@ -44,7 +44,7 @@ calyx_abi::externs! {
         context, of: String, from: f64, momentum: f64, to: f64, highest: f64,
     ) -> () {
         if momentum == 0.0 || !momentum.is_finite() {
-            return Err(refusal("E0778", "momentum", "a blow without momentum shows no transfer function",
+            return Err(refusal("E0778", "momentum", "an impulse of zero gives no transfer function",
                 "give what `gears.impulse` passes on"));
         }
         ask(context, of, [from, to], highest, SignalKind::TransferFunction { momentum })

@@ -57,7 +57,7 @@ calyx_abi::externs! {
         match quantity::parse(&quantity, &context.units) {
             Ok(found) if found.value != 0.0 && found.value.is_finite() => Ok(found.value),
             _ => Err(RuntimeError::new("E0732", format!("`{quantity}` is not a unit"),
-                "give one of what the column holds: `column(table, \"x\", 1 mm)`")),
+                "give one unit of the column's quantity: `column(table, \"x\", 1 mm)`")),
         }
     }
 }
@@ -110,7 +110,7 @@ fn locate(directory: Option<&Path>, path: &str) -> Result<PathBuf, Unreadable> {
     let below =
         "files are read from the model's directory and those in it; give a path relative to the model";
     let directory =
-        directory.ok_or_else(|| ("there is no model file beside which it could lie".into(), below))?;
+        directory.ok_or_else(|| ("there is no model file that determines its directory".into(), below))?;
     let relative = Path::new(path);
     if !relative.components().all(|part| matches!(part, Component::Normal(_) | Component::CurDir)) {
         return Err(("it leads out of the model's directory".into(), below));

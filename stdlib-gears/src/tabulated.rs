@@ -137,7 +137,7 @@ fn check_places(argument: &'static str, places: &[f64]) -> Result<(), GeometryEr
             "a table of flank modifications has ", number places.len() as f64,
             " places, which must be two at least and ascend"
         ],
-        sentence!["sort the table, and leave out what stands twice"],
+        sentence!["sort the table and remove duplicates"],
     ))
 }
 

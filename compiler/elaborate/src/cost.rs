@@ -51,7 +51,7 @@ impl PlannedCost {
 
     fn analysis_lines(&self) -> Vec<String> {
         let AnalysisCost { structures, positions, count, errors } = &self.analysis;
-        let mut lines = vec!["Predicted for this machine, structures condensed anew".to_owned()];
+        let mut lines = vec!["Predicted for this machine, without cached structures".to_owned()];
         for (bodies, cost) in structures {
             let names: Vec<String> = bodies.iter().map(|name| format!("\"{name}\"")).collect();
             lines.push(format!(

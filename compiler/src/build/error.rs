@@ -123,7 +123,7 @@ impl fmt::Display for BuildError {
                 write!(f, "the linker `{command}` failed:\n{}", said.trim_end())
             }
             BuildError::NoLibrary { .. } => f.write_str(
-                "the library `libcalyx_rt.a`, which holds the engine for executables, was not found",
+                "the library `libcalyx_rt.a`, which contains the engine for executables, was not found",
             ),
             BuildError::WrongLibrary { path, why } => {
                 let path = path.display();

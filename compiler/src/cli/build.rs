@@ -117,7 +117,7 @@ impl Build {
         match build(&checked, &options) {
             Ok(built) => {
                 if checked.has_errors() {
-                    format.note("what is built will say the same, unless it is given params that mend it\n");
+                    format.note("the executable will report the same, unless it is run with other params\n");
                 }
                 built.iter().for_each(|built| format.note(&told(built)));
                 ExitCode::SUCCESS

@@ -67,8 +67,8 @@ impl Check {
         if checked.has_errors() {
             return match fixes {
                 0 => String::new(),
-                1 => format!("1 of these is mended by `calyx check --fix {file}`\n"),
-                _ => format!("{fixes} of these are mended by `calyx check --fix {file}`\n"),
+                1 => format!("1 of these can be fixed automatically with `calyx check --fix {file}`\n"),
+                _ => format!("{fixes} of these can be fixed automatically with `calyx check --fix {file}`\n"),
             };
         }
         let warnings = checked.diagnostics.iter().filter(|d| d.severity == Severity::Warning).count();

@@ -137,7 +137,7 @@ impl Tradeoff {
         let measured = match self.measure(&campaign, &expected, &mut left) {
             Ok(Some(measured)) => measured,
             Ok(None) => {
-                format.note("ended; the same command goes on where this one was\n");
+                format.note("interrupted; run the same command again to continue\n");
                 return ExitCode::from(MODEL_ERROR);
             }
             Err(RunError::Run(Error::Given(refused))) => {

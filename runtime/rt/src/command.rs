@@ -124,7 +124,7 @@ fn failed(error: &RunError, directory: &Path, messages: &dyn Messages) -> u8 {
         RunError::Ended { error, .. } => {
             messages.error(error);
             messages.note(&format!(
-                "the positions solved until then are in {}; the same command with --resume goes on after them",
+                "the positions solved so far are in {}; to continue, run the same command with --resume",
                 directory.display()
             ));
             MODEL_ERROR

@@ -39,7 +39,7 @@ pub fn find(directory: &Path, head: &Value) -> Result<Begun, Not> {
         differences if differences.is_empty() => Ok(()),
         differences => Err(Not::Other(Refused::new(
             format!("the run in {} is another one: {}", directory.display(), differences.join("; ")),
-            "go on with the model and params it was begun with, or begin anew without --resume",
+            "resume with the same model and params, or start a new run without --resume",
         ))),
     };
     // The journal goes last: where there is one, a run may have been ended among its final files.

@@ -151,7 +151,7 @@ pub fn run(program: Arc<dyn Program>, options: &RunOptions) -> Result<RunReport,
         Begun::Nothing => {
             if options.resume {
                 let path = path.display();
-                progress.note(&format!("there is nothing to go on with in {path}: the run begins anew"));
+                progress.note(&format!("{path} contains nothing to resume: starting a new run"));
             }
             None
         }

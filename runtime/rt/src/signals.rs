@@ -165,7 +165,7 @@ fn title(signal: &Signal) -> [String; 2] {
         SignalKind::OrderMap { window, turns, .. } => {
             format!("{}, pieces of {} turns", seen(window), number(*turns))
         }
-        SignalKind::TransferFunction { .. } => "from the response to a blow".to_owned(),
+        SignalKind::TransferFunction { .. } => "from the response to an impulse".to_owned(),
     };
     [format!("{}: {name}", signal.request.of), format!("{how}, {apart}")]
 }

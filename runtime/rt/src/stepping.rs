@@ -205,7 +205,7 @@ pub(crate) fn factor(description: &ModelDescription, output: usize, unit: &str) 
     let UnitDescription { name: own, dimension, .. } = shown;
     let refused = |why: String| {
         let own = if own.is_empty() { "a pure number".to_owned() } else { format!("shown in {own}") };
-        Error::given(format!("`{name}` cannot be told in `{unit}`: {why}"), format!("`{name}` is {own}"))
+        Error::given(format!("`{name}` cannot be shown in `{unit}`: {why}"), format!("`{name}` is {own}"))
     };
     let quantity = quantity::with_unit(1.0, unit, &description.known_units).map_err(refused)?;
     if !quantity::fits(quantity.dimension, *dimension) {

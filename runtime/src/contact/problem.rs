@@ -38,10 +38,10 @@ pub struct FreeMotion {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum ContactError {
     /// The load runs away along this motion, on which no contact closes.
-    #[error("no contact can balance the load: it moves freedom {} in the {} sense", .0.freedom, sense(.0.direction))]
+    #[error("no contact can balance the load: it moves degree of freedom {} in the {} direction", .0.freedom, sense(.0.direction))]
     Infeasible(FreeMotion),
     /// The load does no work on this motion, but neither contact nor spring fixes it.
-    #[error("freedom {} is held neither by contact nor by a spring", .0.freedom)]
+    #[error("degree of freedom {} is constrained neither by contact nor by a spring", .0.freedom)]
     Unconstrained(FreeMotion),
     /// Gaps of cells are not independent: the compliance loses rank at this cell (two cells in one place,
     /// or rigid bodies).

@@ -151,7 +151,7 @@ impl<'s> History<'s> {
         let count = self.state.displacement.len();
         let (state, contact) = last.state.split_at(3 * count.min(last.state.len() / 3));
         let state = State::of_row(state, count).filter(|_| contact.len() == count).ok_or_else(|| {
-            EngineError::new("E0724", "the rows kept before are not of this analysis in time", "begin anew")
+            EngineError::new("E0724", "the stored rows belong to another analysis", "start a new run")
         })?;
         self.contact = contact.to_vec();
         let kept = solved.len() - 1;

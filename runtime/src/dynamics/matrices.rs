@@ -333,7 +333,7 @@ pub fn check_section(fidelity: Fidelity) -> Result<(), EngineError> {
         Fidelity::Analytic | Fidelity::Plane => Ok(()),
         Fidelity::Rigid => Err(EngineError::new(
             "E0781",
-            "bodies of the fidelity \"rigid\" bear no load, and so do not vibrate on their teeth",
+            "the fidelity level \"rigid\" has no forces, so bodies cannot vibrate on their teeth",
             "",
         )
         .blame("fidelity")),
@@ -376,7 +376,7 @@ pub(crate) fn check_inertia(
             return Err(EngineError::new(
                 "E0762",
                 format!("body \"{}\" is free to move and has no {what}", body.name),
-                "give it a `mass` and an `inertia`, or hold it",
+                "give it a `mass` and an `inertia`, or constrain it",
             )
             .blame("free")
             .about(Subject::Body(freedom.body)));

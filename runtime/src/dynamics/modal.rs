@@ -105,7 +105,7 @@ pub fn check_modes(fidelity: Fidelity, highest: f64) -> Result<(), EngineError> 
         ),
         Fidelity::Solid(_) if highest > 0.0 => (
             "E0771",
-            "the modes of bodies are those of a section, and this model is in space".into(),
+            "elastic modes of bodies are two-dimensional, and this model is three-dimensional".into(),
             "leave `highest_frequency` at 0: bodies then vibrate as rigid ones",
         ),
         _ => return Ok(()),

@@ -233,7 +233,7 @@ pub(crate) fn check_mode_count(scene: &Scene, count: usize) -> Result<(), Engine
         Some(mode) if mode >= count => Err(EngineError::new(
             "E0770",
             format!("there is no mode {}: the scene has {count}", mode + 1),
-            "modes are as many as free freedoms, and modes of the bodies up to `highest_frequency` beside them",
+            "the number of modes is that of the free degrees of freedom plus the elastic modes of bodies up to `highest_frequency`",
         )),
         _ => Ok(()),
     }

@@ -343,7 +343,7 @@ impl<S: Space> Solver<'_, S> {
                         "under this load \"{first}\" and \"{second}\" touch over all of the {width:.3} mm that their surfaces face each \
                          other: that is no small patch, and pushes on its cells cannot be told apart"
                     ),
-                    "look at the unit of the load and at the sizes of the bodies; contact has to be small beside them",
+                    "check the unit of the load and the dimensions of the bodies; the contact area must be small compared with them",
                 )
             }
             error => self.explain(error),

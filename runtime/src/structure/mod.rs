@@ -62,15 +62,15 @@ pub enum StructureError {
     NotSwept { faces: String },
     #[error("the mesh has no area")]
     NoArea,
-    #[error("the mesh of the bore is too coarse for the series that it is held by")]
+    #[error("the mesh of the bore is too coarse for the order of its constraints")]
     CoarseBore,
     #[error("the web cannot be meshed: {error}")]
     Web { error: String },
-    #[error("the mesh of the bore is too coarse for the series that its lugs are seen through")]
+    #[error("the mesh of the bore is too coarse for the harmonics of its spline teeth")]
     CoarseLugs,
-    #[error("its modes cannot be had: {0}")]
+    #[error("its modes cannot be computed: {0}")]
     Modes(&'static str),
-    #[error("lugs hold it, which are not alike for all sectors: its modes are not known")]
+    #[error("spline teeth support it, which breaks the cyclic symmetry: it has no component modes")]
     ModesOnLugs,
     #[error(transparent)]
     Ring(#[from] FreeRing),
@@ -87,25 +87,25 @@ impl From<StructureError> for EngineError {
             StructureError::Interrupted(error) => error,
             StructureError::CoarseBore => EngineError::new(
                 "E0649",
-                "the mesh is too coarse for the orders up to which the rim is held",
+                "the mesh is too coarse for the order up to which the rim is constrained",
                 "reduce the rim's orders around or along the axis, or take more elements along the face",
             )
             .blame("rim"),
             StructureError::CoarseLugs => EngineError::new(
                 "E0656",
-                "the mesh of the bore is too coarse to tell the lugs apart by which the rim is held",
-                "take fewer or wider lugs, a lower order along the axis, or a finer mesh",
+                "the mesh of the bore is too coarse for the spline teeth that support the rim",
+                "reduce the number of spline teeth, make them wider, or use a lower axial order or a finer mesh",
             )
             .blame("rim"),
             StructureError::Modes(reason) => EngineError::new(
                 "E0758",
-                format!("the modes of a body cannot be had: {reason}"),
+                format!("the modes of a body cannot be computed: {reason}"),
                 "ask for a lower highest frequency, or take another refinement of the mesh",
             ),
             StructureError::ModesOnLugs => EngineError::new(
                 "E0759",
-                "a body that lugs hold has no component modes: they are not alike for all of its teeth",
-                "hold its rim rigidly or in the mean, or let it vibrate as a rigid body",
+                "a body on spline teeth has no component modes: they break its cyclic symmetry",
+                "use a rigid or free bore, or model it as a rigid body in vibration",
             )
             .blame("rim"),
             error => EngineError::new("E0678", format!("the structure cannot be condensed: {error}"), ""),

@@ -41,7 +41,7 @@ pub struct CutStiffness {
 
 /// The stiffness of a ring's cuts is not positive definite: something can move freely.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("the ring of sectors is not held: it can move without deforming")]
+#[error("the ring of sectors is not constrained: it has a rigid-body motion")]
 pub struct FreeRing;
 
 impl CutStiffness {

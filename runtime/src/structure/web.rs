@@ -81,7 +81,9 @@ impl RevolvedWeb {
         let model = self.model().map_err(|error| StructureError::Web { error: error.to_string() })?;
         let bore = match self.hold {
             BoreHold::Lugs(_) | BoreHold::LooseLugs { .. } => {
-                return Err(StructureError::Web { error: "lugs do not hold a web of its own mesh".into() });
+                return Err(StructureError::Web {
+                    error: "spline teeth cannot support a web with a mesh of its own".into(),
+                });
             }
             BoreHold::Rigid => None,
             BoreHold::Means { waves, degree } => {

@@ -111,9 +111,7 @@ pub fn plan(run: &Run) -> Markup {
 /// A level of the ladder in words.
 fn level(fidelity: &str) -> String {
     let words = match fidelity {
-        "rigid" => {
-            "rigid surfaces at vanishing load; computes contact points and motion"
-        }
+        "rigid" => "rigid surfaces at vanishing load; computes contact points and motion",
         "analytic" => {
             "closed-form compliances of tooth, foundation and contact in slices along the face, without a mesh"
         }
@@ -181,10 +179,7 @@ pub fn certificate(run: &Run) -> Markup {
             "equilibrium",
             "Residual force on the free degrees of freedom, relative to the magnitude of the forces.",
         ),
-        (
-            "penetration",
-            "Largest overlap of contacting surfaces, relative to their displacements.",
-        ),
+        ("penetration", "Largest overlap of contacting surfaces, relative to their displacements."),
         (
             "complementarity",
             "Largest product of contact force and gap, relative to the largest force and displacement.",

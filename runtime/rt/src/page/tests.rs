@@ -342,9 +342,13 @@ fn runs_that_are_not_whole_say_so() {
     let rows = fs::read_to_string(killed.path().join("steps.csv")).unwrap();
     fs::write(killed.path().join("steps.csv"), rows + "3,0.3,0.").unwrap();
     let page = text(killed.path());
-    for said in
-        ["it is in progress or was interrupted", "the 3 positions", "--resume", "How far.", "te in urad: 1 to 3"]
-    {
+    for said in [
+        "it is in progress or was interrupted",
+        "the 3 positions",
+        "--resume",
+        "How far.",
+        "te in urad: 1 to 3",
+    ] {
         assert!(page.contains(said), "{said}");
     }
     assert!(!page.contains("id=\"time\""), "the time of another run");

@@ -76,7 +76,7 @@ fn head(area: &Area<'_>, model: &str, comparison: &Comparison) -> Result<(), Box
         area.draw(&Text::new(level, (x + 15, 56), ("sans-serif", 13)))?;
         x += 32 + 8 * level.len() as i32;
     }
-    let shapes = "full: the level's own knobs; ring: some turned";
+    let shapes = "full: default settings of the level; ring: changed settings";
     area.draw(&Text::new(shapes, (x + 16, 56), grey))?;
     Ok(())
 }

@@ -74,7 +74,7 @@ impl History<'_> {
         };
         let blows = self.system.scene.bodies.iter().flat_map(|body| &body.blows);
         if !blows.into_iter().all(|blow| is_filled(blow.duration)) {
-            return Ok(Err("a blow is not filled by a whole number of steps twice as long".to_owned()));
+            return Ok(Err("the duration of an impulse is not a multiple of twice the time step".to_owned()));
         }
         let count = self.state.displacement.len();
         let start = Position::at(self.options.from);

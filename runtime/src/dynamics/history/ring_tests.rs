@@ -266,7 +266,12 @@ fn steps_that_longer_ones_do_not_tell_of_are_told_so() {
         let reason = error.not_estimated.iter().find(|(part, _)| *part == estimate::Part::TimeStep);
         match refused {
             true => {
-                assert!(reason.is_some_and(|(_, reason)| reason.contains("a blow is not filled")), "{count}")
+                assert!(
+                    reason.is_some_and(
+                        |(_, reason)| reason.contains("the duration of an impulse is not a multiple")
+                    ),
+                    "{count}"
+                )
             }
             false => assert_eq!(reason, None, "{count}"),
         }
