@@ -233,7 +233,7 @@ fn a_journal_that_was_cut_off_is_gone_on_with() {
         let (status, _, err) = run(&["--resume"]);
         assert_eq!(status, Some(0), "{err}");
         let told = match whole {
-            Some(count) => format!("going on after {count} positions"),
+            Some(count) => format!("resuming after {count} positions"),
             None => "contains nothing to resume".into(),
         };
         assert!(err.contains(&told), "{length} bytes: {err}");

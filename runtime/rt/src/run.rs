@@ -143,7 +143,7 @@ pub fn run(program: Arc<dyn Program>, options: &RunOptions) -> Result<RunReport,
         }
         Begun::Unfinished(found) => {
             let count = found.solved.len();
-            progress.note(&format!("going on after {count} positions of the run in {}", path.display()));
+            progress.note(&format!("resuming after {count} positions of the run in {}", path.display()));
             instance.begin_after(found.solved.clone());
             directory.keep().map_err(unwritable)?;
             Some(found)
