@@ -1,17 +1,24 @@
-//! Bodies in the plane without a mesh, by published closed forms: a tooth as a cantilever ([`Cantilever`]) on a ring that is held on its far
-//! side ([`HeldRing`]), and the half-plane near loads.
+//! Two-dimensional bodies without a mesh, by published closed forms: a tooth as a cantilever
+//! ([`Cantilever`]) on a ring that is fixed on its far side ([`HeldRing`]), and the half-plane near
+//! loads.
 //!
-//! Nothing is counted twice. The cantilever's and the ring's displacements are those of the middle of the tooth, where the load's line of action
-//! crosses it; what a place on the flank is pressed in by is relative to that point. Weber has it for Hertz's pressure: the half-plane's
-//! displacement relative to a point at the depth `h` beneath the load, `2 / (pi E') (ln(h / |x|) - 1 / (2 (1 - nu)))` at the distance `x` from a line
-//! load (Johnson, eq. 2.19, plane strain). So the reference length of a load's own half-plane is `h exp(-1 / (2 (1 - nu)))`. Between
-//! two places it is taken as `ln(1 + h h' / x²) / (pi E')`, which is the same near the load, and dies out beyond the depth instead of changing its
-//! sign; that kernel is positive definite.
+//! Each compliance contribution is counted once. The displacements of the cantilever and the ring
+//! are those of the tooth's centre line, where the load's line of action crosses it; the local
+//! indentation of a point on the flank is relative to that crossing. For Hertzian pressure Weber
+//! gives the displacement of the half-plane relative to a point at the depth `h` beneath the load:
+//! `2 / (pi E') (ln(h / |x|) - 1 / (2 (1 - nu)))` at the distance `x` from a line load (Johnson,
+//! eq. 2.19, plane strain). So the reference length of the half-plane of a load is
+//! `h exp(-1 / (2 (1 - nu)))`. Between two points the model uses `ln(1 + h h' / x²) / (pi E')`.
+//! This is the same near the load and decays beyond the depth instead of changing its sign; the
+//! kernel is positive definite.
 //!
-//! Helical teeth bend in the section at right angles to them, as the virtual spur gears of the standards do: across the tooth it is shorter than the
-//! transverse one by the cosine `c` of the helix angle, a force across a slice of the face is the part `1 / c` of that at right angles to the tooth, and acts on
-//! `1 / c` of its length. So an even load bends teeth by `1 / c⁴` as much as their transverse section, and stresses their fillets by `1 / c²` as much. What
-//! carries them is the ring of the transverse section, which the part of the force along the face shears. Displacements are along the force of each load, so the whole is symmetric as it is for `c = 1`.
+//! Helical teeth bend in the normal section, as the virtual spur gears of the standards do. Across
+//! the tooth this section is shorter than the transverse one by the cosine `c` of the helix angle.
+//! A force across a slice of the face is the part `1 / c` of the force normal to the tooth, and
+//! acts on `1 / c` of its length. A uniform load therefore bends teeth by `1 / c⁴` as much as their
+//! transverse section, and stresses their fillets by `1 / c²` as much. The teeth stand on the ring
+//! of the transverse section, which the axial component of the force shears. Displacements are
+//! along the force of each load, so the compliance is symmetric as it is for `c = 1`.
 
 mod cantilever;
 mod held_ring;
@@ -29,23 +36,24 @@ use crate::profile::Profile;
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-/// A tooth and what carries it, in tooth coordinates: the middle of the tooth along +x, the body's axis at the origin. m.
+/// Shape of a tooth and the ring below it, in tooth coordinates, m: the centre line of the tooth
+/// along +x, the body's axis at the origin.
 #[derive(Clone, Debug)]
 pub struct ToothShape {
-    /// +1 of a tooth that points outwards, -1 inwards.
+    /// +1 for a tooth that points outwards, -1 inwards.
     pub sense: f64,
-    /// Distances along the tooth from where its fillets end on the ring, and half of its depth there, at right angles to the tooth; ascending, the
-    /// first one 0.
+    /// Distances along the tooth from the lower end of its fillets on the ring, and half of the
+    /// tooth thickness there, normal to the centre line; ascending, the first distance 0.
     pub depths: Vec<[f64; 2]>,
-    /// Cosine of the helix angle: 1 of straight teeth.
+    /// Cosine of the helix angle: 1 for spur teeth.
     pub lean: f64,
-    /// What carries it.
+    /// Ring that supports the tooth.
     pub ring: RingShape,
-    /// Where it is stressed most; none if stresses are not wanted.
+    /// Critical section of the root stress; `None` if stresses are not requested.
     pub section: Option<CriticalSection>,
 }
 
-/// Teeth around a ring that give by closed forms.
+/// Teeth around a ring with closed-form compliances.
 pub struct AnalyticStructure {
     surfaces: Vec<Arc<dyn Profile>>,
     tooth: Tooth,
@@ -54,7 +62,7 @@ pub struct AnalyticStructure {
     reference_length: f64,
 }
 
-/// What of a tooth answers.
+/// Closed-form models of a tooth.
 struct Tooth {
     sense: f64,
     root: f64,
@@ -64,29 +72,31 @@ struct Tooth {
     cantilever: Cantilever,
     section: Option<CriticalSection>,
     modulus: f64,
-    /// Of the depth beneath a load, the length in the half-plane's logarithm.
+    /// Reference length in the half-plane's logarithm as a fraction of the depth beneath a load.
     depth_ratio: f64,
 }
 
-/// A place on a flank under a unit inward normal force.
+/// Point on a flank under a unit inward normal force.
 #[derive(Clone, Copy, Default)]
 struct Local {
     s: f64,
-    /// On the ring, per length along the face.
+    /// Load on the ring, per length along the face.
     load: RootLoad,
-    /// On the cantilever, per length along the face: at right angles to the tooth.
+    /// Load on the cantilever, per length along the face: normal to the tooth.
     bending: RootLoad,
-    /// The cantilever up to where the load's line crosses its middle.
+    /// Flexibility of the cantilever up to the point where the load's line of action crosses the
+    /// centre line.
     beam: Flexibility,
-    /// How far that is from the root, m.
+    /// Distance of that crossing from the root, m.
     crossing: f64,
-    /// Length in its half-plane's logarithm, m.
+    /// Length in the half-plane's logarithm of this load, m.
     depth: f64,
 }
 
 impl AnalyticStructure {
-    /// `surfaces` are the flanks of tooth 0, the second the mirror image of the first but for modifications. `coupled` is how far apart
-    /// teeth feel each other.
+    /// Builds the structure. `surfaces` are the flanks of tooth 0; apart from modifications, the
+    /// second is the mirror image of the first. `coupled` is the largest distance of teeth that
+    /// influence each other.
     pub fn new(
         surfaces: Vec<Arc<dyn Profile>>,
         shape: &ToothShape,
@@ -112,7 +122,7 @@ impl Tooth {
     fn new(shape: &ToothShape, material: Material, plane: Plane) -> Tooth {
         let nu = match plane {
             Plane::Strain => material.poissons_ratio,
-            // The section with the constants that make plane strain of it.
+            // The constants that turn plane strain into plane stress.
             Plane::Stress => material.poissons_ratio / (1.0 + material.poissons_ratio),
         };
         Tooth {
@@ -129,13 +139,16 @@ impl Tooth {
 
     fn local(&self, profile: &dyn Profile, s: f64) -> Local {
         let on = profile.at(s);
-        // Round a tip edge forces turn along the tooth, and their lines cross its middle farther and farther down: they are taken to enter as
-        // where the edge begins.
+        // Around a tip edge the direction of the force rotates towards the tooth axis, and its line
+        // crosses the centre line farther down. The model lets these forces enter the tooth where
+        // the edge begins.
         let entering = profile.at(profile.edge_from().map_or(s, |edge| s.min(edge)));
         self.local_at(s, (on.position, on.normal), (entering.position, entering.normal))
     }
 
-    /// A place by its position and outward normal, and by those of where its load enters the tooth: of a slice of the face, the parts in it.
+    /// Returns the local data of a point from its position and outward normal, and from those of
+    /// the point where its load enters the tooth. For a slice of the face, these are the components
+    /// in the slice.
     fn local_at(&self, s: f64, on: ([f64; 2], [f64; 2]), entering: ([f64; 2], [f64; 2])) -> Local {
         let ([x, y], [out, across]) = on;
         let load = RootLoad {
@@ -158,18 +171,21 @@ impl Tooth {
         Local { s, load, bending, beam: self.cantilever.up_to(crossing), crossing, depth }
     }
 
-    /// What gives beneath one place by a load on another of the same tooth, the ring left out, m/(N/m).
+    /// Returns the compliance at one point by a load on another of the same tooth, without the
+    /// ring, m/(N/m).
     fn between(&self, one: &Local, other: &Local) -> f64 {
         let nearer = if one.crossing <= other.crossing { one } else { other };
         self.lean * nearer.beam.between(&one.bending, &other.bending)
     }
 
-    /// Stress at the critical section on a side of the tooth, by a force of 1 N/m on a place: Pa/(N/m).
+    /// Returns the stress at the critical section on a side of the tooth by a force of 1 N/m at a
+    /// point, Pa/(N/m).
     fn stress(&self, section: &CriticalSection, place: &Local, side: f64) -> f64 {
         self.lean * section.stress(&place.bending, side)
     }
 
-    /// What half-planes that end at a depth have beside one with this reference length, m/(N/m).
+    /// Returns the difference between the compliance of half-planes that end at a depth and that of
+    /// one with this reference length, m/(N/m).
     fn near(&self, one: &Local, other: &Local, reference: f64) -> f64 {
         let apart = one.s - other.s;
         let argument = (apart * apart + one.depth * other.depth) / (reference * reference);

@@ -1,11 +1,15 @@
-//! How the bore of a ring is held by its frame: its nodes all of them, or means over it only.
+//! Support of a ring's bore by its frame: fixed at all nodes, by averages over the bore only, or by
+//! spline teeth.
 //!
-//! A bore that is held in the mean deforms as it may. What the frame holds are the six rigid-body motions nearest to its displacements in
-//! the mean square over the bore, three in the plane: "rigid-body terms constrained alone" (report 2.7). Nothing is
-//! strained by holding them, so a ring on such a bore is statically determinate, and what holds it are forces distributed like
-//! the displacements of a rigid body: sin and cos around under a transverse force, uniform along the circle under a torque. Terms of the
-//! series of [`crate::fe::solid::fourier`] may be held beside them, up to so many waves around and some degree along: with more and
-//! more of them the bore becomes rigid. Or lugs hold it at some places around ([`super::lugs`]).
+//! With averaged constraints the bore can deform. The frame constrains the rigid-body motions that
+//! are nearest to the bore's displacements in the mean square, six in three dimensions and three in
+//! a plane model: "rigid-body terms constrained alone" (report 2.7). These constraints cause no
+//! strain, so a ring on such a bore is statically determinate. The constraint forces are
+//! distributed like the displacements of a rigid body: sine and cosine around the bore under a
+//! transverse force, uniform along the circle under a torque. Terms of the series of
+//! [`crate::fe::solid::fourier`] can be constrained in addition, up to some harmonic around and
+//! some degree along the bore; with an increasing number of terms the bore becomes rigid. As an
+//! alternative, spline teeth support the bore at some angular positions ([`super::lugs`]).
 
 use super::StructureError;
 use super::dense::mirror_lower;
@@ -19,34 +23,37 @@ use crate::interrupt::Interrupt;
 use faer::Mat;
 use faer::linalg::solvers::Solve;
 
-/// How the bore of a ring is held.
+/// Support of the bore of a ring.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum BoreHold {
-    /// Its nodes do not move.
+    /// Fixes all nodes of the bore.
     #[default]
     Rigid,
-    /// It does not move as a whole, and deforms as it may but for the terms of a series.
+    /// Constrains the average motion of the bore, which can deform except in the constrained terms
+    /// of a series.
     Means {
-        /// Waves around up to which terms are held; `None` holds none, 0 those that are the same all around.
+        /// Highest constrained harmonic; `None` constrains none, 0 the axisymmetric terms.
         waves: Option<u16>,
-        /// Degree of polynomials along the bore up to which they are held.
+        /// Highest constrained degree of polynomials along the bore.
         degree: u8,
     },
-    /// Lugs hold it. What they let go of the motion as a whole, along the axis and what they do not reach with their degree, is held in the
-    /// mean.
+    /// Supports the bore by spline teeth. Averaged constraints hold the rigid-body motion that the
+    /// spline teeth leave free: axial motion, and motions beyond their degree.
     Lugs(Lugs),
-    /// Lugs hold it that stand in wider spaces, as contact beside the structure ([`super::loose_lugs`]), which knows the bore to be held in
-    /// the mean. In the plane only.
+    /// Spline teeth with clearance, whose contact is solved outside the structure
+    /// ([`super::loose_lugs`]). The structure uses averaged constraints. Plane models only.
     LooseLugs {
-        /// Their compliance, and whatever they do outwards, is no part of the structure.
+        /// The spline teeth. Their compliance and radial constraint are not part of the structure.
         lugs: Lugs,
-        /// See [`LugContact::clearance`](crate::lug_contact::LugContact::clearance); no part of the structure.
+        /// Clearance, see [`LugContact::clearance`](crate::lug_contact::LugContact::clearance); not
+        /// part of the structure.
         clearance: f64,
     },
 }
 
 impl BoreHold {
-    /// Unknowns that hold the bore of a ring where sectors up to `coupled` places apart have tables of their own: none of a rigid one.
+    /// Returns the number of unknowns that constrain the bore of a ring with separate tables for
+    /// sectors up to `coupled` apart; 0 for a rigid bore.
     pub fn unknowns(self, in_plane: bool, sectors: u32, coupled: u32) -> usize {
         let known = if in_plane { self.known_in_plane(sectors, coupled) } else { coupled };
         let Some(wanted) = Wanted::of_ring(self, sectors, known) else { return 0 };
@@ -56,17 +63,20 @@ impl BoreHold {
         patterns.map_or(0, |patterns| patterns.places.len())
     }
 
-    /// Whether loads are felt all around a plane ring that is held so, and told through its cuts.
+    /// Returns true if loads act all around a plane ring with this support and are resolved through
+    /// its cuts.
     pub fn carries_far(self) -> bool {
         matches!(self, BoreHold::Means { .. })
     }
 
-    /// How far apart sectors of a plane ring are known to each other without a series, where those up to `coupled` places apart have tables.
+    /// Returns the largest distance of sectors of a plane ring that are coupled without a series,
+    /// if those up to `coupled` apart have tables.
     pub(super) fn known_in_plane(self, sectors: u32, coupled: u32) -> u32 {
         if self.carries_far() { sectors } else { coupled }
     }
 
-    /// An error in condensing a ring that is held so: of a coarse bore it tells what the mesh is too coarse for.
+    /// Adapts an error in condensing a ring with this support: for a coarse bore it names the
+    /// series that the mesh cannot resolve.
     pub(super) fn blamed(self, error: StructureError) -> StructureError {
         match (self, error) {
             (BoreHold::Lugs(_) | BoreHold::LooseLugs { .. }, StructureError::CoarseBore) => {
@@ -77,43 +87,46 @@ impl BoreHold {
     }
 }
 
-/// Waves around up to which the bore tells distant sectors of each other's loads, and the degree along: left out is less than a hundredth
-/// of what neighbours do to each other (`tests/bore.rs`).
+/// Harmonics around the bore, and degree along it, that couple distant sectors. The truncation
+/// error is less than a hundredth of the coupling of neighbours (`tests/bore.rs`).
 const COUPLED_WAVES: u16 = 16;
 const COUPLED_DEGREE: u8 = 1;
 
-/// Linear forms of one sector's displacements that, added up over the ring, vanish.
+/// Linear forms of the displacements of one sector whose sums over the ring vanish.
 pub(super) struct BoreMeans {
-    /// One for each mean: also the loads that hold it.
+    /// Linear forms, one for each average; also the load vectors of the constraint forces.
     pub forms: Vec<SparseVector>,
-    /// How they turn from sector to sector.
+    /// Rotation of the averages from sector to sector.
     pub shared: Shared,
-    /// How many are held. Those behind them are to be let go, see [`super::bore_coupling`].
+    /// Number of constrained averages. The remaining ones are to be released, see
+    /// [`super::bore_coupling`].
     pub held: usize,
-    /// Forces by the means that are let go, where something holds them all the same: a web, see [`super::web`].
+    /// Forces by the released averages where a web supports them, see [`super::web`].
     pub carried: Option<Mat<f64>>,
-    /// What holds those that are let go, if anything does.
+    /// Spline teeth that support the released averages, if any.
     pub lugs: Option<LugForms>,
-    /// Whether these lugs are loose: then nothing does.
+    /// True if these spline teeth have clearance: then they do not support the ring.
     pub loose: bool,
 }
 
-/// Which means of a bore are wanted.
+/// Selection of averages of a bore.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Wanted {
-    /// As [`BoreHold::Means`] has them.
+    /// Harmonics, as in [`BoreHold::Means`].
     pub waves: Option<u16>,
     pub degree: u8,
-    /// Waves around up to which there are to be more that are let go, if any.
+    /// Highest harmonic of additional averages that are released, if any.
     pub coupled: Option<u16>,
-    /// What they are let go against; then the motion as a whole is let go with them, unless lugs are `loose`.
+    /// Spline teeth against which averages are released. Unless the teeth are `loose`, the
+    /// rigid-body motion is released too.
     pub lugs: Option<Lugs>,
-    /// Whether lugs have clearance: then they hold nothing of themselves.
+    /// True if the spline teeth have clearance: then they do not support the ring.
     pub loose: bool,
 }
 
 impl Wanted {
-    /// Of a ring where sectors up to `coupled` places apart have tables: others feel each other through the bore. `None` of a rigid bore.
+    /// Selects the averages for a ring with tables for sectors up to `coupled` apart; more distant
+    /// ones are coupled through the bore. `None` for a rigid bore.
     pub fn of_ring(hold: BoreHold, sectors: u32, coupled: u32) -> Option<Self> {
         let means = |waves, degree| Self::of_means(waves, degree, sectors, coupled);
         match hold {
@@ -126,32 +139,33 @@ impl Wanted {
         }
     }
 
-    /// The same of a bore that is held in the mean.
+    /// Selects the averages for a bore with averaged constraints.
     pub fn of_means(waves: Option<u16>, degree: u8, sectors: u32, coupled: u32) -> Self {
         let most = u16::try_from(sectors).unwrap_or(u16::MAX);
         let coupled = (coupled < sectors / 2).then_some(COUPLED_WAVES.min(most));
         Self { waves, degree, coupled, lugs: None, loose: false }
     }
 
-    /// The same where there is one place along the axis.
+    /// Returns the selection for a plane model, without variation along the axis.
     fn in_plane(self) -> Self {
         Self { degree: 0, lugs: self.lugs.map(|lugs| Lugs { degree: 0, ..lugs }), ..self }
     }
 }
 
-/// What is held of a surface of revolution.
+/// Constraints on a surface of revolution.
 pub(super) struct Patterns {
     pub series: Series,
-    /// Which displacements of the series, [`Series::displacements`].
+    /// Indices of the displacements of the series, [`Series::displacements`].
     pub places: Vec<usize>,
-    /// How many of them are held.
+    /// Number of constrained displacements.
     pub held: usize,
     lugs: Option<LugForms>,
     loose: bool,
 }
 
 impl Patterns {
-    /// `None` if the surface has no extent. In the plane, where the generator is a point, only motions in it count.
+    /// Returns `None` if the surface has no extent. In a plane model, where the generator is a
+    /// point, only in-plane motions count.
     pub fn new(surface: RevolutionSurface, wanted: Wanted, in_plane: bool) -> Option<Patterns> {
         let lugs = wanted.lugs;
         let most_waves = [wanted.waves, wanted.coupled, lugs.map(|lugs| lugs.waves())];
@@ -166,7 +180,7 @@ impl Patterns {
             (None, true) => (vec![0, 1, 5], vec![]),
             (None, false) => ((0..6).collect::<Vec<_>>(), vec![]),
             (Some(_), true) => (vec![], vec![0, 1, 5]),
-            // A tilt is in the mean no displacement of a lug.
+            // On average a tilt displaces no spline tooth.
             (Some(Lugs { degree: 0, .. }), false) => (vec![2, 3, 4], vec![0, 1, 5]),
             (Some(_), false) => (vec![2], vec![0, 1, 3, 4, 5]),
         };
@@ -198,8 +212,8 @@ impl Patterns {
         self.places.iter().map(|&place| all[place]).collect()
     }
 
-    /// Translations across the axis and rotations about axes across it turn like vectors, cosines and sines by as many angles as they
-    /// have waves.
+    /// Translations across the axis and rotations about transverse axes transform like vectors;
+    /// cosines and sines rotate by their harmonic times the angle.
     pub fn shared(&self) -> Shared {
         let waves = |place: usize| match place {
             0 | 3 => Some(1),
@@ -215,7 +229,7 @@ impl Patterns {
 }
 
 impl BoreMeans {
-    /// Over a chain of edges on a circle about the origin.
+    /// Builds the averages over a chain of edges on a circle about the origin.
     pub fn plane(
         model: &PlaneModel,
         bore: &EdgeChain,
@@ -241,14 +255,14 @@ impl BoreMeans {
         .map(Some)
     }
 
-    /// Over a set of faces on a cylinder about the z axis.
+    /// Builds the averages over a set of faces on a cylinder about the z axis.
     pub fn solid(
         model: &SolidModel,
         bore: &FaceSet,
         wanted: Wanted,
         interrupt: &Interrupt,
     ) -> Result<Option<BoreMeans>, StructureError> {
-        // Beside a web there is none.
+        // Next to a web there is no face.
         let present = |face: &&ElementFace| !model.mesh.absent.contains(&face.element);
         let bore = FaceSet { faces: bore.faces.iter().filter(present).copied().collect(), chart: None };
         let Some(cylinder) = cylinder_of(model, &bore) else { return Ok(None) };
@@ -257,7 +271,8 @@ impl BoreMeans {
             .map(Some)
     }
 
-    /// Over the part of a bore on which a web stands, of `sectors` sectors; the rest of it is free. None is held but by the web.
+    /// Builds the averages over the part of a bore to which a web is joined, of `sectors` sectors;
+    /// the rest of the bore is free. Only the web supports the ring.
     pub fn on_web(
         model: &SolidModel,
         bore: &FaceSet,
@@ -281,7 +296,7 @@ impl BoreMeans {
             model.face_load(&bore, |point| traction(point.position))
         };
         let mut means = Self::over(&patterns, interrupt, load)?;
-        // The means that amplitudes of the series make: exact for motions of the whole on any mesh.
+        // Averages by amplitudes of the series: exact for rigid-body motions on any mesh.
         let nodes = model.mesh.nodes_on(&bore);
         let mut moved = vec![vec![0.0; model.dof_count()]; patterns.places.len()];
         for &node in &nodes {
@@ -298,7 +313,8 @@ impl BoreMeans {
         Ok(Some(means))
     }
 
-    /// `load` integrates a traction over the bore, always at the same points in the same order.
+    /// Builds the averages; `load` integrates a traction over the bore, always at the same points
+    /// in the same order.
     fn over(
         patterns: &Patterns,
         interrupt: &Interrupt,
@@ -319,11 +335,12 @@ impl BoreMeans {
         Ok(BoreMeans { forms, shared, held: patterns.held, carried: None, lugs, loose })
     }
 
-    /// Lets the means go that are not to be held: freely, with loose lugs or without, or against what carries them, which becomes part of what
-    /// the ring answers, or against lugs, which does not. `None` if there are none.
+    /// Releases the averages that are not constrained. They are released freely (with or without
+    /// loose spline teeth) or against what supports them: a web, which becomes part of the ring's
+    /// response, or spline teeth, which do not. `None` if there are no such averages.
     ///
     /// # Errors
-    /// The ring is free to move then, or the lugs cannot be told apart.
+    /// The released ring has a rigid-body motion, or the spline teeth cannot be distinguished.
     pub fn let_go(&self, ring: &mut RingFlexibility) -> Result<Option<Released>, StructureError> {
         match &self.lugs {
             Some(lugs) if !self.loose => {
@@ -341,7 +358,7 @@ impl BoreMeans {
     }
 }
 
-/// The cylinder about the z axis on which faces lie; `None` if they have no length along it.
+/// Returns the cylinder about the z axis on which faces lie; `None` if they have no axial length.
 fn cylinder_of(model: &SolidModel, faces: &FaceSet) -> Option<RevolutionSurface> {
     let (mut radius, mut ends) = (0.0_f64, [f64::INFINITY, f64::NEG_INFINITY]);
     for node in model.mesh.nodes_on(faces) {
@@ -352,7 +369,8 @@ fn cylinder_of(model: &SolidModel, faces: &FaceSet) -> Option<RevolutionSurface>
     (ends[0] < ends[1]).then(|| RevolutionSurface::cylinder(radius, ends))
 }
 
-/// Forces on means from a stiffness against amplitudes, with the means that amplitudes make: `M^-T K M^-1`.
+/// Returns the forces on averages, from a stiffness against amplitudes and the averages by
+/// amplitudes: `M^-T K M^-1`.
 fn of_means(stiffness: &Mat<f64>, by_amplitude: &Mat<f64>) -> Mat<f64> {
     let factor = by_amplitude.transpose().to_owned().partial_piv_lu();
     let once = factor.solve(stiffness);

@@ -1,7 +1,9 @@
-//! Static condensation of a mesh: what its loads do to themselves, to its cuts and to the recovered stresses.
+//! Static condensation of a mesh: responses to its loads at the loads themselves, at its cuts and
+//! in the recovered stresses.
 //!
-//! The report's equations 2.69 to 2.89 with `h` the amplitudes of given load vectors and `delta` the work-conjugate
-//! displacements, so that `B = A^T`; condensed, they keep that symmetry.
+//! Implements the report's equations 2.69 to 2.89, with `h` the amplitudes of given load vectors
+//! and `delta` the work-conjugate displacements, so that `B = A^T`; the condensed matrices keep
+//! that symmetry.
 
 use super::StructureError;
 use super::bore::BoreMeans;
@@ -17,26 +19,26 @@ use faer::{Mat, MatRef};
 use std::collections::BTreeSet;
 use std::ops::Range;
 
-/// What is condensed: the equations of a mesh, in the plane or in space.
+/// Assembled equations of a two- or three-dimensional mesh.
 pub(super) struct Assembled {
-    /// Symmetric, both triangles; the degrees of freedom of a node are adjacent.
+    /// Stiffness matrix, symmetric, both triangles; the degrees of freedom of a node are adjacent.
     pub stiffness: SparseColMat<usize, f64>,
-    /// 2 in the plane, 3 in space.
+    /// 2 in a plane model, 3 in a three-dimensional one.
     pub dofs_per_node: usize,
-    /// Of the nodes, m; z is 0 in the plane.
+    /// Positions of the nodes, m; z is 0 in a plane model.
     pub positions: Vec<[f64; 3]>,
-    /// What the stiffness takes, as long as it is there.
+    /// Memory reservation for the stiffness matrix.
     pub room: Room,
 }
 
 impl Assembled {
-    /// The equations of a plane mesh.
+    /// Assembles the equations of a plane mesh.
     pub fn plane(model: &PlaneModel) -> Self {
         let positions = model.mesh.nodes.iter().map(|&[x, y]| [x, y, 0.0]).collect();
         Self { stiffness: model.stiffness(), dofs_per_node: 2, positions, room: Room::default() }
     }
 
-    /// Those of a mesh in space, for which there has to be room.
+    /// Assembles the equations of a three-dimensional mesh after reserving memory for them.
     pub fn solid(
         mesh: &SolidMesh,
         interrupt: &Interrupt,
@@ -48,35 +50,37 @@ impl Assembled {
         Ok(Self { stiffness, dofs_per_node: 3, positions: mesh.nodes.clone(), room })
     }
 
-    /// The degrees of freedom of nodes, in their order.
+    /// Returns the degrees of freedom of nodes, in their order.
     pub fn dofs_of(&self, nodes: &[usize]) -> Vec<usize> {
         let count = self.dofs_per_node;
         nodes.iter().flat_map(|&node| count * node..count * (node + 1)).collect()
     }
 }
 
-/// How the mesh is held.
+/// Support of the mesh.
 pub(super) enum Support<'a> {
-    /// Degrees of freedom that do not move.
+    /// Fixed degrees of freedom.
     Held(&'a [usize]),
-    /// Some do not move, and means over the bore of the ring vanish.
+    /// Fixed degrees of freedom, and averages over the ring's bore that vanish.
     Means {
-        /// Degrees of freedom that do not move.
+        /// Fixed degrees of freedom.
         held: &'a [usize],
-        /// What vanishes.
+        /// Averages that vanish.
         means: &'a BoreMeans,
     },
-    /// Not at all: loads are balanced by forces distributed like inertia, which load pairs in equilibrium do not feel.
+    /// No support: forces distributed like inertia balance the loads. Load pairs in equilibrium
+    /// cause no such forces.
     Free {
-        /// Of any uniform density: only the distribution of the inertia forces counts.
+        /// Mass matrix of any uniform density: only the distribution of the inertia forces counts.
         mass: &'a SparseColMat<usize, f64>,
-        /// All rigid motions, three in the plane and six in space, as full vectors.
+        /// All rigid-body motions, three in a plane model and six in three dimensions, as full
+        /// vectors.
         motions: &'a [Vec<f64>],
     },
 }
 
 impl<'a> Support<'a> {
-    /// Of a ring's sector.
+    /// Returns the support of a ring's sector.
     pub fn of_ring(held: &'a [usize], means: Option<&'a BoreMeans>) -> Self {
         match means {
             Some(means) => Support::Means { held, means },
@@ -89,26 +93,28 @@ impl<'a> Support<'a> {
 pub(super) struct Cuts {
     pub first: Vec<usize>,
     pub last: Vec<usize>,
-    /// By which the last cut is turned against the first, rad.
+    /// Rotation of the last cut against the first, rad.
     pub angle: f64,
 }
 
-/// A mesh condensed onto its cuts; `m` loads, `q` rows, `c` unknowns: of both cuts, and the forces that hold the bore in the mean.
+/// Mesh condensed onto its cuts, with `m` loads, `q` stress rows and `c` unknowns: those of both
+/// cuts and the averaged constraint forces of the bore.
 pub(super) struct Condensed {
-    /// `c` by `c`; `None` without cuts.
+    /// Stiffness, `c` by `c`; `None` without cuts.
     pub stiffness: Option<CutStiffness>,
-    /// Forces on the cuts that equal each load, and what it does to the means of the bore with the cuts held, negative; `c` by `m`.
+    /// Equivalent forces on the cuts for each load, and the averages over the bore under it with
+    /// the cuts fixed, negative; `c` by `m`.
     pub on_cuts: Mat<f64>,
-    /// Displacements of the loads by the loads with the cuts held, `m` by `m`, symmetric.
+    /// Displacements at the loads by the loads with the cuts fixed, `m` by `m`, symmetric.
     pub own: Mat<f64>,
-    /// Rows by loads with the cuts held, `q` by `m`.
+    /// Stress rows by loads with the cuts fixed, `q` by `m`.
     pub rows_own: Mat<f64>,
-    /// Rows by the unknowns, `q` by `c`.
+    /// Stress rows by the unknowns, `q` by `c`.
     pub rows_cuts: Mat<f64>,
 }
 
-/// Condenses a model, with a checkpoint before each part of the elimination. `rows` are linear forms of its displacements that
-/// vanish for rigid-body motions.
+/// Condenses a model, with a checkpoint before each part of the elimination. `rows` are linear
+/// forms of its displacements that vanish for rigid-body motions.
 pub(super) fn condense(
     model: &Assembled,
     support: &Support<'_>,
@@ -128,7 +134,7 @@ pub(super) fn condense(
     };
     let dissection = Dissection::new(&model.stiffness, &model.positions, &held, &kept);
     let balancing = inertia.as_ref().map_or_else(Vec::new, |inertia| inertia.forces.clone());
-    // What holds the bore is carried along like a load, and kept like a cut.
+    // Averaged constraints are processed like loads and retained like cuts.
     let shared = match support {
         Support::Means { means, .. } => means.forms.as_slice(),
         Support::Held(_) | Support::Free { .. } => &[],
@@ -142,7 +148,7 @@ pub(super) fn condense(
     let (m, q) = (loads.len(), rows.len());
     let answering = m + balancing.len();
     let square = left.square.as_ref();
-    // What is held on a cut was left out.
+    // Fixed degrees of freedom on a cut have been omitted.
     let mut moving = 0;
     let mut places: Vec<Option<usize>> = model
         .dofs_of(&kept)
@@ -167,14 +173,15 @@ pub(super) fn condense(
     let mut rows_own = Mat::from_fn(q, answering, |row, column| -left.forms[(row, moving + column)]);
     if let Some(inertia) = inertia {
         let shares = inertia.balancing(loads);
-        // Both ways alike, and summed so that symmetry remains to the bit.
+        // Both directions are treated alike and summed so that symmetry remains to the bit.
         own = balanced(own.as_ref(), m, shares.as_ref());
         let mut of_loads = rows_own.as_ref().subcols(0, m).to_owned();
         add_product(of_loads.as_mut(), -1.0, rows_own.as_ref().subcols(m, balancing.len()), shares.as_ref());
         rows_own = of_loads;
     }
     let stiffness = cuts.map(|cuts| {
-        // It is given a spring of its own, coupled to nothing, so that every node of a cut has as many unknowns.
+        // Each fixed degree of freedom gets an uncoupled spring, so that every node of a cut has
+        // the same number of unknowns.
         let mut matrix = Mat::from_fn(c, c, |row, column| match (places[row], places[column]) {
             (Some(row), Some(column)) => square[(row.max(column), row.min(column))],
             _ if row == column => square[(0, 0)],
@@ -195,8 +202,8 @@ pub(super) fn condense(
     Ok(Condensed { stiffness, on_cuts: on_cuts.transpose().to_owned(), own, rows_own, rows_cuts })
 }
 
-/// Orders the nodes of the last cut as those of the first one, turned by `angle` about the z axis; nodes in `held` belong to
-/// neither.
+/// Orders the nodes of the last cut as those of the first one, rotated by `angle` about the z axis;
+/// nodes in `held` belong to neither.
 pub(super) fn match_cuts(
     positions: &[[f64; 3]],
     first: &[usize],
@@ -227,7 +234,7 @@ fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
     (a[0] - b[0]).hypot(a[1] - b[1]).hypot(a[2] - b[2])
 }
 
-/// Replaces the columns of nodes by those of displacements given in a frame turned by `angle` about z.
+/// Replaces the columns of nodes by those of displacements in a frame rotated by `angle` about z.
 pub(super) fn turn(matrix: &mut Mat<f64>, columns: Range<usize>, dofs_per_node: usize, angle: f64) {
     let (sin, cos) = angle.sin_cos();
     for column in columns.step_by(dofs_per_node) {
@@ -242,9 +249,9 @@ pub(super) fn turn(matrix: &mut Mat<f64>, columns: Range<usize>, dofs_per_node: 
 /// Forces distributed like the inertia of a body.
 struct Inertia<'a> {
     motions: &'a [Vec<f64>],
-    /// By the acceleration along each rigid motion.
+    /// Inertia forces by the acceleration along each rigid-body motion.
     forces: Vec<SparseVector>,
-    /// Factor of the inertia of the rigid motions.
+    /// Cholesky factor of the inertia of the rigid-body motions.
     factor: Mat<f64>,
 }
 
@@ -266,7 +273,7 @@ impl<'a> Inertia<'a> {
         })
     }
 
-    /// The accelerations that loads (columns) would cause, one for each rigid motion.
+    /// Returns the accelerations caused by loads (columns), one for each rigid-body motion.
     fn balancing(&self, loads: &[SparseVector]) -> Mat<f64> {
         let work =
             Mat::from_fn(self.motions.len(), loads.len(), |mode, load| loads[load].dot(&self.motions[mode]));
@@ -274,7 +281,8 @@ impl<'a> Inertia<'a> {
     }
 }
 
-/// Responses of balanced loads to balanced loads: of each of the first `m` loads, less `shares` of the others.
+/// Returns the responses of balanced loads to balanced loads: each of the first `m` loads, less
+/// `shares` of the others.
 fn balanced(responses: MatRef<'_, f64>, m: usize, shares: MatRef<'_, f64>) -> Mat<f64> {
     let others = responses.nrows() - m;
     let (own, across, last) = (
@@ -288,8 +296,8 @@ fn balanced(responses: MatRef<'_, f64>, m: usize, shares: MatRef<'_, f64>) -> Ma
     Mat::from_fn(m, m, |row, column| own[(row, column)] - (between[(row, column)] + between[(column, row)]))
 }
 
-/// As many degrees of freedom as there are rigid motions, which hold the mesh without straining it: of three nodes far apart, those
-/// on which the motions depend most.
+/// Selects a statically determinate support with as many degrees of freedom as there are rigid-body
+/// motions: of three distant nodes, those on which the motions depend most.
 pub(super) fn determinate_support(positions: &[[f64; 3]], motions: &[Vec<f64>]) -> Vec<usize> {
     let axes = motions.first().map_or(0, |motion| motion.len() / positions.len().max(1));
     let farthest = |measure: &dyn Fn(usize) -> f64| {
@@ -305,12 +313,13 @@ pub(super) fn determinate_support(positions: &[[f64; 3]], motions: &[Vec<f64>]) 
     let third = farthest(&off_line);
     let candidates: Vec<usize> =
         [0, second, third].into_iter().flat_map(|node| axes * node..axes * (node + 1)).collect();
-    // Each motion by its largest displacement, so that rotations compare with translations.
+    // Each motion is scaled by its largest displacement, so that rotations compare with
+    // translations.
     let mut left = Mat::from_fn(candidates.len(), motions.len(), |row, mode| {
         let largest = motions[mode].iter().fold(0.0_f64, |largest, part| largest.max(part.abs()));
         motions[mode][candidates[row]] / largest
     });
-    // Gaussian elimination with complete pivoting: its pivot rows depend on each other least.
+    // Gaussian elimination with complete pivoting selects the most independent rows.
     let mut chosen = Vec::new();
     for _ in 0..motions.len() {
         let places = (0..left.nrows()).flat_map(|row| (0..left.ncols()).map(move |column| (row, column)));

@@ -1,19 +1,24 @@
-//! An elastic body from finite elements, seen through its surfaces: a ring of equal sectors, or a single mesh.
+//! Finite-element model of an elastic body, condensed onto its surfaces: a ring of equal sectors,
+//! or a single mesh.
 //!
-//! The compliance between two points of a surface is that of the half-plane, plus a smooth part. The smooth part is the
-//! difference of what the mesh and the half-plane answer to the same mollified loads, seen by the same mollifiers
-//! ([`super::kernel`]): symmetric by construction.
+//! The compliance between two points of a surface is that of the half-plane plus a smooth part. The
+//! smooth part is the difference between the responses of the mesh and of the half-plane to the
+//! same mollified loads, observed through the same mollifiers ([`super::kernel`]). It is symmetric
+//! by construction.
 //!
-//! Where both points meet, a curved surface has weaker singularities than the half-plane's logarithm. The exact solution
-//! for a disc shows them: the Fourier coefficients of its normal displacement are `[k/(n + 1) + 1/(n - 1)]/(4 mu)`, k
-//! Kolosov's constant, and their expansion `[(k + 1)/n + (1 - k)/n² + (k + 1)/n³ ...]/(4 mu)` sums to the logarithm, a
-//! kink `(k - 1)/(8 mu) |phi|` in the angle between the normals, and `phi² ln|phi|/(pi E')`. (The kink is the half-plane's
-//! sideways displacement, of constant size away from the load, seen along a turned normal.) Both are taken out before
-//! interpolation and put back in closed form; the logarithm stays with whoever integrates pressures.
+//! On a curved surface the compliance has weaker singularities than the logarithm of the half-plane
+//! where both points coincide. The exact solution for a disc shows them: the Fourier coefficients
+//! of its normal displacement are `[k/(n + 1) + 1/(n - 1)]/(4 mu)`, with k Kolosov's constant.
+//! Their expansion `[(k + 1)/n + (1 - k)/n² + (k + 1)/n³ ...]/(4 mu)` sums to the logarithm, a kink
+//! `(k - 1)/(8 mu) |phi|` in the angle between the normals, and `phi² ln|phi|/(pi E')`. (The kink
+//! is the tangential displacement of the half-plane, of constant size away from the load, projected
+//! on a rotated normal.) The last two terms are subtracted before interpolation and added again in
+//! closed form; the logarithm is left to the code that integrates pressures.
 //!
-//! Tables are interpolated by splines in both variables, that of a surface itself in a coordinate stretched towards sharp
-//! edges ([`super::sampling`]). Only one orientation of each table is stored and it is always
-//! summed in the same order, so that exchanging load and observer gives the same bits.
+//! Tables are interpolated by splines in both variables. The table of a surface with itself uses a
+//! coordinate stretched towards sharp edges ([`super::sampling`]). Only one orientation of each
+//! table is stored and it is always summed in the same order, so that exchanging load and observer
+//! gives the same bits.
 
 use super::answers::Turned;
 use super::bore::{BoreMeans, Wanted};
@@ -35,48 +40,50 @@ use faer::{Mat, MatRef};
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 
-/// A loadable surface of a mesh. Chains are named as in [`crate::fe::PlaneMesh::chains`].
+/// Loadable surface of a mesh. Chains are named as in [`crate::fe::PlaneMesh::chains`].
 #[derive(Clone)]
 pub struct SurfaceSource {
-    /// The true curve, in the coordinates of the mesh; the chain's arc length is this curve's.
+    /// True curve, in the coordinates of the mesh; the arc length of the chain is that of this
+    /// curve.
     pub profile: Arc<dyn Profile>,
-    /// Edges along the profile, without a rounded edge of the body.
+    /// Name of the chain of edges along the profile, without a rounded edge of the body.
     pub chain: String,
-    /// Rounding (m) of the sharp edges of the body at the start and the end of the chain; `None` where the body
-    /// continues smoothly.
+    /// Rounding (m) of the sharp edges of the body at the start and the end of the chain; `None`
+    /// where the body continues smoothly.
     pub edges: [Option<f64>; 2],
-    /// Edges of a free surface beside this one along which stress is recovered: the fillet.
+    /// Name of a chain of edges of an adjacent free surface along which stress is recovered: the
+    /// fillet.
     pub stress_chain: Option<String>,
-    /// Places of recovered stress on each edge of that chain, at least 1.
+    /// Number of stress recovery points on each edge of that chain, at least 1.
     pub stress_places_per_edge: usize,
 }
 
-/// How a single mesh is held.
+/// Support of a single mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Hold<'a> {
-    /// Its rigid-body motion belongs to the frame. Loads out of equilibrium are balanced by forces distributed like
-    /// inertia.
+    /// Free body. Its rigid-body motion belongs to the frame. Forces distributed like inertia
+    /// balance loads that are not in equilibrium.
     Free,
-    /// The nodes of this chain do not move.
+    /// Fixes the nodes of this chain.
     Chain(&'a str),
 }
 
-/// Where and how a ring of sectors is joined.
+/// Ring of sectors: number, cuts and support.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RingSource<'a> {
-    /// Number of equal sectors that make the whole ring, about the origin, at least 1.
+    /// Number of equal sectors of the whole ring about the origin, at least 1.
     pub sectors: u32,
-    /// The cut towards the previous sector (clockwise), and that towards the next one.
+    /// Cut to the previous sector (clockwise) and cut to the next one.
     pub cuts: [&'a str; 2],
-    /// By which the body's frame holds each sector.
+    /// Chain on which the body's frame supports each sector.
     pub bore: &'a str,
-    /// How it holds it there.
+    /// Type of the support on the bore.
     pub hold: BoreHold,
-    /// Sectors up to this far apart feel each other; further ones count as independent.
+    /// Largest distance of coupled sectors; sectors further apart count as independent.
     pub coupled: u32,
 }
 
-/// An elastic body from finite elements. See the module.
+/// Elastic body from finite elements. See the module documentation.
 pub struct ElasticStructure {
     pub(super) teeth: u32,
     pub(super) surface_modulus: f64,
@@ -84,58 +91,65 @@ pub struct ElasticStructure {
     /// Displacement per angle between normals, m/(N/m).
     pub(super) kink: f64,
     pub(super) surfaces: Vec<Surface>,
-    /// Directions in which points of a surface are loaded and observed: 1, into the body, or 2, along the surface too.
+    /// Number of directions in which points of a surface are loaded and observed: 1, into the body,
+    /// or 2, also along the surface.
     pub(super) directions: usize,
-    /// By offset of the observing sector ahead of the loaded one.
+    /// Tables by offset of the observing sector ahead of the loaded one.
     pub(super) offsets: Vec<OffsetTables>,
-    /// By surface and pair of directions: the mixed derivative of its own table at the first and the last sample.
+    /// Mixed derivative of the table of a surface with itself at the first and the last sample, by
+    /// surface and pair of directions.
     pub(super) twists: Vec<[f64; 2]>,
-    /// What sectors beyond those offsets do to each other through their cuts.
+    /// Coupling through the cuts between sectors beyond those offsets.
     pub(super) far: Option<FarCoupling>,
-    /// What they do through the bore, where it is not known through cuts; and what lugs do.
+    /// Coupling through the bore where the cuts do not provide it, and coupling through spline
+    /// teeth.
     pub(super) bore: Option<BoreCoupling>,
 }
 
 pub(super) struct Surface {
     pub profile: Arc<dyn Profile>,
-    /// Over arc length: for everything but the surface's own compliance.
+    /// Spline over arc length, for everything but the compliance of the surface with itself.
     pub spline: Spline,
     pub stretch: Stretch,
-    /// Over the stretched coordinate: for the surface's own compliance.
+    /// Spline over the stretched coordinate, for the compliance of the surface with itself.
     pub stretched: Spline,
-    /// Arc lengths of the chain. Beyond it, its ends stand in.
+    /// Range of arc lengths of the chain. Coordinates beyond it are clamped to its ends.
     pub range: [f64; 2],
-    /// Spline coefficients of the angle by which the normal has turned, positive where convex, rad.
+    /// Spline coefficients of the angle by which the normal has rotated, positive where convex,
+    /// rad.
     pub turned: Vec<f64>,
-    /// Where stress is recovered: arc length on its chain, and position, m.
+    /// Stress recovery points: arc length on their chain, and position, m.
     pub stress_places: Vec<(f64, [f64; 2])>,
 }
 
-/// Spline coefficients between a loaded sector and one that is some places ahead of it. In the plane a side is a surface in one of its
-/// directions: `surface * directions + direction`.
+/// Spline coefficients between a loaded sector and one at a given offset ahead of it. In a plane
+/// model a side is a surface in one of its directions: `surface * directions + direction`.
 pub(super) struct OffsetTables {
-    /// `[observed side][loaded side]`, rows by observer.
+    /// Compliances `[observed side][loaded side]`, rows by observer.
     pub compliance: Vec<Vec<Mat<f64>>>,
-    /// Stress on the sector ahead by loads on this one: `[observed surface][loaded side]`, rows by place, Pa/(N/m).
+    /// Stress on the sector ahead by loads on this one: `[observed surface][loaded side]`, rows by
+    /// stress recovery point, Pa/(N/m).
     pub stress_ahead: Vec<Vec<Mat<f64>>>,
-    /// Stress on this sector by loads on the one ahead; none if that is this one.
+    /// Stress on this sector by loads on the one ahead; empty if both are the same sector.
     pub stress_behind: Vec<Vec<Mat<f64>>>,
 }
 
-/// A surface with its loads and stress rows, before solution.
+/// Surface with its loads and stress rows, before solution.
 pub(super) struct Prepared {
     pub surface: Surface,
     mollifiers: Vec<Mollifier>,
-    /// By direction, one a mollifier.
+    /// Loads by direction, one for each mollifier.
     pub loads: Vec<Vec<SparseVector>>,
     pub stress_rows: Vec<SparseVector>,
 }
 
 impl ElasticStructure {
-    /// A ring of equal sectors. `model` is one sector about the origin, surfaces are those of one sector.
+    /// Builds a ring of equal sectors. `model` is one sector about the origin; the surfaces are
+    /// those of one sector.
     ///
     /// # Errors
-    /// Chains are missing or too coarse, cuts do not conform, the ring is not held, or the interrupt's.
+    /// Chains are missing or too coarse, the cuts do not conform, the ring is not supported, or the
+    /// computation is interrupted.
     pub fn ring(
         model: &PlaneModel,
         ring: &RingSource<'_>,
@@ -146,7 +160,7 @@ impl ElasticStructure {
         let nodes = |name: &str| Ok::<_, StructureError>(model.mesh.chain_nodes(chain(model, name)?));
         let (first, last, bore) = (nodes(ring.cuts[0])?, nodes(ring.cuts[1])?, nodes(ring.bore)?);
         let sectors = ring.sectors.max(1);
-        // Where loads are felt all around, up to half way round.
+        // If loads act all around the ring, the window extends halfway round.
         let window = ring.hold.known_in_plane(sectors, ring.coupled);
         let (held, means) = match Wanted::of_ring(ring.hold, sectors, window) {
             None => (bore, None),
@@ -188,10 +202,11 @@ impl ElasticStructure {
         Ok(Self { far, bore, ..body })
     }
 
-    /// A body of a single mesh.
+    /// Builds a body from a single mesh.
     ///
     /// # Errors
-    /// Chains are missing or too coarse, the mesh can deform without resistance, or the interrupt's.
+    /// Chains are missing or too coarse, the mesh has a mechanism, or the computation is
+    /// interrupted.
     pub fn single(
         model: &PlaneModel,
         hold: Hold<'_>,
@@ -266,7 +281,8 @@ impl ElasticStructure {
         Ok(structure)
     }
 
-    /// Tables of one offset: the response of the mesh, less what is not smooth, as spline coefficients.
+    /// Returns the tables of one offset: the smooth part of the mesh response, as spline
+    /// coefficients.
     fn tables(
         &self,
         offset: u32,
@@ -317,9 +333,11 @@ impl ElasticStructure {
         })
     }
 
-    /// The mesh's answers on one surface less the half-plane's and the kink's to the same mollifiers. `directions` are the
-    /// observer's and the load's: both into the body or both along the surface, the half-plane answers alike; across, it steps
-    /// where both meet (Johnson, Contact Mechanics, eqs. 2.19 and 2.22).
+    /// Returns the response of the mesh on one surface less those of the half-plane and the kink to
+    /// the same mollifiers. `directions` are those of the observer and the load. The half-plane
+    /// responds alike if both point into the body or both along the surface; between the two
+    /// directions its response has a step where both points coincide (Johnson, Contact Mechanics,
+    /// eqs. 2.19 and 2.22).
     fn smooth_part(
         &self,
         prepared: &Prepared,
@@ -359,19 +377,20 @@ impl ElasticStructure {
     }
 }
 
-/// Memory of the tables of one offset while they are made, bytes: the answers, and spline coefficients in one variable and in both.
+/// Returns the temporary memory for the tables of one offset, bytes: the responses, and spline
+/// coefficients in one variable and in both.
 fn table_bytes(condensed: &Condensed) -> u64 {
     let (loads, rows, cuts) = (condensed.own.nrows(), condensed.rows_own.nrows(), condensed.on_cuts.nrows());
     let numbers = loads * (4 * loads + 6 * rows + 2 * cuts);
     (size_of::<f64>() * numbers) as u64
 }
 
-/// What the mesh answers to unit mollified loads on one sector.
+/// Response of the mesh to unit mollified loads on one sector.
 pub(super) struct Response {
-    /// On the sector ahead, rows by observing mollifier.
+    /// Compliance on the sector ahead, rows by observing mollifier.
     pub compliance: Mat<f64>,
     pub stress_ahead: Mat<f64>,
-    /// On this sector by loads on the sector ahead; `None` if that is this one.
+    /// Stress on this sector by loads on the sector ahead; `None` if both are the same sector.
     pub stress_behind: Option<Mat<f64>>,
 }
 
@@ -403,7 +422,8 @@ pub(super) fn response(
     Ok(response)
 }
 
-/// What the loads and the places of stress of a sector have to do with the amplitudes of the bore that were let go.
+/// Returns the coupling of the loads and stress recovery points of a sector with the released
+/// amplitudes of the bore.
 fn bore_coupling(
     released: Released,
     condensed: &Condensed,
@@ -428,7 +448,7 @@ fn bore_coupling(
     coupling
 }
 
-/// Spline coefficients of a table in both variables.
+/// Returns spline coefficients of a table in both variables.
 pub(super) fn both_sides(rows: &Spline, columns: &Spline, table: MatRef<'_, f64>) -> Mat<f64> {
     let by_row = rows.coefficients(table);
     columns.coefficients(by_row.transpose()).transpose().to_owned()
@@ -516,7 +536,8 @@ fn prepare_surface(
     Ok(Prepared { surface, mollifiers: samples.mollifiers, loads, stress_rows })
 }
 
-/// Spline coefficients of the angle by which the normal has turned since the first sample, positive where convex.
+/// Returns spline coefficients of the angle by which the normal has rotated since the first sample,
+/// positive where convex.
 fn turned_coefficients(surface: &Surface) -> Vec<f64> {
     let mut angles = Vec::with_capacity(surface.spline.nodes().len());
     let mut previous: Option<[f64; 2]> = None;
@@ -525,7 +546,7 @@ fn turned_coefficients(surface: &Surface) -> Vec<f64> {
         let point = surface.profile.at(s);
         let [x, y] = point.tangent;
         if let Some([px, py]) = previous {
-            // With the material on the left of the tangent a convex curve turns left.
+            // With the material on the left of the tangent, a convex curve bends to the left.
             let left = y * point.normal[0] - x * point.normal[1];
             angle += left.signum() * (px * y - py * x).atan2(px * x + py * y);
         }

@@ -1,31 +1,35 @@
-//! Mollifiers: smooth distributions of unit force around a point of a profile, and the half-plane's answer to them.
+//! Mollifiers: smooth distributions of unit force around a point of a profile, and the response of
+//! the half-plane to them.
 //!
-//! Finite elements cannot answer a concentrated force on their surface, nor can the half-plane's logarithm be evaluated
-//! under one. Both answer a force spread over the *matching depth* (report figure 2.1). A mollifier is spread so that
-//! it reproduces polynomials up to degree three: applied as load and as observer, it leaves a function that is smooth
-//! over its width `w` unchanged to O(w⁴), so the difference between both answers is the smooth part of the compliance
-//! itself, not an average of it.
+//! Finite elements cannot resolve a concentrated force on their surface, and the logarithm of the
+//! half-plane is singular under one. Both can respond to a force distributed over the *matching
+//! depth* (report figure 2.1). A mollifier reproduces polynomials up to degree three: applied as
+//! load and as observer, it leaves a function that is smooth over its width `w` unchanged to O(w⁴).
+//! The difference between both responses is therefore the smooth part of the compliance itself, not
+//! an average of it.
 
 use crate::fe::quadrature::gauss_legendre;
 use nalgebra::{Matrix4, Vector4};
 
-/// Coefficients of a mollifier's polynomial: `(1 - x²)²` times a cubic.
+/// Number of coefficients of a mollifier's polynomial: `(1 - x²)²` times a cubic.
 const COEFFICIENTS: usize = 8;
 
-/// `psi(s) = P(x) / width`, `x = (s - center) / width` in -1 ..= 1, zero elsewhere, with continuous slope.
+/// Mollifier `psi(s) = P(x) / width`, `x = (s - center) / width` in -1 ..= 1, zero elsewhere, with
+/// continuous slope.
 #[derive(Clone, Debug)]
 pub struct Mollifier {
     /// Middle of the support, m.
     pub center: f64,
-    /// Half of the support's length, m.
+    /// Half of the length of the support, m.
     pub width: f64,
-    /// Of `P`, by ascending power of `x`.
+    /// Coefficients of `P`, by ascending power of `x`.
     polynomial: [f64; COEFFICIENTS],
 }
 
 impl Mollifier {
-    /// The mollifier on `center - width ..= center + width` that stands for a force at `s`: the integral of `psi p` is
-    /// `p(s)` for every cubic `p`. `s` lies in the support; near the end of a profile it need not be its middle.
+    /// Builds the mollifier on `center - width ..= center + width` of a force at `s`: the integral
+    /// of `psi p` is `p(s)` for every cubic `p`. `s` lies in the support, but need not be its
+    /// middle near the end of a profile.
     pub fn new(s: f64, center: f64, width: f64) -> Self {
         // Moments of (1 - x²)².
         let moment = |power: usize| {
@@ -35,7 +39,7 @@ impl Mollifier {
         let x = (s - center) / width;
         let moments = Matrix4::from_fn(|i, j| moment(i + j));
         let wanted = Vector4::new(1.0, x, x * x, x * x * x);
-        // A Gram matrix of independent functions: always invertible.
+        // A Gram matrix of independent functions is always invertible.
         let cubic = moments.cholesky().map_or(Vector4::zeros(), |factor| factor.solve(&wanted));
         let mut polynomial = [0.0; COEFFICIENTS];
         for (power, &coefficient) in cubic.iter().enumerate() {
@@ -46,12 +50,12 @@ impl Mollifier {
         Self { center, width, polynomial }
     }
 
-    /// Ends of the support, m.
+    /// Returns the ends of the support, m.
     pub fn support(&self) -> [f64; 2] {
         [self.center - self.width, self.center + self.width]
     }
 
-    /// Force per length, 1/m.
+    /// Returns the force per length, 1/m.
     pub fn value(&self, s: f64) -> f64 {
         let x = (s - self.center) / self.width;
         if x.abs() >= 1.0 {
@@ -65,37 +69,40 @@ impl Mollifier {
     }
 }
 
-/// The rule of [`FAR`] for the double integral over a pair, which is as far as either is from the other's support; `None` of near ones.
+/// Selects the rule of [`FAR`] for the double integral over a pair, from the distance of either
+/// mollifier to the support of the other; `None` for near pairs.
 fn far_rule(a: &Mollifier, b: &Mollifier) -> Option<usize> {
     let apart = (a.center - b.center).abs();
     let distance = ((apart - b.width) / a.width).min((apart - a.width) / b.width);
     FAR.iter().rposition(|&(least, _)| distance >= least)
 }
 
-/// A mollifier at points of quadrature of its own support.
+/// Mollifier at the quadrature points of its own support.
 #[derive(Clone, Debug)]
 pub struct Sampled<T> {
     mollifier: Mollifier,
-    /// At the points of the rule of pairs near each other: its value, and what a kernel wants to know of the place.
+    /// Value and kernel data at the points of the rule for near pairs.
     near: Vec<(f64, T)>,
-    /// By rule of [`FAR`]: the mollifier times the point's weight, and what a kernel wants to know of the place.
+    /// Mollifier times the weight of the point, and kernel data, by rule of [`FAR`].
     points: Vec<Vec<(f64, T)>>,
 }
 
-/// How many points a support needs by its distance from the place of the singularity, in halves of the support from its middle, at least. Gauss's
-/// rule of `n` points leaves `r^-(2n - 7)` of a logarithm times a polynomial of degree seven, `r = x + sqrt(x² - 1)`: here less
+/// Least distance of the singularity from the middle of a support, in halves of the support, and
+/// number of quadrature points from there on. The error of the Gauss rule with `n` points for a
+/// logarithm times a polynomial of degree seven is `r^-(2n - 7)`, `r = x + sqrt(x² - 1)`: here less
 /// than 1e-14.
 const FAR: [(f64, usize); 4] = [(2.0, 17), (3.0, 14), (6.0, 11), (12.0, 9)];
 
 /// Quadrature for pairs of mollifiers.
 #[derive(Clone, Debug)]
 pub struct PairQuadrature {
-    /// Of the logarithm's potential, which is none too smooth where the support of its mollifier ends.
+    /// Rule for the potential of the logarithm, which has limited smoothness at the end of its
+    /// mollifier's support.
     outer: Vec<(f64, f64)>,
     inner: Vec<(f64, f64)>,
-    /// Of a kernel with a kink: on a piece a polynomial of degree 16, or nearly.
+    /// Rule for a kernel with a kink: on each piece approximately a polynomial of degree 16.
     kinked: Vec<(f64, f64)>,
-    /// As in [`FAR`].
+    /// Rules of [`FAR`].
     far: Vec<Vec<(f64, f64)>>,
 }
 
@@ -108,7 +115,8 @@ impl Default for PairQuadrature {
 }
 
 impl PairQuadrature {
-    /// Looks at a mollifier's support once: `place` says what a kernel wants to know of an arc length.
+    /// Samples the support of a mollifier once: `place` returns the data of the kernel at an arc
+    /// length.
     pub fn sampled<T>(&self, mollifier: &Mollifier, place: impl Fn(f64) -> T) -> Sampled<T> {
         let at = |x: f64| mollifier.center + mollifier.width * x;
         let near = self.kinked.iter().map(|&(x, _)| (mollifier.value(at(x)), place(at(x)))).collect();
@@ -118,7 +126,7 @@ impl PairQuadrature {
         Sampled { mollifier: mollifier.clone(), near, points }
     }
 
-    /// The double integral of `a(s) b(s') ln|s - s'|`.
+    /// Returns the double integral of `a(s) b(s') ln|s - s'|`.
     pub fn logarithm(&self, a: &Mollifier, b: &Mollifier) -> f64 {
         let Some(rule) = far_rule(a, b) else {
             return outer_integral(&self.outer, a, b, |s| self.log_potential(b, s));
@@ -132,8 +140,8 @@ impl PairQuadrature {
             .sum()
     }
 
-    /// The double integral of `a(s) b(s') f(s, s')`, `f` symmetric and smooth but for where both meet; it is given the
-    /// `place` of either.
+    /// Returns the double integral of `a(s) b(s') f(s, s')`, where `f` is symmetric and smooth
+    /// except where both points coincide. `f` takes the `place` data of both.
     pub fn mean<T: Copy>(
         &self,
         a: &Sampled<T>,
@@ -171,11 +179,12 @@ impl PairQuadrature {
         })
     }
 
-    /// The integral of `b(s') ln|s - s'|`: in closed form near the support, where the logarithm is singular or nearly
-    /// so; by quadrature further away, where the closed form would cancel.
+    /// Returns the integral of `b(s') ln|s - s'|`: in closed form near the support, where the
+    /// logarithm is singular or nearly so; by quadrature further away, where the closed form would
+    /// suffer from cancellation.
     fn log_potential(&self, b: &Mollifier, s: f64) -> f64 {
         let x = (s - b.center) / b.width;
-        // The mollifier's integral is 1, which accounts for the scale of the logarithm.
+        // The integral of the mollifier is 1, so the scale of the logarithm is a constant term.
         let scale = b.width.ln();
         if x.abs() > 1.2 {
             let rule = FAR.iter().rposition(|&(least, _)| x.abs() >= least);
@@ -209,7 +218,7 @@ impl PairQuadrature {
     }
 }
 
-/// Integrates `a(s) potential(s)`, in pieces between which the potential of `b` is smooth.
+/// Integrates `a(s) potential(s)` in pieces on which the potential of `b` is smooth.
 fn outer_integral(rule: &[(f64, f64)], a: &Mollifier, b: &Mollifier, potential: impl Fn(f64) -> f64) -> f64 {
     let [start, end] = a.support();
     let mut ends = vec![start];
@@ -247,7 +256,7 @@ mod tests {
         }
     }
 
-    /// The same integral with every piece cut into panels that shrink towards the singularity.
+    /// Computes the same integral with every piece cut into panels graded towards the singularity.
     fn by_brute_force(a: &Mollifier, b: &Mollifier) -> f64 {
         let rule = gauss_legendre(16);
         let graded = |f: &dyn Fn(f64) -> f64, from: f64, to: f64| {
@@ -300,13 +309,14 @@ mod tests {
             let b = Mollifier::new(s, center, width);
             let value = quadrature.logarithm(&a, &b);
             let brute = by_brute_force(&a, &b);
-            // Where a support ends, the potential goes like x³ ln|x|: 24 points leave some 1e-10.
+            // At the end of a support the potential behaves like x³ ln|x|: 24 points leave an error
+            // of about 1e-10.
             assert!((value - brute).abs() < 2e-9, "at {s}: {value} against {brute}");
             assert!((value - quadrature.logarithm(&b, &a)).abs() < 2e-9);
         }
     }
 
-    /// Beside each distance from which fewer points are taken.
+    /// Tests both sides of each distance beyond which fewer points are used.
     #[test]
     fn pairs_far_from_each_other_take_fewer_points_and_lose_no_digit() {
         let quadrature = PairQuadrature::default();
@@ -331,10 +341,10 @@ mod tests {
         let mean = |a: &Sampled<f64>, b: &Sampled<f64>| quadrature.mean(a, b, |s| s, kink);
         let (a, b) = (sampled(0.0, 0.1), sampled(1.0, 0.2));
         assert!((mean(&b, &a) - 3.0).abs() < 1e-12);
-        // On itself: of the order of the width.
+        // With itself, the value is of the order of the width.
         let own = mean(&a, &a);
         assert!(own.abs() < 0.1 && own != 0.0);
-        // A kink and what curvature does besides, with four times as many points.
+        // A kernel with a kink and curvature terms, with four times as many points.
         let mut finer = quadrature.clone();
         finer.kinked = gauss_legendre(48);
         let curved = |s: f64, other: f64| {

@@ -1,23 +1,29 @@
-//! Lugs: the teeth of a spline, or keys, by which the frame holds the bore of a ring at some places around.
+//! Spline teeth, or keys, through which the frame supports the bore of a ring at some angular
+//! positions.
 //!
-//! Their number need not be commensurate with that of the sectors: no sector has a lug of its own, and what lugs do to two teeth depends on
-//! where both stand, not only on how far apart. So they are no part of the repeated sector. They remain degrees of freedom of the ring's
-//! boundary: a lug's displacement, the mean of the bore's over the lug, is a linear form of the amplitudes of the bore's series
-//! ([`super::bore`]), which all sectors share, and its force on the ring is conjugate to it. The ring is solved with these amplitudes held
-//! at nought, which leaves its sectors equal; then they are let go, against the lugs.
+//! Their number need not be commensurate with that of the sectors. The coupling of two teeth
+//! through them depends on the positions of both teeth, not only on their distance, so spline teeth
+//! cannot be part of the repeated sector. They act on degrees of freedom of the ring's boundary
+//! instead. The displacement of a spline tooth is the mean displacement of the bore over the tooth.
+//! It is a linear form of the amplitudes of the bore's series ([`super::bore`]), which all sectors
+//! share; the force of the spline tooth on the ring is conjugate to it. The ring is first solved
+//! with these amplitudes fixed at zero, which keeps its sectors equal; then the amplitudes are
+//! released against the spline teeth.
 //!
-//! With `K` the stiffness of the ring against its amplitudes `a`, semidefinite because the ring as a whole may move, `h` the forces that held
-//! them against the loads, `C` the lugs' displacements by amplitudes and `S` the lugs' compliance,
+//! Let `K` be the stiffness of the ring against its amplitudes `a`, semidefinite because of the
+//! ring's rigid-body motion, `h` the constraint forces of the amplitudes under the loads, `C` the
+//! displacements of the spline teeth by amplitudes and `S` the compliance of the spline teeth. Then
 //!
 //! ```text
 //! K a = h + C' f,    C a = -S f
 //! ```
 //!
-//! give the lugs' forces `f`. This is positive definite as `C' D C + K` with `D` between nought and `1/S`, and a correction for the rest of
-//! the lugs' stiffness, which may be infinite.
+//! determine the forces `f` of the spline teeth. The system is solved as the positive definite
+//! `C' D C + K`, with `D` between zero and `1/S`, and a correction for the rest of the stiffness of
+//! the spline teeth, which may be infinite.
 //!
-//! A lug is seen through the series: up to [`Lugs::waves`] waves around. Its pressure is not quite even and fades beyond its ends over
-//! half a wave.
+//! The series resolves a spline tooth up to [`Lugs::waves`] harmonics around the bore. The pressure
+//! of a tooth is therefore not quite uniform and decays beyond its ends over half a wavelength.
 
 use super::StructureError;
 use super::dense::{add_product, cholesky, half_solve, mirror_lower, other_half_solve, product, solve};
@@ -27,59 +33,67 @@ use faer::{Mat, MatRef};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::{PI, TAU};
 
-/// Equal lugs, evenly around, that bear both ways. At least three hold a ring.
+/// Equal, uniformly spaced spline teeth that carry load in both directions. At least three support
+/// a ring.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Lugs {
-    /// How many.
+    /// Number of spline teeth.
     pub count: u16,
-    /// Angle of the middle of the first one in the body's frame, rad.
+    /// Angle of the middle of the first spline tooth in the body's frame, rad.
     pub first: f64,
-    /// Angle that each takes up, rad.
+    /// Angular width of each spline tooth, rad.
     pub width: f64,
-    /// Displacement around by force, for a unit of the lug's length along the axis, m/(N/m); 0 for rigid ones.
+    /// Tangential compliance for unit axial length of the spline tooth, m/(N/m); 0 for rigid ones.
     pub tangential: f64,
-    /// The same outwards; `None` where a lug does not hold the bore from moving inwards and outwards.
+    /// Radial compliance for unit axial length, m/(N/m); `None` if spline teeth do not constrain
+    /// the radial motion of the bore.
     pub radial: Option<f64>,
-    /// Degree of polynomials along the bore up to which they hold it: 0 holds their mean, 1 its leaning too.
+    /// Degree of the polynomials along the bore up to which the spline teeth constrain it: 0
+    /// constrains the mean, 1 the tilt too.
     pub degree: u8,
 }
 
-/// Waves by lugs that tell lugs from each other and from an even hold.
+/// Harmonics per spline tooth that are needed to distinguish spline teeth from each other and from
+/// uniform support.
 const WAVES_BY_LUG: f64 = 3.0;
 
 impl Lugs {
-    /// Waves around of the series through which lugs are seen: three a lug, and as many as lugs side by side would take up the circle.
+    /// Returns the number of harmonics of the series that resolves the spline teeth: three for
+    /// each, and at least the number of adjacent spline teeth that would fill the circle.
     pub fn waves(&self) -> u16 {
         let waves = (WAVES_BY_LUG * f64::from(self.count)).max(TAU / self.width.abs());
         waves.ceil().min(f64::from(u16::MAX)) as u16
     }
 
-    /// Angle of the middle of a lug in the body's frame, rad.
+    /// Returns the angle of the middle of a spline tooth in the body's frame, rad.
     pub fn angle(&self, lug: u16) -> f64 {
         self.first + TAU * f64::from(lug) / f64::from(self.count)
     }
 
-    /// Directions in which lugs hold, with what they yield there.
+    /// Returns the directions in which spline teeth constrain the bore, with the compliance in
+    /// each.
     fn directions(&self) -> Vec<(Component, f64)> {
         let radial = self.radial.map(|compliance| (Component::Radial, compliance));
         [(Component::Tangential, self.tangential)].into_iter().chain(radial).collect()
     }
 
-    /// Whether a term of the series is of the lugs' displacements.
+    /// Returns true if a term of the series contributes to the displacements of spline teeth.
     pub(super) fn needs(&self, term: &Term) -> bool {
         let of_direction = match term.component {
             Component::Tangential => true,
-            // A translation, which moves lugs around, is also one wave outwards.
+            // A translation, which displaces spline teeth tangentially, also has one radial
+            // harmonic.
             Component::Radial => self.radial.is_some() || (term.degree, term.harmonic) == (0, 1),
             Component::Axial => false,
         };
         of_direction && term.degree <= self.degree && term.harmonic <= self.waves()
     }
 
-    /// The lugs on a cylindrical bore, seen through some of the unknowns of its series. `None` if these do not span the lugs' displacements.
+    /// Builds the spline teeth on a cylindrical bore from some of the unknowns of its series.
+    /// `None` if these do not span the displacements of the spline teeth.
     pub(super) fn on(&self, series: &Series, places: &[usize]) -> Option<LugForms> {
         let [[radius, start], [_, end]] = series.surface().generator;
-        // Of a plane model, a unit.
+        // A plane model has unit length.
         let length = if end > start { end - start } else { 1.0 };
         let directions = self.directions();
         let degrees = usize::from(self.degree) + 1;
@@ -90,7 +104,7 @@ impl Lugs {
             for degree in 0..=self.degree {
                 let row =
                     |lug: u16| (usize::from(lug) * directions.len() + number) * degrees + usize::from(degree);
-                // Of polynomials along: their mean squares are 1 / (2 d + 1).
+                // Mean squares of the Legendre polynomials along the bore are 1 / (2 d + 1).
                 let along = f64::from(2 * degree + 1) / length;
                 (0..self.count).for_each(|lug| compliance[row(lug)] = along * yielding);
                 for harmonic in 0..=self.waves() {
@@ -125,30 +139,32 @@ fn sinc(x: f64) -> f64 {
     if x == 0.0 { 1.0 } else { x.sin() / x }
 }
 
-/// Lugs before the ring is solved: by lug, direction and polynomial along.
+/// Spline teeth before the ring is solved: by tooth, direction and polynomial along the bore.
 #[derive(Clone, Debug)]
 pub(super) struct LugForms {
     pub lugs: Lugs,
-    /// By amplitudes of the bore, m.
+    /// Displacements by amplitudes of the bore, m.
     pub displacements: Mat<f64>,
-    /// m/N, in the plane m/(N/m).
+    /// Compliance, m/N; m/(N/m) in a plane model.
     pub compliance: Vec<f64>,
 }
 
-/// Lugs that hold a ring.
+/// Spline teeth that support a ring.
 #[derive(Clone, Debug)]
 pub(crate) struct LugSet {
     pub lugs: Lugs,
-    /// Their forces on the ring, by lug, direction and polynomial along, by forces on the amplitudes in the body's frame.
+    /// Forces of the spline teeth on the ring, by tooth, direction and polynomial along the bore,
+    /// by forces on the amplitudes in the body's frame.
     pub reactions: Mat<f64>,
 }
 
 impl LugForms {
-    /// Amplitudes by forces on them, from number `first` on, those before being held, with the lugs' forces. `stiffness` is that of the
-    /// ring against these amplitudes.
+    /// Returns the amplitudes by forces on them, from index `first` on (the preceding ones are
+    /// fixed), with the forces of the spline teeth. `stiffness` is that of the ring against these
+    /// amplitudes.
     ///
     /// # Errors
-    /// The lugs do not hold the ring, or the series cannot tell them apart.
+    /// The spline teeth do not support the ring, or the series cannot distinguish them.
     pub fn hold(
         &self,
         stiffness: MatRef<'_, f64>,
@@ -156,7 +172,8 @@ impl LugForms {
     ) -> Result<(Mat<f64>, LugSet), StructureError> {
         let size = stiffness.nrows();
         let lugs = self.displacements.as_ref().subcols(first, size);
-        // Of the lugs' stiffness as much as is like the ring's, so that neither drowns the other.
+        // Uses a part of the spline teeth's stiffness that is similar to that of the ring, so that
+        // both remain significant in the sum.
         let trace = |matrix: MatRef<'_, f64>| (0..size).map(|k| matrix[(k, k)]).sum::<f64>();
         let softest = trace(product(lugs.transpose(), lugs).as_ref()) / trace(stiffness);
         let soft: Vec<f64> = self.compliance.iter().map(|compliance| compliance + softest).collect();
@@ -167,7 +184,7 @@ impl LugForms {
         let factor = cholesky(held).ok_or(FreeRing)?;
         let mut release = solve(factor.as_ref(), Mat::identity(size, size));
         mirror_lower(&mut release);
-        // The rest of their stiffness.
+        // The rest of the stiffness of the spline teeth.
         let by_forces = product(lugs, release.as_ref());
         let mut yielding = product(by_forces.as_ref(), lugs.transpose());
         for (lug, (compliance, soft)) in self.compliance.iter().zip(&soft).enumerate() {
@@ -187,19 +204,20 @@ impl LugForms {
     }
 }
 
-/// What a lug exerts on the ring, spread over its place on the bore. In the plane per metre of face width.
+/// Force of a spline tooth on the ring, distributed over its location on the bore. Per metre of
+/// face width in a plane model.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LugForce {
-    /// Angle of its middle in the body's frame, rad.
+    /// Angle of the middle of the spline tooth in the body's frame, rad.
     pub angle: f64,
-    /// Counter-clockwise, N.
+    /// Tangential force, counter-clockwise, N.
     pub tangential: f64,
-    /// Outwards, N.
+    /// Radial force, outwards, N.
     pub radial: f64,
 }
 
 impl LugSet {
-    /// Forces by those on the amplitudes in the body's frame.
+    /// Returns the forces of the spline teeth from those on the amplitudes in the body's frame.
     pub fn forces(&self, amplitudes: MatRef<'_, f64>) -> Vec<LugForce> {
         let all = product(self.reactions.as_ref(), amplitudes);
         let (directions, degrees) = (self.lugs.directions().len(), usize::from(self.lugs.degree) + 1);
@@ -211,7 +229,7 @@ impl LugSet {
         (0..self.lugs.count).map(force).collect()
     }
 
-    /// Memory, in bytes.
+    /// Returns the memory, in bytes.
     pub fn bytes(&self) -> usize {
         self.reactions.nrows() * self.reactions.ncols() * size_of::<f64>()
     }

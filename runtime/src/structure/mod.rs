@@ -1,7 +1,8 @@
-//! How bodies deform: elastic behaviour relative to the body's frame, seen through its loadable surfaces.
+//! Elastic compliance of bodies relative to the body's frame, seen from their loadable surfaces.
 //!
-//! Displacements are elastic only: what moves the body as a whole belongs to its frame.
-//! Everything here is per unit of face width (a plane model): forces in N/m, compliances in m/(N/m). Bodies in space are in [`solid`].
+//! Displacements are elastic only: rigid-body motion belongs to the frame. The models in this
+//! module are plane models, per unit of face width: forces in N/m, compliances in m/(N/m).
+//! [`solid`] contains three-dimensional bodies.
 
 pub mod analytic;
 mod answers;
@@ -46,7 +47,7 @@ use solid::SolidStructure;
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-/// Why a structure cannot be made of a mesh.
+/// Reasons why a structure cannot be built from a mesh.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[allow(missing_docs, reason = "each says itself in its message")]
 pub enum StructureError {
@@ -81,7 +82,7 @@ pub enum StructureError {
 }
 
 impl From<StructureError> for EngineError {
-    /// For a prototype whose mesh was to be sound.
+    /// Converts the error for a prototype whose mesh is expected to be valid.
     fn from(error: StructureError) -> Self {
         match error {
             StructureError::Interrupted(error) => error,
@@ -116,65 +117,69 @@ impl From<StructureError> for EngineError {
 /// A loadable surface of a structure: a flank of one tooth, or the rim of a disc.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Chart {
-    /// Which tooth (or repeated sector), counted counter-clockwise from 0. 0 where nothing repeats.
+    /// Index of the tooth (or repeated sector), counted counter-clockwise from 0. 0 where nothing
+    /// repeats.
     pub tooth: u32,
-    /// Which surface of it. Gears: 0 is the flank whose outward normal points counter-clockwise, 1 the other.
+    /// Index of the surface on the tooth. Gears: 0 is the flank whose outward normal points
+    /// counter-clockwise, 1 the other.
     pub surface: u32,
 }
 
 /// A normal force on a surface: positive presses into the material.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SurfaceLoad {
-    /// Where it acts.
+    /// Surface on which the force acts.
     pub chart: Chart,
     /// Arc length on the chart's profile, m.
     pub s: f64,
-    /// N per metre of face width.
+    /// Force, N per metre of face width.
     pub force: f64,
 }
 
-/// Where a recovered stress is.
+/// Location of a recovered stress.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StressPlace {
-    /// Counted counter-clockwise from 0.
+    /// Index of the tooth, counted counter-clockwise from 0.
     pub tooth: u32,
-    /// As [`Chart::surface`].
+    /// Index of the surface, as in [`Chart::surface`].
     pub surface: u32,
-    /// Arc length on the fillet from the end of the flank, m.
+    /// Arc length on the fillet, from the end of the flank, m.
     pub s: f64,
-    /// In the body's frame, m.
+    /// Position in the body's frame, m.
     pub position: [f64; 2],
 }
 
 /// Elastic behaviour of a body.
 ///
-/// The compliance of a surface is split: `A(s, s') = G(s - s') + R(s, s')`. `G` is the half-plane's,
-/// `-2 / (pi E') ln(|s - s'| / L)` with `E'` = [`Structure::surface_modulus`] and `L` =
-/// [`Structure::reference_length`], between points of the same chart only (0 between different charts).
-/// `R` is everything else, smooth, and evaluated here.
+/// The compliance of a surface is split: `A(s, s') = G(s - s') + R(s, s')`. `G` is the compliance
+/// of the half-plane, `-2 / (pi E') ln(|s - s'| / L)` with `E'` = [`Structure::surface_modulus`]
+/// and `L` = [`Structure::reference_length`]. It applies between points of the same chart only and
+/// is 0 between different charts. `R` is the smooth remainder, which the structure evaluates.
 pub trait Structure: Send + Sync {
-    /// The profile of a chart in the body's frame (already turned to its tooth), and the chart's profile in
-    /// tooth coordinates is the same for every tooth.
+    /// Returns the profile of a surface of tooth 0 in the body's frame. In tooth coordinates the
+    /// profile is the same for every tooth.
     fn profile(&self, surface: u32) -> Arc<dyn Profile>;
 
-    /// Angle by which tooth `tooth` is turned in the body's frame, rad (counter-clockwise).
+    /// Returns the angle of tooth `tooth` in the body's frame, rad (counter-clockwise).
     fn tooth_angle(&self, tooth: u32) -> f64 {
         let teeth = self.teeth();
         TAU * f64::from(tooth % teeth) / f64::from(teeth)
     }
 
-    /// Number of repeated sectors; 1 where nothing repeats.
+    /// Returns the number of repeated sectors; 1 where nothing repeats.
     fn teeth(&self) -> u32;
 
-    /// E' in Pa. Infinite for a rigid body, whose `G` and `R` are zero.
+    /// Returns the plane-strain modulus E', Pa. Infinite for a rigid body, whose `G` and `R` are
+    /// zero.
     fn surface_modulus(&self) -> f64;
 
-    /// L in the half-plane's logarithm, m.
+    /// Returns the reference length L in the logarithm of the half-plane, m.
     fn reference_length(&self) -> f64;
 
-    /// Adds `R` to `block`, row-major, `observe_s.len()` rows by `load_s.len()` columns: inward normal displacement
-    /// at `observe_s` on `observe` per unit inward normal force at `load_s` on `load`, m/(N/m).
-    /// Symmetric: exchanging loads and observers transposes it, bit for bit.
+    /// Adds `R` to `block`, row-major, `observe_s.len()` rows by `load_s.len()` columns: inward
+    /// normal displacement at `observe_s` on `observe` per unit inward normal force at `load_s` on
+    /// `load`, m/(N/m). The result is symmetric: exchanging loads and observers transposes it, bit
+    /// for bit.
     fn add_compliance(
         &self,
         observe: Chart,
@@ -184,60 +189,69 @@ pub trait Structure: Send + Sync {
         block: &mut [f64],
     );
 
-    /// Principal stress of largest tension (Pa) at each point where stress is recovered, for the given loads, on tooth
-    /// `tooth`: on a free surface the stress along it, negative where compressed. Empty if the structure recovers none.
+    /// Returns the first principal stress (the largest tension, Pa) under the given loads at each
+    /// stress recovery point of tooth `tooth`. On a free surface it is the stress along the
+    /// surface, negative in compression. Empty if the structure recovers no stress.
     fn stresses(&self, tooth: u32, surface: u32, loads: &[SurfaceLoad]) -> Vec<(StressPlace, f64)>;
 
-    /// What the lugs that hold the body exert on it under the given loads, each in turn; none if no lugs hold it.
+    /// Returns the forces of the supporting spline teeth on the body under the given loads, one
+    /// entry a spline tooth; empty if spline teeth do not support the body.
     fn lug_forces(&self, _loads: &[SurfaceLoad]) -> Vec<LugForce> {
         Vec::new()
     }
 
-    /// Displacements of the body's loose lugs ([`BoreHold::LooseLugs`]) by forces on them, all counter-clockwise, m/(N/m): square and
-    /// symmetric to the bit; `None` of a body that has none.
+    /// Returns the compliance matrix of the spline teeth with clearance ([`BoreHold::LooseLugs`]):
+    /// displacements by forces on them, all positive counter-clockwise, m/(N/m). The matrix is
+    /// square and symmetric to the bit; `None` for a body without such spline teeth.
     fn lug_compliance(&self) -> Option<MatRef<'_, f64>> {
         None
     }
 
-    /// Displacements of the same lugs by unit inward normal forces at points of a chart, lugs by points; and so the inward displacements there
-    /// by forces of lugs.
+    /// Returns the displacements of the same spline teeth by unit inward normal forces at points of
+    /// a chart, spline teeth by points. By reciprocity these are also the inward displacements at
+    /// the points by forces of the spline teeth.
     fn lug_displacements(&self, _load: Chart, load_s: &[f64]) -> Mat<f64> {
         Mat::zeros(0, load_s.len())
     }
 
-    /// What forces of these lugs on the body, one each, counter-clockwise, add to [`Structure::stresses`], Pa. Empty where they add nothing.
+    /// Returns the contribution to [`Structure::stresses`] of the forces of these spline teeth on
+    /// the body, one force each, counter-clockwise, Pa. Empty if they contribute nothing.
     fn stresses_by_lugs(&self, _tooth: u32, _surface: u32, _forces: &[f64]) -> Vec<f64> {
         Vec::new()
     }
 
-    /// The same body with surfaces that differ from its own by little, one for each; `None` if it cannot be had so.
+    /// Returns the same body with surfaces that differ slightly from its own, one for each; `None`
+    /// if the structure does not support this.
     ///
-    /// What is pressed is the new curve, along its own normal; how the body gives is that of the old one.
+    /// Contact acts on the new curve, along its own normal; the compliance is that of the old
+    /// surface.
     fn reshaped(self: Arc<Self>, _surfaces: Vec<ReshapedSurface>) -> Option<Arc<dyn Structure>> {
         None
     }
 
-    /// Memory that the structure takes, in bytes, to the nearest few percent: what a cache counts.
+    /// Returns the memory of the structure, in bytes, to within a few percent: the size that a
+    /// cache counts.
     fn bytes(&self) -> usize;
 
-    /// All of it but the surfaces that contact sees, to be kept on disk for [`Prototype::restore`](crate::scene::Prototype::restore);
-    /// `None` if it is made faster than read.
+    /// Returns everything but the contact surfaces, to be stored on disk for
+    /// [`Prototype::restore`](crate::scene::Prototype::restore); `None` if building the structure
+    /// is faster than reading it.
     fn stored(&self) -> Option<Vec<u8>> {
         None
     }
 }
 
-/// A structure of either kind.
+/// Structure of a two- or three-dimensional body.
 #[derive(Clone)]
 pub enum AnyStructure {
-    /// In the plane.
+    /// Two-dimensional structure.
     Plane(Arc<dyn Structure>),
-    /// In space.
+    /// Three-dimensional structure.
     Solid(Arc<dyn SolidStructure>),
 }
 
 impl AnyStructure {
-    /// Memory that it takes, in bytes.
+    /// Returns the memory of the structure, in bytes.
     pub fn bytes(&self) -> usize {
         match self {
             AnyStructure::Plane(structure) => structure.bytes(),
@@ -245,7 +259,7 @@ impl AnyStructure {
         }
     }
 
-    /// What of it is to be kept on disk.
+    /// Returns the data to be stored on disk.
     pub(crate) fn stored(&self) -> Option<Vec<u8>> {
         match self {
             AnyStructure::Plane(structure) => structure.stored(),

@@ -1,9 +1,12 @@
-//! A structure whose surfaces have been given slightly other shapes: a relief of micrometres on flanks of millimetres.
+//! Structure whose surfaces have been slightly reshaped: a relief of micrometres on flanks of
+//! millimetres.
 //!
-//! Contact sees the new curves in full. The body behind them is the old one: its tables answer for a point of the new curve at the
-//! point of the old one that stands for it. A force there goes along the new normal, which the tables know as a force into the body
-//! and one along its surface; turned by an angle `t`, it bends a tooth of radius `r` with another arm by `r t`, so this cannot be
-//! left out. What is left out is the body between the two curves.
+//! Contact uses the new curves exactly. The body behind them is the original one: its tables give
+//! the compliance at the point of the original curve that corresponds to a point of the new one. A
+//! force there acts along the new normal, which the tables resolve into a force into the body and
+//! one along its surface. Rotated by an angle `t`, the force bends a tooth of radius `r` with a
+//! lever arm that differs by `r t`, so this effect cannot be neglected. The body between the two
+//! curves is neglected.
 
 use super::answers::{Local, Turned};
 use super::elastic::{ElasticStructure, Surface};
@@ -12,20 +15,21 @@ use crate::profile::Profile;
 use faer::{Mat, MatRef};
 use std::sync::Arc;
 
-/// A surface to take the place of another.
+/// Surface that replaces another one.
 #[derive(Clone)]
 pub struct ReshapedSurface {
-    /// The curve that contact is to see.
+    /// Curve that contact uses.
     pub profile: Arc<dyn Profile>,
-    /// Takes arc lengths of it to those of the curve it replaces, m; continuous and ascending.
+    /// Maps its arc lengths to those of the curve it replaces, m; continuous and ascending.
     pub onto: Arc<dyn Fn(f64) -> f64 + Send + Sync>,
 }
 
 impl ReshapedSurface {
-    /// A point of it, as the tables of the surface that it replaces see it.
+    /// Returns a point of it in terms of the tables of the surface that it replaces.
     pub(super) fn local(&self, old: &Surface, s: f64) -> Local {
         let onto = (self.onto)(s);
-        // Beyond the last point of the tables that point stands in, with its direction.
+        // Coordinates beyond the last point of the tables are clamped to that point and its
+        // direction.
         let last = self.profile.edge_from().unwrap_or(self.profile.length());
         let own = self.profile.at(s.clamp(0.0, last));
         let local = old.local(onto);
@@ -44,7 +48,7 @@ pub(super) struct Reshaped {
 }
 
 impl Reshaped {
-    /// `surfaces` are as many as the body's.
+    /// Builds the structure with one surface for each of the body's.
     pub fn new(body: Arc<ElasticStructure>, surfaces: Vec<ReshapedSurface>) -> Self {
         Self { body, surfaces }
     }

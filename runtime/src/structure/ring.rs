@@ -1,16 +1,19 @@
-//! A ring of equal sectors, known through the cuts between them (report section 2.6).
+//! Ring of equal sectors as a chain of substructures, condensed onto the cuts between them (report
+//! section 2.6).
 //!
-//! A sector is condensed onto its two cuts: a stiffness of the cut degrees of freedom, and for every load inside the
-//! sector its equivalent on the cuts. Displacements of a cut are expressed in the frame of the sector that it is the
-//! *first* cut of, so that every sector has the same matrix, whatever the angle it stands at, and turning the ring only
-//! renumbers the sectors.
+//! A sector is condensed onto its two cuts: the Schur complement (stiffness) of the cut degrees of
+//! freedom, and an equivalent load on the cuts for every load inside the sector. Displacements of a
+//! cut are expressed in the frame of the sector that it is the *first* cut of. Every sector
+//! therefore has the same matrix, whatever its angle, and rotating the ring only renumbers the
+//! sectors.
 //!
-//! The sectors that carry no load are joined two by two, four by four and so on: O(log N) condensations for N sectors.
-//! Joining eliminates the cut between two chains, and the stiffness of that cut with both ends held is positive
-//! definite even if the ring itself is free, so no step needs pivoting.
+//! Unloaded sectors are joined in pairs, then groups of four and so on: O(log N) condensations for
+//! N sectors. Joining eliminates the cut between two chains. The stiffness of that cut with both
+//! ends fixed is positive definite even if the ring itself is free, so no step needs pivoting.
 //!
-//! A ring whose bore is held in the mean only has unknowns that all sectors share ([`shared`]), the forces that hold it. They are
-//! never eliminated on the way: sectors and chains are known through their cuts and these unknowns.
+//! A ring whose bore has averaged constraints has unknowns that all sectors share ([`shared`]): the
+//! constraint forces. They are retained in every elimination, so sectors and chains are condensed
+//! onto their cuts and these unknowns.
 
 mod shared;
 
@@ -26,32 +29,36 @@ pub(crate) use shared::Shared;
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-/// A mean whose own part is a smaller share of it depends on the others.
+/// If the independent part of an average is a smaller share of it than this, the average depends
+/// linearly on the others.
 const DEPENDENT: f64 = 1e-12;
 
-/// A sector, or a chain of them, condensed onto its first and last cut and what all sectors share.
+/// A sector, or a chain of sectors, condensed onto its first and last cut and the shared unknowns.
 #[derive(Clone, Debug)]
 pub struct CutStiffness {
-    /// Symmetric: first cut, last cut, shared unknowns. Of the last, negative: what they yield with the cuts held.
+    /// Symmetric matrix over first cut, last cut and shared unknowns. The block of the shared
+    /// unknowns is negative: their compliance with the cuts fixed.
     matrix: Mat<f64>,
     shared: Arc<Shared>,
-    /// How many sectors.
+    /// Number of sectors.
     sectors: u32,
 }
 
-/// The stiffness of a ring's cuts is not positive definite: something can move freely.
+/// Error: the stiffness of a ring's cuts is not positive definite, so the ring has a mechanism or a
+/// rigid-body motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("the ring of sectors is not constrained: it has a rigid-body motion")]
 pub struct FreeRing;
 
 impl CutStiffness {
-    /// `matrix` is symmetric of even size: the degrees of freedom of the first cut, then as many of the last, in N/m
-    /// (in the plane per metre of face width). Only its lower triangle is read.
+    /// Builds the stiffness of a sector. `matrix` is symmetric of even size: the degrees of freedom
+    /// of the first cut, then as many of the last one, in N/m (per metre of face width in a plane
+    /// model). Only its lower triangle is read.
     pub fn new(matrix: Mat<f64>) -> Self {
         Self::with_shared(matrix, Shared::default())
     }
 
-    /// As [`Self::new`], the unknowns that all sectors share behind those of the cuts.
+    /// Builds the stiffness as [`Self::new`], with the shared unknowns after those of the cuts.
     pub(crate) fn with_shared(matrix: Mat<f64>, shared: Shared) -> Self {
         Self::chain(matrix, Arc::new(shared), 1)
     }
@@ -65,7 +72,7 @@ impl CutStiffness {
         Self { matrix, shared, sectors }
     }
 
-    /// Degrees of freedom of one cut.
+    /// Returns the degrees of freedom of one cut.
     pub fn cut_size(&self) -> usize {
         (self.matrix.nrows() - self.shared.count) / 2
     }
@@ -75,13 +82,14 @@ impl CutStiffness {
         self.matrix.as_ref().submatrix(row * n, column * n, n, n)
     }
 
-    /// Of the cuts, by the shared unknowns of a chain that begins by the angle `before` earlier.
+    /// Returns the block of the cuts by the shared unknowns, for a chain whose frame is rotated by
+    /// the angle `before` against the first one.
     fn by_shared(&self, before: f64) -> Mat<f64> {
         let n = self.cut_size();
         self.shared.turned_back(self.matrix.as_ref().submatrix(0, 2 * n, 2 * n, self.shared.count), before)
     }
 
-    /// Among the shared unknowns, likewise.
+    /// Returns the block among the shared unknowns for such a chain.
     fn among_shared(&self, before: f64) -> Mat<f64> {
         let (n, count) = (self.cut_size(), self.shared.count);
         let own = self.matrix.as_ref().submatrix(2 * n, 2 * n, count, count);
@@ -89,13 +97,14 @@ impl CutStiffness {
         self.shared.turned_back(once.transpose(), before)
     }
 
-    /// The chain of `self` followed by `next`, the cut between them condensed (report eq. 2.80).
+    /// Returns the chain of `self` followed by `next`, with the cut between them condensed (report
+    /// eq. 2.80).
     fn joined(&self, next: &Self, pitch: f64, interrupt: &Interrupt) -> Result<Self, StructureError> {
         Ok(self.join(next, pitch, interrupt)?.0)
     }
 
-    /// The chain of `self` followed by `next`, and how the cut between them follows its ends and the shared unknowns. `pitch` is the
-    /// angle of a sector.
+    /// Returns the chain of `self` followed by `next`, and the dependence of the cut between them
+    /// on its ends and the shared unknowns. `pitch` is the angle of a sector.
     fn join(&self, next: &Self, pitch: f64, interrupt: &Interrupt) -> Result<(Self, Inner), StructureError> {
         interrupt.check().map_err(StructureError::Interrupted)?;
         let (n, count) = (self.cut_size(), self.shared.count);
@@ -122,7 +131,7 @@ impl CutStiffness {
         Ok((chain, Inner { factor, coupling }))
     }
 
-    /// The chain of `count >= 1` equal sectors, by doubling.
+    /// Returns the chain of `count >= 1` equal sectors, by doubling.
     fn repeated(&self, count: u32, pitch: f64, interrupt: &Interrupt) -> Result<Self, StructureError> {
         let mut power = self.clone();
         let mut chain: Option<Self> = None;
@@ -143,11 +152,12 @@ impl CutStiffness {
     }
 }
 
-/// A cut between two chains: its displacements are `-L^-T C` times those of the ends of both, first end before last, and what they share.
+/// Cut between two chains: its displacements are `-L^-T C` times those of both ends, first before
+/// last, and the shared unknowns.
 struct Inner {
-    /// `L`, of the stiffness of the cut with the ends held.
+    /// Cholesky factor `L` of the stiffness of the cut with the ends fixed.
     factor: Mat<f64>,
-    /// `C = L^-1 K`, with `K` between the cut and the ends and what they share.
+    /// `C = L^-1 K`, with `K` the coupling of the cut to the ends and the shared unknowns.
     coupling: Mat<f64>,
 }
 
@@ -169,48 +179,54 @@ impl Inner {
     }
 }
 
-/// Displacements of the cuts of every sector in a window, per unit force on the cuts of the first one.
+/// Flexibility of a ring: displacements of the cuts of every sector in a window, per unit force on
+/// the cuts of the first one.
 #[derive(Clone, Debug)]
 pub struct RingFlexibility {
-    /// By offset from the loaded sector: rows are the first and last cut of the observed sector and the shared unknowns as it sees them,
-    /// columns those of the loaded one.
+    /// Matrices by offset from the loaded sector. Rows are the first and last cut of the observed
+    /// sector and the shared unknowns in its frame, columns those of the loaded one.
     by_offset: Vec<Mat<f64>>,
     shared: Arc<Shared>,
 }
 
-/// Means of the bore that are held.
+/// Constrained averages of the bore.
 pub(crate) struct Bound {
-    /// How they turn.
+    /// Rotation of the averages from sector to sector.
     pub shared: Shared,
-    /// Forces on them by what they become.
+    /// Forces on the averages by their values.
     pub stiffness: Mat<f64>,
-    /// The forces that hold them, by those on the cuts and the means of a sector; a row each.
+    /// Constraint forces by forces on the cuts and the averages of a sector, one row for each.
     pub holding: Mat<f64>,
 }
 
-/// Means of the bore that were held and are let go.
+/// Averages of the bore that were constrained and have been released.
 pub(crate) struct Released {
-    /// How they turn.
+    /// Rotation of the averages from sector to sector.
     pub shared: Shared,
-    /// What they become by forces on them; with lugs in the body's frame, else in that of any sector.
+    /// Values of the averages by forces on them; with spline teeth in the body's frame, otherwise
+    /// in that of any sector.
     pub release: Mat<f64>,
-    /// The forces that held them, by those on the cuts and the means of a sector; a row each.
+    /// Former constraint forces by forces on the cuts and the averages of a sector, one row for
+    /// each.
     pub holding: Mat<f64>,
-    /// What holds them now; if nothing does, the ring's answers have become those with them let go.
+    /// Spline teeth that support the averages now. Without them, the ring's responses are those
+    /// with the averages released.
     pub lugs: Option<LugSet>,
-    /// Lugs with clearance, which hold nothing of themselves.
+    /// Spline teeth with clearance, which do not support the ring.
     pub loose: Option<LooseLugs>,
 }
 
 impl RingFlexibility {
-    /// For a ring of `sectors` equal sectors: offsets `0 ..= window`, at most half way round.
+    /// Builds the flexibility of a ring of `sectors` equal sectors: offsets `0 ..= window`, at most
+    /// halfway round.
     ///
-    /// The sectors outside the window are condensed by doubling. Those of the window are joined to them one by one, from the last
-    /// one back to the loaded one, and the cuts passed on the way follow from those of the loaded one.
-    /// There is a checkpoint before each joining.
+    /// The sectors outside the window are condensed by doubling. Those of the window are joined to
+    /// them one by one, from the last one back to the loaded one; the displacements of the
+    /// eliminated cuts follow from those of the loaded sector. There is a checkpoint before each
+    /// joining.
     ///
     /// # Errors
-    /// The ring is free to move, or the interrupt's.
+    /// The ring has a rigid-body motion, or the computation is interrupted.
     pub fn new(
         sector: &CutStiffness,
         sectors: u32,
@@ -220,14 +236,15 @@ impl RingFlexibility {
         assert!(sectors >= 1, "a ring has sectors");
         let window = window.min(sectors / 2).min(sectors - 1);
         let (n, count) = (sector.cut_size(), sector.shared.count);
-        // Of joining two chains; and for each sector of the window what was passed, its cuts, its rows and its result.
+        // Memory to join two chains, and for each sector of the window the eliminated cut, its
+        // cuts, its rows and its result.
         let matrices = 12 + 4 * window as u64;
         let bytes = matrices * (size_of::<f64>() * (2 * n + count).pow(2)) as u64;
         let _room = interrupt.room_for(bytes).map_err(StructureError::Interrupted)?;
         let pitch = TAU / f64::from(sectors);
         let ends = [[0, 0], [0, 1], [1, 0], [1, 1]];
         if sectors == 1 {
-            // Both ends of the one sector are the same degrees of freedom.
+            // Both ends of the single sector are the same degrees of freedom.
             let mut closed = Mat::zeros(n + count, n + count);
             for [row, column] in ends {
                 let mut target = closed.as_mut().submatrix_mut(0, 0, n, n);
@@ -243,7 +260,8 @@ impl RingFlexibility {
             let both = Mat::from_fn(size, size, |row, column| alone[(place(row), place(column))]);
             return Ok(Self { by_offset: vec![both], shared: sector.shared.clone() });
         }
-        // The sectors outside the window, or its last one if there are none, go from cut `known` back to cut 0.
+        // The sectors outside the window, or its last one if there are none, extend from cut
+        // `known` back to cut 0.
         let outside = sectors - window - 1;
         let (mut rest, known) = match outside {
             0 => (sector.clone(), window),
@@ -261,7 +279,7 @@ impl RingFlexibility {
             let mut target = closed.as_mut().submatrix_mut((1 - row) * n, (1 - column) * n, n, n);
             target += rest.block(row, column);
         }
-        // The rest begins where the loaded sector ends.
+        // The rest begins at the end of the loaded sector.
         let by_shared = rest.by_shared(pitch);
         for end in 0..2 {
             let mut target = closed.as_mut().submatrix_mut(2 * n, (1 - end) * n, count, n);
@@ -282,7 +300,7 @@ impl RingFlexibility {
         let mut cuts = vec![first, second];
         while let Some(inner) = passed.pop() {
             interrupt.check().map_err(StructureError::Interrupted)?;
-            // The chain behind the last cut found begins with the sector of that number.
+            // The chain behind the last known cut begins with the sector of that index.
             let from = cuts.len() - 1;
             let next = inner.displacements(cuts[from].as_ref(), cuts[0].as_ref(), shared(from).as_ref());
             cuts.push(next);
@@ -299,23 +317,25 @@ impl RingFlexibility {
         Ok(Self { by_offset, shared: sector.shared.clone() })
     }
 
-    /// The means that are held by the shared unknowns from number `first` on. `None` if there are none.
+    /// Returns the averages that the shared unknowns from index `first` on constrain. `None` if
+    /// there are none.
     pub fn bound(&self, first: usize) -> Option<Bound> {
         let own = self.by_offset.first().filter(|_| first < self.shared.count)?;
         let (from, count) = (own.nrows() - self.shared.count + first, self.shared.count - first);
         Some(Bound {
             shared: self.shared.from(first),
-            // Held at some amplitudes, the ring answers with these forces, negative.
+            // With prescribed amplitudes, the ring responds with these forces, negative.
             stiffness: Mat::from_fn(count, count, |row, column| -own[(from + row, from + column)]),
             holding: own.as_ref().subrows(from, count).to_owned(),
         })
     }
 
-    /// Lets the means go that are held by the shared unknowns from number `first` on, but for what something else carries of them: forces
-    /// by means, symmetric. `None` if there are none.
+    /// Releases the averages that the shared unknowns from index `first` on constrain, except for
+    /// what another body carries: `carried`, forces by averages, symmetric. `None` if there are
+    /// none.
     ///
     /// # Errors
-    /// The ring is free to move without them.
+    /// The released ring has a rigid-body motion.
     pub fn release(
         &mut self,
         first: usize,
@@ -337,19 +357,21 @@ impl RingFlexibility {
         Ok(Some(Released { shared, release, holding, lugs: None, loose: None }))
     }
 
-    /// The largest offset known.
+    /// Returns the largest stored offset.
     pub fn window(&self) -> u32 {
         self.by_offset.len() as u32 - 1
     }
 
-    /// Cut displacements of the sector `offset` places further on, and the shared unknowns as it sees them. `offset <= window()`.
+    /// Returns the cut displacements of the sector at an offset ahead, and the shared unknowns in
+    /// its frame. `offset <= window()`.
     pub fn at(&self, offset: u32) -> MatRef<'_, f64> {
         self.by_offset[offset as usize].as_ref()
     }
 }
 
-/// The inverse of a ring's closed matrix, of which the lower triangle is read: `size` degrees of freedom of cuts, then shared unknowns. The
-/// forces that hold the ring go first, for without them it may move freely.
+/// Inverts the closed matrix of a ring, of which the lower triangle is read: `size` degrees of
+/// freedom of cuts, then shared unknowns. The constraint forces are eliminated first, because
+/// without them the ring may have rigid-body motions.
 fn inverse(closed: Mat<f64>, size: usize) -> Result<Mat<f64>, StructureError> {
     let count = closed.nrows() - size;
     let mut stiffness = closed.as_ref().submatrix(0, 0, size, size).to_owned();
@@ -357,7 +379,7 @@ fn inverse(closed: Mat<f64>, size: usize) -> Result<Mat<f64>, StructureError> {
         let factor = cholesky(stiffness).ok_or(FreeRing)?;
         return Ok(solve(factor.as_ref(), Mat::identity(size, size)));
     }
-    // [K G'; G -H] with H positive definite: what the conditions yield with the cuts held.
+    // [K G'; G -H] with H positive definite: the compliance of the constraints with the cuts fixed.
     let yielding = Mat::from_fn(count, count, |row, column| -closed[(size + row, size + column)]);
     let own = yielding.diagonal().column_vector().to_owned();
     let yielding = cholesky(yielding).ok_or(StructureError::CoarseBore)?;

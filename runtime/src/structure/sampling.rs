@@ -1,23 +1,25 @@
-//! Where the smooth part of a surface's compliance is sampled, and over which matching depth.
+//! Sample points and matching depths for the smooth part of a surface's compliance.
 //!
-//! The smooth part varies over the distance to the nearest sharp edge of the body, and over the length of the surface
-//! away from edges. A matching depth `w` makes an error of the order of (w / scale)⁴ by averaging and, with quadratic
-//! elements, of (spacing of nodes / w)⁴ by the mesh: it is the geometric mean of scale and spacing, but never finer
-//! than a load the mesh resolves. Samples stand at a fixed fraction of it: dense towards a sharp edge, sparse elsewhere.
+//! The smooth part varies over the distance to the nearest sharp edge of the body, and over the
+//! length of the surface away from edges. A matching depth `w` causes an averaging error of the
+//! order of (w / scale)⁴ and, with quadratic elements, a mesh error of (spacing of nodes / w)⁴. It
+//! is the geometric mean of scale and spacing, but never finer than a load that the mesh resolves.
+//! The sample spacing is a fixed fraction of it: dense towards a sharp edge, sparse elsewhere.
 
 use super::kernel::Mollifier;
 use crate::fe::{EdgeChain, ElementEdge, PlaneMesh};
 use serde::{Deserialize, Serialize};
 
-/// How finely the split of the compliance is made.
+/// Resolution of the split of the compliance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SplitOptions {
-    /// Factor on the matching depth, 1 by default. Results must hardly depend on it: this is how that is shown.
+    /// Factor on the matching depth, 1 by default. Results should hardly depend on it; varying it
+    /// checks this.
     pub matching_depth: f64,
-    /// Samples on each surface, at least 8.
+    /// Number of samples on each surface, at least 8.
     pub samples: usize,
-    /// Condense forces along the surfaces as well as into them, so that they may be given other shapes afterwards
-    /// ([`super::Structure::reshaped`]).
+    /// Condense forces along the surfaces as well as into them, so that the surfaces can be
+    /// reshaped afterwards ([`super::Structure::reshaped`]).
     pub reshapable: bool,
 }
 
@@ -27,34 +29,35 @@ impl Default for SplitOptions {
     }
 }
 
-/// The least matching depth in spacings of nodes along the surface.
+/// Smallest matching depth in node spacings along the surface.
 const LEAST_NODE_SPACINGS: f64 = 4.0;
 /// A mollifier ends at this fraction of the distance to a sharp edge, at least.
 const CLEAR_OF_EDGE: f64 = 0.85;
-/// Distance from a sharp edge, relative to the surface's length, below which the logarithm rules; beyond, a tooth's bending
-/// does, which is smooth in the arc length.
+/// Distance from a sharp edge, relative to the surface's length, below which the logarithm
+/// dominates. Beyond it the bending of a tooth dominates, which is smooth in the arc length.
 const LOGARITHMIC: f64 = 0.04;
-/// Intervals of the table that spreads the samples.
+/// Number of intervals of the table that distributes the samples.
 const INTERVALS: usize = 2000;
 
-/// A coordinate along a surface in which the smooth part is as smooth near a sharp edge as elsewhere: there it varies
-/// with the logarithm of the distance. Straight continuation beyond the last sample is the law of a free corner.
+/// Coordinate along a surface in which the smooth part is as smooth near a sharp edge as elsewhere:
+/// near the edge it varies with the logarithm of the distance. Linear extrapolation beyond the last
+/// sample matches the behaviour of a free corner.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub(super) struct Stretch {
     length: f64,
-    /// At the start and the end of the surface, if they are sharp.
+    /// Sharp edges at the start and the end of the surface, if any.
     edges: [Option<Edge>; 2],
 }
 
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 struct Edge {
     at: f64,
-    /// Distance over which the edge is not sharp, on the body or in the mesh, m.
+    /// Distance over which the edge is rounded, on the body or in the mesh, m.
     rounding: f64,
 }
 
 impl Stretch {
-    /// The coordinate at arc length `s`; it grows with `s`.
+    /// Returns the coordinate at arc length `s`; it increases with `s`.
     pub fn at(&self, s: f64) -> f64 {
         let logarithm = |edge: &Option<Edge>, sign: f64| {
             edge.map_or(0.0, |edge| {
@@ -75,8 +78,9 @@ pub(super) struct Samples {
     pub mollifiers: Vec<Mollifier>,
 }
 
-/// Places samples on a chain of edges. `edges` are the ends of the chain that are sharp edges
-/// of the body, with their rounding (m); at others the body continues smoothly. `None` if the chain is empty or too coarse for a matching depth.
+/// Distributes samples on a chain of edges. `edges` are the ends of the chain that are sharp edges
+/// of the body, with their rounding (m); at the other ends the body continues smoothly. `None` if
+/// the chain is empty or too coarse for a matching depth.
 pub(super) fn sample(
     mesh: &PlaneMesh,
     chain: &EdgeChain,
@@ -100,12 +104,12 @@ pub(super) fn sample(
         let spacing = spacing(s)?;
         Some((spacing * scale).sqrt().max(LEAST_NODE_SPACINGS * spacing))
     };
-    // A greater depth than usual gives way to edges, and leaves the range as it is.
+    // A depth larger than the default is reduced near edges and does not change the range.
     let width = |s: f64| {
         let asked = options.matching_depth * depth(s)?;
         Some(asked.min((CLEAR_OF_EDGE * from_edge(s)).max(depth(s)?)).min(0.5 * length))
     };
-    // From the middle towards an end, as far as a mollifier keeps clear of the edge.
+    // Bisects from the middle towards an end, as far as a mollifier stays clear of the edge.
     let reach = |limit: f64| {
         let least = |s: f64| Some((options.matching_depth.min(1.0) * depth(s)?).min(0.5 * length));
         let clear = |s: f64| least(s).is_some_and(|width| width <= CLEAR_OF_EDGE * from_edge(s));

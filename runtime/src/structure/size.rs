@@ -1,53 +1,59 @@
-//! How large the equations of a ring of sectors are, told from the numbers of its mesh before anything is assembled.
+//! Size of the equations of a ring of sectors, predicted from the numbers of its mesh before
+//! assembly.
 
-/// Numbers of a structure that is condensed from one repeated sector.
+/// Size of a structure that is condensed from one repeated sector.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct StructureSize {
-    /// Equal sectors that make the body.
+    /// Number of equal sectors of the body.
     pub sectors: u32,
-    /// Elements of a sector.
+    /// Number of elements of a sector.
     pub elements: usize,
-    /// Degrees of freedom of a sector with both its cuts, less those that are held.
+    /// Unconstrained degrees of freedom of a sector with both cuts.
     pub freedoms: usize,
-    /// Of them, those of one cut.
+    /// Degrees of freedom of one cut.
     pub cut: usize,
-    /// Forces that hold the bore in the mean: unknowns that all sectors share.
+    /// Number of averaged constraint forces on the bore: unknowns that all sectors share.
     pub means: usize,
-    /// Loads on a sector of which the answers are known.
+    /// Number of loads on a sector whose responses are computed.
     pub loads: usize,
-    /// Places of a sector where stress is recovered.
+    /// Number of stress recovery points of a sector.
     pub stresses: usize,
-    /// Components of stress at each of them.
+    /// Number of stress components at each of them.
     pub components: usize,
-    /// Sectors up to this far apart have tables of what they do to each other.
+    /// Largest distance of sectors with coupling tables.
     pub window: u32,
-    /// Whether it is condensed by halves that are images of each other.
+    /// True if the sector is condensed by halves that are mirror images of each other.
     pub mirrored: bool,
-    /// Distances beyond that which are known through cuts: those of a plane ring that carries loads all around.
+    /// Number of greater distances that are resolved through cuts: those of a plane ring that
+    /// carries loads all around.
     pub far: u32,
 }
 
 impl StructureSize {
-    /// Degrees of freedom of the whole body.
+    /// Returns the degrees of freedom of the whole body.
     pub fn body_freedoms(&self) -> usize {
         self.sectors as usize * self.freedoms.saturating_sub(self.cut)
     }
 
-    /// Unknowns that a sector is condensed to: its two cuts, and what holds the bore.
+    /// Returns the number of unknowns of a condensed sector: those of its two cuts and the
+    /// constraint forces of the bore.
     pub fn condensed(&self) -> usize {
         2 * self.cut + self.means
     }
 
-    /// Multiplications, to leading order: of the elimination within a sector, where loads and stresses are carried along; of joining
-    /// sectors, twice for every doubling and once for each of the window; of the answers to the loads. In space what lies inside a sector is
-    /// more than its cuts tell: the elimination alone of the chapter 5 pinion takes about 6 times the square of its degrees of freedom
+    /// Returns the number of multiplications, to leading order. The parts are the elimination
+    /// within a sector with loads and stresses, the joining of sectors (twice for every doubling
+    /// and once for each sector of the window), and the responses to the loads. In three dimensions
+    /// the interior of a sector costs more than its cuts suggest: the elimination of the chapter 5
+    /// pinion alone takes about 6 times the square of its degrees of freedom
     /// (`cargo bench -p calyx-gears --bench factorisation`), by halves half of that.
     pub fn operations(&self) -> f64 {
         let number = |count: usize| count as f64;
         let (cut, rows) = (number(self.cut), number(self.stresses * self.components));
         let (unknowns, loads) = (number(self.condensed()), number(self.loads));
         let kept = unknowns + loads;
-        // Of the last part to be eliminated, as large as a cut; those below it take about as much again.
+        // The last part to be eliminated is as large as a cut; the preceding parts take about as
+        // much again.
         let eliminated = 2.0 * cut * (cut * cut / 6.0 + 0.5 * cut * kept + 0.5 * kept * kept + rows * kept);
         let joins = 2.0 * f64::from(self.sectors.max(2)).log2() + f64::from(self.window + self.far);
         let joined = cut * (cut * cut / 6.0 + 0.5 * cut * unknowns + 0.5 * unknowns * unknowns);
@@ -56,8 +62,8 @@ impl StructureSize {
         eliminated + joins * joined + answers
     }
 
-    /// Memory that the structure keeps, in bytes: tables between loads, and from loads to stresses both ways round, which of a sector itself
-    /// are the same.
+    /// Returns the memory of the structure, in bytes: tables between loads, and from loads to
+    /// stresses in both directions, which are identical for a sector with itself.
     pub fn bytes(&self) -> usize {
         let (rows, window) = (self.stresses * self.components, self.window as usize);
         let tables = self.loads * ((window + 1) * self.loads + (2 * window + 1) * rows);
@@ -94,7 +100,7 @@ mod tests {
         assert_eq!(SIZE.bytes(), 8 * (300 * (4 * 300 + 7 * 1_200) + 6 * (300 + 1_200 + 6)));
     }
 
-    /// 32 times as many teeth take five more doublings.
+    /// A ring with 32 times as many teeth takes five more doublings.
     #[test]
     fn the_cost_of_a_ring_grows_by_the_logarithm_of_its_teeth() {
         let large = StructureSize { sectors: 640, ..SIZE };

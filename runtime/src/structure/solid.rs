@@ -1,9 +1,11 @@
-//! How bodies deform in space, seen through their loadable surfaces.
+//! Elastic compliance of three-dimensional bodies, seen from their loadable surfaces.
 //!
-//! The compliance of a surface is split as in the plane: `A(x, x') = G(x, x') + R(x, x')`. `G` is the half-space's answer to a normal
-//! force (Johnson, Contact Mechanics, eq. 3.22a), `1 / (pi E' r)` with r the distance of the two points in a straight line, plus the
-//! same of the images of the loaded point in the free side faces near which the surface ends; `R` is everything else, smooth, and
-//! evaluated here. Displacements are elastic only: what moves the body as a whole belongs to its frame.
+//! The compliance of a surface is split as in plane models: `A(x, x') = G(x, x') + R(x, x')`. `G`
+//! is the response of the half-space to a normal force (Johnson, Contact Mechanics, eq. 3.22a),
+//! `1 / (pi E' r)` with r the straight distance of the two points, plus the same terms for the
+//! images of the loaded point in the free side faces near which the surface ends. `R` is the smooth
+//! remainder, which the structure evaluates. Displacements are elastic only: rigid-body motion
+//! belongs to the frame.
 
 mod answers;
 mod axial;
@@ -26,18 +28,20 @@ use crate::surface::Surface;
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-/// A place on a surface, with the stretch of the face over which a force there is spread and a displacement there averaged, evenly. Points
-/// that stand for cells side by side would see polynomials along the face that the cells' pressures do not have.
+/// Location on a surface, with the length along the face over which a force is distributed and a
+/// displacement averaged, uniformly. Point values in place of adjacent cells would add polynomial
+/// variations along the face that the cells' pressures do not have.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spot {
-    /// Coordinates on the surface: across it, and of the middle of the stretch along the face, m.
+    /// Coordinates on the surface: along the profile, and the middle of the length along the face,
+    /// m.
     pub place: [f64; 2],
-    /// Length of the stretch, along the second coordinate, m; 0 for a point.
+    /// Length along the second coordinate, m; 0 for a point.
     pub length: f64,
 }
 
 impl From<[f64; 2]> for Spot {
-    /// A point.
+    /// Returns a spot of zero length.
     fn from(place: [f64; 2]) -> Self {
         Self { place, length: 0.0 }
     }
@@ -46,25 +50,25 @@ impl From<[f64; 2]> for Spot {
 /// A normal force on a surface: positive presses into the material.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpotLoad {
-    /// Which surface of which tooth.
+    /// Surface and tooth.
     pub chart: Chart,
-    /// Where on the chart's surface.
+    /// Location on the surface of the chart.
     pub spot: Spot,
-    /// N
+    /// Force, N.
     pub force: f64,
 }
 
-/// A plane in the body's coordinates in which `G` has an image of its load: a free side face.
+/// Mirror plane of `G` in the body's coordinates: a free side face.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mirror {
-    /// A point of it, m.
+    /// Point on the plane, m.
     pub point: [f64; 3],
-    /// Its unit normal.
+    /// Unit normal of the plane.
     pub normal: [f64; 3],
 }
 
 impl Mirror {
-    /// The image of a point, m.
+    /// Returns the image of a point, m.
     pub fn image(&self, [x, y, z]: [f64; 3]) -> [f64; 3] {
         let [px, py, pz] = self.point;
         let [nx, ny, nz] = self.normal;
@@ -73,23 +77,25 @@ impl Mirror {
     }
 }
 
-/// A recovered stress on a free surface.
+/// Recovered stress on a free surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SurfaceStress {
-    /// Counted counter-clockwise from 0.
+    /// Index of the tooth, counted counter-clockwise from 0.
     pub tooth: u32,
-    /// As [`Chart::surface`]: the fillet beside that flank.
+    /// Index of the surface as in [`Chart::surface`]: the fillet adjacent to that flank.
     pub surface: u32,
-    /// Coordinates on the fillet: along the profile from the end of the flank, and along the axis, m.
+    /// Coordinates on the fillet: along the profile from the end of the flank, and along the axis,
+    /// m.
     pub place: [f64; 2],
-    /// In the body's frame, m.
+    /// Position in the body's frame, m.
     pub position: [f64; 3],
-    /// In the surface: along the profile, along the face, and in shear, Pa.
+    /// Stress components in the surface: along the profile, along the face, and shear, Pa.
     pub components: [f64; 3],
 }
 
 impl SurfaceStress {
-    /// Largest and smallest principal stress in the surface, Pa; the third, across it, is zero.
+    /// Returns the largest and the smallest principal stress in the surface, Pa; the third, normal
+    /// to the surface, is zero.
     pub fn principal(&self) -> [f64; 2] {
         let [along, across, shear] = self.components;
         let (mean, radius) = (0.5 * (along + across), (0.5 * (along - across)).hypot(shear));
@@ -97,29 +103,30 @@ impl SurfaceStress {
     }
 }
 
-/// Elastic behaviour of a body in space.
+/// Elastic behaviour of a three-dimensional body.
 pub trait SolidStructure: Send + Sync {
-    /// A surface of tooth 0, in the body's frame; the same for every tooth, turned.
+    /// Returns a surface of tooth 0 in the body's frame; the other teeth have the same surface,
+    /// rotated.
     fn surface(&self, surface: u32) -> Arc<dyn Surface>;
 
-    /// Angle by which tooth `tooth` is turned about the body's z axis, rad, counter-clockwise.
+    /// Returns the angle of tooth `tooth` about the body's z axis, rad, counter-clockwise.
     fn tooth_angle(&self, tooth: u32) -> f64 {
         let teeth = self.teeth();
         TAU * f64::from(tooth % teeth) / f64::from(teeth)
     }
 
-    /// Number of repeated sectors; 1 where nothing repeats.
+    /// Returns the number of repeated sectors; 1 where nothing repeats.
     fn teeth(&self) -> u32;
 
-    /// `E' = E / (1 - nu²)` in Pa; infinite for a rigid body, whose `G` and `R` are zero.
+    /// Returns `E' = E / (1 - nu²)` in Pa; infinite for a rigid body, whose `G` and `R` are zero.
     fn surface_modulus(&self) -> f64;
 
-    /// Planes in which `G` has images.
+    /// Returns the mirror planes in which `G` has images.
     fn mirrors(&self) -> &[Mirror];
 
-    /// Adds `R` to `block`, row-major, `observers.len()` rows by `loads.len()` columns: inward normal displacement at spots of
-    /// `observe` per unit inward normal force at spots of `load`, m/N. Symmetric: exchanging loads and observers
-    /// transposes it, bit for bit.
+    /// Adds `R` to `block`, row-major, `observers.len()` rows by `loads.len()` columns: inward
+    /// normal displacement at spots of `observe` per unit inward normal force at spots of `load`,
+    /// m/N. The result is symmetric: exchanging loads and observers transposes it, bit for bit.
     fn add_compliance(
         &self,
         observe: Chart,
@@ -129,34 +136,39 @@ pub trait SolidStructure: Send + Sync {
         block: &mut [f64],
     );
 
-    /// Principal stresses at each point where stress is recovered beside a surface of a tooth, for the given loads. Empty if the
-    /// structure recovers none.
+    /// Returns the stresses under the given loads at each stress recovery point next to a surface
+    /// of a tooth. Empty if the structure recovers no stress.
     fn stresses(&self, tooth: u32, surface: u32, loads: &[SpotLoad]) -> Vec<SurfaceStress>;
 
-    /// What the lugs that hold the body exert on it under the given loads, each in turn; none if no lugs hold it.
+    /// Returns the forces of the supporting spline teeth on the body under the given loads, one
+    /// entry a spline tooth; empty if spline teeth do not support the body.
     fn lug_forces(&self, _loads: &[SpotLoad]) -> Vec<LugForce> {
         Vec::new()
     }
 
-    /// Memory that the structure takes, in bytes, to the nearest few percent: what a cache counts.
+    /// Returns the memory of the structure, in bytes, to within a few percent: the size that a
+    /// cache counts.
     fn bytes(&self) -> usize;
 
-    /// All of it but the surfaces that contact sees, to be kept on disk for
-    /// [`Prototype::restore_solid`](crate::scene::Prototype::restore_solid); `None` if it is made faster than read.
+    /// Returns everything but the contact surfaces, to be stored on disk for
+    /// [`Prototype::restore_solid`](crate::scene::Prototype::restore_solid); `None` if building the
+    /// structure is faster than reading it.
     fn stored(&self) -> Option<Vec<u8>> {
         None
     }
 }
 
-/// A structure under surfaces that differ from its own by little, such as modified flanks on the body of the plain gear: what is pressed are
-/// these, how the body gives is that of the shared one.
+/// Structure with surfaces that differ slightly from its own, such as modified flanks on the body
+/// of the unmodified gear. Contact acts on the new surfaces; the compliance is that of the shared
+/// structure.
 pub struct Reshaped {
     shared: Arc<dyn SolidStructure>,
     surfaces: Vec<Arc<dyn Surface>>,
 }
 
 impl Reshaped {
-    /// `surfaces` stand for those of `shared` with the same index, over the same coordinates; further ones stay.
+    /// Replaces the surfaces of `shared` with the same index by `surfaces`, over the same
+    /// coordinates; further ones remain.
     pub fn new(shared: Arc<dyn SolidStructure>, surfaces: Vec<Arc<dyn Surface>>) -> Reshaped {
         Reshaped { shared, surfaces }
     }

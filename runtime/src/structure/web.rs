@@ -1,14 +1,19 @@
-//! A web with a mesh of its own, joined to a rim through a series on the cylinder between them (report 2.7).
+//! Web with a separate mesh, joined to a rim through a series on the cylinder between them (report
+//! 2.7).
 //!
-//! A web is a body of revolution, the teeth above it are not, and neither mesh has to know of the other. What both share are the amplitudes
-//! of a series on the part of the rim's bore that the web stands on, Fourier around and polynomials along. Of the web this series is all
-//! that its outside does; the rim takes the forces that belong to it and deforms besides as it may. So what is left out makes the joint softer on the rim's
-//! side and stiffer on the web's, and less of either with every term. Motions of the whole are terms of their own, exact on both sides:
-//! however short the series, the rim stands on the web in equilibrium.
+//! A web is a body of revolution, the toothed rim is not, and the two meshes need not match. Both
+//! share the amplitudes of a series on the part of the rim's bore to which the web is joined:
+//! Fourier terms around and polynomials along it. On the web this series is the complete
+//! displacement of its outer surface. The rim carries the conjugate forces and can deform in other
+//! shapes too. Truncating the series therefore makes the joint softer on the rim's side and stiffer
+//! on the web's side, and both errors decrease with every term. Rigid-body motions are separate
+//! terms, exact on both sides, so the joint is in equilibrium however short the series is.
 //!
-//! The web answers each wave by itself ([`RevolutionModel`]), its bore held as a rim's is: in place, or in the mean alone. What
-//! results is a stiffness against amplitudes, the same whichever way it is turned. A ring whose bore is let go against it
-//! ([`super::ring::RingFlexibility::release`]) has the tables of one whose bore is free: no tooth costs more.
+//! The web responds in each harmonic separately ([`RevolutionModel`]); its bore is supported like
+//! that of a rim, fixed or by averaged constraints. The result is a stiffness against amplitudes
+//! that does not depend on the rotation of the web. A ring whose bore is released against it
+//! ([`super::ring::RingFlexibility::release`]) has tables of the same size as one with a free bore:
+//! the web adds no cost for each tooth.
 
 use super::bore::{Patterns, Wanted};
 use super::dense::{add_product, cholesky, mirror_lower, product, solve};
@@ -21,34 +26,35 @@ use faer::Mat;
 use faer::sparse::SparseColMat;
 use rayon::prelude::*;
 
-/// A web and what it stands on, as a body of revolution.
+/// Web and its support, as a body of revolution.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RevolvedWeb {
-    /// From its bore out to the rim, axial coordinates in the gear's frame.
+    /// Section from the bore of the web out to the rim, axial coordinates in the gear's frame.
     pub section: Section,
-    /// What it is made of.
+    /// Material of the web.
     pub material: Material,
-    /// How its bore is held.
+    /// Support of the bore of the web.
     pub hold: BoreHold,
-    /// Waves around up to which it is joined to the rim.
+    /// Highest harmonic of the joint to the rim.
     pub waves: u16,
-    /// Degree of polynomials along the axis up to which it is joined to the rim.
+    /// Highest degree of polynomials along the axis in the joint to the rim.
     pub degree: u8,
-    /// Factor on the number of its elements each way; 1 is enough.
+    /// Factor on the number of elements in each direction; 1 is sufficient.
     pub fineness: usize,
 }
 
-/// A web's equations for one number of waves, its outside held.
+/// Equations of a web for one harmonic, with the outer surface fixed.
 struct Wave<'a> {
     stiffness: SparseColMat<usize, f64>,
     solver: Solver,
-    /// What is held of its bore in the mean, by family.
+    /// Averaged constraints on the bore, by family.
     bore: [Vec<Vec<f64>>; 2],
     model: &'a RevolutionModel,
 }
 
 impl RevolvedWeb {
-    /// Unknowns that the joint takes in a ring where sectors up to `coupled` places apart have tables of their own.
+    /// Returns the number of unknowns of the joint in a ring with tables for sectors up to
+    /// `coupled` apart.
     pub fn unknowns(&self, sectors: u32, coupled: u32) -> usize {
         let [_, outside] = self.section.outermost();
         let cylinder = RevolutionSurface::cylinder(outside.radius, outside.ends);
@@ -56,7 +62,8 @@ impl RevolvedWeb {
         patterns.map_or(0, |patterns| patterns.places.len())
     }
 
-    /// Displacements of its section, three of which are unknowns for each wave.
+    /// Builds the model of the section. Each harmonic has three unknowns for each of its
+    /// displacement nodes.
     ///
     /// # Errors
     /// The section cannot be meshed.
@@ -69,10 +76,12 @@ impl RevolvedWeb {
         Wanted::of_means(Some(self.waves), self.degree, sectors, coupled)
     }
 
-    /// Forces on its outside by amplitudes of the series there, N/m, N and N m: zero by those that it is not joined by.
+    /// Returns the forces on the outer surface by amplitudes of the series there, N/m, N and N m:
+    /// zero for amplitudes that are not part of the joint.
     ///
     /// # Errors
-    /// The section cannot be meshed, its bore is too coarse for what it is held by, or the interrupt's.
+    /// The section cannot be meshed, its bore is too coarse for its support, or the computation is
+    /// interrupted.
     pub(super) fn stiffness(
         &self,
         joint: &Patterns,
@@ -162,7 +171,7 @@ impl<'a> Wave<'a> {
         Ok(Self { stiffness, solver, bore, model })
     }
 
-    /// Forces by amplitudes, of which `outer` are the displacements of the outside.
+    /// Returns the forces by amplitudes; `outer` are the displacements of the outer surface.
     fn stiffness(&self, outer: &Mat<f64>, turned: bool) -> Result<Mat<f64>, StructureError> {
         if outer.ncols() == 0 {
             return Ok(Mat::zeros(0, 0));

@@ -1,22 +1,23 @@
-//! Unknowns that all sectors of a ring share: the forces that hold a mean of its bore.
+//! Unknowns that all sectors of a ring share: the forces of averaged constraints on its bore.
 //!
-//! Each sector sees them in its own frame, so that all have the same matrix: from one sector to the next a pair of cosine and
-//! sine with `k` waves around turns by `k` times the sector's angle.
+//! Each sector uses them in its own frame, so that all sectors have the same matrix: from one
+//! sector to the next, a cosine-sine pair of harmonic `k` rotates by `k` times the sector's angle.
 
 use faer::{Mat, MatMut, MatRef};
 use std::f64::consts::TAU;
 
-/// How shared unknowns turn.
+/// Transformation of shared unknowns under rotation.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Shared {
-    /// How many there are.
+    /// Number of unknowns.
     pub count: usize,
-    /// Those that turn: places of cosine and sine, and their waves around.
+    /// Pairs that rotate: indices of cosine and sine, and their harmonic.
     pub pairs: Vec<([usize; 2], f64)>,
 }
 
 impl Shared {
-    /// Rows of unknowns of one frame in another that is turned by `angle` about the axis, in place.
+    /// Transforms rows of unknowns of one frame to another that is rotated by `angle` about the
+    /// axis, in place.
     pub fn turn_rows(&self, mut rows: MatMut<'_, f64>, angle: f64) {
         for &([of_cosine, of_sine], waves) in &self.pairs {
             let (sin, cos) = (waves * angle).sin_cos();
@@ -28,7 +29,7 @@ impl Shared {
         }
     }
 
-    /// Those from number `first` on.
+    /// Returns the unknowns from index `first` on.
     pub fn from(&self, first: usize) -> Shared {
         let later = self.pairs.iter().filter(|(places, _)| places[0] >= first);
         Shared {
@@ -37,7 +38,8 @@ impl Shared {
         }
     }
 
-    /// The sum over so many sectors of a form of unknowns, given for one of them by the unknowns as it sees them.
+    /// Returns the sum over the sectors of a bilinear form of unknowns, given for one sector in its
+    /// own frame.
     pub fn around(&self, form: MatRef<'_, f64>, sectors: u32) -> Mat<f64> {
         let mut sum = Mat::zeros(self.count, self.count);
         for sector in 0..sectors {
@@ -48,7 +50,8 @@ impl Shared {
         sum
     }
 
-    /// Columns that multiply unknowns of a frame turned by `angle`, as columns that multiply those of the first frame.
+    /// Transforms columns that multiply unknowns of a frame rotated by `angle` to columns that
+    /// multiply those of the first frame.
     pub fn turned_back(&self, columns: MatRef<'_, f64>, angle: f64) -> Mat<f64> {
         let mut rows = columns.transpose().to_owned();
         self.turn_rows(rows.as_mut(), -angle);
