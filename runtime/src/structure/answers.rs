@@ -1,4 +1,5 @@
-//! What a condensed structure answers: compliances between points of its surfaces, and stresses, off its tables.
+//! Responses of a condensed structure, evaluated from its tables: compliances between points of its
+//! surfaces, and stresses.
 
 use super::bore_coupling::{BoreCoupling, Coupling};
 use super::dense::mirror_lower;
@@ -14,18 +15,21 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 impl ElasticStructure {
-    /// What curvature adds to the half-plane's logarithm and is not smooth where `a` and `b` meet.
+    /// Returns the non-smooth part of the compliance where `a` and `b` coincide that curvature adds
+    /// to the half-plane's logarithm.
     pub(super) fn curved_part(&self, surface: &Surface, a: Turned, b: Turned) -> f64 {
-        // Convex is positive: the angle grows with the arc length.
+        // Convex is positive: the angle increases with the arc length.
         let turn = if a.s >= b.s { a.angle - b.angle } else { b.angle - a.angle };
-        // Compared with the length of the surface, so that a straight one has no term at all.
+        // The distance is relative to the length of the surface, so that the term vanishes for a
+        // straight one.
         let distance = (a.s - b.s).abs() / surface.profile.length();
         let logarithmic = if distance > 0.0 { turn * turn * distance.ln() } else { 0.0 };
         self.kink * turn + logarithmic / (PI * self.surface_modulus)
     }
 
-    /// What continuing the table of a surface straight in both variables adds at its corner, and should not: towards a
-    /// free edge the compliance of a point grows with the logarithm of the distance, whatever that of its neighbours.
+    /// Returns the error of linear extrapolation in both variables at the corner of a surface's
+    /// table: towards a free edge the compliance of a point grows with the logarithm of the
+    /// distance, independently of the neighbouring points.
     fn twist(&self, surface: u32, directions: [usize; 2], a: Local, b: Local) -> f64 {
         if a.beyond * b.beyond <= 0.0 {
             return 0.0;
@@ -34,7 +38,8 @@ impl ElasticStructure {
         a.beyond * b.beyond * self.twists[pair][usize::from(a.beyond > 0.0)]
     }
 
-    /// Pairs of directions in which two points are loaded and observed, with the product of their shares.
+    /// Returns the pairs of directions in which two points are loaded and observed, with the
+    /// product of their shares.
     fn shared_directions(&self, a: Local, b: Local) -> impl Iterator<Item = ([usize; 2], f64)> {
         let pairs = (0..self.directions).flat_map(|of_a| (0..self.directions).map(move |of_b| [of_a, of_b]));
         pairs
@@ -42,12 +47,12 @@ impl ElasticStructure {
             .filter(|(_, share)| *share != 0.0)
     }
 
-    /// Places ahead, going round, from one tooth to another.
+    /// Returns the number of sectors ahead, around the ring, from one tooth to another.
     fn places_ahead(&self, from: u32, to: u32) -> u32 {
         (to % self.teeth + self.teeth - from % self.teeth) % self.teeth
     }
 
-    /// [`Structure::add_compliance`] between points as the tables see them.
+    /// Computes [`Structure::add_compliance`] between points in table coordinates.
     pub(super) fn add_between(
         &self,
         observe: Chart,
@@ -61,8 +66,9 @@ impl ElasticStructure {
         let behind = self.places_ahead(observe.tooth, load.tooth);
         let same_tooth = ahead == 0;
         let same = same_tooth && observe.surface == load.surface;
-        // Of the two orientations, the stored one: the observer ahead, or on the higher surface of the same tooth. Half
-        // way round a ring of even number each is ahead of the other; the higher tooth decides.
+        // Of the two orientations, use the stored one: the observer ahead, or on the higher surface
+        // of the same tooth. Halfway round a ring with an even number of teeth each is ahead of the
+        // other; the higher tooth decides.
         let forward = if same_tooth {
             observe.surface >= load.surface
         } else if ahead == behind {
@@ -79,7 +85,8 @@ impl ElasticStructure {
         let [rows, columns] = sides.map(|chart| chart.surface as usize * self.directions);
         for (row, &observer) in observers.iter().enumerate() {
             for (column, &load) in loads.iter().enumerate() {
-                // Within one table, which is symmetric, the larger arc length goes first, whichever side it is on.
+                // Within one symmetric table the larger arc length goes first, on whichever side it
+                // is.
                 let first = if same { observer.is_before(&load) } else { forward };
                 let (first, second) = if first { (observer, load) } else { (load, observer) };
                 let mut sum =
@@ -100,7 +107,7 @@ impl ElasticStructure {
         }
     }
 
-    /// How two teeth feel each other beside what their table says, or in place of one.
+    /// Returns the coupling of two teeth in addition to their table, or in place of one.
     fn coupling(&self, in_table: bool) -> Option<&dyn Coupling> {
         match (&self.far, &self.bore) {
             (Some(far), _) if !in_table => Some(far),
@@ -109,8 +116,9 @@ impl ElasticStructure {
         }
     }
 
-    /// What [`Self::add_between`] adds to tables, computed in one of two orientations: `forward` tells which unless both are on one surface,
-    /// where the greater list goes first.
+    /// Adds the coupling that [`Self::add_between`] adds to tables, computed in one of two
+    /// orientations. `forward` selects it, unless both are on one surface, where the greater list
+    /// goes first.
     fn add_through(
         &self,
         coupling: &dyn Coupling,
@@ -140,7 +148,7 @@ impl ElasticStructure {
         }
     }
 
-    /// The forces by which unit loads on a surface are felt elsewhere.
+    /// Returns the forces by which unit loads on a surface act on other sectors.
     fn felt(
         &self,
         coupling: &dyn Coupling,
@@ -162,7 +170,7 @@ impl ElasticStructure {
         forces
     }
 
-    /// [`Structure::stresses`] under loads as the tables see them, in N/m.
+    /// Computes [`Structure::stresses`] under loads in table coordinates, N/m.
     pub(super) fn stresses_by(
         &self,
         tooth: u32,
@@ -204,7 +212,7 @@ impl ElasticStructure {
         observed.stress_places.iter().map(place).zip(stress).collect()
     }
 
-    /// [`Structure::lug_forces`] under loads as the tables see them, in N/m.
+    /// Computes [`Structure::lug_forces`] under loads in table coordinates, N/m.
     pub(super) fn lug_forces_by(&self, loads: impl Iterator<Item = (Chart, Local, f64)>) -> Vec<LugForce> {
         let Some(bore) = &self.bore else { return Vec::new() };
         let mut all = bore.unfelt(1);
@@ -215,7 +223,7 @@ impl ElasticStructure {
         bore.lug_forces(&all)
     }
 
-    /// [`Structure::lug_displacements`] under loads as the tables see them.
+    /// Computes [`Structure::lug_displacements`] under loads in table coordinates.
     pub(super) fn lug_displacements_by(&self, chart: Chart, loads: &[Local]) -> Mat<f64> {
         let Some(bore) = &self.bore else { return Mat::zeros(0, loads.len()) };
         let held = self.felt(bore, chart.surface, loads.iter().copied());
@@ -227,7 +235,7 @@ impl ElasticStructure {
     }
 }
 
-/// An order of lists of points of a surface.
+/// Compares lists of points of a surface.
 fn compare(a: &[Local], b: &[Local]) -> Ordering {
     let values = |points: &[Local]| {
         points.iter().flat_map(|point| [point.turned.s, point.direction[1]]).collect::<Vec<f64>>()
@@ -270,8 +278,8 @@ impl Structure for ElasticStructure {
         self.add_between(observe, &observers, load, &loads, block);
     }
 
-    /// The stress along the surface: of a free surface, the principal stress that is not zero. A compressed place has
-    /// a negative one.
+    /// Returns the stress along the surface: on a free surface, the principal stress that is not
+    /// zero. It is negative in compression.
     fn stresses(&self, tooth: u32, surface: u32, loads: &[SurfaceLoad]) -> Vec<(StressPlace, f64)> {
         let seen = loads
             .iter()
@@ -322,37 +330,39 @@ impl Structure for ElasticStructure {
     }
 }
 
-/// A point of a surface as its tables see it.
+/// Point of a surface in the coordinates of its tables.
 #[derive(Clone, Copy)]
 pub(super) struct Local {
     pub turned: Turned,
-    /// In which direction it is loaded and observed: share into the body, share along the surface. Their squares add up to one.
+    /// Direction in which the point is loaded and observed: share into the body, share along the
+    /// surface. Their squares add up to one.
     pub direction: [f64; 2],
     pub weights: Weights,
-    /// By the stretched coordinate.
+    /// Weights over the stretched coordinate.
     pub stretched: Weights,
-    /// How far the stretched coordinate lies beyond the samples.
+    /// Distance of the stretched coordinate beyond the samples.
     pub beyond: f64,
 }
 
-/// A point of a surface and how far its normal has turned there.
+/// Point of a surface and the rotation of its normal there.
 #[derive(Clone, Copy)]
 pub(super) struct Turned {
-    /// Within the surface's range.
+    /// Arc length, clamped to the surface's range, m.
     pub s: f64,
-    /// rad, positive where convex.
+    /// Rotation, rad, positive where convex.
     pub angle: f64,
 }
 
 impl Local {
-    /// Whether it comes first in a table of its own surface; of points that a range's end stands in for, by direction.
+    /// Returns true if the point comes first in a table of its own surface; points clamped to an
+    /// end of the range are compared by direction.
     fn is_before(&self, other: &Local) -> bool {
         (self.turned.s, self.direction[1]) >= (other.turned.s, other.direction[1])
     }
 }
 
 impl Surface {
-    /// A point pressed into the body along the normal of the surface.
+    /// Returns the data of a point that is loaded along the normal of the surface, into the body.
     pub fn local(&self, s: f64) -> Local {
         let s = s.clamp(self.range[0], self.range[1]);
         let (t, weights) = (self.stretch.at(s), self.spline.weights(s));
@@ -361,7 +371,7 @@ impl Surface {
         Local { turned, direction: [1.0, 0.0], weights, stretched, beyond }
     }
 
-    /// Memory taken, in bytes.
+    /// Returns the memory, in bytes.
     pub fn bytes(&self) -> usize {
         self.spline.bytes()
             + self.stretched.bytes()
@@ -369,7 +379,7 @@ impl Surface {
             + size_of_val(self.stress_places.as_slice())
     }
 
-    /// The same of what only curvature asks for.
+    /// Returns only the data of a point that the curvature terms use.
     pub fn turned_at(&self, s: f64) -> Turned {
         let s = s.clamp(self.range[0], self.range[1]);
         Turned { s, angle: self.spline.weights(s).sum(|i| self.turned[i]) }

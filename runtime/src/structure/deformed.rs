@@ -1,9 +1,11 @@
-//! Bodies as pictures show them: the displacements and stresses of whole meshes, on demand.
+//! Displacements and stresses of whole meshes, on demand, for VTU files.
 //!
-//! A condensed structure keeps nothing of what is inside a body. Where it is to be seen, the sector is meshed and assembled again and its
-//! interior decomposed and kept ([`ring`]); a position then costs a back-substitution for each sector. The ring itself is known as
-//! the structure knows it, so a picture shows what the contact problem has solved: forces of cells stand as point forces on the mesh, which
-//! is coarse beside them, and stresses are true some nodes away from a contact, in the fillets and in the rim, not under it.
+//! A condensed structure stores nothing about the interior of a body. To display it, the sector is
+//! meshed and assembled again, and its interior is factorized and kept ([`ring`]); a position then
+//! costs a back-substitution for each sector. The ring has the same flexibility as in the
+//! structure, so the result is that of the contact problem. Forces of cells become point forces on
+//! the mesh, which is coarse in comparison. Stresses are accurate a few nodes away from a contact,
+//! in the fillets and in the rim, but not under the contact.
 
 mod elements;
 mod ring;
@@ -22,59 +24,62 @@ use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-/// Sectors this far from a loaded one are shown by all of their nodes, others by the corners of their elements: what is to be seen in them
-/// are displacements.
+/// Sectors up to this distance from a loaded one are output with all of their nodes, others with
+/// the corners of their elements: there only displacements matter.
 const NEAR: u32 = 2;
-/// In space sectors farther from all loaded ones are not shown: they would be most of a file, and move by next to nothing.
+/// Largest distance from a loaded sector for output in three dimensions: sectors further away would
+/// make up most of a file and hardly move.
 const SHOWN_IN_SPACE: u32 = 6;
-/// A sector of more nodes has elements so small that their corners show all there is: it would take megabytes a position.
+/// A sector with more nodes than this is always output by corners: its elements are small enough,
+/// and all nodes would take megabytes a position.
 const MANY_NODES: usize = 4000;
 
-/// A body's finite elements, or why there are none to be shown.
+/// Finite-element mesh of a body, or the reason why there is none.
 pub enum Drawable {
-    /// They are.
+    /// The mesh.
     Mesh(Arc<MeshedBody>),
-    /// In words that follow the body's name.
+    /// Reason in words that follow the body's name.
     Not(&'static str),
 }
 
 /// Forces on a body.
 #[derive(Clone, Copy, Debug)]
 pub enum BodyLoads<'a> {
-    /// In the plane.
+    /// Loads on a plane body.
     Plane {
-        /// On its surfaces.
+        /// Forces on its surfaces.
         surfaces: &'a [SurfaceLoad],
-        /// Of loose lugs on it, counter-clockwise, N/m; none of a body without such lugs.
+        /// Forces of its loose spline teeth, counter-clockwise, N/m; empty for a body without such
+        /// spline teeth.
         lugs: &'a [f64],
     },
-    /// In space.
+    /// Loads on a three-dimensional body.
     Solid(&'a [SpotLoad]),
 }
 
-/// A sector of a body under load, in the body's frame.
+/// Deformed sector of a loaded body, in the body's frame.
 #[derive(Clone, Debug)]
 pub struct DeformedSector {
-    /// Counted counter-clockwise from 0.
+    /// Index of the tooth, counted counter-clockwise from 0.
     pub tooth: u32,
-    /// Where they are without load, m; z is 0 in the plane.
+    /// Undeformed positions, m; z is 0 in a plane model.
     pub points: Vec<[f64; 3]>,
-    /// Corners of each cell, by their places among the points: four of a quadrilateral, counter-clockwise, or eight of a hexahedron, as
-    /// VTK counts them.
+    /// Corners of each cell as indices of points: four of a quadrilateral, counter-clockwise, or
+    /// eight of a hexahedron, in VTK order.
     pub cells: Vec<Vec<usize>>,
-    /// Of the points, elastic, m.
+    /// Elastic displacements of the points, m.
     pub displacements: Vec<[f64; 3]>,
-    /// At the points: xx, yy, zz, yz, zx, xy, Pa.
+    /// Stresses at the points: xx, yy, zz, yz, zx, xy, Pa.
     pub stresses: Vec<[f64; 6]>,
 }
 
-/// See the module.
+/// Body with a mesh that can be evaluated. See the module documentation.
 pub struct MeshedBody {
     mesh: Arc<Mesh>,
     reshaped: Option<Vec<ReshapedSurface>>,
 }
 
-/// A ring's sector and the ring.
+/// Mesh of a sector, and the ring.
 struct Mesh {
     ring: SolvedRing,
     nodes: Vec<[f64; 3]>,
@@ -83,17 +88,20 @@ struct Mesh {
     loadable: Loadable,
 }
 
-/// Where loads act.
+/// Loadable surfaces.
 enum Loadable {
     Plane(Box<PlaneModel>, Vec<EdgeChain>),
     Solid(Box<SolidModel>, Vec<FaceSet>),
 }
 
 impl MeshedBody {
-    /// A ring of plane sectors, as [`ElasticStructure::ring`](super::ElasticStructure::ring) has it. `surfaces` names the chains that are loaded.
+    /// Builds a ring of plane sectors, as
+    /// [`ElasticStructure::ring`](super::ElasticStructure::ring). `surfaces` names the loaded
+    /// chains.
     ///
     /// # Errors
-    /// Chains are missing, cuts do not conform, the ring is not held, memory runs out, or the interrupt's.
+    /// Chains are missing, the cuts do not conform, the ring is not supported, memory is
+    /// insufficient, or the computation is interrupted.
     pub fn ring(
         model: PlaneModel,
         ring: &RingSource<'_>,
@@ -114,7 +122,7 @@ impl MeshedBody {
         let cuts = match_cuts(&assembled.positions, &first, &last, &held, TAU / f64::from(sectors))
             .ok_or_else(|| StructureError::CutsDiffer { cuts: ring.cuts.map(String::from) })?;
         let nodes = assembled.positions.clone();
-        // Cuts are small: all sectors are known to each other.
+        // Cuts are small: the flexibility covers all sectors.
         let sector = Held { sectors, cuts, held: assembled.dofs_of(&held), means, window: sectors };
         let ring = SolvedRing::new(assembled, sector, |error| ring.hold.blamed(error), interrupt)?;
         let chains = surfaces.iter().map(|name| chain(&model, name).cloned());
@@ -122,11 +130,12 @@ impl MeshedBody {
         Ok(Self::of(ring, nodes, Elements::plane(&model), Loadable::Plane(Box::new(model), chains)))
     }
 
-    /// A ring of sectors in space, as [`ElasticSolid::ring`](super::solid::ElasticSolid::ring) or, on a web, `ring_on_web` has it. `surfaces` names
-    /// the sets of faces that are loaded.
+    /// Builds a ring of three-dimensional sectors, as
+    /// [`ElasticSolid::ring`](super::solid::ElasticSolid::ring) or, on a web, `ring_on_web`.
+    /// `surfaces` names the sets of loaded faces.
     ///
     /// # Errors
-    /// As [`Self::ring`].
+    /// As for [`Self::ring`].
     pub fn solid_ring(
         model: SolidModel,
         ring: &RingSource<'_>,
@@ -166,16 +175,18 @@ impl MeshedBody {
         Self { mesh: Arc::new(Mesh { ring, nodes, elements, outlines, loadable }), reshaped: None }
     }
 
-    /// The same body under surfaces that differ from its own by little, one for each: places of loads count on these.
+    /// Returns the same body with surfaces that differ slightly from its own, one for each;
+    /// coordinates of loads refer to these.
     #[must_use]
     pub fn reshaped(&self, surfaces: Vec<ReshapedSurface>) -> Self {
         Self { mesh: self.mesh.clone(), reshaped: Some(surfaces) }
     }
 
-    /// The sectors of the body under loads, in order: all of them in the plane, in space those around loaded ones.
+    /// Returns the sectors of the body under loads, in order: all of them in a plane model, those
+    /// around loaded ones in three dimensions.
     ///
     /// # Errors
-    /// Memory runs out, or the interrupt's.
+    /// Memory is insufficient, or the computation is interrupted.
     pub fn deformed(
         &self,
         loads: BodyLoads<'_>,
@@ -205,7 +216,7 @@ impl MeshedBody {
         shown.iter().zip(moved.col_iter()).map(sector).collect()
     }
 
-    /// Full vectors of forces by tooth, ascending, and forces of lugs.
+    /// Returns full vectors of forces by tooth, ascending, and forces of spline teeth.
     fn forces<'a>(&self, loads: BodyLoads<'a>) -> (Vec<(u32, Vec<f64>)>, &'a [f64]) {
         let (mut by_tooth, mut of_lugs) = (BTreeMap::new(), &[][..]);
         let dofs = |model: &Loadable| match model {
@@ -236,7 +247,8 @@ impl MeshedBody {
         (by_tooth.into_iter().collect(), of_lugs)
     }
 
-    /// The load of a unit force into the body at a place on a surface of a plane sector, beyond its ends there.
+    /// Returns the load vector of a unit force into the body at a point on a surface of a plane
+    /// sector; coordinates are clamped to its ends.
     fn pressed(&self, surface: u32, s: f64) -> Option<SparseVector> {
         let Loadable::Plane(model, chains) = &self.mesh.loadable else { return None };
         let chain = chains.get(surface as usize)?;
@@ -251,7 +263,7 @@ impl MeshedBody {
         Some(model.displacement_row(point.place, normal.map(|part| -part)))
     }
 
-    /// The same of a sector in space.
+    /// Returns the load vector on a three-dimensional sector.
     fn pressed_at(&self, surface: u32, [s, z]: [f64; 2]) -> Option<SparseVector> {
         let Loadable::Solid(model, sets) = &self.mesh.loadable else { return None };
         let set = sets.get(surface as usize)?;
@@ -263,7 +275,7 @@ impl MeshedBody {
 }
 
 impl Mesh {
-    /// A sector in the body's frame from its displacements in its own.
+    /// Returns a sector in the body's frame from displacements in its own frame.
     fn sector(&self, tooth: u32, moved: &[f64], outline: usize) -> DeformedSector {
         let (sin, cos) = (TAU * f64::from(tooth) / f64::from(self.ring.sectors)).sin_cos();
         let turn = |[x, y, z]: [f64; 3]| [cos * x - sin * y, sin * x + cos * y, z];
@@ -290,7 +302,8 @@ impl Mesh {
     }
 }
 
-/// A symmetric tensor, xx, yy, zz, yz, zx, xy, on axes of which the rows of `rotation` are the components along the old ones.
+/// Transforms a symmetric tensor, xx, yy, zz, yz, zx, xy, to new axes; the rows of `rotation` are
+/// the components of the new axes along the old ones.
 pub(crate) fn turned_tensor(rotation: &[[f64; 3]; 3], [xx, yy, zz, yz, zx, xy]: [f64; 6]) -> [f64; 6] {
     let tensor = [[xx, xy, zx], [xy, yy, yz], [zx, yz, zz]];
     let at = |a: usize, b: usize| {

@@ -1,9 +1,11 @@
-//! What loads on sectors do to each other in the plane, however far apart they are, without a table for each pair.
+//! Coupling of arbitrarily distant sectors in plane models without a table for each pair.
 //!
-//! On a bore that gives way a thin ring carries a load all around, and no series under the teeth says so exactly. But whatever it carries goes
-//! through cuts: a load is felt beyond its sector as forces on both its cuts and on what holds the bore, a few numbers, and they move those of
-//! another sector by one small matrix. So the ring's answer for every distance, at the cuts, is all that is kept for distant teeth. In space cuts have
-//! too many unknowns for that: see [`super::bore_coupling`].
+//! On a compliant bore a thin ring carries a load all around, and no series below the teeth
+//! represents this exactly. But all coupling passes through cuts: beyond its sector a load acts as
+//! forces on both cuts and on the averaged constraints, a few numbers, and one small matrix gives
+//! the resulting displacements of another sector. For distant teeth only the response of the ring
+//! at the cuts is stored, for every distance. In three-dimensional models cuts have too many
+//! unknowns for this: see [`super::bore_coupling`].
 
 use super::bore_coupling::Coupling;
 use super::condense::Condensed;
@@ -12,22 +14,24 @@ use super::elastic::Prepared;
 use super::ring::RingFlexibility;
 use faer::{Mat, MatRef};
 
-/// See the module. A load's forces are those on the cuts of its sector and on what holds the bore, as the sector sees them.
+/// Coupling through cuts. See the module documentation. The equivalent forces of a load are those
+/// on the cuts of its sector and on the averaged constraints, in the frame of the sector.
 pub(crate) struct FarCoupling {
-    /// Equal sectors around.
+    /// Number of equal sectors around the ring.
     pub sectors: u32,
-    /// The least distance in sectors that has no table.
+    /// Smallest distance in sectors without a table.
     pub first: u32,
-    /// By distance from there to half way round: displacements of the sector ahead by forces on this one.
+    /// Displacements of the sector ahead by forces on this one, by distance from there to halfway
+    /// round.
     pub by_offset: Vec<Mat<f64>>,
-    /// Forces by the unknowns of a table, for each loadable side.
+    /// Equivalent forces by the unknowns of a table, for each loadable side.
     pub loads: Vec<Mat<f64>>,
     /// Stress by displacements, for each surface.
     pub stress: Vec<Mat<f64>>,
 }
 
 impl FarCoupling {
-    /// Memory that [`FarCoupling::new`] takes, bytes.
+    /// Returns the memory of [`FarCoupling::new`], bytes.
     pub(super) fn bytes_of(condensed: &Condensed, ring: &RingFlexibility, first: u32) -> u64 {
         let far = (ring.window() + 1).saturating_sub(first) as usize;
         let (cuts, loads) = (condensed.on_cuts.nrows(), condensed.on_cuts.ncols());
@@ -36,7 +40,8 @@ impl FarCoupling {
         (size_of::<f64>() * numbers) as u64
     }
 
-    /// Of sectors at least `first` apart on a ring known for all distances; `None` if there are none.
+    /// Builds the coupling of sectors at least `first` apart on a ring whose flexibility covers all
+    /// distances; `None` if there are no such sectors.
     pub(super) fn new(
         condensed: &Condensed,
         prepared: &[Prepared],
@@ -61,7 +66,8 @@ impl FarCoupling {
         Some(Self { sectors, first, by_offset, loads, stress })
     }
 
-    /// What forces on a tooth do to the cuts of another one's sector, as that sees them. Nothing to near ones.
+    /// Returns the cut displacements of an observer's sector, in its own frame, by forces on a
+    /// tooth. `None` for near teeth.
     fn displacements(&self, observer: u32, (tooth, forces): (u32, &Mat<f64>)) -> Option<Mat<f64>> {
         let places =
             |from: u32, to: u32| (to % self.sectors + self.sectors - from % self.sectors) % self.sectors;
@@ -74,7 +80,7 @@ impl FarCoupling {
         })
     }
 
-    /// Memory, in bytes.
+    /// Returns the memory, in bytes.
     pub fn bytes(&self) -> usize {
         let matrices = self.by_offset.iter().chain(&self.loads).chain(&self.stress);
         matrices.map(|matrix| matrix.nrows() * matrix.ncols() * size_of::<f64>()).sum()

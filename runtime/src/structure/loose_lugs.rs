@@ -1,30 +1,37 @@
-//! Lugs with clearance, as a structure sees them: what their forces do to each other and to the teeth of the ring that they stand on.
+//! Spline teeth with clearance: displacements of the spline teeth and of the ring's teeth by forces
+//! of the spline teeth.
 //!
-//! Such lugs are no part of the structure but contact ([`crate::lug_contact`]): whether one bears follows with whether teeth do. So the ring
-//! is held in the mean over its bore, as a free one, and its motion as a whole belongs to its frame. With `G` the amplitudes of the bore's
-//! series by forces on them, let go, and `L` the lugs' displacements by amplitudes, lugs move by `L G L'` under each other's forces and by
-//! `L G h` under those of teeth, `h` being what held the amplitudes against them. The part of a lug's force that moves the ring as a whole is
-//! borne by the hold in the mean and strains nothing; on the frame it is in equilibrium with all else, so nothing is held in the end.
+//! Such spline teeth are part of the contact problem and not of the structure
+//! ([`crate::lug_contact`]): the contact state of spline teeth is solved together with that of the
+//! gear teeth. The ring therefore has averaged constraints on its bore, like a free ring, and its
+//! rigid-body motion belongs to its frame. Let `G` be the amplitudes of the bore's series by forces
+//! on them after release, and `L` the displacements of the spline teeth by amplitudes. Then spline
+//! teeth move by `L G L'` under their own forces and by `L G h` under those of gear teeth, where
+//! `h` are the constraint forces of the amplitudes. The averaged constraints carry the part of a
+//! spline tooth's force that moves the ring as a whole, without strain. In the frame this part is
+//! in equilibrium with all other forces, so the constraint forces vanish in the solution.
 
 use super::StructureError;
 use super::dense::{cholesky, mirror_lower, product};
 use super::lugs::LugForms;
 use faer::{Mat, MatRef};
 
-/// See the module. In the body's frame; displacements are around, counter-clockwise, and so are forces.
+/// Spline teeth with clearance. See the module documentation. All quantities are in the body's
+/// frame; displacements and forces are tangential, counter-clockwise.
 #[derive(Clone, Debug)]
 pub(crate) struct LooseLugs {
-    /// Displacements by forces on the bore's amplitudes, a row a lug.
+    /// Displacements by forces on the bore's amplitudes, one row for each spline tooth.
     pub by_amplitudes: Mat<f64>,
-    /// Displacements by forces of lugs on the ring, m/(N/m).
+    /// Displacements by forces of spline teeth on the ring, m/(N/m).
     pub compliance: Mat<f64>,
 }
 
 impl LugForms {
-    /// The lugs on a ring that follows forces on its amplitudes, from number `first` on, by `release`; those before are held.
+    /// Builds the spline teeth on a ring whose amplitudes, from index `first` on, respond to forces
+    /// by `release`; the preceding ones are constrained.
     ///
     /// # Errors
-    /// The series cannot tell the lugs apart.
+    /// The series cannot distinguish the spline teeth.
     pub fn loose(&self, first: usize, release: MatRef<'_, f64>) -> Result<LooseLugs, StructureError> {
         let displacements = self.displacements.as_ref().subcols(first, release.nrows());
         let by_amplitudes = product(displacements, release);
@@ -36,7 +43,7 @@ impl LugForms {
 }
 
 impl LooseLugs {
-    /// Memory, in bytes.
+    /// Returns the memory, in bytes.
     pub fn bytes(&self) -> usize {
         let entries = |matrix: &Mat<f64>| matrix.nrows() * matrix.ncols();
         (entries(&self.by_amplitudes) + entries(&self.compliance)) * size_of::<f64>()

@@ -1,15 +1,22 @@
-//! Component modes of a plane body: what it contributes to dynamics beside its rigid motion and its static compliance.
+//! Component modes of a plane body: its contribution to dynamics beyond its rigid-body motion and
+//! its static compliance.
 //!
-//! The body vibrates relative to its frame, which holds it as it holds its [`Structure`](super::Structure). A modal coordinate grows the gap of
-//! a contact by the inward displacement of the surface, the sign of [`Structure::add_compliance`](super::Structure::add_compliance); what
-//! the modes left out answer is static: the compliance less `sum phi phi' / omega²`.
+//! The body vibrates relative to its frame, which supports it in the same way as its
+//! [`Structure`](super::Structure). A positive modal coordinate opens the gap of a contact by the
+//! inward displacement of the surface, the sign of
+//! [`Structure::add_compliance`](super::Structure::add_compliance). The omitted modes respond
+//! statically, with the residual flexibility: the compliance less `sum phi phi' / omega²`.
 //!
-//! A ring of equal sectors has modes of `n` waves: the displacements of a sector, seen in its own frame, are those of the one before times
-//! `exp(i n pitch)`. So a mode is one complex field on one sector; its real and its imaginary part around the ring are two modes of one
-//! frequency, but for `n = 0` and half the number of sectors, where the field is real. Only these fields are kept, seen
-//! where contact and stress see them: by the same mollifiers and splines as the compliance tables ([`super::elastic`]).
+//! Cyclic symmetry: the modes of a ring of equal sectors have `n` nodal diameters. The
+//! displacements of a sector, in its own frame, are those of the previous one times
+//! `exp(i n pitch)`. A mode is therefore one complex field on one sector. Its real and its
+//! imaginary part around the ring are two modes of one frequency, except for `n = 0` and half the
+//! number of sectors, where the field is real. Only these fields are stored, at the surfaces and
+//! stress recovery points, through the same mollifiers and splines as the compliance tables
+//! ([`super::elastic`]).
 //!
-//! Everything is per metre of face width: modes have unit mass in kg/m, so a modal coordinate is in m sqrt(kg/m).
+//! All quantities are per metre of face width: modes are normalized to unit mass in kg/m, so a
+//! modal coordinate is in m sqrt(kg/m).
 
 mod body;
 mod complex;
@@ -25,54 +32,59 @@ use faer::Mat;
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-/// The modes of a plane body up to some frequency, in ascending order; of a pair of one frequency the cosine comes first. See the module.
+/// Modes of a plane body up to some frequency, in ascending order; in a pair of one frequency the
+/// cosine comes first. See the module documentation.
 #[derive(Clone)]
 pub struct BodyModes {
     /// Natural frequencies, rad/s, ascending.
     pub frequencies: Vec<f64>,
-    /// `phi' M r` of each mode with the unit motions u_x, u_y, theta_z of the frame, in the body's axes about its origin: kg/m to the power
-    /// 1/2, and times m.
+    /// Coupling `phi' M r` of each mode with the unit motions u_x, u_y, theta_z of the frame, in
+    /// the body's axes about its origin: (kg/m)^1/2, and times m.
     pub coupling: Vec<[f64; 3]>,
-    /// `r' M r`: mass matrix of those motions by the same mesh, kg/m, kg and kg m. With it as the rigid body's the whole mass matrix is
-    /// positive definite.
+    /// Mass matrix `r' M r` of those motions by the same mesh, kg/m, kg and kg m. Used as the rigid
+    /// body's mass matrix, it makes the complete mass matrix positive definite.
     pub rigid_mass: [[f64; 3]; 3],
-    /// `phi_k' M (e3 x phi_l)`, skew: a frame that turns at `omega` acts on coordinate `k` with `-2 omega` times the row's product with the
+    /// Gyroscopic matrix `phi_k' M (e3 x phi_l)`, skew: in a frame that rotates at `omega` the
+    /// generalized force on coordinate `k` is `-2 omega` times the product of row `k` with the
     /// rates of the coordinates.
     pub gyroscopic: Mat<f64>,
-    /// `phi_k' M x`, x the place in the body: a frame that turns steadily at `omega` acts on coordinate `k` with `omega²` times it.
+    /// Centrifugal vector `phi_k' M x`, with x the position in the body: in a frame that rotates
+    /// steadily at `omega` the generalized force on coordinate `k` is `omega²` times entry `k`.
     pub centrifugal: Vec<f64>,
     pub(super) fields: Arc<SectorFields>,
-    /// What contact sees in place of the surfaces of the mesh, if it does.
+    /// Reshaped surfaces that contact uses in place of those of the mesh, if any.
     pub(super) reshaped: Option<Vec<ReshapedSurface>>,
 }
 
-/// A real mode of the whole ring: a part of a complex field on one sector.
+/// Real mode of the whole ring: one part of a complex field on one sector.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 pub(super) struct RingMode {
-    /// Which field.
+    /// Index of the field.
     pub field: usize,
-    /// Its imaginary part around the ring, instead of the real one.
+    /// True for the imaginary part of the field around the ring, false for the real part.
     pub sine: bool,
 }
 
-/// Complex fields on sector 0 as tables see them; of each table the real and the imaginary part, a column a field.
+/// Complex fields on sector 0 in table form; each table has a real and an imaginary part with one
+/// column for each field.
 pub(super) struct SectorFields {
     pub teeth: u32,
-    /// Waves around, of each field.
+    /// Number of nodal diameters of each field.
     pub harmonics: Vec<u32>,
-    /// Of each mode.
+    /// Field and part of each mode.
     pub modes: Vec<RingMode>,
     pub surfaces: Vec<Surface>,
-    /// In which a point of a surface is seen: into the body, and along the surface if there are two.
+    /// Number of directions in which a point of a surface is observed: 1, into the body, or 2, also
+    /// along the surface.
     pub directions: usize,
-    /// By `surface * directions + direction`: spline coefficients over the arc length.
+    /// Spline coefficients over the arc length, by `surface * directions + direction`.
     pub displacements: Vec<[Mat<f64>; 2]>,
-    /// By surface: Pa, at the places of recovered stress.
+    /// Stresses at the stress recovery points, by surface, Pa.
     pub stresses: Vec<[Mat<f64>; 2]>,
 }
 
 impl SectorFields {
-    /// Cosine and sine of the angle by which a field has advanced at a tooth.
+    /// Returns cosine and sine of the phase angle of a field at a tooth.
     fn advance(&self, field: usize, tooth: u32) -> [f64; 2] {
         let teeth = u64::from(self.teeth.max(1));
         let harmonic = self.harmonics.get(field).copied().unwrap_or(0);
@@ -81,7 +93,7 @@ impl SectorFields {
         [cos, sin]
     }
 
-    /// Rows of fields as rows of modes at a tooth.
+    /// Converts rows of fields to rows of modes at a tooth.
     fn at_tooth(&self, tooth: u32, rows: usize, value: impl Fn(usize, usize) -> [f64; 2]) -> Mat<f64> {
         let mut of_modes = Mat::zeros(rows, self.modes.len());
         for (column, mode) in self.modes.iter().enumerate() {
@@ -102,12 +114,13 @@ impl SectorFields {
 }
 
 impl BodyModes {
-    /// How many there are.
+    /// Returns the number of modes.
     pub fn count(&self) -> usize {
         self.frequencies.len()
     }
 
-    /// Inward normal displacement of a surface at each of these arc lengths (m) by unit modal coordinates: points by modes.
+    /// Returns the inward normal displacement of a surface at these arc lengths (m) by unit modal
+    /// coordinates: points by modes.
     pub fn displacements(&self, chart: Chart, s: &[f64]) -> Mat<f64> {
         let fields = &*self.fields;
         let Some(surface) = fields.surfaces.get(chart.surface as usize) else {
@@ -129,7 +142,8 @@ impl BodyModes {
         })
     }
 
-    /// Stress along the surface (Pa) by unit modal coordinates: places by modes, at the places of [`Structure::stresses`](super::Structure::stresses).
+    /// Returns the stress along the surface (Pa) by unit modal coordinates: points by modes, at the
+    /// points of [`Structure::stresses`](super::Structure::stresses).
     pub fn stresses(&self, tooth: u32, surface: u32) -> Mat<f64> {
         let fields = &*self.fields;
         let Some([re, im]) = fields.stresses.get(surface as usize) else {
@@ -138,14 +152,15 @@ impl BodyModes {
         fields.at_tooth(tooth, re.nrows(), |row, field| [re[(row, field)], im[(row, field)]])
     }
 
-    /// The same modes seen through surfaces that differ from the body's own by little, one for each, as [`Structure::reshaped`](super::Structure::reshaped);
-    /// `None` if they were not made for it.
+    /// Returns the same modes with surfaces that differ slightly from the body's own, one for each,
+    /// as [`Structure::reshaped`](super::Structure::reshaped); `None` if the modes do not support
+    /// this.
     pub fn reshaped(&self, surfaces: Vec<ReshapedSurface>) -> Option<BodyModes> {
         let fits = self.fields.directions == 2 && surfaces.len() == self.fields.surfaces.len();
         fits.then(|| BodyModes { reshaped: Some(surfaces), ..self.clone() })
     }
 
-    /// Memory taken, in bytes: what a cache counts.
+    /// Returns the memory, in bytes: the size that a cache counts.
     pub fn bytes(&self) -> usize {
         let numbers = self.count() * (self.count() + 5);
         self.fields.bytes() + numbers * size_of::<f64>()
@@ -154,7 +169,7 @@ impl BodyModes {
 
 #[cfg(test)]
 impl BodyModes {
-    /// Of a body whose modes no surface sees, by what frames see of them.
+    /// Builds modes of a body without surfaces from their coupling with the frame.
     pub(crate) fn unseen(
         frequencies: Vec<f64>,
         coupling: Vec<[f64; 3]>,

@@ -1,17 +1,17 @@
-//! Bodies that do not deform.
+//! Rigid bodies.
 
 use super::{Chart, StressPlace, Structure, SurfaceLoad};
 use crate::profile::Profile;
 use std::sync::Arc;
 
-/// Surfaces without compliance, repeated round a circle like those of a gear.
+/// Surfaces without compliance, repeated around a circle like those of a gear.
 pub struct RigidStructure {
     surfaces: Vec<Arc<dyn Profile>>,
     teeth: u32,
 }
 
 impl RigidStructure {
-    /// `surfaces` are those of tooth 0; `teeth` is at least 1.
+    /// Builds a rigid body. `surfaces` are those of tooth 0; `teeth` is at least 1.
     pub fn new(surfaces: Vec<Arc<dyn Profile>>, teeth: u32) -> Self {
         Self { surfaces, teeth: teeth.max(1) }
     }

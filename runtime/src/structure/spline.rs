@@ -1,14 +1,16 @@
-//! Cubic splines on graded nodes, as a sparse evaluation: four weights a point.
+//! Cubic splines on graded nodes, with sparse evaluation: four weights for each point.
 //!
-//! A table over samples is turned into spline coefficients once; a value anywhere is then a short sum. Applied to the
-//! rows and to the columns of a table it interpolates a function of two variables, treating both alike.
+//! A table over samples is converted to spline coefficients once; a value at any point is then a
+//! short sum. Applied to the rows and to the columns of a table, the spline interpolates a function
+//! of two variables and treats both alike.
 
 use faer::linalg::solvers::{PartialPivLu, Solve};
 use faer::{Mat, MatRef};
 
 const ORDER: usize = 4;
 
-/// The B-splines that interpolate on given nodes (third derivative continuous at the second and the last but one).
+/// B-splines that interpolate at given nodes (not-a-knot: third derivative continuous at the second
+/// and the last but one).
 #[derive(Clone, Debug)]
 pub struct Spline {
     nodes: Vec<f64>,
@@ -16,7 +18,7 @@ pub struct Spline {
     collocation: PartialPivLu<f64>,
 }
 
-/// The B-splines that are not zero at a point: their values, and the number of the first.
+/// B-splines that are not zero at a point: their values, and the index of the first.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Weights {
     pub first: usize,
@@ -24,7 +26,7 @@ pub struct Weights {
 }
 
 impl Spline {
-    /// `nodes` ascend and are at least four.
+    /// Builds the splines on at least four ascending `nodes`.
     pub fn new(nodes: Vec<f64>) -> Self {
         let count = nodes.len();
         assert!(count >= ORDER && nodes.windows(2).all(|pair| pair[0] < pair[1]), "ascending nodes");
@@ -45,7 +47,7 @@ impl Spline {
         &self.nodes
     }
 
-    /// Weights at `s`; beyond the nodes, those of the straight continuation.
+    /// Returns the weights at `s`; beyond the nodes, those of linear extrapolation.
     pub fn weights(&self, s: f64) -> Weights {
         let beyond = self.beyond(s);
         let mut weights = weights_at(&self.knots, s - beyond);
@@ -58,21 +60,22 @@ impl Spline {
         weights
     }
 
-    /// Memory taken, in bytes.
+    /// Returns the memory, in bytes.
     pub fn bytes(&self) -> usize {
-        // The collocation's two factors, as one matrix.
+        // The two factors of the collocation matrix, as one matrix.
         let entries = self.nodes.len() + self.knots.len() + self.nodes.len() * self.nodes.len();
         entries * size_of::<f64>()
     }
 
-    /// How far `s` lies beyond the last node, or, negative, before the first.
+    /// Returns the distance of `s` beyond the last node, or, negative, before the first.
     pub fn beyond(&self, s: f64) -> f64 {
         s - s.clamp(self.nodes[0], self.nodes[self.nodes.len() - 1])
     }
 
-    /// Rates of the weights at the first (0) or last (1) node.
+    /// Returns the derivatives of the weights at the first (0) or last (1) node.
     pub fn slopes(&self, end: usize) -> Weights {
-        // At an end knot only two splines have a slope: `3 / (gap to the next knot)`, and its opposite.
+        // At an end knot only two splines have a slope: `3 / (gap to the next knot)`, and its
+        // negative.
         let last = self.knots.len() - ORDER;
         let (first, at, gap) = if end == 0 {
             (0, 0, self.knots[ORDER] - self.knots[0])
@@ -85,20 +88,21 @@ impl Spline {
         Weights { first, values }
     }
 
-    /// Coefficients of the splines through the columns of a table whose rows belong to the nodes.
+    /// Returns the coefficients of the splines through the columns of a table whose rows belong to
+    /// the nodes.
     pub fn coefficients(&self, table: MatRef<'_, f64>) -> Mat<f64> {
         self.collocation.solve(table)
     }
 }
 
 impl Weights {
-    /// The sum of `coefficient(i)` times the weights.
+    /// Returns the sum of `coefficient(i)` times the weights.
     pub fn sum(&self, coefficient: impl Fn(usize) -> f64) -> f64 {
         self.values.iter().enumerate().map(|(k, value)| value * coefficient(self.first + k)).sum()
     }
 }
 
-/// De Boor's recursion at `s` between the first and the last knot.
+/// Evaluates De Boor's recursion at `s` between the first and the last knot.
 fn weights_at(knots: &[f64], s: f64) -> Weights {
     let last = knots.len() - ORDER - 1;
     let span = (knots.partition_point(|&knot| knot <= s).max(ORDER) - 1).min(last);
@@ -149,7 +153,7 @@ mod tests {
                 })
                 .fold(0.0, f64::max)
         };
-        // Fourth order: a factor of 16 for twice as many, less some for the ends.
+        // Fourth order: a factor of 16 for twice as many nodes, slightly less because of the ends.
         assert!(error(20) / error(40) > 10.0);
     }
 

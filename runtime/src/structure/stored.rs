@@ -1,5 +1,5 @@
-//! Tables of structures as bytes, to be kept from run to run. What contact sees of a surface is made anew by the prototype; what was
-//! condensed is taken from the bytes.
+//! Serialization of the tables of structures for the structure cache. The prototype rebuilds the
+//! contact surfaces; the condensed tables are read from the bytes.
 
 use super::bore_coupling::BoreCoupling;
 use super::elastic::{ElasticStructure, OffsetTables, Surface};
@@ -15,7 +15,8 @@ use serde::{Deserialize, Serialize, Serializer};
 use std::borrow::Cow;
 use std::sync::Arc;
 
-/// A matrix, column by column. Its entries stay the bytes they are in until the matrix is made of them: tables are hundreds of megabytes.
+/// Matrix, column by column. The entries are borrowed from the bytes until the matrix is built,
+/// because tables take hundreds of megabytes.
 #[derive(Serialize, Deserialize)]
 pub(super) struct Table<'a> {
     rows: usize,
@@ -24,12 +25,12 @@ pub(super) struct Table<'a> {
     values: Cow<'a, [u8]>,
 }
 
-/// At once, where a list would go byte by byte.
+/// Serializes bytes in one call; a list would be serialized byte by byte.
 fn as_bytes<S: Serializer>(values: &[u8], serializer: S) -> Result<S::Ok, S::Error> {
     serializer.serialize_bytes(values)
 }
 
-/// As structures hold them: by observed and loaded surface.
+/// Tables of a structure, by observed and loaded surface.
 type Tables<'a> = Vec<Vec<Table<'a>>>;
 
 impl From<&Mat<f64>> for Table<'_> {
@@ -59,7 +60,7 @@ fn matrices(tables: &[Vec<Table>]) -> Option<Vec<Vec<Mat<f64>>>> {
     tables.iter().map(|row| row.iter().map(Table::matrix).collect()).collect()
 }
 
-/// [`OffsetTables`]: compliance, stress ahead, stress behind.
+/// Serialized [`OffsetTables`]: compliance, stress ahead, stress behind.
 #[derive(Serialize, Deserialize)]
 pub(super) struct StoredOffset<'a>(#[serde(borrow)] [Tables<'a>; 3]);
 
@@ -78,7 +79,7 @@ impl StoredOffset<'_> {
     }
 }
 
-/// A [`BoreCoupling`].
+/// Serialized [`BoreCoupling`].
 #[derive(Serialize, Deserialize)]
 pub(super) struct StoredBore<'a> {
     sectors: u32,
@@ -87,7 +88,7 @@ pub(super) struct StoredBore<'a> {
     pairs: Vec<([usize; 2], f64)>,
     #[serde(borrow)]
     release: Table<'a>,
-    /// With their forces.
+    /// Spline teeth with their forces.
     #[serde(borrow)]
     lugs: Option<(Lugs, Table<'a>)>,
     /// Displacements by amplitudes, and compliance.
@@ -120,7 +121,7 @@ impl StoredBore<'_> {
         let sound = self.pairs.iter().all(|(places, _)| places.iter().all(|&place| place < count));
         let matrices = |tables: &[Table]| tables.iter().map(Table::matrix).collect::<Option<Vec<_>>>();
         (sound && self.sectors > 0).then_some(())?;
-        // Stored where there are some, they must be sound.
+        // A stored set of spline teeth must be valid.
         let lugs = match self.lugs {
             Some((lugs, reactions)) => Some(LugSet { lugs, reactions: reactions.matrix()? }),
             None => None,
@@ -144,12 +145,12 @@ impl StoredBore<'_> {
     }
 }
 
-/// A [`FarCoupling`].
+/// Serialized [`FarCoupling`].
 #[derive(Serialize, Deserialize)]
 struct StoredFar<'a> {
     sectors: u32,
     first: u32,
-    /// By offset, loads, stress.
+    /// Matrices by offset, loads, stress.
     #[serde(borrow)]
     matrices: [Vec<Table<'a>>; 3],
 }
@@ -176,7 +177,7 @@ impl StoredFar<'_> {
     }
 }
 
-/// A spline on nodes of bytes, which may be anything.
+/// Builds a spline on nodes from untrusted bytes; `None` if they are not valid.
 pub(super) fn spline(nodes: Vec<f64>) -> Option<Spline> {
     let sound = nodes.len() >= 4 && nodes.windows(2).all(|pair| pair[0] < pair[1]);
     sound.then(|| Spline::new(nodes))
@@ -186,12 +187,12 @@ pub(super) fn to_bytes(content: &impl Serialize) -> Option<Vec<u8>> {
     postcard::to_stdvec(content).ok()
 }
 
-/// `None` if the bytes are of something else.
+/// Deserializes bytes; `None` if they contain something else.
 pub(super) fn from_bytes<'a, T: Deserialize<'a>>(bytes: &'a [u8]) -> Option<T> {
     postcard::from_bytes(bytes).ok()
 }
 
-/// An [`ElasticStructure`] without the curves that contact sees.
+/// Serialized [`ElasticStructure`] without its contact curves.
 #[derive(Serialize, Deserialize)]
 struct StoredElastic<'a> {
     teeth: u32,
@@ -209,7 +210,7 @@ struct StoredElastic<'a> {
     bore: Option<StoredBore<'a>>,
 }
 
-/// A [`Surface`] without its curve.
+/// Serialized [`Surface`] without its curve.
 #[derive(Serialize, Deserialize)]
 pub(super) struct StoredSurface {
     nodes: Vec<f64>,
@@ -261,14 +262,14 @@ impl ElasticStructure {
         })
     }
 
-    /// The structure whose [`stored`](super::Structure::stored) gave these bytes, with the curves that it was built with. `None` if the bytes are of
-    /// something else.
+    /// Restores a structure from the bytes of [`stored`](super::Structure::stored), with the curves
+    /// that it was built with. `None` if the bytes contain something else.
     pub fn restored(bytes: &[u8], profiles: &[Arc<dyn Profile>]) -> Option<Self> {
         let stored: StoredElastic = from_bytes(bytes)?;
         if stored.surfaces.len() != profiles.len() {
             return None;
         }
-        // Stored where there is one, it must be sound.
+        // A stored bore coupling must be valid.
         let bore = match stored.bore {
             Some(bore) => Some(bore.coupling()?),
             None => None,

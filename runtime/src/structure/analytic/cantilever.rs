@@ -1,19 +1,23 @@
-//! A tooth as a cantilever of varying depth, after Weber and Banaschek (Formänderung und Profilrücknahme bei gerad- und schrägverzahnten
-//! Rädern, 1953; Cornell, Compliance and Stress Sensitivity of Spur Gear Teeth, J. Mech. Design 103, 1981): bending, shear and axial
-//! compression of thin sections, each under what acts beyond it.
+//! Tooth as a cantilever of varying thickness, after Weber and Banaschek (Formänderung und
+//! Profilrücknahme bei gerad- und schrägverzahnten Rädern, 1953; Cornell, Compliance and Stress
+//! Sensitivity of Spur Gear Teeth, J. Mech. Design 103, 1981): bending, shear and axial compression
+//! of thin sections, each under the loads beyond it.
 //!
-//! A load acts on sections up to where its line of action crosses the middle of the tooth. What two loads do to each other is the work of one
-//! in the strains of the other: with `M = m - t q` the moment at the distance `t` from the root,
-//! `integral of M M' / (E' I) + 6/5 q q' / (G h) + n n' / (E' h)`, up to the nearer of the two crossings. That is symmetric, and a Gram matrix.
+//! A load acts on sections up to the point where its line of action crosses the centre line of the
+//! tooth. The influence coefficient of two loads is the work of one in the strains of the other:
+//! with `M = m - t q` the moment at the distance `t` from the root,
+//! `integral of M M' / (E' I) + 6/5 q q' / (G h) + n n' / (E' h)`, up to the nearer of the two
+//! crossings. This is symmetric, and a Gram matrix.
 
 use crate::material::{Material, Plane};
 
-/// Shear strains of a rectangular section over their mean (Cowper's limit for a section without lateral contraction; Weber's 1.2).
+/// Shear correction of a rectangular section (Cowper's limit for a section without lateral
+/// contraction; Weber's 1.2).
 const SHEAR: f64 = 1.2;
-/// Gauss's points of two, as parts of half an interval: exact for cubics.
+/// Abscissa of the two-point Gauss rule on half an interval: exact for cubics.
 const GAUSS: f64 = 0.577_350_269_189_625_8;
 
-/// A cantilever by its depths.
+/// Cantilever, given by its thickness along the centre line.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cantilever {
     stations: Vec<Station>,
@@ -23,40 +27,42 @@ pub struct Cantilever {
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Station {
-    /// From the root, m.
+    /// Distance from the root, m.
     at: f64,
-    /// Half of the depth there, m.
+    /// Half of the thickness there, m.
     half_depth: f64,
-    /// From the root up to there.
+    /// Flexibility from the root up to there.
     up_to: Flexibility,
 }
 
-/// Integrals along a cantilever from its root, per unit of width: what moments, shear and axial forces do that reach so far.
+/// Integrals along a cantilever from its root, per unit of width: flexibility to moments, shear and
+/// axial forces that act at least that far out.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Flexibility {
-    /// Of `t^k / (E' I)`, k from 0 to 2.
+    /// Integrals of `t^k / (E' I)`, k from 0 to 2.
     bending: [f64; 3],
-    /// Of `6/5 / (G h)`.
+    /// Integral of `6/5 / (G h)`.
     shear: f64,
-    /// Of `1 / (E' h)`.
+    /// Integral of `1 / (E' h)`.
     axial: f64,
 }
 
-/// What a load is at the root of a cantilever, per unit of width.
+/// Resultants of a load at the root of a cantilever, per unit of width.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct RootLoad {
-    /// Along the cantilever, outwards, N/m.
+    /// Force along the cantilever, outwards, N/m.
     pub axial: f64,
-    /// Across it, N/m.
+    /// Force across it, N/m.
     pub shear: f64,
-    /// About the root, positive with a positive shear farther out, N.
+    /// Moment about the root, positive with a positive shear farther out, N.
     pub moment: f64,
-    /// Along the face, N/m: none but of helical teeth.
+    /// Force along the face, N/m: zero except for helical teeth.
     pub along: f64,
 }
 
 impl Flexibility {
-    /// What one load does along another, both acting up to here or farther, m/(N/m). The same with the two exchanged, bit for bit.
+    /// Returns the displacement along one load by another, both acting at least up to this point,
+    /// m/(N/m). Exchanging the two gives the same bits.
     pub fn between(&self, one: &RootLoad, other: &RootLoad) -> f64 {
         let crossed = one.moment * other.shear + one.shear * other.moment;
         self.bending[0] * (one.moment * other.moment) - self.bending[1] * crossed
@@ -66,8 +72,8 @@ impl Flexibility {
 }
 
 impl Cantilever {
-    /// By distances from the root and half depths there, m: distances ascend from 0; between them depths are in proportion.
-    /// Anything else is left out.
+    /// Builds a cantilever from distances from the root and half thicknesses there, m. Distances
+    /// ascend from 0; the thickness is interpolated linearly. Other entries are ignored.
     pub fn new(depths: &[[f64; 2]], material: Material, plane: Plane) -> Cantilever {
         let modulus = material.surface_modulus(plane);
         let shear_modulus = 0.5 * material.youngs_modulus / (1.0 + material.poissons_ratio);
@@ -84,12 +90,12 @@ impl Cantilever {
         cantilever
     }
 
-    /// Where it ends, m from its root.
+    /// Returns the length, m.
     pub fn length(&self) -> f64 {
         self.stations.last().map_or(0.0, |last| last.at)
     }
 
-    /// The integrals up to a distance from the root, m; all of it beyond its end.
+    /// Returns the integrals up to a distance from the root, m; clamped to the length.
     pub fn up_to(&self, at: f64) -> Flexibility {
         let at = at.clamp(0.0, self.length());
         let next = self.stations.partition_point(|station| station.at <= at);
@@ -104,12 +110,12 @@ impl Cantilever {
         }
     }
 
-    /// Memory that it takes, in bytes.
+    /// Returns the memory, in bytes.
     pub fn bytes(&self) -> usize {
         size_of_val(self.stations.as_slice())
     }
 
-    /// The integrals up to a place behind a station, with the half depth at that place.
+    /// Returns the integrals up to a point behind a station, with the half thickness at that point.
     fn added(&self, from: usize, at: f64, half_depth: f64) -> Flexibility {
         let start = &self.stations[from];
         let mut sum = start.up_to;
@@ -132,8 +138,9 @@ impl Cantilever {
 mod tests {
     use super::*;
 
-    /// Timoshenko's cantilever: under a force at its end `F L³ / (3 E I) + F L / (k G A)`, at a place before it what the force there moves the
-    /// end by (Maxwell), and along it `F L / (E A)`.
+    /// Timoshenko cantilever: the tip deflection under a tip force is
+    /// `F L³ / (3 E I) + F L / (k G A)`, the tip deflection by a force at another point follows by
+    /// Maxwell's theorem, and the axial displacement is `F L / (E A)`.
     #[test]
     fn of_even_depth_it_is_timoshenkos() {
         let steel = Material::STEEL;
@@ -159,8 +166,9 @@ mod tests {
         assert!((wide.between(&along, &along) / given - 0.91).abs() < 1e-14);
     }
 
-    /// A wedge under a force at its tip, whose depth is in proportion to the distance from there: without shear `integral x² 12 / (E h³)` with
-    /// `h = H x / L` is `12 L³ / (E H³) ln(L / a)` for a tip cut off at `a`.
+    /// Wedge under a tip force, with a thickness proportional to the distance from the tip: without
+    /// shear `integral x² 12 / (E h³)` with `h = H x / L` is `12 L³ / (E H³) ln(L / a)` for a tip
+    /// cut off at `a`.
     #[test]
     fn a_wedge_bends_by_a_logarithm() {
         let material = Material { youngs_modulus: 1.0, poissons_ratio: 0.0, density: 0.0 };

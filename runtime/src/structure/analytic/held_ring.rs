@@ -1,36 +1,42 @@
-//! What carries a tooth: a ring that is held rigidly on its far side, loaded on an arc of the other by what a tooth passes on at its root.
+//! Ring below a tooth (gear body): fixed on its far side, and loaded on an arc of the other side by
+//! the resultants of a tooth at its root.
 //!
-//! Sainsot, Velex and Duverger (Contribution of Gear Body to Tooth Deflections, J. Mech. Design 126, 2004) take the same ring under the
-//! same tractions, evenly spread ones for the two forces and a linear one for the moment, and print polynomials for a range of rings. Here it is
-//! solved for each ring: in a Fourier series around, of which each wave is a combination of four powers of the radius (Navier's equations; Michell's
-//! solution). Displacements are the means that do the tractions' work, so the answer is symmetric, and what
-//! teeth do to each other through the ring comes with it. Forces along the face, which helical teeth have, shear it apart from all else (Laplace's
-//! equation).
+//! Sainsot, Velex and Duverger (Contribution of Gear Body to Tooth Deflections, J. Mech. Design
+//! 126, 2004) use the same ring under the same tractions, uniform ones for the two forces and a
+//! linear one for the moment, and publish polynomials for a range of rings. This module solves each
+//! ring in a Fourier series around it; each harmonic is a combination of four powers of the radius
+//! (Navier's equations; Michell's solution). Displacements are the averages that are work-conjugate
+//! to the tractions, so the flexibility is symmetric, and it includes the coupling of teeth through
+//! the ring. Forces along the face, which helical teeth have, cause antiplane shear, uncoupled from
+//! the rest (Laplace's equation).
 
 use super::cantilever::RootLoad;
 use crate::material::{Material, Plane};
 use nalgebra::{Matrix4, Vector4};
 use std::f64::consts::{PI, TAU};
 
-/// Waves are summed up to where so many radians pass over half of the arc: what is left out of a force's own compliance is some 3e-4 of it.
+/// Harmonics are summed up to a phase of this many radians over half of the arc. The truncation
+/// error of a force's own compliance is about 3e-4.
 const PHASE: f64 = 30.0;
-/// The far side of a ring does not matter to waves that decay to this part of themselves on the way there and back.
+/// The far side of a ring does not affect harmonics that decay to this part on the way there and
+/// back.
 const UNFELT: f64 = 1e-16;
 
-/// Answers of a ring to [`RootLoad`]s on its teeth.
+/// Flexibility of a ring to [`RootLoad`]s on its teeth.
 #[derive(Clone, Debug, PartialEq)]
 pub struct HeldRing {
-    /// By how far a tooth is ahead of another: displacements (axial, across, turn) of its root by unit loads on that one's, per unit of width.
+    /// Displacements (axial, transverse, rotation) of a tooth root by unit loads on another root,
+    /// by the distance of the teeth, per unit of width.
     between: Vec<[[f64; 3]; 3]>,
-    /// The same along the face.
+    /// Displacements along the face, by the distance of the teeth.
     along: Vec<f64>,
     sectors: u32,
 }
 
-/// Teeth too far apart to feel each other.
+/// Flexibility of teeth that are too far apart for coupling.
 const UNCOUPLED: [[f64; 3]; 3] = [[0.0; 3]; 3];
 
-/// Answers of a ring between two of its teeth.
+/// Flexibility of a ring between two of its teeth.
 #[derive(Clone, Copy, Debug)]
 pub struct Link<'a> {
     between: &'a [[f64; 3]; 3],
@@ -38,7 +44,7 @@ pub struct Link<'a> {
     order: Order,
 }
 
-/// Where the other tooth is.
+/// Position of the other tooth.
 #[derive(Clone, Copy, Debug)]
 enum Order {
     Same,
@@ -47,8 +53,8 @@ enum Order {
 }
 
 impl Link<'_> {
-    /// What a load at the root of the one tooth does along another at the root of the other, m/(N/m). The same with the two and their teeth
-    /// exchanged, bit for bit.
+    /// Returns the displacement along one load at the root of one tooth by another load at the root
+    /// of the other tooth, m/(N/m). Exchanging the two loads and their teeth gives the same bits.
     pub fn compliance(&self, one: &RootLoad, other: &RootLoad) -> f64 {
         let along = self.along * (one.along * other.along);
         let parts = |load: &RootLoad| [load.axial, load.shear, load.moment];
@@ -70,32 +76,33 @@ impl Link<'_> {
     }
 }
 
-/// Sizes of a ring.
+/// Dimensions of a ring.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RingShape {
-    /// Of its loaded side, m.
+    /// Radius of its loaded side, m.
     pub radius: f64,
-    /// Of the side that is held, m: smaller, or larger inside of which teeth point inwards.
+    /// Radius of the fixed side, m: smaller, or larger for internal gears.
     pub held_radius: f64,
-    /// Half of the arc on which a tooth stands, rad.
+    /// Half of the arc of a tooth root, rad.
     pub half_arc: f64,
     /// Number of teeth.
     pub sectors: u32,
 }
 
 impl RingShape {
-    /// Where the moment of a root load is counted about, m from the axis: the centre of the arc as forces across see it.
+    /// Returns the reference point of the moment of a root load, m from the axis: the centre of the
+    /// arc for transverse forces.
     pub fn root(&self) -> f64 {
         self.radius * self.half_arc.sin() / self.half_arc
     }
 }
 
 impl HeldRing {
-    /// `coupled` is how far apart teeth feel each other.
+    /// Builds the ring. `coupled` is the largest distance of coupled teeth.
     pub fn new(shape: &RingShape, coupled: u32, material: Material, plane: Plane) -> HeldRing {
         let RingShape { radius, held_radius, half_arc, sectors } = *shape;
         let waves = Waves::new(held_radius / radius, material, plane);
-        // Teeth that point inwards see axial forces and moments the other way round.
+        // For teeth that point inwards, axial forces and moments have the opposite sign.
         let sense = if held_radius > radius { -1.0 } else { 1.0 };
         let coupled = coupled.min(sectors / 2);
         let mut between = vec![[[0.0; 3]; 3]; coupled as usize + 1];
@@ -130,7 +137,8 @@ impl HeldRing {
                 }
             }
         }
-        // Tractions were those of unit loads on a ring of unit radius: a moment acts by its lever.
+        // The tractions are those of unit loads on a ring of unit radius: a moment is scaled by its
+        // lever arm.
         let lever = [sense, 1.0, sense / radius];
         for entries in &mut between {
             for (i, row) in entries.iter_mut().enumerate() {
@@ -142,14 +150,15 @@ impl HeldRing {
         HeldRing { between, along, sectors }
     }
 
-    /// How the root of one tooth feels loads on the root of another one, which may be the same.
+    /// Returns the flexibility of the root of one tooth to loads on the root of another one, which
+    /// may be the same.
     pub fn link(&self, one_tooth: u32, other_tooth: u32) -> Link<'_> {
         let ahead = (other_tooth + self.sectors - one_tooth % self.sectors) % self.sectors;
         let behind = self.sectors - ahead;
         let apart = ahead.min(behind) as usize;
         let order = match ahead {
             0 => Order::Same,
-            // Of two teeth opposite each other either may be ahead: the one with the smaller number is not.
+            // Of two opposite teeth the one with the larger number counts as ahead.
             _ if behind < ahead || (behind == ahead && other_tooth < one_tooth) => Order::Behind,
             _ => Order::Ahead,
         };
@@ -160,22 +169,24 @@ impl HeldRing {
         Link { between, along, order }
     }
 
-    /// Memory that it takes, in bytes.
+    /// Returns the memory, in bytes.
     pub fn bytes(&self) -> usize {
         size_of_val(self.between.as_slice()) + size_of_val(self.along.as_slice())
     }
 }
 
-/// Fourier coefficients of the tractions of a unit axial force, force across and moment on an arc of a ring of unit radius, at a wave number:
-/// radial ones and those around, each as it goes with a radial displacement `cos` and one around `sin` (axial), or `sin` and `-cos`.
+/// Returns the Fourier coefficients of the tractions of a unit axial force, transverse force and
+/// moment on an arc of a ring of unit radius: radial and tangential ones. They are conjugate to a
+/// radial displacement `cos` and a tangential one `sin` (axial), or to `sin` and `-cos`.
 ///
-/// The two forces are spread evenly along the arc; the moment, about [`RingShape::root`], is a force along the tooth in proportion to the angle.
+/// The two forces are uniform along the arc; the moment, about [`RingShape::root`], is a force
+/// along the tooth proportional to the angle.
 fn tractions(n: f64, half: f64) -> [[f64; 2]; 3] {
     // Integrals over the arc of cos(k x) and of x sin(k x).
     let even = |k: f64| if k == 0.0 { 2.0 * half } else { 2.0 * (k * half).sin() / k };
     let odd = |k: f64| {
         let phase = k * half;
-        // Where the two terms are nearly equal their series is exact enough.
+        // If the two terms are nearly equal, their series is sufficiently exact.
         if phase.abs() < 1e-2 {
             2.0 * k * half.powi(3) * (1.0 / 3.0 - phase * phase / 30.0 + phase.powi(4) / 840.0)
         } else {
@@ -193,8 +204,10 @@ fn tractions(n: f64, half: f64) -> [[f64; 2]; 3] {
     [[with, -against], [against, -with], [turning, leaning]]
 }
 
-/// What of a unit force along the face, spread evenly on an arc of a ring of unit radius that is held at another one, a wave number adds to its own
-/// displacement, by the shear modulus: evenly around `t ln(1 / held)`, and else `t tanh(n ln(1 / held)) / n` under a traction `t`.
+/// Returns the contribution of one harmonic to the displacement under a unit force along the face,
+/// times the shear modulus. The force is uniform on an arc of a ring of unit radius that is fixed
+/// at another one. The displacement under a traction `t` is `t ln(1 / held)` for the zeroth
+/// harmonic, and `t tanh(n ln(1 / held)) / n` otherwise.
 fn along_the_face(n: f64, half: f64, held: f64) -> f64 {
     let thickness = held.ln().abs();
     if n == 0.0 {
@@ -204,15 +217,15 @@ fn along_the_face(n: f64, half: f64, held: f64) -> f64 {
     PI * traction * traction * (n * thickness).tanh() / n
 }
 
-/// Waves around a ring of unit radius that is held at another one.
+/// Harmonics around a ring of unit radius that is fixed at another one.
 struct Waves {
     held: f64,
-    /// Lamé's constants; the first one as the plane has it.
+    /// Lamé's constants; the first one adapted to plane stress or plane strain.
     lambda: f64,
     mu: f64,
 }
 
-/// A displacement `U cos(n phi)` outwards and `V sin(n phi)` around, with its derivatives by the radius.
+/// Displacement `U cos(n phi)` outwards and `V sin(n phi)` around, with derivatives by the radius.
 #[derive(Clone, Copy)]
 struct Wave {
     out: [f64; 2],
@@ -230,8 +243,8 @@ impl Waves {
         Waves { held, lambda, mu }
     }
 
-    /// The solutions of Navier's equations for a wave number at a radius: two that grow outwards, then two that decay, each about 1 at the end of
-    /// the ring where it is largest.
+    /// Returns the solutions of Navier's equations for a harmonic at a radius: two that grow
+    /// outwards, then two that decay, each about 1 at the boundary of the ring where it is largest.
     fn solutions(&self, n: f64, radius: f64) -> [Wave; 4] {
         let (inner, outer) = (self.held.min(1.0), self.held.max(1.0));
         let stiffness = (self.lambda + 2.0 * self.mu) / self.mu;
@@ -264,7 +277,7 @@ impl Waves {
         [power(n - 1.0, 1.0, -1.0), growing, power(-n - 1.0, 1.0, 1.0), decaying]
     }
 
-    /// Stresses of a wave across a circle: `cos` outwards, `sin` around.
+    /// Returns the stresses of a harmonic on a circle: radial `cos`, tangential `sin`.
     fn stress(&self, n: f64, radius: f64, wave: &Wave) -> [f64; 2] {
         let ([out, out_rate], [around, around_rate]) = (wave.out, wave.around);
         let dilatation = out_rate + (out + n * around) / radius;
@@ -274,9 +287,10 @@ impl Waves {
         ]
     }
 
-    /// Displacements of the loaded side by unit tractions on it, outwards and around; symmetric.
+    /// Returns the displacements of the loaded side by unit tractions on it, radial and tangential;
+    /// symmetric.
     fn answer(&self, n: f64) -> [[f64; 2]; 2] {
-        // Seen from the material, a ring around teeth ends inwards.
+        // The outward normal of an internal gear's ring points inwards.
         let outward = if self.held < 1.0 { 1.0 } else { -1.0 };
         let solutions = self.solutions(n, 1.0);
         let unfelt = self.held.min(1.0 / self.held).powf(2.0 * (n - 1.0)) < UNFELT;
@@ -286,7 +300,7 @@ impl Waves {
             (true, false) => &[2, 3],
         };
         let at_hold = self.solutions(n, self.held);
-        // What is not used stands on its own, at nought.
+        // Unused rows are decoupled, with the solution zero.
         let mut rows = Matrix4::<f64>::identity();
         for (column, &number) in used.iter().enumerate() {
             let stress = self.stress(n, 1.0, &solutions[number]);
@@ -302,7 +316,7 @@ impl Waves {
         let moved = |traction: usize| {
             let mut right = Vector4::zeros();
             right[traction] = self.mu.recip();
-            // Held on one side, it has one position under any load.
+            // The ring is fixed on one side, so the solution is unique under any load.
             let parts = rows.solve(&right).unwrap_or_else(|| Vector4::from_element(f64::NAN));
             let total = |of: fn(&Wave) -> f64| -> f64 {
                 used.iter().zip(parts.iter()).map(|(&number, part)| part * of(&solutions[number])).sum()
@@ -310,7 +324,7 @@ impl Waves {
             [total(|wave| wave.out[0]), total(|wave| wave.around[0])]
         };
         let [by_out, by_around] = [moved(0), moved(1)];
-        // Equal by Betti's theorem, but for rounding.
+        // Equal by Betti's theorem, except for rounding.
         let crossed = by_out[1];
         [[by_out[0], crossed], [crossed, by_around[1]]]
     }
@@ -329,7 +343,7 @@ mod tests {
         RootLoad { axial: 0.0, shear: 1.0, moment: 0.0, along: 0.0 },
         RootLoad { axial: 0.0, shear: 0.0, moment: 1.0, along: 0.0 },
     ];
-    /// Of E = 1, so that compliances are numbers.
+    /// E = 1, so that compliances are dimensionless.
     const UNIT: Material = Material { youngs_modulus: 1.0, poissons_ratio: 0.3, density: 0.0 };
 
     fn ring(held: f64, half_arc: f64, coupled: u32) -> HeldRing {
@@ -337,7 +351,8 @@ mod tests {
         HeldRing::new(&shape, coupled, UNIT, Plane::Strain)
     }
 
-    /// Compliances times E' of axial force, force across and moment (times the square of the arc), and of force with moment (times the arc).
+    /// Returns compliances times E' of axial force, transverse force and moment (times the square
+    /// of the arc), and of force with moment (times the arc).
     fn own(held: f64, half_arc: f64) -> [f64; 4] {
         let (ring, modulus, arc) = (ring(held, half_arc, 0), 1.0 / 0.91, 2.0 * half_arc);
         let of =
@@ -345,7 +360,8 @@ mod tests {
         [of(0, 0), of(1, 1), arc * arc * of(2, 2), arc * of(1, 2)]
     }
 
-    /// Pushed along the face by teeth that stand all around it, a ring shears evenly: by a logarithm.
+    /// Under axial forces of teeth all around it, a ring shears uniformly: the displacement is a
+    /// logarithm.
     #[test]
     fn all_around_a_ring_shears_by_a_logarithm() {
         let push = RootLoad { along: 1.0, ..RootLoad::default() };
@@ -360,24 +376,27 @@ mod tests {
         }
     }
 
-    /// On an arc that is short against everything else the ring is a half-plane. Under `12 M x / a³` it is displaced by
-    /// `-2 / (pi E') integral of p ln|x - y|`; the work of that is `18 / (pi E') (M / a)²`.
+    /// On a very short arc the ring behaves as a half-plane. Under `12 M x / a³` its displacement
+    /// is `-2 / (pi E') integral of p ln|x - y|`; the work is `18 / (pi E') (M / a)²`.
     #[test]
     fn a_short_arc_turns_as_on_a_half_plane() {
         let [.., turn, _] = own(0.5, 0.002);
         let exact = 18.0 / PI;
         assert!((turn / exact - 1.0).abs() < 4e-3, "{turn} {exact}");
-        // Teeth inwards are no different there.
+        // Inward teeth give the same result.
         let [.., inwards, _] = own(2.0, 0.002);
         assert!((inwards / exact - 1.0).abs() < 4e-3, "{inwards} {exact}");
-        // And the two axial forces, which see the ring as a whole, differ by a logarithm of the arc: 2 / pi for a factor e.
+        // The two axial forces, which involve the whole ring, differ by a logarithm of the arc: 2 /
+        // pi for a factor e.
         let difference = own(0.5, 0.002)[0] - own(0.5, 0.004)[0];
         assert!((difference / (2.0 / PI * 2.0f64.ln()) - 1.0).abs() < 2e-2, "{difference}");
     }
 
-    /// Sainsot, Velex and Duverger (2004), table 1: coefficients A to F of `A / theta² + B h² + C h / theta + D / theta + E h + F`, for
-    /// M*, P* and Q*. Their means over the arc are those of displacements, not of work, from which they differ by up to an eighth for
-    /// forces. Their L* is that of another turn, 6.9 where work has 5.7 and O'Donnell's and Cornell's fixed teeth 5.3.
+    /// Sainsot, Velex and Duverger (2004), table 1: coefficients A to F of
+    /// `A / theta² + B h² + C h / theta + D / theta + E h + F`, for M*, P* and Q*. Their averages
+    /// over the arc are of displacements, not of work, and differ from those by up to an eighth for
+    /// forces. Their L* belongs to a different definition of the rotation, 6.9 where work gives 5.7
+    /// and O'Donnell's and Cornell's fixed teeth 5.3.
     #[test]
     fn forces_move_it_as_published() {
         const PUBLISHED: [[f64; 6]; 3] = [
@@ -409,8 +428,8 @@ mod tests {
         }
     }
 
-    /// A ring so thin that it is a layer on a rigid body is loaded along its arc alone: pressed together by `t / M` a traction, M being the
-    /// modulus without lateral strain, and sheared by `t / G`.
+    /// A very thin ring is a layer on a rigid body that deforms along its arc alone: compressed by
+    /// `t / M` a traction, M being the modulus without lateral strain, and sheared by `t / G`.
     #[test]
     fn a_thin_layer_gives_under_its_load_alone() {
         let (half_arc, thickness) = (0.12, 1e-3);
@@ -421,7 +440,8 @@ mod tests {
         assert!((shear / layer(g) - 1.0).abs() < 0.02, "{shear}");
     }
 
-    /// What one tooth does to another is what that does to it, and to the one on its other side the mirror image; less and less.
+    /// The coupling of two teeth is reciprocal, and mirrored for the neighbour on the other side;
+    /// it decreases with the distance.
     #[test]
     fn teeth_feel_each_other_alike() {
         let ring = ring(0.6, 0.08, 12);
@@ -432,22 +452,22 @@ mod tests {
                     let back = compliance(&ring, ((3 + apart) % 24, other), (3, one));
                     assert_eq!(given.to_bits(), back.to_bits(), "{i} {j} {apart}");
                     let mirrored = compliance(&ring, ((3 + apart) % 24, one), (3, other));
-                    // The mirror image turns forces across and moments round.
+                    // Mirroring changes the sign of transverse forces and moments.
                     let sign = if (i == 0) == (j == 0) { 1.0 } else { -1.0 };
                     assert!((given - sign * mirrored).abs() < 1e-13, "{i} {j} {apart}");
                 }
             }
         }
-        // What is ahead of a push is raised, and far ones hardly feel it.
+        // A transverse force raises the tooth ahead, and hardly affects distant teeth.
         assert!(compliance(&ring, (0, &FORCES[1]), (1, &FORCES[0])) > 0.0);
         let across = |apart: u32| compliance(&ring, (0, &FORCES[1]), (apart, &FORCES[1]));
-        // A force across turns the whole ring in its hold, which all teeth feel alike.
+        // A transverse force rotates the whole ring against its support, equally for all teeth.
         assert!(
             [1, 2, 4, 8].windows(2).all(|pair| across(pair[1]) < across(pair[0])) && across(1) < across(0)
         );
     }
 
-    /// The whole table is positive definite: no loads on any teeth gain work.
+    /// The whole table is positive definite: no loads on any teeth have negative strain energy.
     #[test]
     fn no_loads_gain_work() {
         let ring = ring(0.55, 0.1, 12);

@@ -1,35 +1,38 @@
-//! Nominal stress in a fillet by form and stress correction factors: ISO 6336-3, method B, at the section through the points where tangents
-//! of the fillets are inclined against the middle of the tooth by 30 degrees (60 degrees of an internal gear).
+//! Nominal stress in a fillet by form and stress correction factors: ISO 6336-3, method B, at the
+//! section through the points where the tangents of the fillets make 30 degrees with the centre
+//! line of the tooth (60 degrees for an internal gear).
 //!
-//! `Y_F = 6 h_F cos(alpha) / s_F²` times a module and over the cosine that tangential forces are counted with is bending by the force across the
-//! tooth at the height where its line of action crosses the middle; `Y_S = (1.2 + 0.13 L) q^(1 / (1.21 + 2.3 / L))` with `L = s_F / h_F` and
-//! `q = s_F / (2 rho_F)` was measured. Both go with the place of the load.
+//! `Y_F = 6 h_F cos(alpha) / s_F²`, times a module and divided by the cosine of tangential forces,
+//! is bending by the transverse force at the height where its line of action crosses the centre
+//! line. `Y_S = (1.2 + 0.13 L) q^(1 / (1.21 + 2.3 / L))` with `L = s_F / h_F` and
+//! `q = s_F / (2 rho_F)` is empirical. Both depend on the point of load application.
 
 use super::cantilever::RootLoad;
 
 /// Range of `q` for which the stress correction was measured.
 const NOTCHES: [f64; 2] = [1.0, 8.0];
 
-/// The critical section of a tooth.
+/// Critical section of a tooth.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CriticalSection {
-    /// Distance from the root as loads count it, m.
+    /// Distance from the root, m; the same root as for loads.
     pub at: f64,
-    /// s_F, m.
+    /// Chord s_F, m.
     pub chord: f64,
     /// Radius of the fillet there, m.
     pub notch_radius: f64,
-    /// Arc length on the fillet from the end of the flank, m.
+    /// Arc length on the fillet, from the end of the flank, m.
     pub s: f64,
-    /// In tooth coordinates, on the side of surface 0, m.
+    /// Position in tooth coordinates, on the side of surface 0, m.
     pub position: [f64; 2],
 }
 
 impl CriticalSection {
-    /// Stress along the fillet on the side of positive places across the tooth, or of negative ones, Pa: `side` is their sign.
+    /// Returns the stress along the fillet on the side of positive or of negative coordinates
+    /// across the tooth, Pa: `side` is their sign.
     pub fn stress(&self, load: &RootLoad, side: f64) -> f64 {
         let moment = load.moment - self.at * load.shear;
-        // Beneath the section a force does not bend it.
+        // A force below the section does not bend it.
         if moment * load.shear <= 0.0 {
             return 0.0;
         }
@@ -48,14 +51,15 @@ mod tests {
     const SECTION: CriticalSection =
         CriticalSection { at: 0.5e-3, chord: 4e-3, notch_radius: 0.8e-3, s: 0.0, position: [0.0; 2] };
 
-    /// L = 4 / 5, q = 2.5: Y_S = (1.2 + 0.104) 2.5^(1 / 4.085) = 1.6319; nominal stress 6 F h / s² = 1.875e3 F.
+    /// L = 4 / 5, q = 2.5: Y_S = (1.2 + 0.104) 2.5^(1 / 4.085) = 1.6319; nominal stress 6 F h / s²
+    /// = 1.875e3 F.
     #[test]
     fn the_factors_of_the_standard() {
         let load = RootLoad { axial: -0.3, shear: -1.0, moment: -5.5e-3, along: 0.0 };
         let expected = 1.304 * 2.5f64.powf(1.0 / 4.085) * 6.0 * 5e-3 / 16e-6;
         assert!((SECTION.stress(&load, 1.0) / expected - 1.0).abs() < 1e-12);
         assert_eq!(SECTION.stress(&load, -1.0), -SECTION.stress(&load, 1.0));
-        // By and beneath the section there is no bending.
+        // At and below the section there is no bending.
         let low = RootLoad { moment: -0.4e-3, ..load };
         assert_eq!(SECTION.stress(&low, 1.0), 0.0);
     }

@@ -1,13 +1,17 @@
-//! The same teeth in space: thin slices across the axis, coupled along the face.
+//! Three-dimensional model of the same teeth: thin slices across the axis, coupled along the face.
 //!
-//! What slices give is spread along the face by `K(z, z')`, the answer of a row of slices that shear each other to a load on one, between free side
-//! faces: `K - length² K'' = delta`. Its integral over the face is one, so an even load finds the plane's compliance, whatever the length. That
-//! is a cantilever plate's: with deflections `w(z) x²` its bending stiffness `4 D / H³` and its twisting stiffness `8/3 (1 - nu) D / H` give
-//! `length² = 2/3 (1 - nu) H²` (Kantorovich's method; what bends along the face, which decays faster, is left out).
+//! The compliance of slices is distributed along the face by `K(z, z')`, the response of a row of
+//! slices coupled in shear to a load on one of them, between free side faces:
+//! `K - length² K'' = delta`. Its integral over the face is one, so a uniform load gives the
+//! compliance of the plane model, whatever the length. This is the model of a cantilever plate:
+//! with deflections `w(z) x²` its bending stiffness `4 D / H³` and its twisting stiffness
+//! `8/3 (1 - nu) D / H` give `length² = 2/3 (1 - nu) H²` (Kantorovich's method; bending along the
+//! face, which decays faster, is neglected).
 //!
-//! Near a load the half-space stands for the half-plane, with the same depth beneath: `1 / r - 1 / sqrt(r² + h h')` over `pi E'`, of which the
-//! integral along a line is the plane's `ln(1 + h h' / x²) / (pi E')`. The first term is the near field that all structures have, with its images in the
-//! side faces; the second one stands here.
+//! Near a load the half-space replaces the half-plane, with the same reference depth:
+//! `1 / r - 1 / sqrt(r² + h h')` over `pi E'`, whose integral along a line is the plane model's
+//! `ln(1 + h h' / x²) / (pi E')`. The first term is the near field of all structures, with its
+//! images in the side faces; this module adds the second one.
 
 use super::held_ring::HeldRing;
 use super::{Local, Tooth, ToothShape};
@@ -18,12 +22,13 @@ use crate::surface::Surface;
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-/// Stations along the face at which stress is told.
+/// Number of stations along the face with recovered stress.
 const STATIONS: usize = 17;
-/// Stretches whose middles are so many of their mean lengths from each other or from their common line are averaged over to the second order: within 2.6e-4.
+/// Two stretches are averaged to second order if the distance of their middles from each other or
+/// from their common line is at least this many mean lengths: the error is below 2.6e-4.
 const FAR: f64 = 4.0;
 
-/// Slices of teeth around a ring that give by closed forms.
+/// Slices of teeth around a ring with closed-form compliances.
 pub struct AnalyticSolid {
     surfaces: Vec<Arc<dyn Surface>>,
     tooth: Tooth,
@@ -33,38 +38,39 @@ pub struct AnalyticSolid {
     mirrors: [Mirror; 2],
 }
 
-/// A face, and how slices of it hold each other.
+/// Face, and the coupling of its slices.
 #[derive(Clone, Copy, Debug)]
 struct Face {
     width: f64,
-    /// Counter-clockwise turn of slices per length along z, rad/m.
+    /// Counter-clockwise rotation of slices per length along z, rad/m.
     twist: f64,
-    /// Over which they spread a load, m.
+    /// Length over which slices distribute a load, m.
     spread: f64,
-    /// Of the exponentials of which K is made, 1/m.
+    /// Common factor of the exponentials in K, 1/m.
     share: f64,
-    /// Of them, that of the whole width.
+    /// Exponential of the whole width.
     across: f64,
 }
 
-/// A stretch of a flank under a unit force, and its slice.
+/// Stretch of a flank under a unit force, and its slice.
 struct Place {
     slice: Local,
     position: [f64; 3],
     z: f64,
-    /// Of the stretch, along the face.
+    /// Length of the stretch along the face.
     length: f64,
     /// Length on the flank per length along the face.
     stretch: f64,
-    /// What averaging over the stretch makes of exponentials along the face.
+    /// Factor on exponentials along the face by averaging over the stretch.
     swelling: f64,
-    /// Exponentials that are one in the lower side face and in the upper one.
+    /// Exponentials that are one in the lower and in the upper side face.
     ends: [f64; 2],
 }
 
 impl AnalyticSolid {
-    /// `surfaces` are the flanks of tooth 0 over arc lengths of the profile and distances from mid-face; `twist` is the counter-clockwise turn of
-    /// sections per length along z, rad/m. `coupled` is how far apart teeth feel each other.
+    /// Builds the body. `surfaces` are the flanks of tooth 0 over arc lengths of the profile and
+    /// distances from mid-face; `twist` is the counter-clockwise rotation of sections per length
+    /// along z, rad/m. `coupled` is the largest distance of coupled teeth.
     pub fn new(
         surfaces: Vec<Arc<dyn Surface>>,
         shape: &ToothShape,
@@ -74,7 +80,7 @@ impl AnalyticSolid {
     ) -> AnalyticSolid {
         let tooth = Tooth::new(shape, material, Plane::Strain);
         let height = tooth.cantilever.length();
-        // Along the tooth; along the face it is less.
+        // Length along the tooth; along the face it is shorter.
         let spread = shape.lean * height * (2.0 / 3.0 * (1.0 - material.poissons_ratio)).sqrt();
         let mirror = |z: f64| Mirror { point: [0.0, 0.0, z], normal: [0.0, 0.0, 1.0] };
         AnalyticSolid {
@@ -96,7 +102,7 @@ impl AnalyticSolid {
         let ([s, z], face) = (spot.place, &self.face);
         let on = surface.at(s, z);
         let (sine, cosine) = (face.twist * z).sin_cos();
-        // In the slice's own coordinates, where the tooth stands along x.
+        // Coordinates of the slice, with the tooth along x.
         let turned = |[x, y, _]: [f64; 3]| [cosine * x + sine * y, cosine * y - sine * x];
         let entering = surface.edge_from().map_or(on, |edge| surface.at(s.min(edge), z));
         let [point, entry] = [on, entering].map(|on| (turned(on.position), turned(on.normal)));
@@ -113,12 +119,13 @@ impl AnalyticSolid {
         }
     }
 
-    /// What the depth beneath the loads takes from the half-space and its images, m/N.
+    /// Returns the contribution of the reference depth beneath the loads, to be subtracted from the
+    /// half-space and its images, m/N.
     fn near(&self, one: &Place, other: &Place) -> f64 {
         let stretch = (one.stretch * other.stretch).sqrt();
         let lengths = [one, other].map(|place| stretch * place.length);
         let depths = one.slice.depth * other.slice.depth;
-        // Images in side faces are as far apart in sections as the places are.
+        // Images in side faces have the same distance in the section as the points.
         let flat: f64 = (0..2).map(|k| (one.position[k] - other.position[k]).powi(2)).sum();
         let apart = |axial: f64| {
             let along = stretch * axial.abs();
@@ -130,7 +137,7 @@ impl AnalyticSolid {
     }
 }
 
-/// `sinh(x) / x`.
+/// Returns `sinh(x) / x`.
 fn swelling(x: f64) -> f64 {
     if x < 1e-3 { 1.0 + x * x / 6.0 } else { x.sinh() / x }
 }
@@ -146,10 +153,10 @@ impl Face {
         [-1.0, 1.0].map(|end| ((end * z - 0.5 * self.width) / self.spread).exp())
     }
 
-    /// K, averaged over both stretches, 1/m. The same with the two exchanged, bit for bit.
+    /// Returns K, averaged over both stretches, 1/m. Exchanging the two gives the same bits.
     ///
-    /// It is a row of exponentials: the slice's own, those of its images in both side faces, and that of their images in turn, with all that follow in the
-    /// denominator.
+    /// It is a sum of exponentials: that of the slice, those of its images in both side faces, and
+    /// that of their images in turn; the denominator accounts for all further images.
     fn spread(&self, one: &Place, other: &Place) -> f64 {
         let apart = (one.z - other.z).abs() / self.spread;
         let (lower, upper) = if one.z < other.z { (one, other) } else { (other, one) };
@@ -159,7 +166,7 @@ impl Face {
         let [direct, beyond] = if apart >= reach || first * second < 1e-8 {
             [swollen * (-apart).exp(), swollen * (upper.ends[1] * lower.ends[0] * self.across)]
         } else {
-            // Of stretches that overlap: second differences of what is integrated twice.
+            // Overlapping stretches: second differences of the second antiderivative.
             let mean = |twice: &dyn Fn(f64) -> f64| {
                 let ends = (twice(apart + reach) - twice(apart + difference))
                     + (twice(apart - reach) - twice(apart - difference));
@@ -174,17 +181,19 @@ impl Face {
     }
 }
 
-/// Mean of `1 / sqrt(a² + u²)` over two stretches of a line whose middles are `along` apart.
+/// Returns the mean of `1 / sqrt(a² + u²)` over two stretches of a line whose middles are `along`
+/// apart.
 fn mean_inverse(a: f64, along: f64, [first, second]: [f64; 2]) -> f64 {
     let square = a * a + along * along;
     let (sum, difference) = (0.5 * (first + second), 0.5 * (first - second).abs());
     if square > (FAR * sum).powi(2) || first * second == 0.0 {
-        // Of the difference of two places the variance, in squares of the distance.
+        // Variance of the distance between two points of the stretches, relative to the square of
+        // the distance.
         let variance = (first * first + second * second) / (12.0 * square);
         let bent = 3.0 * along * along / square - 1.0;
         return (1.0 + 0.5 * variance * bent) / square.sqrt();
     }
-    // Second differences of what is integrated twice: `u asinh(u / a) - sqrt(a² + u²)`.
+    // Second differences of the second antiderivative: `u asinh(u / a) - sqrt(a² + u²)`.
     let twice = |u: f64| {
         let (u, r) = (u.abs(), (a * a + u * u).sqrt());
         u * ((u + r) / a).ln() - r
@@ -219,7 +228,7 @@ impl SolidStructure for AnalyticSolid {
         loads: &[Spot],
         block: &mut [f64],
     ) {
-        // What two places do to each other is the same from either side.
+        // The coupling of two points is the same from either side.
         let is_own = observe == load && observers == loads;
         let (observers, loads) = (self.places(observe, observers), self.places(load, loads));
         if loads.is_empty() {
@@ -247,7 +256,7 @@ impl SolidStructure for AnalyticSolid {
         }
     }
 
-    /// The standard's stress of each slice under what slices pass on to it.
+    /// Returns the stress of the standard in each slice under the force that slices pass on to it.
     fn stresses(&self, tooth: u32, surface: u32, loads: &[SpotLoad]) -> Vec<SurfaceStress> {
         let Some(section) = &self.tooth.section else { return Vec::new() };
         let side = if surface == 0 { 1.0 } else { -1.0 };
@@ -292,7 +301,7 @@ mod tests {
     use crate::structure::analytic::AnalyticStructure;
     use crate::surface::SurfacePoint;
 
-    /// A slab's side, all along a face.
+    /// Side of a slab, constant along a face.
     struct Wall(Slab, f64);
 
     impl Surface for Wall {
@@ -331,7 +340,7 @@ mod tests {
         (plane, AnalyticSolid::new(walls.to_vec(), &shape, [WIDTH, 0.0], 3, material))
     }
 
-    /// Slices of a face, not all of one length.
+    /// Returns slices of a face with different lengths.
     fn slices(s: f64) -> Vec<Spot> {
         let ends = [-0.5, -0.45, -0.3, -0.25, 0.0, 0.1, 0.3, 0.42, 0.5];
         let slice = |pair: &[f64]| Spot {
@@ -347,8 +356,8 @@ mod tests {
         block
     }
 
-    /// An even load along the face is the plane's, at every slice, whatever Poisson's ratio: but for the near field's images of images, a
-    /// thousandth of it here.
+    /// A uniform load along the face gives the compliance of the plane model at every slice for any
+    /// Poisson's ratio, except for the near field's images of images, a thousandth of it here.
     #[test]
     fn an_even_load_is_the_planes() {
         for nu in [0.0, 0.3, 0.45] {
@@ -366,7 +375,8 @@ mod tests {
                 for (row, observer) in given.chunks(loads.len()).zip(slices(low)) {
                     let mut sum: f64 = row.iter().zip(&loads).map(|(c, load)| c * load.length).sum();
                     if near {
-                        // What the half-space has of the line, with its images, and the half-plane.
+                        // Difference between the half-space's response to the line, with its
+                        // images, and the half-plane's.
                         let (z, apart) = (observer.place[1], high - low);
                         let line: f64 =
                             [1.5 * WIDTH - z, 1.5 * WIDTH + z].iter().map(|end| (end / apart).asinh()).sum();
@@ -402,7 +412,7 @@ mod tests {
         }
     }
 
-    /// What is found of one half of the pairs and mirrored is what is found of all.
+    /// Mirroring the result of one half of the pairs gives the same result as computing all pairs.
     #[test]
     fn places_seen_by_themselves_are_seen_as_by_others() {
         let (_, solid) = bodies(Material::STEEL);
@@ -413,7 +423,7 @@ mod tests {
         }
     }
 
-    /// Means of the inverse distance against sums over many places.
+    /// Means of the inverse distance against sums over many points.
     #[test]
     fn stretches_see_each_other_in_the_mean() {
         for (a, along, lengths) in [

@@ -1,8 +1,10 @@
-//! The elements of a mesh as pictures have them: cells with straight sides between nodes, and stresses at nodes.
+//! Output elements of a mesh: cells with straight edges between nodes, and nodal stresses.
 //!
-//! An element whose nodes are a grid is as many cells as that has; seen from afar it is one, by its corners. Stress is taken where that of the
-//! displacements is best, at the Gauss points of the elements' order (Barlow 1976), continued to the nodes by the polynomials
-//! through these points, and averaged over the elements that share a node (Hinton and Campbell 1974).
+//! An element with a grid of nodes has as many cells as the grid; in coarse output it is a single
+//! cell, by its corners. Stress is sampled where that of the displacements is most accurate, at the
+//! Gauss points of the elements' order (Barlow 1976). It is extrapolated to the nodes by the
+//! polynomials through these points, and averaged over the elements that share a node (Hinton and
+//! Campbell 1974).
 
 use crate::fe::quadrature::gauss_legendre;
 use crate::fe::solid::{SolidModel, SolidPlace};
@@ -11,7 +13,7 @@ use crate::material::Plane;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-/// Local coordinates that differ by less are one.
+/// Local coordinates with a smaller difference are equal.
 const SAME: f64 = 1e-9;
 
 /// Cells between points.
@@ -19,36 +21,36 @@ const SAME: f64 = 1e-9;
 pub(super) struct Outline {
     /// Nodes of the mesh, ascending.
     pub nodes: Vec<usize>,
-    /// Corners, by their places among these: four of a quadrilateral, counter-clockwise; eight of a hexahedron, those of the face towards the first station
-    /// before their opposites.
+    /// Corners as indices into these nodes: four of a quadrilateral, counter-clockwise; eight of a
+    /// hexahedron, those of the face towards the first station before their opposites.
     pub cells: Vec<Vec<usize>>,
 }
 
-/// What elements of one kind have in common.
+/// Data that elements of one type share.
 struct Kind {
-    /// Of the cells of the element, and of the one cell that stands for it from afar, numbers of its nodes.
+    /// Node indices of the cells of the element, and of its single cell in coarse output.
     cells: [Vec<Vec<usize>>; 2],
-    /// Local coordinates of the points at which stress is taken.
+    /// Local coordinates of the stress sampling points.
     samples: Vec<[f64; 3]>,
-    /// What each of them is worth at each node.
+    /// Weight of each sampling point at each node.
     weights: Vec<Vec<f64>>,
 }
 
-/// An element with the derivatives of its shapes at the points at which stress is taken.
+/// Element with the derivatives of its shape functions at the sampling points.
 struct Element {
     kind: Arc<Kind>,
     nodes: Vec<usize>,
-    /// By point and node, along x, y and z, 1/m.
+    /// Derivatives along x, y and z, by point and node, 1/m.
     gradients: Vec<Vec<[f64; 3]>>,
 }
 
-/// Lamé's constants, Pa, and the strain across the plane by those in it.
+/// Lamé's constants, Pa, and the out-of-plane strain by the in-plane strains.
 struct Law {
     lame: [f64; 2],
     across: f64,
 }
 
-/// See the module.
+/// Elements of a mesh. See the module documentation.
 pub(super) struct Elements {
     nodes: usize,
     dofs_per_node: usize,
@@ -57,7 +59,7 @@ pub(super) struct Elements {
 }
 
 impl Elements {
-    /// Of a plane mesh.
+    /// Builds the elements of a plane mesh.
     pub fn plane(model: &PlaneModel) -> Self {
         let mut kinds = BTreeMap::new();
         let element = |(number, element): (usize, &crate::fe::Element)| {
@@ -87,7 +89,7 @@ impl Elements {
         Self { nodes: model.mesh.nodes.len(), dofs_per_node: 2, law, elements }
     }
 
-    /// Of a mesh in space, without what has no material.
+    /// Builds the elements of a three-dimensional mesh, without those that have no material.
     pub fn solid(model: &SolidModel) -> Self {
         let mut kinds = BTreeMap::new();
         let mut elements = Vec::new();
@@ -107,7 +109,7 @@ impl Elements {
         Self { nodes: model.mesh.nodes.len(), dofs_per_node: 3, law, elements }
     }
 
-    /// All elements by their cells, and by one each.
+    /// Returns all elements by their cells, and by one cell each.
     pub fn outlines(&self) -> [Outline; 2] {
         [0, 1].map(|coarse| {
             let cells = || {
@@ -125,7 +127,7 @@ impl Elements {
         })
     }
 
-    /// Stresses xx, yy, zz, yz, zx, xy at all nodes under displacements, Pa.
+    /// Returns the stresses xx, yy, zz, yz, zx, xy at all nodes under displacements, Pa.
     pub fn stresses(&self, displacements: &[f64]) -> Vec<[f64; 6]> {
         let mut sums = vec![([0.0; 6], 0_u32); self.nodes];
         for element in &self.elements {
@@ -169,7 +171,9 @@ fn lame(young: f64, ratio: f64) -> [f64; 2] {
 }
 
 impl Kind {
-    /// Of an element with nodes at these local coordinates, and so many points along each of them; one along a coordinate that it does not have.
+    /// Builds the data of an element with nodes at these local coordinates, and a number of
+    /// sampling points along each coordinate; one along a coordinate that the element does not
+    /// have.
     fn new(places: Vec<[f64; 3]>, points: [usize; 3]) -> Self {
         let lines = points.map(|count| gauss_legendre(count).into_iter().map(|(x, _)| x).collect::<Vec<_>>());
         let tensor = |line: [&[f64]; 3]| {
@@ -191,7 +195,8 @@ impl Kind {
     }
 }
 
-/// The cells of an element by the places of its nodes, and the cell of its corners.
+/// Returns the cells of an element from the local coordinates of its nodes, and the cell of its
+/// corners.
 fn cells(places: &[[f64; 3]]) -> [Vec<Vec<usize>>; 2] {
     let values = |axis: usize| {
         let mut values: Vec<f64> = places.iter().map(|place| place[axis]).collect();
@@ -201,7 +206,7 @@ fn cells(places: &[[f64; 3]]) -> [Vec<Vec<usize>>; 2] {
     };
     let lines = [0, 1, 2].map(values);
     let near = |a: &[f64; 3], b: &[f64; 3]| (0..3).all(|axis| (a[axis] - b[axis]).abs() < SAME);
-    // The node at a point of the grid of all values.
+    // Finds the node at a point of the grid of all values.
     let node = |at: [usize; 3]| {
         let wanted = [0, 1, 2].map(|axis| lines[axis][at[axis]]);
         places.iter().position(|place| near(place, &wanted))
@@ -229,11 +234,11 @@ fn cells(places: &[[f64; 3]]) -> [Vec<Vec<usize>>; 2] {
             }
         }
     }
-    // Nodes that are no grid leave holes in it.
+    // Nodes that do not form a grid leave gaps in it.
     [all.unwrap_or_else(|| whole.clone()), whole]
 }
 
-/// What values at points are worth at `x` by the polynomial through them.
+/// Returns the weights of values at points in the polynomial through them at `x`.
 fn through(points: &[f64], x: f64) -> Vec<f64> {
     let others = |k: usize| points.iter().enumerate().filter(move |(other, _)| *other != k);
     (0..points.len())
@@ -246,7 +251,8 @@ mod tests {
     use super::*;
     use crate::structure::tests::bodies::{COARSE, STEEL, toothed_sector};
 
-    /// A plate free of stress across it, stretched: its elements know the strain across, and have no stress there. Held across, it has.
+    /// Stretched plate in plane stress: the elements have an out-of-plane strain, and no
+    /// out-of-plane stress. In plane strain there is such a stress.
     #[test]
     fn a_stretched_plate_has_no_stress_across_it() {
         let (sector, _) = toothed_sector(12, 1.0, COARSE);
@@ -270,7 +276,7 @@ mod tests {
         }
     }
 
-    /// Nodes that are a grid make a cell between all of them; of others the corners make one.
+    /// Nodes that form a grid make cells between all of them; otherwise the corners make one cell.
     #[test]
     fn elements_without_inner_nodes_are_one_cell() {
         let at =

@@ -1,8 +1,10 @@
-//! All displacements of the sectors of a ring under given forces, whatever holds its bore.
+//! Displacements of all nodes of the sectors of a ring under given forces, with any support of its
+//! bore.
 //!
-//! The ring is known through its cuts ([`RingFlexibility`]) as its condensed structure knows it. With the displacements of a sector's two cuts and the
-//! forces that hold the bore, what is inside follows from the sector alone: `u = K^-1 (f - K_c u_c - G mu)`, `K` being decomposed once for
-//! all sectors and positions.
+//! The flexibility of the ring at its cuts ([`RingFlexibility`]) is that of its condensed
+//! structure. Interior displacements of a sector follow from the displacements `u_c` of its two
+//! cuts and the constraint forces `mu` of the bore: `u = K^-1 (f - K_c u_c - G mu)`. `K` is
+//! factorized once for all sectors and positions.
 
 use crate::fe::{Constraints, Solver, SparseVector};
 use crate::interrupt::{Interrupt, Room};
@@ -15,40 +17,41 @@ use crate::structure::ring::RingFlexibility;
 use faer::sparse::SparseColMat;
 use faer::{Mat, MatRef};
 
-/// A ring whose interior is kept, other than that of a condensed structure.
+/// Ring that keeps its interior, in contrast to a condensed structure.
 pub(super) struct SolvedRing {
     pub sectors: u32,
-    /// Symmetric, of one sector.
+    /// Stiffness matrix of one sector, symmetric.
     stiffness: SparseColMat<usize, f64>,
     dofs_per_node: usize,
-    /// Degrees of freedom of the first cut, and those of the last one that are their images.
+    /// Degrees of freedom of the first cut, and the corresponding ones of the last cut.
     cuts: [Vec<usize>; 2],
-    /// By which the last cut is turned, rad.
+    /// Rotation of the last cut, rad.
     pitch: f64,
-    /// Of the means that are held or let go; none of a rigid bore.
+    /// Forms of the averages that are constrained or released; empty for a rigid bore.
     forms: Vec<SparseVector>,
-    /// With held degrees of freedom and both cuts at rest.
+    /// Solver of the interior, with fixed supports and both cuts fixed.
     inside: Solver,
     ring: RingFlexibility,
-    /// How sectors feel each other beside what the ring's answers say, and the forces by those on cuts and means that it is told.
+    /// Coupling of sectors in addition to the ring's flexibility, and its equivalent forces by
+    /// those on cuts and averages.
     bore: Option<(BoreCoupling, Mat<f64>)>,
-    /// What the stiffness takes.
+    /// Memory reservation for the stiffness matrix.
     _room: Room,
 }
 
-/// A sector of a ring, and how the ring is held.
+/// Sector of a ring, and the support of the ring.
 pub(super) struct Held {
     pub sectors: u32,
     pub cuts: Cuts,
-    /// Degrees of freedom that do not move.
+    /// Fixed degrees of freedom.
     pub held: Vec<usize>,
     pub means: Option<BoreMeans>,
-    /// Sectors up to this far apart are known to each other through their cuts.
+    /// Largest distance of sectors that are coupled through their cuts.
     pub window: u32,
 }
 
 impl SolvedRing {
-    /// `blamed` has the last word on an error.
+    /// Builds the ring; `blamed` maps its errors.
     pub fn new(
         assembled: Assembled,
         sector: Held,
@@ -89,8 +92,9 @@ impl SolvedRing {
         })
     }
 
-    /// Displacements of sectors, a column each, in the frame of the sector, under full vectors of forces on some sectors, in their own frames, and
-    /// forces of loose lugs, if it has such.
+    /// Returns displacements of sectors, one column each in the frame of the sector. The loads are
+    /// full vectors of forces on some sectors, in their own frames, and forces of loose spline
+    /// teeth, if any.
     pub fn displacements(
         &self,
         loads: &[(u32, Vec<f64>)],
@@ -110,7 +114,7 @@ impl SolvedRing {
             sum
         };
         let answers: Vec<Mat<f64>> = wanted.iter().map(|&sector| answer(sector)).collect();
-        // Far from all loads, on a bore that does not give way, nothing moves.
+        // On a rigid bore, sectors far from all loads do not move.
         let moves = |&at: &usize| answers[at].col(0).iter().any(|&value| value != 0.0);
         let moving: Vec<usize> = (0..wanted.len()).filter(moves).collect();
         let unknowns = Mat::from_fn(on_cuts.nrows(), moving.len(), |row, at| answers[moving[at]][(row, 0)]);
@@ -134,8 +138,9 @@ impl SolvedRing {
         self.cuts[0].len()
     }
 
-    /// Forces on the cuts, of the last one in the frame of the next sector, and on the means that equal each load; `alone` is what it
-    /// does inside with the cuts at rest.
+    /// Returns the forces on the cuts (for the last one in the frame of the next sector) and on the
+    /// averages that are equivalent to each load; `alone` is its interior displacement with fixed
+    /// cuts.
     fn on_cuts(&self, forces: &Mat<f64>, alone: &Mat<f64>) -> Mat<f64> {
         let n = self.cut_size();
         let (sin, cos) = self.pitch.sin_cos();
@@ -160,12 +165,13 @@ impl SolvedRing {
         all
     }
 
-    /// Places ahead, going round, from one sector to another.
+    /// Returns the number of sectors ahead, around the ring, from one sector to another.
     fn places_ahead(&self, from: u32, to: u32) -> u32 {
         (to % self.sectors + self.sectors - from % self.sectors) % self.sectors
     }
 
-    /// What forces on the cuts and means of a sector do to those of another one, as that sees them.
+    /// Adds the displacements of a sector's cuts and averages, in its own frame, by forces on those
+    /// of another sector.
     fn add_answer(&self, sum: &mut Mat<f64>, observer: u32, (loaded, forces): (u32, MatRef<'_, f64>)) {
         let (ahead, behind) = (self.places_ahead(loaded, observer), self.places_ahead(observer, loaded));
         let known = ahead.min(behind) <= self.ring.window();
@@ -183,7 +189,7 @@ impl SolvedRing {
         }
     }
 
-    /// What loose lugs do to the cuts and means of a sector.
+    /// Adds the displacements of a sector's cuts and averages by forces of loose spline teeth.
     fn add_lugs(&self, sum: &mut Mat<f64>, observer: u32, lugs: &[f64]) {
         let Some((bore, holding)) = self.bore.as_ref().filter(|_| !lugs.is_empty()) else { return };
         let lugs = MatRef::from_column_major_slice(lugs, lugs.len(), 1);
@@ -192,7 +198,8 @@ impl SolvedRing {
         }
     }
 
-    /// Puts the cuts of sectors where the unknowns have them; the forces that this is on what is inside.
+    /// Sets the cut displacements of sectors from the unknowns; returns the resulting interior
+    /// forces.
     fn forces_inside(&self, unknowns: &Mat<f64>, moved: &mut Mat<f64>) -> Mat<f64> {
         let n = self.cut_size();
         let (sin, cos) = self.pitch.sin_cos();

@@ -1,4 +1,5 @@
-//! The modes of a body made of those of its mesh: put in order, and seen where contact, frame and stress see them.
+//! Modes of a body from those of its mesh: sorted, and evaluated for contact, frame and stress
+//! recovery.
 
 use super::super::bore::{BoreMeans, Wanted};
 use super::super::condense::{Assembled, match_cuts};
@@ -16,15 +17,17 @@ use faer::{Mat, c64};
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-/// Rigid-body motions in the plane.
+/// Number of rigid-body motions in the plane.
 const MOTIONS: usize = 3;
 
 impl BodyModes {
-    /// Of a ring of equal sectors, held as [`ElasticStructure::ring`](super::super::ElasticStructure::ring) holds it, up to a frequency
-    /// (rad/s). `model` is one sector about the origin, surfaces are those of one sector.
+    /// Computes the modes of a ring of equal sectors up to a frequency (rad/s), supported as by
+    /// [`ElasticStructure::ring`](super::super::ElasticStructure::ring). `model` is one sector
+    /// about the origin; the surfaces are those of one sector.
     ///
     /// # Errors
-    /// Chains are missing or too coarse, cuts do not conform, lugs hold the ring, some modes cannot be found, or the interrupt's.
+    /// Chains are missing or too coarse, the cuts do not conform, spline teeth support the ring,
+    /// some modes cannot be found, or the computation is interrupted.
     pub fn ring(
         model: &PlaneModel,
         ring: &RingSource<'_>,
@@ -38,10 +41,12 @@ impl BodyModes {
         Ok(Self::seen(&sector, modes, prepare(model, surfaces, options, interrupt)?))
     }
 
-    /// Of a body of a single mesh. Of a free one those that deform it: its rigid-body motions belong to its frame.
+    /// Computes the modes of a body of a single mesh. For a free body these are the elastic modes
+    /// only: its rigid-body motions belong to its frame.
     ///
     /// # Errors
-    /// Chains are missing or too coarse, some modes cannot be found, or the interrupt's.
+    /// Chains are missing or too coarse, some modes cannot be found, or the computation is
+    /// interrupted.
     pub fn single(
         model: &PlaneModel,
         hold: Hold<'_>,
@@ -100,7 +105,7 @@ impl BodyModes {
     }
 }
 
-/// The equations of a ring's sector, held as the ring is.
+/// Returns the equations of a ring's sector, supported as the ring is.
 pub(super) fn ring_sector(
     model: &PlaneModel,
     ring: &RingSource<'_>,
@@ -112,7 +117,7 @@ pub(super) fn ring_sector(
     let held = match ring.hold {
         BoreHold::Rigid => bore,
         BoreHold::Means { .. } => Vec::new(),
-        // They couple modes of all numbers of waves.
+        // Spline teeth couple modes of all nodal diameters.
         BoreHold::Lugs(_) | BoreHold::LooseLugs { .. } => return Err(StructureError::ModesOnLugs),
     };
     let assembled = Assembled::plane(model);
@@ -121,22 +126,22 @@ pub(super) fn ring_sector(
     let held = assembled.dofs_of(&held);
     let matrices = (assembled.stiffness, model.mass());
     let sector = Sector::new(matrices, model.mesh.nodes.clone(), &held, count, Some(&cuts));
-    // None but those that are held: what teeth far apart do to each other needs no help here.
+    // Only the constrained averages: the coupling of distant teeth needs no released ones here.
     let Some(wanted) = Wanted::of_ring(ring.hold, count, count) else { return Ok(sector) };
     let means = BoreMeans::plane(model, chain(model, ring.bore)?, wanted, interrupt)?;
     let means = means.ok_or(StructureError::NoArea)?;
     Ok(sector.holding(means.forms, means.shared))
 }
 
-/// Modes of the ring in order, by fields on one sector of unit modal mass around the ring.
+/// Sorted modes of the ring, as fields on one sector with unit modal mass around the ring.
 pub(super) struct RingFields<'s> {
     sector: &'s Sector,
-    /// Of the modes, ascending.
+    /// `omega²` of the modes, ascending.
     pub squares: Vec<f64>,
     pub modes: Vec<RingMode>,
-    /// Of each field.
+    /// Number of nodal diameters of each field.
     pub harmonics: Vec<u32>,
-    /// Real and imaginary parts: a column a field.
+    /// Real and imaginary parts, one column for each field.
     pub parts: [Mat<f64>; 2],
 }
 
@@ -145,7 +150,8 @@ impl<'s> RingFields<'s> {
         let (mut order, mut columns, mut harmonics) = (Vec::new(), Vec::new(), Vec::new());
         for modes in found {
             let real = is_real(modes.waves, sector.count);
-            // A real field has this mass on each sector, a complex one on half of them.
+            // A real field has the same modal mass on each sector, a complex one the same on half
+            // of them.
             let share = if real { 1.0 } else { 2.0 };
             let scale = (share / f64::from(sector.count)).sqrt();
             for (column, &square) in modes.squares.iter().enumerate() {
@@ -161,7 +167,8 @@ impl<'s> RingFields<'s> {
                 );
             }
         }
-        // Stable: of equal ones the fewer waves come first, and of a pair the cosine.
+        // The sort is stable: among equal frequencies fewer nodal diameters come first, and in a
+        // pair the cosine.
         order.sort_by(|a, b| a.0.total_cmp(&b.0));
         let parts =
             [0, 1].map(|part| Mat::from_fn(sector.dofs(), columns.len(), |row, k| columns[k][part][row]));
@@ -169,7 +176,7 @@ impl<'s> RingFields<'s> {
         Self { sector, squares, modes, harmonics, parts }
     }
 
-    /// Rows of sector 0 at the fields.
+    /// Returns rows of sector 0 applied to the fields.
     fn rows(&self, rows: &[SparseVector]) -> [Mat<f64>; 2] {
         self.parts.each_ref().map(|part| {
             let mut seen = Mat::zeros(rows.len(), part.ncols());
@@ -183,7 +190,8 @@ impl<'s> RingFields<'s> {
         })
     }
 
-    /// Unit motions of the frame and the place in the body, on sector 0 under the mass.
+    /// Returns the mass matrix times the unit motions of the frame and times the position vector,
+    /// on sector 0.
     fn momenta(&self) -> Mat<f64> {
         let nodes = &self.sector.nodes;
         let motions = Mat::from_fn(self.sector.dofs(), MOTIONS + 1, |dof, motion| {
@@ -194,13 +202,13 @@ impl<'s> RingFields<'s> {
         under(&self.sector.mass, motions.as_ref())
     }
 
-    /// Of fields with unit motions, as sector 0 has them: motions by fields.
+    /// Returns the products of fields with unit motions on sector 0: motions by fields.
     fn with_motions(&self) -> [Mat<f64>; 2] {
         let momenta = self.momenta();
         self.parts.each_ref().map(|part| crate::dense::product(momenta.transpose(), part.as_ref()))
     }
 
-    /// `phi' M r`: modes by motions.
+    /// Returns `phi' M r`: modes by motions.
     fn coupling(&self, fields: &SectorFields) -> Mat<f64> {
         let [re, im] = self.with_motions();
         let count = self.sector.count;
@@ -211,7 +219,8 @@ impl<'s> RingFields<'s> {
             let (sin, cos) = (TAU * f64::from(tooth) / f64::from(count)).sin_cos();
             for (column, mode) in self.modes.iter().enumerate() {
                 let waves = self.harmonics[mode.field];
-                // Translations have one wave around as sectors see them, and the rotation none; the rest is rounding.
+                // In the frames of the sectors, translations have one nodal diameter and the
+                // rotation none; other terms are rounding.
                 if waves % count == 1 % count || (waves + 1).is_multiple_of(count) {
                     coupling[(column, 0)] += cos * seen[(0, column)] - sin * seen[(1, column)];
                     coupling[(column, 1)] += sin * seen[(0, column)] + cos * seen[(1, column)];
@@ -224,7 +233,7 @@ impl<'s> RingFields<'s> {
         coupling
     }
 
-    /// `phi' M x`, one column.
+    /// Returns `phi' M x`, one column.
     fn centrifugal(&self) -> Mat<f64> {
         let [re, _] = self.with_motions();
         let count = f64::from(self.sector.count);
@@ -242,7 +251,7 @@ impl<'s> RingFields<'s> {
         };
         let mass = count * sum(&|node, _| momenta[(2 * node, 0)]);
         let polar = count * sum(&|node, [x, y]| x * momenta[(2 * node + 1, 2)] - y * momenta[(2 * node, 2)]);
-        // Moments of more than one sector cancel.
+        // Over more than one sector the moments cancel.
         let moment = |axis: usize| {
             let own = sum(&|node, [x, y]| momenta[(2 * node + axis, axis)] * [x, y][axis]);
             if self.sector.count > 1 { 0.0 } else { own }
@@ -251,7 +260,7 @@ impl<'s> RingFields<'s> {
         [[mass, 0.0, -y], [0.0, mass, x], [-y, x, polar]]
     }
 
-    /// `phi_k' M (e3 x phi_l)`.
+    /// Returns `phi_k' M (e3 x phi_l)`.
     fn gyroscopic(&self) -> Mat<f64> {
         let turned = self.parts.each_ref().map(|part| {
             let turned = Mat::from_fn(part.nrows(), part.ncols(), |dof, column| {

@@ -1,7 +1,8 @@
-//! Complex columns over degrees of freedom, and Hermitian matrices small enough to be decomposed at once.
+//! Complex columns over degrees of freedom, and small dense Hermitian matrices.
 //!
-//! Columns are kept as real ones, all real parts before all imaginary parts: matrices of the mesh are real, and what they do to complex
-//! columns is what they do to twice as many real ones. Everything small is sequential, so that bits do not depend on threads.
+//! Columns are stored as real ones, all real parts before all imaginary parts. Matrices of the mesh
+//! are real, so their product with complex columns is that with twice as many real ones. Operations
+//! on small matrices are sequential, so that results do not depend on threads bit for bit.
 
 use crate::dense::{add_product, product};
 use faer::diag::Diag;
@@ -17,7 +18,7 @@ use std::array;
 /// Complex columns.
 #[derive(Clone, Debug)]
 pub(super) struct Columns {
-    /// Of all columns the real parts, then the imaginary parts.
+    /// Real parts of all columns, then imaginary parts.
     pub parts: Mat<f64>,
 }
 
@@ -26,7 +27,7 @@ impl Columns {
         Self { parts: Mat::zeros(rows, 2 * count) }
     }
 
-    /// By entry: row and column.
+    /// Builds columns from a function of row and column.
     pub fn from_fn(rows: usize, count: usize, entry: impl Fn(usize, usize) -> c64) -> Self {
         let part = |row, place: usize| {
             if place < count { entry(row, place).re } else { entry(row, place - count).im }
@@ -52,12 +53,12 @@ impl Columns {
         self.parts[(row, count + column)] = value.im;
     }
 
-    /// Real and imaginary part of a column.
+    /// Returns the real and the imaginary part of a column.
     pub fn column(&self, column: usize) -> [Vec<f64>; 2] {
         [column, self.count() + column].map(|place| self.parts.col(place).iter().copied().collect())
     }
 
-    /// `self += scale * other * by`.
+    /// Computes `self += scale * other * by`.
     pub fn add_times(&mut self, scale: f64, other: &Columns, by: MatRef<'_, c64>) {
         let (p, q) = (by.nrows(), by.ncols());
         // (a + i b) (c + i d) as [a b] [c d; -d c].
@@ -72,14 +73,14 @@ impl Columns {
         add_product(self.parts.as_mut(), scale, other.parts.as_ref(), real.as_ref());
     }
 
-    /// `self * by`.
+    /// Computes `self * by`.
     pub fn times(&self, by: MatRef<'_, c64>) -> Columns {
         let mut result = Columns::zeros(self.rows(), by.ncols());
         result.add_times(1.0, self, by);
         result
     }
 
-    /// `self^H other`.
+    /// Computes `self^H other`.
     pub fn adjoint_times(&self, other: &Columns) -> Mat<c64> {
         let (p, q) = (self.count(), other.count());
         let real = product(self.parts.transpose(), other.parts.as_ref());
@@ -91,16 +92,16 @@ impl Columns {
         })
     }
 
-    /// A real symmetric matrix of the mesh times these.
+    /// Multiplies a real symmetric matrix of the mesh by these columns.
     pub fn under(&self, matrix: &SparseColMat<usize, f64>) -> Columns {
         Columns { parts: under(matrix, self.parts.as_ref()) }
     }
 }
 
-/// Columns that are multiplied at once, side by side.
+/// Columns that are multiplied simultaneously.
 const LANES: usize = 8;
 
-/// A real symmetric matrix of the mesh times columns.
+/// Multiplies a real symmetric matrix of the mesh by columns.
 pub(super) fn under(matrix: &SparseColMat<usize, f64>, columns: MatRef<'_, f64>) -> Mat<f64> {
     let mut result = Mat::zeros(matrix.ncols(), columns.ncols());
     let mut lanes = vec![[0.0; LANES]; columns.nrows()];
@@ -110,7 +111,7 @@ pub(super) fn under(matrix: &SparseColMat<usize, f64>, columns: MatRef<'_, f64>)
             *lanes = array::from_fn(|lane| if lane < width { columns[(row, first + lane)] } else { 0.0 });
         }
         for column in 0..matrix.ncols() {
-            // Symmetric: a column is a row.
+            // The matrix is symmetric: a column is a row.
             let mut sum = [0.0; LANES];
             for (row, value) in matrix.row_idx_of_col(column).zip(matrix.val_of_col(column)) {
                 for (sum, part) in sum.iter_mut().zip(&lanes[row]) {
@@ -125,19 +126,19 @@ pub(super) fn under(matrix: &SparseColMat<usize, f64>, columns: MatRef<'_, f64>)
     result
 }
 
-/// `a b` of small matrices.
+/// Computes `a b` for small matrices.
 pub(super) fn times(a: MatRef<'_, c64>, b: MatRef<'_, c64>) -> Mat<c64> {
     let mut result = Mat::zeros(a.nrows(), b.ncols());
     matmul(result.as_mut(), Accum::Replace, a, b, c64::new(1.0, 0.0), Par::Seq);
     result
 }
 
-/// `a^H`.
+/// Returns `a^H`.
 pub(super) fn adjoint(a: MatRef<'_, c64>) -> Mat<c64> {
     Mat::from_fn(a.ncols(), a.nrows(), |row, column| a[(column, row)].conj())
 }
 
-/// A Hermitian matrix by its eigenvalues, ascending, and unit eigenvectors.
+/// Eigendecomposition of a Hermitian matrix: ascending eigenvalues and unit eigenvectors.
 #[derive(Clone, Debug)]
 pub(super) struct Spectrum {
     pub values: Vec<f64>,
@@ -145,7 +146,7 @@ pub(super) struct Spectrum {
 }
 
 impl Spectrum {
-    /// Of a matrix that is Hermitian up to rounding. `None` if it is not of numbers.
+    /// Decomposes a matrix that is Hermitian up to rounding. `None` if an entry is not finite.
     pub fn of(matrix: &Mat<c64>) -> Option<Self> {
         let size = matrix.nrows();
         if size == 0 {
@@ -165,17 +166,17 @@ impl Spectrum {
         values.iter().all(|value| value.is_finite()).then_some(Self { values, vectors })
     }
 
-    /// How many eigenvalues are negative.
+    /// Returns the number of negative eigenvalues.
     pub fn negative(&self) -> usize {
         self.values.iter().filter(|&&value| value < 0.0).count()
     }
 
-    /// The inverse times a matrix.
+    /// Returns the inverse times a matrix.
     pub fn solve(&self, right: MatRef<'_, c64>) -> Mat<c64> {
         self.apply(right, |value| value.recip())
     }
 
-    /// A function of the matrix times a matrix.
+    /// Returns a function of the matrix times a matrix.
     pub fn apply(&self, right: MatRef<'_, c64>, function: impl Fn(f64) -> f64) -> Mat<c64> {
         let mut amounts = times(adjoint(self.vectors.as_ref()).as_ref(), right);
         for (row, &value) in self.values.iter().enumerate() {

@@ -1,4 +1,5 @@
-//! All modes of a ring of sectors up to a frequency: counted first, then found, by numbers of waves side by side.
+//! All modes of a ring of sectors up to a frequency: first counted, then found, separately for each
+//! number of nodal diameters.
 
 use super::super::StructureError;
 use super::harmonic::{Harmonic, HarmonicModes};
@@ -6,16 +7,19 @@ use super::sector::{Sector, Shifted};
 use crate::interrupt::Interrupt;
 use rayon::prelude::*;
 
-/// Where modes are sought from: below nought, by this share of the highest frequency squared. A ring that is free has modes at nought.
+/// Shift of the iteration: below zero by this share of the highest frequency squared. A free ring
+/// has modes at zero.
 const BELOW: f64 = 0.05;
-/// How far above the highest frequency they are counted if counting there fails: it must not be one of the sector with its cuts held.
+/// Relative increments of the highest frequency for the mode count, if the count fails there. The
+/// frequency must not be a natural frequency of the sector with fixed cuts.
 const NUDGES: [f64; 4] = [0.0, 1e-4, 1.1e-3, 1.3e-2];
 
-/// The modes of a ring with `omega² <= highest²`, by numbers of waves around from 0 to half the number of sectors; without those that have
-/// none. A ring that nothing holds has its rigid-body motions among them.
+/// Finds the modes of a ring with `omega² <= highest²`, by nodal diameters from 0 to half the
+/// number of sectors; nodal diameters without modes are omitted. The modes of a free ring include
+/// its rigid-body motions.
 ///
 /// # Errors
-/// Some cannot be found, or the interrupt's.
+/// Some modes cannot be found, or the computation is interrupted.
 pub(in super::super) fn ring_modes(
     sector: &Sector,
     highest: f64,

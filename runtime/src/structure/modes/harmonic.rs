@@ -1,11 +1,14 @@
-//! Modes of a ring with a given number of waves: a Hermitian eigenproblem on one sector.
+//! Modes of a ring with a given number of nodal diameters: a Hermitian eigenproblem on one sector.
 //!
-//! With `z = exp(i n pitch)` the last cut is the first one, turned, times `z`. The eigenproblem `K phi = omega² M phi` is solved by a
-//! block Lanczos iteration with `(K + s M)^-1 M`, all of the basis kept orthogonal in `M`: `s > 0` makes free rings as good as held ones,
-//! and what is inside the sector is decomposed once for all numbers of waves ([`super::sector`]). How many modes there are below
-//! a frequency is known beforehand, from the signs of the pivots at that frequency; the iteration ends when it has found so many.
+//! With `z = exp(i n pitch)` the last cut is the rotated first one times `z`. A block Lanczos
+//! iteration with `(K + s M)^-1 M` solves the eigenproblem `K phi = omega² M phi`, with full
+//! reorthogonalization in `M`. The shift `s > 0` admits free rings as well as supported ones, and
+//! the interior of the sector is factorized once for all nodal diameters ([`super::sector`]). The
+//! number of modes below a frequency is known beforehand from the signs of the pivots at that
+//! frequency (Sturm count); the iteration ends when it has found as many.
 //!
-//! Means that are held (`G^H phi = 0`) are held in every solution: `x = A^-1 f - A^-1 G (G^H A^-1 G)^-1 G^H A^-1 f`.
+//! Averaged constraints (`G^H phi = 0`) are satisfied in every solution:
+//! `x = A^-1 f - A^-1 G (G^H A^-1 G)^-1 G^H A^-1 f`.
 
 use super::super::StructureError;
 use super::complex::{Columns, Spectrum, adjoint, times};
@@ -15,29 +18,31 @@ use faer::{Mat, c64};
 use std::f64::consts::TAU;
 use std::ops::Range;
 
-/// What an iteration leaves of a mode, relative to it.
+/// Relative residual of a converged mode.
 const TOLERANCE: f64 = 1e-10;
-/// Columns iterated at once: more than modes of one frequency that a sector can have with one number of waves.
+/// Block size: larger than the multiplicity of a frequency that a sector can have with one number
+/// of nodal diameters.
 const BLOCK: usize = 4;
-/// Columns of the basis that each mode may take, and that there may be besides.
+/// Basis columns allowed for each mode, and in addition.
 const BASIS: [usize; 2] = [6, 80];
-/// A column of which less is left, in the norm, by the others is one of theirs.
+/// A column is linearly dependent if less than this part of its norm remains after
+/// orthogonalization.
 const DEPENDENT: f64 = 1e-9;
 
-/// Sectors that vibrate with a number of waves around, at a shift.
+/// Shifted equations of a sector for one number of nodal diameters.
 pub(super) struct Harmonic<'s> {
     shifted: &'s Shifted<'s>,
-    /// By which the last cut is ahead of the first.
+    /// Phase factor of the last cut ahead of the first.
     ahead: c64,
-    /// Of the cut.
+    /// Stiffness of the cut.
     closed: Spectrum,
     means: Option<Means>,
     waves: u32,
 }
 
-/// Means that are held.
+/// Averaged constraints.
 struct Means {
-    /// `G`.
+    /// Constraint forms `G`.
     forms: Columns,
     /// `A^-1 G`.
     answers: Columns,
@@ -45,22 +50,22 @@ struct Means {
     yielding: Spectrum,
 }
 
-/// Modes of a number of waves, of unit modal mass on one sector.
+/// Modes with one number of nodal diameters, of unit modal mass on one sector.
 pub(in super::super) struct HarmonicModes {
     pub waves: u32,
-    /// Of `omega²`, ascending.
+    /// Values of `omega²`, ascending.
     pub squares: Vec<f64>,
-    /// On all degrees of freedom of sector 0.
+    /// Mode shapes on all degrees of freedom of sector 0.
     pub fields: Columns,
 }
 
 impl HarmonicModes {
-    /// Only so many of the lowest.
+    /// Keeps the `count` lowest modes only.
     pub fn keep(&mut self, count: usize) {
         self.select(0..count.min(self.squares.len()));
     }
 
-    /// All but so many of the lowest.
+    /// Removes the `count` lowest modes.
     pub fn leave_out(&mut self, count: usize) {
         self.select(count.min(self.squares.len())..self.squares.len());
     }
@@ -72,7 +77,7 @@ impl HarmonicModes {
     }
 }
 
-/// Whether fields of so many waves are real.
+/// Returns true if fields with this number of nodal diameters are real.
 pub(super) fn is_real(waves: u32, sectors: u32) -> bool {
     waves == 0 || 2 * waves == sectors
 }
@@ -111,19 +116,19 @@ impl<'s> Harmonic<'s> {
         Ok(harmonic)
     }
 
-    /// Columns of its basis that finding so many modes may take, at most.
+    /// Returns the largest number of basis columns to find so many modes.
     pub fn columns(count: usize) -> usize {
-        // Each with its load.
+        // Each column is stored with its product with the mass matrix.
         2 * (BASIS[0] * count + BASIS[1] + 2 * BLOCK)
     }
 
-    /// How many modes there are with `omega²` below the shift.
+    /// Returns the number of modes with `omega²` below the shift.
     pub fn below(&self) -> Option<usize> {
         let given_away = self.means.as_ref().map_or(0, |means| means.yielding.negative());
         (self.shifted.negative + self.closed.negative()).checked_sub(given_away)
     }
 
-    /// Displacements of the sector under forces, which may act on both cuts.
+    /// Returns the displacements of the sector under forces, which may act on both cuts.
     fn solve(&self, forces: &Columns) -> Columns {
         let Sector { inner, cuts: [first, last], angle, .. } = self.shifted.sector;
         let count = forces.count();
@@ -134,7 +139,7 @@ impl<'s> Harmonic<'s> {
         let mut inside_by_cuts = None;
         if n > 0 {
             let passed = Columns { parts: self.shifted.on_cuts(&inside) };
-            // Of the last cut in the frame that is turned.
+            // Converts forces on the last cut to the rotated frame.
             let on_last = |row: usize, column: usize| {
                 let [x, y] = [row & !1, row | 1].map(|place| forces.at(last[place], column));
                 if row & 1 == 0 { x * cos + y * sin } else { y * cos - x * sin }
@@ -176,19 +181,20 @@ impl<'s> Harmonic<'s> {
         answers
     }
 
-    /// The `count` modes of lowest frequency. The shift is below all of them.
+    /// Finds the `count` modes of lowest frequency. The shift is below all of them.
     pub fn lowest(&self, count: usize, interrupt: &Interrupt) -> Result<HarmonicModes, StructureError> {
         let sector = self.shifted.sector;
         let shift = Lanczos::new(self, sector).lowest(count, interrupt)?;
         self.refined(&shift)
     }
 
-    /// Modes from columns that nearly are: once more iterated, and made to diagonalise stiffness and mass.
+    /// Refines approximate modes by another iteration, followed by diagonalization of stiffness and
+    /// mass (Rayleigh-Ritz).
     fn refined(&self, near: &Columns) -> Result<HarmonicModes, StructureError> {
         let sector = self.shifted.sector;
         let mut fields = self.solve(&near.under(&sector.mass));
         let mut squares = Vec::new();
-        // The second time for what the first leaves of orthogonality.
+        // The second pass removes the loss of orthogonality of the first.
         for _ in 0..2 {
             let mass = Spectrum::of(&fields.adjoint_times(&fields.under(&sector.mass))).ok_or_else(broken)?;
             let unit =
@@ -207,7 +213,8 @@ impl<'s> Harmonic<'s> {
     }
 }
 
-/// Gives a field the phase in which its first large displacement is real and positive; a real field has no imaginary part.
+/// Normalizes the phase of a field so that its first large displacement is real and positive; a
+/// real field has no imaginary part.
 fn in_phase(fields: &mut Columns, column: usize, real: bool) {
     let largest = (0..fields.rows()).map(|row| fields.at(row, column).norm_sqr()).fold(0.0, f64::max);
     let first = (0..fields.rows()).find(|&row| fields.at(row, column).norm_sqr() >= 0.5 * largest);
@@ -221,8 +228,9 @@ fn in_phase(fields: &mut Columns, column: usize, real: bool) {
     }
 }
 
-/// Forms that are held with a number of waves. Of a pair `a`, `b` with `w` waves of its own the sum of `a + i b` over the ring is `sum
-/// exp(i (w + n) j pitch) (a + i b)`, which vanishes of itself unless `w + n` is a multiple of the number of sectors.
+/// Returns the constraint forms for a number of nodal diameters. For a pair `a`, `b` with harmonic
+/// `w`, the sum of `a + i b` over the ring is `sum exp(i (w + n) j pitch) (a + i b)`, which
+/// vanishes identically unless `w + n` is a multiple of the number of sectors.
 fn forms(sector: &Sector, waves: u32) -> Columns {
     let modulo = f64::from(sector.count);
     let multiple = |number: f64| number.rem_euclid(modulo) == 0.0;
@@ -236,7 +244,7 @@ fn forms(sector: &Sector, waves: u32) -> Columns {
     for &([cosine, sine], own) in &sector.shared.pairs {
         match (multiple(own + waves_of), multiple(own - waves_of)) {
             (true, true) => held.extend([vec![(cosine, one)], vec![(sine, one)]]),
-            // Conjugate, for G^H is the form.
+            // Conjugate, because the form is G^H.
             (true, false) => held.push(vec![(cosine, one), (sine, c64::new(0.0, -1.0))]),
             (false, true) => held.push(vec![(cosine, one), (sine, c64::new(0.0, 1.0))]),
             (false, false) => {}
@@ -253,15 +261,15 @@ fn forms(sector: &Sector, waves: u32) -> Columns {
     columns
 }
 
-/// The basis of an iteration.
+/// State of a block Lanczos iteration.
 struct Lanczos<'h> {
     harmonic: &'h Harmonic<'h>,
     sector: &'h Sector,
-    /// Orthonormal in the mass.
+    /// Basis, orthonormal in the mass.
     basis: Vec<Columns>,
-    /// Each of them under the mass.
+    /// Products of the basis with the mass matrix.
     loads: Vec<Columns>,
-    /// The operator on the basis: a column for each column it has been applied to.
+    /// Operator projected on the basis: one column for each column it has been applied to.
     operator: Vec<Vec<c64>>,
     scattered: usize,
 }
@@ -306,13 +314,13 @@ impl<'h> Lanczos<'h> {
                 return Err(StructureError::Modes("the iteration for them does not converge"));
             }
             if !self.extend(&next, &left) {
-                // Nothing new: what the basis holds is closed under the operator.
+                // The basis is invariant under the operator: restart with new columns.
                 self.begin();
             }
         }
     }
 
-    /// Adds columns without order to the basis.
+    /// Adds pseudorandom columns to the basis.
     fn begin(&mut self) {
         let dofs = self.sector.dofs();
         let numbers = scattered(dofs, self.scattered + 2 * BLOCK);
@@ -330,10 +338,11 @@ impl<'h> Lanczos<'h> {
         self.extend(&columns, &left);
     }
 
-    /// Takes out of columns what the basis has of them, and returns it, by blocks of the basis.
+    /// Orthogonalizes columns against the basis and returns the coefficients, by blocks of the
+    /// basis.
     fn take_out(&self, columns: &mut Columns) -> Vec<Mat<c64>> {
         let mut shares: Vec<Mat<c64>> = Vec::new();
-        // The second time for what rounding leaves.
+        // The second pass removes rounding errors.
         for round in 0..2 {
             for (block, (basis, load)) in self.basis.iter().zip(&self.loads).enumerate() {
                 let share = load.adjoint_times(columns);
@@ -348,7 +357,8 @@ impl<'h> Lanczos<'h> {
         shares
     }
 
-    /// Adds what columns span to the basis, given their products in the mass; false if that is nothing.
+    /// Adds the span of columns to the basis, given their products in the mass; returns false if
+    /// the span is empty.
     fn extend(&mut self, columns: &Columns, products: &Mat<c64>) -> bool {
         let Some(spectrum) = Spectrum::of(products) else { return false };
         let largest =
@@ -366,7 +376,7 @@ impl<'h> Lanczos<'h> {
             spectrum.vectors[(row, kept[k])] / spectrum.values[kept[k]].sqrt()
         });
         let mut block = columns.times(unit.as_ref());
-        // Of what was nearly in the basis, rounding has brought some back.
+        // Rounding has reintroduced components of columns that were nearly in the basis.
         self.take_out(&mut block);
         let load = block.under(&self.sector.mass);
         let Some(again) = Spectrum::of(&block.adjoint_times(&load)) else { return false };
@@ -377,8 +387,8 @@ impl<'h> Lanczos<'h> {
         true
     }
 
-    /// The modes, if the basis has so many. `left` are the products in the mass of what the operator has led out of the basis from its last
-    /// block.
+    /// Returns the modes if the basis contains `count` converged ones. `left` are the products in
+    /// the mass of the residual block of the iteration.
     fn found(&self, count: usize, applied: usize, left: &Mat<c64>) -> Option<Columns> {
         let entry = |row: usize, column: usize| {
             self.operator.get(column).and_then(|column| column.get(row)).copied().unwrap_or_default()

@@ -1,8 +1,10 @@
-//! The equations of one sector of a ring, decomposed at a shift: `K - sigma M` with what is inside eliminated.
+//! Equations of one sector of a ring at a shift: `K - sigma M`, with the interior eliminated.
 //!
-//! What is inside a sector does not know of how many waves the ring vibrates: it is decomposed once for all of them. What is left on the
-//! cuts is small and real; closed for a number of waves it is a small Hermitian matrix ([`super::harmonic`]). By Sylvester's law of inertia
-//! the negative eigenvalues of both parts together are as many as those of the whole, which is how modes below a frequency are counted.
+//! The interior of a sector does not depend on the number of nodal diameters: it is factorized once
+//! for all of them. The Schur complement on the cuts is small and real; with the phase condition of
+//! a number of nodal diameters it becomes a small Hermitian matrix ([`super::harmonic`]). By
+//! Sylvester's law of inertia both parts together have as many negative eigenvalues as the whole
+//! matrix. This gives the number of modes below a frequency.
 
 use super::super::StructureError;
 use super::super::condense::{Cuts, turn};
@@ -20,32 +22,34 @@ use faer::sparse::linalg::cholesky::{
 };
 use faer::{Conj, Mat, Par, Side};
 
-/// Of a decomposition that can be relied on: what is left of a load, by the numbers it was added up from.
+/// Largest accepted backward error of a factorization: residual of a load, relative to the terms
+/// that it is summed from.
 const BACKWARD_ERROR: f64 = 1e-11;
 
-/// A sector of a ring, or a body of a single mesh, which is a ring of one sector without cuts.
+/// Sector of a ring, or a body of a single mesh as a ring of one sector without cuts.
 pub(in super::super) struct Sector {
-    /// N/m per metre of face width, and kg/m.
+    /// Stiffness, N/m per metre of face width, and mass, kg/m.
     pub stiffness: SparseColMat<usize, f64>,
     pub mass: SparseColMat<usize, f64>,
-    /// Of the displacement nodes, m.
+    /// Positions of the displacement nodes, m.
     pub nodes: Vec<[f64; 2]>,
-    /// Sectors around.
+    /// Number of sectors around the ring.
     pub count: u32,
-    /// Degrees of freedom of the first cut, and those of the last one that are their images; by node, x before y.
+    /// Degrees of freedom of the first cut, and the corresponding ones of the last cut; by node, x
+    /// before y.
     pub cuts: [Vec<usize>; 2],
-    /// By which the last cut is turned, rad.
+    /// Rotation of the last cut, rad.
     pub angle: f64,
-    /// Linear forms whose sums around the ring vanish, as each sector sees them.
+    /// Linear forms, in the frame of each sector, whose sums around the ring vanish.
     pub forms: Vec<SparseVector>,
-    /// How they turn.
+    /// Rotation of the forms from sector to sector.
     pub shared: Shared,
-    /// Degrees of freedom that are neither held nor on a cut.
+    /// Degrees of freedom that are neither constrained nor on a cut.
     pub inner: Vec<usize>,
 }
 
 impl Sector {
-    /// `held` are degrees of freedom. `cuts` have none of them.
+    /// Builds a sector. `held` are constrained degrees of freedom; `cuts` contain none of them.
     pub fn new(
         (stiffness, mass): (SparseColMat<usize, f64>, SparseColMat<usize, f64>),
         nodes: Vec<[f64; 2]>,
@@ -55,7 +59,7 @@ impl Sector {
     ) -> Self {
         let of_nodes =
             |nodes: &Vec<usize>| nodes.iter().flat_map(|node| [2 * node, 2 * node + 1]).collect::<Vec<_>>();
-        // It moves no direction by the other: half of what is stored is nought.
+        // The mass matrix does not couple x and y: half of the stored entries are zero.
         let present = mass.triplet_iter().filter(|entry| *entry.val != 0.0);
         let mass = summed(mass.ncols(), present.map(|entry| (entry.col, entry.row, *entry.val)).collect());
         let angle = cuts.map_or(0.0, |cuts| cuts.angle);
@@ -67,34 +71,37 @@ impl Sector {
         Self { stiffness, mass, nodes, count, cuts, angle, forms, shared, inner }
     }
 
-    /// With means that are held.
+    /// Adds averaged constraints.
     pub fn holding(self, forms: Vec<SparseVector>, shared: Shared) -> Self {
         Self { forms, shared, ..self }
     }
 
-    /// Degrees of freedom of the mesh, held ones too.
+    /// Returns the degrees of freedom of the mesh, including constrained ones.
     pub fn dofs(&self) -> usize {
         self.stiffness.ncols()
     }
 }
 
-/// A sector decomposed at a shift.
+/// Sector factorized at a shift.
 pub(super) struct Shifted<'s> {
     pub sector: &'s Sector,
     symbolic: SymbolicCholesky<usize>,
     values: Vec<f64>,
-    /// Negative eigenvalues of what is inside.
+    /// Number of negative eigenvalues of the interior.
     pub negative: usize,
-    /// What is inside by displacements of the first and of the last cut, both in the frame of the sector.
+    /// Interior displacements by displacements of the first and of the last cut, both in the frame
+    /// of the sector.
     pub follows: Mat<f64>,
-    /// Forces on the cuts by their displacements, the last cut's both in the frame that is turned by a pitch.
+    /// Forces on the cuts by their displacements; both are in the frame rotated by a pitch for the
+    /// last cut.
     pub closed: Mat<f64>,
-    /// What they take.
+    /// Memory reservations.
     _rooms: [Room; 2],
 }
 
 impl<'s> Shifted<'s> {
-    /// `None` if the shift is too near to a natural frequency of the sector with its cuts held.
+    /// Returns `None` if the shift is too close to a natural frequency of the sector with fixed
+    /// cuts.
     pub fn new(
         sector: &'s Sector,
         shift: f64,
@@ -169,7 +176,7 @@ impl<'s> Shifted<'s> {
         Ok(Some(shifted))
     }
 
-    /// Whether a load without order is answered with no more than rounding left.
+    /// Returns true if the residual of a pseudorandom load is of the order of rounding.
     fn is_reliable(&self, inside: &SparseColMat<usize, f64>) -> bool {
         let load = scattered(inside.ncols(), 1);
         let answer = self.inside(load.clone());
@@ -182,11 +189,11 @@ impl<'s> Shifted<'s> {
         }
         let largest = size.col(0).iter().copied().fold(0.0, f64::max);
         let worst = left.col(0).iter().map(|value| value.abs()).fold(0.0, f64::max);
-        // What is not a number fails.
+        // NaN fails the test.
         worst <= BACKWARD_ERROR * largest && largest.is_finite()
     }
 
-    /// What is inside under forces there, the cuts held.
+    /// Returns the interior displacements under interior forces, with the cuts fixed.
     pub fn inside(&self, mut forces: Mat<f64>) -> Mat<f64> {
         let scratch = self.symbolic.solve_in_place_scratch::<f64>(forces.ncols(), Par::Seq);
         let mut scratch = MemBuffer::new(scratch);
@@ -199,13 +206,13 @@ impl<'s> Shifted<'s> {
         forces
     }
 
-    /// What forces inside are on the cuts, held.
+    /// Returns the equivalent forces on the fixed cuts of interior forces.
     pub fn on_cuts(&self, forces: &Mat<f64>) -> Mat<f64> {
         product(self.follows.transpose(), forces.as_ref())
     }
 }
 
-/// Negative pivots of a decomposition.
+/// Counts the negative pivots of a factorization.
 fn negative_pivots(symbolic: &SymbolicCholesky<usize>, values: &[f64]) -> usize {
     match symbolic.raw() {
         // Each column begins with its pivot.
@@ -224,12 +231,12 @@ fn negative_pivots(symbolic: &SymbolicCholesky<usize>, values: &[f64]) -> usize 
     }
 }
 
-/// Numbers without order, the same every time.
+/// Returns deterministic pseudorandom numbers.
 pub(super) fn scattered(rows: usize, columns: usize) -> Mat<f64> {
     Mat::from_fn(rows, columns, |row, column| {
         let place =
             (row as f64 + 1.0) * 0.618_033_988_749_895 + (column as f64 + 1.0) * 0.754_877_666_246_693;
-        // Of a second turn, so that neighbours are not alike.
+        // The second pass decorrelates neighbours.
         ((place.fract() + 1.0).powi(3) * 1e3).fract() - 0.5
     })
 }

@@ -1,4 +1,4 @@
-//! Modes as bytes, to be kept from run to run: all but the curves that contact sees.
+//! Serialization of modes for the structure cache: everything but the contact curves.
 
 use super::super::stored::{StoredSurface, Table, from_bytes, to_bytes};
 use super::{BodyModes, RingMode, SectorFields};
@@ -33,7 +33,7 @@ fn tables(parts: &[[Mat<f64>; 2]]) -> Parts<'static> {
     parts.iter().map(|[re, im]| [Table::from(re), Table::from(im)]).collect()
 }
 
-/// Those of so many fields.
+/// Returns the matrices if they have as many columns as there are fields.
 fn matrices(parts: &Parts<'_>, fields: usize) -> Option<Vec<[Mat<f64>; 2]>> {
     let both = |[re, im]: &[Table<'_>; 2]| {
         let (re, im) = (re.matrix()?, im.matrix()?);
@@ -44,7 +44,7 @@ fn matrices(parts: &Parts<'_>, fields: usize) -> Option<Vec<[Mat<f64>; 2]>> {
 }
 
 impl BodyModes {
-    /// To be kept on disk for [`Self::restored`]; nothing of other surfaces that contact may see.
+    /// Serializes the modes for [`Self::restored`], without reshaped surfaces.
     pub(crate) fn stored(&self) -> Option<Vec<u8>> {
         let fields = &*self.fields;
         to_bytes(&StoredModes {
@@ -63,7 +63,8 @@ impl BodyModes {
         })
     }
 
-    /// The modes that were kept as these bytes, with the curves that they were made with. `None` if the bytes are of something else.
+    /// Restores modes from bytes, with the curves that they were built with. `None` if the bytes
+    /// contain something else.
     pub fn restored(bytes: &[u8], profiles: &[Arc<dyn Profile>]) -> Option<Self> {
         let stored: StoredModes = from_bytes(bytes)?;
         let (count, fields) = (stored.frequencies.len(), stored.harmonics.len());

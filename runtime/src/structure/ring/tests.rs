@@ -1,11 +1,11 @@
-//! Doubling against the block-circulant solution and against the whole ring uncondensed.
+//! Tests of doubling against the block-circulant solution and against the uncondensed ring.
 
 use super::*;
 use crate::interrupt::Interrupt;
 use faer::c64;
 use faer::linalg::solvers::Solve;
 
-/// Repeatable numbers in -1 ..= 1.
+/// Repeatable pseudorandom numbers in -1 ..= 1.
 struct Numbers(u64);
 
 impl Numbers {
@@ -19,7 +19,7 @@ impl Numbers {
     }
 }
 
-/// A positive definite matrix with a weakly held softest direction, as a thin rim has.
+/// Returns a positive definite matrix with one nearly free direction, as of a thin rim.
 fn stiffness(size: usize, hold: f64, numbers: &mut Numbers) -> Mat<f64> {
     let factor = numbers.matrix(size, size - 1);
     let mut matrix = Mat::zeros(size, size);
@@ -35,7 +35,8 @@ fn difference(a: MatRef<'_, f64>, b: MatRef<'_, f64>) -> f64 {
     (a - b).norm_max() / b.norm_max()
 }
 
-/// Displacements of the cuts of sector `offset` by the discrete Fourier transform of the ring.
+/// Returns the displacements of the cuts of sector `offset` by the discrete Fourier transform of
+/// the ring.
 fn block_circulant(sector: &CutStiffness, sectors: u32, offset: u32) -> Mat<f64> {
     let n = sector.cut_size();
     let mut displacement = Mat::<f64>::zeros(2 * n, 2 * n);
@@ -45,7 +46,8 @@ fn block_circulant(sector: &CutStiffness, sectors: u32, offset: u32) -> Mat<f64>
             let angle = TAU * steps as f64 / f64::from(sectors);
             c64::new(angle.cos(), angle.sin())
         };
-        // Cut i is the first of sector i and the last of sector i - 1; u_i = exp(2 pi i harmonic / N) amplitude.
+        // Cut i is the first of sector i and the last of sector i - 1; u_i = exp(2 pi i harmonic /
+        // N) amplitude.
         let stiffness = Mat::<c64>::from_fn(n, n, |i, j| {
             let real = sector.block(0, 0)[(i, j)] + sector.block(1, 1)[(i, j)];
             c64::new(real, 0.0)
@@ -141,7 +143,7 @@ fn condensed_ring_agrees_with_the_whole_one() {
 
 #[test]
 fn a_free_ring_is_refused() {
-    // Springs between equal ends: the whole ring can move along.
+    // Springs between equal ends: the ring has a rigid-body motion.
     let spring = Mat::from_fn(2, 2, |i, j| if i == j { 1.0 } else { -1.0 });
     assert_eq!(
         RingFlexibility::new(&CutStiffness::new(spring), 8, 3, &Interrupt::never()).unwrap_err(),

@@ -1,4 +1,4 @@
-//! What contact, frames and stresses see of modes.
+//! Tests of the modes as contact, frame and stress recovery use them.
 
 use super::{Annulus, THIN};
 use crate::dense::product;
@@ -35,7 +35,7 @@ fn eigenvalues(matrix: &Mat<f64>) -> Vec<f64> {
     matrix.self_adjoint_eigenvalues(Side::Lower).unwrap()
 }
 
-/// Motions of the frame and the modes in one mass matrix.
+/// Returns the mass matrix of the motions of the frame and the modes.
 fn whole_mass(modes: &BodyModes) -> Mat<f64> {
     let count = modes.count();
     Mat::from_fn(3 + count, 3 + count, |row, column| match (row.checked_sub(3), column.checked_sub(3)) {
@@ -68,7 +68,7 @@ fn the_mass_matrix_is_definite_and_modes_take_up_the_mass() {
             let modes = modes_of(ring, hold, highest);
             let smallest = eigenvalues(&whole_mass(&modes))[0];
             assert!(smallest > 0.0, "{hold:?}: {smallest}");
-            // Of the mass in each direction what no mode moves.
+            // Share of the mass in each direction that no mode represents.
             [0, 1, 2].map(|motion| {
                 let moved: f64 = modes.coupling.iter().map(|coupling| coupling[motion].powi(2)).sum();
                 1.0 - moved / modes.rigid_mass[motion][motion]
@@ -86,8 +86,8 @@ fn the_mass_matrix_is_definite_and_modes_take_up_the_mass() {
     }
 }
 
-/// What all modes together make of a motion of the frame is that motion, away from the bore: the sign in which contact sees modes is that of their
-/// coupling.
+/// The sum of all modes represents a motion of the frame away from the bore, which checks that the
+/// sign of modes in contact is that of their coupling.
 #[test]
 fn modes_make_up_the_motions_of_the_frame() {
     let (structure, modes) = toothed(150_000.0);
@@ -99,7 +99,7 @@ fn modes_make_up_the_motions_of_the_frame() {
         for (row, &s) in s.iter().enumerate() {
             let turned = |[x, y]: [f64; 2]| [cos * x - sin * y, sin * x + cos * y];
             let (point, [nx, ny]) = (turned(profile.at(s).position), turned(profile.at(s).normal));
-            // Inwards.
+            // Inward displacement.
             let expected = [-nx, -ny, nx * point[1] - ny * point[0]];
             for (motion, expected) in expected.into_iter().enumerate() {
                 let coupling = modes.coupling.iter().zip(seen.row(row).iter());
@@ -116,7 +116,7 @@ fn coupling_turns_with_the_ring() {
     let angle = TAU / 7.0;
     let turned = Annulus { radii: [0.5, 1.0], elements: [2, 2], turned: angle, ..THIN };
     let turned = modes_of(turned, BoreHold::Rigid, 20_000.0);
-    // What all modes have to do with a direction is the same for every direction.
+    // The total coupling of all modes with a direction is the same for every direction.
     let along = |modes: &BodyModes, angle: f64| -> f64 {
         modes.coupling.iter().map(|c| (c[0] * angle.cos() + c[1] * angle.sin()).powi(2)).sum()
     };
@@ -128,7 +128,8 @@ fn coupling_turns_with_the_ring() {
     }
 }
 
-/// With `n` waves a ring that does not stretch moves by `cos n phi` outwards and `-sin(n phi)/n` around.
+/// With `n` nodal diameters an inextensible ring has the displacements `cos n phi` outwards and
+/// `-sin(n phi)/n` around.
 #[test]
 fn a_spinning_thin_ring_is_gyroscopic_as_theory_has_it() {
     let modes = modes_of(THIN, BoreHold::Means { waves: None, degree: 0 }, 1500.0);
@@ -146,7 +147,7 @@ fn a_spinning_thin_ring_is_gyroscopic_as_theory_has_it() {
     }
 }
 
-/// A thin ring grows by `rho omega² R³/E`.
+/// A rotating thin ring expands by `rho omega² R³/E`.
 #[test]
 fn a_spinning_thin_ring_grows_as_theory_has_it() {
     let modes = modes_of(THIN, BoreHold::Means { waves: None, degree: 0 }, 6000.0);
@@ -156,7 +157,7 @@ fn a_spinning_thin_ring_grows_as_theory_has_it() {
     assert!((grown / expected - 1.0).abs() < 1e-3, "{grown} {expected}");
 }
 
-/// Cells of flanks of two teeth: their compliance, and the displacements of modes there.
+/// Returns the compliance of cells on flanks of two teeth, and the displacements of modes there.
 fn cells(structure: &ElasticStructure, modes: &BodyModes) -> (Mat<f64>, Mat<f64>) {
     let charts: Vec<Chart> =
         (0..2).flat_map(|tooth| (0..2).map(move |surface| Chart { tooth, surface })).collect();
@@ -190,7 +191,7 @@ fn cells(structure: &ElasticStructure, modes: &BodyModes) -> (Mat<f64>, Mat<f64>
     (compliance, shapes)
 }
 
-/// The compliance less what modes answer.
+/// Returns the residual flexibility: the compliance less the static response of the modes.
 fn residual(compliance: &Mat<f64>, shapes: &Mat<f64>, frequencies: &[f64], highest: f64) -> Mat<f64> {
     let below = frequencies.iter().filter(|&&omega| omega <= highest).count();
     let scaled = Mat::from_fn(shapes.nrows(), below, |row, mode| shapes[(row, mode)] / frequencies[mode]);
@@ -205,7 +206,7 @@ fn what_modes_leave_of_the_compliance_is_definite_and_vanishes_away_from_the_loa
     let whole = eigenvalues(&compliance);
     let (smallest, largest) = (whole[0], whole[whole.len() - 1]);
     let cells = compliance.nrows() / 4;
-    // What the other flank of the tooth, and the tooth behind, are told.
+    // Entries of the other flank of the tooth and of the previous tooth.
     let far = |matrix: &Mat<f64>| {
         let entries = (0..cells).flat_map(|row| (cells..4 * cells).map(move |column| (row, column)));
         entries.map(|place| matrix[place].abs()).fold(0.0, f64::max)
@@ -235,7 +236,7 @@ fn stress_of_modes_is_that_of_statics() {
     for tooth in 0..2 {
         let load = Chart { tooth: 0, surface: 0 };
         let shapes = modes.displacements(load, &[s]);
-        // The fillet on the other side of the loaded tooth, and of its neighbour.
+        // The fillet on the other side of the loaded tooth, and that of its neighbour.
         let direct = structure.stresses(tooth, 1, &[SurfaceLoad { chart: load, s, force: 1.0 }]);
         let by_modes = modes.stresses(tooth, 1);
         assert_eq!(by_modes.nrows(), direct.len());
@@ -256,7 +257,7 @@ fn teeth_all_around_see_one_mode_of_the_ring() {
     for mode in 0..modes.count() {
         let around: Vec<f64> =
             (0..TEETH).map(|tooth| modes.displacements(Chart { tooth, surface: 0 }, &s)[(1, mode)]).collect();
-        // A single wave: its transform has one number of waves.
+        // A single harmonic: its transform has one number of nodal diameters.
         let power = |n: u32| {
             let part = |f: fn(f64) -> f64| {
                 around

@@ -1,4 +1,5 @@
-//! Component modes against rings that theory knows, whole meshes, and what must hold of any modes.
+//! Tests of component modes against analytical ring solutions and whole meshes, and of general
+//! properties.
 
 mod body;
 mod rings;
@@ -15,7 +16,7 @@ pub use crate::structure::tests::annulus::{Annulus, THIN};
 use std::f64::consts::TAU;
 
 impl Annulus {
-    /// Natural frequencies up to `highest`, rad/s.
+    /// Returns the natural frequencies up to `highest`, rad/s.
     pub fn frequencies(&self, clamped: bool, highest: f64) -> Vec<f64> {
         let sector = sector_of(&self.sector(), self.sectors, clamped);
         let modes = ring_modes(&sector, highest, &Interrupt::never()).unwrap();
@@ -23,14 +24,14 @@ impl Annulus {
     }
 }
 
-/// A sector whose bore is clamped, or which nothing holds.
+/// Returns a sector with a clamped or a free bore.
 pub fn sector_of(model: &PlaneModel, count: u32, clamped: bool) -> Sector {
     let nodes = |name: &str| model.mesh.chain_nodes(model.mesh.chain(name).unwrap());
     let held = if clamped { nodes("bore") } else { Vec::new() };
     let assembled = Assembled::plane(model);
     let angle = TAU / f64::from(count);
     let (first, last) = (nodes("cut_first"), nodes("cut_last"));
-    // A mesh that goes all round has no cuts.
+    // A mesh of the whole ring has no cuts.
     let cuts = (count > 1).then(|| match_cuts(&assembled.positions, &first, &last, &held, angle).unwrap());
     let held = assembled.dofs_of(&held);
     Sector::new((assembled.stiffness, model.mass()), model.mesh.nodes.clone(), &held, count, cuts.as_ref())

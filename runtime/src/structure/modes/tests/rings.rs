@@ -1,4 +1,4 @@
-//! Plain rings.
+//! Tests with plain rings.
 
 use super::{Annulus, sector_of};
 use crate::interrupt::Interrupt;
@@ -7,13 +7,15 @@ use crate::structure::modes::cyclic::ring_modes;
 
 const STEEL: Material = Material { youngs_modulus: 2.10e11, poissons_ratio: 0.3, density: 7850.0 };
 
-/// Equation 4.1 of the report: a thin ring that bends in its plane without stretching, with `n` waves.
+/// Equation 4.1 of the report: in-plane inextensional bending of a thin ring with `n` nodal
+/// diameters.
 fn thin_ring(n: u32, bending: f64, mass: f64, radius: f64) -> f64 {
     let n = f64::from(n);
     n * (n * n - 1.0) / (n * n + 1.0).sqrt() * (bending / (mass * radius.powi(4))).sqrt()
 }
 
-/// A ring of rectangular section, in plane stress: its radius is that of the middle, its thickness is across that.
+/// Returns a ring of rectangular section in plane stress, from its mean radius and its radial
+/// thickness.
 fn ring(thickness: f64, radius: f64) -> Annulus {
     Annulus {
         radii: [radius - 0.5 * thickness, radius + 0.5 * thickness],
@@ -26,7 +28,8 @@ fn ring(thickness: f64, radius: f64) -> Annulus {
     }
 }
 
-/// Frequencies of two to six waves of a free ring, with the rigid-body motions left out.
+/// Returns the frequencies of two to six nodal diameters of a free ring, without the rigid-body
+/// motions.
 fn bending(ring: Annulus, highest: f64) -> Vec<f64> {
     let all = ring.frequencies(false, highest);
     assert!(all[..3].iter().all(|&omega| omega < 1e-3 * all[3]), "{:?}", &all[..4]);
@@ -53,7 +56,8 @@ fn a_thin_free_ring_bends_as_theory_has_it() {
     }
 }
 
-/// Table 4.4 tells the stiffness of the section against bending and its mass; of steel they are those of a rectangle of this thickness.
+/// Table 4.4 gives the bending stiffness of the section and its mass; for steel they are those of a
+/// rectangle of this thickness.
 #[test]
 fn the_ring_of_the_report_lies_below_the_formula_for_thin_rings() {
     let (inertia, mass, radius) = (1.21e-9, 1.8926, 0.17088_f64);
@@ -79,7 +83,7 @@ fn a_free_body_has_three_rigid_motions() {
 
 #[test]
 fn a_sector_is_of_any_size() {
-    // As many sectors as one likes make one ring.
+    // Any number of sectors makes the same ring.
     let of = |sectors: u32| Annulus { sectors, elements: [1, 24 / sectors as usize], ..ring(0.2, 1.0) };
     let one = of(1).frequencies(true, 60_000.0);
     assert!(one.len() > 10);
@@ -121,8 +125,9 @@ fn the_same_bits_at_any_number_of_threads() {
     assert!(modes(1) == modes(3));
 }
 
-/// In plane strain, clamped at half of its outer radius of 1 m: roots of the determinant of the exact solution in Bessel functions (potentials
-/// `J_n, Y_n` of `k_l r` and `k_t r`; clamped inside, free outside), found to 25 digits for each number of waves.
+/// Plane strain, clamped at half of its outer radius of 1 m: roots of the determinant of the exact
+/// solution in Bessel functions (potentials `J_n, Y_n` of `k_l r` and `k_t r`; clamped inside, free
+/// outside), computed to 25 digits for each number of nodal diameters.
 const CLAMPED: [(u32, &[f64]); 5] = [
     (0, &[6329.240670147, 19599.21006923]),
     (1, &[8440.204237568, 19265.67321643]),

@@ -1,4 +1,5 @@
-//! A body on springs by its modes and the motions of its frame, against its whole mesh on the same springs.
+//! A body on springs, modelled by its modes and the motions of its frame, against its whole mesh on
+//! the same springs.
 
 use crate::bearing::{Bearing, axisymmetric};
 use crate::dense::{cholesky, half_solve};
@@ -26,12 +27,13 @@ use std::sync::Arc;
 const SMALL: Divisions = Divisions { rim: 1, tooth_root: 1, flank: 2, thickness: 2, grading: 1.0 };
 const TEETH: u32 = 6;
 const WIDTH: f64 = 0.2;
-/// In the mean, so that the frame and what deforms do not know of each other but by inertia.
+/// Averaged constraints: frame and deformation are coupled by inertia only.
 const HOLD: BoreHold = BoreHold::Means { waves: None, degree: 0 };
-/// Of the bearing: along both axes, and about the third; per metre of width, comparable with those of the ring.
+/// Spring constants of the bearing along both axes and about the third, per metre of width,
+/// comparable with the stiffness of the ring.
 const SPRINGS: [f64; 3] = [2e10, 2e10, 1e10];
 
-/// A ring of which contact sees nothing but a rigid surface.
+/// A ring whose contact surface is rigid.
 struct Ring;
 
 fn modes_up_to(highest: f64) -> Result<BodyModes, StructureError> {
@@ -69,7 +71,8 @@ impl Prototype for Ring {
     }
 }
 
-/// Natural frequencies of the whole mesh, rad/s, its bore in the mean on springs.
+/// Returns the natural frequencies of the whole mesh, rad/s, with the average of its bore on
+/// springs.
 fn of_whole() -> Vec<f64> {
     let model = PlaneModel::new(toothed_ring(TEETH, SMALL), STEEL, Plane::Strain);
     let (mass, mut stiffness) = (model.mass().to_dense(), model.stiffness().to_dense());
@@ -78,7 +81,8 @@ fn of_whole() -> Vec<f64> {
     let means = BoreMeans::plane(&model, bore, wanted, &Interrupt::never()).unwrap().unwrap();
     let forms: Vec<Vec<f64>> = means.forms.iter().map(|form| form.to_full(model.dof_count())).collect();
     assert_eq!(forms.len(), 3);
-    // What each form says of the motions of a frame tells what frame a displacement of the bore belongs to.
+    // The value of each form for the motions of a frame gives the frame motion of a bore
+    // displacement.
     let motions = |dof: usize| {
         let [x, y] = model.mesh.nodes[dof / 2];
         [[1.0, 0.0, -y], [0.0, 1.0, x]][dof % 2]
@@ -100,7 +104,7 @@ fn of_whole() -> Vec<f64> {
     whole.self_adjoint_eigenvalues(Side::Lower).unwrap().into_iter().map(f64::sqrt).collect()
 }
 
-/// The scene: the ring on its bearing, turned a little, and far from it something that it might touch.
+/// Returns a scene with the ring on its bearing, rotated slightly, and a body far from it.
 fn scene() -> Scene {
     let mut scene = Scene::default();
     let motion = SteadyRotation { origin: [0.3, -0.1], start: 0.4, speed: 1.0 };
@@ -128,7 +132,7 @@ fn a_ring_on_springs_vibrates_as_its_whole_mesh_does() {
         let step = system.solve(0.7).unwrap();
         let at = Equilibrium::new(&system, &step);
         let found = at.vibrations().unwrap();
-        // Ritz: never below, and nearer with more modes.
+        // Ritz approximation: upper bounds that converge with more modes.
         let mut worst = 0.0_f64;
         for (found, exact) in found.frequencies.iter().zip(&whole).take(8) {
             assert!(*found > exact * (1.0 - 1e-7), "{found} {exact}");
@@ -136,7 +140,7 @@ fn a_ring_on_springs_vibrates_as_its_whole_mesh_does() {
         }
         assert!(worst < last, "{worst:e} after {last:e}");
         last = worst;
-        // All energy is somewhere: frame and ring have comparable parts of it.
+        // Frame and ring have comparable shares of the energy.
         for mode in 0..8 {
             let share = |components, elastic| {
                 system.value(&step, &ModeShare { mode, body: BodyId(0), components, elastic }).value

@@ -18,7 +18,8 @@ use std::f64::consts::TAU;
 const SMALL: Divisions = Divisions { rim: 1, tooth_root: 1, flank: 2, thickness: 2, grading: 1.0 };
 const TEETH: u32 = 6;
 
-/// Squares of all natural frequencies of a whole mesh whose bore is held like that of a ring, by dense matrices.
+/// Returns the squares of all natural frequencies of a whole mesh with the support of a ring, by
+/// dense matrices.
 fn of_whole(hold: Option<BoreHold>) -> Vec<f64> {
     let model = PlaneModel::new(toothed_ring(TEETH, SMALL), STEEL, Plane::Strain);
     let assembled = Assembled::plane(&model);
@@ -40,7 +41,7 @@ fn of_whole(hold: Option<BoreHold>) -> Vec<f64> {
         let means = BoreMeans::plane(&model, bore, wanted, &Interrupt::never()).unwrap().unwrap();
         let forms: Vec<Vec<f64>> = means.forms.iter().map(|form| form.to_full(model.dof_count())).collect();
         let forms = Mat::from_fn(free.len(), forms.len(), |row, column| forms[column][free[row]]);
-        // What is left of the matrix beside the forms; they themselves get nought.
+        // Projects the matrix on the complement of the forms; the forms get the eigenvalue zero.
         let forms = half_solve(factor.as_ref(), forms).qr().compute_thin_Q();
         let mut beside = Mat::<f64>::identity(free.len(), free.len());
         beside -= product(forms.as_ref(), forms.transpose());
@@ -58,7 +59,7 @@ fn fields(sector: &Sector, highest: f64) -> RingFields<'_> {
     RingFields::new(sector, ring_modes(sector, highest, &Interrupt::never()).unwrap())
 }
 
-/// A ring of sectors, held or free.
+/// Returns a ring of sectors, supported or free.
 fn ring(hold: Option<BoreHold>) -> Sector {
     let (model, _) = toothed_sector(TEETH, 1.0, SMALL);
     match hold {
@@ -81,7 +82,7 @@ const HOLDS: [Option<BoreHold>; 4] = [
 fn no_mode_of_the_whole_ring_is_missed() {
     for hold in HOLDS {
         let whole = of_whole(hold);
-        // Between two frequencies, and further up, where there are many.
+        // Cut-offs between two frequencies, also further up where the spectrum is dense.
         for number in [5, 20, 60] {
             let gap = (number..).find(|&k| whole[k + 1] > 1.001 * whole[k] && whole[k] > 1.0).unwrap();
             let highest = (0.5 * (whole[gap] + whole[gap + 1])).sqrt();
