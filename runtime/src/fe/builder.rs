@@ -1,5 +1,5 @@
-//! Builds a plane mesh from blocks: merges their common corners, gives shared sides shared nodes, orders named chains,
-//! and refuses what would not be a mesh.
+//! Builds a plane mesh from blocks: merges their common corners, assigns shared nodes to shared
+//! sides, orders named chains, and rejects invalid meshes.
 
 use super::block::{Block, NamedSide};
 use super::interpolation::{ElementOrder, Shape, side_place};
@@ -7,10 +7,11 @@ use super::mesh::{ArcLength, EdgeChain, Element, ElementEdge, PlaneMesh};
 use super::quadrature::gauss_legendre;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
-/// Coincidence of points, relative to the diagonal of the mesh's bounding box.
+/// Tolerance for coincident points, relative to the diagonal of the mesh's bounding box.
 const COINCIDENT: f64 = 1e-7;
 
-/// Why blocks do not make a mesh. Blocks are numbered from 0 as they were added; positions in m.
+/// Reasons why blocks do not form a mesh. Blocks are numbered from 0 in the order of addition;
+/// positions in m.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[allow(missing_docs, reason = "each says itself in its message")]
 pub enum MeshError {
@@ -38,14 +39,14 @@ pub enum MeshError {
     MixedChain { name: String },
 }
 
-/// Collects blocks; [`MeshBuilder::finish`] makes the mesh.
+/// Collects blocks; [`MeshBuilder::finish`] builds the mesh.
 #[derive(Clone, Default)]
 pub struct MeshBuilder {
     blocks: Vec<Block>,
     coordinate_order: Option<ElementOrder>,
 }
 
-/// An element before it has nodes.
+/// Element before its nodes are numbered.
 struct Cell {
     block: usize,
     u: [f64; 2],
@@ -55,7 +56,7 @@ struct Cell {
 }
 
 impl Cell {
-    /// The block's point at local coordinates of the element.
+    /// Returns the block's point at local coordinates of the element.
     fn at(&self, blocks: &[Block], [xi, eta]: [f64; 2]) -> [f64; 2] {
         blocks[self.block].at(within(self.u, xi), within(self.v, eta))
     }
@@ -65,16 +66,16 @@ impl Cell {
     }
 }
 
-/// The value at local coordinate `x` of -1 ..= 1 between two bounds, exact at both.
+/// Interpolates between two bounds at local coordinate `x` of -1 ..= 1, exact at both.
 fn within([from, to]: [f64; 2], x: f64) -> f64 {
     0.5 * ((1.0 - x) * from + (1.0 + x) * to)
 }
 
-/// A side of the mesh: the cells that share it, with their side numbers.
+/// Sides of the mesh: the cells that share each, with their side numbers.
 type Sides = BTreeMap<(usize, usize), Vec<(usize, usize)>>;
 
 impl MeshBuilder {
-    /// A mesh of no blocks.
+    /// Creates a builder without blocks.
     pub fn new() -> Self {
         Self::default()
     }
@@ -85,17 +86,19 @@ impl MeshBuilder {
         self
     }
 
-    /// One order of coordinate interpolation for all elements. Without it, coordinates are interpolated like the
-    /// displacements, which keeps the rigid-body motions of curved elements exact.
+    /// Sets one order of coordinate interpolation for all elements. By default, coordinates are
+    /// interpolated like the displacements, which represents the rigid-body motions of curved
+    /// elements exactly.
     pub fn coordinate_order(&mut self, order: ElementOrder) -> &mut Self {
         self.coordinate_order = Some(order);
         self
     }
 
-    /// The mesh, with displacements of the given order in all blocks that have no order of their own.
+    /// Builds the mesh, with displacements of the given order in all blocks without an order of
+    /// their own.
     ///
     /// # Errors
-    /// What [`MeshError`] says: blocks that are folded, do not close or do not conform.
+    /// A [`MeshError`] if blocks are folded, not closed or do not conform.
     pub fn finish(&self, order: ElementOrder) -> Result<PlaneMesh, MeshError> {
         let tolerance = COINCIDENT * self.check_blocks(order)?;
         let (mut cells, corner_count) = self.cells(order, tolerance)?;
@@ -124,7 +127,7 @@ impl MeshBuilder {
         Ok(mesh)
     }
 
-    /// Checks each block by itself; the diagonal of the bounding box of all corners.
+    /// Checks each block separately; returns the diagonal of the bounding box of all corners.
     fn check_blocks(&self, order: ElementOrder) -> Result<f64, MeshError> {
         if self.blocks.is_empty() {
             return Err(MeshError::Empty);
@@ -160,7 +163,7 @@ impl MeshBuilder {
                 (top.at(1.0), right.at(1.0)),
                 (top.at(0.0), left.at(1.0)),
             ] {
-                // Negated, so that curves that are not a number fail.
+                // The comparison is negated so that curves with NaN fail it.
                 let meets = distance(one, other) <= COINCIDENT * diagonal;
                 if !meets {
                     return Err(MeshError::OpenCorner { block: index, at: one });
@@ -170,7 +173,7 @@ impl MeshBuilder {
         Ok(diagonal)
     }
 
-    /// Cells of all blocks with merged corners, and the number of corners.
+    /// Returns the cells of all blocks with merged corners, and the number of corners.
     fn cells(&self, order: ElementOrder, tolerance: f64) -> Result<(Vec<Cell>, usize), MeshError> {
         let mut corners = PointMerger::new(tolerance);
         let mut cells = Vec::new();
@@ -217,9 +220,10 @@ impl MeshBuilder {
                 return Err(MeshError::Overlap { block: cells[*first].block, at });
             }
             for &(other, other_side) in others {
-                // Both curves at a place that is not their middle, where a differing parameter shows too.
+                // Compare both curves away from the middle, where a different parametrization shows
+                // too.
                 let one = cells[*first].at(&self.blocks, side_place(*side, 1.0 / 3.0));
-                // Neighbours run along their edge in opposite directions.
+                // Neighbours run along their common edge in opposite directions.
                 if cells[*first].side_corners(*side) == cells[other].side_corners(other_side) {
                     return Err(MeshError::Overlap { block: cells[other].block, at });
                 }
@@ -236,8 +240,8 @@ impl MeshBuilder {
         Ok(sides)
     }
 
-    /// Numbers the nodes of every cell for the given orders: corners first, then inner nodes of sides (shared), then
-    /// interiors. Positions are the blocks'.
+    /// Numbers the nodes of every cell for the given orders: corners first, then inner nodes of
+    /// sides (shared), then interiors. Positions are those of the blocks.
     fn number_nodes(
         &self,
         cells: &[Cell],
@@ -248,7 +252,7 @@ impl MeshBuilder {
         let mut points = vec![[0.0; 2]; corner_count];
         let mut numbers =
             cells.iter().zip(orders).map(|(_, order)| vec![0; order.node_count()]).collect::<Vec<_>>();
-        // Backwards, so that the first cell that has a corner places it.
+        // In reverse order, so that the first cell with a corner sets its position.
         for (cell, nodes) in cells.iter().zip(&mut numbers).rev() {
             for (corner, &number) in cell.corners.iter().enumerate() {
                 nodes[corner] = number;
@@ -285,7 +289,8 @@ impl MeshBuilder {
         (points, numbers)
     }
 
-    /// Blocks of differing divisions along a common line leave the corners of one on the edges of the other.
+    /// Rejects hanging nodes: blocks with different divisions along a common line leave corners of
+    /// one on the edges of the other.
     fn check_hanging(&self, mesh: &PlaneMesh, cells: &[Cell], sides: &Sides) -> Result<(), MeshError> {
         let boundary = || sides.iter().filter(|(_, shared)| shared.len() == 1);
         let corners = boundary().flat_map(|(&(a, b), _)| [a, b]).collect::<BTreeSet<_>>();
@@ -299,7 +304,7 @@ impl MeshBuilder {
                 if distance(point, middle) > length {
                     continue;
                 }
-                // The foot of the perpendicular, by Newton's method from the middle.
+                // Newton's method for the foot of the perpendicular, from the middle.
                 let mut t = 0.0;
                 for _ in 0..8 {
                     let at = mesh.edge_point(&edge, t);
@@ -369,7 +374,7 @@ impl MeshBuilder {
     }
 }
 
-/// A side has the highest order that a cell on it asks for.
+/// Raises shared sides to the highest order of their cells.
 fn raise_shared_sides(cells: &mut [Cell], sides: &Sides) {
     for shared in sides.values() {
         let highest = shared.iter().map(|&(cell, side)| cells[cell].order.sides[side]).max().unwrap_or(1);
@@ -382,7 +387,7 @@ fn raise_shared_sides(cells: &mut [Cell], sides: &Sides) {
 fn place_displacement_nodes(mesh: &mut PlaneMesh) {
     let count = mesh.elements.iter().flat_map(|element| &element.nodes).max().map_or(0, |&node| node + 1);
     let mut nodes = vec![[0.0; 2]; count];
-    // Most elements are of one kind.
+    // Most elements have the same order.
     let mut tables = BTreeMap::new();
     for element in mesh.elements.iter().rev() {
         let (order, coordinate) = (element.order, element.coordinate_order);
@@ -396,7 +401,8 @@ fn place_displacement_nodes(mesh: &mut PlaneMesh) {
     mesh.nodes = nodes;
 }
 
-/// The area must be positive at all points of integration, and at the corners, where a fold shows first.
+/// Checks that the Jacobian determinant is positive at all integration points, and at the corners,
+/// where a fold appears first.
 fn check_jacobians(mesh: &PlaneMesh, cells: &[Cell]) -> Result<(), MeshError> {
     let mut tables = BTreeMap::new();
     for (element, cell) in mesh.elements.iter().zip(cells) {
@@ -410,7 +416,7 @@ fn check_jacobians(mesh: &PlaneMesh, cells: &[Cell]) -> Result<(), MeshError> {
         });
         for shapes in points {
             let (at, [[a, b], [c, d]]) = mesh.map_with(element, shapes);
-            // Negated, so that what is not a number fails.
+            // The comparison is negated so that NaN fails it.
             let sound = a * d - b * c > 1e-6 * (a * a + b * b + c * c + d * d);
             if !sound {
                 return Err(MeshError::Folded { block: cell.block, at });
@@ -420,7 +426,8 @@ fn check_jacobians(mesh: &PlaneMesh, cells: &[Cell]) -> Result<(), MeshError> {
     Ok(())
 }
 
-/// Edges end to end, counter-clockwise around their elements. Several pieces follow each other as first given.
+/// Joins edges end to end, counter-clockwise around their elements. Separate pieces follow in their
+/// original order.
 fn chained(edges: Vec<ElementEdge>, cells: &[Cell]) -> Vec<ElementEdge> {
     let ends = edges.iter().map(|edge| cells[edge.element].side_corners(edge.side)).collect::<Vec<_>>();
     let mut left = vec![true; edges.len()];
@@ -430,7 +437,7 @@ fn chained(edges: Vec<ElementEdge>, cells: &[Cell]) -> Vec<ElementEdge> {
         let is_start =
             |index: usize| (0..edges.len()).all(|other| !left[other] || ends[other].1 != ends[index].0);
         let unused = || (0..edges.len()).filter(|&index| open(index));
-        // A closed chain has no start: it begins where it was first named.
+        // A closed chain has no start: it begins with the edge that was named first.
         let mut next = unused().find(|&index| is_start(index)).or_else(|| unused().next());
         while let Some(index) = next {
             left[index] = false;
@@ -441,11 +448,11 @@ fn chained(edges: Vec<ElementEdge>, cells: &[Cell]) -> Vec<ElementEdge> {
     ordered
 }
 
-/// Gives points that coincide within the tolerance one number.
+/// Assigns one index to points that coincide within the tolerance.
 struct PointMerger {
     tolerance: f64,
     points: Vec<[f64; 2]>,
-    /// Numbers by square of a grid; only looked up, so that its order never matters.
+    /// Indices by square of a grid; only looked up, so the hash order has no effect.
     squares: HashMap<[i64; 2], Vec<usize>>,
 }
 

@@ -1,51 +1,58 @@
-//! The order in which the unknowns of a mesh are eliminated: nested dissection by the places of its nodes.
+//! Nested dissection: elimination order of the unknowns of a mesh, from the positions of its nodes.
 //!
-//! A mesh is cut in two by a layer of nodes, which is eliminated after both halves; so is each half. What is eliminated together
-//! is one dense matrix, small at the bottom, and the two halves of anything may be worked on side by side. Meshes of high order are
-//! dissected well by places alone if cuts follow the faces of elements: every place along every axis is tried, in one pass over the
-//! graph, and the cut taken is the one that separates most for its size.
+//! A separator, a layer of nodes, divides a mesh into two halves and is eliminated after both; the
+//! halves are dissected in the same way. The unknowns that are eliminated together form one dense
+//! matrix, small at the bottom, and separate halves can be processed in parallel. Meshes of high
+//! order are dissected well by positions alone if cuts follow the faces of elements. Every position
+//! along every axis is tried, in one pass over the graph, and the cut with the best ratio of
+//! separation to size is used.
 
 use faer::sparse::SparseColMat;
 use std::collections::HashMap;
 
-/// Unknowns that are not dissected further. A few elements: below, overhead outweighs what dense arithmetic wastes.
+/// Largest number of unknowns that are not dissected further. A few elements: below, overhead
+/// exceeds the waste of dense arithmetic.
 const LEAF: usize = 96;
-/// No slot: the degree of freedom does not move.
+/// No slot: the degree of freedom is fixed.
 const NONE: usize = usize::MAX;
 
 /// Degrees of freedom that are eliminated together, after those of the parts below.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Part {
-    /// What is eliminated here, in the order of elimination.
+    /// Unknowns that are eliminated here, in the order of elimination.
     pub pivots: Vec<usize>,
-    /// What else the pivots are coupled to once the parts below are gone, in the order of elimination.
+    /// Other unknowns coupled to the pivots after elimination of the parts below, in the order of
+    /// elimination.
     pub boundary: Vec<usize>,
-    /// Positions, in the list of all, of the parts directly below: all of them come before this one.
+    /// Indices of the parts directly below: all of them precede this one.
     pub below: Vec<usize>,
 }
 
-/// An order of elimination. The last part is above all others, and has no pivots: what is kept is all it leaves.
+/// Elimination order. The last part is above all others and has no pivots: it contains the retained
+/// unknowns.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Dissection {
-    /// Those below come before those above.
+    /// Parts; those below precede those above.
     pub parts: Vec<Part>,
-    /// By degree of freedom: its place in the order of elimination, kept ones last, in the order they were given; `None` if it is
-    /// held.
+    /// Position of each degree of freedom in the elimination order, retained ones last, in their
+    /// original order; `None` if it is fixed.
     pub order: Vec<Option<usize>>,
 }
 
-/// Nodes that have the same neighbours, as the inner ones of an element or of a face between two: they stay together.
+/// Nodes with the same neighbours, such as the inner ones of an element or of a face between two:
+/// they stay together.
 struct Group {
-    /// Degrees of freedom that are not held.
+    /// Unconstrained degrees of freedom.
     dofs: Vec<usize>,
     position: [f64; 3],
-    /// Without itself.
+    /// Neighbours without the group itself.
     neighbours: Vec<usize>,
 }
 
 impl Dissection {
-    /// Orders the unknowns of a stiffness of which only the pattern is read (both triangles; the degrees of freedom of a node are
-    /// adjacent). `held` ones are left out, those of the nodes `kept` come last.
+    /// Orders the unknowns of a stiffness of which only the pattern is read (both triangles; the
+    /// degrees of freedom of a node are adjacent). The `held` ones are omitted, those of the nodes
+    /// `kept` come last.
     pub fn new(
         stiffness: &SparseColMat<usize, f64>,
         positions: &[[f64; 3]],
@@ -68,7 +75,7 @@ impl Dissection {
         };
         let inner = |&group: &usize| !is_kept[dissector.groups[group].dofs[0] / per_node];
         let all: Vec<usize> = (0..dissector.groups.len()).filter(inner).collect();
-        // What is kept is in no region.
+        // Retained unknowns are in no region.
         dissector.region.fill(NONE);
         let top = dissector.dissect(all);
         dissector.own.push(Vec::new());
@@ -89,7 +96,8 @@ impl Dissection {
         Self { parts, order }
     }
 
-    /// Multiplications to eliminate everything, and entries of the factor that this would make.
+    /// Returns the number of multiplications to eliminate everything, and the number of entries of
+    /// the corresponding factor.
     pub fn cost(&self) -> (f64, f64) {
         let of_part = |part: &Part| {
             let columns =
@@ -109,7 +117,7 @@ fn group(
     is_kept: &[bool],
 ) -> Vec<Group> {
     let moves = |node: usize| (per_node * node..per_node * (node + 1)).any(|dof| !is_held[dof]);
-    // Nodes by their neighbours, themselves among them, and by whether they are kept.
+    // Nodes by their neighbours, including themselves, and by whether they are retained.
     let mut alike: HashMap<(Vec<usize>, bool), usize> = HashMap::new();
     let mut members: Vec<Vec<usize>> = Vec::new();
     let mut group_of = vec![NONE; positions.len()];
@@ -149,27 +157,28 @@ fn group(
 
 struct Dissector {
     groups: Vec<Group>,
-    /// By group: the number of the set it was last in.
+    /// Index of the most recent set of each group.
     region: Vec<usize>,
-    /// By group of the set that is being cut: its place along the axis.
+    /// Position along the axis of each group of the current set.
     rank: Vec<usize>,
     regions: usize,
-    /// By part: its groups.
+    /// Groups by part.
     own: Vec<Vec<usize>>,
     below: Vec<Vec<usize>>,
 }
 
-/// A cut of an ordered set before place `at`; the layer is taken from those before it or from those behind.
+/// Cut of an ordered set before position `at`; the separator is taken from the front or from the
+/// back.
 #[derive(Clone, Copy)]
 struct Cut {
     at: usize,
     from_front: bool,
-    /// Smaller is better.
+    /// Cost, to be minimized.
     badness: f64,
 }
 
 impl Dissector {
-    /// Makes the parts of a set, and says which is above the others; `None` for nothing.
+    /// Dissects a set and returns the topmost part; `None` for an empty set.
     fn dissect(&mut self, set: Vec<usize>) -> Option<usize> {
         if set.is_empty() {
             return None;
@@ -203,7 +212,7 @@ impl Dissector {
         set.iter().map(|&group| self.groups[group].dofs.len()).sum()
     }
 
-    /// The best cut along any axis, with the set in the order along that one.
+    /// Returns the best cut along any axis, with the set sorted along it.
     fn best_cut(&mut self, set: &[usize]) -> Option<(Vec<usize>, Cut)> {
         self.regions += 1;
         set.iter().for_each(|&group| self.region[group] = self.regions);
@@ -228,7 +237,8 @@ impl Dissector {
         ordered.iter().enumerate().for_each(|(rank, &group)| self.rank[group] = rank);
         let region = self.region[ordered[0]];
         let count = ordered.len();
-        // Change of the layer's weight from one place of the cut to the next, for layers in front of the cut and behind it.
+        // Change of the separator's weight from one cut position to the next, for separators in
+        // front of the cut and behind it.
         let mut change = [vec![0_i64; count + 1], vec![0_i64; count + 1]];
         let mut before = vec![0_i64; count + 1];
         for (rank, &group) in ordered.iter().enumerate() {
@@ -238,7 +248,8 @@ impl Dissector {
             let (first, last) = near.fold((rank, rank), |(first, last), &other| {
                 (first.min(self.rank[other]), last.max(self.rank[other]))
             });
-            // In the layer in front of a cut at rank + 1 ..= last, in the one behind a cut at first + 1 ..= rank.
+            // The group is in the separator in front of a cut at rank + 1 ..= last, and in the one
+            // behind a cut at first + 1 ..= rank.
             change[0][rank + 1] += weight;
             change[0][last + 1] -= weight;
             change[1][first + 1] += weight;
@@ -257,7 +268,8 @@ impl Dissector {
                 } else {
                     behind -= layer
                 }
-                // A half of nothing is no half: the layer would be all that the cut separates.
+                // An empty half is not allowed: the cut would separate nothing but the separator
+                // itself.
                 if front <= 0 || behind <= 0 {
                     continue;
                 }
@@ -270,7 +282,7 @@ impl Dissector {
         best
     }
 
-    /// The parts with what their pivots are coupled to, by elimination of the groups.
+    /// Returns the parts with their boundaries, by symbolic elimination of the groups.
     fn parts(self, order: &[Option<usize>]) -> Vec<Part> {
         let place = |group: usize| order[self.groups[group].dofs[0]];
         let mut boundaries: Vec<Vec<usize>> = Vec::with_capacity(self.own.len());

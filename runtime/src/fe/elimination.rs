@@ -1,11 +1,15 @@
-//! Elimination of the unknowns of a mesh, part by part of its [`Dissection`], down to those that are kept.
+//! Multifrontal elimination of the unknowns of a mesh, part by part of its [`Dissection`], down to
+//! the retained ones.
 //!
-//! Loads and linear forms are carried along as if they were more unknowns to keep: where the stiffness is `K`, the loads `B` and the
-//! forms `C`, the matrix `[K B; B^T 0; C 0]` loses the unknowns that are not kept, and what remains is all that a condensed structure
-//! is made of, the responses to loads among it. No factor is stored, no response of the whole mesh is ever formed, and a load
-//! takes part only in what lies above the elements it acts on. (Duff and Reid, ACM Transactions on Mathematical Software 9, 1983.)
+//! Loads and linear forms are processed like additional retained unknowns. With the stiffness `K`,
+//! the loads `B` and the forms `C`, the unknowns that are not retained are eliminated from the
+//! matrix `[K B; B^T 0; C 0]`. The Schur complement contains everything that a condensed structure
+//! needs, including the responses to loads. No factor is stored, no response of the whole mesh is
+//! formed, and a load takes part only in the parts above the elements it acts on. (Duff and Reid,
+//! ACM Transactions on Mathematical Software 9, 1983.)
 //!
-//! Bits do not depend on the number of threads: what is done side by side is cut up the same way on any machine.
+//! The result does not depend on the number of threads bit for bit: parallel work is divided in the
+//! same way on any machine.
 
 use super::dissection::{Dissection, Part};
 use super::solve::SolveError;
@@ -14,20 +18,23 @@ use crate::dense::{add_product, add_product_lower, cholesky_in_place, divide_by_
 use faer::Mat;
 use faer::sparse::SparseColMat;
 
-/// A pivot smaller than this share of its unknown's own stiffness leaves no digits: something can move freely.
+/// The matrix is singular to working precision if a pivot is a smaller share of its unknown's own
+/// stiffness than this: there is a mechanism.
 const SINGULAR: f64 = 1e-13;
 
-/// What is left of loads, forms and kept unknowns; `c` kept unknowns, `m` loads, `q` forms.
+/// Schur complement with loads and forms; `c` retained unknowns, `m` loads, `q` forms.
 #[derive(Clone, Debug)]
 pub struct Remainder {
-    /// Square, `c + m`: the stiffness left, the loads left on the kept unknowns (and their transpose), and, negative, the
-    /// displacements of the loads by the loads with the kept unknowns held. Lower triangle.
+    /// Square matrix of size `c + m`: the stiffness of the retained unknowns, the equivalent loads
+    /// on them (and their transpose), and, negative, the displacements of the loads by the loads
+    /// with the retained unknowns fixed. Lower triangle.
     pub square: Mat<f64>,
-    /// `q` by `c + m`: the forms of the kept unknowns, and, negative, of the loads with the kept unknowns held.
+    /// Matrix `q` by `c + m`: the forms of the retained unknowns, and, negative, of the loads with
+    /// the retained unknowns fixed.
     pub forms: Mat<f64>,
 }
 
-/// What a part leaves to the one above it.
+/// Update matrix that a part passes to the one above it.
 struct Update {
     /// Slots of the degrees of freedom and loads that the part was coupled to.
     slots: Vec<usize>,
@@ -38,10 +45,10 @@ struct Update {
 
 /// Entries of sparse vectors by degree of freedom.
 struct ByDof {
-    /// Of the vectors.
+    /// Number of vectors.
     count: usize,
     starts: Vec<usize>,
-    /// Number of the vector, and its value.
+    /// Index of the vector, and its value.
     entries: Vec<(usize, f64)>,
 }
 
@@ -65,7 +72,8 @@ impl ByDof {
         Self { count: vectors.len(), starts, entries }
     }
 
-    /// Numbers, ascending, of the vectors that have an entry at any of these degrees of freedom, and of others.
+    /// Returns the indices, ascending, of the vectors that have an entry at any of these degrees of
+    /// freedom, and of others.
     fn present(&self, dofs: &[usize], others: impl Iterator<Item = usize>) -> Vec<usize> {
         let mut seen = vec![false; self.count];
         let own = dofs.iter().flat_map(|&dof| self.at(dof)).map(|&(number, _)| number);
@@ -78,18 +86,19 @@ impl ByDof {
     }
 }
 
-/// What a part and those below it need.
+/// Memory demand of a part and those below it.
 struct Need {
-    /// Numbers, at most at any time and at any number of threads.
+    /// Largest number of values at any time, for any number of threads.
     peak: u64,
-    /// Numbers of its update.
+    /// Number of values in its update.
     left: u64,
     loads: Vec<usize>,
     forms: Vec<usize>,
 }
 
 impl Need {
-    /// `pivots` by `rest` unknowns and loads by `forms`, after what `below` needed.
+    /// Returns the demand for `pivots` by `rest` unknowns and loads by `forms`, after the demand of
+    /// `below`.
     fn numbers([pivots, rest, forms]: [usize; 3], below: &[Need]) -> [u64; 2] {
         let [pivots, rest, forms] = [pivots, rest, forms].map(|count| count as u64);
         let left = (rest + forms) * rest;
@@ -99,7 +108,7 @@ impl Need {
     }
 }
 
-/// Memory that [`eliminate`] takes at most beside what it is given, bytes.
+/// Returns the largest memory of [`eliminate`] in addition to its arguments, bytes.
 pub fn memory(dissection: &Dissection, loads: &[SparseVector], forms: &[SparseVector]) -> u64 {
     let [of_loads, of_forms] = [loads, forms].map(|vectors| ByDof::new(dissection.order.len(), vectors));
     let mut needs: Vec<Option<Need>> = Vec::with_capacity(dissection.parts.len());
@@ -125,15 +134,16 @@ struct Elimination<'a, C> {
     dissection: &'a Dissection,
     loads: ByDof,
     forms: ByDof,
-    /// The slot of the first load: degrees of freedom come before, in the order of elimination.
+    /// Slot of the first load; degrees of freedom precede it, in the order of elimination.
     first_load: usize,
     checkpoint: C,
 }
 
-/// Eliminates all unknowns that the dissection does not keep. `checkpoint` is asked before each part.
+/// Eliminates all unknowns that the dissection does not retain, with a `checkpoint` before each
+/// part.
 ///
 /// # Errors
-/// What can move is not held, or the checkpoint's.
+/// There is a mechanism, or the checkpoint returns an error.
 pub fn eliminate<E: From<SolveError> + Send>(
     stiffness: &SparseColMat<usize, f64>,
     dissection: &Dissection,
@@ -192,7 +202,7 @@ pub fn eliminate<E: From<SolveError> + Send>(
 }
 
 impl<E: From<SolveError> + Send, C: Fn() -> Result<(), E> + Sync> Elimination<'_, C> {
-    /// Eliminates a part and all below.
+    /// Eliminates a part and all below it.
     fn part(&self, number: usize) -> Result<Update, E> {
         let part = &self.dissection.parts[number];
         let below = match *part.below.as_slice() {
@@ -221,7 +231,7 @@ impl<E: From<SolveError> + Send, C: Fn() -> Result<(), E> + Sync> Elimination<'_
         slots.extend(loads.into_iter().map(|load| self.first_load + load));
         let (rest, forms) = (slots.len(), forms_at.len());
 
-        // Columns of the pivots: rows of the pivots, of what they are coupled to, of the forms.
+        // Columns of the pivots: rows of the pivots, of the boundary, of the forms.
         let mut columns = Mat::<f64>::zeros(count + rest + forms, count);
         let mut square = Mat::<f64>::zeros(rest, rest);
         let mut left = Mat::<f64>::zeros(forms, rest);
@@ -229,7 +239,7 @@ impl<E: From<SolveError> + Send, C: Fn() -> Result<(), E> + Sync> Elimination<'_
         let find = |slot: usize| slots.binary_search(&slot).unwrap_or(usize::MAX);
         let mut own = Vec::with_capacity(count);
         for (column, &dof) in part.pivots.iter().enumerate() {
-            // The next row mostly is the next place too.
+            // The next row usually has the next slot too.
             let mut guess = 0;
             for (row, &value) in self.stiffness.row_idx_of_col(dof).zip(self.stiffness.val_of_col(dof)) {
                 let Some(slot) = self.dissection.order[row].filter(|&slot| slot >= first + column) else {

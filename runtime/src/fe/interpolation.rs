@@ -1,56 +1,58 @@
-//! Interpolation on the square -1 <= xi, eta <= 1 with optional nodes: four corners, any order up to cubic on each
-//! edge, optional interior nodes (report 3.1.3, figure 3.6). Used for displacements and for coordinates alike.
+//! Interpolation on the square -1 <= xi, eta <= 1 with optional nodes: four corners, any order up
+//! to cubic on each edge, optional interior nodes (report 3.1.3, figure 3.6). Used for
+//! displacements and coordinates.
 
-/// The order of interpolation on each part of a quadrilateral.
+/// Order of interpolation on each part of a quadrilateral.
 ///
-/// Corners are (-1,-1), (1,-1), (1,1), (-1,1), counter-clockwise; side `k` runs from corner `k` to the next.
-/// Nodes are numbered corners first, then the inner nodes of sides 0 to 3, each along its side, then the interior
-/// ones with `xi` running fastest. Nodes are equally spaced.
+/// Corners are (-1,-1), (1,-1), (1,1), (-1,1), counter-clockwise; side `k` runs from corner `k` to
+/// the next. Nodes are numbered corners first, then the inner nodes of sides 0 to 3, each along its
+/// side, then the interior ones with `xi` running fastest. Nodes are equally spaced.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct ElementOrder {
-    /// 1 (no inner node), 2 (one) or 3 (two) along each side.
+    /// Order of each side: 1 (no inner node), 2 (one) or 3 (two).
     pub sides: [u8; 4],
     /// Order of the grid of interior nodes along `xi` and `eta`: `(a - 1) * (b - 1)` nodes.
     pub interior: [u8; 2],
 }
 
-/// A shape function at a point: value, derivative by `xi`, derivative by `eta`.
+/// Shape function at a point: value, derivative by `xi`, derivative by `eta`.
 pub type Shape = [f64; 3];
 
 impl ElementOrder {
-    /// Four nodes.
+    /// Bilinear element with four nodes.
     pub const LINEAR: Self = Self::full(1);
-    /// Nine nodes.
+    /// Biquadratic element with nine nodes.
     pub const QUADRATIC: Self = Self::full(2);
-    /// Sixteen nodes.
+    /// Bicubic element with sixteen nodes.
     pub const CUBIC: Self = Self::full(3);
 
-    /// The complete tensor product of order 1, 2 or 3.
+    /// Returns the complete tensor product of order 1, 2 or 3.
     pub const fn full(order: u8) -> Self {
         Self { sides: [order; 4], interior: [order; 2] }
     }
 
-    /// Boundary nodes only (8-node quadratic, 12-node cubic).
+    /// Returns a serendipity element with boundary nodes only (8-node quadratic, 12-node cubic).
     pub const fn serendipity(order: u8) -> Self {
         Self { sides: [order; 4], interior: [1; 2] }
     }
 
-    /// Whether every order is 1, 2 or 3.
+    /// Returns true if every order is 1, 2 or 3.
     pub fn is_valid(&self) -> bool {
         self.sides.iter().chain(&self.interior).all(|order| (1..=3).contains(order))
     }
 
-    /// The highest order of the element and its sides.
+    /// Returns the highest order of the element and its sides.
     pub fn highest(&self) -> u8 {
         self.sides.iter().chain(&self.interior).copied().max().unwrap_or(1)
     }
 
-    /// The lowest order of a side: that to which the whole element is complete at best.
+    /// Returns the lowest order of a side: the highest order to which the whole element can be
+    /// complete.
     pub fn lowest_side(&self) -> u8 {
         self.sides.iter().copied().min().unwrap_or(1)
     }
 
-    /// Number of nodes: 4 (linear) to 16 (cubic).
+    /// Returns the number of nodes: 4 (linear) to 16 (cubic).
     pub fn node_count(&self) -> usize {
         self.boundary_count() + self.interior_count()
     }
@@ -63,7 +65,7 @@ impl ElementOrder {
         (usize::from(self.interior[0]) - 1) * (usize::from(self.interior[1]) - 1)
     }
 
-    /// Numbers of the nodes of a side, in its direction, ends included.
+    /// Returns the indices of the nodes of a side, in its direction, including the ends.
     pub fn side_nodes(&self, side: usize) -> Vec<usize> {
         let first = 4 + self.sides[..side].iter().map(|&order| usize::from(order) - 1).sum::<usize>();
         let mut nodes = vec![side];
@@ -72,7 +74,7 @@ impl ElementOrder {
         nodes
     }
 
-    /// Local coordinates of the nodes.
+    /// Returns the local coordinates of the nodes.
     pub fn node_places(&self) -> Vec<[f64; 2]> {
         let mut places = (0..4).map(|corner| side_place(corner, -1.0)).collect::<Vec<_>>();
         for (side, &order) in self.sides.iter().enumerate() {
@@ -87,11 +89,12 @@ impl ElementOrder {
         (1..b).flat_map(|j| (1..a).map(move |i| [spaced(a, i), spaced(b, j)])).collect()
     }
 
-    /// All shape functions at a point, in the numbering of the nodes.
+    /// Returns all shape functions at a point, in the numbering of the nodes.
     ///
-    /// Boundary functions blend the side's Lagrange functions linearly across the element; interior nodes add tensor
-    /// products that vanish on the boundary, and are subtracted from the boundary functions so that these vanish at
-    /// them. With equal orders everywhere this is the Lagrange tensor product.
+    /// Boundary functions blend the side's Lagrange functions linearly across the element. Interior
+    /// nodes add tensor products that vanish on the boundary; these are subtracted from the
+    /// boundary functions so that the latter vanish at the interior nodes. With equal orders
+    /// everywhere this is the Lagrange tensor product.
     pub fn shapes(&self, xi: f64, eta: f64) -> Vec<Shape> {
         let mut shapes = self.boundary_shapes(xi, eta);
         if self.interior_count() == 0 {
@@ -122,7 +125,8 @@ impl ElementOrder {
         let mut next = 4;
         for side in 0..4 {
             let order = self.sides[side];
-            // The side's own coordinate, and the linear function that is 1 on it and 0 on the opposite one.
+            // Coordinate along the side, and the linear function that is 1 on it and 0 on the
+            // opposite side.
             let (t, dt, blend, dblend) = match side {
                 0 => (xi, [1.0, 0.0], 0.5 * (1.0 - eta), [0.0, -0.5]),
                 1 => (eta, [0.0, 1.0], 0.5 * (1.0 + xi), [0.5, 0.0]),
@@ -145,7 +149,7 @@ impl ElementOrder {
                 }
             }
         }
-        // Both sides of a corner brought it in: the bilinear function once too often.
+        // Both sides of a corner contribute its bilinear function: subtract it once.
         for corner in 0..4 {
             let [x, y] = side_place(corner, -1.0);
             let (f, g) = (0.5 * (1.0 + x * xi), 0.5 * (1.0 + y * eta));
@@ -157,7 +161,7 @@ impl ElementOrder {
     }
 }
 
-/// The point of a side at `t` in -1 ..= 1 along its direction.
+/// Returns the point of a side at `t` in -1 ..= 1 along its direction.
 pub fn side_place(side: usize, t: f64) -> [f64; 2] {
     match side {
         0 => [t, -1.0],
@@ -167,12 +171,13 @@ pub fn side_place(side: usize, t: f64) -> [f64; 2] {
     }
 }
 
-/// Node `node` of `order + 1` equally spaced ones on -1 ..= 1.
+/// Returns node `node` of `order + 1` equally spaced ones on -1 ..= 1.
 fn spaced(order: u8, node: u8) -> f64 {
     f64::from(2 * i16::from(node) - i16::from(order)) / f64::from(order)
 }
 
-/// Lagrange polynomials on equally spaced nodes, values and derivatives; the first `order + 1` are used.
+/// Returns values and derivatives of the Lagrange polynomials on equally spaced nodes; the first
+/// `order + 1` are used.
 fn lagrange(order: u8, x: f64) -> [(f64, f64); 4] {
     let mut functions = [(0.0, 0.0); 4];
     for i in 0..=order {

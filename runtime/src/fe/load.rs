@@ -5,14 +5,17 @@ use super::model::PlaneModel;
 use super::quadrature::gauss_legendre;
 use super::sparse::SparseVector;
 
-/// Points of quadrature on a smooth piece of an edge: exact for a cubic shape times a traction of degree 20.
+/// Quadrature points on a smooth piece of an edge: exact for a cubic shape function times a
+/// traction of degree 20.
 const POINTS: usize = 12;
 
 impl PlaneModel {
-    /// Loads of a traction (Pa, x and y) along a whole chain, N per metre of face width.
+    /// Returns the load vector of a traction (Pa, x and y) along a whole chain, N per metre of face
+    /// width.
     ///
-    /// `traction(s, point)` must be smooth within each edge. On a profile the integral is over the profile's arc length,
-    /// so that the load's total is the integral over the true curve, whatever the mesh made of it.
+    /// `traction(s, point)` must be smooth within each edge. On a profile the integral is over the
+    /// profile's arc length, so the total load is the integral over the true curve, independently
+    /// of the mesh.
     pub fn edge_load(
         &self,
         chain: &EdgeChain,
@@ -21,8 +24,8 @@ impl PlaneModel {
         self.edge_load_between(chain, chain.range(), traction)
     }
 
-    /// As [`PlaneModel::edge_load`], on the part of the chain between two arc lengths. Call it piece by piece for a
-    /// traction with kinks.
+    /// Returns the load vector as [`PlaneModel::edge_load`], on the part of the chain between two
+    /// arc lengths. For a traction with kinks, call it piece by piece.
     pub fn edge_load_between(
         &self,
         chain: &EdgeChain,

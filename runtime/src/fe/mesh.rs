@@ -1,89 +1,93 @@
-//! Plane meshes of quadrilaterals, with displacement nodes and coordinate nodes of their own, and chains of edges.
+//! Plane meshes of quadrilaterals, with separate displacement and coordinate nodes, and chains of
+//! edges.
 
 use super::interpolation::{ElementOrder, Shape, side_place};
 use super::quadrature::gauss_legendre;
 use std::collections::BTreeMap;
 
-/// A plane mesh. Elements share the nodes of shared sides, both displacement and coordinate nodes.
+/// Plane mesh. Elements share the nodes of shared sides, both displacement and coordinate nodes.
 ///
 /// Degrees of freedom are `2 * node` (x) and `2 * node + 1` (y) of the displacement nodes.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct PlaneMesh {
-    /// Displacement nodes, where the coordinate interpolation puts them, m.
+    /// Displacement nodes at the positions of the coordinate interpolation, m.
     pub nodes: Vec<[f64; 2]>,
     /// Coordinate nodes, m.
     pub coordinate_nodes: Vec<[f64; 2]>,
-    /// In no particular order.
+    /// Elements in no particular order.
     pub elements: Vec<Element>,
     /// Named sets of element edges: `"bore"`, `"cut_left"`, `"flank_0"`.
     pub chains: BTreeMap<String, EdgeChain>,
 }
 
-/// A quadrilateral. Where the coordinates are of no higher order than the displacements on every part, it has the
-/// rigid-body motions exactly; a curved element of linear displacements has not (its rotation strains it).
+/// Quadrilateral element. If the coordinates are nowhere of higher order than the displacements,
+/// the element represents rigid-body motions exactly; a curved element with linear displacements
+/// does not (its rotation causes strain).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Element {
-    /// Of displacements.
+    /// Order of the displacements.
     pub order: ElementOrder,
-    /// Into [`PlaneMesh::nodes`], in the numbering of [`ElementOrder`].
+    /// Indices into [`PlaneMesh::nodes`], in the numbering of [`ElementOrder`].
     pub nodes: Vec<usize>,
-    /// Of the coordinates.
+    /// Order of the coordinates.
     pub coordinate_order: ElementOrder,
-    /// Into [`PlaneMesh::coordinate_nodes`].
+    /// Indices into [`PlaneMesh::coordinate_nodes`].
     pub coordinates: Vec<usize>,
 }
 
-/// A place in an element, by its local coordinates.
+/// Point in an element, by its local coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Place {
     /// Index in [`PlaneMesh::elements`].
     pub element: usize,
-    /// From -1 to 1.
+    /// Local coordinate, from -1 to 1.
     pub xi: f64,
-    /// From -1 to 1.
+    /// Local coordinate, from -1 to 1.
     pub eta: f64,
 }
 
-/// A side of an element as a part of a chain.
+/// Side of an element as a part of a chain.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ElementEdge {
     /// Index in [`PlaneMesh::elements`].
     pub element: usize,
-    /// 0 to 3, see [`ElementOrder`].
+    /// Side 0 to 3, see [`ElementOrder`].
     pub side: usize,
-    /// Whether the chain runs against the side's direction, which is counter-clockwise around the element.
+    /// True if the chain runs against the direction of the side, which is counter-clockwise around
+    /// the element.
     pub reversed: bool,
-    /// Arc length at the start and the end in the chain's direction; ascending, m.
+    /// Arc lengths at the start and the end in the direction of the chain; ascending, m.
     pub s: [f64; 2],
 }
 
-/// How arc length is measured along a chain.
+/// Measure of arc length along a chain.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ArcLength {
-    /// On the true profile: within an edge it is proportional to the local coordinate, by construction of the mesh.
+    /// Arc length of the true profile: within an edge it is proportional to the local coordinate,
+    /// by construction of the mesh.
     Profile,
-    /// On the interpolated coordinates, from 0 at the chain's start.
+    /// Arc length of the interpolated coordinates, from 0 at the start of the chain.
     Mesh,
 }
 
-/// Edges in order of arc length. Chains measured on the mesh run with the material on the left (counter-clockwise
-/// around the body); those on a profile run as the profile does.
+/// Edges in order of arc length. Chains measured on the mesh run with the material on the left
+/// (counter-clockwise around the body); those on a profile have the direction of the profile.
 #[derive(Clone, Debug, PartialEq)]
 pub struct EdgeChain {
-    /// In order along the chain.
+    /// Edges in order along the chain.
     pub edges: Vec<ElementEdge>,
-    /// What arc lengths along it mean.
+    /// Measure of arc length.
     pub measure: ArcLength,
 }
 
-/// A point of a chain.
+/// Point of a chain.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EdgePoint {
-    /// Where in which element.
+    /// Element and local coordinates.
     pub place: Place,
-    /// m
+    /// Position, m.
     pub position: [f64; 2],
-    /// Unit tangent, towards growing arc length.
+    /// Unit tangent, towards increasing arc length.
     pub tangent: [f64; 2],
     /// Unit normal, out of the element.
     pub normal: [f64; 2],
@@ -92,7 +96,7 @@ pub struct EdgePoint {
 }
 
 impl EdgeChain {
-    /// Arc lengths of its two ends; zeros if it is empty.
+    /// Returns the arc lengths of the two ends; zeros for an empty chain.
     pub fn range(&self) -> [f64; 2] {
         match (self.edges.first(), self.edges.last()) {
             (Some(first), Some(last)) => [first.s[0], last.s[1]],
@@ -102,17 +106,17 @@ impl EdgeChain {
 }
 
 impl PlaneMesh {
-    /// Number of displacement unknowns, two a node.
+    /// Returns the number of displacement unknowns, two for each node.
     pub fn dof_count(&self) -> usize {
         2 * self.nodes.len()
     }
 
-    /// The chain of that name, if there is one.
+    /// Returns the chain of that name, if any.
     pub fn chain(&self, name: &str) -> Option<&EdgeChain> {
         self.chains.get(name)
     }
 
-    /// Displacement nodes along a chain in its order, each once where edges join.
+    /// Returns the displacement nodes along a chain in its order, with the node at each joint once.
     pub fn chain_nodes(&self, chain: &EdgeChain) -> Vec<usize> {
         let mut nodes = Vec::new();
         for edge in &chain.edges {
@@ -127,18 +131,18 @@ impl PlaneMesh {
                 }
             }
         }
-        // A closed chain comes back to its first node.
+        // A closed chain ends at its first node.
         if nodes.len() > 1 && nodes.first() == nodes.last() {
             nodes.pop();
         }
         nodes
     }
 
-    /// Area, and its second moment about the origin: m² and m⁴.
+    /// Returns the area and its polar second moment about the origin, m² and m⁴.
     pub fn area_and_polar_moment(&self) -> [f64; 2] {
         let mut sums = [0.0; 2];
         for (number, element) in self.elements.iter().enumerate() {
-            // Of degree 4q - 1 along each direction, q the order of the coordinates.
+            // The integrand has degree 4q - 1 in each direction, q the order of the coordinates.
             let rule = gauss_legendre(2 * usize::from(element.coordinate_order.highest()));
             for (eta, of_eta) in &rule {
                 for (xi, of_xi) in &rule {
@@ -152,12 +156,12 @@ impl PlaneMesh {
         sums
     }
 
-    /// Position of a place, m.
+    /// Returns the position of a point, m.
     pub fn position(&self, place: Place) -> [f64; 2] {
         self.map(place).0
     }
 
-    /// `[[dx/dxi, dx/deta], [dy/dxi, dy/deta]]` at a place, m.
+    /// Returns the Jacobian `[[dx/dxi, dx/deta], [dy/dxi, dy/deta]]` at a point, m.
     pub fn jacobian(&self, place: Place) -> [[f64; 2]; 2] {
         self.map(place).1
     }
@@ -167,7 +171,7 @@ impl PlaneMesh {
         self.map_with(element, &element.coordinate_order.shapes(place.xi, place.eta))
     }
 
-    /// Position and Jacobian from coordinate shape functions already evaluated.
+    /// Returns position and Jacobian from evaluated coordinate shape functions.
     pub(super) fn map_with(&self, element: &Element, shapes: &[Shape]) -> ([f64; 2], [[f64; 2]; 2]) {
         let (mut position, mut jacobian) = ([0.0; 2], [[0.0; 2]; 2]);
         for (shape, &node) in shapes.iter().zip(&element.coordinates) {
@@ -181,13 +185,13 @@ impl PlaneMesh {
         (position, jacobian)
     }
 
-    /// The point of an edge at `t` in -1 ..= 1, along the chain's direction.
+    /// Returns the point of an edge at `t` in -1 ..= 1, in the direction of the chain.
     pub fn edge_point(&self, edge: &ElementEdge, t: f64) -> EdgePoint {
         let direction = if edge.reversed { -1.0 } else { 1.0 };
         let [xi, eta] = side_place(edge.side, direction * t);
         let place = Place { element: edge.element, xi, eta };
         let (position, jacobian) = self.map(place);
-        // d(xi, eta)/dt along the side's own, counter-clockwise, direction.
+        // d(xi, eta)/dt along the counter-clockwise direction of the side.
         let [a, b] = [[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0]][edge.side];
         let along = [jacobian[0][0] * a + jacobian[0][1] * b, jacobian[1][0] * a + jacobian[1][1] * b];
         let speed = along[0].hypot(along[1]);
@@ -202,7 +206,7 @@ impl PlaneMesh {
         }
     }
 
-    /// Arc length at `t` of an edge.
+    /// Returns the arc length at `t` on an edge.
     pub fn arc_length(&self, measure: ArcLength, edge: &ElementEdge, t: f64) -> f64 {
         let fraction = 0.5 * (1.0 + t);
         match measure {
@@ -211,7 +215,7 @@ impl PlaneMesh {
         }
     }
 
-    /// Length of the interpolated edge from its start to `t`, m.
+    /// Returns the length of the interpolated edge from its start to `t`, m.
     pub(super) fn length_to(&self, edge: &ElementEdge, t: f64) -> f64 {
         let half = 0.5 * (1.0 + t);
         gauss_legendre(8)
@@ -220,8 +224,8 @@ impl PlaneMesh {
             .sum()
     }
 
-    /// Where arc length `s` lies on a chain: the edge's index and `t`. At a joint, the earlier edge.
-    /// `None` outside the chain by more than rounding, or in a gap of it.
+    /// Locates arc length `s` on a chain: the index of the edge and `t`. At a joint, the earlier
+    /// edge. `None` outside the chain by more than rounding, or in a gap.
     pub fn locate(&self, chain: &EdgeChain, s: f64) -> Option<(usize, f64)> {
         let [start, end] = chain.range();
         let slack = 1e-9 * (end - start);
@@ -233,11 +237,12 @@ impl PlaneMesh {
         Some((index, self.edge_parameter(chain.measure, edge, s)))
     }
 
-    /// The coordinate `t` in -1 ..= 1 at which an edge has arc length `s`; the nearer end if it lies outside.
+    /// Returns the coordinate `t` in -1 ..= 1 at which an edge has arc length `s`, clamped to its
+    /// ends.
     pub fn edge_parameter(&self, measure: ArcLength, edge: &ElementEdge, s: f64) -> f64 {
         let mut t = (2.0 * (s - edge.s[0]) / (edge.s[1] - edge.s[0]) - 1.0).clamp(-1.0, 1.0);
         if measure == ArcLength::Mesh {
-            // Newton's method: the speed varies little along a sound edge.
+            // Newton's method: the speed varies little along a valid edge.
             for _ in 0..20 {
                 let step = (s - self.arc_length(measure, edge, t)) / self.edge_point(edge, t).speed;
                 t = (t + step).clamp(-1.0, 1.0);
@@ -249,7 +254,7 @@ impl PlaneMesh {
         t
     }
 
-    /// The point of a chain at arc length `s`; `None` as in [`PlaneMesh::locate`].
+    /// Returns the point of a chain at arc length `s`; `None` as in [`PlaneMesh::locate`].
     pub fn chain_point(&self, chain: &EdgeChain, s: f64) -> Option<EdgePoint> {
         let (index, t) = self.locate(chain, s)?;
         Some(self.edge_point(&chain.edges[index], t))

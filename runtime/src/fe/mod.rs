@@ -1,5 +1,6 @@
-//! Finite elements. Here those in the plane: meshes of quadrilaterals of any order up to cubic, stiffness, loads, solution, stress;
-//! in [`revolution`] bodies that are the same all around, by their section; in [`solid`] those in space.
+//! Finite elements. This module is two-dimensional: meshes of quadrilaterals up to cubic order,
+//! stiffness, loads, solution, stress. [`revolution`] contains bodies of revolution, meshed in
+//! their section, and [`solid`] three-dimensional elements.
 
 pub mod block;
 pub mod builder;

@@ -1,4 +1,5 @@
-//! Elasticity on a plane mesh, per unit of face width: stiffness, mass, rows of displacement and of stress.
+//! Elasticity on a plane mesh, per unit of face width: stiffness, mass, rows of displacement and of
+//! stress.
 
 use super::interpolation::{ElementOrder, Shape};
 use super::mesh::{Element, Place, PlaneMesh};
@@ -8,18 +9,18 @@ use crate::material::{Material, Plane};
 use faer::sparse::SparseColMat;
 use std::collections::BTreeMap;
 
-/// A mesh with its material.
+/// Mesh with its material.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PlaneModel {
-    /// What it is divided into.
+    /// Mesh of the model.
     pub mesh: PlaneMesh,
-    /// What it is made of.
+    /// Material of all elements.
     pub material: Material,
-    /// What happens across the plane.
+    /// Plane stress or plane strain.
     pub plane: Plane,
 }
 
-/// A quadrature point: weight, displacement shapes, coordinate shapes.
+/// Quadrature point: weight, displacement shape functions, coordinate shape functions.
 struct Tabulated {
     weight: f64,
     displacement: Vec<Shape>,
@@ -27,17 +28,18 @@ struct Tabulated {
 }
 
 impl PlaneModel {
-    /// A mesh of one material.
+    /// Builds a model of one material.
     pub fn new(mesh: PlaneMesh, material: Material, plane: Plane) -> Self {
         Self { mesh, material, plane }
     }
 
-    /// Number of displacements, two a node.
+    /// Returns the number of displacements, two for each node.
     pub fn dof_count(&self) -> usize {
         self.mesh.dof_count()
     }
 
-    /// `[D11, D12, D33]` of the isotropic law: stress xx = D11 e_xx + D12 e_yy, xy = D33 g_xy, Pa.
+    /// Returns `[D11, D12, D33]` of the isotropic law: stress xx = D11 e_xx + D12 e_yy, xy = D33
+    /// g_xy, Pa.
     pub fn elasticity(&self) -> [f64; 3] {
         let (e, nu) = (self.material.youngs_modulus, self.material.poissons_ratio);
         let direct = match self.plane {
@@ -47,7 +49,8 @@ impl PlaneModel {
         [direct[0], direct[1], 0.5 * e / (1.0 + nu)]
     }
 
-    /// Global stiffness in N/m per metre of face width; symmetric bit for bit, both triangles stored.
+    /// Assembles the global stiffness in N/m per metre of face width; symmetric bit for bit, both
+    /// triangles stored.
     pub fn stiffness(&self) -> SparseColMat<usize, f64> {
         self.assemble(
             |element| element.order.highest().max(element.coordinate_order.highest()) + 1,
@@ -55,26 +58,29 @@ impl PlaneModel {
         )
     }
 
-    /// Consistent mass in kg per metre of face width, stored like the stiffness.
+    /// Assembles the consistent mass in kg per metre of face width, stored like the stiffness.
     pub fn mass(&self) -> SparseColMat<usize, f64> {
-        // Of degree 2p + 2q - 1 along each direction, p and q the orders of displacements and coordinates.
+        // The integrand has degree 2p + 2q - 1 in each direction, p and q the orders of
+        // displacements and coordinates.
         self.assemble(
             |element| element.order.highest() + element.coordinate_order.highest(),
             |table, element| self.element_mass(element, table),
         )
     }
 
-    /// Entries of all element matrices.
+    /// Returns the number of entries of all element matrices.
     fn entries(&self) -> usize {
         self.mesh.elements.iter().map(|element| (2 * element.nodes.len()).pow(2)).sum()
     }
 
-    /// Memory that assembling a matrix takes at most, bytes: its entries with their rows and columns, and half as much to sort them.
+    /// Returns the largest memory to assemble a matrix, bytes: its entries with their rows and
+    /// columns, and half as much to sort them.
     pub fn assembly_memory(&self) -> u64 {
         (self.entries() * size_of::<(usize, usize, f64)>() * 3 / 2) as u64
     }
 
-    /// Sums element matrices (row-major, unknowns of a node adjacent) into a sparse one, in a fixed order.
+    /// Sums element matrices (row-major, unknowns of a node adjacent) into a sparse one, in a fixed
+    /// order.
     fn assemble(
         &self,
         points_across: impl Fn(&Element) -> u8,
@@ -133,7 +139,8 @@ impl PlaneModel {
             let weight = point.weight * determinant(jacobian) * self.material.density;
             for (i, a) in point.displacement.iter().enumerate() {
                 for (j, b) in point.displacement.iter().enumerate() {
-                    // The product of the shapes first: symmetric to the bit.
+                    // The product of the shape functions comes first, so that the matrix is
+                    // symmetric to the bit.
                     let value = weight * (a[0] * b[0]);
                     mass[2 * i * size + 2 * j] += value;
                     mass[(2 * i + 1) * size + 2 * j + 1] += value;
@@ -143,7 +150,8 @@ impl PlaneModel {
         mass
     }
 
-    /// Row giving the displacement at a place in a direction; also the load vector of a unit force there.
+    /// Returns the row for the displacement at a point in a direction; also the load vector of a
+    /// unit force there.
     pub fn displacement_row(&self, place: Place, direction: [f64; 2]) -> SparseVector {
         let element = &self.mesh.elements[place.element];
         let shapes = element.order.shapes(place.xi, place.eta);
@@ -153,12 +161,12 @@ impl PlaneModel {
             .collect()
     }
 
-    /// Displacement at a place, from a full vector.
+    /// Returns the displacement at a point, from a full vector.
     pub fn displacement(&self, place: Place, displacements: &[f64]) -> [f64; 2] {
         [[1.0, 0.0], [0.0, 1.0]].map(|axis| self.displacement_row(place, axis).dot(displacements))
     }
 
-    /// Rows giving the stresses xx, yy, xy (Pa) at a place, as the element's own displacements have them.
+    /// Returns the rows for the element stresses xx, yy, xy (Pa) at a point, without smoothing.
     pub fn stress_rows(&self, place: Place) -> [SparseVector; 3] {
         let [d11, d12, d33] = self.elasticity();
         let element = &self.mesh.elements[place.element];
@@ -175,12 +183,13 @@ impl PlaneModel {
         })
     }
 
-    /// Stresses xx, yy, xy (Pa) at a place, from a full displacement vector.
+    /// Returns the stresses xx, yy, xy (Pa) at a point, from a full displacement vector.
     pub fn stress(&self, place: Place, displacements: &[f64]) -> [f64; 3] {
         self.stress_rows(place).map(|row| row.dot(displacements))
     }
 
-    /// Unit translations along x and y, and the rotation by 1 rad about the origin, as full vectors.
+    /// Returns unit translations along x and y, and the rotation by 1 rad about the origin, as full
+    /// vectors.
     pub fn rigid_body_modes(&self) -> [Vec<f64>; 3] {
         let nodes = || self.mesh.nodes.iter();
         [
@@ -191,7 +200,7 @@ impl PlaneModel {
     }
 }
 
-/// Principal stresses, the larger first, of the stresses xx, yy, xy.
+/// Returns the principal stresses, the larger first, from the stresses xx, yy, xy.
 pub fn principal_stresses([xx, yy, xy]: [f64; 3]) -> [f64; 2] {
     let (mean, radius) = (0.5 * (xx + yy), (0.5 * (xx - yy)).hypot(xy));
     [mean + radius, mean - radius]
@@ -216,7 +225,7 @@ fn determinant([[a, b], [c, d]]: [[f64; 2]; 2]) -> f64 {
     a * d - b * c
 }
 
-/// Derivatives of the shapes by x and y, and the area of the map.
+/// Returns the derivatives of the shape functions by x and y, and the Jacobian determinant.
 pub(super) fn gradients(shapes: &[Shape], jacobian: [[f64; 2]; 2]) -> (Vec<[f64; 2]>, f64) {
     let area = determinant(jacobian);
     let [[x_xi, x_eta], [y_xi, y_eta]] = jacobian;

@@ -1,6 +1,7 @@
 //! Gauss-Legendre quadrature on -1 ..= 1.
 
-/// Points and weights of the rule with `count` points, ascending, exact to degree `2 * count - 1`.
+/// Returns points and weights of the rule with `count` points, ascending, exact to degree
+/// `2 * count - 1`.
 pub fn gauss_legendre(count: usize) -> Vec<(f64, f64)> {
     let n = count as f64;
     let mut rule = Vec::with_capacity(count);

@@ -1,17 +1,19 @@
-//! Bodies of revolution: webs, hubs and flanges, meshed in their section alone.
+//! Bodies of revolution, such as webs, hubs and flanges, meshed in their section.
 //!
-//! A body that is the same all around answers each wave of displacements around its axis by itself. With `n` waves these are
-//! `u_r = U cos nt, u_t = V sin nt, u_z = W cos nt`, of which the body's section knows `U, V, W` by radius and axial coordinate: a
-//! plane problem of three displacements a node for each `n`, and nothing of the space around is discretised. From the definition
-//! of strain in cylindrical coordinates, with `'` by r and `,z` by z,
+//! A body of revolution responds to each Fourier harmonic of displacements around its axis
+//! independently. With the harmonic `n` these are `u_r = U cos nt, u_t = V sin nt, u_z = W cos nt`,
+//! where `U, V, W` are functions of radius and axial coordinate. This is a plane problem with three
+//! displacements for each node and for each `n`; the circumference needs no discretization. From
+//! the definition of strain in cylindrical coordinates, with `'` by r and `,z` by z,
 //!
 //! ```text
 //!     e_rr = U' cos      e_tt = (U + n V)/r cos      e_zz = W,z cos      g_rz = (U,z + W') cos
 //!     g_rt = (V' - (V + n U)/r) sin                  g_tz = (V,z - n W/r) sin
 //! ```
 //!
-//! With no waves the same holds with cosines for sines: widening and stretching, and torsion, which then do not know of each other. The sines'
-//! family (`sin nt, -cos nt, sin nt`) is the same turned by a quarter of a wave.
+//! For `n = 0` the same equations hold with cosines in place of sines: the axisymmetric
+//! displacements and torsion, which are then uncoupled. The family of the sines
+//! (`sin nt, -cos nt, sin nt`) is the same, rotated by a quarter of a wavelength.
 
 use super::block::{Block, Side, uniform};
 use super::builder::{MeshBuilder, MeshError};
@@ -25,37 +27,39 @@ use crate::material::Material;
 use faer::sparse::SparseColMat;
 use std::f64::consts::{PI, TAU};
 
-/// Displacements of a node: radial, tangential, axial.
+/// Displacement components of a node: radial, tangential, axial.
 const COMPONENTS: usize = 3;
-/// Points of quadrature across an element beyond its order: strains have the radius in the denominator.
+/// Quadrature points across an element beyond its order: strains have the radius in the
+/// denominator.
 const MORE_POINTS: usize = 2;
-/// Elements across each strip of a section and along each stretch of it, at least; at most so many.
+/// Least number of elements across each strip of a section and along each stretch of it, and the
+/// largest number along a stretch.
 const ACROSS: usize = 2;
 const ALONG: usize = 3;
 const MOST_ALONG: usize = 24;
-/// Relative to the section: what is nearer to a line of the mesh is on it.
+/// Tolerance relative to the section: points nearer to a line of the mesh are on it.
 const SAME: f64 = 1e-6;
 
-/// Where a section lies at a radius, m.
+/// Axial extent of a section at a radius, m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Station {
-    /// From the axis.
+    /// Distance from the axis.
     pub radius: f64,
-    /// Along the axis: where the section begins and ends.
+    /// Axial coordinates of the two ends of the section.
     pub ends: [f64; 2],
 }
 
-/// The section of a body of revolution, by stations outwards and straight lines between them. Two stations at one radius are a step, as
-/// where a web meets a hub wider than it.
+/// Section of a body of revolution, by stations outwards and straight lines between them. Two
+/// stations at one radius are a step, for example between a web and a wider hub.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Section {
     stations: Vec<Station>,
 }
 
-/// A stretch of a section between steps, with the lines along which it is divided.
+/// Stretch of a section between steps, with its dividing lines.
 struct Stretch<'a> {
     stations: &'a [Station],
-    /// From its beginning (0) to its end (1) along the axis, ascending.
+    /// Positions from its axial start (0) to its end (1), ascending.
     lines: Vec<f64>,
 }
 
@@ -70,7 +74,7 @@ impl Stretch<'_> {
         }
     }
 
-    /// Axial places of its lines at a station of it.
+    /// Returns the axial coordinates of its lines at a station.
     fn places(&self, station: Station) -> Vec<f64> {
         self.lines.iter().map(|&line| between(station.ends, line)).collect()
     }
@@ -81,8 +85,9 @@ fn between([from, to]: [f64; 2], share: f64) -> f64 {
 }
 
 impl Section {
-    /// `None` unless there are two stations at least, of positive radii that nowhere descend, each with a width, steps overlap, and no
-    /// more than two stations are at one radius.
+    /// Builds a section. Returns `None` unless there are at least two stations with positive,
+    /// nowhere descending radii and positive widths, steps overlap, and no more than two stations
+    /// have the same radius.
     pub fn new(stations: Vec<Station>) -> Option<Self> {
         let finite = |station: &Station| station.ends.iter().all(|end| end.is_finite());
         let sound =
@@ -105,20 +110,20 @@ impl Section {
         good.then_some(Self { stations })
     }
 
-    /// Its stations, outwards.
+    /// Returns the stations, outwards.
     pub fn stations(&self) -> &[Station] {
         &self.stations
     }
 
-    /// Where it ends on the inside and on the outside.
+    /// Returns the innermost and the outermost station.
     pub fn outermost(&self) -> [Station; 2] {
         let last = self.stations.len() - 1;
         [self.stations[0], self.stations[last]]
     }
 
-    /// What the body weighs for a density of 1 kg/m³, exactly.
+    /// Returns the inertia of the body for a density of 1 kg/m³, exactly.
     pub fn inertia(&self) -> Inertia {
-        // Of degree 4 at most.
+        // The integrand has degree 4 at most.
         let rule = gauss_legendre(3);
         let mut inertia = Inertia::default();
         for pair in self.stations.windows(2) {
@@ -128,7 +133,7 @@ impl Section {
                 let radius = between([pair[0].radius, pair[1].radius], share);
                 let [from, to] = [0, 1].map(|end| between([pair[0].ends[end], pair[1].ends[end]], share));
                 let (around, width) = (TAU * radius * half * weight, to - from);
-                // A thin tube.
+                // Thin tube.
                 let (mass, square) = (around * width, radius * radius);
                 let tube = Inertia::axial(mass, mass * square, mass * (0.5 * square + width * width / 12.0));
                 inertia = inertia + tube.shifted_along(0.5 * (from + to));
@@ -137,7 +142,7 @@ impl Section {
         inertia
     }
 
-    /// Stretches between steps, divided alike on both sides of each step.
+    /// Returns the stretches between steps, with the same divisions on both sides of each step.
     fn stretches(&self) -> Vec<Stretch<'_>> {
         let mut stretches: Vec<Stretch<'_>> = self
             .stations
@@ -145,7 +150,7 @@ impl Section {
             .map(|stations| Stretch { stations, lines: vec![0.0, 1.0] })
             .collect();
         let steps: Vec<usize> = (1..stretches.len()).collect();
-        // Outwards and back again: a line that a step brings goes on to all the others.
+        // Outwards and back again: a line from a step is propagated to all stretches.
         for (step, outwards) in
             steps.iter().map(|&step| (step, true)).chain(steps.iter().rev().map(|&step| (step, false)))
         {
@@ -163,8 +168,8 @@ impl Section {
         stretches
     }
 
-    /// Its mesh, radius as x and axial coordinate as y, with the chains `bore` and `rim`. `fineness` is a factor on the number of
-    /// elements each way.
+    /// Meshes the section, radius as x and axial coordinate as y, with the chains `bore` and `rim`.
+    /// `fineness` is a factor on the number of elements in each direction.
     ///
     /// # Errors
     /// The stations leave no room for elements.
@@ -202,27 +207,28 @@ impl Section {
     }
 }
 
-/// A body of revolution by the mesh of its section.
+/// Body of revolution by the mesh of its section.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RevolutionModel {
-    /// The section: x is the radius, y the axial coordinate, m. Degrees of freedom are three a node: radial, tangential, axial.
+    /// Mesh of the section: x is the radius, y the axial coordinate, m. There are three degrees of
+    /// freedom for each node: radial, tangential, axial.
     pub mesh: PlaneMesh,
-    /// What it is made of.
+    /// Material of the body.
     pub material: Material,
 }
 
 impl RevolutionModel {
-    /// Displacements of the section.
+    /// Returns the number of displacements of the section.
     pub fn dof_count(&self) -> usize {
         COMPONENTS * self.mesh.nodes.len()
     }
 
-    /// Integral of the square of a wave all around.
+    /// Returns the integral of the square of a harmonic over the circumference.
     pub fn around(waves: u16) -> f64 {
         if waves == 0 { TAU } else { PI }
     }
 
-    /// Stiffness of displacements with so many waves around, N/m; symmetric bit for bit, both triangles stored.
+    /// Assembles the stiffness of one harmonic, N/m; symmetric bit for bit, both triangles stored.
     pub fn stiffness(&self, waves: u16) -> SparseColMat<usize, f64> {
         let mut entries = Vec::new();
         for element in &self.mesh.elements {
@@ -236,7 +242,7 @@ impl RevolutionModel {
         summed(self.dof_count(), entries)
     }
 
-    /// Row-major.
+    /// Returns the stiffness of an element, row-major.
     fn element_stiffness(&self, element: &Element, waves: u16) -> Vec<f64> {
         let (young, ratio) = (self.material.youngs_modulus, self.material.poissons_ratio);
         let shear = 0.5 * young / (1.0 + ratio);
@@ -254,7 +260,7 @@ impl RevolutionModel {
                 let ([radius, _], jacobian) = self.mesh.map_with(element, &coordinates);
                 let (gradients, area) = gradients(&shapes, jacobian);
                 let weight = along * across * area * radius * Self::around(waves);
-                // By node and displacement: rr, tt, zz, rz, rt, tz.
+                // Strains rr, tt, zz, rz, rt, tz by node and displacement.
                 let strains: Vec<[f64; 6]> = shapes
                     .iter()
                     .zip(&gradients)
@@ -288,8 +294,9 @@ impl RevolutionModel {
         stiffness
     }
 
-    /// Work of a traction with so many waves, by displacements of all nodes: over the surface that a chain of edges makes; `traction` is its
-    /// radial, tangential and axial amplitude at a radius and an axial coordinate.
+    /// Returns the load vector of a traction of one harmonic on the surface of a chain of edges.
+    /// `traction` is its radial, tangential and axial amplitude at a radius and an axial
+    /// coordinate.
     pub fn edge_load(
         &self,
         chain: &EdgeChain,
@@ -316,8 +323,9 @@ impl RevolutionModel {
         load
     }
 
-    /// Motions of the whole that have so many waves, as displacements of all nodes: along and about the axis without waves, across and about a
-    /// line across it (through the origin) with one, none with more.
+    /// Returns the rigid-body motions of one harmonic as displacements of all nodes: axial
+    /// translation and rotation for harmonic zero, transverse translation and rotation about a
+    /// transverse axis (through the origin) for harmonic one, none for higher ones.
     pub fn rigid_motions(&self, waves: u16) -> Vec<Vec<f64>> {
         let motion =
             |at: &dyn Fn([f64; 2]) -> [f64; 3]| self.mesh.nodes.iter().flat_map(|&place| at(place)).collect();

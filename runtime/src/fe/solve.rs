@@ -1,4 +1,4 @@
-//! Direct solution of stiffness equations with prescribed displacements, for many loads.
+//! Direct solution of stiffness equations with prescribed displacements, for multiple loads.
 
 use super::dissection::Dissection;
 use super::sparse::summed;
@@ -11,7 +11,8 @@ use faer::sparse::linalg::cholesky::{
 use faer::{Conj, Mat, MatRef, Par, Side};
 use std::collections::BTreeMap;
 
-/// A stiffness whose inverse is larger than this relative to its own diagonal leaves no digits: something can move.
+/// A stiffness is singular to working precision if its inverse, relative to its own diagonal, is
+/// larger than this: there is a mechanism.
 const SINGULAR: f64 = 1e14;
 
 /// Prescribed displacements by degree of freedom.
@@ -21,34 +22,34 @@ pub struct Constraints {
 }
 
 impl Constraints {
-    /// Nothing prescribed.
+    /// Creates an empty set of constraints.
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// Holds a degree of freedom at a value; the last one said counts.
+    /// Prescribes a degree of freedom; a later value replaces an earlier one.
     pub fn prescribe(&mut self, dof: usize, value: f64) -> &mut Self {
         self.values.insert(dof, value);
         self
     }
 
-    /// Holds a node's x and y displacement, m.
+    /// Prescribes the x and y displacement of a node, m.
     pub fn prescribe_node(&mut self, node: usize, [x, y]: [f64; 2]) -> &mut Self {
         self.prescribe(2 * node, x).prescribe(2 * node + 1, y)
     }
 
-    /// Holds a node where it is.
+    /// Fixes a node.
     pub fn fix_node(&mut self, node: usize) -> &mut Self {
         self.prescribe_node(node, [0.0; 2])
     }
 
-    /// Prescribed displacements by degree of freedom, m.
+    /// Returns the prescribed displacements by degree of freedom, m.
     pub fn values(&self) -> &BTreeMap<usize, f64> {
         &self.values
     }
 }
 
-/// Why equations cannot be solved.
+/// Reasons why equations cannot be solved.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[allow(missing_docs, reason = "each says itself in its message")]
 pub enum SolveError {
@@ -58,34 +59,35 @@ pub enum SolveError {
     Memory { unknowns: usize },
 }
 
-/// A decomposed stiffness with its constraints.
+/// Factorized stiffness with its constraints.
 #[derive(Debug)]
 pub struct Solver {
     dof_count: usize,
-    /// Unknown degrees of freedom, ascending.
+    /// Unconstrained degrees of freedom, ascending.
     free: Vec<usize>,
     constraints: Constraints,
-    /// `(unknown, value)`: loads that prescribed displacements bring about.
+    /// Loads from prescribed displacements: `(unknown, value)`.
     reactions: Vec<(usize, f64)>,
     symbolic: SymbolicCholesky<usize>,
     factor: Vec<f64>,
 }
 
 impl Solver {
-    /// Decomposes the stiffness (symmetric, both triangles) of the degrees of freedom that are not prescribed.
-    /// Sequential: independent bodies are decomposed side by side.
+    /// Factorizes the stiffness (symmetric, both triangles) of the unconstrained degrees of
+    /// freedom. The factorization is sequential: independent bodies are factorized in parallel.
     ///
     /// # Errors
-    /// The constraints leave the body free to move, or memory runs out.
+    /// The constraints leave a rigid-body motion, or memory is insufficient.
     pub fn new(stiffness: &SparseColMat<usize, f64>, constraints: Constraints) -> Result<Self, SolveError> {
         Self::in_order(stiffness, constraints, None)
     }
 
-    /// As [`Solver::new`], in the order of a [`Dissection`] of the mesh by the places of its nodes, m: of meshes in space the factor is smaller than that
-    /// of minimum degree.
+    /// Factorizes as [`Solver::new`], in the order of a [`Dissection`] of the mesh by the positions
+    /// of its nodes, m. For three-dimensional meshes the factor is smaller than with minimum
+    /// degree.
     ///
     /// # Errors
-    /// As [`Solver::new`].
+    /// As for [`Solver::new`].
     pub fn dissected(
         stiffness: &SparseColMat<usize, f64>,
         positions: &[[f64; 3]],
@@ -98,7 +100,8 @@ impl Solver {
         Self::in_order(stiffness, constraints, Some(places))
     }
 
-    /// `places` has the place of each unknown in the order of elimination; none takes one of minimum degree.
+    /// Factorizes in the order of elimination `places`, the position of each unknown; `None`
+    /// selects minimum degree.
     fn in_order(
         stiffness: &SparseColMat<usize, f64>,
         constraints: Constraints,
@@ -155,13 +158,14 @@ impl Solver {
         Ok(solver)
     }
 
-    /// Rounding can make the pivots of a free motion positive; then a load without order moves it vastly.
+    /// Detects singularity: rounding can make the pivots of a free motion positive, but then a
+    /// pseudorandom load causes a very large displacement.
     fn check_regular(&self, largest: f64) -> Result<(), SolveError> {
         let mut load =
             Mat::from_fn(self.free.len(), 1, |row, _| ((row as f64 + 1.0) * 0.618_033_988_75).fract() - 0.5);
         self.solve_unknowns(&mut load)?;
         let moved = load.col(0).iter().map(|value| value.abs()).fold(0.0, f64::max);
-        // Negated, so that what is not a number fails.
+        // The comparison is negated so that NaN fails it.
         let regular = moved * largest <= SINGULAR || self.free.is_empty();
         if regular { Ok(()) } else { Err(SolveError::Singular) }
     }
@@ -179,11 +183,11 @@ impl Solver {
         Ok(())
     }
 
-    /// Displacements of all degrees of freedom for the loads in the columns (one row a degree of freedom). The
-    /// prescribed displacements act in every column.
+    /// Returns the displacements of all degrees of freedom for the loads in the columns (one row
+    /// for each degree of freedom). The prescribed displacements act in every column.
     ///
     /// # Errors
-    /// Memory runs out.
+    /// Memory is insufficient.
     pub fn solve(&self, loads: MatRef<'_, f64>) -> Result<Mat<f64>, SolveError> {
         let mut unknowns =
             Mat::from_fn(self.free.len(), loads.ncols(), |row, column| loads[(self.free[row], column)]);
@@ -205,10 +209,10 @@ impl Solver {
         Ok(displacements)
     }
 
-    /// As [`Solver::solve`], for one load.
+    /// Solves as [`Solver::solve`], for one load.
     ///
     /// # Errors
-    /// Memory runs out.
+    /// Memory is insufficient.
     pub fn solve_one(&self, load: &[f64]) -> Result<Vec<f64>, SolveError> {
         let displacements = self.solve(MatRef::from_column_major_slice(load, self.dof_count, 1))?;
         Ok(displacements.col(0).iter().copied().collect())

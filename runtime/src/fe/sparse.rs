@@ -1,8 +1,9 @@
-//! Sparse vectors over degrees of freedom (loads, and rows of linear maps from displacements) and sparse sums.
+//! Sparse vectors over degrees of freedom (loads, and rows of linear maps from displacements) and
+//! sparse sums.
 
 use faer::sparse::{SparseColMat, SymbolicSparseColMat};
 
-/// Entries by ascending, distinct degree of freedom.
+/// Sparse vector, by ascending, distinct degree of freedom.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SparseVector {
     /// Indices and values.
@@ -10,31 +11,31 @@ pub struct SparseVector {
 }
 
 impl SparseVector {
-    /// Value of the row at a full displacement vector.
+    /// Returns the value of the row at a full displacement vector.
     pub fn dot(&self, full: &[f64]) -> f64 {
         self.entries.iter().map(|&(dof, value)| value * full[dof]).sum()
     }
 
-    /// Adds `factor` times this to a full vector.
+    /// Adds `factor` times this vector to a full vector.
     pub fn add_to(&self, factor: f64, full: &mut [f64]) {
         for &(dof, value) in &self.entries {
             full[dof] += factor * value;
         }
     }
 
-    /// What its entries take, bytes.
+    /// Returns the memory of the entries, bytes.
     pub fn memory(&self) -> u64 {
         size_of_val(self.entries.as_slice()) as u64
     }
 
-    /// All entries, zeros too.
+    /// Returns the full vector, including zeros.
     pub fn to_full(&self, dof_count: usize) -> Vec<f64> {
         let mut full = vec![0.0; dof_count];
         self.add_to(1.0, &mut full);
         full
     }
 
-    /// The sum of vectors, each times its factor, added in the given order.
+    /// Returns the sum of vectors, each times its factor, added in the given order.
     pub fn combination<'a>(terms: impl IntoIterator<Item = (f64, &'a SparseVector)>) -> Self {
         let scaled = |(factor, vector): (f64, &'a SparseVector)| {
             vector.entries.iter().map(move |&(dof, value)| (dof, factor * value))
@@ -43,11 +44,11 @@ impl SparseVector {
     }
 }
 
-/// Adds up what is given for the same degree of freedom, in the given order.
+/// Adds the values of the same degree of freedom, in the given order.
 impl FromIterator<(usize, f64)> for SparseVector {
     fn from_iter<T: IntoIterator<Item = (usize, f64)>>(entries: T) -> Self {
         let mut entries = entries.into_iter().collect::<Vec<_>>();
-        // Stable, so that the order within a degree of freedom remains.
+        // The sort is stable, so that the order within a degree of freedom remains.
         entries.sort_by_key(|entry| entry.0);
         entries.dedup_by(|next, sum| {
             let same = next.0 == sum.0;
@@ -61,10 +62,10 @@ impl FromIterator<(usize, f64)> for SparseVector {
     }
 }
 
-/// The square sparse matrix of `(column, row, value)` entries, those of one place summed in the order given: symmetric
-/// contributions give a matrix symmetric to the bit.
+/// Builds the square sparse matrix of `(column, row, value)` entries; duplicates are summed in the
+/// order given, so symmetric contributions give a matrix symmetric to the bit.
 pub(crate) fn summed(count: usize, mut entries: Vec<(usize, usize, f64)>) -> SparseColMat<usize, f64> {
-    // Stable, so that the order within a place remains.
+    // The sort is stable, so that the order of duplicates remains.
     entries.sort_by_key(|&(column, row, _)| (column, row));
     entries.dedup_by(|next, sum| {
         let same = (next.0, next.1) == (sum.0, sum.1);

@@ -1,5 +1,6 @@
-//! Smoothed stresses: a polynomial fitted through the stresses at superconvergent points of a patch of elements
-//! (Zienkiewicz and Zhu 1992). Linear in the displacements, hence given as rows.
+//! Smoothed stresses: a polynomial fitted through the stresses at superconvergent points of a patch
+//! of elements (superconvergent patch recovery, Zienkiewicz and Zhu 1992). The result is linear in
+//! the displacements, hence given as rows.
 
 use super::mesh::{EdgeChain, Place, PlaneMesh};
 use super::model::PlaneModel;
@@ -8,16 +9,17 @@ use super::sparse::SparseVector;
 use nalgebra::{DMatrix, DVector};
 use std::collections::BTreeSet;
 
-/// A fit whose triangular factor has a diagonal smaller than this, relative to its largest, lacks points.
+/// A fit whose triangular factor has a smaller diagonal than this, relative to its largest, has too
+/// few points.
 const RANK: f64 = 1e-10;
 
-/// Samples count by exp(-NEARNESS r²), r their distance from the middle of the element relative to the farthest. The
-/// element's own points dominate, the others settle the terms these leave open. On the bore of a thick cylinder this
-/// divides the error of an unweighted fit, which polynomials in x and y over a curved patch make large, by 2 (order 1)
-/// to 20 (order 3).
+/// Samples have the weight exp(-NEARNESS r²), with r their distance from the middle of the element
+/// relative to the farthest. The element's own points dominate, the others determine the remaining
+/// terms. On the bore of a thick cylinder this divides the error of an unweighted fit, which
+/// polynomials in x and y over a curved patch make large, by 2 (order 1) to 20 (order 3).
 const NEARNESS: f64 = 12.0;
 
-/// Recovers stresses of a model. The patch of a place is its element and all that touch it.
+/// Stress recovery of a model. The patch of a point is its element and all adjacent ones.
 pub struct StressRecovery<'a> {
     model: &'a PlaneModel,
     /// Elements by displacement node, ascending.
@@ -30,7 +32,7 @@ impl<'a> StressRecovery<'a> {
         Self { model, elements_of: elements_of(&model.mesh) }
     }
 
-    /// Rows giving the smoothed stresses xx, yy, xy (Pa) at a place.
+    /// Returns the rows for the smoothed stresses xx, yy, xy (Pa) at a point.
     pub fn rows(&self, place: Place) -> [SparseVector; 3] {
         let samples = sample_weights(&self.model.mesh, &self.elements_of, place);
         let rows = samples.iter().map(|&(sample, _)| self.model.stress_rows(sample)).collect::<Vec<_>>();
@@ -41,13 +43,13 @@ impl<'a> StressRecovery<'a> {
         })
     }
 
-    /// Smoothed stresses xx, yy, xy (Pa) at a place, from a full displacement vector.
+    /// Returns the smoothed stresses xx, yy, xy (Pa) at a point, from a full displacement vector.
     pub fn stress(&self, place: Place, displacements: &[f64]) -> [f64; 3] {
         self.rows(place).map(|row| row.dot(displacements))
     }
 
-    /// Row giving the stress along the surface (Pa) at arc length `s` of a chain. Where the surface is free it is the
-    /// principal stress that is not zero. `None` outside the chain.
+    /// Returns the row for the stress along the surface (Pa) at arc length `s` of a chain. On a
+    /// free surface it is the principal stress that is not zero. `None` outside the chain.
     pub fn surface_row(&self, chain: &EdgeChain, s: f64) -> Option<SparseVector> {
         let point = self.model.mesh.chain_point(chain, s)?;
         let [x, y] = point.tangent;
@@ -56,7 +58,7 @@ impl<'a> StressRecovery<'a> {
     }
 }
 
-/// Elements by displacement node, ascending.
+/// Returns the elements by displacement node, ascending.
 pub(super) fn elements_of(mesh: &PlaneMesh) -> Vec<Vec<usize>> {
     let mut elements_of = vec![Vec::new(); mesh.nodes.len()];
     for (index, element) in mesh.elements.iter().enumerate() {
@@ -67,7 +69,8 @@ pub(super) fn elements_of(mesh: &PlaneMesh) -> Vec<Vec<usize>> {
     elements_of
 }
 
-/// Superconvergent points of the patch of a place, and the weights with which they make up the smoothed value there.
+/// Returns the superconvergent points of the patch of a point, and their weights in the smoothed
+/// value there.
 pub(super) fn sample_weights(
     mesh: &PlaneMesh,
     elements_of: &[Vec<usize>],
@@ -86,11 +89,12 @@ pub(super) fn sample_weights(
 
     let degree = usize::from(mesh.elements[place.element].order.lowest_side());
     let weights = (0..=degree).rev().find_map(|degree| plane_weights(&points, target, degree));
-    // A constant can always be fitted; were there no samples, there would be no element.
+    // A constant can always be fitted; without samples there would be no element.
     samples.into_iter().zip(weights.unwrap_or_default()).collect()
 }
 
-/// Superconvergent points of an element's patch: p by p Gauss points of each element of order p, `xi` running fastest.
+/// Returns the superconvergent points of an element's patch: p by p Gauss points of each element of
+/// order p, `xi` running fastest.
 fn samples(mesh: &PlaneMesh, elements_of: &[Vec<usize>], element: usize) -> Vec<Place> {
     let nodes = &mesh.elements[element].nodes;
     let patch = nodes.iter().flat_map(|&node| &elements_of[node]).copied().collect::<BTreeSet<_>>();
@@ -104,8 +108,9 @@ fn samples(mesh: &PlaneMesh, elements_of: &[Vec<usize>], element: usize) -> Vec<
     samples
 }
 
-/// Weights of the samples in the value at `target` of the polynomial of the given total degree that fits them best;
-/// the points relative to the middle of the element, the farthest at distance 1. `None` if the points do not determine it.
+/// Returns the weights of the samples in the value at `target` of the best-fit polynomial of the
+/// given total degree. Points are relative to the middle of the element, with the farthest at
+/// distance 1. `None` if the points do not determine the polynomial.
 fn plane_weights(points: &[[f64; 2]], target: [f64; 2], degree: usize) -> Option<Vec<f64>> {
     let terms = |[x, y]: [f64; 2]| {
         let powers = (0..=degree).flat_map(|total| (0..=total).map(move |of_y| (total - of_y, of_y)));
@@ -115,21 +120,23 @@ fn plane_weights(points: &[[f64; 2]], target: [f64; 2], degree: usize) -> Option
     fit_weights(&samples, terms(target))
 }
 
-/// How much a sample counts at a squared distance, relative to that of the farthest.
+/// Returns the weight of a sample at a squared distance, relative to that of the farthest.
 pub(super) fn nearness(square: f64) -> f64 {
     (-NEARNESS * square).exp()
 }
 
-/// Weights of samples in the value, where the terms are `wanted`, of the combination of terms that fits them best. Each sample is
-/// given by its terms and by how much it counts. `None` if the samples do not determine the combination.
+/// Returns the weights of samples in the value of a least-squares combination of terms; `wanted`
+/// are the terms at the target. Each sample is given by its terms and its weight. `None` if the
+/// samples do not determine the combination.
 pub(super) fn fit_weights(samples: &[(Vec<f64>, f64)], wanted: Vec<f64>) -> Option<Vec<f64>> {
     let (orthogonal, triangle) = decomposed(samples)?;
-    // With C A = Q R, C the counts, the value is wanted' R^-1 Q' C samples.
+    // With C A = Q R, C the weights, the value is wanted' R^-1 Q' C samples.
     let in_q = triangle.transpose().solve_lower_triangular(&DVector::from_vec(wanted))?;
     Some((orthogonal * in_q).iter().zip(samples).map(|(weight, (_, count))| weight * count).collect())
 }
 
-/// Coefficients of the combinations of terms that fit the values best, one column a quantity; samples as for [`fit_weights`].
+/// Returns the coefficients of the least-squares combinations of terms, one column for each
+/// quantity; samples as for [`fit_weights`].
 pub(super) fn fit(samples: &[(Vec<f64>, f64)], values: &DMatrix<f64>) -> Option<DMatrix<f64>> {
     let (orthogonal, triangle) = decomposed(samples)?;
     let counted = DMatrix::from_fn(values.nrows(), values.ncols(), |row, column| {
@@ -138,7 +145,7 @@ pub(super) fn fit(samples: &[(Vec<f64>, f64)], values: &DMatrix<f64>) -> Option<
     triangle.solve_upper_triangular(&(orthogonal.transpose() * counted))
 }
 
-/// The samples' terms, each row times how much it counts, as an orthogonal and a triangular factor.
+/// Returns the QR factors of the samples' terms, each row times its weight.
 fn decomposed(samples: &[(Vec<f64>, f64)]) -> Option<(DMatrix<f64>, DMatrix<f64>)> {
     let terms = samples.first()?.0.len();
     if samples.len() < terms {

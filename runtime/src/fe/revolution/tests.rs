@@ -1,4 +1,5 @@
-//! Bodies of revolution against closed forms: motions of the whole, uniform strain, rings after Lamé and Michell.
+//! Tests of bodies of revolution against closed forms: rigid-body motions, uniform strain, rings
+//! after Lamé and Michell.
 
 use super::*;
 use crate::fe::{Constraints, Solver};
@@ -7,7 +8,7 @@ use faer::linalg::solvers::Solve;
 
 const STEEL: Material = Material::STEEL;
 
-/// A hub, a dished web that gets thinner outwards, and a seat: with steps on both sides.
+/// Returns a hub, a dished web with decreasing thickness, and a seat: with steps on both sides.
 fn wheel() -> Section {
     let at = |radius, from, to| Station { radius, ends: [from, to] };
     Section::new(vec![
@@ -38,7 +39,8 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
-/// Two motions without waves, two with one wave, each of these in two families: six, and none else.
+/// Two rigid-body motions in harmonic zero, two in harmonic one, the latter in two families: six,
+/// and no others.
 #[test]
 fn the_whole_moves_in_six_ways_without_strain() {
     for order in [ElementOrder::QUADRATIC, ElementOrder::CUBIC] {
@@ -53,7 +55,7 @@ fn the_whole_moves_in_six_ways_without_strain() {
             }
         }
     }
-    // All others strain a body: by the numbers of its stiffness.
+    // All other motions cause strain: counted by the eigenvalues of the stiffness.
     let at = |radius| Station { radius, ends: [-0.2, 0.1] };
     let ring = model(&Section::new(vec![at(0.6), at(1.0)]).expect("a ring"), ElementOrder::QUADRATIC, 1);
     let free = |waves| {
@@ -66,7 +68,8 @@ fn the_whole_moves_in_six_ways_without_strain() {
     assert_eq!([0, 1, 2, 3].map(free), [2, 2, 0, 0]);
 }
 
-/// Uniform strain is exact on any mesh: nothing acts inside, and the work is stress by strain by volume.
+/// Uniform strain is exact on any mesh: interior forces vanish, and the work is stress by strain by
+/// volume.
 #[test]
 fn uniform_strain_is_exact() {
     let section = wheel();
@@ -85,7 +88,7 @@ fn uniform_strain_is_exact() {
     let lame = 2.0 * shear * STEEL.poissons_ratio / (1.0 - 2.0 * STEEL.poissons_ratio);
     let wheel = model(&section, ElementOrder::QUADRATIC, 1);
     type Field = fn([f64; 2]) -> [f64; 3];
-    // Widening, stretching, twice shear along the axis, shear across it.
+    // Radial expansion, axial extension, axial shear twice, transverse shear.
     let cases: [(u16, Field, f64); 4] = [
         (0, |[r, _]| [r, 0.0, 0.0], 4.0 * (lame + shear)),
         (0, |[_, z]| [0.0, 0.0, z], lame + 2.0 * shear),
@@ -98,7 +101,7 @@ fn uniform_strain_is_exact() {
         let work = dot(&forces, &displacements) / (density * volume);
         assert!((work - 1.0).abs() < 1e-12, "{waves}: {work}");
         let largest = forces.iter().fold(0.0_f64, |most, force| most.max(force.abs()));
-        // Well inside of the web and of the hub.
+        // Points well inside the web and the hub.
         let inside = |[r, z]: [f64; 2]| (r - 0.4).abs() < 0.05 && z.abs() < 0.2;
         for (node, _) in wheel.mesh.nodes.iter().enumerate().filter(|(_, at)| inside(**at)) {
             for component in 0..3 {
@@ -109,7 +112,8 @@ fn uniform_strain_is_exact() {
     }
 }
 
-/// Largest error at nodes of a ring of plane strain whose inside and outside move as the exact solution has them.
+/// Returns the largest nodal error of a plane-strain ring with the exact displacements prescribed
+/// inside and outside.
 fn error_in_plane(waves: u16, order: ElementOrder, fineness: usize, exact: &dyn Fn(f64) -> [f64; 2]) -> f64 {
     let at = |radius| Station { radius, ends: [0.0, 0.4] };
     let ring = model(&Section::new(vec![at(0.5), at(1.0)]).expect("a ring"), order, fineness);
@@ -133,9 +137,10 @@ fn error_in_plane(waves: u16, order: ElementOrder, fineness: usize, exact: &dyn 
         .fold(0.0, f64::max)
 }
 
-/// Lamé's ring, and Michell's with two and five waves held inside: in Muskhelishvili's form `2 G (u_r + i u_t) = e^-it (kappa phi -
-/// z conj(phi') - conj(psi))` with powers of z for phi and psi. Displacements converge by one power of the size of elements more
-/// than their order.
+/// Lamé's ring, and Michell's with harmonics two and five, fixed inside: in Muskhelishvili's form
+/// `2 G (u_r + i u_t) = e^-it (kappa phi - z conj(phi') - conj(psi))` with powers of z for phi and
+/// psi. The convergence order of displacements in the element size is one higher than the element
+/// order.
 #[test]
 fn rings_of_plane_strain_converge_to_closed_forms() {
     let kappa = 3.0 - 4.0 * STEEL.poissons_ratio;
@@ -151,7 +156,7 @@ fn rings_of_plane_strain_converge_to_closed_forms() {
             ]
         };
         let conditions = Mat::from_fn(4, 4, |row, term| terms([0.5, 1.0][row / 2])[term][row % 2]);
-        // At rest inside, widened outside.
+        // Fixed inside, expanded outside.
         let right = Mat::from_fn(4, 1, |row, _| if row == 2 { 1.0 } else { 0.0 });
         let amounts = conditions.full_piv_lu().solve(&right);
         move |r: f64| {

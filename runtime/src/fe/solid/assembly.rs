@@ -1,19 +1,21 @@
-//! Sums element matrices into a sparse one: the pattern from the nodes that share elements, the values put where they belong.
+//! Assembly of element matrices into a sparse matrix: the pattern from the nodes that share
+//! elements, with values added in place.
 //!
-//! Nothing is sorted. Element matrices are made side by side in portions of fixed size, then added side by side by columns; to each
-//! place in the order of the elements, so that the bits do not depend on the number of threads.
+//! There is no sorting. Element matrices are computed in parallel in blocks of fixed size, then
+//! added in parallel by columns. Each entry is summed in the order of the elements, so that the
+//! result does not depend on the number of threads bit for bit.
 
 use super::mesh::SolidMesh;
 use faer::sparse::{SparseColMat, SymbolicSparseColMat};
 use rayon::prelude::*;
 
-/// Element matrices held at once; of cubic elements they take 20 MB.
+/// Number of element matrices in memory at once; cubic elements take 20 MB.
 const ELEMENTS_AT_ONCE: usize = 64;
 
-/// Parts of the columns that are added to side by side.
+/// Number of column ranges that are summed in parallel.
 const RANGES: usize = 16;
 
-/// How nodes are coupled in a matrix of three degrees of freedom each.
+/// Coupling of nodes in a matrix of three degrees of freedom each.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Coupling {
     /// Every axis with every other.
@@ -22,8 +24,9 @@ pub(super) enum Coupling {
     SameAxis,
 }
 
-/// The sum of matrices given for each element, over pairs of its nodes: for each column node those of its row nodes, for
-/// each pair the column-major 3 by 3 block ([`Coupling::Full`]) or one value.
+/// Returns the sum of element matrices. Each is given over pairs of its nodes: for each column node
+/// those of its row nodes, for each pair the column-major 3 by 3 block ([`Coupling::Full`]) or one
+/// value.
 pub(super) fn assemble(
     mesh: &SolidMesh,
     coupling: Coupling,
@@ -84,7 +87,8 @@ pub(super) fn assemble(
     SparseColMat::new(SymbolicSparseColMat::new_checked(size, size, column_starts, None, rows), values)
 }
 
-/// Adds the blocks of a column node, each where its row node has its place, to the node's three columns of a height.
+/// Adds the blocks of a column node to the node's three columns of a height, at the positions of
+/// the row nodes.
 fn add(coupling: Coupling, columns: &mut [f64], height: usize, places: &[usize], blocks: &[f64]) {
     for (axis, column) in columns.chunks_exact_mut(height).enumerate() {
         match coupling {
@@ -104,7 +108,8 @@ fn add(coupling: Coupling, columns: &mut [f64], height: usize, places: &[usize],
     }
 }
 
-/// For each node the nodes that share an element with it, itself too, ascending: where each begins, and all in a row.
+/// Returns for each node the nodes that share an element with it, including itself, ascending:
+/// start indices, and all lists concatenated.
 fn neighbours(mesh: &SolidMesh) -> (Vec<usize>, Vec<usize>) {
     let mut elements_of = vec![Vec::new(); mesh.nodes.len()];
     for (index, element) in mesh.elements.iter().enumerate().filter(|(k, _)| !mesh.absent.contains(k)) {
@@ -112,7 +117,7 @@ fn neighbours(mesh: &SolidMesh) -> (Vec<usize>, Vec<usize>) {
             elements_of[node].push(index);
         }
     }
-    // Each node is told to its neighbours in turn, so that their lists ascend by themselves.
+    // Each node is appended to its neighbours' lists in turn, so that the lists ascend.
     let mut lists = vec![Vec::new(); mesh.nodes.len()];
     let mut told_by = vec![usize::MAX; mesh.nodes.len()];
     for (node, elements) in elements_of.iter().enumerate() {

@@ -1,10 +1,11 @@
-//! Solid meshes from cells given by their corners: the nodes of any order are numbered so that cells share those of shared faces.
+//! Solid meshes from cells given by their corners: nodes of any order are numbered so that cells
+//! share those of shared faces.
 
 use super::interpolation::{Cell, Interpolation};
 use super::mesh::{ElementFace, FacePoint, FaceSet, SolidElement, SolidMesh};
 use std::collections::{BTreeMap, HashMap};
 
-/// Why cells do not make a mesh. Positions in m.
+/// Reasons why cells do not form a mesh. Positions in m.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[allow(missing_docs, reason = "each says itself in its message")]
 pub enum CellError {
@@ -19,7 +20,7 @@ pub enum CellError {
 }
 
 impl Cell {
-    /// The Lagrange interpolation of an order over the cell.
+    /// Returns the Lagrange interpolation of an order over the cell.
     pub fn interpolation(self, order: u8) -> Interpolation {
         match self {
             Self::Hexahedron => Interpolation::Hexahedron(order),
@@ -30,12 +31,14 @@ impl Cell {
 }
 
 impl SolidMesh {
-    /// A mesh of cells, each with its corners in the numbering of the linear interpolation, as indices of `points`.
+    /// Builds a mesh of cells, each with its corners in the numbering of the linear interpolation,
+    /// as indices of `points`.
     ///
-    /// Nodes lie equally spaced in the straight cells, and then where `bend` puts them. Element `k` is cell `k`.
+    /// Nodes are equally spaced in the straight cells, and then moved by `bend`. Element `k` is
+    /// cell `k`.
     ///
     /// # Errors
-    /// An order is not 1, 2 or 3, a cell has not its corners, or is folded.
+    /// An order is not 1, 2 or 3, or a cell has a wrong number of corners or is folded.
     pub fn of_cells(
         points: &[[f64; 3]],
         cells: &[(Cell, Vec<usize>)],
@@ -78,7 +81,7 @@ impl SolidMesh {
         }
     }
 
-    /// Faces that belong to one element only, in the order of the elements.
+    /// Returns the faces that belong to one element only, in the order of the elements.
     pub fn boundary(&self) -> Vec<ElementFace> {
         let mut faces = BTreeMap::<Vec<usize>, Vec<ElementFace>>::new();
         for (index, element) in self.elements.iter().enumerate() {
@@ -95,7 +98,7 @@ impl SolidMesh {
         boundary
     }
 
-    /// Names the faces of the boundary in whose middle a condition holds.
+    /// Names the boundary faces whose middle satisfies a condition.
     pub fn name_faces(&mut self, name: &str, mut condition: impl FnMut(&FacePoint) -> bool) {
         let middle = |face: &ElementFace| {
             let cell = self.elements[face.element].interpolation.cell();
@@ -107,9 +110,10 @@ impl SolidMesh {
     }
 }
 
-/// Nodes of each cell, and their positions in the straight cells.
+/// Returns the nodes of each cell, and their positions in the straight cells.
 fn number(points: &[[f64; 3]], cells: &[(Cell, Vec<usize>)], order: u8) -> (Vec<Vec<usize>>, Vec<[f64; 3]>) {
-    // The corners of which a node is a mean, and in what shares, tell it from all others, from whatever cell it is looked at.
+    // A node is identified by the corners of which it is an average and their shares; this key is
+    // the same in every cell.
     let mut known = HashMap::<Vec<(usize, i64)>, usize>::new();
     let mut positions = Vec::new();
     let mut of_cell = |(kind, corners): &(Cell, Vec<usize>)| {

@@ -1,29 +1,33 @@
-//! Surfaces of revolution that deform by a Fourier series around and by polynomials along (report 2.7): what joins meshes that do not
-//! conform at webs, bores and seats.
+//! Surfaces of revolution with displacements in a Fourier series around and polynomials along them
+//! (report 2.7): they join non-matching meshes at webs, bores and seats.
 //!
-//! The report has six terms stand for the rigid-body motions of the surface and constrains these alone. Only two of them are
-//! motions by themselves: a translation along x is `u_r = cos t, u_t = -sin t`, and the report's `u_r = cos t` is half of that and half
-//! the strain `u_r = cos t, u_t = sin t`; a rotation about x is `u_r = -z sin t, u_t = -z cos t, u_z = R sin t`. Here the rigid-body motions
-//! are unknowns of their own, exact wherever the nodes lie, and every other term has its rigid part taken out, its mean translation and
-//! rotation over the surface. Both span the same displacements; holding the six holds the surface as a whole and nothing else.
+//! The report uses six terms for the rigid-body motions of the surface and constrains these alone.
+//! Only two of them are rigid-body motions by themselves. A translation along x is
+//! `u_r = cos t, u_t = -sin t`, and the report's `u_r = cos t` is half of that and half the strain
+//! `u_r = cos t, u_t = sin t`; a rotation about x is
+//! `u_r = -z sin t, u_t = -z cos t, u_z = R sin t`. Here the rigid-body motions are separate
+//! unknowns, exact for any positions of the nodes. The rigid part of every other term, its mean
+//! translation and rotation over the surface, is removed. Both span the same displacements;
+//! constraining the six rigid-body unknowns fixes the surface as a whole and nothing else.
 
 use crate::fe::quadrature::gauss_legendre;
 use nalgebra::{Matrix6, Vector6};
 use std::f64::consts::TAU;
 
-/// A surface of revolution with a straight generator: a cylinder, a cone, or a plane ring.
+/// Surface of revolution with a straight generator: a cylinder, a cone, or a plane ring.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RevolutionSurface {
-    /// The middle of the axis, about which rotations turn, m.
+    /// Middle of the axis, the centre of rotations, m.
     pub center: [f64; 3],
-    /// Orthonormal, right-handed: the direction from which angles count, the one at a right angle, and the axis.
+    /// Orthonormal, right-handed axes: the direction from which angles count, the one at a right
+    /// angle, and the axis of revolution.
     pub axes: [[f64; 3]; 3],
-    /// Radius and axial place relative to the center of both ends of the generator, m.
+    /// Radius and axial coordinate relative to the centre, of both ends of the generator, m.
     pub generator: [[f64; 2]; 2],
 }
 
 impl RevolutionSurface {
-    /// A cylinder about the z axis between two axial places, m.
+    /// Returns a cylinder about the z axis between two axial coordinates, m.
     pub fn cylinder(radius: f64, [from, to]: [f64; 2]) -> Self {
         let middle = 0.5 * (from + to);
         Self {
@@ -33,43 +37,45 @@ impl RevolutionSurface {
         }
     }
 
-    /// Radius and axial place at a coordinate along the generator, -1 to 1.
+    /// Returns radius and axial coordinate at a coordinate along the generator, -1 to 1.
     fn on_generator(&self, zeta: f64) -> [f64; 2] {
         let [from, to] = self.generator;
         [0, 1].map(|k| 0.5 * ((1.0 - zeta) * from[k] + (1.0 + zeta) * to[k]))
     }
 
-    /// Half of the generator, as a vector.
+    /// Returns half of the generator, as a vector.
     fn half(&self) -> [f64; 2] {
         [0, 1].map(|k| 0.5 * (self.generator[1][k] - self.generator[0][k]))
     }
 }
 
-/// A direction at a point of a surface of revolution.
+/// Direction at a point of a surface of revolution.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Component {
-    /// Away from the axis.
+    /// Radial, away from the axis.
     Radial,
-    /// Around it, counter-clockwise.
+    /// Tangential, counter-clockwise.
     Tangential,
-    /// Along it.
+    /// Axial.
     Axial,
 }
 
-/// A term of the series: a component of the displacement, Legendre polynomial of a degree along the generator, cosine or sine around.
+/// Term of the series: a component of the displacement, Legendre polynomial of a degree along the
+/// generator, cosine or sine around.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Term {
-    /// Which way it moves.
+    /// Direction of the displacement.
     pub component: Component,
-    /// Degree of the polynomial along; those of the report, powers of z, span the same.
+    /// Degree of the polynomial along the generator; the powers of z of the report span the same
+    /// space.
     pub degree: u8,
-    /// Waves around.
+    /// Harmonic around the axis.
     pub harmonic: u16,
     /// Sine instead of cosine.
     pub sine: bool,
 }
 
-/// Displacements of a surface, up to some harmonic around and some degree along.
+/// Displacement series of a surface, up to some harmonic around and some degree along.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Series {
     surface: RevolutionSurface,
@@ -79,8 +85,8 @@ pub struct Series {
 }
 
 impl Series {
-    /// The series on a surface. `None` if the surface has no extent: a radius is negative, both are zero, or there is no generator along
-    /// which to have a degree above zero.
+    /// Builds the series on a surface. `None` if the surface has no extent: a radius is negative,
+    /// both are zero, or the generator is a point and the degree is above zero.
     pub fn new(surface: RevolutionSurface, harmonics: u16, degree: u8) -> Option<Self> {
         let [[r0, z0], [r1, z1]] = surface.generator;
         let point = r0 == r1 && z0 == z1;
@@ -88,7 +94,8 @@ impl Series {
         if !sound {
             return None;
         }
-        // Whether the rigid-body motions are in the span of the terms; then a term of each is left out.
+        // True if the rigid-body motions are in the span of the terms; then one term is omitted for
+        // each.
         let tilted = harmonics > 0 && (degree > 0 || point);
         let turned = degree > 0 || r0 == r1;
         let kept = |term: &Term| match (term.component, term.degree, term.harmonic) {
@@ -113,18 +120,18 @@ impl Series {
         Some(series)
     }
 
-    /// The terms; their unknowns follow on the six of the rigid-body motions.
+    /// Returns the terms; their unknowns follow the six rigid-body ones.
     pub fn terms(&self) -> &[Term] {
         &self.terms
     }
 
-    /// The surface.
+    /// Returns the surface.
     pub fn surface(&self) -> &RevolutionSurface {
         &self.surface
     }
 
-    /// Displacement at a position, which should be on the surface, by a unit of each unknown: translations along the axes (m), rotations about
-    /// them through the center (rad), terms (m).
+    /// Returns the displacement at a position on the surface by a unit of each unknown:
+    /// translations along the axes (m), rotations about them through the centre (rad), terms (m).
     pub fn displacements(&self, position: [f64; 3]) -> Vec<[f64; 3]> {
         let RevolutionSurface { center, axes, .. } = &self.surface;
         let from_center = [0, 1, 2].map(|axis| position[axis] - center[axis]);
@@ -147,8 +154,9 @@ impl Series {
         all.into_iter().map(outward).collect()
     }
 
-    /// Waves of each unknown around the axis, and its family: `false` where the radial and axial displacements go as the cosine and
-    /// the tangential one as the sine, `true` where everything is turned by a quarter of a wave. All is `false` without waves.
+    /// Returns the harmonic of each unknown, and its family: `false` where the radial and axial
+    /// displacements are cosines and the tangential one is a sine, `true` where the field is
+    /// rotated by a quarter of a wavelength. Unknowns of harmonic zero have `false`.
     pub fn waves(&self) -> Vec<(u16, bool)> {
         let rigid = [(1, false), (1, true), (0, false), (1, true), (1, false), (0, false)];
         let of_term = |term: &Term| {
@@ -158,8 +166,8 @@ impl Series {
         rigid.into_iter().chain(self.terms.iter().map(of_term)).collect()
     }
 
-    /// Radial, tangential and axial amplitude of each unknown's waves at a place of a section about the z axis: its radius and its axial
-    /// coordinate.
+    /// Returns the radial, tangential and axial amplitude of each unknown at a point of a section
+    /// about the z axis, given by radius and axial coordinate.
     pub fn amplitudes(&self, [radius, z]: [f64; 2]) -> Vec<[f64; 3]> {
         let at = |angle: f64| {
             let (sin, cos) = angle.sin_cos();
@@ -170,7 +178,7 @@ impl Series {
         let most = waves.iter().map(|wave| wave.0).max().unwrap_or(0);
         let mut amplitudes = vec![[0.0; 3]; waves.len()];
         for harmonic in 0..=most {
-            // Where a wave has its crest, and where it passes zero.
+            // Sample a harmonic at its maximum and at its zero.
             let quarter = if harmonic == 0 { 0.0 } else { 0.25 * TAU / f64::from(harmonic) };
             let quarters = [0.0, quarter, 2.0 * quarter].map(at);
             for (unknown, &(waves, turned)) in waves.iter().enumerate() {
@@ -184,8 +192,9 @@ impl Series {
         amplitudes
     }
 
-    /// Amounts of the unknowns that together are a term as it is written, with its rigid part: of one that was left out, the motion that it
-    /// is part of less the rest of that motion. `None` if they do not span it.
+    /// Returns the amounts of the unknowns whose sum is a term including its rigid part. For an
+    /// omitted term this is the corresponding rigid-body motion less the rest of that motion.
+    /// `None` if the unknowns do not span it.
     pub fn amounts(&self, wanted: Term) -> Option<Vec<(usize, f64)>> {
         if let Some(index) = self.terms.iter().position(|&term| term == wanted) {
             let rigid = self.rigid_parts.get(index)?.iter().copied().enumerate();
@@ -200,7 +209,7 @@ impl Series {
         };
         let Term { component, degree, harmonic, sine } = wanted;
         match (component, degree, harmonic) {
-            // A translation is as much around as it is outwards.
+            // A translation has equal tangential and radial amplitudes.
             (Component::Tangential, 0, 1) => {
                 let outwards = Term { component: Component::Radial, sine: !sine, ..wanted };
                 let (motion, sign) = if sine { (0, -1.0) } else { (1, 1.0) };
@@ -216,7 +225,8 @@ impl Series {
         }
     }
 
-    /// Amounts of the six motions in each term that are nearest to it, in the mean square over the surface.
+    /// Returns the amounts of the six rigid-body motions nearest to each term, in the mean square
+    /// over the surface.
     fn project(&self, harmonics: usize, degree: usize) -> Option<Vec<[f64; 6]>> {
         let around = 2 * harmonics + 6;
         let mut gram = Matrix6::zeros();
@@ -239,12 +249,13 @@ impl Series {
 }
 
 impl Term {
-    /// Whether it moves along the axis.
+    /// Returns true for an axial displacement.
     pub fn is_axial(&self) -> bool {
         self.component == Component::Axial
     }
 
-    /// Displacement along the axes at an angle and a coordinate along the generator, -1 to 1.
+    /// Returns the displacement along the axes at an angle and a coordinate along the generator, -1
+    /// to 1.
     fn displacement(&self, angle: f64, zeta: f64) -> [f64; 3] {
         let (mut previous, mut value) = (0.0, 1.0);
         for degree in 0..self.degree {
@@ -262,7 +273,8 @@ impl Term {
     }
 }
 
-/// Displacements of unit translations along the axes and unit rotations about them, at a place relative to the center.
+/// Returns the displacements of unit translations along the axes and unit rotations about them, at
+/// a point relative to the centre.
 pub(super) fn rigid_motions([x, y, z]: [f64; 3]) -> [[f64; 3]; 6] {
     [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]]
 }

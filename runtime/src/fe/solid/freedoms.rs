@@ -1,8 +1,9 @@
-//! Degrees of freedom in sets by name (report 3.1.5): nodes of several meshes, rigid regions, and series on surfaces of revolution,
-//! and the equations of the meshes in these unknowns.
+//! Named sets of degrees of freedom (report 3.1.5): nodes of several meshes, rigid regions, and
+//! series on surfaces of revolution, and the equations of the meshes in these unknowns.
 //!
-//! Attaching nodes to a set makes them follow its unknowns. Nodes of different meshes that follow the same set are joined by it, whether
-//! the meshes conform or not. Work is kept: loads are reduced by the transpose of what expands displacements.
+//! Nodes attached to a set follow its unknowns (multipoint constraints). A set joins the nodes of
+//! different meshes that are attached to it, whether the meshes conform or not. Virtual work is
+//! conserved: the transpose of the expansion of displacements reduces the loads.
 
 use super::fourier::{Series, Term, rigid_motions};
 use super::model::SolidModel;
@@ -12,27 +13,27 @@ use faer::sparse::{SparseColMat, SymbolicSparseColMat};
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-/// What an unknown does.
+/// Meaning of an unknown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Freedom {
     /// Displacement of a node of a part along an axis.
     Displacement {
-        /// In the order in which parts were given.
+        /// Index of the part, in the order of definition.
         part: usize,
-        /// Of that part's mesh.
+        /// Index of the node in that part's mesh.
         node: usize,
-        /// 0 to 2.
+        /// Axis, 0 to 2.
         axis: usize,
     },
-    /// Translation of a region or a surface as a whole, along an axis of its own.
+    /// Translation of a region or a surface as a whole, along one of its axes.
     Translation(usize),
-    /// Rotation of a region or a surface as a whole, about an axis of its own.
+    /// Rotation of a region or a surface as a whole, about one of its axes.
     Rotation(usize),
-    /// A term of a series, without its rigid part.
+    /// Term of a series, without its rigid part.
     Series(Term),
 }
 
-/// Why sets cannot be what was asked for.
+/// Reasons why a set cannot be defined.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[allow(missing_docs, reason = "each says itself in its message")]
 pub enum FreedomError {
@@ -46,14 +47,14 @@ pub enum FreedomError {
     Twice { part: usize, node: usize, first: String, second: String },
 }
 
-/// How the unknowns of a set move the nodes attached to it.
+/// Motion of the nodes attached to a set.
 #[derive(Clone, Debug)]
 enum Motion {
-    /// Each by itself.
+    /// Each node independently.
     Nodes,
-    /// As a rigid body about a center.
+    /// Rigid-body motion about a centre.
     Rigid([f64; 3]),
-    /// As a series has it.
+    /// Displacements of a series.
     Series(Box<Series>),
 }
 
@@ -65,41 +66,43 @@ struct Set {
     held: Vec<(Freedom, f64)>,
 }
 
-/// Collects sets; [`FreedomSets::reduce`] numbers the unknowns. Nodes in no set are by themselves.
+/// Builder of sets; [`FreedomSets::reduce`] numbers the unknowns. Nodes in no set are independent.
 pub struct FreedomSets<'a> {
     parts: Vec<&'a SolidModel>,
     sets: Vec<Set>,
-    /// The set of each node of each part.
+    /// Set of each node of each part.
     set_of: Vec<Vec<Option<usize>>>,
 }
 
 impl<'a> FreedomSets<'a> {
-    /// Of parts in common coordinates.
+    /// Creates a builder for parts in common coordinates.
     pub fn new(parts: Vec<&'a SolidModel>) -> Self {
         let set_of = parts.iter().map(|part| vec![None; part.mesh.nodes.len()]).collect();
         Self { parts, sets: Vec::new(), set_of }
     }
 
-    /// A set of nodes that are by themselves: to be held, or condensed onto, by name.
+    /// Adds a set of independent nodes, to be constrained or condensed onto by name.
     ///
     /// # Errors
-    /// The name is taken, or a node is, or there is no such node.
+    /// The name or a node is already used, or a node does not exist.
     pub fn nodes(&mut self, name: &str, part: usize, nodes: &[usize]) -> Result<&mut Self, FreedomError> {
         self.add(name, Motion::Nodes)?.attach(name, part, nodes)
     }
 
-    /// A region that moves as a rigid body; rotations turn about the center, all along x, y and z.
+    /// Adds a region that moves as a rigid body; rotations are about the centre, all axes along x,
+    /// y and z.
     ///
     /// # Errors
-    /// The name is taken.
+    /// The name is already used.
     pub fn rigid(&mut self, name: &str, center: [f64; 3]) -> Result<&mut Self, FreedomError> {
         self.add(name, Motion::Rigid(center))
     }
 
-    /// A surface that moves as a series has it, rotations and translations along its axes.
+    /// Adds a surface that moves according to a series, with rotations and translations along its
+    /// axes.
     ///
     /// # Errors
-    /// The name is taken.
+    /// The name is already used.
     pub fn series(&mut self, name: &str, series: Series) -> Result<&mut Self, FreedomError> {
         self.add(name, Motion::Series(Box::new(series)))
     }
@@ -117,10 +120,10 @@ impl<'a> FreedomSets<'a> {
         index.ok_or_else(|| FreedomError::NoSet { name: name.to_owned() })
     }
 
-    /// Makes nodes of a part follow a set.
+    /// Attaches nodes of a part to a set.
     ///
     /// # Errors
-    /// There is no such set or node, or a node is in a set already.
+    /// The set or a node does not exist, or a node already belongs to a set.
     pub fn attach(&mut self, name: &str, part: usize, nodes: &[usize]) -> Result<&mut Self, FreedomError> {
         let index = self.index(name)?;
         for &node in nodes {
@@ -141,10 +144,10 @@ impl<'a> FreedomSets<'a> {
         Ok(self)
     }
 
-    /// Holds the unknowns of a set for which a value is given, at that value.
+    /// Prescribes the unknowns of a set for which `value` returns a value.
     ///
     /// # Errors
-    /// There is no such set.
+    /// The set does not exist.
     pub fn hold(
         &mut self,
         name: &str,
@@ -159,17 +162,18 @@ impl<'a> FreedomSets<'a> {
         Ok(self)
     }
 
-    /// Holds a region or a surface as a whole where it is, and lets it deform as it may.
+    /// Fixes the rigid-body motion of a region or a surface, which can still deform.
     ///
     /// # Errors
-    /// There is no such set.
+    /// The set does not exist.
     pub fn hold_rigid_motion(&mut self, name: &str) -> Result<&mut Self, FreedomError> {
         self.hold(name, |freedom| {
             matches!(freedom, Freedom::Translation(_) | Freedom::Rotation(_)).then_some(0.0)
         })
     }
 
-    /// Numbers the unknowns: nodes in no set first, part by part, then the sets in the order in which they were made.
+    /// Numbers the unknowns: nodes in no set first, part by part, then the sets in the order of
+    /// definition.
     pub fn reduce(&self) -> Reduced<'a> {
         let mut count = 0;
         let mut next = |size: usize| {
@@ -251,25 +255,25 @@ impl Set {
     }
 }
 
-/// How a node moves with the unknowns.
+/// Motion of a node by the unknowns.
 enum NodeMotion {
-    /// Along x, y and z by three unknowns from this one on.
+    /// Displacements along x, y and z are three unknowns from this index on.
     Itself(usize),
-    /// By those of a set, each of which moves it so.
+    /// Displacement by a unit of each unknown of a set.
     Follows { set: usize, by: Vec<[f64; 3]> },
 }
 
-/// A set's unknowns.
+/// Unknowns of a set.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ReducedSet {
     first: usize,
-    /// In the order of the unknowns.
+    /// Meanings, in the order of the unknowns.
     pub freedoms: Vec<Freedom>,
     index: usize,
 }
 
 impl ReducedSet {
-    /// Its unknowns.
+    /// Returns the range of the set's unknowns.
     pub fn unknowns(&self) -> Range<usize> {
         self.first..self.first + self.freedoms.len()
     }
@@ -281,7 +285,7 @@ pub struct Reduced<'a> {
     count: usize,
     /// First unknown of each set.
     firsts: Vec<usize>,
-    /// Nodes that follow each set.
+    /// Nodes attached to each set.
     followers: Vec<Vec<(usize, usize)>>,
     nodes: Vec<Vec<NodeMotion>>,
     sets: BTreeMap<String, ReducedSet>,
@@ -289,32 +293,33 @@ pub struct Reduced<'a> {
 }
 
 impl Reduced<'_> {
-    /// Number of unknowns.
+    /// Returns the number of unknowns.
     pub fn count(&self) -> usize {
         self.count
     }
 
-    /// The set of that name, if there is one.
+    /// Returns the set of that name, if any.
     pub fn set(&self, name: &str) -> Option<&ReducedSet> {
         self.sets.get(name)
     }
 
-    /// What is held, by unknown.
+    /// Returns the constraints, by unknown.
     pub fn constraints(&self) -> &Constraints {
         &self.constraints
     }
 
-    /// Stiffness of all parts in the unknowns; symmetric bit for bit, both triangles stored.
+    /// Assembles the stiffness of all parts in the unknowns; symmetric bit for bit, both triangles
+    /// stored.
     pub fn stiffness(&self) -> SparseColMat<usize, f64> {
         self.reduced(&self.parts.iter().map(|part| part.stiffness()).collect::<Vec<_>>())
     }
 
-    /// Mass of all parts in the unknowns, stored like the stiffness.
+    /// Assembles the mass of all parts in the unknowns, stored like the stiffness.
     pub fn mass(&self) -> SparseColMat<usize, f64> {
         self.reduced(&self.parts.iter().map(|part| part.mass()).collect::<Vec<_>>())
     }
 
-    /// A load on a part, or a row of its displacements, in the unknowns.
+    /// Converts a load on a part, or a row of its displacements, to the unknowns.
     pub fn load(&self, part: usize, load: &SparseVector) -> SparseVector {
         let mut entries = Vec::new();
         for &(dof, value) in &load.entries {
@@ -331,7 +336,7 @@ impl Reduced<'_> {
         entries.into_iter().collect()
     }
 
-    /// Displacements of a part from values of the unknowns.
+    /// Returns the displacements of a part from values of the unknowns.
     pub fn displacements(&self, part: usize, unknowns: &[f64]) -> Vec<f64> {
         let of_node = |motion: &NodeMotion| match motion {
             NodeMotion::Itself(first) => [0, 1, 2].map(|axis| unknowns[first + axis]),
@@ -343,7 +348,8 @@ impl Reduced<'_> {
         self.nodes[part].iter().flat_map(of_node).collect()
     }
 
-    /// `T' A T` with the matrices of the parts on the diagonal of `A`, and `T` taking the unknowns to displacements.
+    /// Returns `T' A T` with the matrices of the parts on the diagonal of `A`, and `T` the
+    /// expansion of the unknowns to displacements.
     fn reduced(&self, matrices: &[SparseColMat<usize, f64>]) -> SparseColMat<usize, f64> {
         let mut columns = vec![Vec::new(); self.count];
         for (nodes, matrix) in self.nodes.iter().zip(matrices) {
@@ -365,7 +371,7 @@ impl Reduced<'_> {
         for (set, unknown) in self.followed() {
             let own = self.firsts[set] + unknown;
             for (row, value) in self.column_of(set, unknown, matrices).into_iter().enumerate() {
-                // Both places from one value: symmetric to the bit.
+                // Both entries use one value, so that the matrix is symmetric to the bit.
                 if value != 0.0 && (row >= own || !of_sets[row]) {
                     columns[own].push((row, value));
                     if row != own {
@@ -388,7 +394,7 @@ impl Reduced<'_> {
         )
     }
 
-    /// Unknowns that nodes follow: set, and number within the set.
+    /// Returns the unknowns with attached nodes: set, and index within the set.
     fn followed(&self) -> impl Iterator<Item = (usize, usize)> {
         let size = |followers: &[(usize, usize)]| match followers
             .first()
@@ -403,7 +409,7 @@ impl Reduced<'_> {
             .flat_map(move |(set, followers)| (0..size(followers)).map(move |unknown| (set, unknown)))
     }
 
-    /// Forces on all unknowns by a unit of one that nodes follow.
+    /// Returns the forces on all unknowns by a unit of one with attached nodes.
     fn column_of(&self, set: usize, unknown: usize, matrices: &[SparseColMat<usize, f64>]) -> Vec<f64> {
         let mut on_parts = matrices.iter().map(|matrix| vec![0.0; matrix.nrows()]).collect::<Vec<_>>();
         for &(part, node) in &self.followers[set] {

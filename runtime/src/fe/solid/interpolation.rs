@@ -1,32 +1,32 @@
-//! Interpolation in solid elements: Lagrange hexahedra, pentahedra and tetrahedra, and section elements with axodes (FQP, report
-//! 3.1.4). Used for displacements and for coordinates alike.
+//! Interpolation in solid elements: Lagrange hexahedra, pentahedra and tetrahedra, and section
+//! elements with axodes (FQP, report 3.1.4). Used for displacements and coordinates.
 
 use super::line::{equispaced, lagrange, lobatto};
 use crate::fe::interpolation::{ElementOrder, side_place};
 use crate::fe::quadrature::gauss_legendre;
 use std::sync::Arc;
 
-/// A shape function at a point: value, derivatives by `xi`, `eta` and `zeta`.
+/// Shape function at a point: value, derivatives by `xi`, `eta` and `zeta`.
 pub type SolidShape = [f64; 4];
 
-/// The reference body of an element.
+/// Reference cell of an element.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Cell {
-    /// -1 <= xi, eta, zeta <= 1.
+    /// Hexahedron -1 <= xi, eta, zeta <= 1.
     ///
     /// Faces 0 to 3 are `eta = -1`, `xi = 1`, `eta = 1`, `xi = -1` (as the sides of a plane element), 4 is `zeta = -1`, 5 is `zeta = 1`.
     Hexahedron,
-    /// xi, eta >= 0, xi + eta <= 1; -1 <= zeta <= 1.
+    /// Pentahedron xi, eta >= 0, xi + eta <= 1; -1 <= zeta <= 1.
     ///
     /// Faces 0 to 2 are `eta = 0`, `xi + eta = 1`, `xi = 0`; 3 is `zeta = -1`, 4 is `zeta = 1`.
     Pentahedron,
-    /// xi, eta, zeta >= 0, xi + eta + zeta <= 1.
+    /// Tetrahedron xi, eta, zeta >= 0, xi + eta + zeta <= 1.
     ///
     /// Faces 0 to 3 are `zeta = 0`, `eta = 0`, `xi = 0`, `xi + eta + zeta = 1`.
     Tetrahedron,
 }
 
-/// How a field is interpolated in an element.
+/// Interpolation of a field in an element.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Interpolation {
     /// Lagrange polynomials of order 1, 2 or 3 on equally spaced nodes; `xi` runs fastest, then `eta`.
@@ -36,24 +36,25 @@ pub enum Interpolation {
     Pentahedron(u8),
     /// Complete polynomials of order 1, 2 or 3; `xi` runs fastest, then `eta`.
     Tetrahedron(u8),
-    /// A plane element in `xi` and `eta` with a line of nodes along `zeta` on Gauss-Lobatto points, an *axode*, in place of each of
-    /// its nodes. Nodes in the order of the axodes, along each with growing `zeta`. Orders may differ between axodes: elements that
-    /// share a side of the section share its axodes.
+    /// Plane element in `xi` and `eta` with a line of nodes along `zeta` on Gauss-Lobatto points,
+    /// an *axode*, in place of each of its nodes. Nodes are in the order of the axodes, along each
+    /// with increasing `zeta`. Orders may differ between axodes: elements that share a side of the
+    /// section share its axodes.
     Axodes {
-        /// Of the plane element.
+        /// Order of the plane element.
         section: ElementOrder,
-        /// Of each axode, at least 1.
+        /// Order of each axode, at least 1.
         axial: Arc<[u8]>,
     },
 }
 
 impl Interpolation {
-    /// An element with axodes all of one order.
+    /// Returns an element whose axodes all have one order.
     pub fn axodes(section: ElementOrder, order: u8) -> Self {
         Self::Axodes { section, axial: vec![order; section.node_count()].into() }
     }
 
-    /// The body it interpolates over.
+    /// Returns the reference cell.
     pub fn cell(&self) -> Cell {
         match self {
             Self::Hexahedron(_) | Self::Axodes { .. } => Cell::Hexahedron,
@@ -62,7 +63,7 @@ impl Interpolation {
         }
     }
 
-    /// Whether every order is one that there is.
+    /// Returns true if every order is supported.
     pub fn is_valid(&self) -> bool {
         match self {
             Self::Hexahedron(order) | Self::Pentahedron(order) | Self::Tetrahedron(order) => {
@@ -76,7 +77,7 @@ impl Interpolation {
         }
     }
 
-    /// Highest order across the section (`xi`, `eta`) and along `zeta`.
+    /// Returns the highest order across the section (`xi`, `eta`) and along `zeta`.
     pub fn highest(&self) -> [u8; 2] {
         match self {
             Self::Hexahedron(order) | Self::Pentahedron(order) | Self::Tetrahedron(order) => [*order; 2],
@@ -84,7 +85,7 @@ impl Interpolation {
         }
     }
 
-    /// Order to which it is complete across the section and along `zeta`.
+    /// Returns the order of completeness across the section and along `zeta`.
     pub fn lowest(&self) -> [u8; 2] {
         match self {
             Self::Hexahedron(order) | Self::Pentahedron(order) | Self::Tetrahedron(order) => [*order; 2],
@@ -94,7 +95,8 @@ impl Interpolation {
         }
     }
 
-    /// Numbers of the nodes at the corners of the cell, in the order of its linear interpolation.
+    /// Returns the indices of the nodes at the corners of the cell, in the order of its linear
+    /// interpolation.
     pub fn corners(&self) -> Vec<usize> {
         let places = self.node_places();
         let node = |corner: [f64; 3]| {
@@ -102,11 +104,11 @@ impl Interpolation {
                 |place: &[f64; 3]| (0..3).map(|axis| (place[axis] - corner[axis]).abs()).sum::<f64>();
             places.iter().position(|place| distance(place) < 1e-9)
         };
-        // Every interpolation has them all.
+        // Every interpolation has nodes at all corners.
         self.cell().interpolation(1).node_places().into_iter().filter_map(node).collect()
     }
 
-    /// Number of nodes.
+    /// Returns the number of nodes.
     pub fn node_count(&self) -> usize {
         let lines = |order: &u8| usize::from(*order) + 1;
         match self {
@@ -117,7 +119,7 @@ impl Interpolation {
         }
     }
 
-    /// Local coordinates of the nodes.
+    /// Returns the local coordinates of the nodes.
     pub fn node_places(&self) -> Vec<[f64; 3]> {
         match self {
             Self::Hexahedron(order) => {
@@ -155,7 +157,7 @@ impl Interpolation {
         }
     }
 
-    /// All shape functions at a point, in the numbering of the nodes.
+    /// Returns all shape functions at a point, in the numbering of the nodes.
     pub fn shapes(&self, [xi, eta, zeta]: [f64; 3]) -> Vec<SolidShape> {
         match self {
             Self::Hexahedron(order) => {
@@ -198,14 +200,14 @@ impl Interpolation {
     }
 }
 
-/// Number of nodes of a triangle.
+/// Returns the number of nodes of a triangle.
 fn triangle_count(order: u8) -> usize {
     let n = usize::from(order);
     (n + 1) * (n + 2) / 2
 }
 
-/// Indices of the nodes of a triangle (`dimension` 2) or tetrahedron (3), summing up to the order: the one of the first
-/// corner, then those of `xi`, `eta`, `zeta`.
+/// Returns the indices of the nodes of a triangle (`dimension` 2) or tetrahedron (3), whose sum is
+/// the order: the one of the first corner, then those of `xi`, `eta`, `zeta`.
 fn lattice(order: u8, dimension: usize) -> Vec<[u8; 4]> {
     let mut nodes = Vec::new();
     for k in 0..=if dimension == 3 { order } else { 0 } {
@@ -216,7 +218,8 @@ fn lattice(order: u8, dimension: usize) -> Vec<[u8; 4]> {
     nodes
 }
 
-/// Shape functions of a simplex: products over its barycentric coordinates `l` of `l (n l - 1) ... / m!`, m the node's index there.
+/// Returns the shape functions of a simplex: products over its barycentric coordinates `l` of
+/// `l (n l - 1) ... / m!`, m the node's index there.
 fn simplex_shapes(order: u8, dimension: usize, [x, y, z]: [f64; 3]) -> Vec<SolidShape> {
     let n = f64::from(order);
     let barycentric = [1.0 - x - y - z, x, y, z];
@@ -246,7 +249,7 @@ fn simplex_shapes(order: u8, dimension: usize, [x, y, z]: [f64; 3]) -> Vec<Solid
 }
 
 impl Cell {
-    /// Number of faces.
+    /// Returns the number of faces.
     pub fn face_count(self) -> usize {
         match self {
             Self::Hexahedron => 6,
@@ -255,7 +258,8 @@ impl Cell {
         }
     }
 
-    /// Whether a face is a triangle (coordinates a, b >= 0, a + b <= 1) or a quadrilateral (-1 <= a, b <= 1).
+    /// Returns true if a face is a triangle (coordinates a, b >= 0, a + b <= 1), false if it is a
+    /// quadrilateral (-1 <= a, b <= 1).
     pub fn is_triangle(self, face: usize) -> bool {
         match self {
             Self::Hexahedron => false,
@@ -264,7 +268,8 @@ impl Cell {
         }
     }
 
-    /// The place of a face at its coordinates `a` and `b`, and its derivatives by them; their images' cross product points out.
+    /// Returns the local coordinates of a point of a face at its coordinates `a` and `b`, and their
+    /// derivatives; the cross product of the images of the derivatives points outwards.
     pub fn face_place(self, face: usize, [a, b]: [f64; 2]) -> ([f64; 3], [[f64; 3]; 2]) {
         match (self, face) {
             (Self::Hexahedron, 0..=3) => {
@@ -288,7 +293,7 @@ impl Cell {
         }
     }
 
-    /// Whether a place lies on a face, to rounding.
+    /// Returns true if a point lies on a face, to rounding.
     pub fn is_on_face(self, face: usize, [xi, eta, zeta]: [f64; 3]) -> bool {
         let distance = match (self, face) {
             (Self::Hexahedron, 0) => eta + 1.0,
@@ -306,7 +311,7 @@ impl Cell {
         distance.abs() < 1e-12
     }
 
-    /// The middle of the cell.
+    /// Returns the middle of the cell.
     pub fn middle(self) -> [f64; 3] {
         match self {
             Self::Hexahedron => [0.0; 3],
@@ -315,8 +320,10 @@ impl Cell {
         }
     }
 
-    /// Places and weights of a quadrature with so many points across the section and along `zeta`: exact to degree `2 * points - 1` in
-    /// each coordinate of a hexahedron, to total degree `2 * points - 2` in triangles, `2 * points - 3` in tetrahedra (where `across` counts).
+    /// Returns points and weights of a quadrature with a number of points across the section and
+    /// along `zeta`: exact to degree `2 * points - 1` in each coordinate of a hexahedron, to total
+    /// degree `2 * points - 2` in triangles, `2 * points - 3` in tetrahedra (where `across`
+    /// counts).
     pub fn quadrature(self, [across, along]: [usize; 2]) -> Vec<([f64; 3], f64)> {
         let section = gauss_legendre(across);
         let on_unit = section.iter().map(|(x, weight)| (0.5 * (1.0 + x), 0.5 * weight)).collect::<Vec<_>>();
@@ -330,7 +337,7 @@ impl Cell {
                     }
                 }
             }
-            // Squares and cubes collapsed onto the triangle and the tetrahedron.
+            // Squares and cubes are collapsed onto the triangle and the tetrahedron.
             Self::Pentahedron => {
                 for &(zeta, c) in &axis {
                     for &(v, b) in &on_unit {
@@ -355,7 +362,7 @@ impl Cell {
         rule
     }
 
-    /// Coordinates and weights on a face with so many points across.
+    /// Returns coordinates and weights on a face with a number of points across.
     pub fn face_quadrature(self, face: usize, points: usize) -> Vec<([f64; 2], f64)> {
         let line = gauss_legendre(points);
         let mut rule = Vec::with_capacity(points * points);

@@ -1,13 +1,14 @@
 //! Interpolation along a line: Lagrange polynomials of any order, on equally spaced or on Gauss-Lobatto points.
 
-/// `order + 1` equally spaced points of -1 ..= 1.
+/// Returns `order + 1` equally spaced points of -1 ..= 1.
 pub fn equispaced(order: u8) -> Vec<f64> {
     let order = i32::from(order);
     (0..=order).map(|node| f64::from(2 * node - order) / f64::from(order)).collect()
 }
 
-/// The `order + 1` points of Gauss-Lobatto quadrature on -1 ..= 1, ascending: the ends, and the zeros of the slope of the
-/// Legendre polynomial. Interpolation on them does not oscillate at any order.
+/// Returns the `order + 1` points of Gauss-Lobatto quadrature on -1 ..= 1, ascending: the ends, and
+/// the zeros of the derivative of the Legendre polynomial. Interpolation on them does not oscillate
+/// at any order.
 pub fn lobatto(order: u8) -> Vec<f64> {
     let n = f64::from(order);
     let mut points = (0..=order)
@@ -33,7 +34,7 @@ pub fn lobatto(order: u8) -> Vec<f64> {
             x
         })
         .collect::<Vec<_>>();
-    // Symmetric to the bit.
+    // Make the points symmetric to the bit.
     let last = points.len() - 1;
     for index in 0..points.len() / 2 {
         let x = 0.5 * (points[last - index] - points[index]);
@@ -45,7 +46,7 @@ pub fn lobatto(order: u8) -> Vec<f64> {
     points
 }
 
-/// Values and slopes at `x` of the Lagrange polynomials on the points.
+/// Returns values and slopes at `x` of the Lagrange polynomials on the points.
 pub fn lagrange(points: &[f64], x: f64) -> Vec<(f64, f64)> {
     let polynomial = |own: usize| {
         let (mut value, mut slope) = (1.0, 0.0);

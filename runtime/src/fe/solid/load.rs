@@ -7,11 +7,13 @@ use super::model::SolidModel;
 use crate::fe::quadrature::gauss_legendre;
 use crate::fe::sparse::SparseVector;
 
-/// Points of quadrature across a smooth piece of a chart: exact for a cubic shape times a density of degree 12.
+/// Quadrature points across a smooth piece of a chart: exact for a cubic shape function times a
+/// density of degree 12.
 const POINTS: usize = 8;
 
 impl SolidModel {
-    /// Loads of a traction (Pa) on the whole of a set of faces, over the area of the mesh, N.
+    /// Returns the load vector of a traction (Pa) on a whole set of faces, over the area of the
+    /// mesh, N.
     ///
     /// `traction(point)` must be smooth within each face.
     pub fn face_load(&self, set: &FaceSet, mut traction: impl FnMut(&FacePoint) -> [f64; 3]) -> SparseVector {
@@ -21,7 +23,7 @@ impl SolidModel {
             let cell = element.interpolation.cell();
             let orders =
                 [element.interpolation.highest(), element.coordinate_interpolation.highest()].concat();
-            // The shape, the area and a traction of a degree like theirs.
+            // The integrand contains the shape function, the area and a traction of similar degree.
             let points = 3 + 2 * usize::from(orders.into_iter().max().unwrap_or(1));
             for (at, weight) in cell.face_quadrature(face.face, points) {
                 let point = self.mesh.face_point(face, at);
@@ -35,9 +37,10 @@ impl SolidModel {
         entries.into_iter().collect()
     }
 
-    /// Loads of a force per unit of arc length and of axial coordinate (N/m²: a traction over the surface is this
-    /// divided by [`FacePoint::area`]) on the part of a chart with `s` and `z` between two values each; N. Its total is the integral of
-    /// the density over the rectangle, whatever the mesh made of the surface.
+    /// Returns the load vector of a force per unit of arc length and of axial coordinate on the
+    /// part of a chart with `s` and `z` between two values each, N. The density is in N/m²; a
+    /// traction over the surface is the density divided by [`FacePoint::area`]. The total load is
+    /// the integral of the density over the rectangle, independently of the mesh.
     ///
     /// `density(s, z, point)` must be smooth within the rectangle. `None` if the set has no chart.
     pub fn face_load_between(
@@ -49,8 +52,9 @@ impl SolidModel {
         self.face_loads_between(set, rectangle, density, |_| vec![1.0])?.pop()
     }
 
-    /// As [`SolidModel::face_load_between`], a load for each of the factors that `factors(z)` gives; each multiplies the density. The
-    /// surface is looked at once for all of them.
+    /// Returns load vectors as [`SolidModel::face_load_between`], one for each of the factors that
+    /// `factors(z)` returns; each multiplies the density. The surface is evaluated once for all of
+    /// them.
     pub fn face_loads_between(
         &self,
         set: &FaceSet,
@@ -74,13 +78,13 @@ impl SolidModel {
             if start >= end {
                 continue;
             }
-            // What depends on the place across is found once for all layers.
+            // Data that depend on the position across the surface are computed once for all layers.
             let first = self.mesh.patch(chart, swept, index, 0);
             let Interpolation::Axodes { section, axial } = &self.mesh.elements[first.element].interpolation
             else {
                 return None;
             };
-            // Only the axodes of the side take part.
+            // Only the axodes of the side contribute.
             let side = section.side_nodes(edge.side);
             let line = equispaced((side.len() - 1) as u8);
             let across = piece(&rule, first.parameter(start), first.parameter(end));
@@ -100,7 +104,7 @@ impl SolidModel {
             let lines = side.iter().map(|&axode| lobatto(axial[axode])).collect::<Vec<_>>();
             for (layer, zetas) in &layers {
                 let patch = self.mesh.patch(chart, swept, index, *layer);
-                // For each factor, the forces on the nodes of each axode.
+                // Forces on the nodes of each axode, for each factor.
                 let none = lines.iter().map(|line| vec![[0.0; 3]; line.len()]).collect::<Vec<_>>();
                 let mut forces = vec![none; count];
                 for &(zeta, z_weight) in zetas {
@@ -141,7 +145,7 @@ impl SolidModel {
     }
 }
 
-/// A rule of quadrature on a piece of -1 ..= 1.
+/// Returns a quadrature rule on a piece of -1 ..= 1.
 fn piece(rule: &[(f64, f64)], from: f64, to: f64) -> Vec<(f64, f64)> {
     let half = 0.5 * (to - from);
     rule.iter().map(|(x, weight)| (from + half * (1.0 + x), weight * half)).collect()

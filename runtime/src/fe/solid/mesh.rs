@@ -1,87 +1,92 @@
-//! Solid meshes: displacement nodes and coordinate nodes of their own, elements of any kind, and named sets of faces.
+//! Solid meshes: separate displacement nodes and coordinate nodes, elements of any type, and named
+//! sets of faces.
 
 use super::interpolation::{Cell, Interpolation, SolidShape};
 use super::sweep::{FaceChart, Swept};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// A mesh in space. Elements share the nodes of shared faces, both displacement and coordinate nodes.
+/// Three-dimensional mesh. Elements share the nodes of shared faces, both displacement and
+/// coordinate nodes.
 ///
 /// Degrees of freedom are `3 * node + axis` of the displacement nodes.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SolidMesh {
-    /// Displacement nodes, where the coordinate interpolation puts them, m.
+    /// Displacement nodes at the positions of the coordinate interpolation, m.
     pub nodes: Vec<[f64; 3]>,
     /// Coordinate nodes, m.
     pub coordinate_nodes: Vec<[f64; 3]>,
-    /// In no particular order, unless [`SolidMesh::swept`] is there.
+    /// Elements in no particular order, unless [`SolidMesh::swept`] is set.
     pub elements: Vec<SolidElement>,
     /// Named sets of element faces: `"bore"`, `"cut_left"`, `"flank_0"`, `"face_start"`.
     pub faces: BTreeMap<String, FaceSet>,
     /// Named sets of displacement nodes.
     pub node_sets: BTreeMap<String, Vec<usize>>,
-    /// How it came from a plane section, if it did.
+    /// Origin from a plane section, if the mesh was swept.
     pub swept: Option<Swept>,
-    /// Elements without material: of a section that is not there at every axial coordinate, as a web thinner than its rim. Nodes that
-    /// only they have are the set [`ABSENT`].
+    /// Elements without material, where the section does not exist at every axial coordinate, such
+    /// as a web thinner than its rim. The set [`ABSENT`] contains the nodes that belong to no other
+    /// elements.
     pub absent: BTreeSet<usize>,
 }
 
-/// Set of the nodes that only absent elements have: nothing holds them, so they are to be held.
+/// Set of the nodes that belong to absent elements only: they have no stiffness and must be fixed.
 pub const ABSENT: &str = "absent";
 
-/// An element. Where the coordinates are of no higher order than the displacements, it has the rigid-body motions exactly.
+/// Element. If the coordinates are of no higher order than the displacements, it represents
+/// rigid-body motions exactly.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SolidElement {
-    /// Of displacements.
+    /// Interpolation of the displacements.
     pub interpolation: Interpolation,
-    /// Into [`SolidMesh::nodes`], in the numbering of the interpolation.
+    /// Indices into [`SolidMesh::nodes`], in the numbering of the interpolation.
     pub nodes: Vec<usize>,
-    /// Of the coordinates, over the same cell.
+    /// Interpolation of the coordinates, over the same cell.
     pub coordinate_interpolation: Interpolation,
-    /// Into [`SolidMesh::coordinate_nodes`].
+    /// Indices into [`SolidMesh::coordinate_nodes`].
     pub coordinates: Vec<usize>,
 }
 
-/// A place in an element, by its local coordinates.
+/// Point in an element, by its local coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SolidPlace {
     /// Index in [`SolidMesh::elements`].
     pub element: usize,
-    /// `xi`, `eta`, `zeta`, see [`Cell`].
+    /// Local coordinates `xi`, `eta`, `zeta`, see [`Cell`].
     pub local: [f64; 3],
 }
 
-/// A face of an element.
+/// Face of an element.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct ElementFace {
     /// Index in [`SolidMesh::elements`].
     pub element: usize,
-    /// See [`Cell`].
+    /// Index of the face, see [`Cell`].
     pub face: usize,
 }
 
-/// Faces of elements.
+/// Set of element faces.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct FaceSet {
-    /// In order along the chart, if there is one.
+    /// Faces in order along the chart, if there is one.
     pub faces: Vec<ElementFace>,
-    /// Coordinates on the surface they make: of sets swept from a chain of the section.
+    /// Coordinates on the surface, for sets swept from a chain of the section.
     pub chart: Option<FaceChart>,
 }
 
-/// A point of a face.
+/// Point of a face.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FacePoint {
-    /// Where in which element.
+    /// Element and local coordinates.
     pub place: SolidPlace,
-    /// m
+    /// Position, m.
     pub position: [f64; 3],
-    /// Orthonormal, in the tangent plane: along the first coordinate (on charts, growing arc length), and across it on the side to
-    /// which the second coordinate (on charts, the axial one) grows.
+    /// Orthonormal tangents: along the first coordinate (on charts, increasing arc length), and
+    /// normal to it on the side of increasing second coordinate (on charts, the axial one).
     pub tangents: [[f64; 3]; 2],
     /// Unit normal, out of the element.
     pub normal: [f64; 3],
-    /// Area of the surface per unit of both coordinates: on charts, of arc length times axial coordinate (no unit).
+    /// Area of the surface per unit of both coordinates: on charts, of arc length times axial
+    /// coordinate (dimensionless).
     pub area: f64,
 }
 
@@ -92,7 +97,7 @@ pub(super) struct Mapped {
 }
 
 impl SolidMesh {
-    /// The mesh with the elements taken out that `absent` names by their index.
+    /// Returns the mesh without the elements whose index satisfies `absent`.
     #[must_use]
     pub fn without(mut self, absent: impl Fn(usize) -> bool) -> Self {
         self.absent = (0..self.elements.len()).filter(|&element| absent(element)).collect();
@@ -107,27 +112,29 @@ impl SolidMesh {
         self
     }
 
-    /// Number of displacement unknowns, three a node.
+    /// Returns the number of displacement unknowns, three for each node.
     pub fn dof_count(&self) -> usize {
         3 * self.nodes.len()
     }
 
-    /// Memory that a stiffness takes at most, bytes: as if no two elements shared a node.
+    /// Returns an upper bound of the memory of a stiffness, bytes: as if no two elements shared a
+    /// node.
     pub fn stiffness_memory(&self) -> u64 {
         let entries = |element: &SolidElement| (3 * element.nodes.len() as u64).pow(2);
         let all: u64 = self.elements.iter().map(entries).sum();
-        // Values and where they are.
+        // Values and row indices.
         all * (size_of::<f64>() + size_of::<usize>()) as u64
     }
 
-    /// The set of faces of that name, if there is one.
+    /// Returns the set of faces of that name, if any.
     pub fn face_set(&self, name: &str) -> Option<&FaceSet> {
         self.faces.get(name)
     }
 
-    /// Displacement nodes on a set of faces, each once. On a chart: along the chain, at each of its nodes with growing axial
-    /// coordinate ([`Swept::axodes_on`] has them axode by axode; chains measured on the mesh run counter-clockwise around the section, so
-    /// those of its two cuts run against each other); of other sets, ascending.
+    /// Returns the displacement nodes on a set of faces, each once. On a chart they follow the
+    /// chain, at each of its nodes with increasing axial coordinate ([`Swept::axodes_on`] returns
+    /// them axode by axode). Chains measured on the mesh run counter-clockwise around the section,
+    /// so those of its two cuts have opposite directions. Nodes of other sets are ascending.
     pub fn nodes_on(&self, set: &FaceSet) -> Vec<usize> {
         if let (Some(chart), Some(swept)) = (&set.chart, &self.swept) {
             return swept.axodes_on(chart).into_iter().flatten().collect();
@@ -141,12 +148,13 @@ impl SolidMesh {
         nodes.into_iter().collect()
     }
 
-    /// Position of a place, m.
+    /// Returns the position of a point, m.
     pub fn position(&self, place: SolidPlace) -> [f64; 3] {
         self.map(place).position
     }
 
-    /// `jacobian[axis][local]`: derivatives of the position by the local coordinates at a place, m.
+    /// Returns `jacobian[axis][local]`: derivatives of the position by the local coordinates at a
+    /// point, m.
     pub fn jacobian(&self, place: SolidPlace) -> [[f64; 3]; 3] {
         self.map(place).jacobian
     }
@@ -163,7 +171,7 @@ impl SolidMesh {
         Mapped { position, jacobian: self.jacobian_of(element, &shapes) }
     }
 
-    /// `jacobian[axis][local]` from coordinate shape functions already evaluated.
+    /// Returns `jacobian[axis][local]` from evaluated coordinate shape functions.
     pub(super) fn jacobian_of(&self, element: &SolidElement, shapes: &[SolidShape]) -> [[f64; 3]; 3] {
         let mut jacobian = [[0.0; 3]; 3];
         for (shape, &node) in shapes.iter().zip(&element.coordinates) {
@@ -177,7 +185,7 @@ impl SolidMesh {
         jacobian
     }
 
-    /// The point of a face at its coordinates (see [`Cell::face_place`]).
+    /// Returns the point of a face at its coordinates (see [`Cell::face_place`]).
     pub fn face_point(&self, face: ElementFace, at: [f64; 2]) -> FacePoint {
         let cell = self.elements[face.element].interpolation.cell();
         let (local, directions) = cell.face_place(face.face, at);
@@ -187,7 +195,7 @@ impl SolidMesh {
         FacePoint::new(place, position, along)
     }
 
-    /// The box around all coordinate nodes: least and greatest x, y and z, m.
+    /// Returns the bounding box of all coordinate nodes: least and greatest x, y and z, m.
     pub fn bounds(&self) -> [[f64; 3]; 2] {
         let mut bounds = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
         for point in &self.coordinate_nodes {
@@ -199,8 +207,8 @@ impl SolidMesh {
         bounds
     }
 
-    /// The first element that is folded or turned over, with a position there, m: its Jacobian is not positive at a node or in
-    /// the middle. `None` if all are sound.
+    /// Finds the first folded or inverted element, with a position in it, m: its Jacobian
+    /// determinant is not positive at a node or in the middle. `None` if all are valid.
     pub fn folded(&self) -> Option<(usize, [f64; 3])> {
         let mut tables = BTreeMap::new();
         for (index, element) in self.elements.iter().enumerate() {
@@ -211,7 +219,7 @@ impl SolidMesh {
                 places.into_iter().map(|place| (place, kind.shapes(place))).collect::<Vec<_>>()
             });
             for (local, shapes) in table {
-                // Negated, so that what is not a number counts as folded.
+                // The comparison is negated so that NaN counts as folded.
                 let sound = determinant(self.jacobian_of(element, shapes)) > 0.0;
                 if !sound {
                     return Some((index, self.position(SolidPlace { element: index, local: *local })));
@@ -223,7 +231,7 @@ impl SolidMesh {
 }
 
 impl Interpolation {
-    /// Numbers of the nodes on a face, ascending.
+    /// Returns the indices of the nodes on a face, ascending.
     pub fn face_nodes(&self, face: usize) -> Vec<usize> {
         let cell: Cell = self.cell();
         let places = self.node_places().into_iter().enumerate();
@@ -232,7 +240,8 @@ impl Interpolation {
 }
 
 impl FacePoint {
-    /// From the derivatives of the position by the two coordinates, whose cross product points out.
+    /// Builds a face point from the derivatives of the position by the two coordinates, whose cross
+    /// product points outwards.
     pub(super) fn new(place: SolidPlace, position: [f64; 3], along: [[f64; 3]; 2]) -> Self {
         let outward = cross(along[0], along[1]);
         let area = norm(outward);

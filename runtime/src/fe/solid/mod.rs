@@ -1,11 +1,15 @@
-//! Solid finite elements: hexahedra, pentahedra, tetrahedra and swept sections, coordinates and displacements interpolated apart.
+//! Solid finite elements: hexahedra, pentahedra, tetrahedra and swept sections, with separate
+//! interpolation of coordinates and displacements.
 //!
-//! Contact sees the true surfaces ([`crate::surface`]), of which the coordinates' interpolation is only an image: loads on the charts of swept
-//! meshes go by true arc length and axial coordinate and have the totals that they should, whatever the mesh made of the surface.
+//! Contact uses the true surfaces ([`crate::surface`]), which the coordinates' interpolation
+//! approximates. Loads on the charts of swept meshes are functions of true arc length and axial
+//! coordinate, and have the exact total, independently of the mesh.
 //!
-//! Displacements alone are interpolated: nothing is added against locking, higher orders are the remedy. Error of the displacements of a
-//! thick cylinder under pressure as Poisson's ratio nears 1/2 (hexahedra, L2, relative; `tests/solid/convergence.rs`, which
-//! prints every kind), and error of the end deflection of a cantilever of 4 elements by its slenderness:
+//! The elements are pure displacement elements, without measures against locking; higher orders
+//! avoid it. The table lists the error of the displacements of a thick cylinder under pressure as
+//! Poisson's ratio approaches 1/2 (hexahedra, L2, relative; `tests/solid/convergence.rs`, which
+//! prints every type), and the error of the end deflection of a cantilever of 4 elements by its
+//! slenderness:
 //!
 //! | order | elements | 0.3 | 0.49 | 0.499 | 0.4999 | 0.49999 | length 2 | 20 | 100 |
 //! |---|---|---|---|---|---|---|---|---|---|

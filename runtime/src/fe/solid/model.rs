@@ -10,22 +10,23 @@ use faer::sparse::SparseColMat;
 use faer::{Accum, Mat, MatRef, Par};
 use std::collections::BTreeMap;
 
-/// Stresses and strains are in the order xx, yy, zz, yz, zx, xy; rows of stress, a node's three displacements apart.
+/// Rows of stress. Stresses and strains are in the order xx, yy, zz, yz, zx, xy; the entries of a
+/// node are its three displacements.
 pub type StressRows = [SparseVector; 6];
 
-/// A mesh with its material.
+/// Mesh with its material.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SolidModel {
-    /// What it is divided into.
+    /// Mesh of the model.
     pub mesh: SolidMesh,
-    /// What it is made of.
+    /// Material of all elements.
     pub material: Material,
 }
 
-/// Shape functions at points of quadrature.
+/// Shape functions at quadrature points.
 struct Table {
     weights: Vec<f64>,
-    /// Of displacements, for each point.
+    /// Displacement shape functions, for each point.
     displacement: Vec<Vec<SolidShape>>,
     coordinate: Vec<Vec<SolidShape>>,
 }
@@ -34,37 +35,38 @@ struct Table {
 type Kinds<'a> = (&'a Interpolation, &'a Interpolation);
 
 impl SolidModel {
-    /// A mesh of one material.
+    /// Builds a model of one material.
     pub fn new(mesh: SolidMesh, material: Material) -> Self {
         Self { mesh, material }
     }
 
-    /// Number of displacements, three a node.
+    /// Returns the number of displacements, three for each node.
     pub fn dof_count(&self) -> usize {
         self.mesh.dof_count()
     }
 
-    /// Lamé's constants: stress = lambda trace(strain) + 2 mu strain, Pa.
+    /// Returns Lamé's constants: stress = lambda trace(strain) + 2 mu strain, Pa.
     pub fn lame(&self) -> [f64; 2] {
         let (e, nu) = (self.material.youngs_modulus, self.material.poissons_ratio);
         [e * nu / ((1.0 + nu) * (1.0 - 2.0 * nu)), 0.5 * e / (1.0 + nu)]
     }
 
-    /// Stiffness in N/m; symmetric bit for bit, both triangles stored.
+    /// Assembles the stiffness in N/m; symmetric bit for bit, both triangles stored.
     pub fn stiffness(&self) -> SparseColMat<usize, f64> {
         self.reduced_stiffness(&self.mesh, |_, matrix| matrix)
     }
 
-    /// The stiffness of fewer nodes, of which the others follow: `mesh` has those nodes, and for each of its elements, which are the first
-    /// ones of this model, those that it depends on. `reduced` makes the matrix of their nodes of an element's own: for each
-    /// column node those of its row nodes, for each pair the column-major 3 by 3 block.
+    /// Assembles the stiffness of a subset of nodes that determine the others. `mesh` has those
+    /// nodes; its elements correspond to the first ones of this model and list the nodes that they
+    /// depend on. `reduced` converts the matrix of an element to these nodes: for each column node
+    /// those of its row nodes, for each pair the column-major 3 by 3 block.
     pub(crate) fn reduced_stiffness(
         &self,
         mesh: &SolidMesh,
         reduced: impl Fn(usize, Vec<f64>) -> Vec<f64> + Sync,
     ) -> SparseColMat<usize, f64> {
-        // Exact for constant strain on bent elements, where a gradient times the volume of the map is of degree p + 2 a - 1; on straight
-        // ones for all strains.
+        // Exact for constant strain in curved elements, where a gradient times the Jacobian
+        // determinant has degree p + 2 a - 1; exact for all strains in straight ones.
         let enough = |p: u8, a: u8| (p + 1).max((p + 2 * a).div_ceil(2));
         let tables = self.tables(|(displacement, coordinate)| {
             let ([p, q], [a, b]) = (displacement.highest(), coordinate.highest());
@@ -76,9 +78,11 @@ impl SolidModel {
         })
     }
 
-    /// Consistent mass in kg, each axis coupled with itself only; symmetric bit for bit, both triangles stored.
+    /// Assembles the consistent mass in kg, with each axis coupled to itself only; symmetric bit
+    /// for bit, both triangles stored.
     pub fn mass(&self) -> SparseColMat<usize, f64> {
-        // The volume of the map is of degree 3 a - 1 in each coordinate of a hexahedron, of 3 a - 3 altogether in a tetrahedron.
+        // The Jacobian determinant has degree 3 a - 1 in each coordinate of a hexahedron, and total
+        // degree 3 a - 3 in a tetrahedron.
         let tables = self.tables(|(displacement, coordinate)| {
             let ([p, q], [a, b]) = (displacement.highest(), coordinate.highest());
             let enough = |p: u8, a: u8| (2 * p + 3 * a).div_ceil(2);
@@ -111,12 +115,14 @@ impl SolidModel {
         tables
     }
 
-    /// With the sums over the points `H_ai,bj = w dN_i/da dN_j/db`, the block of nodes i and j is
+    /// Returns the stiffness of an element. With the sums over the points
+    /// `H_ai,bj = w dN_i/da dN_j/db`, the block of nodes i and j is
     /// `lambda H_ai,bj + mu H_bi,aj + mu (H_xi,xj + H_yi,yj + H_zi,zj) delta_ab`.
     fn element_stiffness(&self, element: &SolidElement, table: &Table) -> Vec<f64> {
         let [lambda, mu] = self.lame();
         let count = element.nodes.len();
-        // A column a point, three rows a node, times the root of the weight: H is this times its transpose.
+        // One column for each point, three rows for each node, times the square root of the weight:
+        // H is this matrix times its transpose.
         let mut columns = Vec::with_capacity(3 * count * table.weights.len());
         for ((weight, displacement), coordinate) in
             table.weights.iter().zip(&table.displacement).zip(&table.coordinate)
@@ -152,7 +158,7 @@ impl SolidModel {
 
     fn element_mass(&self, element: &SolidElement, table: &Table) -> Vec<f64> {
         let count = element.nodes.len();
-        // A column a point, times the root of the weight.
+        // One column for each point, times the square root of the weight.
         let mut columns = Vec::with_capacity(count * table.weights.len());
         for ((weight, displacement), coordinate) in
             table.weights.iter().zip(&table.displacement).zip(&table.coordinate)
@@ -169,8 +175,8 @@ impl SolidModel {
             .collect()
     }
 
-    /// Displacements of rigid-body motions: unit translations along x, y and z, then unit rotations about these axes through the
-    /// origin, in full vectors.
+    /// Returns the displacements of rigid-body motions: unit translations along x, y and z, then
+    /// unit rotations about these axes through the origin, as full vectors.
     pub fn rigid_body_modes(&self) -> [Vec<f64>; 6] {
         std::array::from_fn(|mode| {
             let mut axis = [0.0; 3];
@@ -180,7 +186,8 @@ impl SolidModel {
         })
     }
 
-    /// Row giving the displacement at a place in a direction; also the load vector of a unit force there.
+    /// Returns the row for the displacement at a point in a direction; also the load vector of a
+    /// unit force there.
     pub fn displacement_row(&self, place: SolidPlace, direction: [f64; 3]) -> SparseVector {
         let element = &self.mesh.elements[place.element];
         let shapes = element.interpolation.shapes(place.local);
@@ -190,7 +197,7 @@ impl SolidModel {
             .collect()
     }
 
-    /// Displacement at a place, from a full vector, m.
+    /// Returns the displacement at a point, from a full vector, m.
     pub fn displacement(&self, place: SolidPlace, displacements: &[f64]) -> [f64; 3] {
         let element = &self.mesh.elements[place.element];
         let mut sum = [0.0; 3];
@@ -202,14 +209,15 @@ impl SolidModel {
         sum
     }
 
-    /// Derivatives of the displacement shape functions of an element by x, y and z, in the order of its nodes.
+    /// Returns the derivatives of the displacement shape functions of an element by x, y and z, in
+    /// the order of its nodes.
     pub fn gradients(&self, place: SolidPlace) -> Vec<[f64; 3]> {
         let element = &self.mesh.elements[place.element];
         let inverse = Inverse::new(self.mesh.jacobian(place));
         element.interpolation.shapes(place.local).iter().map(|shape| inverse.gradient(shape)).collect()
     }
 
-    /// Stresses (Pa) at a place as the element's own displacements have them, from a full vector.
+    /// Returns the element stresses (Pa) at a point, without smoothing, from a full vector.
     pub fn stress(&self, place: SolidPlace, displacements: &[f64]) -> [f64; 6] {
         let element = &self.mesh.elements[place.element];
         let mut gradient = [[0.0; 3]; 3];
@@ -223,7 +231,7 @@ impl SolidModel {
         self.stress_of(gradient)
     }
 
-    /// The stress of a displacement gradient `[axis of displacement][axis of derivative]`.
+    /// Returns the stress of a displacement gradient `[axis of displacement][axis of derivative]`.
     pub fn stress_of(&self, g: [[f64; 3]; 3]) -> [f64; 6] {
         let [lambda, mu] = self.lame();
         let mean = lambda * (g[0][0] + g[1][1] + g[2][2]);
@@ -232,7 +240,7 @@ impl SolidModel {
         [direct(0), direct(1), direct(2), shear(1, 2), shear(2, 0), shear(0, 1)]
     }
 
-    /// Rows giving the stresses (Pa) at a place, as the element's own displacements have them.
+    /// Returns the rows for the element stresses (Pa) at a point, without smoothing.
     pub fn stress_rows(&self, place: SolidPlace) -> StressRows {
         let element = &self.mesh.elements[place.element];
         let gradients = self.gradients(place);
@@ -240,8 +248,9 @@ impl SolidModel {
         std::array::from_fn(|part| self.stress_row(&terms, UNIT_TENSORS[part]))
     }
 
-    /// The row giving `stress : tensor` (tensor symmetric) where the displacement gradient is the sum over the terms of the
-    /// node's displacement times the vector. A node may come several times.
+    /// Returns the row for `stress : tensor` (tensor symmetric), where the displacement gradient is
+    /// the sum over the terms of the node's displacement times the vector. A node may occur several
+    /// times.
     pub(super) fn stress_row(&self, terms: &[(usize, [f64; 3])], tensor: [[f64; 3]; 3]) -> SparseVector {
         let [lambda, mu] = self.lame();
         let trace = tensor[0][0] + tensor[1][1] + tensor[2][2];
@@ -254,7 +263,7 @@ impl SolidModel {
     }
 }
 
-/// Symmetric tensors that take xx, yy, zz, yz, zx, xy out of a stress.
+/// Symmetric tensors that extract xx, yy, zz, yz, zx, xy from a stress.
 const UNIT_TENSORS: [[[f64; 3]; 3]; 6] = [
     [[1.0, 0.0, 0.0], [0.0; 3], [0.0; 3]],
     [[0.0; 3], [0.0, 1.0, 0.0], [0.0; 3]],
@@ -270,7 +279,8 @@ impl SolidElement {
     }
 }
 
-/// The lower triangle of a matrix times its transpose; the matrix column by column.
+/// Returns the lower triangle of a matrix times its transpose; the matrix is given column by
+/// column.
 fn products(columns: &[f64], rows: usize) -> Mat<f64> {
     let matrix = MatRef::from_column_major_slice(columns, rows, columns.len() / rows);
     let mut products = Mat::zeros(rows, rows);
@@ -288,7 +298,7 @@ fn products(columns: &[f64], rows: usize) -> Mat<f64> {
     products
 }
 
-/// The inverse of a Jacobian, transposed: what takes local derivatives to those by x, y and z.
+/// Transposed inverse of a Jacobian: converts local derivatives to those by x, y and z.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Inverse {
     pub rows: [[f64; 3]; 3],

@@ -1,12 +1,16 @@
-//! Smoothed stresses of a whole solution, and how far the solution's own stresses are from them: the error estimate of Zienkiewicz
-//! and Zhu (1992), by polynomials fitted through the stresses at superconvergent points.
+//! Smoothed stresses of a solution and its error estimate after Zienkiewicz and Zhu (1992): the
+//! difference between smoothed and element stresses. The smoothed stresses are polynomials fitted
+//! through the stresses at superconvergent points.
 //!
-//! A polynomial is fitted around every corner of the mesh, to the points of the elements that meet there and, on the boundary, of
-//! those that touch them, which count less the farther they are. Its degree is the order of linear displacements, and one more than that
-//! of higher ones: over a patch of two elements across, a polynomial of the order itself would be farther off than the
-//! solution in one. A node takes the mean of the fits around the corners that are common to all of its elements; those of linear
-//! elements on the boundary come from inside. Where a patch is too wide for its polynomial (six cubic elements or fewer to a quarter of a circle), the estimate
-//! is too large, by far on the coarsest meshes. The smoothed stress is interpolated between the nodes as displacements are.
+//! A polynomial is fitted around every corner of the mesh, to the points of the elements that meet
+//! there and, on the boundary, of adjacent elements, with weights that decrease with the distance.
+//! Its degree is the element order for linear displacements, and one more for higher orders. With
+//! the element order itself, the polynomial over a patch of two elements across would be less
+//! accurate than the solution in one element. A node takes the mean of the fits around the corners
+//! that all of its elements share; nodes of linear elements on the boundary use interior corners.
+//! If a patch is too wide for its polynomial (six cubic elements or fewer to a quarter of a
+//! circle), the estimate is too large, considerably so on the coarsest meshes. The smoothed stress
+//! is interpolated between the nodes like displacements.
 
 use super::interpolation::{Cell, Interpolation};
 use super::mesh::{SolidElement, SolidMesh, SolidPlace};
@@ -22,22 +26,22 @@ use std::collections::BTreeSet;
 pub struct RecoveredStress<'a> {
     model: &'a SolidModel,
     displacements: &'a [f64],
-    /// At each displacement node: xx, yy, zz, yz, zx, xy, Pa.
+    /// Stresses at each displacement node: xx, yy, zz, yz, zx, xy, Pa.
     pub nodal: Vec<[f64; 6]>,
 }
 
 /// Estimated errors of a solution, in energy.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ErrorEstimate {
-    /// Energy of the difference of smoothed and own stress of each element, J.
+    /// Energy of the difference between smoothed and element stress, for each element, J.
     pub elements: Vec<f64>,
     /// Energy of the solution, J.
     pub energy: f64,
 }
 
 impl ErrorEstimate {
-    /// Norm of the error relative to that of the exact solution, as far as the estimate goes: 0.01 means that stresses are off by one
-    /// percent, in a mean over the body.
+    /// Returns the estimated norm of the error relative to that of the exact solution: 0.01 means
+    /// that the error of the stresses is one percent, in a mean over the body.
     pub fn relative(&self) -> f64 {
         let error = self.elements.iter().sum::<f64>();
         if error == 0.0 { 0.0 } else { (error / (self.energy + error)).sqrt() }
@@ -45,13 +49,14 @@ impl ErrorEstimate {
 }
 
 impl Cell {
-    /// Points at which stresses of displacements of the orders (across, along `zeta`) are most accurate: Gauss points in hexahedra
-    /// (Barlow 1976); in triangles and tetrahedra, where there are none that good, as many points as a polynomial one order lower has
-    /// coefficients, near those of the quadratures of that size.
+    /// Returns the points at which stresses of displacements of the orders (across, along `zeta`)
+    /// are most accurate. In hexahedra these are Gauss points (Barlow 1976). Triangles and
+    /// tetrahedra have no comparably accurate points; the method uses as many points as a
+    /// polynomial one order lower has coefficients, close to those of the quadratures of that size.
     pub fn superconvergent(self, [across, along]: [u8; 2]) -> Vec<[f64; 3]> {
         let points =
             |order: u8| gauss_legendre(usize::from(order)).into_iter().map(|(x, _)| x).collect::<Vec<_>>();
-        // Nodes of the order below, drawn to the middle.
+        // Nodes of the order below, contracted towards the middle.
         let drawn = |kind: Interpolation, factors: [f64; 3]| {
             let middle = self.middle();
             let factor = factors[usize::from(across.clamp(1, 3)) - 1];
@@ -110,7 +115,7 @@ impl SolidModel {
         let value = |(corners_of, position): (&Vec<usize>, &[f64; 3])| {
             let mut mean = [0.0; 6];
             for corner in corners_of {
-                // Each is one of those fitted.
+                // Each corner has a fit.
                 if let Ok(at) = corners.binary_search(corner) {
                     let value = fits[at].at(*position);
                     for part in 0..6 {
@@ -124,7 +129,7 @@ impl SolidModel {
         RecoveredStress { model: self, displacements, nodal }
     }
 
-    /// Positions and stresses at an element's superconvergent points.
+    /// Returns positions and stresses at an element's superconvergent points.
     fn samples(&self, index: usize, displacements: &[f64]) -> Vec<([f64; 3], [f64; 6])> {
         let kind = &self.mesh.elements[index].interpolation;
         let places = kind.cell().superconvergent(kind.lowest());
@@ -136,13 +141,13 @@ impl SolidModel {
     }
 }
 
-/// Which elements and corners lie around which nodes.
+/// Elements and corners around nodes.
 struct Patches {
     elements_of: Vec<Vec<usize>>,
     /// Corners of each element, as nodes.
     corners: Vec<Vec<usize>>,
     on_boundary: Vec<bool>,
-    /// Whether nodes of the boundary take their values from corners inside.
+    /// True if boundary nodes take their values from interior corners.
     from_inside: bool,
 }
 
@@ -173,7 +178,7 @@ impl Patches {
         }
     }
 
-    /// Corners around which the fits give a node its value.
+    /// Returns the corners whose fits determine the value at a node.
     fn corners_for(&self, node: usize) -> Vec<usize> {
         let Some((first, others)) = self.elements_of[node].split_first() else { return Vec::new() };
         let common = self.corners[*first].iter().copied();
@@ -192,11 +197,12 @@ impl Patches {
                 &mut self.elements_of[node].iter().flat_map(|&element| &self.corners[element]).copied(),
             );
         }
-        // Of meshes one element thick, where all corners are on the boundary.
+        // In meshes one element thick all corners are on the boundary.
         if found.is_empty() { common } else { found.into_iter().collect() }
     }
 
-    /// The elements that meet at a corner; at one of the boundary, those that touch these too.
+    /// Returns the elements that meet at a corner; for a boundary corner, also those adjacent to
+    /// them.
     fn elements_around(&self, corner: usize) -> Vec<usize> {
         let own = &self.elements_of[corner];
         if !self.on_boundary[corner] {
@@ -215,10 +221,11 @@ impl Patches {
 /// Polynomials through the samples around a corner.
 struct Fit {
     center: [f64; 3],
-    /// Takes what is relative to the center to coordinates along the axes of an element, of size 1 over the patch.
+    /// Map from positions relative to the centre to coordinates along the axes of an element, of
+    /// size 1 over the patch.
     local: Matrix3<f64>,
     powers: Vec<[i32; 3]>,
-    /// A row a monomial, a column a component.
+    /// Coefficients, one row for each monomial, one column for each component.
     coefficients: DMatrix<f64>,
 }
 
@@ -247,7 +254,7 @@ impl Fit {
         let [p, q] = kind.lowest().map(|order| i32::from(order) + i32::from(order > 1));
         for less in 0..=p.max(q) {
             fitted.powers = powers((p - less).max(0), (q - less).max(0));
-            // Half as many unknowns as samples are fitted at most, or a constant, which always can be.
+            // A fit has at most half as many unknowns as samples; a constant is always possible.
             if fitted.powers.len() > 1 && 2 * fitted.powers.len() > samples.len() {
                 continue;
             }
@@ -274,11 +281,12 @@ impl Fit {
     }
 }
 
-/// Exponents of the monomials with `(i + j) / p + k / q <= 1`: all of a degree, where both are the same.
+/// Returns the exponents of the monomials with `(i + j) / p + k / q <= 1`: the complete polynomial
+/// if both degrees are equal.
 fn powers(p: i32, q: i32) -> Vec<[i32; 3]> {
     let mut powers = Vec::new();
     for k in 0..=q {
-        // Without order along, everything is in the layer k = 0.
+        // Without an order along the axis, all monomials are in the layer k = 0.
         let across = if q == 0 { p } else { p * (q - k) / q };
         for j in 0..=across {
             powers.extend((0..=across - j).map(|i| [i, j, k]));
@@ -288,7 +296,7 @@ fn powers(p: i32, q: i32) -> Vec<[i32; 3]> {
 }
 
 impl RecoveredStress<'_> {
-    /// Smoothed stress at a place, Pa.
+    /// Returns the smoothed stress at a point, Pa.
     pub fn at(&self, place: SolidPlace) -> [f64; 6] {
         let element = &self.model.mesh.elements[place.element];
         let shapes =
@@ -302,7 +310,7 @@ impl RecoveredStress<'_> {
         })
     }
 
-    /// The estimated error of the solution.
+    /// Returns the estimated error of the solution.
     pub fn error_estimate(&self) -> ErrorEstimate {
         let model = self.model;
         let indices = (0..model.mesh.elements.len()).collect::<Vec<_>>();
@@ -332,7 +340,7 @@ impl RecoveredStress<'_> {
 }
 
 impl SolidModel {
-    /// Elastic energy per volume of a stress (xx, yy, zz, yz, zx, xy), J/m³.
+    /// Returns the elastic energy per volume of a stress (xx, yy, zz, yz, zx, xy), J/m³.
     pub fn energy_density(&self, [xx, yy, zz, yz, zx, xy]: [f64; 6]) -> f64 {
         let (e, nu) = (self.material.youngs_modulus, self.material.poissons_ratio);
         let direct = xx * xx + yy * yy + zz * zz - 2.0 * nu * (xx * yy + yy * zz + zz * xx);

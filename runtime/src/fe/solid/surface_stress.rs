@@ -1,8 +1,10 @@
-//! Smoothed stresses on swept surfaces: a polynomial fitted through the stresses at superconvergent points (Zienkiewicz and Zhu
-//! 1992) around the place, across the section as in the plane and along the axis.
+//! Smoothed stresses on swept surfaces: a polynomial fitted through the stresses at superconvergent
+//! points (Zienkiewicz and Zhu 1992) around a point, across the section as in plane models and
+//! along the axis.
 //!
-//! The fit is the product of both: a sample's weight is that of its place in the section times that of its axial coordinate. The
-//! polynomials run over the section's own coordinates, so that a twist does not disturb them.
+//! The fit is the product of both: the weight of a sample is that of its position in the section
+//! times that of its axial coordinate. The polynomials are functions of the section's coordinates,
+//! so a twist does not affect them.
 
 use super::interpolation::{Interpolation, SolidShape};
 use super::mesh::{FacePoint, FaceSet};
@@ -18,20 +20,21 @@ use std::collections::{BTreeMap, BTreeSet};
 /// Recovered stress on a free surface, as rows of the displacements.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SurfaceStressRows {
-    /// Where, with the tangents that the rows refer to.
+    /// Point, with the tangents that the rows refer to.
     pub point: FacePoint,
-    /// Stress along the first tangent (the profile's), along the second (nearly the axis), and shear between both, Pa. On a free
-    /// surface the stress has no other components.
+    /// Rows for the stress along the first tangent (along the profile), along the second (nearly
+    /// axial), and shear between both, Pa. On a free surface the stress has no other components.
     pub rows: [SparseVector; 3],
 }
 
-/// Recovers stresses on the charts of a swept model.
+/// Stress recovery on the charts of a swept model.
 pub struct SurfaceStressRecovery<'a> {
     model: &'a SolidModel,
     swept: &'a Swept,
     /// Elements of the section by its displacement node, ascending.
     elements_of: Vec<Vec<usize>>,
-    /// Shape functions at the superconvergent points, by the interpolations of an element and the number of points along the axis.
+    /// Shape functions at the superconvergent points, by the interpolations of an element and the
+    /// number of points along the axis.
     tables: BTreeMap<TableKey<'a>, Vec<Sample>>,
     /// Inverse Jacobians of each element at its own superconvergent points.
     inverses: Vec<Vec<Inverse>>,
@@ -43,7 +46,7 @@ type TableKey<'a> = (&'a Interpolation, &'a Interpolation, [usize; 2]);
 /// Shape functions at a point, of displacements and of coordinates.
 type Sample = (Vec<SolidShape>, Vec<SolidShape>);
 
-/// Two layers meet at a place, and each fit takes in those beside it.
+/// Largest number of layers: two layers meet at a point, and each fit includes the adjacent ones.
 const MOST_LAYERS: usize = 4;
 
 impl<'a> SurfaceStressRecovery<'a> {
@@ -74,7 +77,8 @@ impl<'a> SurfaceStressRecovery<'a> {
         Some(Self { model, swept, elements_of: elements_of(&swept.section), tables, inverses })
     }
 
-    /// Memory that the rows of one place take at most, bytes: as if no two elements shared a node.
+    /// Returns an upper bound of the memory of the rows of one point, bytes: as if no two elements
+    /// shared a node.
     pub fn memory_of_place(&self) -> u64 {
         let section = &self.swept.section;
         let patch = |nodes: &[usize]| {
@@ -83,19 +87,19 @@ impl<'a> SurfaceStressRecovery<'a> {
         let patch = section.elements.iter().map(|element| patch(&element.nodes)).max().unwrap_or(0);
         let layers = (self.swept.stations.len() - 1).min(MOST_LAYERS);
         let nodes = self.model.mesh.elements.iter().map(|element| element.nodes.len()).max().unwrap_or(0);
-        // Of three stresses.
+        // Three stress components.
         (3 * patch * layers * 3 * nodes * size_of::<(usize, f64)>()) as u64
     }
 
-    /// Rows giving the smoothed stress at arc length `s` and axial coordinate `z` of a set of faces. `None` outside its chart, or if
-    /// it has none.
+    /// Returns the rows for the smoothed stress at arc length `s` and axial coordinate `z` of a set
+    /// of faces. `None` outside its chart, or without one.
     pub fn rows(&self, set: &FaceSet, s: f64, z: f64) -> Option<SurfaceStressRows> {
         let chart = set.chart.as_ref()?;
         let chain = EdgeChain { edges: chart.edges.clone(), measure: chart.measure };
         let at = self.swept.section.chain_point(&chain, s)?;
         let (layer, zeta) = self.swept.locate_z(z)?;
         let point = self.model.mesh.surface_point(set, s, z)?;
-        // Where two layers meet neither fit counts more: it is the mean of both.
+        // At the interface of two layers the result is the mean of both fits.
         let meets_next = zeta > 1.0 - 1e-9 && layer + 2 < self.swept.stations.len();
         let layers = if meets_next { &[layer, layer + 1][..] } else { &[layer] };
         let terms = self.gradient(at.place, layers, z);
@@ -108,7 +112,8 @@ impl<'a> SurfaceStressRecovery<'a> {
         Some(SurfaceStressRows { point, rows })
     }
 
-    /// The smoothed displacement gradient as a sum over nodes of displacement times vector: the mean of the fits around some layers.
+    /// Returns the smoothed displacement gradient as a sum over nodes of displacement times vector:
+    /// the mean of the fits around some layers.
     fn gradient(&self, place: Place, layers: &[usize], z: f64) -> Vec<(usize, [f64; 3])> {
         let mesh = &self.model.mesh;
         let count = self.swept.section.elements.len();
@@ -153,7 +158,7 @@ impl<'a> SurfaceStressRecovery<'a> {
                 terms.extend(element.nodes.iter().copied().zip(sums));
             }
         }
-        // Stable: what falls on one node is added in the order of the elements.
+        // The sort is stable, so that entries of one node are added in the order of the elements.
         terms.sort_by_key(|term| term.0);
         terms.dedup_by(|next, sum| {
             let same = next.0 == sum.0;
@@ -167,7 +172,8 @@ impl<'a> SurfaceStressRecovery<'a> {
         terms
     }
 
-    /// Weights of the Gauss points, so many a layer, of a layer and its neighbours in the smoothed value at `z`.
+    /// Returns the weights in the smoothed value at `z` of the Gauss points of a layer and its
+    /// neighbours, with a number of points for each layer.
     fn axial_weights(&self, layer: usize, z: f64, points: usize) -> Vec<(usize, Vec<f64>)> {
         let stations = &self.swept.stations;
         let layers = (layer.saturating_sub(1)..=(layer + 1).min(stations.len() - 2)).collect::<Vec<_>>();
@@ -188,7 +194,7 @@ impl<'a> SurfaceStressRecovery<'a> {
             let samples = places.iter().map(|&place| local(place)).map(|x| (terms(x), nearness(x * x)));
             fit_weights(&samples.collect::<Vec<_>>(), terms(local(z)))
         };
-        // As many points as there are fit a constant.
+        // Any number of points determines a constant.
         let weights = (0..=points).rev().find_map(fit).unwrap_or_default();
         layers.into_iter().zip(weights.chunks(points).map(<[f64]>::to_vec)).collect()
     }

@@ -1,5 +1,6 @@
-//! Solid meshes swept from a plane section: every quadrilateral drawn out along an axis into elements with axodes, every chain of
-//! the section into a set of faces with the coordinates (s, z), arc length of the chain by axial coordinate.
+//! Solid meshes swept from a plane section: every quadrilateral is extruded along an axis into
+//! elements with axodes, every chain of the section into a set of faces with the coordinates (s,
+//! z), arc length of the chain by axial coordinate.
 
 use super::interpolation::Interpolation;
 use super::line::{equispaced, lagrange, lobatto};
@@ -8,12 +9,12 @@ use crate::fe::interpolation::side_place;
 use crate::fe::mesh::{ArcLength, EdgeChain, ElementEdge, PlaneMesh};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Set of the faces at the first station.
+/// Name of the set of faces at the first station.
 pub const FACE_START: &str = "face_start";
-/// Set of the faces at the last station.
+/// Name of the set of faces at the last station.
 pub const FACE_END: &str = "face_end";
 
-/// Why a section cannot be swept. Positions in m.
+/// Reasons why a section cannot be swept. Positions in m.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[allow(missing_docs, reason = "each says itself in its message")]
 pub enum SweepError {
@@ -27,32 +28,34 @@ pub enum SweepError {
     Folded { element: usize, at: [f64; 3] },
 }
 
-/// What a swept mesh remembers. Element `layer * section.elements.len() + k` is element `k` of the section between stations
-/// `layer` and `layer + 1`.
+/// Origin of a swept mesh. Element `layer * section.elements.len() + k` is element `k` of the
+/// section between stations `layer` and `layer + 1`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Swept {
-    /// The section, before it was placed.
+    /// Section in its own coordinates.
     pub section: PlaneMesh,
     /// Axial coordinates of the ends of the layers, ascending, m.
     pub stations: Vec<f64>,
     /// Order of the axode of each displacement node of the section.
     pub orders: Vec<u8>,
-    /// First node of the axode of each displacement node of the section, and the number of all nodes. An axode's nodes follow
-    /// each other with growing axial coordinate: `order` a layer, and one.
+    /// First node of the axode of each displacement node of the section, and the number of all
+    /// nodes. The nodes of an axode are consecutive with increasing axial coordinate: `order` for
+    /// each layer, and one.
     pub axode_starts: Vec<usize>,
 }
 
-/// Coordinates (s, z) on a set of swept faces. Face `layer * edges.len() + k` is that of edge `k` in the layer.
+/// Coordinates (s, z) on a set of swept faces. Face `layer * edges.len() + k` is that of edge `k`
+/// in the layer.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FaceChart {
-    /// What arc lengths mean.
+    /// Measure of arc length.
     pub measure: ArcLength,
-    /// Of the section, in order along the chain.
+    /// Edges of the section, in order along the chain.
     pub edges: Vec<ElementEdge>,
 }
 
 impl FaceChart {
-    /// Arc lengths of the two ends; zeros if it is empty.
+    /// Returns the arc lengths of the two ends; zeros for an empty chart.
     pub fn s_range(&self) -> [f64; 2] {
         match (self.edges.first(), self.edges.last()) {
             (Some(first), Some(last)) => [first.s[0], last.s[1]],
@@ -62,23 +65,26 @@ impl FaceChart {
 }
 
 impl Swept {
-    /// Displacement nodes of the axode of a node of the section, with growing axial coordinate.
+    /// Returns the displacement nodes of the axode of a node of the section, with increasing axial
+    /// coordinate.
     pub fn axode(&self, section_node: usize) -> Vec<usize> {
         (self.axode_starts[section_node]..self.axode_starts[section_node + 1]).collect()
     }
 
-    /// Displacement nodes of a chart: for each node of the chain, in its order, those of its axode.
+    /// Returns the displacement nodes of a chart: for each node of the chain, in its order, those
+    /// of its axode.
     pub fn axodes_on(&self, chart: &FaceChart) -> Vec<Vec<usize>> {
         let chain = EdgeChain { edges: chart.edges.clone(), measure: chart.measure };
         self.section.chain_nodes(&chain).into_iter().map(|node| self.axode(node)).collect()
     }
 
-    /// Axial coordinates of the two side faces, m.
+    /// Returns the axial coordinates of the two side faces, m.
     pub fn z_range(&self) -> [f64; 2] {
         [self.stations[0], self.stations[self.stations.len() - 1]]
     }
 
-    /// The layer and `zeta` at an axial coordinate; at a joint, the earlier layer. `None` outside by more than rounding.
+    /// Returns the layer and `zeta` at an axial coordinate; at an interface, the earlier layer.
+    /// `None` outside by more than rounding.
     pub fn locate_z(&self, z: f64) -> Option<(usize, f64)> {
         let [start, end] = self.z_range();
         let slack = 1e-9 * (end - start);
@@ -89,7 +95,7 @@ impl Swept {
         Some((layer, self.zeta(layer, z)))
     }
 
-    /// `zeta` of an axial coordinate in a layer; the nearer end if it lies outside.
+    /// Returns `zeta` of an axial coordinate in a layer, clamped to its ends.
     pub(super) fn zeta(&self, layer: usize, z: f64) -> f64 {
         let [from, to] = [self.stations[layer], self.stations[layer + 1]];
         (2.0 * (z - from) / (to - from) - 1.0).clamp(-1.0, 1.0)
@@ -100,20 +106,23 @@ impl Swept {
     }
 }
 
-/// The value at local coordinate `x` of -1 ..= 1 between two bounds, exact at both.
+/// Interpolates between two bounds at local coordinate `x` of -1 ..= 1, exact at both.
 fn within([from, to]: [f64; 2], x: f64) -> f64 {
     0.5 * ((1.0 - x) * from + (1.0 + x) * to)
 }
 
 impl SolidMesh {
-    /// Sweeps a plane section between the stations (axial ends of the elements), with axodes of one order.
+    /// Sweeps a plane section between the stations (axial ends of the elements), with axodes of one
+    /// order.
     ///
-    /// `place` puts a point of the section at an axial coordinate into space; it must keep the orientation. Coordinates are interpolated
-    /// across as in the section and along with `axial_order`, so that rigid-body motions are exact wherever they are in the section.
-    /// Every chain of the section becomes a set of faces of its name, besides [`FACE_START`] and [`FACE_END`].
+    /// `place` maps a point of the section and an axial coordinate to three dimensions; it must
+    /// preserve the orientation. Coordinates are interpolated across as in the section and along
+    /// with `axial_order`, so that rigid-body motions are as exact as in the section. Every chain
+    /// of the section becomes a set of faces of its name, in addition to [`FACE_START`] and
+    /// [`FACE_END`].
     ///
     /// # Errors
-    /// The stations do not ascend, the order is zero or beyond 255, or an element is folded.
+    /// The stations do not ascend, the order is zero or above 255, or an element is folded.
     pub fn swept(
         section: &PlaneMesh,
         stations: &[f64],
@@ -124,11 +133,12 @@ impl SolidMesh {
         Self::swept_with(section, stations, &vec![order; section.nodes.len()], order, place)
     }
 
-    /// As [`SolidMesh::swept`], with an order for the axode of each displacement node of the section, and an axial order of the
-    /// coordinates. Rigid-body motions are exact if that is no higher than any of the others, or nothing bends along the axis.
+    /// Sweeps as [`SolidMesh::swept`], with an order for the axode of each displacement node of the
+    /// section, and an axial order of the coordinates. Rigid-body motions are exact if the latter
+    /// is no higher than any of the former, or if there is no curvature along the axis.
     ///
     /// # Errors
-    /// As [`SolidMesh::swept`].
+    /// As for [`SolidMesh::swept`].
     pub fn swept_with(
         section: &PlaneMesh,
         stations: &[f64],
@@ -136,7 +146,7 @@ impl SolidMesh {
         coordinate_order: u8,
         place: &dyn Fn([f64; 2], f64) -> [f64; 3],
     ) -> Result<Self, SweepError> {
-        // Negated, so that what is not a number does not ascend.
+        // The comparison is negated so that NaN fails it.
         let ascending = stations.len() > 1 && stations.windows(2).all(|pair| pair[0] < pair[1]);
         if !ascending {
             return Err(SweepError::Stations);
@@ -224,7 +234,7 @@ impl SolidMesh {
         }
     }
 
-    /// Puts the displacement nodes where the coordinate interpolation has them.
+    /// Sets the displacement nodes to the positions of the coordinate interpolation.
     pub(super) fn place_nodes(&mut self) {
         let mut tables = BTreeMap::new();
         let mut positions = vec![None; self.nodes.len()];
@@ -252,8 +262,8 @@ impl SolidMesh {
         }
     }
 
-    /// The point of a chart at arc length `s` and axial coordinate `z`, its area per unit of both. `None` outside the chart, or if
-    /// the set has none.
+    /// Returns the point of a chart at arc length `s` and axial coordinate `z`, with its area per
+    /// unit of both. `None` outside the chart, or if the set has none.
     pub fn surface_point(&self, set: &FaceSet, s: f64, z: f64) -> Option<FacePoint> {
         let (chart, swept) = (set.chart.as_ref()?, self.swept.as_ref()?);
         let chain = EdgeChain { edges: chart.edges.clone(), measure: chart.measure };
@@ -290,7 +300,7 @@ impl SolidMesh {
     }
 }
 
-/// A swept face with coordinates `t` (along the chain, -1 ..= 1) and `zeta`.
+/// Swept face with coordinates `t` (along the chain, -1 ..= 1) and `zeta`.
 pub(super) struct Patch<'a> {
     mesh: &'a SolidMesh,
     swept: &'a Swept,
@@ -298,19 +308,19 @@ pub(super) struct Patch<'a> {
     pub edge: &'a ElementEdge,
     pub element: usize,
     layer: usize,
-    /// Points of interpolation of the coordinates along the side and along `zeta`.
+    /// Interpolation points of the coordinates along the side and along `zeta`.
     lines: [Vec<f64>; 2],
     /// Coordinate nodes of the section's side.
     side: Vec<usize>,
 }
 
 impl Patch<'_> {
-    /// The chain's coordinate `t` at an arc length, the nearer end if that lies outside.
+    /// Returns the coordinate `t` at an arc length, clamped to the ends.
     pub fn parameter(&self, s: f64) -> f64 {
         self.swept.section.edge_parameter(self.measure, self.edge, s)
     }
 
-    /// Arc length per unit of `t`.
+    /// Returns the arc length per unit of `t`.
     fn arc_per_t(&self, t: f64) -> f64 {
         match self.measure {
             ArcLength::Profile => 0.5 * (self.edge.s[1] - self.edge.s[0]),
@@ -318,12 +328,12 @@ impl Patch<'_> {
         }
     }
 
-    /// Axial coordinate per unit of `zeta`.
+    /// Returns the axial coordinate per unit of `zeta`.
     pub fn z_per_zeta(&self) -> f64 {
         0.5 * (self.swept.stations[self.layer + 1] - self.swept.stations[self.layer])
     }
 
-    /// The side's own coordinate, counter-clockwise around the section's element.
+    /// Returns the coordinate of the side, counter-clockwise around the section's element.
     pub fn side_coordinate(&self, t: f64) -> f64 {
         if self.edge.reversed { -t } else { t }
     }
@@ -332,7 +342,7 @@ impl Patch<'_> {
         self.point_of(&self.at_chain(t), &self.at_axis(zeta))
     }
 
-    /// What a point needs of its place along the chain, the same in every layer.
+    /// Returns the data of a position along the chain, the same in every layer.
     pub fn at_chain(&self, t: f64) -> AtChain {
         let own = self.side_coordinate(t);
         AtChain {
@@ -344,7 +354,7 @@ impl Patch<'_> {
         }
     }
 
-    /// What a point needs of its place along the axis, the same for every edge.
+    /// Returns the data of a position along the axis, the same for every edge.
     pub fn at_axis(&self, zeta: f64) -> AtAxis {
         AtAxis { zeta, z: self.swept.z(self.layer, zeta), shapes: lagrange(&self.lines[1], zeta) }
     }
@@ -365,18 +375,19 @@ impl Patch<'_> {
         let [xi, eta] = across.local;
         let place = SolidPlace { element: self.element, local: [xi, eta, along.zeta] };
         let mut point = FacePoint::new(place, position, [by_t, by_zeta]);
-        // On a true profile its arc length counts, whatever length the mesh gave it: area per the mesh's own length is that per the
-        // profile's.
+        // On a true profile, areas refer to its arc length: the area per length on the mesh is
+        // taken as that per arc length of the profile.
         point.area /= across.speed * self.z_per_zeta();
         if self.edge.reversed {
-            // Along the chain instead of along the side; the other one stays on the side of growing z.
+            // Along the chain instead of along the side; the other tangent stays on the side of
+            // increasing z.
             point.tangents[0] = point.tangents[0].map(|part| -part);
         }
         point
     }
 }
 
-/// See [`Patch::at_chain`].
+/// Data of a position along the chain, see [`Patch::at_chain`].
 pub(super) struct AtChain {
     /// Arc length, m.
     pub s: f64,
@@ -386,15 +397,15 @@ pub(super) struct AtChain {
     speed: f64,
     /// Local coordinates in the section.
     local: [f64; 2],
-    /// Of the coordinates along the side.
+    /// Coordinate shape functions along the side.
     shapes: Vec<(f64, f64)>,
 }
 
-/// See [`Patch::at_axis`].
+/// Data of a position along the axis, see [`Patch::at_axis`].
 pub(super) struct AtAxis {
     zeta: f64,
     /// Axial coordinate, m.
     pub z: f64,
-    /// Of the coordinates along the axis.
+    /// Coordinate shape functions along the axis.
     shapes: Vec<(f64, f64)>,
 }

@@ -1,8 +1,10 @@
-//! What a condensed body in space answers: compliances between points of its surfaces, and stresses, off its tables.
+//! Responses of a condensed three-dimensional body, evaluated from its tables: compliances between
+//! points of its surfaces, and stresses.
 //!
-//! A spot is a column of weights on the tables' places and polynomials ([`super::points`]), these averaged along it, and a compliance a product of two of them and
-//! a table. Exchanging loads and observers gives the same bits, because it gives the same products: of two orientations always the same
-//! one is computed.
+//! A spot is a column of weights on the tables' samples and polynomials ([`super::points`]),
+//! averaged along the spot. A compliance is a product of two such columns and a table. Exchanging
+//! loads and observers gives the same bits, because the products are the same: of the two
+//! orientations always the same one is computed.
 
 use super::elastic::{ElasticSolid, KnownSurface};
 use super::points::{Across, Points};
@@ -18,7 +20,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 impl ElasticSolid {
-    /// Places ahead, going round, from one tooth to another.
+    /// Returns the number of sectors ahead, around the ring, from one tooth to another.
     fn places_ahead(&self, from: u32, to: u32) -> u32 {
         (to % self.teeth + self.teeth - from % self.teeth) % self.teeth
     }
@@ -27,7 +29,7 @@ impl ElasticSolid {
         self.surfaces.get(chart.surface as usize)
     }
 
-    /// Points on the table of a surface to other surfaces.
+    /// Returns points on the table of a surface with other surfaces.
     fn points(&self, known: &KnownSurface, spots: &[Spot]) -> Points {
         let across = |u: f64| {
             let splines = known.spline.weights(u.clamp(known.range[0], known.range[1]));
@@ -36,8 +38,9 @@ impl ElasticSolid {
         Points::new(&self.modes, known.places(), spots, across)
     }
 
-    /// Points on the table of a surface to itself, which has two more places for each polynomial: what a point beyond the samples at
-    /// either end adds to that of the outermost one.
+    /// Returns points on the table of a surface with itself, which has two more entries for each
+    /// polynomial: the increment of a point beyond the samples at either end over the outermost
+    /// one.
     fn own_points(&self, known: &KnownSurface, spots: &[Spot]) -> Points {
         let across = |u: f64| {
             let t = known.stretch.at(u.clamp(known.range[0], known.range[1]));
@@ -48,8 +51,8 @@ impl ElasticSolid {
         Points::new(&self.modes, known.places() + 2, spots, across)
     }
 
-    /// Compliances within one surface: a row an observer of `second`, a column one of `first`. If both are the same points, those below
-    /// the diagonal.
+    /// Returns compliances within one surface: one row for each observer of `second`, one column
+    /// for each of `first`. If both are the same points, only the entries below the diagonal.
     fn own_compliance(
         &self,
         known: &KnownSurface,
@@ -59,7 +62,7 @@ impl ElasticSolid {
     ) -> Mat<f64> {
         let columns = [first, second].map(|points| self.own_points(known, points));
         let mut block = columns[0].seen(columns[1].columns(table.as_ref()).as_ref());
-        // A load at a place, as the polynomials see it, is this along the line through it.
+        // The projection of a point load on the polynomials, along the line through the point.
         let lines = columns[0].lines(&columns[1]);
         let turned = |points: &[Spot]| {
             points.iter().map(|spot| known.turned_at(spot.place[0])).collect::<Vec<Turned>>()
@@ -75,7 +78,7 @@ impl ElasticSolid {
     }
 }
 
-/// An order of lists of spots.
+/// Compares lists of spots.
 fn compare(a: &[Spot], b: &[Spot]) -> Ordering {
     let values = |points: &[Spot]| {
         points.iter().flat_map(|spot| [spot.place[0], spot.place[1], spot.length]).collect::<Vec<f64>>()
@@ -118,8 +121,9 @@ impl SolidStructure for ElasticSolid {
         if tables.is_none() && bore.is_none() {
             return;
         }
-        // Of the two orientations, the stored one: the observer ahead, or on the higher surface of the same tooth, or the greater list of
-        // the same surface. Half way round a ring of even number each is ahead of the other; the higher tooth decides.
+        // Of the two orientations, use the stored one: the observer ahead, or on the higher surface
+        // of the same tooth, or the greater list of the same surface. Halfway round a ring with an
+        // even number of teeth each is ahead of the other; the higher tooth decides.
         let same = ahead == 0 && observe.surface == load.surface;
         let order = if same {
             compare(observers, loads)
@@ -138,7 +142,7 @@ impl SolidStructure for ElasticSolid {
         };
         let table = tables.map(|tables| &tables.compliance[first.surface as usize][second.surface as usize]);
         let known = if forward { [observed, loaded] } else { [loaded, observed] };
-        // Columns are the first's.
+        // Columns belong to the first.
         let mut values = match table {
             Some(table) if same => {
                 self.own_compliance(observed, table, [first_points, second_points], order.is_eq())

@@ -1,17 +1,20 @@
-//! How loads and displacements vary along the face: Legendre polynomials.
+//! Legendre polynomials along the face, as shape functions for loads and displacements.
 //!
-//! Across a flank the compliance has a logarithm to be rid of, and every place a matching depth; along the face, loads of gears vary
-//! slowly, and the sharpest thing that a mesh meets is the face's end. Polynomials are the right test functions there: a load that is
-//! uniform along the face is one of them, so that the mesh sees it uniform up to both ends, and they resolve ends more finely than the
-//! middle. Loads are projected on them and displacements taken as their sums, which treats both alike.
+//! Across a flank the compliance contains a logarithm that has to be subtracted, and every point
+//! has a matching depth. Along the face, gear loads vary slowly, and the sharpest feature is the
+//! end of the face. Polynomials are suitable test functions there. A load that is uniform along the
+//! face is one of them, so the mesh receives it uniformly up to both ends, and polynomials resolve
+//! ends more finely than the middle. Loads are projected on the polynomials and displacements are
+//! sums of them, which treats both alike.
 
 use crate::fe::quadrature::gauss_legendre;
 use serde::{Deserialize, Serialize};
 
-/// Stretches shorter than this part of half the range are points.
+/// Stretches shorter than this part of half the range are treated as points.
 const NARROW: f64 = 1e-6;
 
-/// Legendre polynomials on the axial range of a body, scaled to integrals of their squares of 1.
+/// Legendre polynomials on the axial range of a body, scaled so that the integrals of their squares
+/// are 1.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub(crate) struct AxialModes {
     range: [f64; 2],
@@ -19,27 +22,27 @@ pub(crate) struct AxialModes {
 }
 
 impl AxialModes {
-    /// The polynomials of degree 0 to `count - 1` between two axial places, m.
+    /// Builds the polynomials of degree 0 to `count - 1` between two axial coordinates, m.
     pub fn new(range: [f64; 2], count: usize) -> Self {
         Self { range, count }
     }
 
-    /// How many there are.
+    /// Returns the number of polynomials.
     pub fn count(&self) -> usize {
         self.count
     }
 
-    /// Ends of the range, m.
+    /// Returns the ends of the range, m.
     pub fn range(&self) -> [f64; 2] {
         self.range
     }
 
-    /// Length of the range, m.
+    /// Returns the length of the range, m.
     pub fn length(&self) -> f64 {
         self.range[1] - self.range[0]
     }
 
-    /// Their values at `v`, 1/sqrt(m); beyond the range, those at its end.
+    /// Returns the values at `v`, 1/sqrt(m); `v` is clamped to the range.
     pub fn values(&self, v: f64) -> Vec<f64> {
         let [start, end] = self.range;
         let x = ((2.0 * v - start - end) / self.length()).clamp(-1.0, 1.0);
@@ -53,12 +56,14 @@ impl AxialModes {
         values
     }
 
-    /// Their averages over a stretch about `v`, 1/sqrt(m); of what reaches beyond the range, over the part inside.
+    /// Returns the averages over a stretch about `v`, 1/sqrt(m); if it extends beyond the range,
+    /// over the part inside.
     pub fn means(&self, v: f64, length: f64) -> Vec<f64> {
         let [start, end] = self.range;
         let at = |v: f64| ((2.0 * v - start - end) / self.length()).clamp(-1.0, 1.0);
         let [from, to] = [at(v - 0.5 * length), at(v + 0.5 * length)];
-        // Below this, differences cancel more than points and averages differ.
+        // Below this length, cancellation in the differences exceeds the difference between point
+        // values and averages.
         if to - from < NARROW {
             return self.values(v);
         }
@@ -77,7 +82,8 @@ impl AxialModes {
         means
     }
 
-    /// Places and weights that integrate products of any two of them, and of polynomials of degree `more`, exactly.
+    /// Returns points and weights that integrate products of any two polynomials, and of
+    /// polynomials of degree `more`, exactly.
     pub fn quadrature(&self, [from, to]: [f64; 2], more: usize) -> Vec<(f64, f64)> {
         let half = 0.5 * (to - from);
         let rule = gauss_legendre(self.count + more.div_ceil(2));
@@ -114,11 +120,11 @@ mod tests {
                 assert!((mean - expected).abs() < 1e-8 * modes.values(0.03)[n], "{v} {length} {n}");
             }
         }
-        // What reaches beyond the range is cut off.
+        // The part beyond the range is cut off.
         for (cut, inside) in modes.means(0.03, 0.004).into_iter().zip(modes.means(0.029, 0.002)) {
             assert!((cut - inside).abs() < 1e-9);
         }
-        // An even load on cells side by side is the first polynomial alone.
+        // A uniform load on adjacent cells is the first polynomial alone.
         let cells = 17;
         let length = 0.05 / f64::from(cells);
         for n in 1..13 {

@@ -1,15 +1,18 @@
-//! An elastic body in space from finite elements, seen through its surfaces.
+//! Finite-element model of a three-dimensional elastic body, condensed onto its surfaces.
 //!
-//! As in the plane ([`crate::structure::ElasticStructure`]), the compliance of a surface is that of the half-space plus a smooth part, and
-//! the smooth part is the difference of what mesh and half-space answer to the same loads, seen by the same observers. Across a
-//! flank these are mollifiers, along it polynomials ([`super::axial`]): for each pair of polynomials the smooth part is a function of two
-//! places across, and behaves as in the plane. So the kink that curvature gives it where both meet, which the plane's module explains,
-//! is taken out of pairs of equal polynomials and put back in closed form: left in, it changed compliances between places
-//! of an involute near each other by up to 1e-3.
+//! As in plane models ([`crate::structure::ElasticStructure`]), the compliance of a surface is that
+//! of the half-space plus a smooth part. The smooth part is the difference between the responses of
+//! mesh and half-space to the same loads, observed in the same way. Loads and observers are
+//! mollifiers across a flank and polynomials along it ([`super::axial`]). For each pair of
+//! polynomials the smooth part is a function of two coordinates across the flank and behaves as in
+//! a plane model. It has the kink of a curved surface where both points coincide (see the plane
+//! module). The kink is subtracted for pairs of equal polynomials and added again in closed form;
+//! without this step, compliances between close points of an involute changed by up to 1e-3.
 //!
-//! The half-space has images of its loads in both side faces. With Poisson's ratio 0 a load that is uniform along the face then needs
-//! nothing else there: no stress acts across the face. Otherwise the faces bulge, and what this adds to the compliance is as sharp as the load's
-//! distance from the face; the polynomials see of it what they resolve.
+//! The half-space has images of its loads in both side faces. With Poisson's ratio 0, a load that
+//! is uniform along the face needs no further terms: there is no stress normal to the face.
+//! Otherwise the faces bulge, and the corresponding part of the compliance varies over the load's
+//! distance from the face; the polynomials represent as much of it as they resolve.
 
 mod prepared;
 
@@ -37,39 +40,45 @@ use rayon::prelude::*;
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 
-/// A loadable surface of a solid mesh. Sets of faces are named as in [`crate::fe::solid::SolidMesh::faces`] and swept from chains of
-/// the section.
+/// Loadable surface of a solid mesh. Sets of faces are named as in
+/// [`crate::fe::solid::SolidMesh::faces`] and swept from chains of the section.
 #[derive(Clone)]
 pub struct SolidSurfaceSource {
-    /// The surface that the mesh was made of, screwed along the z axis or drawn along it: `u` is the arc length of the chain, `v` the axial coordinate.
+    /// Surface from which the mesh was generated, extruded along the z axis with or without
+    /// rotation: `u` is the arc length of the chain, `v` the axial coordinate.
     pub surface: Arc<dyn Surface>,
-    /// Its faces, without a rounded edge of the body.
+    /// Set of its faces, without a rounded edge of the body.
     pub faces: String,
-    /// Rounding (m) of the sharp edges of the body at the start and the end of the chain; `None` where the body continues smoothly.
+    /// Rounding (m) of the sharp edges of the body at the start and the end of the chain; `None`
+    /// where the body continues smoothly.
     pub edges: [Option<f64>; 2],
-    /// Faces of a free surface beside this one on which stress is recovered: the fillet.
+    /// Set of faces of an adjacent free surface on which stress is recovered: the fillet.
     pub stress_faces: Option<String>,
-    /// Places of recovered stress on each edge of that chain and on each layer of elements, at least 1; along the face both ends are places too.
+    /// Number of stress recovery points on each edge of that chain and on each layer of elements,
+    /// at least 1; along the face both ends are recovery points too.
     pub stress_places: [usize; 2],
 }
 
-/// Polynomials along the face, the slowest ones, that are continued towards edges beyond the samples.
+/// Number of lowest polynomials along the face that are extrapolated towards edges beyond the
+/// samples.
 const CONTINUED: usize = 3;
 
-/// How finely the compliance is known.
+/// Resolution of the compliance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SolidSplitOptions {
-    /// Factor on the matching depth, 1 by default. Results must hardly depend on it: this is how that is shown.
+    /// Factor on the matching depth, 1 by default. Results should hardly depend on it; varying it
+    /// checks this.
     pub matching_depth: f64,
-    /// Samples across each surface, at least 8.
+    /// Number of samples across each surface, at least 8.
     pub samples: usize,
-    /// Polynomials along the face, at most: no more are taken than the mesh resolves.
+    /// Largest number of polynomials along the face; no more are used than the mesh resolves.
     pub axial_modes: usize,
 }
 
 impl SolidSplitOptions {
-    /// Polynomials along the face that are taken on a mesh of so many layers of elements of some order: those that one layer contains; of
-    /// several layers one for each of their nodes but the first, which measured best.
+    /// Returns the number of polynomials along the face for a mesh with a number of layers of
+    /// elements of some order: those that one layer contains; for several layers, one for each of
+    /// their nodes except the first, which was best in tests.
     pub fn polynomials(&self, layers: usize, order: usize) -> usize {
         self.axial_modes.min((order + 1).max(layers * order)).max(1)
     }
@@ -81,43 +90,49 @@ impl Default for SolidSplitOptions {
     }
 }
 
-/// An elastic body in space. See the module.
+/// Three-dimensional elastic body. See the module documentation.
 pub struct ElasticSolid {
     pub(super) teeth: u32,
     pub(super) surface_modulus: f64,
-    /// Displacement per angle between normals under a load along a line, m/(N/m).
+    /// Displacement per angle between normals under a line load, m/(N/m).
     pub(super) kink: f64,
     pub(super) mirrors: [Mirror; 2],
     pub(super) modes: AxialModes,
     pub(super) surfaces: Vec<KnownSurface>,
-    /// By offset of the observing sector ahead of the loaded one; a side is a surface. A surface's compliance to itself has for each polynomial
-    /// two more places: what a point beyond the first or the last sample adds ([`continued`]). Stress has three rows a place, Pa/N.
+    /// Tables by offset of the observing sector ahead of the loaded one; a side is a surface. The
+    /// compliance of a surface with itself has two additional entries for each polynomial: the
+    /// increments of a point beyond the first or the last sample ([`continued`]). Stress has three
+    /// rows for each point, Pa/N.
     pub(super) offsets: Vec<OffsetTables>,
-    /// What sectors beyond those do to each other.
+    /// Coupling of sectors beyond those offsets.
     pub(super) bore: Option<BoreCoupling>,
 }
 
-/// What is known of a surface. Its tables go by a place across and a polynomial along: `polynomial * places + place`.
+/// Surface of a condensed body. Its tables are indexed by a sample across and a polynomial along:
+/// `polynomial * places + place`.
 pub(super) struct KnownSurface {
     pub surface: Arc<dyn Surface>,
-    /// Over arc length: for everything but the surface's own compliance.
+    /// Spline over arc length, for everything but the compliance of the surface with itself.
     pub spline: Spline,
     pub stretch: Stretch,
-    /// Over the stretched coordinate: for the surface's own compliance.
+    /// Spline over the stretched coordinate, for the compliance of the surface with itself.
     pub stretched: Spline,
-    /// Arc lengths of the chain. Beyond it, its ends stand in.
+    /// Range of arc lengths of the chain. Coordinates beyond it are clamped to its ends.
     pub range: [f64; 2],
-    /// Spline coefficients of the angle by which the transverse normal has turned, positive where convex, rad.
+    /// Spline coefficients of the angle by which the transverse normal has rotated, positive where
+    /// convex, rad.
     pub turned: Vec<f64>,
-    /// Where stress is recovered: coordinates on the chart of those faces, and position, m.
+    /// Stress recovery points: coordinates on the chart of those faces, and position, m.
     pub stress_places: Vec<([f64; 2], [f64; 3])>,
 }
 
 impl ElasticSolid {
-    /// A ring of equal sectors about the z axis. `model` is one sector, surfaces are those of one sector; `ring` names sets of faces.
+    /// Builds a ring of equal sectors about the z axis. `model` is one sector, the surfaces are
+    /// those of one sector; `ring` names sets of faces.
     ///
     /// # Errors
-    /// Faces are missing, too coarse or not swept, cuts do not conform, the ring is not held, or the interrupt's.
+    /// Faces are missing, too coarse or not swept, the cuts do not conform, the ring is not
+    /// supported, or the computation is interrupted.
     pub fn ring(
         model: &SolidModel,
         ring: &RingSource<'_>,
@@ -129,10 +144,10 @@ impl ElasticSolid {
         Self::ring_by(mirrored.as_ref(), model, ring, (surfaces, options), interrupt)
     }
 
-    /// A ring of equal sectors whose bore is held by a web of another mesh, and by nothing else.
+    /// Builds a ring of equal sectors whose bore is supported only by a web with a separate mesh.
     ///
     /// # Errors
-    /// As [`Self::ring`]; the web's too.
+    /// As for [`Self::ring`], and the errors of the web.
     pub fn ring_on_web(
         model: &SolidModel,
         ring: &RingSource<'_>,
@@ -146,7 +161,7 @@ impl ElasticSolid {
         Self::ring_held(None, model, ring, (Vec::new(), means), (surfaces, options), interrupt)
     }
 
-    /// The same by halves, if the mirror is given.
+    /// Builds the ring by halves, if the mirror is given.
     pub(super) fn ring_by(
         mirrored: Option<&Mirrored>,
         model: &SolidModel,
@@ -165,7 +180,7 @@ impl ElasticSolid {
         Self::ring_held(mirrored, model, ring, hold, (surfaces, options), interrupt)
     }
 
-    /// With the bore's nodes that do not move, and its means.
+    /// Builds the ring from the fixed nodes of the bore and its averaged constraints.
     fn ring_held(
         mirrored: Option<&Mirrored>,
         model: &SolidModel,
@@ -193,10 +208,11 @@ impl ElasticSolid {
         Ok(Self { bore, ..body })
     }
 
-    /// A body of a single mesh. `hold` names a set of faces.
+    /// Builds a body of a single mesh. `hold` names a set of faces.
     ///
     /// # Errors
-    /// Faces are missing, too coarse or not swept, the mesh can deform without resistance, or the interrupt's.
+    /// Faces are missing, too coarse or not swept, the mesh has a mechanism, or the computation is
+    /// interrupted.
     pub fn single(
         model: &SolidModel,
         hold: Hold<'_>,
@@ -250,7 +266,8 @@ impl ElasticSolid {
         Ok(structure)
     }
 
-    /// Tables of one offset: the response of the mesh, less what is not smooth, as spline coefficients.
+    /// Returns the tables of one offset: the smooth part of the mesh response, as spline
+    /// coefficients.
     fn tables(
         &self,
         offset: u32,
@@ -286,7 +303,8 @@ impl ElasticSolid {
         })
     }
 
-    /// The mesh's answers on one surface less the half-space's and the kink's to the same loads.
+    /// Returns the response of the mesh on one surface less those of the half-space and the kink to
+    /// the same loads.
     fn own_table(
         &self,
         prepared: &Prepared,
@@ -336,9 +354,10 @@ impl ElasticSolid {
         Ok(coefficients)
     }
 
-    /// What curvature adds to the half-space's answer to a load along a line and is not smooth where `a` and `b` meet, m/(N/m).
+    /// Returns the non-smooth part of the compliance to a line load where `a` and `b` coincide that
+    /// curvature adds to the half-space's, m/(N/m).
     pub(super) fn curved_part(&self, surface: &KnownSurface, a: Turned, b: Turned) -> f64 {
-        // Convex is positive: the angle grows with the arc length.
+        // Convex is positive: the angle increases with the arc length.
         let turn = if a.s >= b.s { a.angle - b.angle } else { b.angle - a.angle };
         let distance = (a.s - b.s).abs() / (surface.range[1] - surface.range[0]);
         let logarithmic = if distance > 0.0 { turn * turn * distance.ln() } else { 0.0 };
@@ -352,19 +371,21 @@ impl KnownSurface {
         Turned { s, angle: self.spline.weights(s).sum(|i| self.turned[i]) }
     }
 
-    /// Places across that its tables have.
+    /// Returns the number of samples across in its tables.
     pub fn places(&self) -> usize {
         self.spline.nodes().len()
     }
 }
 
-/// Coefficients of a surface to itself for a pair of polynomials, with two more places: what a point beyond the first or the last sample
-/// adds to that of the sample, by its distance.
+/// Returns the coefficients of a surface with itself for a pair of polynomials, with two more
+/// columns: the increment of a point beyond the first or the last sample over that of the sample,
+/// by its distance.
 ///
-/// That is the straight continuation, but not of both points beyond the same end: it would add at the table's corner what it should
-/// not, for towards a free edge the compliance of a point grows with the logarithm of the distance, whatever that of its neighbours.
-/// Higher polynomials stay what they are at the outermost samples: a slope of theirs is not known well enough, and a wrong one
-/// outweighs the half-space under a narrow cell.
+/// The increment is linear extrapolation, but not in both variables beyond the same end. At the
+/// table's corner the product term would be wrong, because towards a free edge the compliance of a
+/// point grows with the logarithm of the distance, independently of neighbouring points. Higher
+/// polynomials are constant beyond the outermost samples: their slope is not accurate enough, and
+/// an incorrect one outweighs the half-space under a narrow cell.
 fn continued(spline: &Spline, inner: MatRef<'_, f64>, modes: [usize; 2]) -> Mat<f64> {
     let places = inner.nrows();
     let [rows_go_on, columns_go_on] = modes.map(|mode| mode < CONTINUED);
@@ -388,13 +409,13 @@ fn continued(spline: &Spline, inner: MatRef<'_, f64>, modes: [usize; 2]) -> Mat<
     all
 }
 
-/// The part of a matrix that belongs to a pair of surfaces.
+/// Returns the block of a matrix for a pair of surfaces.
 fn part<'a>(all: &'a Mat<f64>, starts: [&[usize]; 2], [p, q]: [usize; 2]) -> MatRef<'a, f64> {
     let [rows, columns] = starts;
     all.as_ref().submatrix(rows[p], columns[q], rows[p + 1] - rows[p], columns[q + 1] - columns[q])
 }
 
-/// Columns by loads as columns by spline coefficients, polynomial by polynomial.
+/// Converts columns by loads to columns by spline coefficients, polynomial by polynomial.
 fn by_unknown(table: MatRef<'_, f64>, spline: &Spline, count: usize) -> Mat<f64> {
     let places = spline.nodes().len();
     let mut coefficients = Mat::zeros(table.nrows(), table.ncols());
@@ -406,7 +427,8 @@ fn by_unknown(table: MatRef<'_, f64>, spline: &Spline, count: usize) -> Mat<f64>
     coefficients
 }
 
-/// What the loads and the places of stress of a sector have to do with the amplitudes of the bore that were let go.
+/// Returns the coupling of the loads and stress recovery points of a sector with the released
+/// amplitudes of the bore.
 fn bore_coupling(
     through: ThroughBore,
     prepared: &[Prepared],

@@ -1,11 +1,14 @@
-//! What the half-space answers to loads that are mollified across a flank and polynomials along it.
+//! Response of the half-space to loads that are mollifiers across a flank and polynomials along it.
 //!
-//! The mean of `1/r` over two such loads is an integral over four variables. On a screw surface the distance of two points depends on
-//! their places across the flank and on the difference of the axial ones alone; that to an image in a side face on the sum as well. With
-//! `q = v - v'` the difference and `t` the axial distance (`|q|` itself, or to the image `2 z - v - v'`), both are
-//! `r² = |R(rate q) p(u) - p(u')|² + t²`: the load's own distance is that where `|q| = t`, images have `|q| <= t`. So one function of
-//! `t` and `q / t` serves the load and its images in both faces, and how products of polynomials are spread over it is the same for all
-//! pairs of places across. The integrals over `u - u'` and `t` are graded towards where both vanish.
+//! The mean of `1/r` over two such loads is an integral over four variables. On a helical surface
+//! the distance of two points depends on their coordinates across the flank and on the difference
+//! of the axial coordinates alone; the distance to an image in a side face also depends on their
+//! sum. With `q = v - v'` the difference and `t` the axial distance (`|q|` itself, or to the image
+//! `2 z - v - v'`), both are `r² = |R(rate q) p(u) - p(u')|² + t²`: `|q| = t` for the load itself,
+//! `|q| <= t` for its images. So one function of `t` and `q / t` covers the load and its images in
+//! both faces, and the distribution of products of polynomials over it is the same for all pairs of
+//! coordinates across. The integrals over `u - u'` and `t` are graded towards the point where both
+//! vanish.
 
 use super::axial::AxialModes;
 use super::screw::Screw;
@@ -13,7 +16,8 @@ use crate::fe::quadrature::gauss_legendre;
 use crate::structure::kernel::Mollifier;
 use faer::Mat;
 
-/// Places of `q / t` where the surface is twisted (Gauss-Lobatto points): the distance is very nearly a quadratic function of it.
+/// Sampling points of `q / t` on a twisted surface (Gauss-Lobatto points): the distance is nearly a
+/// quadratic function of it.
 const DIRECTIONS: [f64; 6] = [
     -1.0,
     -0.765_055_323_929_464_7,
@@ -22,41 +26,44 @@ const DIRECTIONS: [f64; 6] = [
     0.765_055_323_929_464_7,
     1.0,
 ];
-/// Points of quadrature over the sum of `u` and `u'`: exact for the product of two mollifiers.
+/// Quadrature points over the sum of `u` and `u'`: exact for the product of two mollifiers.
 const ACROSS: usize = 8;
-/// Places of that sum at which the distance is known: it hardly depends on it.
+/// Sampling points of that sum at which the distance is computed: it hardly depends on it.
 const PLACES: usize = 4;
 /// Points on each panel of graded quadrature over `u - u'`.
 const POINTS: usize = 12;
-/// Length of a panel in its distances from the singularity, at most.
+/// Largest ratio of the length of a panel to its distance from the singularity.
 const GRADING: f64 = 8.0;
-/// The finest panel, in the smallest width of a mollifier.
+/// Length of the finest panel, relative to the smallest width of a mollifier.
 const FINEST: f64 = 1e-4;
 
-/// Means of `1/r`, with images, over pairs of loads on a screw surface.
+/// Means of `1/r`, with images, over pairs of loads on a helical surface.
 pub(crate) struct ReciprocalMeans {
     screw: Screw,
     modes: usize,
     panels: Vec<Panel>,
-    /// How the products of modes are spread over the points of all panels: rows by point, columns by `n * modes + m`, n the observer.
+    /// Distribution of the products of modes over the points of all panels: rows by point, columns
+    /// by `n * modes + m`, n the observer.
     spread: Mat<f64>,
-    /// Places over the sum of `u` and `u'` on -1 ..= 1, with the weights that points of quadrature have on them.
+    /// Sampling points of the sum of `u` and `u'` on -1 ..= 1, with the weights that quadrature
+    /// points have on them.
     across: Vec<f64>,
     onto_places: Vec<(f64, f64, Vec<f64>)>,
     along: Vec<(f64, f64)>,
     finest: f64,
 }
 
-/// An interval of `t`. Its points are numbered direction by direction.
+/// Interval of `t`. Its points are numbered direction by direction.
 struct Panel {
     from: f64,
     squares: Vec<f64>,
-    /// For each direction, cosine and sine of `rate q` at each point.
+    /// Cosine and sine of `rate q` at each point, for each direction.
     turns: Vec<Vec<[f64; 2]>>,
 }
 
 impl ReciprocalMeans {
-    /// `mirrored`: whether there are images in the faces at the start and the end of the axial range. `smallest` is the least width of a mollifier, m.
+    /// Prepares the means. `mirrored`: whether there are images in the faces at the start and the
+    /// end of the axial range. `smallest` is the least width of a mollifier, m.
     pub fn new(screw: Screw, modes: &AxialModes, mirrored: [bool; 2], smallest: f64) -> Self {
         let length = modes.length();
         let finest = FINEST * smallest;
@@ -73,7 +80,7 @@ impl ReciprocalMeans {
         let directions = if screw.rate == 0.0 { vec![1.0] } else { DIRECTIONS.to_vec() };
         let (mut panels, mut rows) = (Vec::new(), Vec::<Vec<f64>>::new());
         for interval in ends.windows(2) {
-            // On a long panel the products of polynomials bend, too.
+            // On a long panel the products of polynomials vary too.
             let long = interval[1] * GRADING > 0.5 * length;
             let rule = gauss_legendre(if long { POINTS.max(modes.count() + 4) } else { POINTS });
             let half = 0.5 * (interval[1] - interval[0]);
@@ -107,7 +114,8 @@ impl ReciprocalMeans {
         Self { screw, modes: modes.count(), panels, spread, across, onto_places, along, finest }
     }
 
-    /// Means over an observer `a` times a polynomial and a load `b` times another: rows by the observer's polynomial, 1/m.
+    /// Returns the means over an observer `a` times a polynomial and a load `b` times another: rows
+    /// by the observer's polynomial, 1/m.
     pub fn between(&self, a: &Mollifier, b: &Mollifier) -> Mat<f64> {
         let mut at_points = Vec::with_capacity(self.spread.nrows());
         for panel in &self.panels {
@@ -119,7 +127,7 @@ impl ReciprocalMeans {
         })
     }
 
-    /// Means over both mollifiers at the points of one panel.
+    /// Adds the means over both mollifiers at the points of one panel.
     fn add_panel(&self, panel: &Panel, a: &Mollifier, b: &Mollifier, at_points: &mut Vec<f64>) {
         let points = panel.squares.len();
         let mut means = vec![0.0; points * panel.turns.len()];
@@ -158,8 +166,8 @@ impl ReciprocalMeans {
         at_points.extend(means);
     }
 
-    /// Ends of the panels over `u - u'`, ascending: the product of the mollifiers is smooth on each, and so is the distance, at
-    /// axial distances from `axial` on.
+    /// Returns the ends of the panels over `u - u'`, ascending. On each panel the product of the
+    /// mollifiers is smooth, and so is the distance for axial distances of at least `axial`.
     fn differences(&self, a: &Mollifier, b: &Mollifier, axial: f64) -> Vec<f64> {
         let apart = a.center - b.center;
         let (sum, rest) = (a.width + b.width, (a.width - b.width).abs());
@@ -183,7 +191,7 @@ impl ReciprocalMeans {
         graded
     }
 
-    /// Distances, ascending, at which an interval between two others is cut.
+    /// Returns ascending distances at which an interval between two others is cut.
     fn graded(&self, near: f64, far: f64, axial: f64) -> Vec<f64> {
         let mut cuts = Vec::new();
         let mut end = far;
@@ -200,7 +208,8 @@ impl ReciprocalMeans {
     }
 }
 
-/// How products of modes are spread over the directions at axial distance `t`: their own and that of their images.
+/// Returns the distribution of products of modes over the directions at axial distance `t`: of the
+/// load itself and of its images.
 fn spread_at(
     modes: &AxialModes,
     mirrored: [bool; 2],
@@ -218,7 +227,7 @@ fn spread_at(
         }
     };
     if t < length {
-        // The observer ahead of the load, and behind it.
+        // The observer is ahead of the load or behind it.
         let last = directions.len() - 1;
         for (behind, weight) in modes.quadrature([start, end - t], 0) {
             product(last, [behind + t, behind], weight);
@@ -243,7 +252,7 @@ fn spread_at(
     }
 }
 
-/// Values at `x` of the Lagrange polynomials on the points.
+/// Returns the values at `x` of the Lagrange polynomials on the points.
 fn lagrange(points: &[f64], x: f64) -> Vec<f64> {
     let factor = |own: usize, other: usize| (x - points[other]) / (points[own] - points[other]);
     let polynomial = |own: usize| {

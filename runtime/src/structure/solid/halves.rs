@@ -1,8 +1,9 @@
-//! Bodies that are their own mirror images in mid-face, as spur gears are whose web stands in the middle.
+//! Bodies with mirror symmetry about mid-face, such as spur gears with a central web.
 //!
-//! Displacements that the mirror leaves as they are and displacements that it turns into their opposite do not know of each other.
-//! Either kind is known from the nodes on one side, so that each is a problem of half the unknowns, with half of the loads (polynomials along
-//! the face are even or odd). Nothing is left out, and condensing both takes a quarter of the work of condensing the whole.
+//! Symmetric and antisymmetric displacements are uncoupled. Each kind is determined by the nodes on
+//! one side, so each is a problem of half the unknowns, with half of the loads (polynomials along
+//! the face are even or odd). The method is exact, and condensing both takes a quarter of the work
+//! of condensing the whole.
 
 use super::responses::{Exchange, Sector};
 use crate::fe::SparseVector;
@@ -12,39 +13,40 @@ use crate::structure::StructureError;
 use crate::structure::condense::{Assembled, Cuts};
 use std::sync::Arc;
 
-/// How far a node may be from the mirror image of its like, relative to the face width: rounding.
+/// Largest distance of a node from the mirror image of its counterpart, relative to the face width:
+/// rounding.
 const SAME: f64 = 1e-11;
-/// Rows that differ by less than this, relative to their largest entry, are one.
+/// Rows with a smaller difference, relative to their largest entry, are equal.
 const EQUAL: f64 = 1e-10;
 
-/// The nodes of a mesh and their mirror images.
+/// Nodes of a mesh and their mirror images.
 pub(super) struct Mirrored {
-    /// By node.
+    /// Image by node.
     image: Vec<usize>,
-    /// Nodes of the first half with those on the mirror, ascending.
+    /// Nodes of the first half including those on the mirror plane, ascending.
     half: Vec<usize>,
-    /// By node: the place in `half` of the node itself or of its image.
+    /// Index in `half` of the node itself or of its image, by node.
     place: Vec<usize>,
-    /// Elements of the section, and layers of them.
+    /// Number of elements of the section, and of layers.
     elements: [usize; 2],
 }
 
-/// A half, to be condensed: degrees of freedom are those of its own nodes.
+/// Half of a body, to be condensed: degrees of freedom are those of its own nodes.
 pub(super) struct Half {
     pub cuts: Cuts,
-    /// Degrees of freedom that do not move.
+    /// Fixed degrees of freedom.
     pub held: Vec<usize>,
     pub loads: Kept<usize>,
     pub rows: Kept<Option<(usize, f64)>>,
 }
 
-/// Vectors of a half, and how those of the whole are numbered among them or they among those.
+/// Vectors of a half, and the correspondence with those of the whole.
 pub(super) struct Kept<N> {
     pub vectors: Vec<SparseVector>,
     pub numbers: Vec<N>,
 }
 
-/// Displacements of one kind: by axis, the sign of those of a node's image.
+/// Symmetric or antisymmetric displacements: the sign of those of a node's image, by axis.
 #[derive(Clone, Copy)]
 struct Signs([f64; 3]);
 
@@ -55,7 +57,7 @@ impl Signs {
 }
 
 impl Mirrored {
-    /// `None` if the mesh is not its own mirror image, node by node.
+    /// Returns `None` if the mesh is not mirror-symmetric node by node.
     pub fn of(mesh: &SolidMesh) -> Option<Self> {
         let swept = mesh.swept.as_ref()?;
         let [start, end] = swept.z_range();
@@ -81,7 +83,7 @@ impl Mirrored {
         if !mesh.absent.iter().all(|&element| mesh.absent.contains(&image(element))) {
             return None;
         }
-        // Along an axode numbers grow with the axial coordinate.
+        // Along an axode the node index increases with the axial coordinate.
         mirrored.half = (0..mesh.nodes.len()).filter(|&node| node <= mirrored.image[node]).collect();
         mirrored.place = vec![0; mesh.nodes.len()];
         for (place, &node) in mirrored.half.iter().enumerate() {
@@ -99,8 +101,8 @@ impl Mirrored {
         node <= self.image[node]
     }
 
-    /// Equations of the displacements that the mirror leaves as they are, and of those that it turns into their opposite. They are the
-    /// same where no element lies on both sides of the mirror, but for what is held.
+    /// Returns the equations of the symmetric and of the antisymmetric displacements. If no element
+    /// lies on both sides of the mirror plane, they are equal except for the constraints.
     pub fn equations(
         &self,
         model: &SolidModel,
@@ -124,7 +126,7 @@ impl Mirrored {
             let signs = Signs::of(odd);
             let of_element = |index: usize, matrix: Vec<f64>| {
                 if index < whole {
-                    // Its image does the same work again.
+                    // The image contributes the same work.
                     return matrix.into_iter().map(|value| 2.0 * value).collect();
                 }
                 self.element(&model.mesh.elements[index].nodes, &half.elements[index].nodes, &matrix, signs)
@@ -137,7 +139,8 @@ impl Mirrored {
         Ok([even, odd])
     }
 
-    /// The matrix of an element on the mirror, by those of its `nodes` that are of the half, in `own` numbers.
+    /// Returns the matrix of an element on the mirror plane for those of its `nodes` that belong to
+    /// the half, in `own` indices.
     fn element(&self, nodes: &[usize], own: &[usize], matrix: &[f64], signs: Signs) -> Vec<f64> {
         let at = |node: usize| own.iter().position(|&place| place == self.place[node]).unwrap_or(0);
         let sign = |node: usize, axis: usize| if self.is_first(node) { 1.0 } else { signs.0[axis] };
@@ -155,7 +158,8 @@ impl Mirrored {
         reduced
     }
 
-    /// What of a sector and its loads belongs to displacements that the mirror leaves as they are, or turns into their `odd` opposite.
+    /// Returns the part of a sector and its loads for symmetric displacements, or antisymmetric
+    /// ones if `odd`.
     pub fn half(&self, odd: bool, sector: &Sector, exchange: &Exchange) -> Half {
         let signs = Signs::of(odd);
         let of_half = |nodes: &[usize]| -> Vec<usize> {
@@ -179,28 +183,28 @@ impl Mirrored {
         Half { cuts, held, loads: Kept { vectors, numbers }, rows }
     }
 
-    /// Whether a node moves along an axis in none of these displacements: it is its own image.
+    /// Returns true if a node is fixed along an axis in these displacements: it is its own image.
     fn is_still(&self, node: usize, axis: usize, signs: Signs) -> bool {
         self.on_mirror(node) && signs.0[axis] < 0.0
     }
 
-    /// What a displacement of the half is at a degree of freedom of the whole: the number of the former, and its sign; `None` where
-    /// nothing moves.
+    /// Returns the displacement of the half at a degree of freedom of the whole: the index of the
+    /// former, and its sign; `None` where the displacement vanishes.
     fn seen(&self, dof: usize, signs: Signs) -> Option<(usize, f64)> {
         let (node, axis) = (dof / 3, dof % 3);
         let sign = if self.is_first(node) { 1.0 } else { signs.0[axis] };
         (!self.is_still(node, axis, signs)).then(|| (3 * self.place[node] + axis, sign))
     }
 
-    /// Work of forces on displacements of the half.
+    /// Returns the work of forces on displacements of the half.
     fn folded(&self, forces: &SparseVector, signs: Signs) -> SparseVector {
         let seen =
             |&(dof, value): &(usize, f64)| self.seen(dof, signs).map(|(own, sign)| (own, sign * value));
         forces.entries.iter().filter_map(seen).collect()
     }
 
-    /// Rows of the half, one for a place and its image where they are images of each other. `own` is the sign that the mirror gives
-    /// displacements of this kind.
+    /// Returns the rows of the half, one for a point and its image where they are mirror images.
+    /// `own` is the sign of the mirror image for displacements of this kind.
     fn rows(&self, exchange: &Exchange, signs: Signs, own: f64) -> Kept<Option<(usize, f64)>> {
         let largest = |row: &SparseVector| row.entries.iter().fold(0.0_f64, |a, (_, b)| a.max(b.abs()));
         let mut kept = Kept { vectors: Vec::<SparseVector>::new(), numbers: Vec::new() };
@@ -210,7 +214,7 @@ impl Mirrored {
                 kept.numbers.push(None);
                 continue;
             }
-            // A place whose image came before it.
+            // A point whose image precedes it.
             let image = exchange.images[number].filter(|&(image, _)| image < number);
             let known = image.and_then(|(image, sign)| Some((kept.numbers[image]?, sign * own)));
             let shared = known.filter(|&((at, of_image), sign)| {
@@ -228,7 +232,8 @@ impl Mirrored {
     }
 }
 
-/// Of each point the one that is its mirror image in the middle of an axial range, if there is one among them.
+/// Finds for each point its mirror image about the middle of an axial range, if it is one of the
+/// points.
 pub(super) fn images_of(points: &[[f64; 3]], [start, end]: [f64; 2]) -> Vec<Option<usize>> {
     let near = |a: f64, b: f64| (a - b).abs() <= SAME * (end - start);
     let image = |&[x, y, z]: &[f64; 3]| {
@@ -237,7 +242,7 @@ pub(super) fn images_of(points: &[[f64; 3]], [start, end]: [f64; 2]) -> Vec<Opti
     points.iter().map(image).collect()
 }
 
-/// Whether one row is `sign` times the other, up to `slack`.
+/// Returns true if one row is `sign` times the other, up to `slack`.
 fn equal(one: &SparseVector, other: &SparseVector, sign: f64, slack: f64) -> bool {
     one.entries.len() == other.entries.len()
         && one

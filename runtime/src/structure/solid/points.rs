@@ -1,8 +1,10 @@
-//! Spots of a surface as a table sees them: a few of its places across, times all polynomials along.
+//! Spots of a surface in table coordinates: weights on a few samples across, times all polynomials
+//! along.
 //!
-//! Spots of a grid stand in lines, across which the polynomials have one average each. So what a table says of many points is summed first
-//! over the polynomials, once a line, and then over the few places of each point: of a grid of lines that costs a fraction of what the
-//! matrix of all weights would.
+//! Spots of a grid form lines across the flank; on each line the averages of the polynomials are
+//! the same. Table values at many points are therefore summed first over the polynomials, once for
+//! each line, and then over the few samples of each point. For a grid of lines this costs a
+//! fraction of a product with the matrix of all weights.
 
 use super::Spot;
 use super::axial::AxialModes;
@@ -11,14 +13,14 @@ use crate::structure::spline::Weights;
 use faer::{Mat, MatRef};
 use std::collections::BTreeMap;
 
-/// Parts of the face by which points of a line may be apart: rounding.
+/// Points of a line may differ by one part of the face in this number: rounding.
 const LINE: f64 = (1_u64 << 44) as f64;
 
-/// Where a point is across the surface: places of a table with their weights.
+/// Position of a point across the surface: samples of a table with their weights.
 pub(super) struct Across {
-    /// Of the splines.
+    /// Weights of the splines.
     pub splines: Weights,
-    /// A further place.
+    /// An additional sample.
     pub more: Option<(usize, f64)>,
 }
 
@@ -32,16 +34,16 @@ impl Across {
 
 /// Points of one surface.
 pub(super) struct Points {
-    /// Of the table.
+    /// Number of samples of the table.
     places: usize,
     across: Vec<Across>,
-    /// The line of each point.
+    /// Line of each point.
     line: Vec<usize>,
-    /// Averages of the polynomials, a column a line.
+    /// Averages of the polynomials, one column for each line.
     along: Mat<f64>,
 }
 
-/// A place of a table and the points that have a weight on it.
+/// Sample of a table and the points that have a weight on it.
 #[derive(Default)]
 struct Place {
     /// Lines of those points, ascending.
@@ -51,7 +53,7 @@ struct Place {
 }
 
 impl Points {
-    /// Spots as a table with so many places sees them.
+    /// Builds the points from spots, for a table with this number of samples.
     pub fn new(modes: &AxialModes, places: usize, spots: &[Spot], across: impl Fn(f64) -> Across) -> Self {
         let [start, _] = modes.range();
         let step = modes.length() / LINE;
@@ -73,7 +75,7 @@ impl Points {
         self.along.nrows()
     }
 
-    /// What each place of the table has to do with.
+    /// Returns the lines and points of each sample of the table.
     fn by_place(&self) -> Vec<Place> {
         let mut places: Vec<Place> = (0..self.places).map(|_| Place::default()).collect();
         for (point, across) in self.across.iter().enumerate() {
@@ -89,12 +91,12 @@ impl Points {
         places
     }
 
-    /// Polynomials on some lines, a column a line.
+    /// Returns the polynomials on some lines, one column for each line.
     fn along(&self, lines: &[usize]) -> Mat<f64> {
         Mat::from_fn(self.modes(), lines.len(), |mode, line| self.along[(mode, lines[line])])
     }
 
-    /// Columns of a table for loads at the points: a column a point.
+    /// Returns columns of a table for loads at the points: one column for each point.
     pub fn columns(&self, table: MatRef<'_, f64>) -> Mat<f64> {
         let mut columns = Mat::<f64>::zeros(table.nrows(), self.across.len());
         for (place, of) in self.by_place().iter().enumerate().filter(|(_, of)| !of.points.is_empty()) {
@@ -110,7 +112,8 @@ impl Points {
         columns
     }
 
-    /// What observers at the points see of columns of a table: rows by column, a column an observer.
+    /// Evaluates columns of a table at the points as observers: rows by column, one column for each
+    /// observer.
     pub fn seen(&self, columns: MatRef<'_, f64>) -> Mat<f64> {
         let mut seen = Mat::<f64>::zeros(columns.ncols(), self.across.len());
         for (place, of) in self.by_place().iter().enumerate().filter(|(_, of)| !of.points.is_empty()) {
@@ -126,7 +129,7 @@ impl Points {
         seen
     }
 
-    /// Forces at the points, as the table's loads.
+    /// Returns forces at the points as loads of the table.
     pub fn loads(&self, forces: &[f64]) -> Mat<f64> {
         let mut loads = Mat::zeros(self.modes() * self.places, 1);
         for ((across, &line), force) in self.across.iter().zip(&self.line).zip(forces) {
@@ -139,7 +142,8 @@ impl Points {
         loads
     }
 
-    /// The line of a load as the polynomials see it, at these points (rows) and others: sums of products of polynomials.
+    /// Returns the projection of a load on the polynomials, at these points (rows) and others: sums
+    /// of products of polynomials.
     pub fn lines(&self, others: &Points) -> impl Fn(usize, usize) -> f64 {
         let products = product(self.along.transpose(), others.along.as_ref());
         move |point, other| products[(self.line[point], others.line[other])]

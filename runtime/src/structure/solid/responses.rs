@@ -1,4 +1,5 @@
-//! What the mesh of a body answers to all loads: as one problem, or as one for each half of a body that is its own mirror image.
+//! Responses of a body's mesh to all loads: as one problem, or as one problem for each half of a
+//! mirror-symmetric body.
 
 use super::halves::Mirrored;
 use crate::fe::SparseVector;
@@ -14,59 +15,60 @@ use faer::Mat;
 use rayon::prelude::*;
 use std::sync::Arc;
 
-/// A sector of a ring, before it is condensed.
+/// Sector of a ring, before it is condensed.
 pub(super) struct Sector {
     pub cuts: Cuts,
-    /// Nodes that do not move.
+    /// Fixed nodes.
     pub held: Vec<usize>,
-    /// What vanishes of the bore's displacements, if it is held in the mean; then in one piece.
+    /// Averages of the bore's displacements that vanish, for averaged constraints; the sector is
+    /// then condensed in one piece.
     pub means: Option<BoreMeans>,
     pub sectors: u32,
-    /// Sectors beside a loaded one that are known.
+    /// Largest distance of coupled sectors.
     pub coupled: u32,
 }
 
-/// Loads of a body and forms of its displacements.
+/// Loads of a body and linear forms of its displacements.
 pub(super) struct Exchange {
     pub loads: Vec<SparseVector>,
-    /// Of each load: whether the mirror turns it into its opposite.
+    /// For each load, true if it is antisymmetric.
     pub odd: Vec<bool>,
     pub rows: Vec<SparseVector>,
-    /// Of each row, if it has one: the row of the mirrored place, and the sign that the mirror gives it.
+    /// For each row, the row of the mirrored point, if any, and the sign of the mirror image.
     pub images: Vec<Option<(usize, f64)>>,
-    /// What the rows take.
+    /// Memory reservations for the rows.
     pub rooms: Vec<Room>,
 }
 
-/// The equations of a whole mesh.
+/// Assembles the equations of a whole mesh.
 pub(super) fn whole(model: &SolidModel, interrupt: &Interrupt) -> Result<Assembled, StructureError> {
     Assembled::solid(&model.mesh, interrupt, || model.stiffness())
 }
 
-/// The answers of a body, of which parts do not know of each other.
+/// Responses of a body with uncoupled parts.
 pub(super) struct Responses {
     loads: usize,
     rows: usize,
     parts: Vec<Part>,
-    /// What loads do to a bore that gives way.
+    /// Coupling of loads through a compliant bore.
     pub bore: Option<ThroughBore>,
 }
 
-/// Loads and the amplitudes of the bore that were let go.
+/// Coupling of loads with the released amplitudes of the bore.
 pub(super) struct ThroughBore {
     pub released: Released,
-    /// What held them against each load.
+    /// Constraint forces of the amplitudes for each load.
     pub forces: Mat<f64>,
-    /// Each row by them.
+    /// Each row by amplitudes.
     pub stresses: Mat<f64>,
 }
 
 struct Part {
     condensed: Condensed,
     ring: Option<RingFlexibility>,
-    /// Numbers of its loads among all.
+    /// Indices of its loads among all.
     loads: Vec<usize>,
-    /// Of each of all rows: its number in this part and a sign; `None` if it is zero there.
+    /// For each of all rows, its index in this part and a sign; `None` if it is zero there.
     rows: Vec<Option<(usize, f64)>>,
 }
 
@@ -78,12 +80,12 @@ impl Part {
 }
 
 impl Responses {
-    /// Of a body that was condensed in one piece.
+    /// Builds the responses of a body that was condensed in one piece.
     pub fn of_body(condensed: Condensed, exchange: &Exchange) -> Self {
         Self::of(vec![Part::whole(condensed, None, exchange)], exchange)
     }
 
-    /// Of a ring of sectors: by halves, if `mirrored` is given.
+    /// Builds the responses of a ring of sectors: by halves, if `mirrored` is given.
     pub fn of_ring(
         model: &SolidModel,
         sector: &Sector,
@@ -118,7 +120,7 @@ impl Responses {
             });
             return Ok(Self { bore, ..Self::of(vec![Part::whole(condensed, ring, exchange)], exchange) });
         };
-        // Folded, both halves' vectors are together as large as those of the whole.
+        // The folded vectors of both halves together are as large as those of the whole.
         let folded = exchange.rooms.iter().map(Room::bytes).sum();
         let _room = interrupt.room_for(folded).map_err(StructureError::Interrupted)?;
         let equations = mirrored.equations(model, interrupt)?;
@@ -140,7 +142,7 @@ impl Responses {
         Self { loads: exchange.loads.len(), rows: exchange.rows.len(), parts, bore: None }
     }
 
-    /// The farthest sector from a loaded one whose answers are known.
+    /// Returns the largest distance of a sector from a loaded one in the responses.
     pub fn window(&self) -> u32 {
         self.parts
             .iter()
@@ -150,7 +152,7 @@ impl Responses {
             .unwrap_or(0)
     }
 
-    /// Answers of the sector some places ahead of a loaded one.
+    /// Returns the responses of the sector at an offset ahead of a loaded one.
     pub fn at(&self, offset: u32, interrupt: &Interrupt) -> Result<Response, StructureError> {
         let own = |part: &Part| response(&part.condensed, part.ring.as_ref(), offset, interrupt);
         let mut all = Response {

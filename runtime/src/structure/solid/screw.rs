@@ -1,19 +1,22 @@
-//! Surfaces that a screw motion about the z axis takes into themselves: flanks of spur and helical gears.
+//! Helical surfaces, invariant under a screw motion about the z axis: flanks of spur and helical
+//! gears.
 //!
-//! How far two of their points are apart depends on the axial places only through their difference, which is what makes the
-//! half-space's answers to loads on a whole flank cheap.
+//! The distance of two of their points depends on the axial coordinates only through their
+//! difference, which makes the half-space's responses to loads on a whole flank inexpensive.
 
 use crate::surface::Surface;
 
-/// Intervals of the table of the profile: its error is of the order of 1e-12 of the length.
+/// Number of intervals of the table of the profile: its error is of the order of 1e-12 of the
+/// length.
 const INTERVALS: usize = 512;
-/// Points of a surface may lie so far off the screw motion, relative to the size of the surface.
+/// Largest deviation of points of a surface from the screw motion, relative to the size of the
+/// surface.
 const TOLERANCE: f64 = 1e-3;
 
-/// A transverse profile that is screwed along the z axis.
+/// Transverse profile that is extruded along the z axis with a rotation.
 #[derive(Clone, Debug)]
 pub(crate) struct Screw {
-    /// rad/m; 0 where it is only drawn along.
+    /// Rotation per axial length, rad/m; 0 for a spur gear.
     pub rate: f64,
     start: f64,
     step: f64,
@@ -22,7 +25,8 @@ pub(crate) struct Screw {
 }
 
 impl Screw {
-    /// The profile of a surface at the middle of its axial range, for `u` between two places. `None` if the surface is none of this kind.
+    /// Extracts the profile of a surface at the middle of its axial range, for `u` between two
+    /// coordinates. `None` if the surface is not helical.
     pub fn of(surface: &dyn Surface, [from, to]: [f64; 2]) -> Option<Self> {
         let [u_range, [v_start, v_end]] = surface.range();
         let middle = 0.5 * (v_start + v_end);
@@ -41,7 +45,7 @@ impl Screw {
                 let expected = [cos * x - sin * y, sin * x + cos * y, z + v - middle];
                 let found = surface.at(u, v).position;
                 let off = (0..3).map(|axis| (found[axis] - expected[axis]).abs()).fold(0.0, f64::max);
-                // Negated, so that what is not a number is off.
+                // The comparison is negated so that NaN fails it.
                 let near = off <= TOLERANCE * size;
                 if !near {
                     return None;
@@ -56,7 +60,7 @@ impl Screw {
         Some(Self { rate, start: from, step, points: (0..=INTERVALS).map(point).collect() })
     }
 
-    /// Position in the transverse plane, m.
+    /// Returns the position in the transverse plane, m.
     pub fn profile(&self, u: f64) -> [f64; 2] {
         let at = (u - self.start) / self.step;
         let index = (at.max(0.0) as usize).min(INTERVALS - 1);

@@ -1,13 +1,14 @@
-//! Bodies in space without a mesh: rigid ones, and half-spaces whatever their shape.
+//! Three-dimensional bodies without a mesh: rigid bodies, and half-spaces of any shape.
 
 use super::{Mirror, SolidStructure, Spot, SpotLoad, SurfaceStress};
 use crate::structure::Chart;
 use crate::surface::Surface;
 use std::sync::Arc;
 
-/// Surfaces of which each gives way as the half-space that touches it, and feels no load on another one: `R` is zero.
+/// Body with independent surfaces, each with the compliance of its tangent half-space: `R` is zero.
 ///
-/// With an infinite modulus it is rigid. Its surfaces are repeated round the z axis like those of a gear.
+/// With an infinite modulus it is rigid. Its surfaces are repeated around the z axis like those of
+/// a gear.
 pub struct SimpleSolid {
     surfaces: Vec<Arc<dyn Surface>>,
     teeth: u32,
@@ -16,17 +17,18 @@ pub struct SimpleSolid {
 }
 
 impl SimpleSolid {
-    /// A body that does not deform. `surfaces` are those of tooth 0; `teeth` is at least 1.
+    /// Builds a rigid body. `surfaces` are those of tooth 0; `teeth` is at least 1.
     pub fn rigid(surfaces: Vec<Arc<dyn Surface>>, teeth: u32) -> Self {
         Self::half_space(surfaces, teeth, f64::INFINITY)
     }
 
-    /// A body that deforms near the loads only. `surface_modulus` is `E' = E / (1 - nu²)` in Pa.
+    /// Builds a body that deforms near the loads only. `surface_modulus` is `E' = E / (1 - nu²)` in
+    /// Pa.
     pub fn half_space(surfaces: Vec<Arc<dyn Surface>>, teeth: u32, surface_modulus: f64) -> Self {
         Self { surfaces, teeth: teeth.max(1), surface_modulus, mirrors: Vec::new() }
     }
 
-    /// The same between free side faces.
+    /// Adds free side faces.
     #[must_use]
     pub fn between(mut self, mirrors: Vec<Mirror>) -> Self {
         self.mirrors = mirrors;

@@ -1,4 +1,5 @@
-//! Bodies in space as bytes, to be kept from run to run: see [`crate::structure::stored`].
+//! Serialization of three-dimensional bodies for the structure cache: see
+//! [`crate::structure::stored`].
 
 use super::Mirror;
 use super::axial::AxialModes;
@@ -9,13 +10,13 @@ use crate::surface::Surface;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
-/// An [`ElasticSolid`] without the surfaces that contact sees.
+/// Serialized [`ElasticSolid`] without its contact surfaces.
 #[derive(Serialize, Deserialize)]
 struct StoredSolid<'a> {
     teeth: u32,
     surface_modulus: f64,
     kink: f64,
-    /// A point and the normal of each.
+    /// Point and normal of each mirror plane.
     mirrors: [[[f64; 3]; 2]; 2],
     modes: AxialModes,
     surfaces: Vec<StoredSurface>,
@@ -57,8 +58,8 @@ impl ElasticSolid {
         })
     }
 
-    /// The structure whose [`stored`](super::SolidStructure::stored) gave these bytes, with the surfaces that it was built with.
-    /// `None` if the bytes are of something else.
+    /// Restores a structure from the bytes of [`stored`](super::SolidStructure::stored), with the
+    /// surfaces that it was built with. `None` if the bytes contain something else.
     pub fn restored(bytes: &[u8], surfaces: Vec<Arc<dyn Surface>>) -> Option<Self> {
         let stored: StoredSolid = from_bytes(bytes)?;
         let known = |(stored, surface): (StoredSurface, Arc<dyn Surface>)| {
@@ -75,7 +76,7 @@ impl ElasticSolid {
         if stored.surfaces.len() != surfaces.len() {
             return None;
         }
-        // Stored where there is one, it must be sound.
+        // A stored bore coupling must be valid.
         let bore = match stored.bore {
             Some(bore) => Some(bore.coupling()?),
             None => None,

@@ -1,10 +1,11 @@
-//! A surface to test with: an arc of a circle, or a line, in the transverse plane, screwed about the z axis.
+//! Test surface: an arc of a circle, or a line, in the transverse plane, extruded along the z axis
+//! with a rotation.
 
 use crate::surface::{Surface, SurfacePoint};
 
-/// Convex, the material on the left of its arc.
+/// Convex, with the material on the left of its arc.
 pub(crate) struct ScrewedArc {
-    /// Helix angle at the start of the arc, rad.
+    /// Rotation per axial length, rad/m.
     pub rate: f64,
     pub start: [f64; 2],
     /// Direction of the arc at its start, and 1 / radius.
@@ -15,12 +16,13 @@ pub(crate) struct ScrewedArc {
 }
 
 impl ScrewedArc {
-    /// A plane from the z axis' side outward, drawn along.
+    /// Returns a plane outwards from the z axis, parallel to it.
     pub fn straight(range: [f64; 2]) -> Self {
         Self { rate: 0.0, start: [0.05, 0.002], angle: 0.1, curvature: 0.0, length: 0.01, range }
     }
 
-    /// Like the flank of a gear of 50 mm radius, with so much tangent of the helix angle.
+    /// Returns a surface like the flank of a gear of 50 mm radius, with this tangent of the helix
+    /// angle.
     pub fn flank(tangent: f64, range: [f64; 2]) -> Self {
         Self {
             rate: tangent / 0.05,
@@ -45,7 +47,7 @@ impl Surface for ScrewedArc {
     fn at(&self, u: f64, v: f64) -> SurfacePoint {
         let turned = self.angle + self.curvature * u;
         let (sin, cos) = turned.sin_cos();
-        // The chord, without cancellation where the arc is straight.
+        // Chord without cancellation where the arc is straight.
         let half = 0.5 * self.curvature * u;
         let chord = if half == 0.0 { u } else { u * half.sin() / half };
         let (chord_sin, chord_cos) = (self.angle + half).sin_cos();

@@ -1,5 +1,5 @@
-//! What the surfaces of a mesh in space are loaded and observed by, before anything is solved: mollifiers across by polynomials along the face, and
-//! rows of stress.
+//! Loads and observers of the surfaces of a three-dimensional mesh, before solution: mollifiers
+//! across by polynomials along the face, and rows of stress.
 
 use super::{KnownSurface, SolidSplitOptions, SolidSurfaceSource, faces};
 use crate::fe::solid::{FacePoint, SolidModel, SurfaceStressRecovery};
@@ -17,7 +17,7 @@ use crate::structure::spline::Spline;
 use faer::Mat;
 use rayon::prelude::*;
 
-/// A surface with its loads and stress rows, before solution.
+/// Surface with its loads and stress rows, before solution.
 pub(super) struct Prepared {
     pub known: KnownSurface,
     pub mollifiers: Vec<Mollifier>,
@@ -28,18 +28,18 @@ pub(super) struct Prepared {
     pub stress_rows: usize,
 }
 
-/// What a surface is loaded and observed by.
+/// Loads and stress rows of a surface.
 struct Vectors {
-    /// By polynomial, then mollifier.
+    /// Loads by polynomial, then mollifier.
     loads: Vec<SparseVector>,
-    /// Three a place.
+    /// Stress rows, three for each point.
     rows: Vec<SparseVector>,
     room: Room,
 }
 
-/// All loads and rows together, as a sector answers to them.
+/// Collects all loads and rows of a sector.
 fn gathered(modes: &AxialModes, prepared: &[Prepared], vectors: Vec<Vectors>) -> Exchange {
-    // Of polynomials along the face every other one is odd.
+    // Every other polynomial along the face is odd.
     let is_odd = |surface: &Prepared| {
         let places = surface.mollifiers.len();
         (0..surface.loads).map(move |load| load / places % 2 == 1).collect::<Vec<_>>()
@@ -56,7 +56,7 @@ fn gathered(modes: &AxialModes, prepared: &[Prepared], vectors: Vec<Vectors>) ->
         let first = images.len();
         let positions: Vec<[f64; 3]> = surface.known.stress_places.iter().map(|&(_, at)| at).collect();
         for image in images_of(&positions, modes.range()) {
-            // The mirror turns shear into its opposite.
+            // The mirror image reverses the sign of shear.
             let rows = [1.0, 1.0, -1.0].into_iter().enumerate();
             images.extend(rows.map(|(row, sign)| Some((first + 3 * image? + row, sign))));
         }
@@ -64,10 +64,11 @@ fn gathered(modes: &AxialModes, prepared: &[Prepared], vectors: Vec<Vectors>) ->
     Exchange { loads, odd, rows, images, rooms }
 }
 
-/// Surfaces, all their loads and rows, and the polynomials along the face that all share.
+/// Prepares the surfaces, all their loads and rows, and the polynomials along the face that all
+/// share.
 ///
 /// # Errors
-/// The mesh is not swept or too coarse, faces are missing, or the interrupt's.
+/// The mesh is not swept or too coarse, faces are missing, or the computation is interrupted.
 pub(super) fn prepare(
     model: &SolidModel,
     sources: &[SolidSurfaceSource],
@@ -174,7 +175,8 @@ fn prepare_surface(
     Ok((prepared, Vectors { loads, rows, room }))
 }
 
-/// Spline coefficients of the angle by which the transverse normal has turned since the first sample, positive where convex.
+/// Returns spline coefficients of the angle by which the transverse normal has rotated since the
+/// first sample, positive where convex.
 fn turned_coefficients(known: &KnownSurface) -> Vec<f64> {
     let [_, [start, end]] = known.surface.range();
     let middle = 0.5 * (start + end);
@@ -185,7 +187,7 @@ fn turned_coefficients(known: &KnownSurface) -> Vec<f64> {
         let point = known.surface.at(s, middle);
         let [x, y, _] = point.tangents[0];
         if let Some([px, py]) = previous {
-            // With the material on the left of the tangent a convex curve turns left.
+            // With the material on the left of the tangent, a convex curve bends to the left.
             let left = y * point.normal[0] - x * point.normal[1];
             angle += left.signum() * (px * y - py * x).atan2(px * x + py * y);
         }
