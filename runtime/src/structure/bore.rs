@@ -37,7 +37,7 @@ pub enum BoreHold {
         /// Highest constrained degree of polynomials along the bore.
         degree: u8,
     },
-    /// Supports the bore by spline teeth. Averaged constraints hold the rigid-body motion that the
+    /// Supports the bore by spline teeth. Averaged constraints fix the rigid-body motion that the
     /// spline teeth leave free: axial motion, and motions beyond their degree.
     Lugs(Lugs),
     /// Spline teeth with clearance, whose contact is solved outside the structure

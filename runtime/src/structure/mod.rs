@@ -1,4 +1,4 @@
-//! Elastic compliance of bodies relative to the body's frame, seen from their loadable surfaces.
+//! Elastic compliance of bodies relative to the body's frame, at their loadable surfaces.
 //!
 //! Displacements are elastic only: rigid-body motion belongs to the frame. The models in this
 //! module are plane models, per unit of face width: forces in N/m, compliances in m/(N/m).

@@ -82,8 +82,8 @@ impl CutStiffness {
         self.matrix.as_ref().submatrix(row * n, column * n, n, n)
     }
 
-    /// Returns the block of the cuts by the shared unknowns, for a chain whose frame is rotated by
-    /// the angle `before` against the first one.
+    /// Returns the block of the cuts by the shared unknowns, expressed in the frame of a chain that
+    /// begins at the angle `before` earlier.
     fn by_shared(&self, before: f64) -> Mat<f64> {
         let n = self.cut_size();
         self.shared.turned_back(self.matrix.as_ref().submatrix(0, 2 * n, 2 * n, self.shared.count), before)

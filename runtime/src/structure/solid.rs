@@ -1,4 +1,4 @@
-//! Elastic compliance of three-dimensional bodies, seen from their loadable surfaces.
+//! Elastic compliance of three-dimensional bodies, at their loadable surfaces.
 //!
 //! The compliance of a surface is split as in plane models: `A(x, x') = G(x, x') + R(x, x')`. `G`
 //! is the response of the half-space to a normal force (Johnson, Contact Mechanics, eq. 3.22a),

@@ -14,7 +14,8 @@ pub type SolidShape = [f64; 4];
 pub enum Cell {
     /// Hexahedron -1 <= xi, eta, zeta <= 1.
     ///
-    /// Faces 0 to 3 are `eta = -1`, `xi = 1`, `eta = 1`, `xi = -1` (as the sides of a plane element), 4 is `zeta = -1`, 5 is `zeta = 1`.
+    /// Faces 0 to 3 are `eta = -1`, `xi = 1`, `eta = 1`, `xi = -1` (as the sides of a plane
+    /// element), 4 is `zeta = -1`, 5 is `zeta = 1`.
     Hexahedron,
     /// Pentahedron xi, eta >= 0, xi + eta <= 1; -1 <= zeta <= 1.
     ///
@@ -29,10 +30,11 @@ pub enum Cell {
 /// Interpolation of a field in an element.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Interpolation {
-    /// Lagrange polynomials of order 1, 2 or 3 on equally spaced nodes; `xi` runs fastest, then `eta`.
+    /// Lagrange polynomials of order 1, 2 or 3 on equally spaced nodes; `xi` runs fastest, then
+    /// `eta`.
     Hexahedron(u8),
-    /// Complete polynomials of the order over the triangle, times Lagrange polynomials along `zeta`. Nodes in layers of constant
-    /// `zeta`, in each with `xi` running fastest, then `eta`.
+    /// Complete polynomials of the order over the triangle, times Lagrange polynomials along
+    /// `zeta`. Nodes in layers of constant `zeta`, in each with `xi` running fastest, then `eta`.
     Pentahedron(u8),
     /// Complete polynomials of order 1, 2 or 3; `xi` runs fastest, then `eta`.
     Tetrahedron(u8),

@@ -1,4 +1,5 @@
-//! Interpolation along a line: Lagrange polynomials of any order, on equally spaced or on Gauss-Lobatto points.
+//! Interpolation along a line: Lagrange polynomials of any order, on equally spaced or on
+//! Gauss-Lobatto points.
 
 /// Returns `order + 1` equally spaced points of -1 ..= 1.
 pub fn equispaced(order: u8) -> Vec<f64> {

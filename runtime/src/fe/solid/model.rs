@@ -1,4 +1,5 @@
-//! Elasticity on a solid mesh: stiffness, mass, rigid-body motions, rows of displacement and of stress.
+//! Elasticity on a solid mesh: stiffness, mass, rigid-body motions, rows of displacement and of
+//! stress.
 
 use super::assembly::{Coupling, assemble};
 use super::interpolation::{Interpolation, SolidShape};

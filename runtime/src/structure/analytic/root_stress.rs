@@ -2,10 +2,10 @@
 //! section through the points where the tangents of the fillets make 30 degrees with the centre
 //! line of the tooth (60 degrees for an internal gear).
 //!
-//! `Y_F = 6 h_F cos(alpha) / s_F²`, times a module and divided by the cosine of tangential forces,
-//! is bending by the transverse force at the height where its line of action crosses the centre
-//! line. `Y_S = (1.2 + 0.13 L) q^(1 / (1.21 + 2.3 / L))` with `L = s_F / h_F` and
-//! `q = s_F / (2 rho_F)` is empirical. Both depend on the point of load application.
+//! `Y_F = 6 h_F cos(alpha) / s_F²`, apart from the module and the cosine in its definition by
+//! tangential forces, is bending by the transverse force at the height where its line of action
+//! crosses the centre line. `Y_S = (1.2 + 0.13 L) q^(1 / (1.21 + 2.3 / L))` with `L = s_F / h_F`
+//! and `q = s_F / (2 rho_F)` is empirical. Both depend on the point of load application.
 
 use super::cantilever::RootLoad;
 

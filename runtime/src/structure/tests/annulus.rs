@@ -7,7 +7,7 @@ use std::f64::consts::PI;
 
 pub const STEEL: Material = Material { youngs_modulus: 2.10e11, poissons_ratio: 0.3, density: 7850.0 };
 
-/// A thin one in plane stress.
+/// Thin ring in plane stress.
 pub const THIN: Annulus = Annulus {
     radii: [0.99, 1.01],
     sectors: 16,
@@ -18,17 +18,17 @@ pub const THIN: Annulus = Annulus {
     turned: 0.0,
 };
 
-/// A plain ring by one of its equal sectors.
+/// Plain ring, defined by one of its equal sectors.
 #[derive(Clone, Copy)]
 pub struct Annulus {
     pub radii: [f64; 2],
     pub sectors: u32,
-    /// Elements across the ring, and along each sector.
+    /// Number of elements across the ring, and along each sector.
     pub elements: [usize; 2],
     pub order: u8,
     pub material: Material,
     pub plane: Plane,
-    /// By which its first sector is turned, rad.
+    /// Rotation of its first sector, rad.
     pub turned: f64,
 }
 

@@ -1,4 +1,4 @@
-//! Small bodies to test with: a disc, and a gear-like ring whose teeth are straight-sided.
+//! Small test bodies: a disc, and a gear-like ring with straight-sided teeth.
 
 use crate::fe::block::uniform;
 use crate::fe::{Block, Curve, ElementOrder, MeshBuilder, PlaneMesh, PlaneModel, Side};
@@ -10,7 +10,7 @@ use std::sync::Arc;
 
 pub const STEEL: Material = Material { youngs_modulus: 2.06e11, poissons_ratio: 0.3, density: 7800.0 };
 
-/// A circular arc with the material inside, counter-clockwise from angle `from`.
+/// Circular arc with the material inside, counter-clockwise from angle `from`.
 pub struct Arc2 {
     pub radius: f64,
     pub from: f64,
@@ -33,7 +33,7 @@ impl Profile for Arc2 {
     }
 }
 
-/// A straight line with the material on one side.
+/// Straight line with the material on one side.
 pub struct Line {
     pub from: [f64; 2],
     pub to: [f64; 2],
@@ -57,7 +57,7 @@ impl Profile for Line {
     }
 }
 
-/// A disc about the origin; surfaces 0 and 1 are quarter arcs about the +x and the -x axis.
+/// Returns a disc about the origin; surfaces 0 and 1 are quarter arcs about the +x and the -x axis.
 pub fn disc(radius: f64, divisions: usize) -> (PlaneModel, Vec<SurfaceSource>) {
     let core = 0.5 * radius;
     let inner = |angle: f64| [core * angle.cos(), core * angle.sin()];
@@ -65,7 +65,8 @@ pub fn disc(radius: f64, divisions: usize) -> (PlaneModel, Vec<SurfaceSource>) {
     let corner = |k: usize| FRAC_PI_4 + FRAC_PI_2 * k as f64;
     let mut builder = MeshBuilder::new();
     let along = uniform(divisions);
-    // Quarter k lies between corner k - 1 and corner k; the core's sides bulge half as much as a circle.
+    // Quarter k lies between corner k - 1 and corner k; the core's sides bulge half as much as a
+    // circle.
     let bulged = |a: f64, b: f64| {
         let (from, to) = (inner(a), inner(b));
         Curve::new(move |u| {
@@ -119,7 +120,7 @@ pub struct Divisions {
     pub tooth_root: usize,
     pub flank: usize,
     pub thickness: usize,
-    /// How much smaller elements are at the tip than in the middle of the flank.
+    /// Ratio of the element size in the middle of the flank to that at the tip.
     pub grading: f64,
 }
 
@@ -135,7 +136,7 @@ pub fn ring_source(teeth: u32) -> RingSource<'static> {
     }
 }
 
-/// Symmetric divisions, finer towards both ends.
+/// Returns symmetric divisions, finer towards both ends.
 fn towards_both(count: usize, grading: f64) -> Vec<f64> {
     let half = crate::fe::block::graded(count / 2, grading);
     let mut at: Vec<f64> = half.iter().map(|x| 0.5 * x).collect();
@@ -147,11 +148,12 @@ fn towards_end(count: usize, grading: f64) -> Vec<f64> {
     crate::fe::block::graded(count, grading).iter().rev().map(|x| 1.0 - x).collect()
 }
 
-/// Radius of the root circle, and of the bore unless it is told.
+/// Radius of the root circle, and default radius of the bore.
 const ROOT: f64 = 0.9;
 pub const BORE: f64 = 0.75;
 
-/// Blocks of one sector, its tooth turned to `angle`, in a ring of `teeth`; names only if it is the first.
+/// Adds the blocks of one sector, with its tooth at `angle`, in a ring of `teeth`; sides are named
+/// only for the first sector.
 fn sector_blocks(
     builder: &mut MeshBuilder,
     (teeth, bore): (u32, f64),
@@ -224,18 +226,19 @@ fn sector_blocks(
     builder.block(head);
 }
 
-/// Start and end of flank 0 of the tooth on the x axis.
+/// Returns the start and the end of flank 0 of the tooth on the x axis.
 fn tooth_corners(teeth: u32, scale: f64) -> [[f64; 2]; 2] {
     let pitch = ROOT * 2.0 * PI / f64::from(teeth) * scale;
     [[ROOT * scale + 0.3 * pitch, 0.25 * pitch], [ROOT * scale + 0.8 * pitch, 0.14 * pitch]]
 }
 
-/// One sector with its tooth on the x axis, and its two flanks.
+/// Returns one sector with its tooth on the x axis, and its two flanks.
 pub fn toothed_sector(teeth: u32, scale: f64, divisions: Divisions) -> (PlaneModel, Vec<SurfaceSource>) {
     sector_on((teeth, BORE), scale, divisions)
 }
 
-/// The same on a bore of another radius, of the radius 1 to which the ring is scaled.
+/// Returns the sector with a different bore radius, relative to the ring's radius of 1 before
+/// scaling.
 pub fn sector_on(ring: (u32, f64), scale: f64, divisions: Divisions) -> (PlaneModel, Vec<SurfaceSource>) {
     let mut builder = MeshBuilder::new();
     sector_blocks(&mut builder, ring, scale, 0.0, divisions, true);
@@ -260,12 +263,13 @@ pub fn sector_on(ring: (u32, f64), scale: f64, divisions: Divisions) -> (PlaneMo
     (PlaneModel::new(mesh, STEEL, Plane::Strain), surfaces)
 }
 
-/// The whole ring as one mesh, with the names of its first sector and `bore` all round.
+/// Returns the whole ring as one mesh, with the names of its first sector and `bore` on the whole
+/// circumference.
 pub fn toothed_ring(teeth: u32, divisions: Divisions) -> PlaneMesh {
     ring_on((teeth, BORE), divisions)
 }
 
-/// The same on a bore of another radius.
+/// Returns the whole ring with a different bore radius.
 pub fn ring_on(ring: (u32, f64), divisions: Divisions) -> PlaneMesh {
     let mut builder = MeshBuilder::new();
     for tooth in 0..ring.0 {

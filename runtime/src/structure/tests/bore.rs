@@ -1,4 +1,5 @@
-//! Bores held in the mean: condensed rings against whole ones, and rings that theory knows.
+//! Bores with averaged constraints: condensed rings against whole ones, and against analytical
+//! solutions.
 
 use super::bodies::{COARSE, Divisions, STEEL, ring_source, toothed_ring, toothed_sector};
 use crate::fe::solid::{ABSENT, SolidMesh, SolidModel};
@@ -23,7 +24,7 @@ pub(super) fn turned([x, y, z]: [f64; 3], angle: f64) -> [f64; 3] {
     [cos * x - sin * y, sin * x + cos * y, z]
 }
 
-/// The load vector of a unit force at the node nearest to a point, both turned by `angle`.
+/// Returns the load vector of a unit force at the node nearest to a point, both rotated by `angle`.
 pub(super) fn force(equations: &Assembled, point: [f64; 3], direction: [f64; 3], angle: f64) -> SparseVector {
     let (point, direction) = (turned(point, angle), turned(direction, angle));
     let distance = |node: usize| -> f64 {
@@ -35,12 +36,13 @@ pub(super) fn force(equations: &Assembled, point: [f64; 3], direction: [f64; 3],
     (0..count).map(|axis| (count * nearest + axis, direction[axis])).collect()
 }
 
-/// Displacements of a whole free body under a load, means of which vanish, or yield to the forces on them.
+/// Displacements of a whole free body under a load, with averages that vanish or respond to their
+/// forces with a compliance.
 pub(super) struct Direct {
     solver: Solver,
     motions: Vec<Vec<f64>>,
     pub forms: Vec<Vec<f64>>,
-    /// Of the forms, m/N; 0 where they vanish.
+    /// Compliance of the forms, m/N; 0 where they vanish.
     compliance: Vec<f64>,
     /// Displacements by each of the forms as a load.
     by_forms: Vec<Vec<f64>>,
@@ -55,7 +57,7 @@ impl Direct {
         Self::beside(equations, &[], motions, forms)
     }
 
-    /// Beside nodes without material.
+    /// Builds the solution without the nodes that have no material.
     fn beside(equations: &Assembled, absent: &[usize], motions: &[Vec<f64>], forms: &[SparseVector]) -> Self {
         let mut held = Constraints::new();
         for dof in equations.dofs_of(absent) {
@@ -78,7 +80,7 @@ impl Direct {
         Self { solver, motions: motions.to_vec(), forms, compliance, by_forms }
     }
 
-    /// With forms that yield so.
+    /// Sets the compliance of the forms.
     pub fn yielding(self, compliance: Vec<f64>) -> Self {
         Self { compliance, ..self }
     }
@@ -87,11 +89,12 @@ impl Direct {
         self.solve(load).0
     }
 
-    /// Displacements, and the forces on the forms.
+    /// Returns the displacements, and the forces on the forms.
     pub fn solve(&self, load: &[f64]) -> (Vec<f64>, Vec<f64>) {
         let own = self.solver.solve_one(load).unwrap();
         let (k, r) = (self.forms.len(), self.motions.len());
-        // Forces on the forms and rigid motions: forms of the sum vanish, and so does the work of the forces on motions.
+        // Forces on the forms and rigid-body motions: the forms of the total vanish, and so does
+        // the work of the forces in the motions.
         let mut system = Mat::<f64>::zeros(k + r, k + r);
         let mut right = Mat::<f64>::zeros(k + r, 1);
         for (i, form) in self.forms.iter().enumerate() {
@@ -168,7 +171,8 @@ fn condensed_sectors_on_a_bore_held_in_the_mean_agree_with_the_whole_mesh() {
         ([0.75, 0.3, 0.0], [1.0, 0.2, 0.0]),
     ];
     let loads: Vec<_> = points.iter().map(|&(at, along)| force(&equations[0], at, along, 0.0)).collect();
-    // Terms that are held and let go again are as good as never held.
+    // Terms that are constrained and then released give the same result as terms that are never
+    // constrained.
     for (waves, coupled) in
         [(None, None), (Some(0), None), (Some(1), None), (Some(4), None), (None, Some(4)), (Some(2), Some(3))]
     {
@@ -202,7 +206,7 @@ fn condensed_helical_sectors_on_a_bore_held_in_the_mean_agree_with_the_whole_mes
     solid_rings_agree(teeth, &sector, &whole);
 }
 
-/// The bore is there alone where the web is.
+/// The bore exists only where the web is.
 #[test]
 fn condensed_sectors_on_a_web_held_in_the_mean_at_its_bore_agree_with_the_whole_mesh() {
     let teeth = 5;
@@ -266,7 +270,7 @@ fn solid_rings_agree(teeth: u32, sector: &SolidModel, whole: &SolidModel) {
     }
 }
 
-/// A sector of a plain ring, its middle on the x axis.
+/// Returns a sector of a plain ring, with its middle on the x axis.
 pub(super) fn plain_sector(radii: [f64; 2], sectors: u32, [around, through]: [usize; 2]) -> PlaneModel {
     let half = PI / f64::from(sectors);
     let polar = |radius: f64, at: f64| [radius * at.cos(), radius * at.sin()];
@@ -288,7 +292,7 @@ pub(super) fn plain_sector(radii: [f64; 2], sectors: u32, [around, through]: [us
     PlaneModel::new(builder.finish(ElementOrder::CUBIC).unwrap(), STEEL, Plane::Strain)
 }
 
-/// Loads on a plain ring, and what they do to each other at offsets of sectors.
+/// Loads on a plain ring, and their compliances at offsets of sectors.
 struct PlainRing {
     condensed: Condensed,
     ring: RingFlexibility,
@@ -325,7 +329,7 @@ impl PlainRing {
         Self { condensed, ring, sectors }
     }
 
-    /// Displacement along a load some sectors ahead by another one.
+    /// Returns the displacement along a load a number of sectors ahead by another one.
     fn between(&self, observed: usize, loaded: usize, ahead: u32) -> f64 {
         let cuts = self.ring.at(ahead) * self.condensed.on_cuts.col(loaded);
         let own = if ahead == 0 { self.condensed.own[(observed, loaded)] } else { 0.0 };
@@ -335,13 +339,14 @@ impl PlainRing {
 
 const FREE: BoreHold = BoreHold::Means { waves: None, degree: 1 };
 
-/// Two opposite forces lengthen a thin ring across them by (2/pi - 1/2) P R³/(E I) and shorten it along them by (pi/4 - 2/pi) of that
-/// (Timoshenko, Strength of Materials, part I); the frame bears nothing of them. Tension and shear add terms of (h/R)².
+/// Two opposite forces lengthen a thin ring across them by (2/pi - 1/2) P R³/(E I) and shorten it
+/// along them by (pi/4 - 2/pi) of that (Timoshenko, Strength of Materials, part I); the frame
+/// carries none of them. Tension and shear add terms of (h/R)².
 #[test]
 fn a_thin_ring_with_a_free_bore_ovalises_as_theory_has_it() {
     let (thickness, sectors) = (0.02, 24);
     let radii = [1.0 - 0.5 * thickness, 1.0 + 0.5 * thickness];
-    // At mid-thickness, so that the dent of the load is not in it.
+    // At mid-thickness, so that the local indentation of the load is not included.
     let ring = PlainRing::new(radii, sectors, FREE, &[([1.0, 0.0, 0.0], [1.0, 0.0, 0.0])]);
     let half = ring.sectors / 2;
     let bending = STEEL.surface_modulus(Plane::Strain) * thickness.powi(3) / 12.0;
@@ -352,30 +357,32 @@ fn a_thin_ring_with_a_free_bore_ovalises_as_theory_has_it() {
     assert!((across / across_theory - 1.0).abs() < 2e-3, "{across} against {across_theory}");
 }
 
-/// A torque on the outside of a ring that is held by its mean rotation twists it like one on a rigid bore, where the bore's shear is the
-/// same all around: u/r = T/(4 pi G) (1/a² - 1/b²). Equal tangential forces on all sectors make it.
+/// A torque on the outside of a ring with a constrained mean rotation twists it like one on a rigid
+/// bore if the shear at the bore is axisymmetric: u/r = T/(4 pi G) (1/a² - 1/b²). Equal tangential
+/// forces on all sectors provide the torque.
 #[test]
 fn torque_goes_through_the_mean_rotation_as_through_a_rigid_bore() {
-    // So many that the waves of their loads have died out at the place observed.
+    // A sufficient number of sectors, so that the harmonics of their loads have decayed at the
+    // observed point.
     let ([a, b], sectors) = ([0.6, 1.0], 40);
     let point = [([b, 0.0, 0.0], [0.0, 1.0, 0.0])];
     let shear = 0.5 * STEEL.youngs_modulus / (1.0 + STEEL.poissons_ratio);
     let inside = [([0.8, 0.0, 0.0], [0.0, 1.0, 0.0]), point[0]];
     let mean = |hold| {
         let ring = PlainRing::new([a, b], sectors, hold, &inside);
-        // Over all sectors; those behind are images of those ahead in the mirror through the load.
+        // Sum over all sectors; those behind are mirror images of those ahead, about the load.
         (0..sectors).map(|offset| ring.between(0, 1, offset.min(sectors - offset))).sum::<f64>()
     };
     let torque = f64::from(sectors) * b;
     let expected = 0.8 * torque / (4.0 * PI * shear) * (1.0 / (a * a) - 1.0 / 0.64);
-    // Forces at nodes, on elements that do not resolve their dents.
+    // Forces at nodes, on elements that do not resolve their local indentation.
     let [rigid, free] = [BoreHold::Rigid, FREE].map(mean);
     assert!((rigid / expected - 1.0).abs() < 1e-2, "{rigid:e} against {expected:e}");
     assert!((free / rigid - 1.0).abs() < 1e-3, "{free:e} against {rigid:e}");
 }
 
-/// With more and more terms of the series a bore becomes rigid, always from the side of the more compliant one; one that is far away
-/// hardly matters to begin with.
+/// With an increasing number of terms a bore becomes rigid, monotonically from the more compliant
+/// side. If the bore is far away, the number of terms hardly matters.
 #[test]
 fn more_terms_of_the_series_make_a_bore_rigid() {
     let compliance =
@@ -417,7 +424,8 @@ fn exchanging_load_and_observer_keeps_every_bit_on_a_free_bore() {
     }
 }
 
-/// Teeth too far apart for tables of their own feel each other through their cuts as they do in tables.
+/// Teeth too far apart for tables of their own are coupled through their cuts with the same result
+/// as by tables.
 #[test]
 fn distant_teeth_feel_each_other_through_the_bore() {
     let teeth = 16;
@@ -471,7 +479,7 @@ fn distant_teeth_feel_each_other_through_the_bore() {
     assert!(largest > 0.05 * scale, "they do feel each other: {largest:e} of {scale:e}");
 }
 
-/// A mesh cannot tell more waves than it has nodes.
+/// A mesh cannot resolve more harmonics than it has nodes.
 #[test]
 fn a_series_beyond_the_mesh_is_refused() {
     let model = plain_sector([0.8, 1.0], 4, [1, 1]);

@@ -1,4 +1,5 @@
-//! Whole meshes of rings under load against one mesh of the whole ring, and against what the condensed structures answer.
+//! Whole meshes of loaded rings against one mesh of the whole ring, and against the condensed
+//! structures.
 
 use super::bodies::{BORE, COARSE, Divisions, STEEL, ring_source, toothed_ring, toothed_sector};
 use super::bore::Direct;
@@ -48,7 +49,8 @@ fn size(displacement: [f64; 3]) -> f64 {
     distance(displacement, [0.0; 3])
 }
 
-/// Two teeth are loaded; every node that is shown moves as it does in one mesh of all teeth.
+/// With loads on two teeth, every output node has the displacement that it has in one mesh of all
+/// teeth.
 #[test]
 fn every_node_moves_as_in_one_mesh_of_the_whole_ring() {
     const SECTORS: u32 = 9;
@@ -101,7 +103,8 @@ fn every_node_moves_as_in_one_mesh_of_the_whole_ring() {
     }
 }
 
-/// Where a structure is asked for the displacement of an unloaded flank, near the load or far from it, the flank in the picture has moved so.
+/// The output displacement of an unloaded flank, near the load or far from it, is that of the
+/// structure.
 #[test]
 fn flanks_have_moved_by_what_the_structure_answers() {
     for hold in HOLDS {
@@ -114,7 +117,8 @@ fn flanks_have_moved_by_what_the_structure_answers() {
         let found = under(&meshed(TEETH, hold, COARSE), &[load]);
         let mut largest = 0.0_f64;
         for tooth in [3_u32, 4, 2, 5, 9] {
-            // Teeth further apart than a structure on lugs has tables for know of each other what its series tells them: to a hundredth of the largest.
+            // The series couples teeth without a common table, on spline teeth, to within a
+            // hundredth of the largest displacement.
             let beyond =
                 matches!(hold, BoreHold::Lugs(_)) && tooth.abs_diff(load.chart.tooth) > source.coupled;
             let tolerance = if beyond { 1e-2 } else { 2e-3 };
@@ -149,7 +153,7 @@ fn flanks_have_moved_by_what_the_structure_answers() {
     }
 }
 
-/// Loads on other teeth deform the ring as it was deformed, further round.
+/// Loads on other teeth cause the same deformation, rotated.
 #[test]
 fn loads_a_pitch_further_turn_the_picture() {
     let body = meshed(TEETH, HOLDS[1], SMALL);
@@ -166,7 +170,7 @@ fn loads_a_pitch_further_turn_the_picture() {
         for (&moved, &there) in moved.iter().zip(there) {
             assert!(distance(turn(moved), there) < 1e-12 * largest);
         }
-        // Of tensors, what turning leaves.
+        // Tensors are compared by invariants under rotation.
         for (a, b) in sector.stresses.iter().zip(&ahead.stresses) {
             let scale = a.iter().fold(1.0_f64, |most, part| most.max(part.abs()));
             assert!((a[0] + a[1] - b[0] - b[1]).abs() < 1e-9 * scale && (a[2] - b[2]).abs() < 1e-9 * scale);
@@ -174,13 +178,14 @@ fn loads_a_pitch_further_turn_the_picture() {
     }
 }
 
-/// A flank moves under the force of a loose lug as the lug does under the same force on the flank (Maxwell and Betti), and under forces of
-/// teeth as the structure on such lugs answers.
+/// Maxwell-Betti: the displacement of a flank by the force of a loose spline tooth is that of the
+/// spline tooth by the same force on the flank. Under forces of gear teeth the displacement is that
+/// of the structure on such spline teeth.
 #[test]
 fn flanks_move_by_loose_lugs_as_lugs_by_them() {
     let hold = BoreHold::LooseLugs { lugs: FOUR, clearance: 1e-5 };
     let (model, surfaces) = toothed_sector(TEETH, 1.0, COARSE);
-    // A series tells teeth far apart of each other to a hundredth; here all are in the tables.
+    // A series couples distant teeth to within a hundredth; here all are in the tables.
     let source = RingSource { hold, coupled: TEETH, ..ring_source(TEETH) };
     let (options, never) = (SplitOptions::default(), Interrupt::never());
     let structure = ElasticStructure::ring(&model, &source, &surfaces, &options, &never).unwrap();
@@ -199,7 +204,7 @@ fn flanks_move_by_loose_lugs_as_lugs_by_them() {
         let (sin, cos) = structure.tooth_angle(tooth).sin_cos();
         let profile = structure.profile(1);
         let [lugs_only, both] = [&by_lugs, &by_both].map(|all| &all[tooth as usize]);
-        // One picture may show fewer nodes of it than the other.
+        // The two outputs may have different numbers of nodes.
         for (sector, tooth_force) in [(lugs_only, 0.0), (both, on_tooth.force)] {
             for (&[x, y, _], moved) in sector.points.iter().zip(&sector.displacements) {
                 let point = profile.at(0.0);
@@ -225,7 +230,8 @@ fn flanks_move_by_loose_lugs_as_lugs_by_them() {
     assert!(seen > 6 * TEETH as usize, "{seen} nodes of flanks");
 }
 
-/// In space, on a helical ring: the other flanks of the loaded tooth and of its neighbours. Also on a disc web of a mesh of its own.
+/// Three dimensions, on a helical ring: the other flanks of the loaded tooth and of its neighbours.
+/// Also on a disc web with a separate mesh.
 #[test]
 fn flanks_in_space_have_moved_by_what_the_structure_answers() {
     let ring = Ring { divisions: COARSE, ratio: 0.3, helix: 0.2, face_width: 0.5, layers: 2, axial_order: 3 };
@@ -243,7 +249,7 @@ fn flanks_in_space_have_moved_by_what_the_structure_answers() {
         };
         let structure = structure.unwrap();
         let body = MeshedBody::solid_ring(model, &source, web, &flanks(), &never).unwrap();
-        // An even load along the face, which few polynomials say.
+        // A uniform load along the face, which few polynomials represent.
         let [[_, length], [start, end]] = structure.surface(0).range();
         let chart = Chart { tooth: 0, surface: 0 };
         let count = 40;

@@ -1,5 +1,5 @@
-//! A free disc under opposite loads, of which the exact answer is known in series and in closed form. This is what
-//! sees a wrong far field.
+//! Free disc under opposite loads, whose exact solution is known as a series and in closed form.
+//! This test detects an incorrect far field.
 
 use super::bodies::{STEEL, disc};
 use crate::fe::quadrature::gauss_legendre;
@@ -16,9 +16,10 @@ fn single(structure: &ElasticStructure, observe: Chart, s: f64, load: Chart, at:
     value[0]
 }
 
-/// Inward displacement at angle `theta` from the load by unit inward loads at 0 and pi on a disc, without what is
-/// common to the whole circle's rigid motion (there is none: loads are opposite). Fourier series of
-/// `[(k + 1)/n + (1 - k)/n² + ...]/(4 mu)`, its slow parts summed in closed form.
+/// Returns the inward displacement at angle `theta` from the load by unit inward loads at 0 and pi
+/// on a disc. The loads are opposite, so there is no rigid-body motion. The Fourier series of
+/// `[(k + 1)/n + (1 - k)/n² + ...]/(4 mu)` is evaluated with its slowly converging parts summed in
+/// closed form.
 fn exact(theta: f64, plane: Plane) -> f64 {
     let (young, nu) = (STEEL.youngs_modulus, STEEL.poissons_ratio);
     let mu = 0.5 * young / (1.0 + nu);
@@ -88,10 +89,10 @@ fn squeezed_disc_has_the_known_approach() {
     let (modulus, length) = (structure.surface_modulus(), structure.reference_length());
     let middle = radius * FRAC_PI_4;
     for half_width in [0.03 * radius, 0.003 * radius] {
-        // Hertz's pressure of unit force; its logarithmic mean at the middle is ln(a / 2) - 1/2.
+        // Hertzian pressure of unit force; its logarithmic mean at the middle is ln(a / 2) - 1/2.
         let mut inward = -2.0 / (PI * modulus) * ((0.5 * half_width / length).ln() - 0.5);
         for (x, weight) in gauss_legendre(40) {
-            // s = a sin(pi x / 2) takes the root out of the pressure.
+            // s = a sin(pi x / 2) removes the square root from the pressure.
             let angle = 0.5 * PI * x;
             let force = weight * angle.cos().powi(2);
             let at = middle + half_width * angle.sin();
@@ -100,7 +101,8 @@ fn squeezed_disc_has_the_known_approach() {
         }
         let approach = 2.0 * inward;
         let known = 2.0 / (PI * modulus) * (2.0 * (4.0 * radius / half_width).ln() - 1.0);
-        // The known approach neglects terms of the order of (a / R) / (4 pi): the half-plane's sideways displacement.
+        // The published approach neglects terms of the order of (a / R) / (4 pi): the tangential
+        // displacement of the half-plane.
         assert!((approach / known - 1.0).abs() < 1e-3, "{approach} against {known}");
     }
 }

@@ -1,4 +1,5 @@
-//! Stress in the fillets of teeth far from the load, off the condensed tables, against one mesh of the whole ring.
+//! Stress in the fillets of teeth far from the load, from the condensed tables, against one mesh of
+//! the whole ring.
 
 use super::bodies::{COARSE, STEEL, ring_on, ring_source, sector_on};
 use super::bore::Direct;
@@ -11,7 +12,7 @@ use crate::structure::elastic::prepare;
 use crate::structure::{BoreHold, Chart, ElasticStructure, RingSource, SplitOptions, Structure, SurfaceLoad};
 use std::f64::consts::TAU;
 
-/// The load of a mesh on its first tooth, on the tooth that stands further on by an angle.
+/// Returns the load of a mesh on its first tooth, rotated to another tooth.
 pub(super) fn turned(model: &PlaneModel, load: &SparseVector, angle: f64) -> Vec<f64> {
     let (sin, cos) = angle.sin_cos();
     let full = load.to_full(model.dof_count());
@@ -29,8 +30,9 @@ pub(super) fn turned(model: &PlaneModel, load: &SparseVector, angle: f64) -> Vec
     there
 }
 
-/// On a bore that gives way the whole ring turns oval, and fillets far from the load with it. Loads stand at the nodes of the tables, where
-/// splines are what was condensed. Three teeth on either side have tables; the others are known through their cuts.
+/// On a compliant bore the whole ring becomes oval, which stresses fillets far from the load. Loads
+/// are at the nodes of the tables, where splines are exact. Three teeth on either side have tables;
+/// the others are coupled through their cuts.
 fn agrees_with_the_whole_mesh(teeth: u32, bore: f64, tested: &[u32]) {
     let hold = BoreHold::Means { waves: None, degree: 0 };
     let (model, surfaces) = sector_on((teeth, bore), 1.0, COARSE);
@@ -67,17 +69,17 @@ fn agrees_with_the_whole_mesh(teeth: u32, bore: f64, tested: &[u32]) {
                     "{teeth}, load on tooth {tooth}, {place:?}: {stress:e} {expected:e} ({error:.1e})"
                 );
             }
-            // There is something to compare.
+            // The stress is large enough for a comparison.
             let far = found.iter().fold(0.0_f64, |most, (_, stress)| most.max(stress.abs()));
             assert!(far > 1e-5 * largest, "tooth {tooth}: {far:e} {largest:e}");
         }
     }
 }
 
-/// From the loaded tooth to the opposite one, and those behind it.
+/// From the loaded tooth to the opposite one, and beyond.
 #[test]
 fn stress_on_teeth_far_from_the_load_is_that_of_the_whole_mesh() {
     agrees_with_the_whole_mesh(12, 0.75, &[0, 3, 4, 6, 8]);
-    // A rim of a fifteenth of its radius, less than half a pitch.
+    // A rim with a thickness of a fifteenth of its radius, less than half a pitch.
     agrees_with_the_whole_mesh(40, 0.84, &[0, 4, 7, 20, 31]);
 }

@@ -1,4 +1,5 @@
-//! Rings on lugs with clearance: condensed rings against whole ones, and against lugs that bear both ways.
+//! Rings on spline teeth with clearance: condensed rings against whole ones, and against spline
+//! teeth that carry load in both directions.
 
 use super::bodies::{STEEL, toothed_ring, toothed_sector};
 use super::bore::{Direct, dot, force};
@@ -16,15 +17,15 @@ use crate::structure::lugs::Lugs;
 use faer::{Mat, MatRef};
 
 const TEETH: u32 = 7;
-/// As wide as the spaces between them, and as soft as the ring is.
+/// Spline teeth as wide as the spaces between them, and as compliant as the ring.
 const FIVE: Lugs = Lugs { count: 5, tangential: 0.5 / STEEL.youngs_modulus, ..FOUR };
 
 fn loose(lugs: Lugs) -> BoreHold {
     BoreHold::LooseLugs { lugs, clearance: 0.0 }
 }
 
-/// What forces of lugs do to each other, to teeth and to stresses, and teeth to lugs, is what the whole mesh answers, held in its rigid-body
-/// means alone, to the same tractions.
+/// The couplings of spline teeth with each other, with gear teeth and with stresses are those of
+/// the whole mesh under the same tractions, with constrained rigid-body averages only.
 #[test]
 fn lugs_move_as_on_the_whole_mesh() {
     let (sector, _) = toothed_sector(TEETH, 1.0, SMALL);
@@ -65,7 +66,8 @@ fn lugs_move_as_on_the_whole_mesh() {
     assert!(farthest > 0.02 * scale, "lugs feel each other");
 }
 
-/// A whole ring: its equations, its motions as a rigid body, and the displacements of lugs by those of nodes.
+/// Whole ring: its equations, its rigid-body motions, and the displacements of spline teeth by
+/// those of nodes.
 struct Whole {
     equations: Assembled,
     motions: Vec<Vec<f64>>,
@@ -83,7 +85,8 @@ impl Whole {
     }
 }
 
-/// A ring under loads on its teeth, on nothing but its lugs, whose arms are those of the mesh's bore.
+/// Returns the contact problem of a ring under loads on its teeth, supported only by its spline
+/// teeth, whose lever arms are those of the mesh's bore.
 fn problem(ring: &Ring, whole: &Whole, contact: &LugContact, loads: &[(usize, u32)]) -> ContactProblem {
     let lugs = ring.coupling.loose.as_ref().unwrap();
     let mut moved = Mat::<f64>::zeros(whole.lugs.len(), 1);
@@ -110,8 +113,9 @@ fn problem(ring: &Ring, whole: &Whole, contact: &LugContact, loads: &[(usize, u3
     springs.behind(nothing, Mat::zeros(0, contact.flanks()).as_ref())
 }
 
-/// Under a load that presses every lug the same way the clearance turns the ring, and the rest is as on lugs that bear both ways. Under one that
-/// pushes the ring aside they bear what an interior-point solver finds too.
+/// Under a load that presses every spline tooth in the same direction, the clearance rotates the
+/// ring, and the rest is the same as on spline teeth that carry load in both directions. Under a
+/// transverse load the forces agree with those of an interior-point solver.
 #[test]
 fn lugs_that_are_all_pressed_bear_as_lugs_without_play() {
     let (sector, _) = toothed_sector(TEETH, 1.0, SMALL);
@@ -139,7 +143,7 @@ fn lugs_that_are_all_pressed_bear_as_lugs_without_play() {
             let solution = solve(&problem, None).unwrap();
             assert!(solution.certificate.largest() < 1e-10, "{:?}", solution.certificate);
             agree(&contact.around(&solution.forces), &expected, 1e-9);
-            // The mesh's bore is a circle but for a little.
+            // The mesh's bore is nearly a circle.
             let arms = contact.arms(0.0, [0.0; 2]).into_iter().flatten().collect();
             let round = solve(&ContactProblem { arms, ..problem }, None).unwrap();
             agree(&contact.around(&round.forces), &expected, 1e-5);

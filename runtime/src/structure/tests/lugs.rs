@@ -1,4 +1,4 @@
-//! Bores held by lugs: condensed rings against whole ones, and what equilibrium and symmetry say of them.
+//! Bores on spline teeth: condensed rings against whole ones, and against equilibrium and symmetry.
 
 use super::bodies::{COARSE, Divisions, STEEL, ring_source, toothed_ring, toothed_sector};
 use super::bore::{Direct, dot, force, plain_sector, turned};
@@ -20,7 +20,7 @@ use faer::Mat;
 use std::f64::consts::TAU;
 
 pub(super) const SMALL: Divisions = Divisions { rim: 2, tooth_root: 1, flank: 2, thickness: 4, grading: 1.0 };
-/// Four rigid lugs as wide as the spaces between them.
+/// Four rigid spline teeth as wide as the spaces between them.
 pub(super) const FOUR: Lugs =
     Lugs { count: 4, first: 0.3, width: TAU / 8.0, tangential: 0.0, radial: None, degree: 0 };
 
@@ -29,7 +29,7 @@ pub(super) struct Ring {
     condensed: Condensed,
     flexibility: RingFlexibility,
     pub coupling: BoreCoupling,
-    /// Forces that hold the bore against each load.
+    /// Constraint forces of the bore for each load.
     felt: Mat<f64>,
 }
 
@@ -74,7 +74,8 @@ impl Ring {
         self.felt.as_ref().subcols(load, 1).to_owned()
     }
 
-    /// Displacement along a load on a tooth by one on another tooth: of the compliances, and by the rows of a stress.
+    /// Returns the displacement along a load on a tooth by a load on another tooth: from the
+    /// compliances, and from the rows of a stress.
     fn between(&self, (observed, at): (usize, u32), (loaded, by): (usize, u32)) -> [f64; 2] {
         let sectors = self.coupling.sectors;
         let (ahead, behind) = ((at + sectors - by) % sectors, (by + sectors - at) % sectors);
@@ -103,7 +104,8 @@ pub(super) fn plane_means(model: &PlaneModel, hold: BoreHold, sectors: u32, coup
     BoreMeans::plane(model, bore, wanted, &Interrupt::never()).unwrap().unwrap()
 }
 
-/// The displacement of a lug by those of the nodes, and so the load by its force.
+/// Returns the displacement of a spline tooth by those of the nodes, which is also the load vector
+/// of its force.
 pub(super) fn lug_form(means: &BoreMeans, row: usize, size: usize) -> Vec<f64> {
     let lugs = means.lugs.as_ref().unwrap();
     let mut form = vec![0.0; size];
@@ -115,7 +117,8 @@ pub(super) fn lug_form(means: &BoreMeans, row: usize, size: usize) -> Vec<f64> {
     form
 }
 
-/// The whole mesh held by the same forms, first those held in the mean, then the lugs.
+/// Builds the whole mesh with the same constraint forms, first the averaged constraints, then the
+/// spline teeth.
 fn direct(equations: &Assembled, motions: &[Vec<f64>], means: &BoreMeans) -> Direct {
     let lugs = means.lugs.as_ref().unwrap();
     let size = equations.stiffness.nrows();
@@ -126,7 +129,8 @@ fn direct(equations: &Assembled, motions: &[Vec<f64>], means: &BoreMeans) -> Dir
     Direct::new(equations, motions, &forms).yielding(compliance)
 }
 
-/// Compares a condensed ring with the whole mesh: displacements on all teeth by loads on some, and the lugs' forces, which are in
+/// Compares a condensed ring with the whole mesh: displacements on all teeth by loads on some, and
+/// the forces of the spline teeth, which are in equilibrium with the load.
 /// equilibrium with the load.
 fn agree(ring: &Ring, whole: &Assembled, motions: &[Vec<f64>], means: &BoreMeans, points: Points<'_>) {
     let direct = direct(whole, motions, means);
@@ -226,7 +230,8 @@ fn condensed_helical_sectors_on_lugs_agree_with_the_whole_mesh() {
     }
 }
 
-/// Three lugs around are statically determinate in the plane: equilibrium alone gives their forces.
+/// Three spline teeth are statically determinate in the plane: equilibrium alone determines their
+/// forces.
 #[test]
 fn three_lugs_bear_what_equilibrium_demands() {
     let (sectors, radii) = (10, [0.7, 1.0]);
@@ -246,7 +251,8 @@ fn three_lugs_bear_what_equilibrium_demands() {
             let turn = TAU * f64::from(tooth) / f64::from(sectors);
             let ([x, y, _], [px, py, _]) = (turned(point, turn), turned(along, turn));
             let forces = ring.lug_forces((0, tooth));
-            // An even pressure around over the lug's width is a force smaller than its sum by the arc's chord.
+            // The resultant of a uniform tangential pressure over the width of a spline tooth is
+            // its sum times the ratio of chord to arc.
             let chord = (0.5 * lugs.width).sin() / (0.5 * lugs.width);
             let sum = |part: &dyn Fn(&LugForce) -> f64| forces.iter().map(part).sum::<f64>();
             let residuals = [
@@ -256,7 +262,8 @@ fn three_lugs_bear_what_equilibrium_demands() {
             ];
             println!("{compliance:.1e}, tooth {tooth}: {residuals:?}");
             assert!(residuals.iter().all(|residual| residual.abs() < 1e-6), "{residuals:?}");
-            // By hand: the torque goes evenly through all three, the force by the cosine of the angle to it.
+            // Hand calculation: all three carry equal parts of the torque, and of the force a part
+            // proportional to the cosine of the angle to it.
             let torque = -(x * py - y * px) / (3.0 * radii[0]);
             for force in &forces {
                 let [tx, ty] = [-force.angle.sin(), force.angle.cos()];
@@ -267,8 +274,9 @@ fn three_lugs_bear_what_equilibrium_demands() {
     }
 }
 
-/// Lugs are not alike for all teeth, but where a number of lugs is commensurate with that of teeth, turning by that much changes nothing;
-/// nor does counting the lugs from another one, nor turning both by a tooth.
+/// The positions of spline teeth differ from gear tooth to gear tooth. If their numbers are
+/// commensurate, rotating by a common multiple of both pitches changes nothing; neither does
+/// counting the spline teeth from another one, nor rotating both by one gear tooth.
 #[test]
 fn turning_by_what_lugs_and_teeth_have_in_common_changes_nothing() {
     let sectors = 12;
@@ -298,8 +306,9 @@ fn turning_by_what_lugs_and_teeth_have_in_common_changes_nothing() {
     assert!(differs > 0.02, "where a tooth stands matters: {differs}");
 }
 
-/// More and more lugs side by side, which hold the bore outwards too, make it rigid, from the side of the more compliant; of lugs that yield
-/// a stiffer bed for each makes a stiffer ring.
+/// An increasing number of adjacent spline teeth that also constrain the bore radially makes it
+/// rigid, monotonically from the more compliant side. Stiffer compliant spline teeth make a stiffer
+/// ring.
 #[test]
 fn many_lugs_make_a_bore_rigid() {
     let (sectors, radii) = (24, [0.85, 1.0]);
@@ -351,7 +360,8 @@ fn many_lugs_make_a_bore_rigid() {
     assert!((before / compliance(held(16, 0.0)) - 1.0).abs() < 0.02);
 }
 
-/// A ring on soft lugs moves as a rigid body: turned by the torque over `n k R²`, shifted by the force over `n k / 2`.
+/// A ring on compliant spline teeth moves as a rigid body: rotation by the torque over `n k R²`,
+/// translation by the force over `n k / 2`.
 #[test]
 fn a_ring_on_soft_lugs_moves_as_a_rigid_body() {
     let (sectors, [inner, outer]) = (20, [0.6, 1.0]);
@@ -375,7 +385,8 @@ fn two_lugs_do_not_hold_a_ring() {
     assert!(matches!(error, StructureError::Ring(_)), "{error}");
 }
 
-/// What the series leaves out of lugs with sharp ends, on a mesh whose elements end where they do: as much as is said of [`Lugs::waves`].
+/// Truncation error of the series for spline teeth with sharp ends, on a mesh with element
+/// boundaries at the ends: as stated for [`Lugs::waves`].
 #[test]
 fn lugs_seen_through_the_series_are_nearly_those_with_sharp_ends() {
     let teeth = 12;
@@ -385,7 +396,7 @@ fn lugs_seen_through_the_series_are_nearly_those_with_sharp_ends() {
     let equations = Assembled::plane(&whole);
     let bore = whole.mesh.chain("bore").unwrap();
     let pitch = TAU / f64::from(teeth);
-    // The foot of a tooth is this wide.
+    // The root of a gear tooth has this width.
     for (count, width) in [(12, 0.55 * pitch), (6, 0.55 * pitch), (3, 0.55 * pitch), (4, 1.45 * pitch)] {
         for radial in [None, Some(0.0)] {
             let lugs = Lugs { count, first: 0.0, width, tangential: 0.0, radial, degree: 0 };
@@ -405,7 +416,7 @@ fn lugs_seen_through_the_series_are_nearly_those_with_sharp_ends() {
                     })
                 };
                 let motions = whole.rigid_body_modes();
-                // Its length, by the work of an even pressure in turning.
+                // Length of the spline tooth, from the work of a uniform pressure in a rotation.
                 let radius = 0.75;
                 let around = patch(&|x, y| [-y / radius, x / radius]);
                 size += around.dot(&motions[2]) / radius;
@@ -461,8 +472,9 @@ fn spline_of(teeth: u32, coupled: u32, lugs: Lugs) -> (ElasticStructure, Elastic
     (structure, restored)
 }
 
-/// Compliances, stresses and lugs' forces of a whole structure: symmetric bit for bit, the same bits from the disk, and nearly the same however
-/// few teeth have tables of each other.
+/// Compliances, stresses and forces of spline teeth of a whole structure: symmetric bit for bit,
+/// the same bits after deserialization, and nearly independent of the number of teeth with common
+/// tables.
 #[test]
 fn a_structure_on_lugs_answers_for_every_tooth() {
     let teeth = 16;
@@ -511,7 +523,7 @@ fn a_structure_on_lugs_answers_for_every_tooth() {
     assert!(worst < 1e-2, "{worst:e}");
 }
 
-/// A mesh cannot tell more waves than it has nodes.
+/// A mesh cannot resolve more harmonics than it has nodes.
 #[test]
 fn lugs_beyond_the_mesh_are_refused() {
     let teeth = 6;

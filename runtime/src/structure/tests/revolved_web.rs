@@ -1,4 +1,5 @@
-//! Webs of a mesh of their own: their stiffness against closed forms, and rings on them against the whole solved in one piece.
+//! Webs with a separate mesh: their stiffness against closed forms, and rings on them against one
+//! mesh of the whole.
 
 use super::bodies::STEEL;
 use super::bore::plain_sector;
@@ -22,7 +23,8 @@ pub fn disc([a, b]: [f64; 2], [from, to]: [f64; 2], hold: BoreHold) -> RevolvedW
     RevolvedWeb { section, material: STEEL, hold, waves: 3, degree: 2, fineness: 1 }
 }
 
-/// Forces by motions of the outside as a whole, in the order of [`SolidModel::rigid_body_modes`].
+/// Returns the forces by rigid-body motions of the outer surface, in the order of
+/// [`SolidModel::rigid_body_modes`].
 fn stiffness(web: &RevolvedWeb) -> [f64; 6] {
     let [_, outside] = web.section.outermost();
     let cylinder = RevolutionSurface::cylinder(outside.radius, outside.ends);
@@ -33,7 +35,8 @@ fn stiffness(web: &RevolvedWeb) -> [f64; 6] {
     [0, 1, 2, 3, 4, 5].map(|motion| all[(motion, motion)])
 }
 
-/// Shear alone: T/phi = 4 pi G h / (1/a² - 1/b²); the bore's shear is the same all around, so that it does not matter how it is held.
+/// Pure shear: T/phi = 4 pi G h / (1/a² - 1/b²); the shear at the bore is axisymmetric, so its type
+/// of support does not matter.
 #[test]
 fn torsion_of_a_disc() {
     let shear = 0.5 * STEEL.youngs_modulus / (1.0 + STEEL.poissons_ratio);
@@ -47,9 +50,11 @@ fn torsion_of_a_disc() {
     }
 }
 
-/// Plates (Kirchhoff's) between a clamped hub and a rim that keeps its shape: tilted, w = (A r + B r³ + C/r + D r ln r) cos t, with a moment
-/// of 4 pi D times the bending stiffness; moved along the axis, w = A + B r² + C ln r + D r² ln r, with a force of 8 pi D
-/// times it (Timoshenko, Theory of Plates and Shells, sections 15 and 62). Shear makes a plate softer by the square of its thickness.
+/// Kirchhoff plates between a clamped hub and a rigid rim. Tilted: w = (A r + B r³ + C/r + D r ln
+/// r) cos t, with a moment of 4 pi D times the bending stiffness. Translated along the axis: w = A
+/// + B r² + C ln r + D r² ln r, with a force of 8 pi D times it (Timoshenko, Theory of Plates and
+/// Shells, sections 15 and 62). Shear makes a plate more compliant in proportion to the square of
+/// its thickness.
 #[test]
 fn tilting_and_dishing_of_a_thin_web() {
     let [a, b] = [0.5, 1.0_f64];
@@ -81,7 +86,7 @@ fn tilting_and_dishing_of_a_thin_web() {
     }
 }
 
-/// A sector of a ring between two radii about mid-face, or all of it.
+/// Returns a sector of a ring between two radii about mid-face, or the whole ring.
 fn rim(radii: [f64; 2], sectors: u32, whole: bool) -> SolidModel {
     let section = if whole { whole_section(radii, sectors) } else { plain_sector(radii, sectors, [1, 1]) };
     let place = |[x, y]: [f64; 2], z: f64| [x, y, z];
@@ -106,8 +111,9 @@ fn whole_section([inner, outer]: [f64; 2], sectors: u32) -> PlaneModel {
     PlaneModel::new(builder.finish(ElementOrder::CUBIC).unwrap(), STEEL, Plane::Strain)
 }
 
-/// A ring condensed by sectors and let go against its web is the ring solved whole with the web's stiffness on the same series. On
-/// the whole a force is borne by the web alone, to rounding: motions of the whole are exact on both sides.
+/// A ring condensed by sectors and released against its web is equal to the ring solved whole with
+/// the web's stiffness on the same series. The web alone carries the resultant force, to rounding:
+/// rigid-body motions are exact on both sides.
 #[test]
 fn a_ring_on_a_web_is_the_whole() {
     let (radii, sectors) = ([0.8, 1.0], 6);
@@ -124,7 +130,7 @@ fn a_ring_on_a_web_is_the_whole() {
     let means =
         BoreMeans::on_web(&model, bore, &web, [sectors, sectors / 2], &Interrupt::never()).unwrap().unwrap();
     assert_eq!(means.held, 0);
-    // Of the load's node, or of the one that comes nearest to it.
+    // Node of the load, or the nearest one.
     let node = model.mesh.nodes.iter().position(|&at| {
         let [x, y, z] = at;
         (x.hypot(y) - 1.0).abs() < 1e-9 && (y.atan2(x) - PI / 6.0).abs() < 1e-9 && (z - 0.2).abs() < 1e-9

@@ -1,4 +1,4 @@
-//! Sectors condensed and repeated against the whole ring in one mesh.
+//! Condensed and repeated sectors against the whole ring in one mesh.
 
 use super::bodies::{COARSE, STEEL, ring_source, toothed_ring, toothed_sector};
 use crate::fe::{Constraints, PlaneModel, Solver, SparseVector};
@@ -9,7 +9,7 @@ use crate::structure::ring::RingFlexibility;
 use crate::structure::{Chart, ElasticStructure, SplitOptions, Structure, StructureError};
 use std::f64::consts::TAU;
 
-/// The load vector of a unit force at the node nearest to a point, turned by `angle`.
+/// Returns the load vector of a unit force at the node nearest to a point, rotated by `angle`.
 fn force(model: &PlaneModel, point: [f64; 2], direction: [f64; 2], angle: f64) -> SparseVector {
     let (sin, cos) = angle.sin_cos();
     let turn = |[x, y]: [f64; 2]| [cos * x - sin * y, sin * x + cos * y];
@@ -110,7 +110,7 @@ fn exchanging_load_and_observer_keeps_every_bit() {
             }
         }
         assert!(near > 0.0 && far > 0.0 && far <= near);
-        // Turning the ring only renumbers.
+        // Rotating the ring only renumbers the sectors.
         let block = |a: u32, b: u32| {
             let mut block = vec![0.0; 20];
             let chart = |tooth| Chart { tooth: tooth % teeth, surface: 0 };

@@ -1,4 +1,5 @@
-//! Sectors in space, condensed and repeated, against the whole ring in one mesh, and free bodies against held ones.
+//! Condensed and repeated three-dimensional sectors against the whole ring in one mesh, and free
+//! bodies against supported ones.
 
 use super::bodies::{Divisions, STEEL, toothed_ring, toothed_sector};
 use crate::fe::solid::{SolidMesh, SolidModel};
@@ -10,10 +11,10 @@ use std::f64::consts::TAU;
 
 const TEETH: u32 = 5;
 const SMALL: Divisions = Divisions { rim: 1, tooth_root: 1, flank: 2, thickness: 2, grading: 1.0 };
-/// Of the bore of the toothed ring.
+/// Bore radius of the toothed ring.
 const BORE: f64 = 0.75;
 
-/// A section swept along a helix.
+/// Returns a section swept along a helix.
 fn helical(section: &PlaneMesh) -> SolidModel {
     let place = |[x, y]: [f64; 2], z: f64| {
         let (sin, cos) = (0.6 * z).sin_cos();
@@ -31,7 +32,7 @@ fn turned([x, y, z]: [f64; 3], angle: f64) -> [f64; 3] {
     [cos * x - sin * y, sin * x + cos * y, z]
 }
 
-/// The load vector of a unit force at the node nearest to a point, turned by `angle`.
+/// Returns the load vector of a unit force at the node nearest to a point, rotated by `angle`.
 fn force(model: &SolidModel, point: [f64; 3], direction: [f64; 3], angle: f64) -> SparseVector {
     let (point, direction) = (turned(point, angle), turned(direction, angle));
     let distance = |node: usize| -> f64 {
@@ -94,13 +95,15 @@ fn condensed_helical_sectors_agree_with_the_whole_mesh() {
     }
 }
 
-/// Loads in equilibrium deform a free body as they would a held one, and forms that no rigid motion changes see it.
+/// Loads in equilibrium deform a free body like a supported one, in forms that vanish for
+/// rigid-body motions.
 #[test]
 fn a_free_body_deforms_like_a_held_one_under_balanced_loads() {
     let sector = helical(&toothed_sector(TEETH, 1.0, SMALL).0.mesh);
     let equations = assembled(&sector);
     let motions = sector.rigid_body_modes();
-    // Pairs of opposite forces along the line of two nodes: strains of that line, to the scale.
+    // Pairs of opposite forces along the line through two nodes: strains of that line, up to a
+    // factor.
     let pairs = [(3, 70), (12, 41), (55, 8)];
     let pair = |(a, b): (usize, usize)| -> SparseVector {
         let [from, to] = [a, b].map(|node| sector.mesh.nodes[node]);
@@ -115,7 +118,7 @@ fn a_free_body_deforms_like_a_held_one_under_balanced_loads() {
     let free = Support::Free { mass: &mass, motions: &motions };
     let free = condense(&equations, &free, None, &loads, &balanced, &Interrupt::never()).unwrap();
     let bore = sector.mesh.nodes_on(sector.mesh.face_set("bore").unwrap());
-    // Held at three nodes so that nothing is strained.
+    // Statically determinate support at three nodes.
     let [a, b, c] = [bore[0], bore[bore.len() - 1], bore[bore.len() / 2]];
     let mut statically = Constraints::new();
     for dof in [3 * a, 3 * a + 1, 3 * a + 2, 3 * b + 1, 3 * b + 2, 3 * c] {
@@ -131,7 +134,7 @@ fn a_free_body_deforms_like_a_held_one_under_balanced_loads() {
             assert!((free.rows_own[(row, column)] - direct).abs() < 1e-9 * scale);
         }
     }
-    // One that is not in equilibrium is balanced by inertia.
+    // Inertia balances a load that is not in equilibrium.
     let last = loads.len() - 1;
     assert!(free.own[(last, last)] > 0.0);
     assert_eq!(free.own[(0, last)].to_bits(), free.own[(last, 0)].to_bits());

@@ -1,7 +1,8 @@
-//! Discs and webs between a rigid rim and a rigid hub, as rings of sectors: their stiffnesses against closed forms.
+//! Discs and webs between a rigid rim and a rigid hub, as rings of sectors: their stiffnesses
+//! against closed forms.
 //!
-//! The outside of the ring is what a bore is elsewhere: a rigid motion of it is prescribed, all other terms of a series are held at
-//! nought, and the forces that this takes are its stiffness.
+//! The outer surface of the ring takes the role of a bore: a rigid-body motion of it is prescribed,
+//! all other terms of a series are fixed at zero, and the constraint forces are its stiffness.
 
 use super::bodies::STEEL;
 use super::bore::plain_sector;
@@ -14,17 +15,18 @@ use faer::Mat;
 use faer::linalg::solvers::Solve;
 use std::f64::consts::{PI, TAU};
 
-/// An annular disc about mid-thickness, held all along its inside.
+/// Annular disc about mid-thickness, with a fixed inner surface.
 #[derive(Clone, Copy)]
 struct Disc {
     radii: [f64; 2],
     thickness: f64,
-    /// Of the section, around and outwards.
+    /// Number of elements of the section, circumferential and radial.
     elements: [usize; 2],
 }
 
 impl Disc {
-    /// Forces by a unit motion of the outside, N/m and N m/rad, in the order of [`SolidModel::rigid_body_modes`].
+    /// Returns the forces by a unit motion of the outer surface, N/m and N m/rad, in the order of
+    /// [`SolidModel::rigid_body_modes`].
     fn stiffness(&self) -> [f64; 6] {
         let sectors = 12;
         let section = plain_sector(self.radii, sectors, self.elements);
@@ -50,7 +52,7 @@ impl Disc {
                 .unwrap();
         let at = ring.at(0);
         let first = at.nrows() - means.shared.count;
-        // Means of a unit motion over the surface, which does not mix with the terms.
+        // Averages of a unit motion over the surface, which is uncoupled from the terms.
         let [_, b] = self.radii;
         let area = TAU * b * self.thickness;
         let tilt = area * (0.5 * b * b + self.thickness.powi(2) / 12.0);
@@ -59,7 +61,7 @@ impl Disc {
     }
 }
 
-/// Shear alone: T/phi = 4 pi G h / (1/a² - 1/b²), whatever the thickness.
+/// Pure shear: T/phi = 4 pi G h / (1/a² - 1/b²), for any thickness.
 #[test]
 fn torsion_of_a_disc() {
     let shear = 0.5 * STEEL.youngs_modulus / (1.0 + STEEL.poissons_ratio);
@@ -72,9 +74,10 @@ fn torsion_of_a_disc() {
     }
 }
 
-/// A plate (Kirchhoff's) between hub and rim, w = f(r) cos t with f = A r + B r³ + C/r + D r ln r, clamped inside and turned with the rim
-/// outside: its moment is 4 pi times its bending stiffness times D (Timoshenko, Theory of Plates and Shells, section 62). Shear
-/// makes a plate of finite thickness softer, by the square of the thickness.
+/// Kirchhoff plate between hub and rim, w = f(r) cos t with f = A r + B r³ + C/r + D r ln r,
+/// clamped inside and rotated with the rim outside: its moment is 4 pi times its bending stiffness
+/// times D (Timoshenko, Theory of Plates and Shells, section 62). Shear makes a plate of finite
+/// thickness more compliant, in proportion to the square of the thickness.
 #[test]
 fn tilting_of_a_thin_web() {
     let [a, b] = [0.5, 1.0_f64];
@@ -93,14 +96,16 @@ fn tilting_of_a_thin_web() {
         assert!((x / y - 1.0).abs() < 1e-6, "alike about both axes");
         x / (4.0 * PI * bending * d) - 1.0
     };
-    // A held edge keeps its elements from getting thinner where they are stretched, far beyond where it would keep a disc from it.
+    // A fixed edge prevents the lateral contraction of its elements under tension over a much
+    // larger zone than in an exact disc.
     let (coarse, fine) = (error(0.01, 4), error(0.01, 8));
     assert!(fine > 0.0 && fine < 0.7 * coarse && fine < 1e-2, "{coarse:.1e}, {fine:.1e}");
     let thick = error(0.04, 8);
     assert!(thick < fine && thick > -0.05, "{thick:.1e} against {fine:.1e}");
 }
 
-/// Lamé: a ring of plane strain, held inside and widened outside, u = A r + B/r, bears 2 (lambda + mu) A - 2 mu B/r² on its outside.
+/// Lamé: a ring in plane strain, fixed inside and expanded outside, u = A r + B/r, has the pressure
+/// 2 (lambda + mu) A - 2 mu B/r² on its outer surface.
 #[test]
 fn widening_of_a_thick_ring() {
     let (sectors, [a, b]) = (10, [0.5, 1.0_f64]);
@@ -121,7 +126,7 @@ fn widening_of_a_thick_ring() {
     let ring =
         RingFlexibility::new(condensed.stiffness.as_ref().unwrap(), sectors, 0, &Interrupt::never()).unwrap();
     let last = ring.at(0).nrows() - 1;
-    // Stress by displacement is force on the mean by the mean, times the circumference.
+    // Pressure by displacement is force on the average by the average, times the circumference.
     let found = -ring.at(0)[(last, last)] * TAU * b;
     let mu = 0.5 * STEEL.youngs_modulus / (1.0 + STEEL.poissons_ratio);
     let lambda = 2.0 * mu * STEEL.poissons_ratio / (1.0 - 2.0 * STEEL.poissons_ratio);
@@ -130,8 +135,9 @@ fn widening_of_a_thick_ring() {
     assert!((found / expected - 1.0).abs() < 1e-5, "{found:e} against {expected:e}");
 }
 
-/// Hub and rim moved against each other in their plane: a web is as stiff either way, and between the bounds that plates without and with
-/// restrained thickness have in the limit of a thin annulus, where each element of it is a block under shear and tension.
+/// Hub and rim displaced against each other in their plane: a web has the same stiffness in both
+/// directions. It lies between the bounds of plates without and with constrained thickness in the
+/// limit of a thin annulus, where each element is a block under shear and tension.
 #[test]
 fn radial_stiffness_of_a_narrow_web() {
     let shear = 0.5 * STEEL.youngs_modulus / (1.0 + STEEL.poissons_ratio);
@@ -140,7 +146,8 @@ fn radial_stiffness_of_a_narrow_web() {
     let thickness = 0.004;
     let [x, y, ..] = Disc { radii: [a, b], thickness, elements: [3, 1] }.stiffness();
     assert!((x / y - 1.0).abs() < 1e-6);
-    // Half of the circle is pulled and half sheared: pi r h/(b - a) (E'' + G), with E'' between plane stress and no strain across.
+    // Half of the circle is in tension and half in shear: pi r h/(b - a) (E'' + G), with E''
+    // between plane stress and constrained thickness.
     let block = |pulled: f64| PI * 0.5 * (a + b) * thickness / (b - a) * (pulled + shear);
     let soft = block(STEEL.youngs_modulus / (1.0 - ratio * ratio));
     let stiff = block(2.0 * shear * (1.0 - ratio) / (1.0 - 2.0 * ratio));

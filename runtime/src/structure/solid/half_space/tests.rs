@@ -14,7 +14,8 @@ fn means(surface: &ScrewedArc, count: usize, mirrored: [bool; 2], smallest: f64)
     ReciprocalMeans::new(screw, &modes(count), mirrored, smallest)
 }
 
-/// On a plane the mean over the axial range has a closed form, and the rest is one of logarithms.
+/// On a plane the mean over the axial range has a closed form, and the remaining integral is one of
+/// logarithms.
 #[test]
 fn uniform_loads_on_a_plane_agree_with_closed_forms() {
     let surface = ScrewedArc::straight([-0.02, 0.02]);
@@ -49,7 +50,7 @@ fn uniform_loads_on_a_plane_agree_with_closed_forms() {
     }
 }
 
-/// Panels that halve towards a place, down to a length.
+/// Returns panels that halve towards a point, down to a length.
 fn towards(at: f64, [from, to]: [f64; 2], finest: f64) -> Vec<f64> {
     let mut ends = vec![from, to];
     for end in [from, to] {
@@ -79,7 +80,8 @@ fn integral(ends: &[f64], points: usize, mut f: impl FnMut(f64) -> f64) -> f64 {
         .sum()
 }
 
-/// The integral over all four variables as it stands, panels halving towards the singularity.
+/// Computes the integral directly over all four variables, with panels that halve towards the
+/// singularity.
 fn by_brute_force(
     surface: &ScrewedArc,
     mirrored: [bool; 2],
@@ -141,7 +143,8 @@ fn twisted_surfaces_agree_with_brute_force() {
                 }
                 let expected = by_brute_force(&surface, mirrored, [&a, &b], pair, points, finest);
                 let error = (found[(pair[0], pair[1])] - expected) / scale;
-                // Between the places of the direction, the distance to images is interpolated.
+                // Between the sampling points of the direction, the distance to images is
+                // interpolated.
                 let tolerance = if mirrored == [false; 2] { tolerance } else { f64::max(tolerance, 5e-7) };
                 assert!(error.abs() < tolerance, "{mirrored:?} {pair:?}: {error:.1e}");
             }

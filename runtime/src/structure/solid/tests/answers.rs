@@ -1,4 +1,4 @@
-//! What holds to the bit or by construction: exchange of load and observer, turning of the ring, threads, memory.
+//! Tests of exact properties: reciprocity, rotation of the ring, independence of threads, memory.
 
 use super::bodies::{Ring, TEETH};
 use crate::structure::Chart;
@@ -10,7 +10,7 @@ fn small() -> ElasticSolid {
     ring.structure(&SolidSplitOptions { samples: 8, ..SolidSplitOptions::default() })
 }
 
-/// Points and stretches within the samples, beyond them and beyond the surface.
+/// Returns points and stretches within the samples, beyond them and beyond the surface.
 fn spots(structure: &ElasticSolid, shares: &[[f64; 2]]) -> Vec<Spot> {
     let [[_, length], [_, end]] = structure.surface(0).range();
     let spot = |(index, [u, v]): (usize, &[f64; 2])| Spot {
@@ -95,11 +95,13 @@ fn the_number_of_threads_changes_no_bit_and_memory_is_told() {
     };
     let (one, three) = (of(1), of(3));
     assert_eq!(one, three);
-    // Tables of places and polynomials, whatever the mesh has: (8 * 3)² for each pair of surfaces of four offsets, and
-    // stress rows ahead and behind, which of a sector itself are the same.
+    // Tables of samples and polynomials, independent of the mesh: (8 * 3)² for each pair of
+    // surfaces of four offsets, and stress rows ahead and behind, which are identical for a sector
+    // with itself.
     let loads = 8 * 3;
     let compliance = 4 * (2 * loads) * (2 * loads);
-    // Three components at two places on each of three edges, at both ends of the layer and in its middle.
+    // Three components at two points on each of three edges, at both ends of the layer and in its
+    // middle.
     let rows = 3 * (2 * 3) * 3;
     let stress = (4 * 2 - 1) * (2 * rows) * (2 * loads);
     let expected = (compliance + stress) * size_of::<f64>();

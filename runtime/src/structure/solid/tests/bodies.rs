@@ -1,4 +1,4 @@
-//! The toothed ring of the plane tests, drawn or screwed along the z axis.
+//! Toothed ring of the plane tests, extruded along the z axis with or without twist.
 
 use super::super::{ElasticSolid, SolidSplitOptions, SolidSurfaceSource};
 use crate::fe::solid::{SolidMesh, SolidModel};
@@ -11,7 +11,7 @@ use std::sync::Arc;
 
 pub const TEETH: u32 = 12;
 
-/// How a ring is made.
+/// Parameters of a ring.
 #[derive(Clone, Copy)]
 pub struct Ring {
     pub divisions: Divisions,
@@ -23,7 +23,7 @@ pub struct Ring {
     pub axial_order: usize,
 }
 
-/// A profile screwed about the z axis.
+/// Profile extruded along the z axis with a rotation.
 pub struct Screwed {
     pub profile: Arc<dyn Profile>,
     pub rate: f64,
@@ -41,7 +41,7 @@ impl Surface for Screwed {
         let turn = |[x, y]: [f64; 2]| [cos * x - sin * y, sin * x + cos * y];
         let ([x, y], [tx, ty], [nx, ny]) = (turn(point.position), turn(point.tangent), turn(point.normal));
         let along = [-self.rate * y, self.rate * x, 1.0];
-        // Across the twisted line as well.
+        // The normal is perpendicular to the twisted line too.
         let slope = -(along[0] * nx + along[1] * ny);
         let size = 1.0_f64.hypot(slope);
         SurfacePoint {
@@ -54,7 +54,7 @@ impl Surface for Screwed {
 
 impl Ring {
     pub fn rate(&self) -> f64 {
-        // The tip is about here.
+        // Approximate tip radius.
         self.helix / 1.2
     }
 

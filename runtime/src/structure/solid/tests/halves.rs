@@ -1,4 +1,4 @@
-//! A body condensed by its mirror-symmetric halves is the body condensed whole.
+//! A body condensed by its mirror-symmetric halves is equal to the body condensed whole.
 
 use super::bodies::{Ring, TEETH};
 use crate::fe::solid::SolidModel;
@@ -22,7 +22,7 @@ fn largest_difference(one: &[Vec<Mat<f64>>], other: &[Vec<Mat<f64>>]) -> f64 {
 
 #[test]
 fn halves_are_the_whole() {
-    // With nodes on the mirror and without.
+    // With and without nodes on the mirror plane.
     for (layers, axial_order) in [(2, 2), (3, 3), (3, 2)] {
         let ring = Ring { axial_order, ..ring(layers, 0.0) };
         let (model, surfaces) = ring.sector();

@@ -1,4 +1,4 @@
-//! Bodies in space against the plane, direct solutions, and themselves.
+//! Three-dimensional bodies against plane models, direct solutions, and general properties.
 
 mod answers;
 pub(crate) mod bodies;

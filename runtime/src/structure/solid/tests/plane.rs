@@ -1,4 +1,5 @@
-//! With Poisson's ratio 0 a load that is uniform along the face makes no stress across it: the body is that of the plane.
+//! With Poisson's ratio 0, a load that is uniform along the face causes no axial stress: the body
+//! is equivalent to the plane model.
 
 use super::bodies::{Ring, TEETH};
 use crate::fe::PlaneModel;
@@ -22,7 +23,7 @@ fn points(strip: &Mollifier) -> Vec<(f64, f64)> {
     .collect()
 }
 
-/// Mean compliance between strips in the plane.
+/// Returns the mean compliance between strips in the plane model.
 fn in_the_plane(
     structure: &ElasticStructure,
     observed: (Chart, &Mollifier),
@@ -45,7 +46,7 @@ fn in_the_plane(
     mean
 }
 
-/// Points of a strip that is uniform along the face, with their shares.
+/// Returns points of a strip that is uniform along the face, with their shares.
 fn spread(structure: &ElasticSolid, strip: &Mollifier) -> Vec<([f64; 2], f64)> {
     let modes = &structure.modes;
     let along = modes.quadrature(modes.range(), 0);
@@ -56,7 +57,8 @@ fn spread(structure: &ElasticSolid, strip: &Mollifier) -> Vec<([f64; 2], f64)> {
     points(strip).into_iter().flat_map(at).collect()
 }
 
-/// The same in space: of loads and observers that are uniform along the face.
+/// Returns the mean compliance in the three-dimensional model, for loads and observers that are
+/// uniform along the face.
 fn in_space(structure: &ElasticSolid, observed: (Chart, &Mollifier), loaded: (Chart, &Mollifier)) -> f64 {
     let modes = &structure.modes;
     let (rows, columns) = (spread(structure, observed.1), spread(structure, loaded.1));

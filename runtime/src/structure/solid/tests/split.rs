@@ -17,7 +17,7 @@ use crate::structure::solid::{ElasticSolid, SolidSplitOptions, SolidStructure, S
 use crate::structure::tests::bodies::Divisions;
 use std::f64::consts::{PI, TAU};
 
-/// A pressed patch: spread over the profile and over the face.
+/// Loaded patch, distributed over the profile and over the face.
 #[derive(Clone)]
 struct Patch {
     surface: u32,
@@ -26,7 +26,8 @@ struct Patch {
 }
 
 impl Patch {
-    /// Shares of the profile and of the face width, from its middle, of center and half size.
+    /// Builds a patch from the relative centre and half size along the profile, and along the face
+    /// from its middle.
     fn new(ring: &Ring, surface: u32, length: f64, [u, across]: [f64; 2], [v, along]: [f64; 2]) -> Self {
         let face = ring.face_width;
         Self {
@@ -36,7 +37,7 @@ impl Patch {
         }
     }
 
-    /// Places with their shares of a unit force.
+    /// Returns points with their shares of a unit force.
     fn points(&self) -> Vec<([f64; 2], f64)> {
         let rule = gauss_legendre(10);
         let mut points = Vec::new();
@@ -65,7 +66,7 @@ fn patches(ring: &Ring, length: f64) -> Vec<Patch> {
     .to_vec()
 }
 
-/// Mean of the smooth part of the compliance between pressed patches.
+/// Returns the mean of the smooth part of the compliance between patches.
 fn smooth_mean(structure: &ElasticSolid, observed: (u32, &Patch), loaded: (u32, &Patch)) -> f64 {
     let [observer, load] = [observed, loaded].map(|(tooth, patch)| Chart { tooth, surface: patch.surface });
     let (rows, columns) = (observed.1.points(), loaded.1.points());
@@ -82,10 +83,11 @@ fn smooth_mean(structure: &ElasticSolid, observed: (u32, &Patch), loaded: (u32, 
     mean
 }
 
-/// Means of the half-space's compliance between the patches on surface 0, which are the first ones.
+/// Returns the means of the half-space's compliance between the patches on surface 0, which are the
+/// first ones.
 fn half_space(ring: &Ring, patches: &[Patch]) -> Vec<Vec<f64>> {
     let (model, sources) = ring.sector();
-    // As many polynomials as make the patches themselves.
+    // Enough polynomials to represent the patches themselves.
     let modes = AxialModes::new(sources[0].surface.range()[1], 32);
     let smallest = patches.iter().map(|patch| patch.across.width).fold(f64::INFINITY, f64::min);
     let shares = |patch: &Patch| {
@@ -117,7 +119,8 @@ fn half_space(ring: &Ring, patches: &[Patch]) -> Vec<Vec<f64>> {
     means
 }
 
-/// What a mesh that resolves the patches answers, with stress rows on the fillet of flank 0.
+/// Returns the response of a mesh that resolves the patches, with stress rows on the fillet of
+/// flank 0.
 fn direct(ring: &Ring, patches: &[Patch], places: &[[f64; 2]]) -> (Condensed, RingFlexibility) {
     let (model, _) = ring.sector();
     let nodes = |name: &str| model.mesh.nodes_on(model.mesh.face_set(name).unwrap());
@@ -157,7 +160,8 @@ fn direct_mean(direct: &(Condensed, RingFlexibility), offset: u32, row: usize, c
 
 const DIVISIONS: Divisions = Divisions { rim: 2, tooth_root: 3, flank: 10, thickness: 8, grading: 4.0 };
 
-/// Teeth as bodies in a mesh that resolves the patches, so that it answers them as well as the split does.
+/// Returns a ring whose mesh resolves the patches, so that the direct solution is as accurate as
+/// the split.
 fn ring(helix: f64) -> Ring {
     Ring { divisions: DIVISIONS, ratio: 0.3, helix, face_width: 1.0, layers: 4, axial_order: 3 }
 }
@@ -179,7 +183,7 @@ fn split_agrees_with_brute_force_on_own_and_neighbour_teeth() {
                 let scale =
                     (direct_mean(&direct, 0, row, row) * direct_mean(&direct, 0, column, column)).sqrt();
                 let error = (split - direct_mean(&direct, offset, row, column)).abs() / scale;
-                // The mesh answers a patch to itself only so far.
+                // The accuracy of the mesh's response of a patch to itself is limited.
                 let tolerance = if offset == 0 && row == column { 4e-3 } else { 5e-4 };
                 assert!(error < tolerance, "offset {offset}, {row} by {column}: {error:.1e}");
             }
