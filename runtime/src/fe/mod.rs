@@ -1,6 +1,8 @@
 //! Finite elements. This module is two-dimensional: meshes of quadrilaterals up to cubic order,
 //! stiffness, loads, solution, stress. [`revolution`] contains bodies of revolution, meshed in
 //! their section, and [`solid`] three-dimensional elements.
+//!
+//! See `docs/theory/finite-elements.md`.
 
 pub mod block;
 pub mod builder;

@@ -14,6 +14,8 @@
 //! For `n = 0` the same equations hold with cosines in place of sines: the axisymmetric
 //! displacements and torsion, which are then uncoupled. The family of the sines
 //! (`sin nt, -cos nt, sin nt`) is the same, rotated by a quarter of a wavelength.
+//!
+//! See `docs/theory/finite-elements.md`.
 
 use super::block::{Block, Side, uniform};
 use super::builder::{MeshBuilder, MeshError};

@@ -19,6 +19,8 @@
 //! transverse section, and stresses their fillets by `1 / c²` as much. The teeth stand on the ring
 //! of the transverse section, which the axial component of the force shears. Displacements are
 //! along the force of each load, so the compliance is symmetric as it is for `c = 1`.
+//!
+//! See `docs/theory/analytic-compliance.md`.
 
 mod cantilever;
 mod held_ring;

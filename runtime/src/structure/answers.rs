@@ -1,5 +1,5 @@
-//! Responses of a condensed structure, evaluated from its tables: compliances between points of its
-//! surfaces, and stresses.
+//! Influence functions of a condensed structure, evaluated from its tables: compliances between
+//! points of its surfaces, and stresses.
 
 use super::bore_coupling::{BoreCoupling, Coupling};
 use super::dense::mirror_lower;

@@ -1,15 +1,17 @@
-//! Support of a ring's bore by its frame: fixed at all nodes, by averages over the bore only, or by
+//! Support of a ring's bore by its frame: fixed at all nodes, by mean displacements only, or by
 //! spline teeth.
 //!
-//! With averaged constraints the bore can deform. The frame constrains the rigid-body motions that
-//! are nearest to the bore's displacements in the mean square, six in three dimensions and three in
-//! a plane model: "rigid-body terms constrained alone" (report 2.7). These constraints cause no
+//! With mean constraints the bore can deform. The frame constrains the rigid-body motions that are
+//! nearest to the bore's displacements in the mean square, six in three dimensions and three in a
+//! plane model: "rigid-body terms constrained alone" (report 2.7). These constraints cause no
 //! strain, so a ring on such a bore is statically determinate. The constraint forces are
 //! distributed like the displacements of a rigid body: sine and cosine around the bore under a
 //! transverse force, uniform along the circle under a torque. Terms of the series of
 //! [`crate::fe::solid::fourier`] can be constrained in addition, up to some harmonic around and
 //! some degree along the bore; with an increasing number of terms the bore becomes rigid. As an
 //! alternative, spline teeth support the bore at some angular positions ([`super::lugs`]).
+//!
+//! See `docs/theory/substructures.md`.
 
 use super::StructureError;
 use super::dense::mirror_lower;
@@ -29,19 +31,19 @@ pub enum BoreHold {
     /// Fixes all nodes of the bore.
     #[default]
     Rigid,
-    /// Constrains the average motion of the bore, which can deform except in the constrained terms
-    /// of a series.
+    /// Constrains the mean motion of the bore, which can deform except in the constrained terms of
+    /// a series.
     Means {
         /// Highest constrained harmonic; `None` constrains none, 0 the axisymmetric terms.
         waves: Option<u16>,
         /// Highest constrained degree of polynomials along the bore.
         degree: u8,
     },
-    /// Supports the bore by spline teeth. Averaged constraints fix the rigid-body motion that the
+    /// Supports the bore by spline teeth. Mean constraints fix the rigid-body motion that the
     /// spline teeth leave free: axial motion, and motions beyond their degree.
     Lugs(Lugs),
     /// Spline teeth with clearance, whose contact is solved outside the structure
-    /// ([`super::loose_lugs`]). The structure uses averaged constraints. Plane models only.
+    /// ([`super::loose_lugs`]). The structure uses mean constraints. Plane models only.
     LooseLugs {
         /// The spline teeth. Their compliance and radial constraint are not part of the structure.
         lugs: Lugs,
@@ -94,38 +96,38 @@ const COUPLED_DEGREE: u8 = 1;
 
 /// Linear forms of the displacements of one sector whose sums over the ring vanish.
 pub(super) struct BoreMeans {
-    /// Linear forms, one for each average; also the load vectors of the constraint forces.
+    /// Linear forms, one for each mean; also the load vectors of the constraint forces.
     pub forms: Vec<SparseVector>,
-    /// Rotation of the averages from sector to sector.
+    /// Rotation of the means from sector to sector.
     pub shared: Shared,
-    /// Number of constrained averages. The remaining ones are to be released, see
+    /// Number of constrained means. The remaining ones are to be released, see
     /// [`super::bore_coupling`].
     pub held: usize,
-    /// Forces by the released averages where a web supports them, see [`super::web`].
+    /// Forces by the released means where a web supports them, see [`super::web`].
     pub carried: Option<Mat<f64>>,
-    /// Spline teeth that support the released averages, if any.
+    /// Spline teeth that support the released means, if any.
     pub lugs: Option<LugForms>,
     /// True if these spline teeth have clearance: then they do not support the ring.
     pub loose: bool,
 }
 
-/// Selection of averages of a bore.
+/// Selection of mean displacements of a bore.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Wanted {
     /// Harmonics, as in [`BoreHold::Means`].
     pub waves: Option<u16>,
     pub degree: u8,
-    /// Highest harmonic of additional averages that are released, if any.
+    /// Highest harmonic of additional means that are released, if any.
     pub coupled: Option<u16>,
-    /// Spline teeth against which averages are released. Unless the teeth are `loose`, the
-    /// rigid-body motion is released too.
+    /// Spline teeth against which means are released. Unless the teeth are `loose`, the rigid-body
+    /// motion is released too.
     pub lugs: Option<Lugs>,
     /// True if the spline teeth have clearance: then they do not support the ring.
     pub loose: bool,
 }
 
 impl Wanted {
-    /// Selects the averages for a ring with tables for sectors up to `coupled` apart; more distant
+    /// Selects the means for a ring with tables for sectors up to `coupled` apart; more distant
     /// ones are coupled through the bore. `None` for a rigid bore.
     pub fn of_ring(hold: BoreHold, sectors: u32, coupled: u32) -> Option<Self> {
         let means = |waves, degree| Self::of_means(waves, degree, sectors, coupled);
@@ -139,7 +141,7 @@ impl Wanted {
         }
     }
 
-    /// Selects the averages for a bore with averaged constraints.
+    /// Selects the means for a bore with mean constraints.
     pub fn of_means(waves: Option<u16>, degree: u8, sectors: u32, coupled: u32) -> Self {
         let most = u16::try_from(sectors).unwrap_or(u16::MAX);
         let coupled = (coupled < sectors / 2).then_some(COUPLED_WAVES.min(most));
@@ -229,7 +231,7 @@ impl Patterns {
 }
 
 impl BoreMeans {
-    /// Builds the averages over a chain of edges on a circle about the origin.
+    /// Builds the means over a chain of edges on a circle about the origin.
     pub fn plane(
         model: &PlaneModel,
         bore: &EdgeChain,
@@ -255,7 +257,7 @@ impl BoreMeans {
         .map(Some)
     }
 
-    /// Builds the averages over a set of faces on a cylinder about the z axis.
+    /// Builds the means over a set of faces on a cylinder about the z axis.
     pub fn solid(
         model: &SolidModel,
         bore: &FaceSet,
@@ -271,8 +273,8 @@ impl BoreMeans {
             .map(Some)
     }
 
-    /// Builds the averages over the part of a bore to which a web is joined, of `sectors` sectors;
-    /// the rest of the bore is free. Only the web supports the ring.
+    /// Builds the means over the part of a bore to which a web is joined, of `sectors` sectors; the
+    /// rest of the bore is free. Only the web supports the ring.
     pub fn on_web(
         model: &SolidModel,
         bore: &FaceSet,
@@ -296,7 +298,7 @@ impl BoreMeans {
             model.face_load(&bore, |point| traction(point.position))
         };
         let mut means = Self::over(&patterns, interrupt, load)?;
-        // Averages by amplitudes of the series: exact for rigid-body motions on any mesh.
+        // Means by amplitudes of the series: exact for rigid-body motions on any mesh.
         let nodes = model.mesh.nodes_on(&bore);
         let mut moved = vec![vec![0.0; model.dof_count()]; patterns.places.len()];
         for &node in &nodes {
@@ -313,8 +315,8 @@ impl BoreMeans {
         Ok(Some(means))
     }
 
-    /// Builds the averages; `load` integrates a traction over the bore, always at the same points
-    /// in the same order.
+    /// Builds the means; `load` integrates a traction over the bore, always at the same points in
+    /// the same order.
     fn over(
         patterns: &Patterns,
         interrupt: &Interrupt,
@@ -335,9 +337,9 @@ impl BoreMeans {
         Ok(BoreMeans { forms, shared, held: patterns.held, carried: None, lugs, loose })
     }
 
-    /// Releases the averages that are not constrained. They are released freely (with or without
-    /// loose spline teeth) or against what supports them: a web, which becomes part of the ring's
-    /// response, or spline teeth, which do not. `None` if there are no such averages.
+    /// Releases the means that are not constrained. They are released freely (with or without
+    /// spline teeth with clearance) or against what supports them: a web, which becomes part of the
+    /// ring's response, or spline teeth, which do not. `None` if there are no such means.
     ///
     /// # Errors
     /// The released ring has a rigid-body motion, or the spline teeth cannot be distinguished.
@@ -369,8 +371,8 @@ fn cylinder_of(model: &SolidModel, faces: &FaceSet) -> Option<RevolutionSurface>
     (ends[0] < ends[1]).then(|| RevolutionSurface::cylinder(radius, ends))
 }
 
-/// Returns the forces on averages, from a stiffness against amplitudes and the averages by
-/// amplitudes: `M^-T K M^-1`.
+/// Returns the forces on means, from a stiffness against amplitudes and the means by amplitudes:
+/// `M^-T K M^-1`.
 fn of_means(stiffness: &Mat<f64>, by_amplitude: &Mat<f64>) -> Mat<f64> {
     let factor = by_amplitude.transpose().to_owned().partial_piv_lu();
     let once = factor.solve(stiffness);

@@ -7,13 +7,15 @@
 //! independent. Then the amplitudes are released: they follow from their constraint forces, a few
 //! numbers for each load, and the flexibility of the ring to such forces. The tables of near teeth
 //! include this part; for distant teeth it is the only part. (In plane models cuts are small, and
-//! distant teeth on a bore with averaged constraints only are coupled exactly through them:
+//! distant teeth on a bore with mean constraints only are coupled exactly through them:
 //! [`super::far_coupling`].)
 //!
 //! Where spline teeth support the amplitudes ([`super::lugs`]), the released amplitudes depend on
 //! the position of the loaded tooth, and not only on the distance of the observed one. Then the
 //! tables do not include this part: it is added for near teeth as for distant ones, from the
 //! indices of both.
+//!
+//! See `docs/theory/substructures.md`.
 
 use super::dense::{add_product, product};
 use super::loose_lugs::LooseLugs;
@@ -98,8 +100,8 @@ impl BoreCoupling {
         self.lugs.as_ref().map_or_else(Vec::new, |lugs| lugs.forces(in_body.as_ref()))
     }
 
-    /// Returns the displacements of loose spline teeth under loads on a tooth: spline teeth by
-    /// loads; no rows without such spline teeth.
+    /// Returns the displacements of spline teeth with clearance under loads on a tooth: spline
+    /// teeth by loads; no rows without such spline teeth.
     pub fn lug_displacements(&self, tooth: u32, forces: &Mat<f64>) -> Mat<f64> {
         match &self.loose {
             Some(lugs) => product(lugs.by_amplitudes.as_ref(), self.in_body(tooth, forces).as_ref()),
@@ -107,16 +109,16 @@ impl BoreCoupling {
         }
     }
 
-    /// Returns the amplitudes in the frame of a tooth under forces of all loose spline teeth on the
-    /// ring, as a column; `None` without such spline teeth.
+    /// Returns the amplitudes in the frame of a tooth under forces of all spline teeth with
+    /// clearance on the ring, as a column; `None` without such spline teeth.
     pub fn amplitudes_by_lugs(&self, tooth: u32, forces: MatRef<'_, f64>) -> Option<Mat<f64>> {
         let mut amplitudes = product(self.loose.as_ref()?.by_amplitudes.transpose(), forces);
         self.shared.turn_rows(amplitudes.as_mut(), f64::from(tooth % self.sectors) * self.pitch);
         Some(amplitudes)
     }
 
-    /// Returns the stresses on a surface of a tooth under forces of all loose spline teeth on the
-    /// ring, as a column.
+    /// Returns the stresses on a surface of a tooth under forces of all spline teeth with clearance
+    /// on the ring, as a column.
     pub fn stresses_by_lugs(&self, surface: usize, tooth: u32, forces: MatRef<'_, f64>) -> Option<Mat<f64>> {
         let amplitudes = self.amplitudes_by_lugs(tooth, forces)?;
         Some(product(self.stress.get(surface)?.as_ref(), amplitudes.as_ref()))

@@ -4,6 +4,8 @@
 //! Implements the report's equations 2.69 to 2.89, with `h` the amplitudes of given load vectors
 //! and `delta` the work-conjugate displacements, so that `B = A^T`; the condensed matrices keep
 //! that symmetry.
+//!
+//! See `docs/theory/substructures.md`.
 
 use super::StructureError;
 use super::bore::BoreMeans;
@@ -61,11 +63,11 @@ impl Assembled {
 pub(super) enum Support<'a> {
     /// Fixed degrees of freedom.
     Held(&'a [usize]),
-    /// Fixed degrees of freedom, and averages over the ring's bore that vanish.
+    /// Fixed degrees of freedom, and mean displacements of the ring's bore that vanish.
     Means {
         /// Fixed degrees of freedom.
         held: &'a [usize],
-        /// Averages that vanish.
+        /// Means that vanish.
         means: &'a BoreMeans,
     },
     /// No support: forces distributed like inertia balance the loads. Load pairs in equilibrium
@@ -98,12 +100,12 @@ pub(super) struct Cuts {
 }
 
 /// Mesh condensed onto its cuts, with `m` loads, `q` stress rows and `c` unknowns: those of both
-/// cuts and the averaged constraint forces of the bore.
+/// cuts and the mean constraint forces of the bore.
 pub(super) struct Condensed {
     /// Stiffness, `c` by `c`; `None` without cuts.
     pub stiffness: Option<CutStiffness>,
-    /// Equivalent forces on the cuts for each load, and the averages over the bore under it with
-    /// the cuts fixed, negative; `c` by `m`.
+    /// Equivalent forces on the cuts for each load, and the means over the bore under it with the
+    /// cuts fixed, negative; `c` by `m`.
     pub on_cuts: Mat<f64>,
     /// Displacements at the loads by the loads with the cuts fixed, `m` by `m`, symmetric.
     pub own: Mat<f64>,
@@ -134,7 +136,7 @@ pub(super) fn condense(
     };
     let dissection = Dissection::new(&model.stiffness, &model.positions, &held, &kept);
     let balancing = inertia.as_ref().map_or_else(Vec::new, |inertia| inertia.forces.clone());
-    // Averaged constraints are processed like loads and retained like cuts.
+    // Mean constraints are processed like loads and retained like cuts.
     let shared = match support {
         Support::Means { means, .. } => means.forms.as_slice(),
         Support::Held(_) | Support::Free { .. } => &[],

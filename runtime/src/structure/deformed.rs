@@ -49,8 +49,8 @@ pub enum BodyLoads<'a> {
     Plane {
         /// Forces on its surfaces.
         surfaces: &'a [SurfaceLoad],
-        /// Forces of its loose spline teeth, counter-clockwise, N/m; empty for a body without such
-        /// spline teeth.
+        /// Forces of its spline teeth with clearance, counter-clockwise, N/m; empty for a body
+        /// without such spline teeth.
         lugs: &'a [f64],
     },
     /// Loads on a three-dimensional body.

@@ -19,6 +19,8 @@
 //! coordinate stretched towards sharp edges ([`super::sampling`]). Only one orientation of each
 //! table is stored and it is always summed in the same order, so that exchanging load and observer
 //! gives the same bits.
+//!
+//! See `docs/theory/compliance.md`.
 
 use super::answers::Turned;
 use super::bore::{BoreMeans, Wanted};

@@ -2,10 +2,10 @@
 //!
 //! On a compliant bore a thin ring carries a load all around, and no series below the teeth
 //! represents this exactly. But all coupling passes through cuts: beyond its sector a load acts as
-//! forces on both cuts and on the averaged constraints, a few numbers, and one small matrix gives
-//! the resulting displacements of another sector. For distant teeth only the response of the ring
-//! at the cuts is stored, for every distance. In three-dimensional models cuts have too many
-//! unknowns for this: see [`super::bore_coupling`].
+//! forces on both cuts and on the mean constraints, a few numbers, and one small matrix gives the
+//! resulting displacements of another sector. For distant teeth only the response of the ring at
+//! the cuts is stored, for every distance. In three-dimensional models cuts have too many unknowns
+//! for this: see [`super::bore_coupling`].
 
 use super::bore_coupling::Coupling;
 use super::condense::Condensed;
@@ -15,7 +15,7 @@ use super::ring::RingFlexibility;
 use faer::{Mat, MatRef};
 
 /// Coupling through cuts. See the module documentation. The equivalent forces of a load are those
-/// on the cuts of its sector and on the averaged constraints, in the frame of the sector.
+/// on the cuts of its sector and on the mean constraints, in the frame of the sector.
 pub(crate) struct FarCoupling {
     /// Number of equal sectors around the ring.
     pub sectors: u32,

@@ -7,6 +7,8 @@
 //! load and as observer, it leaves a function that is smooth over its width `w` unchanged to O(w⁴).
 //! The difference between both responses is therefore the smooth part of the compliance itself, not
 //! an average of it.
+//!
+//! See `docs/theory/compliance.md`.
 
 use crate::fe::quadrature::gauss_legendre;
 use nalgebra::{Matrix4, Vector4};

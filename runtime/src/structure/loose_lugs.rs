@@ -3,13 +3,13 @@
 //!
 //! Such spline teeth are part of the contact problem and not of the structure
 //! ([`crate::lug_contact`]): the contact state of spline teeth is solved together with that of the
-//! gear teeth. The ring therefore has averaged constraints on its bore, like a free ring, and its
+//! gear teeth. The ring therefore has mean constraints on its bore, like a free ring, and its
 //! rigid-body motion belongs to its frame. Let `G` be the amplitudes of the bore's series by forces
 //! on them after release, and `L` the displacements of the spline teeth by amplitudes. Then spline
 //! teeth move by `L G L'` under their own forces and by `L G h` under those of gear teeth, where
-//! `h` are the constraint forces of the amplitudes. The averaged constraints carry the part of a
-//! spline tooth's force that moves the ring as a whole, without strain. In the frame this part is
-//! in equilibrium with all other forces, so the constraint forces vanish in the solution.
+//! `h` are the constraint forces of the amplitudes. The mean constraints carry the part of a spline
+//! tooth's force that moves the ring as a whole, without strain. In the frame this part is in
+//! equilibrium with all other forces, so the constraint forces vanish in the solution.
 
 use super::StructureError;
 use super::dense::{cholesky, mirror_lower, product};

@@ -24,6 +24,8 @@
 //!
 //! The series resolves a spline tooth up to [`Lugs::waves`] harmonics around the bore. The pressure
 //! of a tooth is therefore not quite uniform and decays beyond its ends over half a wavelength.
+//!
+//! See `docs/theory/substructures.md`.
 
 use super::StructureError;
 use super::dense::{add_product, cholesky, half_solve, mirror_lower, other_half_solve, product, solve};

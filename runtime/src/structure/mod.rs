@@ -3,6 +3,8 @@
 //! Displacements are elastic only: rigid-body motion belongs to the frame. The models in this
 //! module are plane models, per unit of face width: forces in N/m, compliances in m/(N/m).
 //! [`solid`] contains three-dimensional bodies.
+//!
+//! See `docs/theory/compliance.md` and `docs/theory/substructures.md`.
 
 pub mod analytic;
 mod answers;

@@ -17,6 +17,8 @@
 //!
 //! All quantities are per metre of face width: modes are normalized to unit mass in kg/m, so a
 //! modal coordinate is in m sqrt(kg/m).
+//!
+//! See `docs/theory/modes.md`.
 
 mod body;
 mod complex;
@@ -52,7 +54,7 @@ pub struct BodyModes {
     /// steadily at `omega` the generalized force on coordinate `k` is `omega²` times entry `k`.
     pub centrifugal: Vec<f64>,
     pub(super) fields: Arc<SectorFields>,
-    /// Reshaped surfaces that contact uses in place of those of the mesh, if any.
+    /// Modified surfaces that contact uses in place of those of the mesh, if any.
     pub(super) reshaped: Option<Vec<ReshapedSurface>>,
 }
 

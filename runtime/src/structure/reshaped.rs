@@ -1,4 +1,4 @@
-//! Structure whose surfaces have been slightly reshaped: a relief of micrometres on flanks of
+//! Structure whose surfaces have been slightly modified: a relief of micrometres on flanks of
 //! millimetres.
 //!
 //! Contact uses the new curves exactly. The body behind them is the original one: its tables give

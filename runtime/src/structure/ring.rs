@@ -11,9 +11,11 @@
 //! N sectors. Joining eliminates the cut between two chains. The stiffness of that cut with both
 //! ends fixed is positive definite even if the ring itself is free, so no step needs pivoting.
 //!
-//! A ring whose bore has averaged constraints has unknowns that all sectors share ([`shared`]): the
+//! A ring whose bore has mean constraints has unknowns that all sectors share ([`shared`]): the
 //! constraint forces. They are retained in every elimination, so sectors and chains are condensed
 //! onto their cuts and these unknowns.
+//!
+//! See `docs/theory/substructures.md`.
 
 mod shared;
 
@@ -29,8 +31,8 @@ pub(crate) use shared::Shared;
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-/// If the independent part of an average is a smaller share of it than this, the average depends
-/// linearly on the others.
+/// If the independent part of a mean is a smaller share of it than this, the mean depends linearly
+/// on the others.
 const DEPENDENT: f64 = 1e-12;
 
 /// A sector, or a chain of sectors, condensed onto its first and last cut and the shared unknowns.
@@ -189,28 +191,27 @@ pub struct RingFlexibility {
     shared: Arc<Shared>,
 }
 
-/// Constrained averages of the bore.
+/// Constrained mean displacements of the bore.
 pub(crate) struct Bound {
-    /// Rotation of the averages from sector to sector.
+    /// Rotation of the means from sector to sector.
     pub shared: Shared,
-    /// Forces on the averages by their values.
+    /// Forces on the means by their values.
     pub stiffness: Mat<f64>,
-    /// Constraint forces by forces on the cuts and the averages of a sector, one row for each.
+    /// Constraint forces by forces on the cuts and the means of a sector, one row for each.
     pub holding: Mat<f64>,
 }
 
-/// Averages of the bore that were constrained and have been released.
+/// Mean displacements of the bore that were constrained and have been released.
 pub(crate) struct Released {
-    /// Rotation of the averages from sector to sector.
+    /// Rotation of the means from sector to sector.
     pub shared: Shared,
-    /// Values of the averages by forces on them; with spline teeth in the body's frame, otherwise
-    /// in that of any sector.
+    /// Values of the means by forces on them; with spline teeth in the body's frame, otherwise in
+    /// that of any sector.
     pub release: Mat<f64>,
-    /// Former constraint forces by forces on the cuts and the averages of a sector, one row for
-    /// each.
+    /// Former constraint forces by forces on the cuts and the means of a sector, one row for each.
     pub holding: Mat<f64>,
-    /// Spline teeth that support the averages now. Without them, the ring's responses are those
-    /// with the averages released.
+    /// Spline teeth that support the means now. Without them, the ring's responses are those with
+    /// the means released.
     pub lugs: Option<LugSet>,
     /// Spline teeth with clearance, which do not support the ring.
     pub loose: Option<LooseLugs>,
@@ -317,8 +318,8 @@ impl RingFlexibility {
         Ok(Self { by_offset, shared: sector.shared.clone() })
     }
 
-    /// Returns the averages that the shared unknowns from index `first` on constrain. `None` if
-    /// there are none.
+    /// Returns the means that the shared unknowns from index `first` on constrain. `None` if there
+    /// are none.
     pub fn bound(&self, first: usize) -> Option<Bound> {
         let own = self.by_offset.first().filter(|_| first < self.shared.count)?;
         let (from, count) = (own.nrows() - self.shared.count + first, self.shared.count - first);
@@ -330,9 +331,8 @@ impl RingFlexibility {
         })
     }
 
-    /// Releases the averages that the shared unknowns from index `first` on constrain, except for
-    /// what another body carries: `carried`, forces by averages, symmetric. `None` if there are
-    /// none.
+    /// Releases the means that the shared unknowns from index `first` on constrain, except for what
+    /// another body carries: `carried`, forces by means, symmetric. `None` if there are none.
     ///
     /// # Errors
     /// The released ring has a rigid-body motion.

@@ -19,7 +19,7 @@ pub struct SplitOptions {
     /// Number of samples on each surface, at least 8.
     pub samples: usize,
     /// Condense forces along the surfaces as well as into them, so that the surfaces can be
-    /// reshaped afterwards ([`super::Structure::reshaped`]).
+    /// modified afterwards ([`super::Structure::reshaped`]).
     pub reshapable: bool,
 }
 

@@ -12,7 +12,7 @@ pub struct StructureSize {
     pub freedoms: usize,
     /// Degrees of freedom of one cut.
     pub cut: usize,
-    /// Number of averaged constraint forces on the bore: unknowns that all sectors share.
+    /// Number of mean constraint forces on the bore: unknowns that all sectors share.
     pub means: usize,
     /// Number of loads on a sector whose responses are computed.
     pub loads: usize,

@@ -10,10 +10,12 @@
 //! terms, exact on both sides, so the joint is in equilibrium however short the series is.
 //!
 //! The web responds in each harmonic separately ([`RevolutionModel`]); its bore is supported like
-//! that of a rim, fixed or by averaged constraints. The result is a stiffness against amplitudes
-//! that does not depend on the rotation of the web. A ring whose bore is released against it
+//! that of a rim, fixed or by mean constraints. The result is a stiffness against amplitudes that
+//! does not depend on the rotation of the web. A ring whose bore is released against it
 //! ([`super::ring::RingFlexibility::release`]) has tables of the same size as one with a free bore:
 //! the web adds no cost for each tooth.
+//!
+//! See `docs/theory/substructures.md`.
 
 use super::bore::{Patterns, Wanted};
 use super::dense::{add_product, cholesky, mirror_lower, product, solve};
@@ -47,7 +49,7 @@ pub struct RevolvedWeb {
 struct Wave<'a> {
     stiffness: SparseColMat<usize, f64>,
     solver: Solver,
-    /// Averaged constraints on the bore, by family.
+    /// Mean constraints on the bore, by family.
     bore: [Vec<Vec<f64>>; 2],
     model: &'a RevolutionModel,
 }

@@ -16,6 +16,8 @@
 //! | 1 | 4 x 8 | 4e-3 | 5e-2 | 3e-1 | 8e-1 | 1 | -13 % | -93 % | -99.7 % |
 //! | 2 | 2 x 4 | 3e-4 | 1e-3 | 1e-2 | 1e-1 | 6e-1 | -0.3 % | -1.1 % | -1.5 % |
 //! | 3 | 2 x 4 | 2e-5 | 2e-5 | 7e-5 | 7e-4 | 7e-3 | 0 | 0 | 0 |
+//!
+//! See `docs/theory/finite-elements.md`.
 
 mod assembly;
 pub mod cells;

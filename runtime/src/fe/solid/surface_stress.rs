@@ -1,6 +1,6 @@
 //! Smoothed stresses on swept surfaces: a polynomial fitted through the stresses at superconvergent
-//! points (Zienkiewicz and Zhu 1992) around a point, across the section as in plane models and
-//! along the axis.
+//! points around a point (superconvergent patch recovery, Zienkiewicz and Zhu 1992), across the
+//! section as in plane models and along the axis.
 //!
 //! The fit is the product of both: the weight of a sample is that of its position in the section
 //! times that of its axial coordinate. The polynomials are functions of the section's coordinates,

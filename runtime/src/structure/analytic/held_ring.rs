@@ -1,5 +1,5 @@
-//! Ring below a tooth (gear body): fixed on its far side, and loaded on an arc of the other side by
-//! the resultants of a tooth at its root.
+//! Foundation ring (fillet-foundation deflection): the ring below a tooth, fixed on its far side,
+//! and loaded on an arc of the other side by the resultants of a tooth at its root.
 //!
 //! Sainsot, Velex and Duverger (Contribution of Gear Body to Tooth Deflections, J. Mech. Design
 //! 126, 2004) use the same ring under the same tractions, uniform ones for the two forces and a
@@ -22,7 +22,7 @@ const PHASE: f64 = 30.0;
 /// back.
 const UNFELT: f64 = 1e-16;
 
-/// Flexibility of a ring to [`RootLoad`]s on its teeth.
+/// Flexibility of a foundation ring to [`RootLoad`]s on its teeth.
 #[derive(Clone, Debug, PartialEq)]
 pub struct HeldRing {
     /// Displacements (axial, transverse, rotation) of a tooth root by unit loads on another root,

@@ -51,8 +51,8 @@ mod tests {
     const SECTION: CriticalSection =
         CriticalSection { at: 0.5e-3, chord: 4e-3, notch_radius: 0.8e-3, s: 0.0, position: [0.0; 2] };
 
-    /// L = 4 / 5, q = 2.5: Y_S = (1.2 + 0.104) 2.5^(1 / 4.085) = 1.6319; nominal stress 6 F h / s²
-    /// = 1.875e3 F.
+    /// `L = 4 / 5`, `q = 2.5`: `Y_S = (1.2 + 0.104) 2.5^(1 / 4.085) = 1.6319`; nominal stress
+    /// `6 F h / s² = 1.875e3 F`.
     #[test]
     fn the_factors_of_the_standard() {
         let load = RootLoad { axial: -0.3, shear: -1.0, moment: -5.5e-3, along: 0.0 };

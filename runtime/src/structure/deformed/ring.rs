@@ -27,13 +27,13 @@ pub(super) struct SolvedRing {
     cuts: [Vec<usize>; 2],
     /// Rotation of the last cut, rad.
     pitch: f64,
-    /// Forms of the averages that are constrained or released; empty for a rigid bore.
+    /// Forms of the means that are constrained or released; empty for a rigid bore.
     forms: Vec<SparseVector>,
     /// Solver of the interior, with fixed supports and both cuts fixed.
     inside: Solver,
     ring: RingFlexibility,
     /// Coupling of sectors in addition to the ring's flexibility, and its equivalent forces by
-    /// those on cuts and averages.
+    /// those on cuts and means.
     bore: Option<(BoreCoupling, Mat<f64>)>,
     /// Memory reservation for the stiffness matrix.
     _room: Room,
@@ -93,8 +93,8 @@ impl SolvedRing {
     }
 
     /// Returns displacements of sectors, one column each in the frame of the sector. The loads are
-    /// full vectors of forces on some sectors, in their own frames, and forces of loose spline
-    /// teeth, if any.
+    /// full vectors of forces on some sectors, in their own frames, and forces of spline teeth with
+    /// clearance, if any.
     pub fn displacements(
         &self,
         loads: &[(u32, Vec<f64>)],
@@ -139,7 +139,7 @@ impl SolvedRing {
     }
 
     /// Returns the forces on the cuts (for the last one in the frame of the next sector) and on the
-    /// averages that are equivalent to each load; `alone` is its interior displacement with fixed
+    /// means that are equivalent to each load; `alone` is its interior displacement with fixed
     /// cuts.
     fn on_cuts(&self, forces: &Mat<f64>, alone: &Mat<f64>) -> Mat<f64> {
         let n = self.cut_size();
@@ -170,8 +170,8 @@ impl SolvedRing {
         (to % self.sectors + self.sectors - from % self.sectors) % self.sectors
     }
 
-    /// Adds the displacements of a sector's cuts and averages, in its own frame, by forces on those
-    /// of another sector.
+    /// Adds the displacements of a sector's cuts and means, in its own frame, by forces on those of
+    /// another sector.
     fn add_answer(&self, sum: &mut Mat<f64>, observer: u32, (loaded, forces): (u32, MatRef<'_, f64>)) {
         let (ahead, behind) = (self.places_ahead(loaded, observer), self.places_ahead(observer, loaded));
         let known = ahead.min(behind) <= self.ring.window();
@@ -189,7 +189,8 @@ impl SolvedRing {
         }
     }
 
-    /// Adds the displacements of a sector's cuts and averages by forces of loose spline teeth.
+    /// Adds the displacements of a sector's cuts and means by forces of spline teeth with
+    /// clearance.
     fn add_lugs(&self, sum: &mut Mat<f64>, observer: u32, lugs: &[f64]) {
         let Some((bore, holding)) = self.bore.as_ref().filter(|_| !lugs.is_empty()) else { return };
         let lugs = MatRef::from_column_major_slice(lugs, lugs.len(), 1);

@@ -126,7 +126,7 @@ pub(super) fn ring_sector(
     let held = assembled.dofs_of(&held);
     let matrices = (assembled.stiffness, model.mass());
     let sector = Sector::new(matrices, model.mesh.nodes.clone(), &held, count, Some(&cuts));
-    // Only the constrained averages: the coupling of distant teeth needs no released ones here.
+    // Only the constrained means: the coupling of distant teeth needs no released ones here.
     let Some(wanted) = Wanted::of_ring(ring.hold, count, count) else { return Ok(sector) };
     let means = BoreMeans::plane(model, chain(model, ring.bore)?, wanted, interrupt)?;
     let means = means.ok_or(StructureError::NoArea)?;

@@ -7,8 +7,10 @@
 //! number of modes below a frequency is known beforehand from the signs of the pivots at that
 //! frequency (Sturm count); the iteration ends when it has found as many.
 //!
-//! Averaged constraints (`G^H phi = 0`) are satisfied in every solution:
+//! Mean constraints (`G^H phi = 0`) are satisfied in every solution:
 //! `x = A^-1 f - A^-1 G (G^H A^-1 G)^-1 G^H A^-1 f`.
+//!
+//! See `docs/theory/modes.md`.
 
 use super::super::StructureError;
 use super::complex::{Columns, Spectrum, adjoint, times};
@@ -40,7 +42,7 @@ pub(super) struct Harmonic<'s> {
     waves: u32,
 }
 
-/// Averaged constraints.
+/// Mean constraints.
 struct Means {
     /// Constraint forms `G`.
     forms: Columns,

@@ -71,7 +71,7 @@ impl Sector {
         Self { stiffness, mass, nodes, count, cuts, angle, forms, shared, inner }
     }
 
-    /// Adds averaged constraints.
+    /// Adds mean constraints.
     pub fn holding(self, forms: Vec<SparseVector>, shared: Shared) -> Self {
         Self { forms, shared, ..self }
     }

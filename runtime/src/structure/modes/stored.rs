@@ -44,7 +44,7 @@ fn matrices(parts: &Parts<'_>, fields: usize) -> Option<Vec<[Mat<f64>; 2]>> {
 }
 
 impl BodyModes {
-    /// Serializes the modes for [`Self::restored`], without reshaped surfaces.
+    /// Serializes the modes for [`Self::restored`], without modified surfaces.
     pub(crate) fn stored(&self) -> Option<Vec<u8>> {
         let fields = &*self.fields;
         to_bytes(&StoredModes {

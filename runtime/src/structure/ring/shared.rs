@@ -1,4 +1,4 @@
-//! Unknowns that all sectors of a ring share: the forces of averaged constraints on its bore.
+//! Unknowns that all sectors of a ring share: the forces of mean constraints on its bore.
 //!
 //! Each sector uses them in its own frame, so that all sectors have the same matrix: from one
 //! sector to the next, a cosine-sine pair of harmonic `k` rotates by `k` times the sector's angle.

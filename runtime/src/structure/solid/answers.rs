@@ -1,5 +1,5 @@
-//! Responses of a condensed three-dimensional body, evaluated from its tables: compliances between
-//! points of its surfaces, and stresses.
+//! Influence functions of a condensed three-dimensional body, evaluated from its tables:
+//! compliances between points of its surfaces, and stresses.
 //!
 //! A spot is a column of weights on the tables' samples and polynomials ([`super::points`]),
 //! averaged along the spot. A compliance is a product of two such columns and a table. Exchanging

@@ -13,6 +13,8 @@
 //! is uniform along the face needs no further terms: there is no stress normal to the face.
 //! Otherwise the faces bulge, and the corresponding part of the compliance varies over the load's
 //! distance from the face; the polynomials represent as much of it as they resolve.
+//!
+//! See `docs/theory/compliance.md`.
 
 mod prepared;
 
@@ -180,7 +182,7 @@ impl ElasticSolid {
         Self::ring_held(mirrored, model, ring, hold, (surfaces, options), interrupt)
     }
 
-    /// Builds the ring from the fixed nodes of the bore and its averaged constraints.
+    /// Builds the ring from the fixed nodes of the bore and its mean constraints.
     fn ring_held(
         mirrored: Option<&Mirrored>,
         model: &SolidModel,

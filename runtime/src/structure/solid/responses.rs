@@ -20,8 +20,8 @@ pub(super) struct Sector {
     pub cuts: Cuts,
     /// Fixed nodes.
     pub held: Vec<usize>,
-    /// Averages of the bore's displacements that vanish, for averaged constraints; the sector is
-    /// then condensed in one piece.
+    /// Means of the bore's displacements that vanish, for mean constraints; the sector is then
+    /// condensed in one piece.
     pub means: Option<BoreMeans>,
     pub sectors: u32,
     /// Largest distance of coupled sectors.

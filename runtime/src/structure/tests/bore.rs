@@ -1,4 +1,4 @@
-//! Bores with averaged constraints: condensed rings against whole ones, and against analytical
+//! Bores with mean constraints: condensed rings against whole ones, and against analytical
 //! solutions.
 
 use super::bodies::{COARSE, Divisions, STEEL, ring_source, toothed_ring, toothed_sector};
@@ -36,7 +36,7 @@ pub(super) fn force(equations: &Assembled, point: [f64; 3], direction: [f64; 3],
     (0..count).map(|axis| (count * nearest + axis, direction[axis])).collect()
 }
 
-/// Displacements of a whole free body under a load, with averages that vanish or respond to their
+/// Displacements of a whole free body under a load, with means that vanish or respond to their
 /// forces with a compliance.
 pub(super) struct Direct {
     solver: Solver,

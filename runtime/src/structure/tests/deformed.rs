@@ -178,9 +178,9 @@ fn loads_a_pitch_further_turn_the_picture() {
     }
 }
 
-/// Maxwell-Betti: the displacement of a flank by the force of a loose spline tooth is that of the
-/// spline tooth by the same force on the flank. Under forces of gear teeth the displacement is that
-/// of the structure on such spline teeth.
+/// Maxwell-Betti: the displacement of a flank by the force of a spline tooth with clearance is that
+/// of the spline tooth by the same force on the flank. Under forces of gear teeth the displacement
+/// is that of the structure on such spline teeth.
 #[test]
 fn flanks_move_by_loose_lugs_as_lugs_by_them() {
     let hold = BoreHold::LooseLugs { lugs: FOUR, clearance: 1e-5 };

@@ -25,7 +25,7 @@ fn loose(lugs: Lugs) -> BoreHold {
 }
 
 /// The couplings of spline teeth with each other, with gear teeth and with stresses are those of
-/// the whole mesh under the same tractions, with constrained rigid-body averages only.
+/// the whole mesh under the same tractions, with constrained rigid-body means only.
 #[test]
 fn lugs_move_as_on_the_whole_mesh() {
     let (sector, _) = toothed_sector(TEETH, 1.0, SMALL);

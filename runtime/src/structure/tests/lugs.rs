@@ -117,7 +117,7 @@ pub(super) fn lug_form(means: &BoreMeans, row: usize, size: usize) -> Vec<f64> {
     form
 }
 
-/// Builds the whole mesh with the same constraint forms, first the averaged constraints, then the
+/// Builds the whole mesh with the same constraint forms, first the mean constraints, then the
 /// spline teeth.
 fn direct(equations: &Assembled, motions: &[Vec<f64>], means: &BoreMeans) -> Direct {
     let lugs = means.lugs.as_ref().unwrap();

@@ -50,11 +50,11 @@ fn torsion_of_a_disc() {
     }
 }
 
-/// Kirchhoff plates between a clamped hub and a rigid rim. Tilted: w = (A r + B r³ + C/r + D r ln
-/// r) cos t, with a moment of 4 pi D times the bending stiffness. Translated along the axis: w = A
-/// + B r² + C ln r + D r² ln r, with a force of 8 pi D times it (Timoshenko, Theory of Plates and
-/// Shells, sections 15 and 62). Shear makes a plate more compliant in proportion to the square of
-/// its thickness.
+/// Kirchhoff plates between a clamped hub and a rigid rim. Tilted:
+/// `w = (A r + B r³ + C/r + D r ln r) cos t`, with a moment of 4 pi D times the bending stiffness.
+/// Translated along the axis: `w = A + B r² + C ln r + D r² ln r`, with a force of 8 pi D times it
+/// (Timoshenko, Theory of Plates and Shells, sections 15 and 62). Shear makes a plate more
+/// compliant in proportion to the square of its thickness.
 #[test]
 fn tilting_and_dishing_of_a_thin_web() {
     let [a, b] = [0.5, 1.0_f64];

@@ -52,7 +52,7 @@ impl Disc {
                 .unwrap();
         let at = ring.at(0);
         let first = at.nrows() - means.shared.count;
-        // Averages of a unit motion over the surface, which is uncoupled from the terms.
+        // Means of a unit motion over the surface, which is uncoupled from the terms.
         let [_, b] = self.radii;
         let area = TAU * b * self.thickness;
         let tilt = area * (0.5 * b * b + self.thickness.powi(2) / 12.0);
@@ -74,7 +74,7 @@ fn torsion_of_a_disc() {
     }
 }
 
-/// Kirchhoff plate between hub and rim, w = f(r) cos t with f = A r + B r³ + C/r + D r ln r,
+/// Kirchhoff plate between hub and rim, `w = f(r) cos t` with `f = A r + B r³ + C/r + D r ln r`,
 /// clamped inside and rotated with the rim outside: its moment is 4 pi times its bending stiffness
 /// times D (Timoshenko, Theory of Plates and Shells, section 62). Shear makes a plate of finite
 /// thickness more compliant, in proportion to the square of the thickness.
@@ -126,7 +126,7 @@ fn widening_of_a_thick_ring() {
     let ring =
         RingFlexibility::new(condensed.stiffness.as_ref().unwrap(), sectors, 0, &Interrupt::never()).unwrap();
     let last = ring.at(0).nrows() - 1;
-    // Pressure by displacement is force on the average by the average, times the circumference.
+    // Pressure by displacement is force on the mean by the mean, times the circumference.
     let found = -ring.at(0)[(last, last)] * TAU * b;
     let mu = 0.5 * STEEL.youngs_modulus / (1.0 + STEEL.poissons_ratio);
     let lambda = 2.0 * mu * STEEL.poissons_ratio / (1.0 - 2.0 * STEEL.poissons_ratio);

@@ -27,7 +27,7 @@ use std::sync::Arc;
 const SMALL: Divisions = Divisions { rim: 1, tooth_root: 1, flank: 2, thickness: 2, grading: 1.0 };
 const TEETH: u32 = 6;
 const WIDTH: f64 = 0.2;
-/// Averaged constraints: frame and deformation are coupled by inertia only.
+/// Mean constraints: frame and deformation are coupled by inertia only.
 const HOLD: BoreHold = BoreHold::Means { waves: None, degree: 0 };
 /// Spring constants of the bearing along both axes and about the third, per metre of width,
 /// comparable with the stiffness of the ring.
@@ -71,8 +71,8 @@ impl Prototype for Ring {
     }
 }
 
-/// Returns the natural frequencies of the whole mesh, rad/s, with the average of its bore on
-/// springs.
+/// Returns the natural frequencies of the whole mesh, rad/s, with the mean displacement of its bore
+/// on springs.
 fn of_whole() -> Vec<f64> {
     let model = PlaneModel::new(toothed_ring(TEETH, SMALL), STEEL, Plane::Strain);
     let (mass, mut stiffness) = (model.mass().to_dense(), model.stiffness().to_dense());
