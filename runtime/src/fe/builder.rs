@@ -39,7 +39,7 @@ pub enum MeshError {
     MixedChain { name: String },
 }
 
-/// Collects blocks; [`MeshBuilder::finish`] builds the mesh.
+/// Builder of a mesh from blocks; [`MeshBuilder::finish`] builds the mesh.
 #[derive(Clone, Default)]
 pub struct MeshBuilder {
     blocks: Vec<Block>,

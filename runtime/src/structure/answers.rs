@@ -66,7 +66,7 @@ impl ElasticStructure {
         let behind = self.places_ahead(observe.tooth, load.tooth);
         let same_tooth = ahead == 0;
         let same = same_tooth && observe.surface == load.surface;
-        // Of the two orientations, use the stored one: the observer ahead, or on the higher surface
+        // Use the stored one of the two orientations: the observer ahead, or on the higher surface
         // of the same tooth. Halfway round a ring with an even number of teeth each is ahead of the
         // other; the higher tooth decides.
         let forward = if same_tooth {

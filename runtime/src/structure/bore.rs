@@ -28,19 +28,19 @@ use faer::linalg::solvers::Solve;
 /// Support of the bore of a ring.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum BoreHold {
-    /// Fixes all nodes of the bore.
+    /// All nodes of the bore are fixed.
     #[default]
     Rigid,
-    /// Constrains the mean motion of the bore, which can deform except in the constrained terms of
-    /// a series.
+    /// The mean motion of the bore is constrained; the bore can deform except in the constrained
+    /// terms of a series.
     Means {
         /// Highest constrained harmonic; `None` constrains none, 0 the axisymmetric terms.
         waves: Option<u16>,
         /// Highest constrained degree of polynomials along the bore.
         degree: u8,
     },
-    /// Supports the bore by spline teeth. Mean constraints fix the rigid-body motion that the
-    /// spline teeth leave free: axial motion, and motions beyond their degree.
+    /// Spline teeth support the bore. Mean constraints fix the rigid-body motion that the spline
+    /// teeth leave free: axial motion, and motions beyond their degree.
     Lugs(Lugs),
     /// Spline teeth with clearance, whose contact is solved outside the structure
     /// ([`super::loose_lugs`]). The structure uses mean constraints. Plane models only.
@@ -214,8 +214,9 @@ impl Patterns {
         self.places.iter().map(|&place| all[place]).collect()
     }
 
-    /// Translations across the axis and rotations about transverse axes transform like vectors;
-    /// cosines and sines rotate by their harmonic times the angle.
+    /// Returns the transformation of the means under rotation. Translations across the axis and
+    /// rotations about transverse axes transform like vectors; cosines and sines rotate by their
+    /// harmonic times the angle.
     pub fn shared(&self) -> Shared {
         let waves = |place: usize| match place {
             0 | 3 => Some(1),

@@ -10,8 +10,8 @@
 //! distant teeth on a bore with mean constraints only are coupled exactly through them:
 //! [`super::far_coupling`].)
 //!
-//! Where spline teeth support the amplitudes ([`super::lugs`]), the released amplitudes depend on
-//! the position of the loaded tooth, and not only on the distance of the observed one. Then the
+//! If spline teeth support the amplitudes ([`super::lugs`]), the released amplitudes depend on the
+//! position of the loaded tooth, and not only on the distance of the observed one. In this case the
 //! tables do not include this part: it is added for near teeth as for distant ones, from the
 //! indices of both.
 //!
@@ -134,7 +134,7 @@ impl BoreCoupling {
 }
 
 impl Coupling for BoreCoupling {
-    /// The equivalent forces are the constraint forces of the bore.
+    /// Adds the constraint forces of the bore under the loads.
     fn add_felt(&self, forces: &mut Mat<f64>, side: usize, columns: MatRef<'_, f64>) {
         if let Some(loads) = self.loads.get(side) {
             add_product(forces.as_mut(), 1.0, loads.as_ref(), columns);

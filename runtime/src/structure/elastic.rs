@@ -66,7 +66,7 @@ pub enum Hold<'a> {
     /// Free body. Its rigid-body motion belongs to the frame. Forces distributed like inertia
     /// balance loads that are not in equilibrium.
     Free,
-    /// Fixes the nodes of this chain.
+    /// Fixed nodes of this chain.
     Chain(&'a str),
 }
 

@@ -158,7 +158,7 @@ impl HeldRing {
         let apart = ahead.min(behind) as usize;
         let order = match ahead {
             0 => Order::Same,
-            // Of two opposite teeth the one with the larger number counts as ahead.
+            // If two teeth are opposite, the one with the larger number counts as ahead.
             _ if behind < ahead || (behind == ahead && other_tooth < one_tooth) => Order::Behind,
             _ => Order::Ahead,
         };

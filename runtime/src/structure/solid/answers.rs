@@ -121,7 +121,7 @@ impl SolidStructure for ElasticSolid {
         if tables.is_none() && bore.is_none() {
             return;
         }
-        // Of the two orientations, use the stored one: the observer ahead, or on the higher surface
+        // Use the stored one of the two orientations: the observer ahead, or on the higher surface
         // of the same tooth, or the greater list of the same surface. Halfway round a ring with an
         // even number of teeth each is ahead of the other; the higher tooth decides.
         let same = ahead == 0 && observe.surface == load.surface;

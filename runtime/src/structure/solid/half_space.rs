@@ -208,7 +208,7 @@ impl ReciprocalMeans {
     }
 }
 
-/// Returns the distribution of products of modes over the directions at axial distance `t`: of the
+/// Computes the distribution of products of modes over the directions at axial distance `t`: of the
 /// load itself and of its images.
 fn spread_at(
     modes: &AxialModes,

@@ -30,9 +30,10 @@ pub(super) fn turned(model: &PlaneModel, load: &SparseVector, angle: f64) -> Vec
     there
 }
 
-/// On a compliant bore the whole ring becomes oval, which stresses fillets far from the load. Loads
-/// are at the nodes of the tables, where splines are exact. Three teeth on either side have tables;
-/// the others are coupled through their cuts.
+/// Compares the stress of some teeth with the whole mesh. On a compliant bore the whole ring
+/// becomes oval, which stresses fillets far from the load. Loads are at the nodes of the tables,
+/// where splines are exact. Three teeth on either side have tables; the others are coupled through
+/// their cuts.
 fn agrees_with_the_whole_mesh(teeth: u32, bore: f64, tested: &[u32]) {
     let hold = BoreHold::Means { waves: None, degree: 0 };
     let (model, surfaces) = sector_on((teeth, bore), 1.0, COARSE);

@@ -7,8 +7,8 @@ use crate::structure::modes::cyclic::ring_modes;
 
 const STEEL: Material = Material { youngs_modulus: 2.10e11, poissons_ratio: 0.3, density: 7850.0 };
 
-/// Equation 4.1 of the report: in-plane inextensional bending of a thin ring with `n` nodal
-/// diameters.
+/// Returns the frequency by equation 4.1 of the report: in-plane inextensional bending of a thin
+/// ring with `n` nodal diameters.
 fn thin_ring(n: u32, bending: f64, mass: f64, radius: f64) -> f64 {
     let n = f64::from(n);
     n * (n * n - 1.0) / (n * n + 1.0).sqrt() * (bending / (mass * radius.powi(4))).sqrt()
