@@ -14,11 +14,11 @@
 //!
 //! Helical teeth bend in the normal section, as the virtual spur gears of the standards do. Across
 //! the tooth this section is shorter than the transverse one by the cosine `c` of the helix angle.
-//! A force across a slice of the face is the part `1 / c` of the force normal to the tooth, and
-//! acts on `1 / c` of its length. A uniform load therefore bends teeth by `1 / c⁴` as much as their
-//! transverse section, and stresses their fillets by `1 / c²` as much. The teeth stand on the ring
-//! of the transverse section, which the axial component of the force shears. Displacements are
-//! along the force of each load, so the compliance is symmetric as it is for `c = 1`.
+//! The force normal to the tooth is `1 / c` times the transverse force on a slice of the face, and
+//! acts on `1 / c` times its length. A uniform load therefore bends teeth `1 / c⁴` times as much as
+//! their transverse section, and stresses their fillets `1 / c²` times as much. The teeth stand on
+//! the ring of the transverse section, which the axial component of the force shears. Displacements
+//! are along the force of each load, so the compliance is symmetric as it is for `c = 1`.
 //!
 //! See `docs/theory/analytic-compliance.md`.
 
@@ -124,7 +124,7 @@ impl Tooth {
     fn new(shape: &ToothShape, material: Material, plane: Plane) -> Tooth {
         let nu = match plane {
             Plane::Strain => material.poissons_ratio,
-            // The constants that turn plane strain into plane stress.
+            // Effective Poisson's ratio that turns the plane-strain formulas into plane stress.
             Plane::Stress => material.poissons_ratio / (1.0 + material.poissons_ratio),
         };
         Tooth {
