@@ -1,5 +1,8 @@
-//! Position, velocity and acceleration of the tip of a chain of joints: what deriving and scheduling it costs by
-//! length, and, for eight joints, what the interpreted kernel costs beside the same formulas written by hand, in the same run.
+//! Benchmarks kernels for the position, velocity and acceleration of the tip of a chain of joints.
+//!
+//! The first part measures the cost of differentiation and scheduling against the length of the
+//! chain. The second part compares the interpreted kernel of eight joints with the same formulas
+//! written by hand, in the same run.
 
 use calyx_abi::math;
 use calyx_symbolic::{Frame, Graph, Tape};
@@ -19,7 +22,7 @@ fn main() {
     divan::main();
 }
 
-/// Rate of a joint's angle, and length of the arm beyond it.
+/// Returns the rate of a joint's angle and the length of the arm beyond the joint.
 fn joint(index: usize) -> (f64, f64) {
     (1.0 + index as f64, 0.5 + 0.1 * index as f64)
 }
@@ -40,14 +43,14 @@ fn kernel(joints: usize) -> Tape {
     g.schedule(1, &outputs)
 }
 
-/// The same by hand, from the tip to the base, joint by joint in its plane of rotation.
+/// Computes the same values with hand-written code, from the tip to the base.
 fn by_hand(time: f64) -> [f64; 9] {
     let (mut x, mut v, mut a) = ([0.0; 3], [0.0; 3], [0.0; 3]);
     for index in (0..JOINTS).rev() {
         let (rate, arm) = joint(index);
         let (sine, cosine) = math::sincos(rate * time);
         x[0] += arm;
-        // Right-handed turn from axis i to axis j.
+        // Right-handed rotation from axis i to axis j.
         let (i, j) = if index % 2 == 0 { (0, 1) } else { (2, 0) };
         let (first_i, first_j) = (v[i] - rate * x[j], v[j] + rate * x[i]);
         a[i] -= rate * (v[j] + first_j);

@@ -1,41 +1,44 @@
-//! A tape split for many points at once: what is the same at all of them, and what follows in which stage.
+//! Splits a tape for evaluation at many points: a uniform part that runs once, and stages that run
+//! for every point.
 //!
-//! Of a kernel's inputs some *vary* from point to point, the others are one number for the whole batch. Whatever depends
-//! on the latter alone is computed once. Sines and cosines of varying angles are taken of whole tiles of points, by
-//! instructions wider than the code around them can use; so the rest falls into stages, each computing the angles
-//! of which sine and cosine are taken before the next one runs. A value is computed in the last stage that can: then
-//! few values wait in memory for later ones.
+//! Some inputs of a kernel *vary* from point to point; the others have one value for the whole
+//! batch. Instructions that depend only on the latter are computed once. Sines and cosines of
+//! varying angles are computed for whole tiles of points with wide SIMD instructions. The other
+//! instructions are therefore split into stages: each stage computes the angles whose sines and
+//! cosines the next stage needs. An instruction is assigned to the last stage that can compute it,
+//! so that few values have to be stored between stages.
 
 use crate::tape::{Instruction, Tape, ValueId};
 
-/// Where the value of an instruction comes from.
+/// The source of an instruction's value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Source {
-    /// The same at all points: an output of the uniform tape.
+    /// An output of the uniform tape: the same at all points.
     Uniform(u32),
-    /// An input that varies.
+    /// An input that varies from point to point.
     Column(u32),
-    /// The sine of an angle, taken after a stage. `angle` counts in [`BatchTape::angles`] of that stage.
+    /// The sine of an angle, computed after a stage. `angle` is an index into [`BatchTape::angles`]
+    /// of that stage.
     Sine { stage: u32, angle: u32 },
-    /// The cosine, likewise.
+    /// The cosine of an angle, with the same indices as [`Source::Sine`].
     Cosine { stage: u32, angle: u32 },
-    /// Computed in a stage.
+    /// An instruction of this stage.
     Stage(u32),
 }
 
-/// A tape and the order of its evaluation at many points.
+/// A tape and the order in which it is evaluated at many points.
 #[derive(Clone, Debug)]
 pub struct BatchTape {
     pub tape: Tape,
-    /// For each input, whether it varies.
+    /// `true` for each input that varies.
     pub varying: Vec<bool>,
-    /// What is computed once; its inputs are those of the tape.
+    /// The part that is computed once per batch. It has the same inputs as `tape`.
     pub uniform: Tape,
-    /// For each instruction.
+    /// The source of each instruction's value.
     pub sources: Vec<Source>,
-    /// What each stage computes, in order.
+    /// The instructions of each stage, in order.
     pub stages: Vec<Vec<ValueId>>,
-    /// After each stage but the last, the angles of which sine and cosine are taken.
+    /// The angles whose sines and cosines are computed after each stage except the last.
     pub angles: Vec<Vec<ValueId>>,
 }
 
@@ -46,7 +49,7 @@ impl BatchTape {
             (0..tape.inputs).map(|input| varying.get(input).copied().unwrap_or(false)).collect();
         let count = tape.instructions.len();
         let mut varies = vec![false; count];
-        // The number of times sines and cosines must have been taken before a value can be computed.
+        // Number of sine and cosine steps that must precede each value.
         let mut earliest = vec![0_u32; count];
         for (index, &instruction) in tape.instructions.iter().enumerate() {
             varies[index] = match instruction {
@@ -58,7 +61,7 @@ impl BatchTape {
         }
         let last = earliest.iter().copied().max().unwrap_or(0);
 
-        // Backwards: the last stage that is early enough for everybody.
+        // Walks backwards and assigns the last stage that is early enough for all users.
         let mut stage = vec![last; count];
         for (index, &instruction) in tape.instructions.iter().enumerate().rev() {
             let needed = if varies[index] && takes_sine_or_cosine(instruction) {
@@ -87,7 +90,7 @@ impl BatchTape {
 
     fn split(&mut self, varies: &[bool], stage: &[u32]) {
         let count = self.tape.instructions.len();
-        // Uniform values that something varying, or an output, reads.
+        // Uniform values that a varying instruction or an output reads.
         let mut read = vec![false; count];
         for (index, instruction) in self.tape.instructions.iter().enumerate() {
             if varies[index] {
@@ -132,7 +135,7 @@ impl BatchTape {
         }
     }
 
-    /// Operations per point, sines and cosines not counted.
+    /// Returns the number of operations per point, without sines and cosines.
     pub fn varying_operations(&self) -> usize {
         self.stages.iter().map(Vec::len).sum()
     }

@@ -1,23 +1,27 @@
-//! Derivatives by a symbol, and replacement of a symbol.
+//! Partial derivatives with respect to a symbol, and substitution of symbols.
 //!
-//! All other symbols are constants. Each node is differentiated once per symbol and remembered, so a second
-//! derivative costs as much as the first. Conventions where a derivative does not exist:
+//! All other symbols are constants. The graph caches the derivative of each node with respect to
+//! each symbol, so a second derivative costs as much as the first. Conventions where a derivative
+//! does not exist:
 //!
-//! - `abs(x)` at 0: that of the branch `x >= 0`. `min(x, y)`, `max(x, y)` at `x = y`: that of `x`.
+//! - `abs(x)` at 0: the derivative of the branch `x >= 0`. `min(x, y)`, `max(x, y)` at `x = y`: the
+//!   derivative of `x`.
 //! - `floor`, `ceil`, `round`, comparisons and logic: 0 everywhere, also at their steps.
-//! - `sqrt` at 0, `asin` and `acos` at -1 and 1: infinite where the argument moves, NaN where it rests, as IEEE
-//!   arithmetic has it; `atan2` at the origin: NaN. A conditional expression around them is a guard: the derivative
-//!   of `select(c, x, y)` is `select(c, x', y')`, so that nothing of the arm not taken can reach the result.
+//! - `sqrt` at 0, `asin` and `acos` at -1 and 1: infinite if the derivative of the argument is not
+//!   zero, otherwise NaN, following IEEE arithmetic. `atan2` at the origin: NaN. A conditional
+//!   expression guards against these: the derivative of `select(c, x, y)` is `select(c, x', y')`,
+//!   so the arm that is not selected cannot affect the result.
 //! - `x ^ y` with `x = 0`: the term `x^y log(x) y'` is 0, its limit for `y > 0`.
 
 use crate::graph::{Binary, Graph, Node, NodeId, Unary};
 
 impl Graph {
-    /// The derivative of an expression by a symbol.
+    /// Returns the derivative of an expression with respect to a symbol.
     ///
-    /// Where everything the expression has of the symbol comes through one expression used several times (an angle
-    /// between its sine and cosine and a coefficient, say), it is the derivative by that one, times its own. All
-    /// coefficients of the angle then share the first factor.
+    /// If every path from the expression to the symbol leads through one shared node, the chain
+    /// rule is applied at that node. An example is an angle that is used by a sine, a cosine and a
+    /// coefficient. All derivatives of expressions in that angle then share the derivative of the
+    /// angle.
     pub fn derivative(&mut self, root: NodeId, symbol: u32) -> NodeId {
         if let Some(&known) = self.total_derivatives.get(&(root, symbol)) {
             return known;
@@ -27,7 +31,7 @@ impl Graph {
         }
         let variable = self.symbol(symbol);
         let waypoints = self.waypoints(root, variable);
-        // From the symbol upwards, each with the derivative of what it leads to.
+        // From the symbol upwards: each waypoint with the derivative of its successor.
         let origin = self.set_origin(0);
         let mut result: Option<NodeId> = None;
         for (place, &waypoint) in waypoints.iter().enumerate().rev() {
@@ -45,7 +49,7 @@ impl Graph {
         result
     }
 
-    /// Declares that a symbol depends on another one: its derivative by it.
+    /// Declares the derivative of a symbol with respect to another symbol.
     pub fn set_rate(&mut self, symbol: u32, by: u32, rate: NodeId) {
         if self.rates.insert((symbol, by), rate) == Some(rate) {
             return;
@@ -54,7 +58,7 @@ impl Graph {
         self.total_derivatives.retain(|(_, known), _| *known != by);
     }
 
-    /// The derivative by a symbol on which others depend.
+    /// Returns the derivative with respect to a symbol on which other symbols depend.
     fn derivative_of_moving(&mut self, root: NodeId, symbol: u32) -> NodeId {
         let zero = self.constant(0.0);
         let order = self.reachable(&[root], |id| !self.total_derivatives.contains_key(&(id, symbol)));
@@ -79,11 +83,11 @@ impl Graph {
         self.total_derivatives.get(&(root, symbol)).copied().unwrap_or(zero)
     }
 
-    /// The derivative by a node that is taken for independent of everything else.
+    /// Returns the derivative with respect to a node that is treated as an independent variable.
     fn derivative_by(&mut self, root: NodeId, variable: NodeId) -> NodeId {
         let zero = self.constant(0.0);
         let mut known = self.derivatives.remove(&variable).unwrap_or_default();
-        // What is older than the variable cannot contain it.
+        // Operands have smaller ids than their users, so older nodes do not contain the variable.
         let place = |id: NodeId| id.index().checked_sub(variable.index());
         let Some(last) = place(root) else { return zero };
         if known.len() <= last {
@@ -112,11 +116,11 @@ impl Graph {
         result
     }
 
-    /// Nodes used several times that every path from the root to the variable leads through, root first, and then
-    /// the variable itself. Empty if there is no path.
+    /// Returns the shared nodes that lie on every path from the root to the variable, root first,
+    /// followed by the variable itself. The result is empty if there is no path.
     ///
-    /// None of them lies behind a choice: `select(c, x', y')` keeps out what it does not choose, a product of
-    /// derivatives would not.
+    /// A waypoint never lies below a conditional expression: `select(c, x', y')` blocks a NaN of
+    /// the arm that is not selected, a product of derivatives would not.
     fn waypoints(&self, root: NodeId, variable: NodeId) -> Vec<NodeId> {
         let place = |id: NodeId| id.index().checked_sub(variable.index());
         let Some(last) = place(root) else { return Vec::new() };
@@ -132,7 +136,7 @@ impl Graph {
         }
         let mut found = Vec::new();
         let mut uses = vec![0_u32; last + 1];
-        // Nodes that have been met and not yet visited; where there is only one, all paths meet.
+        // Nodes that were reached but not visited. If there is only one, all paths pass through it.
         let mut pending = 1;
         for &id in order.iter().rev() {
             let Some(at) = place(id).filter(|&at| depends[at]) else { continue };
@@ -154,7 +158,7 @@ impl Graph {
         found
     }
 
-    /// Whether the derivative of a node chooses between terms.
+    /// Returns `true` if the derivative of a node selects between terms.
     fn is_choice(&self, id: NodeId) -> bool {
         match self.node(id) {
             Node::Select(..) | Node::Unary(Unary::Abs, _) | Node::Binary(Binary::Min | Binary::Max, ..) => {
@@ -165,12 +169,13 @@ impl Graph {
         }
     }
 
-    /// The expression with a symbol replaced by another expression.
+    /// Returns the expression with a symbol replaced by another expression.
     pub fn substitute(&mut self, root: NodeId, symbol: u32, replacement: NodeId) -> NodeId {
         self.substitute_all(&[root], &[(symbol, replacement)]).first().copied().unwrap_or(root)
     }
 
-    /// The expressions with symbols replaced by others, all at once: what is put in is not looked into again.
+    /// Returns the expressions with all given symbols replaced simultaneously. Replacements are not
+    /// searched for further symbols.
     pub fn substitute_all(&mut self, roots: &[NodeId], replacements: &[(u32, NodeId)]) -> Vec<NodeId> {
         let order = self.reachable(roots, |_| true);
         let mut replaced: Vec<NodeId> = Vec::with_capacity(order.len());
@@ -195,7 +200,7 @@ impl Graph {
         roots.iter().map(|root| replaced[place(*root)]).collect()
     }
 
-    /// Derivative of `node = operation(x)`, where `dx` is that of `x`.
+    /// Returns the derivative of `node = operation(x)`, where `dx` is the derivative of `x`.
     fn unary_derivative(&mut self, operation: Unary, node: NodeId, x: NodeId, dx: NodeId) -> NodeId {
         if self.is_zero(dx) {
             return dx;
@@ -228,7 +233,7 @@ impl Graph {
                 self.multiply(slope, dx)
             }
             Unary::Asin | Unary::Acos => {
-                // (1 - x)(1 + x) keeps its digits near the ends, 1 - x^2 does not.
+                // `(1 - x)(1 + x)` is accurate near ±1; `1 - x^2` suffers from cancellation.
                 let one = self.constant(1.0);
                 let (below, above) = (self.subtract(one, x), self.add(one, x));
                 let product = self.multiply(below, above);
@@ -248,7 +253,8 @@ impl Graph {
         }
     }
 
-    /// Derivative of `node = operation(x, y)`, where each operand comes with its derivative.
+    /// Returns the derivative of `node = operation(x, y)`; each operand is paired with its
+    /// derivative.
     fn binary_derivative(
         &mut self,
         operation: Binary,
@@ -290,7 +296,7 @@ impl Graph {
                 self.add(by_base, by_exponent)
             }
             Binary::Atan2 => {
-                // atan2(x, y): x is the ordinate, y the abscissa.
+                // In `atan2(x, y)`, x is the ordinate and y the abscissa.
                 let (first, second) = (self.multiply(y, dx), self.multiply(x, dy));
                 let numerator = self.subtract(first, second);
                 let (xx, yy) = (self.multiply(x, x), self.multiply(y, y));

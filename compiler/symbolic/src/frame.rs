@@ -1,46 +1,49 @@
-//! Frames as chains of translations and rotations, and their motion by rigid-body algebra.
+//! Coordinate frames as chains of translations and rotations, and their velocities and
+//! accelerations by rigid-body kinematics.
 //!
-//! A frame is a change of coordinates, from ground into the frame, in the convention of the report (sections 2.4.1
-//! and 3.1.2): `Translate(v)` takes coordinates into a frame moved by `v`, `x' = x - v`; `Rotate(a, n)` into one
-//! turned by the angle `a` about the unit axis `n`, `x' = Q^T x` where `Q` is the right-handed rotation. In `A * B`
-//! the change `B` is made first, so a chain is read right to left, from ground.
+//! A frame is a coordinate transformation from ground into the frame, in the convention of the
+//! report (sections 2.4.1 and 3.1.2). `Translate(v)` transforms into a frame displaced by `v`: `x'
+//! = x - v`. `Rotate(a, n)` transforms into a frame rotated by the angle `a` about the unit axis
+//! `n`: `x' = Q^T x`, where `Q` is the right-handed rotation matrix. In `A * B` the transformation
+//! `B` is applied first, so a chain is read from right to left, starting at ground.
 //!
-//! The chain is kept as structure. A vector and its time derivatives (a *jet*) pass through it factor by factor:
-//! through a rotation with angular velocity `w = a' n` and angular acceleration `e = a'' n`,
-//! `(Q x)' = Q (x' + w x x)` and `(Q x)'' = Q (x'' + e x x + w x (2 x' + w x x))`. Tip to base this costs
-//! some thirty operations a joint, a third of what differentiated matrix products cost. Rotations about one axis that
-//! follow on each other are one rotation by the sum of their angles. Factors that are not of
-//! this form (an axis that moves, a choice between frames) are differentiated entry by entry.
+//! The chain is stored as factors. A vector and its time derivatives (a *jet*) are transformed
+//! factor by factor. For a rotation with angular velocity `w = a' n` and angular acceleration `e =
+//! a'' n`: `(Q x)' = Q (x' + w x x)` and `(Q x)'' = Q (x'' + e x x + w x (2 x' + w x x))`. From tip
+//! to base this costs about thirty operations per joint, a third of the cost of differentiated
+//! matrix products. Consecutive rotations about the same axis are merged into one rotation by the
+//! sum of their angles. Factors of another form (a moving axis, a conditional frame) are
+//! differentiated entry by entry.
 
 use crate::graph::{Graph, NodeId, Unary};
 use crate::vector::{Matrix3, Vector3, transposed};
 
-/// One change of coordinates.
+/// A coordinate transformation in a [`Frame`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Factor {
-    /// `x' = x - v`
+    /// Translation: `x' = x - v`.
     Translate(Vector3),
-    /// `x' = Q(angle, axis)^T x`; the axis has length one.
+    /// Rotation: `x' = Q(angle, axis)^T x`. The axis has unit length.
     Rotate { angle: NodeId, axis: Vector3 },
-    /// `x' = R x + t` with any orthonormal `R`.
+    /// Rigid transformation: `x' = R x + t`, where `R` is orthonormal.
     Rigid { rotation: Matrix3, translation: Vector3 },
 }
 
 /// Rotation matrix (ground to frame, row by row) and translation: `x' = R x + t`.
 pub type Pose = [NodeId; 12];
 
-/// A vector and its first, second ... time derivatives.
+/// A vector followed by its time derivatives.
 type Jet = Vec<Vector3>;
 
-/// A chain of changes of coordinates.
+/// A chain of coordinate transformations.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Frame {
-    /// In order of application: the first one starts at ground.
+    /// Factors in order of application. The first one starts at ground.
     factors: Vec<Factor>,
 }
 
 impl Frame {
-    /// Ground itself.
+    /// Returns the ground frame: the identity.
     pub fn ground() -> Self {
         Self::default()
     }
@@ -57,23 +60,23 @@ impl Frame {
         Frame { factors: vec![Factor::Rigid { rotation, translation }] }
     }
 
-    /// The frame of a pose, for instance of twelve inputs.
+    /// Returns the frame with a given pose, for example a pose of twelve inputs.
     pub fn from_pose(pose: Pose) -> Self {
         let row = |i: usize| [pose[3 * i], pose[3 * i + 1], pose[3 * i + 2]];
         Self::rigid([row(0), row(1), row(2)], row(3))
     }
 
-    /// The factors, in order of application from ground.
+    /// Returns the factors in order of application from ground.
     pub fn factors(&self) -> &[Factor] {
         &self.factors
     }
 
-    /// `self * first`: `first` is applied first.
+    /// Returns the composition `self * first`: `first` is applied first.
     pub fn after(&self, first: &Frame) -> Self {
         Frame { factors: first.factors.iter().chain(&self.factors).copied().collect() }
     }
 
-    /// The change of coordinates back to ground.
+    /// Returns the inverse transformation, from the frame to ground.
     pub fn inverse(&self, graph: &mut Graph) -> Self {
         let invert = |factor: &Factor| match *factor {
             Factor::Translate(v) => Factor::Translate(graph.negate_vector(v)),
@@ -87,7 +90,7 @@ impl Frame {
         Frame { factors: self.factors.iter().rev().map(invert).collect() }
     }
 
-    /// The frame with every expression in it replaced by another.
+    /// Returns the frame with every expression replaced.
     pub fn map(&self, mut replace: impl FnMut(NodeId) -> NodeId) -> Self {
         let mapped = |factor: &Factor| match *factor {
             Factor::Translate(v) => Factor::Translate(v.map(&mut replace)),
@@ -102,7 +105,7 @@ impl Frame {
         Frame { factors: self.factors.iter().map(mapped).collect() }
     }
 
-    /// The frame that is `then` where the condition is true, else `otherwise`.
+    /// Returns the frame that equals `then` if the condition is true and `otherwise` if not.
     pub fn select(graph: &mut Graph, condition: NodeId, then: &Frame, otherwise: &Frame) -> Self {
         if then == otherwise {
             return then.clone();
@@ -115,24 +118,24 @@ impl Frame {
         Self::from_pose(chosen)
     }
 
-    /// Coordinates in the frame of a point given in ground coordinates.
+    /// Returns the coordinates in this frame of a point given in ground coordinates.
     pub fn apply(&self, graph: &mut Graph, point: Vector3) -> Vector3 {
         self.fused(graph).iter().fold(point, |x, factor| factor.enter(graph, vec![x], None)[0])
     }
 
-    /// The frame's origin in ground coordinates.
+    /// Returns the frame's origin in ground coordinates.
     pub fn origin(&self, graph: &mut Graph) -> Vector3 {
         let zero = graph.zero_vector();
         self.point_to_ground(graph, vec![zero], None)[0]
     }
 
-    /// In ground coordinates, the direction of a vector given in the frame.
+    /// Returns the ground coordinates of a direction given in this frame.
     pub fn direction(&self, graph: &mut Graph, vector: Vector3) -> Vector3 {
         self.turns(graph).iter().rev().fold(vector, |x, factor| factor.turn_out(graph, vec![x], None)[0])
     }
 
-    /// [`Frame::apply`] and its derivatives by a symbol, up to `order` at most 2, in all of which the frame moves as a
-    /// rigid body.
+    /// Returns [`Frame::apply`] and its derivatives with respect to a symbol, up to `order` (at
+    /// most 2). The derivatives treat the frame as a rigid body.
     pub fn apply_with_derivatives(
         &self,
         graph: &mut Graph,
@@ -144,13 +147,15 @@ impl Frame {
         self.fused(graph).iter().fold(point, |x, factor| factor.enter(graph, x, Some(symbol)))
     }
 
-    /// [`Frame::origin`] and its derivatives by a symbol, likewise.
+    /// Returns [`Frame::origin`] and its derivatives with respect to a symbol, up to `order` (at
+    /// most 2).
     pub fn origin_with_derivatives(&self, graph: &mut Graph, symbol: u32, order: usize) -> Vec<Vector3> {
         let rest = vec![graph.zero_vector(); order.min(2) + 1];
         self.point_to_ground(graph, rest, Some(symbol))
     }
 
-    /// [`Frame::direction`] and its derivatives by a symbol, likewise.
+    /// Returns [`Frame::direction`] and its derivatives with respect to a symbol, up to `order` (at
+    /// most 2).
     pub fn direction_with_derivatives(
         &self,
         graph: &mut Graph,
@@ -165,7 +170,7 @@ impl Frame {
             let turns = self.turns(graph);
             return turns.iter().rev().fold(vector, |x, factor| factor.turn_out(graph, x, Some(symbol)));
         }
-        // What rests in the frame turns with it, and all such vectors share the frame's spin.
+        // All vectors that are fixed in the frame share its angular velocity.
         let spin = self.spin_in_ground(graph, symbol, order);
         let mut turned = vec![self.direction(graph, vector[0])];
         turned.push(graph.cross(spin[0], turned[0]));
@@ -176,7 +181,7 @@ impl Frame {
         turned
     }
 
-    /// How many of its factors depend on a symbol.
+    /// Returns the number of factors that depend on a symbol.
     pub fn moving_factors(&self, graph: &Graph, symbol: u32) -> usize {
         let moves = |factor: &&Factor| {
             let mut nodes = Vec::new();
@@ -189,29 +194,30 @@ impl Frame {
         self.factors.iter().filter(moves).count()
     }
 
-    /// Velocity of the origin relative to ground, in ground coordinates. `time` is the symbol of time.
+    /// Returns the velocity of the origin relative to ground, in ground coordinates. `time` is the
+    /// symbol of time.
     pub fn velocity(&self, graph: &mut Graph, time: u32) -> Vector3 {
         let rest = vec![graph.zero_vector(); 2];
         self.point_to_ground(graph, rest, Some(time))[1]
     }
 
-    /// Acceleration of the origin relative to ground, in ground coordinates.
+    /// Returns the acceleration of the origin relative to ground, in ground coordinates.
     pub fn acceleration(&self, graph: &mut Graph, time: u32) -> Vector3 {
         let rest = vec![graph.zero_vector(); 3];
         self.point_to_ground(graph, rest, Some(time))[2]
     }
 
-    /// Angular velocity relative to ground, in ground coordinates.
+    /// Returns the angular velocity relative to ground, in ground coordinates.
     pub fn angular_velocity(&self, graph: &mut Graph, time: u32) -> Vector3 {
         self.spin_in_ground(graph, time, 1)[0]
     }
 
-    /// Angular acceleration relative to ground, in ground coordinates.
+    /// Returns the angular acceleration relative to ground, in ground coordinates.
     pub fn angular_acceleration(&self, graph: &mut Graph, time: u32) -> Vector3 {
         self.spin_in_ground(graph, time, 2)[1]
     }
 
-    /// The chain as one rotation and translation.
+    /// Returns the chain as one rotation matrix and one translation.
     pub fn pose(&self, graph: &mut Graph) -> Pose {
         let rotation = self.rotation(graph);
         let zero = graph.zero_vector();
@@ -219,7 +225,7 @@ impl Frame {
         join(rotation, translation)
     }
 
-    /// The pose, then its first, second ... time derivative, up to `order` at most 2.
+    /// Returns the pose followed by its time derivatives up to `order` (at most 2).
     pub fn pose_with_derivatives(&self, graph: &mut Graph, time: u32, order: usize) -> Vec<Pose> {
         let order = order.min(2);
         let mut rotations = vec![self.rotation(graph)];
@@ -227,7 +233,7 @@ impl Frame {
             let spin = self.spin_in_frame(graph, time, order);
             rotations = turning(graph, rotations[0], &spin);
         }
-        // The translation is ground's origin in coordinates of the frame.
+        // The translation is ground's origin in frame coordinates.
         let mut ground = vec![graph.zero_vector(); order + 1];
         for factor in self.fused(graph) {
             ground = factor.enter(graph, ground, Some(time));
@@ -235,17 +241,18 @@ impl Frame {
         rotations.into_iter().zip(ground).map(|(rotation, translation)| join(rotation, translation)).collect()
     }
 
-    /// The factors, where rotations about one axis that follow on each other are one, and translations likewise.
+    /// Returns the factors with consecutive rotations about one axis merged, and consecutive
+    /// translations merged.
     fn fused(&self, graph: &mut Graph) -> Vec<Factor> {
         fuse(graph, self.factors.iter().copied())
     }
 
-    /// The factors that turn, fused: to a direction translations do not matter.
+    /// Returns the rotation factors, merged. Translations do not affect directions.
     fn turns(&self, graph: &mut Graph) -> Vec<Factor> {
         fuse(graph, self.factors.iter().copied().filter(|factor| !matches!(factor, Factor::Translate(_))))
     }
 
-    /// Rotation matrix from ground into the frame.
+    /// Returns the rotation matrix from ground into the frame.
     fn rotation(&self, graph: &mut Graph) -> Matrix3 {
         let mut matrix = graph.identity_matrix();
         for factor in self.turns(graph) {
@@ -261,7 +268,7 @@ impl Frame {
         matrix
     }
 
-    /// A point given in the frame with its time derivatives there, as seen from ground.
+    /// Transforms a point and its time derivatives from frame coordinates to ground coordinates.
     fn point_to_ground(&self, graph: &mut Graph, point: Jet, time: Option<u32>) -> Jet {
         self.fused(graph).iter().rev().fold(point, |x, factor| match *factor {
             Factor::Translate(v) => {
@@ -277,18 +284,20 @@ impl Frame {
         })
     }
 
-    /// Angular velocity and its time derivatives, `len` vectors in all, in ground coordinates.
+    /// Returns the angular velocity and its time derivatives, `len` vectors in all, in ground
+    /// coordinates.
     fn spin_in_ground(&self, graph: &mut Graph, time: u32, len: usize) -> Jet {
         let rest = vec![graph.zero_vector(); len];
         self.turns(graph).iter().rev().fold(rest, |spin, factor| {
-            // A factor's own spin is resolved in the frame it leads to, where the spins beyond it live too.
+            // A factor's own angular velocity is expressed in the frame that the factor leads to.
+            // The angular velocities of the outer factors are expressed in the same frame.
             let Some(own) = factor.spin(graph, time, len) else { return spin };
             let sum = spin.into_iter().zip(own).map(|(a, b)| graph.add_vectors(a, b)).collect();
             factor.turn_out(graph, sum, Some(time))
         })
     }
 
-    /// Angular velocity and its time derivatives in the frame's own coordinates.
+    /// Returns the angular velocity and its time derivatives in frame coordinates.
     fn spin_in_frame(&self, graph: &mut Graph, time: u32, len: usize) -> Jet {
         let rest = vec![graph.zero_vector(); len];
         self.turns(graph).iter().fold(rest, |spin, factor| {
@@ -300,7 +309,7 @@ impl Frame {
 }
 
 impl Factor {
-    /// Takes a point with its time derivatives into the frame this factor leads to.
+    /// Transforms a point and its time derivatives into the frame that this factor leads to.
     fn enter(&self, graph: &mut Graph, x: Jet, time: Option<u32>) -> Jet {
         match *self {
             Factor::Translate(v) => {
@@ -316,7 +325,7 @@ impl Factor {
         }
     }
 
-    /// The rotation of this factor alone, applied to a vector with its time derivatives.
+    /// Applies the rotation of this factor to a vector and its time derivatives.
     fn turn_in(&self, graph: &mut Graph, x: Jet, time: Option<u32>) -> Jet {
         match *self {
             Factor::Translate(_) => x,
@@ -329,7 +338,7 @@ impl Factor {
         }
     }
 
-    /// The same backwards: out of the frame this factor leads to.
+    /// Applies the inverse rotation of this factor to a vector and its time derivatives.
     fn turn_out(&self, graph: &mut Graph, x: Jet, time: Option<u32>) -> Jet {
         match *self {
             Factor::Translate(_) => x,
@@ -341,8 +350,8 @@ impl Factor {
         }
     }
 
-    /// Angular velocity that this factor adds and its time derivatives, in the frame the factor leads to.
-    /// None for a translation.
+    /// Returns this factor's contribution to the angular velocity and its time derivatives, in the
+    /// frame that the factor leads to. Returns `None` for a translation.
     fn spin(&self, graph: &mut Graph, time: u32, len: usize) -> Option<Jet> {
         let velocity = match *self {
             Factor::Translate(_) => return None,
@@ -360,7 +369,7 @@ impl Factor {
     }
 }
 
-/// Makes one factor of neighbours that are rotations about the same axis or translations.
+/// Merges adjacent rotations about the same axis and adjacent translations.
 fn fuse(graph: &mut Graph, factors: impl Iterator<Item = Factor>) -> Vec<Factor> {
     let mut fused: Vec<Factor> = Vec::new();
     for factor in factors {
@@ -383,7 +392,7 @@ fn fuse(graph: &mut Graph, factors: impl Iterator<Item = Factor>) -> Vec<Factor>
     fused
 }
 
-/// `Q x` and its time derivatives, where `Q` turns by `angle` about `axis`.
+/// Returns `Q x` and its time derivatives, where `Q` is the rotation by `angle` about `axis`.
 fn turn_jet(
     graph: &mut Graph,
     matrix: Matrix3,
@@ -416,7 +425,7 @@ fn turn_jet(
     inside.into_iter().map(|x| graph.transform(matrix, x)).collect()
 }
 
-/// `M x` and its time derivatives by Leibniz' rule, entry by entry.
+/// Returns `M x` and its time derivatives by the Leibniz rule, entry by entry.
 fn matrix_times_jet(graph: &mut Graph, matrix: Matrix3, x: Jet, time: Option<u32>) -> Jet {
     let mut matrices = vec![matrix];
     if let Some(time) = time {
@@ -440,8 +449,8 @@ fn matrix_times_jet(graph: &mut Graph, matrix: Matrix3, x: Jet, time: Option<u32
     result
 }
 
-/// `R`, `R'`, `R''` of a rotation matrix into a frame that spins, from the spin in the frame's coordinates:
-/// a direction `r` fixed in ground has `r' = -w x r` there.
+/// Returns `R`, `R'` and `R''` of a rotation matrix from ground into the frame, from the angular
+/// velocity in frame coordinates. A direction `r` fixed in ground satisfies `r' = -w x r`.
 fn turning(graph: &mut Graph, rotation: Matrix3, spin: &Jet) -> Vec<Matrix3> {
     let columns = transposed(rotation);
     let firsts = columns.map(|r| {
@@ -459,14 +468,14 @@ fn turning(graph: &mut Graph, rotation: Matrix3, spin: &Jet) -> Vec<Matrix3> {
     result
 }
 
-/// Angular velocity, in the frame's coordinates, of a rotation matrix into the frame: `R' R^T` is the cross
-/// product with it, negated.
+/// Returns the angular velocity, in frame coordinates, of a rotation matrix from ground into the
+/// frame: `R' R^T` is the negative cross-product matrix of the angular velocity.
 fn spin_of_matrix(graph: &mut Graph, rotation: Matrix3, time: u32) -> Vector3 {
     let rate = graph.matrix_derivative(rotation, time);
     [(1, 2), (2, 0), (0, 1)].map(|(i, j)| graph.dot(rate[i], rotation[j]))
 }
 
-/// The right-handed rotation by an angle about a unit axis (Rodrigues' formula).
+/// Returns the right-handed rotation by an angle about a unit axis (Rodrigues' rotation formula).
 fn rotation_matrix(graph: &mut Graph, angle: NodeId, axis: Vector3) -> Matrix3 {
     let (sine, cosine) = (graph.unary(Unary::Sin, angle), graph.unary(Unary::Cos, angle));
     let one = graph.constant(1.0);
@@ -474,7 +483,7 @@ fn rotation_matrix(graph: &mut Graph, angle: NodeId, axis: Vector3) -> Matrix3 {
     let mut matrix = [[one; 3]; 3];
     for i in 0..3 {
         let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-        // Along a coordinate axis the diagonal is exact and costs nothing.
+        // For a coordinate axis, the diagonal entry is exactly 1 or the cosine.
         matrix[i][i] = match graph.constant_value(axis[i]) {
             Some(n) if n.abs() == 1.0 => one,
             Some(0.0) => cosine,
@@ -493,7 +502,8 @@ fn rotation_matrix(graph: &mut Graph, angle: NodeId, axis: Vector3) -> Matrix3 {
     matrix
 }
 
-/// A vector with its time derivatives, `len` in all; without a symbol of time just the vector.
+/// Returns a vector and its time derivatives, `len` in all; only the vector if there is no symbol
+/// of time.
 fn jet(graph: &mut Graph, vector: Vector3, len: usize, time: Option<u32>) -> Jet {
     let mut result = vec![vector];
     if let Some(time) = time {

@@ -1,13 +1,15 @@
-//! The arena of expressions: every distinct expression exists once, so equality is equality of ids.
+//! The arena of expressions. Every distinct expression is stored once (hash-consing), so two
+//! expressions are equal if their ids are equal.
 //!
-//! Sharing is what keeps derivatives small: the second derivative of a chain of eight joints is some hundred
-//! operations as a graph and tens of thousands as trees. Operands are made before what uses them, so ascending
-//! ids are a topological order, and every pass over the graph is a loop: no recursion, however deep a chain.
+//! Sharing keeps derivatives small: the second derivative of a chain of eight joints has a few
+//! hundred operations as a graph and tens of thousands as a tree. Operands are created before their
+//! users, so ascending ids are a topological order. Every pass over the graph is a loop without
+//! recursion, however deep the expressions are.
 
 use crate::tape::{Instruction, ValueId};
 use std::collections::{HashMap, HashSet};
 
-/// One expression of a [`Graph`]. Ids of different graphs must not be mixed.
+/// The id of an expression in a [`Graph`]. Ids of different graphs must not be mixed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct NodeId(u32);
 
@@ -16,7 +18,7 @@ impl NodeId {
         self.0 as usize
     }
 
-    /// The node's place in its arena, and back.
+    /// Converts the id to its index in the arena.
     pub(crate) fn place(self) -> ValueId {
         self.0
     }
@@ -26,7 +28,8 @@ impl NodeId {
     }
 }
 
-/// Operations on one number. Semantics: the function of the same name in [`calyx_abi::math`].
+/// Operations on one number. Each is defined by the function of the same name in
+/// [`calyx_abi::math`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Unary {
     Negate,
@@ -46,7 +49,8 @@ pub enum Unary {
     Not,
 }
 
-/// Operations on two numbers. Semantics: the function of the same name in [`calyx_abi::math`].
+/// Operations on two numbers. Each is defined by the function of the same name in
+/// [`calyx_abi::math`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Binary {
     Add,
@@ -65,7 +69,7 @@ pub enum Binary {
 }
 
 impl Unary {
-    /// Every one of them, for tests that leave none out.
+    /// All unary operations, for exhaustive tests.
     pub const ALL: [Unary; 15] = [
         Unary::Negate,
         Unary::Abs,
@@ -86,7 +90,7 @@ impl Unary {
 }
 
 impl Binary {
-    /// Every one of them, for tests that leave none out.
+    /// All binary operations, for exhaustive tests.
     pub const ALL: [Binary; 13] = [
         Binary::Add,
         Binary::Subtract,
@@ -104,21 +108,21 @@ impl Binary {
     ];
 }
 
-/// One operation and its operands. Truth values are 1.0 and 0.0.
+/// An operation and its operands. Truth values are 1.0 and 0.0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Node {
-    /// The bits of a number, so that nodes can be compared.
+    /// A number, stored as its bits so that nodes can be compared.
     Constant(u64),
     /// An input of the kernel, by index.
     Symbol(u32),
     Unary(Unary, NodeId),
     Binary(Binary, NodeId, NodeId),
-    /// The second operand where the first is true, else the third.
+    /// The second operand if the first is true, otherwise the third.
     Select(NodeId, NodeId, NodeId),
 }
 
 impl Node {
-    /// The operands, in order; unused places hold `None`.
+    /// Returns the operands in order; unused entries are `None`.
     pub fn operands(self) -> [Option<NodeId>; 3] {
         match self {
             Node::Constant(_) | Node::Symbol(_) => [None; 3],
@@ -128,7 +132,7 @@ impl Node {
         }
     }
 
-    /// The instruction that computes this node from the values at `place(operand)`.
+    /// Returns the instruction that computes this node from the values at `place(operand)`.
     pub(crate) fn instruction(self, place: impl Fn(NodeId) -> ValueId) -> Instruction {
         use Instruction as I;
         match self {
@@ -177,21 +181,22 @@ impl Node {
     }
 }
 
-/// An arena of expressions. The functions that build expressions are documented in [`crate::simplify`].
+/// An arena of expressions. [`crate::simplify`] documents the functions that build expressions.
 #[derive(Clone, Debug, Default)]
 pub struct Graph {
     nodes: Vec<Node>,
     ids: HashMap<Node, NodeId>,
-    /// What was being lowered when each node was first made, and what is now: see [`Graph::set_origin`].
+    /// The origin mark of each node, and the current mark. See [`Graph::set_origin`].
     origins: Vec<u32>,
     origin: u32,
-    /// Per node taken for a variable, the derivatives known so far, by node from it on.
+    /// Cached derivatives: for each node used as a variable, the derivatives of all nodes from it
+    /// on.
     pub(crate) derivatives: HashMap<NodeId, Vec<Option<NodeId>>>,
-    /// Derivatives by symbols that have been asked for.
+    /// Cached total derivatives, by expression and symbol.
     pub(crate) total_derivatives: HashMap<(NodeId, u32), NodeId>,
-    /// Symbols that are not independent: the derivative of the first by the second.
+    /// Dependent symbols: the derivative of the first symbol with respect to the second.
     pub(crate) rates: HashMap<(u32, u32), NodeId>,
-    /// Symbols by which another one has a rate.
+    /// Symbols with respect to which another symbol has a declared derivative.
     pub(crate) moving: HashSet<u32>,
 }
 
@@ -200,7 +205,7 @@ impl Graph {
         Self::default()
     }
 
-    /// Number of distinct expressions made so far, dead ones included.
+    /// Returns the number of distinct expressions created so far, including unused ones.
     pub fn len(&self) -> usize {
         self.nodes.len()
     }
@@ -213,7 +218,7 @@ impl Graph {
         self.nodes[id.index()]
     }
 
-    /// The number a node stands for, if it is a constant.
+    /// Returns the value of a node if it is a constant.
     pub fn constant_value(&self, id: NodeId) -> Option<f64> {
         match self.node(id) {
             Node::Constant(bits) => Some(f64::from_bits(bits)),
@@ -221,7 +226,7 @@ impl Graph {
         }
     }
 
-    /// The index of the symbol a node is, if it is one.
+    /// Returns the index of a node's symbol if it is a symbol.
     pub fn symbol_index(&self, id: NodeId) -> Option<u32> {
         match self.node(id) {
             Node::Symbol(index) => Some(index),
@@ -233,12 +238,12 @@ impl Graph {
         self.intern(Node::Constant(value.to_bits()))
     }
 
-    /// An input of the kernel, by index.
+    /// Returns an input of the kernel, by index.
     pub fn symbol(&mut self, index: u32) -> NodeId {
         self.intern(Node::Symbol(index))
     }
 
-    /// The id of a node as it stands, without simplification.
+    /// Returns the id of a node, without simplification.
     pub(crate) fn intern(&mut self, node: Node) -> NodeId {
         if let Some(&id) = self.ids.get(&node) {
             return id;
@@ -250,19 +255,20 @@ impl Graph {
         id
     }
 
-    /// Marks the nodes made from now on as coming from a place of the caller's own numbering, so that a NaN can be
-    /// traced to it ([`Graph::first_nan`]). Returns the mark that was set before.
+    /// Sets the origin mark of nodes created from now on, in the caller's own numbering, so that a
+    /// NaN can be traced to it ([`Graph::first_nan`]). Returns the previous mark.
     pub fn set_origin(&mut self, origin: u32) -> u32 {
         std::mem::replace(&mut self.origin, origin)
     }
 
-    /// The mark that was set when the node was first made.
+    /// Returns the mark that was set when the node was created.
     pub fn origin(&self, id: NodeId) -> u32 {
         self.origins[id.index()]
     }
 
-    /// Every node the roots depend on (roots included) for which `wanted` holds, operands before their users.
-    /// Nothing is looked for behind a node that is not wanted.
+    /// Returns every node on which the roots depend, including the roots, for which `wanted`
+    /// returns `true`; operands precede their users. The search does not continue past a node that
+    /// is not wanted.
     pub fn reachable(&self, roots: &[NodeId], wanted: impl Fn(NodeId) -> bool) -> Vec<NodeId> {
         let mut seen = vec![false; self.nodes.len()];
         let mut found = Vec::new();
@@ -277,7 +283,7 @@ impl Graph {
         found
     }
 
-    /// Whether any of the roots contains one of the symbols for which `is_wanted` holds.
+    /// Returns `true` if any root contains a symbol for which `is_wanted` returns `true`.
     pub fn depends_on(&self, roots: &[NodeId], is_wanted: impl Fn(u32) -> bool) -> bool {
         self.reachable(roots, |_| true)
             .into_iter()
@@ -302,7 +308,8 @@ mod tests {
         for (place, operation) in Binary::ALL.iter().enumerate() {
             assert_eq!(*operation as usize, place);
         }
-        // `Not` and `Or` are the last ones declared; whoever adds an operation behind them comes by here.
+        // `Not` and `Or` are declared last, so this check fails when an operation is added after
+        // them.
         assert_eq!((Unary::Not as usize, Binary::Or as usize), (Unary::ALL.len() - 1, Binary::ALL.len() - 1));
     }
 

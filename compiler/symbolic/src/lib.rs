@@ -1,10 +1,11 @@
-//! Symbolic expressions: a hash-consed graph, its derivatives, frames, and kernels made of them.
+//! Symbolic expressions: a hash-consed graph, derivatives, frames, and the kernels built from them.
 //!
-//! A [`Graph`] holds scalar expressions, each distinct one once. Building an expression simplifies it by the short
-//! list of rules in [`simplify`]; [`Graph::derivative`] differentiates it; a [`Frame`] keeps a chain of
-//! translations and rotations as structure, so that velocities and accelerations come from rigid-body algebra and
-//! not from differentiating matrices entry by entry. [`Graph::schedule`] turns the expressions asked for into a
-//! [`Tape`], which is interpreted, or compiled elsewhere.
+//! A [`Graph`] stores scalar expressions, each distinct one once. Building an expression simplifies
+//! it by the rules in [`simplify`]. [`Graph::derivative`] differentiates an expression. A [`Frame`]
+//! stores a chain of translations and rotations, so that velocities and accelerations follow from
+//! rigid-body kinematics instead of differentiating matrices entry by entry. [`Graph::schedule`]
+//! turns the requested expressions into a [`Tape`], which can be interpreted here or compiled by
+//! another crate.
 //!
 //! ```
 //! use calyx_symbolic::{Frame, Graph};
@@ -13,7 +14,7 @@
 //! let mut graph = Graph::new();
 //! let (time, zero, one) = (graph.symbol(TIME), graph.constant(0.0), graph.constant(1.0));
 //! let angle = { let rate = graph.constant(3.0); graph.multiply(rate, time) };
-//! // A frame moved by e1, after it has been turned about e3: read right to left, from ground.
+//! // A frame rotated about e3 and then translated by e1: read from right to left, from ground.
 //! let turned = Frame::rotate(angle, [zero, zero, one]);
 //! let arm = Frame::translate([one, zero, zero]).after(&turned);
 //! let velocity = arm.velocity(&mut graph, TIME);

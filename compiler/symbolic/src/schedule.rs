@@ -1,17 +1,19 @@
-//! From graph to tape: which operations are needed, and in which order.
+//! Scheduling: selects the operations that the outputs need and orders them on a tape.
 
 use crate::graph::{Graph, Node, NodeId, Unary};
 use crate::tape::{Tape, ValueId};
 
-/// Marks a node that has no place on the tape yet.
+/// Marks a node that is not on the tape yet.
 const UNPLACED: ValueId = ValueId::MAX;
 
 impl Graph {
-    /// The operations that `outputs` need, each once, as a kernel with the given number of inputs.
+    /// Returns the operations that `outputs` need, each once, as a kernel with the given number of
+    /// inputs.
     ///
-    /// The order is depth first from the outputs, of two operands the one that keeps more values alive first
-    /// (Sethi and Ullman's order, exact for trees), which keeps live ranges short for the register allocator.
-    /// Cosine follows immediately on the sine of the same angle, so that both may come from one call.
+    /// The order is depth-first from the outputs. Of two operands, the one that needs more
+    /// registers is computed first (Sethi and Ullman 1970; optimal for trees), which keeps live
+    /// ranges short for the register allocator. The cosine of an angle directly follows its sine,
+    /// so that one call can compute both.
     pub fn schedule(&self, inputs: usize, outputs: &[NodeId]) -> Tape {
         let live = self.reachable(outputs, |_| true);
         let mut schedule = Schedule {
@@ -37,10 +39,10 @@ impl Graph {
 struct Schedule<'a> {
     graph: &'a Graph,
     live: &'a [NodeId],
-    /// Values alive at once while a node is computed, if nothing were shared.
+    /// Registers needed to compute a node, if nothing were shared.
     registers: Vec<u32>,
     places: Vec<ValueId>,
-    /// The sine of an angle for its cosine and the reverse, where both are live.
+    /// Maps the sine of an angle to its cosine and vice versa, where both are live.
     partner: Vec<Option<NodeId>>,
     tape: Tape,
 }
@@ -62,7 +64,7 @@ impl Schedule<'_> {
     }
 
     fn find_partners(&mut self) {
-        // By angle: its sine and its cosine, as they turn up.
+        // The sine and cosine of each angle, if they occur.
         let mut by_angle: Vec<[Option<NodeId>; 2]> = vec![[None; 2]; self.graph.len()];
         for &id in self.live {
             let (angle, which) = match self.graph.node(id) {
@@ -78,9 +80,9 @@ impl Schedule<'_> {
         }
     }
 
-    /// Puts a node and what it needs on the tape.
+    /// Places a node and everything that it needs on the tape.
     fn emit(&mut self, root: NodeId) {
-        // A node is met twice: first its operands are put above it, then it is placed.
+        // A node is popped twice: first to push its operands above it, then to place it.
         let mut pending = vec![(root, false)];
         while let Some((id, operands_are_placed)) = pending.pop() {
             if self.places[id.index()] != UNPLACED {
@@ -102,7 +104,7 @@ impl Schedule<'_> {
             }
             pending.push((id, true));
             let mut operands: Vec<NodeId> = self.graph.node(id).operands().into_iter().flatten().collect();
-            // The last one pushed is placed first; of equals, the first operand.
+            // The last operand pushed is placed first; of equals, this is the first operand.
             operands.reverse();
             operands.sort_by_key(|operand| self.registers[operand.index()]);
             pending.extend(operands.into_iter().map(|operand| (operand, false)));

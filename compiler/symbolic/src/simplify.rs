@@ -1,11 +1,11 @@
-//! Building expressions, simplified as they are made.
+//! Constructors of expressions, which simplify as they build.
 //!
-//! A short list of rules, each cheap, each local. `x y` are any expressions, `c d` constants. Rules never change
-//! which values are NaN or infinite, except those marked *finite*: they hold for finite operands, and there drop a
-//! NaN (`0 * inf`). The sign of a zero is not preserved; rules that combine constants and whole powers written as
-//! products may change the last bit.
+//! The rules are few, cheap and local. `x y` are arbitrary expressions, `c d` are constants. No
+//! rule changes which values are NaN or infinite, except the rules marked *finite*: these are exact
+//! for finite operands but drop a NaN (`0 * inf`). The sign of a zero is not preserved. Rules that
+//! combine constants, and integer powers written as products, may change the last bit.
 //!
-//! | made | becomes | |
+//! | expression | result | condition |
 //! |---|---|---|
 //! | any operation on constants | its value, by [`calyx_abi::math`] | |
 //! | `x + y`, `x * y`, `x == y`, `x & y`, `x \| y` | operands in order of age | |
@@ -22,7 +22,7 @@
 //! | `sin(-x)`, `tan(-x)`, `asin(-x)`, `atan(-x)` | sign outside | |
 //! | `cos(-x)`, `abs(-x)` | sign dropped | |
 //! | `abs(abs(x))`, `min(x, x)`, `max(x, x)` | `abs(x)`, `x`, `x` | |
-//! | `x^-2`, `x^-1`, `x^0`, `x^1`, `x^2`, `x^3`, `x^4`, `x^5`, `x^6`, `x^7`, `x^8` | products, `1 / ...` | |
+//! | `x^-2`, `x^-1`, `x^0` ... `x^8` | products, `1 / ...` | |
 //! | `!!(x < y)`, `true & (x < y)`, `false \| (x < y)` | the truth value | |
 //! | `false & x`, `true \| x` | the constant | |
 //! | `select(true, x, y)`, `select(false, x, y)`, `select(c, x, x)` | the arm | |
@@ -61,7 +61,8 @@ impl Graph {
             Binary::Min | Binary::Max if x == y => x,
             Binary::And | Binary::Or => self.logic(operation, x, y),
             Binary::Equal => self.intern(Node::Binary(operation, x.min(y), x.max(y))),
-            // The first operand of `min` and `max` wins ties in derivatives, so their order stays.
+            // The derivative of `min` and `max` at a tie is that of the first operand, so the order
+            // stays.
             Binary::Atan2 | Binary::Min | Binary::Max | Binary::Less | Binary::LessEqual => {
                 self.intern(Node::Binary(operation, x, y))
             }
@@ -82,7 +83,7 @@ impl Graph {
     }
 
     pub fn add(&mut self, x: NodeId, y: NodeId) -> NodeId {
-        // A constant stands second, otherwise the older operand first.
+        // A constant is the second operand; otherwise the older operand comes first.
         let (x, y) = if self.constant_value(x).is_some() || self.constant_value(y).is_none() && y < x {
             (y, x)
         } else {
@@ -159,7 +160,7 @@ impl Graph {
         }
     }
 
-    /// A constant times an expression; the constant stands first.
+    /// Returns a constant times an expression; the constant is the first operand.
     pub fn scale(&mut self, c: f64, x: NodeId) -> NodeId {
         let factor = self.constant(c);
         match self.node(x) {
@@ -208,7 +209,7 @@ impl Graph {
         if exponent == 1.0 {
             return x;
         }
-        // As `calyx_abi::math::whole_power` has them, product by product.
+        // Matches the order of products in `calyx_abi::math::whole_power`.
         if ![-2.0, -1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0].contains(&exponent) {
             return self.intern(Node::Binary(Binary::Power, x, y));
         }
@@ -236,8 +237,8 @@ impl Graph {
         }
     }
 
-    /// The second operand where the condition is true, else the third. Whatever the other arm is, NaN included,
-    /// does not matter; the same holds for derivatives.
+    /// Returns the second operand if the condition is true, otherwise the third. The value of the
+    /// other arm does not affect the result, even if it is NaN. The same applies to derivatives.
     pub fn select(&mut self, condition: NodeId, x: NodeId, y: NodeId) -> NodeId {
         match self.node(condition) {
             Node::Constant(bits) if f64::from_bits(bits) != 0.0 => x,
@@ -268,9 +269,9 @@ impl Graph {
         self.constant_value(x) == Some(1.0)
     }
 
-    /// The value of an operation whose operands are constants.
+    /// Returns the value of an operation on constants.
     fn fold(&mut self, node: Node) -> NodeId {
-        // Places in the instruction are node ids, so operands are looked up in the graph.
+        // Operands of this instruction are node ids, so their values come from the graph.
         let value_of = |place: u32| match self.node(NodeId::at(place)) {
             Node::Constant(bits) => f64::from_bits(bits),
             _ => f64::NAN,
@@ -279,7 +280,7 @@ impl Graph {
         self.constant(value)
     }
 
-    /// `x` as a constant times something.
+    /// Returns `x` as a constant factor times an expression.
     fn coefficient(&self, x: NodeId) -> (f64, NodeId) {
         match self.node(x) {
             Node::Unary(Unary::Negate, a) => {
@@ -294,7 +295,7 @@ impl Graph {
         }
     }
 
-    /// `x + sign * y` if both are multiples of the same expression.
+    /// Returns `x + sign * y` if both are multiples of the same expression.
     fn like_terms(&mut self, x: NodeId, y: NodeId, sign: f64) -> Option<NodeId> {
         let ((c, a), (d, b)) = (self.coefficient(x), self.coefficient(y));
         (a == b).then(|| self.scale(c + sign * d, a))
@@ -309,7 +310,7 @@ impl Graph {
             (Some(Node::Unary(Unary::Sin, a)), Some(Node::Unary(Unary::Cos, b))) if a == b)
     }
 
-    /// Whether a node is always 0 or 1.
+    /// Returns `true` if a node is always 0 or 1.
     fn is_truth(&self, x: NodeId) -> bool {
         match self.node(x) {
             Node::Unary(Unary::Not, _) => true,
@@ -324,7 +325,8 @@ impl Graph {
     fn logic(&mut self, operation: Binary, x: NodeId, y: NodeId) -> NodeId {
         for (constant, other) in [(x, y), (y, x)] {
             let Some(value) = self.constant_value(constant) else { continue };
-            // `true` decides an `or`, `false` decides an `and`; the opposite leaves the other operand.
+            // `true` decides an `or` and `false` decides an `and`; the opposite value leaves the
+            // other operand.
             if (value != 0.0) == (operation == Binary::Or) {
                 return self.constant(if operation == Binary::Or { 1.0 } else { 0.0 });
             }

@@ -1,17 +1,18 @@
-//! A kernel as a straight list of scalar instructions, scheduled for locality: what is interpreted and compiled.
+//! A kernel as a list of scalar instructions without branches, scheduled for locality. Tapes are
+//! interpreted or compiled.
 
 use calyx_abi::{Kernel, math};
 use std::cell::RefCell;
 
-/// Position of an instruction; its value is referred to by it.
+/// The index of an instruction, by which other instructions refer to its value.
 pub type ValueId = u32;
 
-/// One scalar operation. Truth values are 1.0 and 0.0.
-/// Semantics of each: the function of the same name in [`calyx_abi::math`].
+/// A scalar operation. Truth values are 1.0 and 0.0. Each operation is defined by the function of
+/// the same name in [`calyx_abi::math`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Instruction {
     Constant(f64),
-    /// By index in the kernel's inputs.
+    /// An input of the kernel, by index.
     Input(u32),
     Negate(ValueId),
     Abs(ValueId),
@@ -32,7 +33,7 @@ pub enum Instruction {
     Subtract(ValueId, ValueId),
     Multiply(ValueId, ValueId),
     Divide(ValueId, ValueId),
-    /// [`math::pow`].
+    /// See [`math::pow`].
     Power(ValueId, ValueId),
     Atan2(ValueId, ValueId),
     Min(ValueId, ValueId),
@@ -42,12 +43,12 @@ pub enum Instruction {
     Equal(ValueId, ValueId),
     And(ValueId, ValueId),
     Or(ValueId, ValueId),
-    /// `condition != 0 ? a : b`; both are evaluated, neither can trap.
+    /// `condition != 0 ? a : b`. Both arms are evaluated; neither can trap.
     Select(ValueId, ValueId, ValueId),
 }
 
 impl Instruction {
-    /// The values it uses, in order.
+    /// Returns the operands in order.
     pub fn operands(self) -> impl Iterator<Item = ValueId> {
         use Instruction as I;
         let (operands, count) = match self {
@@ -85,7 +86,7 @@ impl Instruction {
         operands.into_iter().take(count)
     }
 
-    /// The same operation on other values.
+    /// Returns the same operation on other operands.
     pub fn with_operands(self, place: impl Fn(ValueId) -> ValueId) -> Self {
         use Instruction as I;
         match self {
@@ -122,12 +123,13 @@ impl Instruction {
         }
     }
 
-    /// Whether it costs nothing: a constant or an input.
+    /// Returns `true` for constants and inputs, which cost nothing.
     pub fn is_leaf(self) -> bool {
         matches!(self, Instruction::Constant(_) | Instruction::Input(_))
     }
 
-    /// The instruction's value, given those of the inputs and of its operands.
+    /// Returns the instruction's value, given the inputs and a function that returns operand
+    /// values.
     #[inline]
     pub fn evaluate(self, inputs: &[f64], v: impl Fn(ValueId) -> f64) -> f64 {
         use Instruction as I;
@@ -167,7 +169,7 @@ impl Instruction {
     }
 }
 
-/// A kernel ready to run: operands always stand before their use.
+/// A kernel ready to run. Operands always precede their users.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Tape {
     pub inputs: usize,
@@ -176,7 +178,7 @@ pub struct Tape {
 }
 
 impl Tape {
-    /// Whether every operand stands before its use and every input and output is there.
+    /// Returns `true` if every operand precedes its user and all inputs and outputs exist.
     pub fn is_well_formed(&self) -> bool {
         let fits = |(index, instruction): (usize, &Instruction)| match *instruction {
             Instruction::Input(input) => (input as usize) < self.inputs,
@@ -186,14 +188,16 @@ impl Tape {
             && self.outputs.iter().all(|&output| (output as usize) < self.instructions.len())
     }
 
-    /// Operations on it, constants and inputs not counted.
+    /// Returns the number of operations, without constants and inputs.
     pub fn operations(&self) -> usize {
         self.instructions.iter().filter(|instruction| !instruction.is_leaf()).count()
     }
 
-    /// Interprets the tape. `scratch` only saves an allocation per call; what it holds does not matter.
+    /// Interprets the tape. `scratch` is a buffer that saves an allocation per call; its contents
+    /// do not matter.
     ///
-    /// `inputs` holds [`Tape::inputs`] numbers, `outputs` receives one per element of [`Tape::outputs`].
+    /// `inputs` holds [`Tape::inputs`] numbers; `outputs` receives one number per element of
+    /// [`Tape::outputs`].
     pub fn eval(&self, inputs: &[f64], scratch: &mut Vec<f64>, outputs: &mut [f64]) {
         scratch.clear();
         scratch.reserve(self.instructions.len());
@@ -207,7 +211,8 @@ impl Tape {
     }
 }
 
-/// A tape that evaluates itself by interpretation: the oracle of compiled kernels, and what `check` runs.
+/// A tape that evaluates itself by interpretation. It is the reference for compiled kernels, and
+/// `check` uses it.
 #[derive(Clone, Debug)]
 pub struct TapeKernel(pub Tape);
 

@@ -1,24 +1,27 @@
-//! Where a NaN came from: the first operation on its way that made one of numbers.
+//! NaN tracing: finds the operation that first produced a NaN from operands that are not NaN.
 //!
-//! Kernels do not watch for NaN, which would cost time at every evaluation. When one has come out, its expression is
-//! evaluated once more, every value is kept, and the way is followed back.
+//! Kernels do not check for NaN, because that would cost time in every evaluation. When an output
+//! is NaN, its expression is evaluated again with all intermediate values stored, and the NaN is
+//! followed back through its operands.
 
 use crate::graph::{Graph, Node, NodeId};
 
-/// The operation in which a NaN arose.
+/// The operation that produced a NaN.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FirstNan {
     pub node: Node,
-    /// As marked by [`Graph::set_origin`].
+    /// The mark set by [`Graph::set_origin`].
     pub origin: u32,
-    /// Values of its operands, none of them NaN.
+    /// Values of the operands; none of them is NaN.
     pub operands: Vec<f64>,
 }
 
 impl Graph {
-    /// Evaluates the outputs and follows the first NaN among them to where it arose. `None` if there is none.
+    /// Evaluates the outputs and follows the first NaN among them to its origin. Returns `None` if
+    /// no output is NaN.
     ///
-    /// If an input was NaN, the node is that [`Node::Symbol`]; if a NaN was written, a [`Node::Constant`].
+    /// If an input was NaN, the node is that [`Node::Symbol`]. If the expression contains a literal
+    /// NaN, the node is a [`Node::Constant`].
     pub fn first_nan(&self, outputs: &[NodeId], inputs: &[f64]) -> Option<FirstNan> {
         let order = self.reachable(outputs, |_| true);
         let tape = self.schedule(inputs.len(), &order);
@@ -29,11 +32,11 @@ impl Graph {
         loop {
             let node = self.node(at);
             let operands = match node {
-                // The arm that was not taken has no part in the result.
+                // The arm that is not selected does not affect the result.
                 Node::Select(c, a, b) => vec![c, if value(c) != 0.0 { a } else { b }],
                 _ => node.operands().into_iter().flatten().collect(),
             };
-            // Operands have smaller ids, so this ends.
+            // Operands have smaller ids, so the loop terminates.
             match operands.iter().find(|operand| value(**operand).is_nan()) {
                 Some(operand) => at = *operand,
                 None => {
@@ -66,9 +69,9 @@ mod tests {
         let found = g.first_nan(&[x, sum], &[1.0]).unwrap();
         assert_eq!((found.origin, found.operands), (2, vec![-1.0]));
         assert!(matches!(found.node, Node::Unary(Unary::Sqrt, _)));
-        // A derivative belongs to the place of what was differentiated.
+        // A derivative inherits the origin of the differentiated expression.
         assert_eq!(g.first_nan(&[slope], &[1.0]).unwrap().origin, 2);
-        // A NaN that came in is an input's.
+        // A NaN input is reported as that input.
         assert!(matches!(g.first_nan(&[sum], &[f64::NAN]).unwrap().node, Node::Symbol(0)));
     }
 

@@ -34,7 +34,7 @@ impl Graph {
         a.map(|component| self.multiply(factor, component))
     }
 
-    /// `(a1 b1 + a2 b2) + a3 b3`, in this order.
+    /// Returns `(a1 b1 + a2 b2) + a3 b3`, evaluated in this order.
     pub fn dot(&mut self, a: Vector3, b: Vector3) -> NodeId {
         let products = [0, 1, 2].map(|i| self.multiply(a[i], b[i]));
         let sum = self.add(products[0], products[1]);
@@ -53,7 +53,7 @@ impl Graph {
         self.sqrt(square)
     }
 
-    /// Matrix times column.
+    /// Returns the matrix times a column vector.
     pub fn transform(&mut self, matrix: Matrix3, a: Vector3) -> Vector3 {
         matrix.map(|row| self.dot(row, a))
     }
@@ -63,7 +63,7 @@ impl Graph {
         transposed(columns)
     }
 
-    /// The derivative of each component by a symbol.
+    /// Returns the derivative of each component with respect to a symbol.
     pub fn vector_derivative(&mut self, a: Vector3, symbol: u32) -> Vector3 {
         a.map(|component| self.derivative(component, symbol))
     }

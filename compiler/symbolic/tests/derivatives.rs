@@ -1,4 +1,5 @@
-//! Every derivative rule against the complex step, and the conventions where no derivative exists.
+//! Checks every derivative rule against the complex-step method, and the conventions where no
+//! derivative exists.
 
 mod support;
 
@@ -6,7 +7,7 @@ use calyx_symbolic::{Binary, Graph, NodeId, Unary};
 use support::complex::complex_step;
 use support::{Random, assert_close, evaluate};
 
-/// An expression of two symbols and the square of values on which it is smooth.
+/// An expression of two symbols and the square of values on which the expression is smooth.
 struct Case {
     name: &'static str,
     build: fn(&mut Graph, NodeId, NodeId) -> NodeId,
@@ -176,7 +177,7 @@ fn first_second_and_mixed_derivatives_agree_with_the_complex_step() {
     }
 }
 
-/// An operation without a row above is an operation whose derivative nobody has checked.
+/// Fails if an operation has no row in the table above, so that no derivative stays unchecked.
 #[test]
 fn every_operation_has_a_row() {
     let mut met = String::new();
@@ -195,7 +196,8 @@ fn every_operation_has_a_row() {
     }
 }
 
-/// Coefficients of one angle share the derivative by the angle: a product each, and what the angle itself costs.
+/// Coefficients of one angle share the derivative of the angle: each adds one product to the cost
+/// of the angle itself.
 #[test]
 fn coefficients_of_an_angle_share_the_derivative_by_it() {
     let operations = |coefficients: u32| {
@@ -212,11 +214,12 @@ fn coefficients_of_an_angle_share_the_derivative_by_it() {
         let derivatives: Vec<NodeId> = (1..=coefficients).map(|index| g.derivative(f, index)).collect();
         g.schedule(1 + coefficients as usize, &derivatives).operations()
     };
-    // Each further one: a power of x in the angle's own derivative, a term of the angle, and the product.
+    // Each further coefficient adds a power of x in the derivative of the angle, a term of the
+    // angle, and the product.
     assert!(operations(12) - operations(6) <= 6 * 4, "{} {}", operations(6), operations(12));
 }
 
-/// First derivative by `x` at a place where conventions decide.
+/// First derivative with respect to `x` at a point where a convention decides.
 #[test]
 fn conventions_hold_and_no_nan_leaks_from_an_arm_not_taken() {
     type Build = fn(&mut Graph, NodeId) -> NodeId;
@@ -354,7 +357,8 @@ fn substitution_replaces_everywhere_and_simplifies() {
     assert_close(evaluate(&g, &[swapped], &[9.0, 0.4])[0], 0.4f64.sin() + 0.16, 1e-15, "x := y");
 }
 
-/// A chain of 200,000 operations: derivative, substitution, scheduling and dropping use no stack.
+/// Derivative, substitution, scheduling and dropping of a chain of 200,000 operations use no
+/// recursion.
 #[test]
 fn deep_expressions_do_not_overflow_the_stack() {
     let mut g = Graph::new();

@@ -1,4 +1,5 @@
-//! Frames: the convention, and rigid-body propagation against differentiation entry by entry and differences.
+//! Checks the sign convention of frames, and rigid-body kinematics against entry-by-entry
+//! differentiation and finite differences.
 
 mod support;
 
@@ -22,7 +23,8 @@ fn quadratic(g: &mut Graph, random: &mut Random) -> NodeId {
     g.add(sum, constant)
 }
 
-/// A random chain with every kind of factor; the pose of each factor beside it, written down entry by entry.
+/// Returns a random chain with every kind of factor, and the pose of each factor written entry by
+/// entry.
 fn random_chain(g: &mut Graph, random: &mut Random, kinds: &[usize]) -> (Frame, Vec<Pose>) {
     let mut frame = Frame::ground();
     let mut poses = Vec::new();
@@ -44,13 +46,13 @@ fn random_chain(g: &mut Graph, random: &mut Random, kinds: &[usize]) -> (Frame, 
                 (Frame::translate(v), moved(g, v))
             }
             5 => {
-                // An axis that itself turns.
+                // A rotating axis.
                 let tilt = quadratic(g, random);
                 let axis = [g.sin(tilt), g.constant(0.0), g.cos(tilt)];
                 (Frame::rotate(angle, axis), turned(g, angle, axis))
             }
             6 => {
-                // A pose that came in as twelve numbers.
+                // A pose given as twelve numbers.
                 let axis = constants(g, [0.6, 0.0, 0.8]);
                 let inner = g.constant(0.7);
                 let mut pose = turned(g, inner, axis);
@@ -58,7 +60,8 @@ fn random_chain(g: &mut Graph, random: &mut Random, kinds: &[usize]) -> (Frame, 
                 (Frame::from_pose(pose), pose)
             }
             _ => {
-                // The choice between a frame that moves and one that has no derivative here.
+                // A conditional choice between a moving frame and one that has no derivative at
+                // this time.
                 let time = g.symbol(TIME);
                 let (early, later) = (g.constant(-5.0), g.sqrt(time));
                 let condition = g.binary(Binary::Less, early, time);
@@ -80,14 +83,15 @@ fn random_chain(g: &mut Graph, random: &mut Random, kinds: &[usize]) -> (Frame, 
     (frame, poses)
 }
 
-/// `x' = x - v`, entry by entry.
+/// The translation `x' = x - v`, entry by entry.
 fn moved(g: &mut Graph, v: Vector3) -> Pose {
     let [[a, b, c], [d, e, f], [h, i, j]] = g.identity_matrix();
     let [x, y, z] = g.negate_vector(v);
     [a, b, c, d, e, f, h, i, j, x, y, z]
 }
 
-/// `x' = Q(angle, axis)^T x`, by Rodrigues' formula `Q x = x + s n x x + (1 - c) n x (n x x)` on the unit vectors.
+/// The rotation `x' = Q(angle, axis)^T x`, with Rodrigues' formula `Q x = x + s n x x + (1 - c) n x
+/// (n x x)` applied to the unit vectors.
 fn turned(g: &mut Graph, angle: NodeId, axis: Vector3) -> Pose {
     let (sine, cosine, one) = (g.sin(angle), g.cos(angle), g.constant(1.0));
     let versine = g.subtract(one, cosine);
@@ -109,7 +113,7 @@ fn rows(pose: &Pose) -> (Matrix3, Vector3) {
     ([row(0), row(1), row(2)], row(3))
 }
 
-/// The composite of poses in order of application, by matrix products.
+/// Returns the composition of poses in order of application, by matrix products.
 fn product(g: &mut Graph, poses: &[Pose]) -> Pose {
     let mut rotation = g.identity_matrix();
     let mut translation = g.zero_vector();
@@ -127,7 +131,7 @@ fn product(g: &mut Graph, poses: &[Pose]) -> Pose {
     result
 }
 
-/// Chains that between them have every kind of factor in every place.
+/// Returns chains that together have every kind of factor at every position.
 fn chains() -> Vec<Vec<usize>> {
     let mut random = Random(3);
     let mut chains: Vec<Vec<usize>> = (0..8).map(|kind| vec![kind]).collect();
@@ -144,10 +148,11 @@ fn coordinates_follow_the_report() {
     let translate = Frame::translate(constants(&mut g, [2.0, 0.0, 0.0]));
     let rotate = Frame::rotate(quarter, e3);
     let some = |v: [f64; 3]| v.map(Some);
-    // Seen from a frame moved to (2, 0, 0), e1 lies at (-1, 0, 0); from one turned a quarter, at (0, -1, 0).
+    // In a frame translated to (2, 0, 0), e1 is at (-1, 0, 0); in a frame rotated by a quarter
+    // turn, at (0, -1, 0).
     let seen = translate.apply(&mut g, e1);
     let turned = rotate.apply(&mut g, e1);
-    // Turned first, then moved along its own e1, which is ground's e2; and the other way round.
+    // Rotated first, then translated along its own e1, which is ground's e2; and vice versa.
     let own = translate.after(&rotate).origin(&mut g);
     let ground = rotate.after(&translate).origin(&mut g);
     let direction = rotate.after(&translate).direction(&mut g, e1);
@@ -175,7 +180,8 @@ fn poses_and_their_derivatives_agree_with_matrix_products_differentiated_entry_b
         let at = [random.uniform(-0.8, 0.8)];
         let values = |poses: &[Pose]| evaluate(&g, &poses.concat(), &at);
         for (i, (a, e)) in values(&actual).into_iter().zip(values(&expected)).enumerate() {
-            // Up to twenty products of numbers of order one, each derivative of order ten times larger.
+            // Up to twenty products of numbers of order one; each derivative is larger by an order
+            // of ten.
             assert_close(a, e, 1e-12, &format!("chain {kinds:?}, output {i}"));
         }
     }
@@ -183,7 +189,8 @@ fn poses_and_their_derivatives_agree_with_matrix_products_differentiated_entry_b
 
 #[test]
 fn derivatives_agree_with_differences() {
-    // With angles up to quadratic, the seventh derivative is below 1e8 and h^6/140 = 7e-18; rounding is 2e-16/h.
+    // With angles up to quadratic, the seventh derivative is below 1e8 and h^6/140 = 7e-18; the
+    // rounding error is 2e-16/h.
     const STEP: f64 = 1e-3;
     let mut random = Random(23);
     for kinds in chains().into_iter().filter(|kinds| kinds.len() <= 4) {
@@ -205,7 +212,8 @@ fn motion_in_ground_agrees_with_the_pose() {
     for kinds in chains() {
         let mut g = Graph::new();
         let (frame, poses) = random_chain(&mut g, &mut random, &kinds);
-        // In ground, from R and t: origin -R^T t, direction R^T d, cross product with the spin R^T' R.
+        // In ground coordinates, from R and t: origin -R^T t, direction R^T d, cross product with
+        // the angular velocity R^T' R.
         let (rotation, translation) = rows(&product(&mut g, &poses));
         let axes = [0, 1, 2].map(|i| [0, 1, 2].map(|j| rotation[j][i]));
         let back = g.transform(axes, translation);
@@ -263,7 +271,7 @@ fn replacing_time_in_a_frame_evaluates_it_there() {
     assert!(still[1].iter().all(|&entry| g.is_zero(entry)));
 }
 
-/// Operations of a kernel, constants and inputs not counted.
+/// Returns the number of operations of a kernel, without constants and inputs.
 fn operations(g: &Graph, outputs: &[NodeId]) -> usize {
     let tape = g.schedule(1, outputs);
     tape.instructions
@@ -272,8 +280,8 @@ fn operations(g: &Graph, outputs: &[NodeId]) -> usize {
         .count()
 }
 
-/// Position, velocity and acceleration of the tip of a chain of joints that turn about e3, e2, e3 ... at
-/// constant rates, one offset along e1 each.
+/// Returns position, velocity and acceleration of the tip of a chain of joints that rotate about
+/// e3, e2, e3 ... at constant rates, each with an offset along e1.
 fn tip(g: &mut Graph, joints: u32) -> Vec<NodeId> {
     let time = g.symbol(TIME);
     let mut frame = Frame::ground();
@@ -287,8 +295,8 @@ fn tip(g: &mut Graph, joints: u32) -> Vec<NodeId> {
     [frame.origin(g), frame.velocity(g, TIME), frame.acceleration(g, TIME)].concat()
 }
 
-/// The cost of a chain is linear in its length, and less than the 461 operations that differentiating the
-/// eight-joint position entry by entry takes (shared; as trees it would take 37,000).
+/// The cost of a chain is linear in its length, and less than the 461 operations of differentiating
+/// the eight-joint position entry by entry (shared; 37,000 as trees).
 #[test]
 fn chains_cost_a_fixed_number_of_operations_a_joint() {
     let counts = [4, 8, 16].map(|joints| {
@@ -308,12 +316,13 @@ fn chains_cost_a_fixed_number_of_operations_a_joint() {
     assert!(operations(&g, &by_rule) < operations(&g, &by_entry));
     let values = evaluate(&g, &[by_rule, by_entry].concat(), &[0.37]);
     for i in 0..9 {
-        // Accelerations reach 1e3 and cancel from larger terms.
+        // Accelerations reach 1e3 and result from cancellation of larger terms.
         assert_close(values[i], values[i + 9], 1e-12, "tip of eight joints");
     }
 }
 
-/// Rotations about one axis that follow on each other are one; for directions, also with a translation between.
+/// Consecutive rotations about one axis are merged into one; for directions, also across a
+/// translation.
 #[test]
 fn rotations_about_one_axis_are_one() {
     let mut g = Graph::new();
@@ -330,7 +339,7 @@ fn rotations_about_one_axis_are_one() {
     let with_arm = second.after(&arm).after(&first);
     assert_eq!(with_arm.direction(&mut g, point), together.direction(&mut g, point));
     assert_eq!(with_arm.angular_acceleration(&mut g, 0), together.angular_acceleration(&mut g, 0));
-    // Other axes stay apart, and translations add up.
+    // Rotations about other axes stay separate, and translations add up.
     let across = Frame::rotate(b, [one, zero, zero]).after(&first);
     assert_ne!(across.apply(&mut g, point), together.apply(&mut g, point));
     let twice = arm.after(&arm).apply(&mut g, point);

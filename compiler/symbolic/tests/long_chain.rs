@@ -1,6 +1,6 @@
-//! A chain of fifty factors and its first two time derivatives against reference values obtained by numerical
-//! differentiation with 110 digits (workload W4 of the kinematic reference data, rounded here to the nearest
-//! double), and its cost.
+//! A chain of fifty factors and its first two time derivatives against reference values, and its
+//! cost. The reference values come from numerical differentiation with 110 digits (workload W4 of
+//! the kinematic reference data), rounded to the nearest double.
 
 mod support;
 
@@ -9,8 +9,8 @@ use support::{Random, evaluate};
 
 const TIMES: [f64; 4] = [0.773536091967868, 1.5046140316764478, 0.4654183313549236, 0.19867882265320502];
 
-/// The upper three rows of the matrix (rotation and translation, row by row), then their first and second time
-/// derivatives.
+/// The upper three rows of the matrix (rotation and translation, row by row), followed by their
+/// first and second time derivatives.
 #[rustfmt::skip]
 const REFERENCE: [[f64; 36]; 4] = [
     [
@@ -59,7 +59,7 @@ const REFERENCE: [[f64; 36]; 4] = [
     ],
 ];
 
-/// A polynomial in time with the next random coefficients, whole thousandths from -1 to 1.
+/// Returns a polynomial in time with the next random coefficients: multiples of 0.001 from -1 to 1.
 fn polynomial(g: &mut Graph, random: &mut Random, degree: usize) -> NodeId {
     let time = g.symbol(0);
     let coefficients: Vec<f64> =
@@ -72,8 +72,8 @@ fn polynomial(g: &mut Graph, random: &mut Random, degree: usize) -> NodeId {
     sum
 }
 
-/// The workload multiplies active matrices left to right; as changes of coordinates they are those of the reverse
-/// motion.
+/// The workload multiplies active matrices left to right; as coordinate transformations they
+/// describe the inverse motion.
 fn outputs(g: &mut Graph) -> Vec<NodeId> {
     let mut random = Random(4);
     let mut frame = Frame::ground();
@@ -103,7 +103,8 @@ fn fifty_factors_meet_the_reference_to_1e_13() {
     }
 }
 
-/// Rigid-body algebra written by hand takes 3,700 operations; differentiation entry by entry 8,900.
+/// Hand-written rigid-body kinematics takes 3,700 operations; entry-by-entry differentiation takes
+/// 8,900.
 #[test]
 fn fifty_factors_cost_no_more_than_rigid_body_algebra_by_hand() {
     let mut g = Graph::new();

@@ -1,19 +1,22 @@
-//! The planet of the report (section 3.1.2): frame, derivatives by time and by design parameters, against
-//! reference values obtained by numerical differentiation with 110 digits (workload W1 of the kinematic
-//! reference data, rounded here to the nearest double).
+//! The planet gear of the report (section 3.1.2): frame and derivatives with respect to time and
+//! design parameters, against reference values. The reference values come from numerical
+//! differentiation with 110 digits (workload W1 of the kinematic reference data), rounded to the
+//! nearest double.
 
 mod support;
 
 use calyx_symbolic::{Frame, Graph, NodeId};
 use support::evaluate;
 
-/// Inputs: time, then centre distance, runout (x, y), pin position error (x, y), phase, speed of planet, of carrier.
+/// Inputs: time, centre distance, runout (x, y), pin position error (x, y), phase, speed of the
+/// planet, speed of the carrier.
 const PARAMETERS: [f64; 8] = [10.0, 2e-6, 1e-6, 1e-6, 2e-6, 0.3, 3300.0, 1100.0];
 const TIMES: [f64; 4] =
     [0.011331231503445617, 0.014915635145254022, 0.019420055071735925, 0.008887184341115443];
 
-/// Entries 11 12 14 21 22 24 of the matrix; their first and second time derivatives; entries 14 24 by centre
-/// distance and by both pin position errors; the six by phase.
+/// Entries 11 12 14 21 22 24 of the matrix; their first and second time derivatives; entries 14 24
+/// differentiated by centre distance and by both pin position errors; the six entries
+/// differentiated by phase.
 #[rustfmt::skip]
 const REFERENCE: [[f64; 30]; 4] = [
     [
@@ -46,7 +49,8 @@ const REFERENCE: [[f64; 30]; 4] = [
     ],
 ];
 
-/// The workload multiplies active matrices; as changes of coordinates they are those of the reverse motion.
+/// The workload multiplies active matrices; as coordinate transformations they describe the inverse
+/// motion.
 fn outputs(g: &mut Graph) -> Vec<NodeId> {
     let [time, cd, rx, ry, px, py, phase, planet, carrier] = [0, 1, 2, 3, 4, 5, 6, 7, 8].map(|i| g.symbol(i));
     let (zero, one) = (g.constant(0.0), g.constant(1.0));

@@ -1,4 +1,5 @@
-//! Tapes hold what is needed, once, operands first, and keep few values alive.
+//! Checks that tapes contain each needed operation once, with operands first, and keep few values
+//! alive.
 
 mod support;
 
@@ -7,7 +8,7 @@ use calyx_symbolic::{Binary, Frame, Graph, Instruction, NodeId, Tape, TapeKernel
 use std::cell::RefCell;
 use support::{Random, evaluate};
 
-/// Operands of an instruction.
+/// Returns the operands of an instruction.
 fn operands(instruction: Instruction) -> Vec<u32> {
     let seen = RefCell::new(Vec::new());
     instruction.evaluate(&[0.0; 16], |id| {
@@ -17,7 +18,7 @@ fn operands(instruction: Instruction) -> Vec<u32> {
     seen.into_inner()
 }
 
-/// Most values alive at once, constants and inputs not counted.
+/// Returns the largest number of values alive at the same time, without constants and inputs.
 fn pressure(tape: &Tape) -> usize {
     let mut last_use = vec![0; tape.instructions.len()];
     for (place, instruction) in tape.instructions.iter().enumerate() {
@@ -83,8 +84,8 @@ fn cosine_follows_immediately_on_the_sine_of_the_same_angle() {
     assert_eq!((pairs, cosines), (20, 20));
 }
 
-/// Of two operands the one that needs more room comes first: a sum of ever longer chains on the right needs three
-/// values at once, not one per level.
+/// The operand that needs more registers is computed first: a sum whose right operands are ever
+/// longer chains needs three live values, not one per level.
 #[test]
 fn unbalanced_expressions_keep_few_values_alive() {
     let mut g = Graph::new();

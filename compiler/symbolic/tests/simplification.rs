@@ -1,5 +1,5 @@
-//! Every rule of `simplify` shortens what it should, and keeps the value. A case has the name of its rule there, or of a
-//! variation of it.
+//! Checks that every rule of `simplify` shortens its expressions and preserves their values. A case
+//! has the name of its rule, or of a variant of the rule.
 
 mod support;
 
@@ -10,7 +10,7 @@ struct Rule {
     name: &'static str,
     build: fn(&mut Graph, NodeId, NodeId) -> NodeId,
     value: fn(f64, f64) -> f64,
-    /// Operations that remain, constants and inputs not counted.
+    /// Number of operations that remain, without constants and inputs.
     operations: usize,
 }
 
@@ -25,7 +25,7 @@ macro_rules! rules {
     };
 }
 
-/// A constant; a shorthand for the table.
+/// Returns a constant; a shorthand for the table.
 fn c(g: &mut Graph, value: f64) -> NodeId {
     g.constant(value)
 }
@@ -144,13 +144,14 @@ fn every_rule_keeps_the_value_and_leaves_the_fewest_operations() {
         assert_eq!(operations.count(), rule.operations, "{}: {:?}", rule.name, tape.instructions);
         for _ in 0..20 {
             let (x, y) = (random.uniform(-0.99, 0.99), random.uniform(-0.99, 0.99));
-            // Constants combined and sums of three terms may round differently: a few units in the last place.
+            // Combined constants and sums of three terms may round differently by a few units in
+            // the last place.
             assert_close(evaluate(&g, &[node], &[x, y])[0], (rule.value)(x, y), 1e-15, rule.name);
         }
     }
 }
 
-/// Powers written as products are what `pow` gives, to the last bit.
+/// Powers expanded into products equal `pow` to the last bit.
 #[test]
 fn whole_powers_have_the_bits_of_pow() {
     let mut random = Random(8);
@@ -167,7 +168,7 @@ fn whole_powers_have_the_bits_of_pow() {
     }
 }
 
-/// Rules without the mark *finite* must not hide a NaN or an infinity.
+/// Rules that are not marked *finite* must preserve NaN and infinity.
 #[test]
 fn no_rule_but_the_marked_ones_hides_a_nan() {
     const MARKED: [&str; 13] = [
@@ -200,7 +201,7 @@ fn no_rule_but_the_marked_ones_hides_a_nan() {
     }
 }
 
-/// Random expressions of all operations, against the same operations without any rule.
+/// Random expressions of all operations equal the same operations evaluated without simplification.
 #[test]
 fn random_expressions_keep_their_value() {
     const UNARY: [Unary; 9] = [
@@ -241,7 +242,8 @@ fn random_expressions_keep_their_value() {
             } else {
                 (g.binary(binary, a.0, b.0), plain_binary(binary, a.1, b.1))
             };
-            // Comparisons and steps turn a last bit into a whole number, so close calls are left out.
+            // Comparisons and steps amplify a rounding difference to a whole number, so near ties
+            // are excluded.
             let rounded = matches!(unary, Unary::Floor | Unary::Ceil | Unary::Round | Unary::Not);
             let close = (a.1 - b.1).abs() < 1e-9 && a.1 != b.1;
             let near_step = (a.1 * 2.0 - (a.1 * 2.0).round()).abs() < 1e-9 && a.1.fract() != 0.0;

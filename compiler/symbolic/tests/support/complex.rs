@@ -1,5 +1,6 @@
-//! A tape evaluated in complex numbers: the imaginary part of `f(x + ih)/h` is the derivative to the last digits, for
-//! any tiny `h`, because nothing is subtracted (Squire and Trapp 1998). Steps and choices look at real parts.
+//! Evaluates a tape in complex numbers. For tiny `h`, the imaginary part of `f(x + ih)/h` is the
+//! derivative to full precision, because nothing is subtracted (Squire and Trapp 1998). Steps and
+//! conditional expressions use real parts.
 
 use calyx_symbolic::{Graph, Instruction, NodeId};
 
@@ -30,7 +31,7 @@ fn divide(a: Complex, b: Complex) -> Complex {
     Complex { re: (a.re * b.re + a.im * b.im) / size, im: (a.im * b.re - a.re * b.im) / size }
 }
 
-/// On the right half plane.
+/// Square root for arguments in the right half-plane.
 fn sqrt(a: Complex) -> Complex {
     let re = ((a.re.hypot(a.im) + a.re) / 2.0).sqrt();
     Complex { re, im: a.im / (2.0 * re) }
@@ -65,7 +66,7 @@ fn log(a: Complex) -> Complex {
     Complex { re: a.re.hypot(a.im).ln(), im: a.im.atan2(a.re) }
 }
 
-/// Derivative of a node by one of its inputs.
+/// Returns the derivative of a node with respect to one of its inputs.
 pub fn complex_step(graph: &Graph, node: NodeId, inputs: &[f64], by: usize) -> f64 {
     const STEP: f64 = 1e-60;
     let tape = graph.schedule(inputs.len(), &[node]);

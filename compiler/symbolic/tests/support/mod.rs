@@ -1,15 +1,15 @@
-//! What the tests of this crate share: random numbers that are the same everywhere, and evaluation.
+//! Shared test support: reproducible random numbers, and evaluation.
 #![allow(dead_code, reason = "each test file uses its part")]
 
 pub mod complex;
 
 use calyx_symbolic::{Graph, NodeId};
 
-/// SplitMix64 (Steele, Lea and Flood 2014).
+/// The SplitMix64 generator (Steele, Lea and Flood 2014).
 pub struct Random(pub u64);
 
 impl Random {
-    /// Uniform in `low..high`.
+    /// Returns a number uniformly distributed in `low..high`.
     pub fn uniform(&mut self, low: f64, high: f64) -> f64 {
         self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
         let mut z = self.0;
@@ -20,24 +20,24 @@ impl Random {
     }
 }
 
-/// Values of expressions at the given inputs.
+/// Evaluates expressions at the given inputs.
 pub fn evaluate(graph: &Graph, nodes: &[NodeId], inputs: &[f64]) -> Vec<f64> {
     let mut outputs = vec![0.0; nodes.len()];
     graph.schedule(inputs.len(), nodes).eval(inputs, &mut Vec::new(), &mut outputs);
     outputs
 }
 
-/// Weights of the central difference of sixth order, at -3h .. 3h, times 60 h.
+/// Weights of the sixth-order central difference at -3h .. 3h, multiplied by 60 h.
 const SIXTH_ORDER: [f64; 7] = [-1.0, 9.0, -45.0, 0.0, 45.0, -9.0, 1.0];
 
-/// Derivative of `f` at `x` by the central difference of sixth order with step `h`: the error is
-/// `h^6 f^(7)(x) / 140`, beside rounding of about `2e-16 f / h`.
+/// Returns the derivative of `f` at `x` by the sixth-order central difference with step `h`. The
+/// truncation error is `h^6 f^(7)(x) / 140`; rounding adds about `2e-16 f / h`.
 pub fn difference(f: impl Fn(f64) -> f64, x: f64, h: f64) -> f64 {
     let terms = SIXTH_ORDER.iter().zip(-3..=3).filter(|(weight, _)| **weight != 0.0);
     terms.map(|(weight, k)| weight * f(x + f64::from(k) * h)).sum::<f64>() / (60.0 * h)
 }
 
-/// Asserts that two numbers differ by at most `tolerance`, relative to the larger of 1 and the second.
+/// Asserts that two numbers differ by at most `tolerance` times the larger of 1 and `expected`.
 #[track_caller]
 pub fn assert_close(actual: f64, expected: f64, tolerance: f64, what: &str) {
     let error = (actual - expected).abs() / expected.abs().max(1.0);
