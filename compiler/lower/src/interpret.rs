@@ -1,8 +1,10 @@
-//! Runs the typed program without compiling it: for `check` and the editor, and as the oracle of compiled code.
+//! An interpreter of the typed program, for `check` and the editor. It is also the reference for
+//! compiled code.
 //!
-//! Machine code must give the same bits, the same errors and the same places, so everything that could differ is
-//! defined elsewhere: scalar operations in [`calyx_abi::math`], vectors and frames in [`crate::operations`], arrays,
-//! strings and limits in [`calyx_abi::helpers`].
+//! Machine code must produce the same bits, the same errors and the same source locations.
+//! Everything that could differ is therefore defined once, elsewhere: scalar operations in
+//! [`calyx_abi::math`], vectors and frames in [`crate::operations`], arrays, strings and limits in
+//! [`calyx_abi::helpers`].
 
 mod blame;
 mod expression;
@@ -23,34 +25,34 @@ use calyx_lang::ir::{Function, FunctionId, LocalId, Mode, Program};
 use calyx_lang::span::Span;
 use std::ops::Range;
 
-/// A program and the engine it runs on.
+/// A program and the engine functions that it calls.
 pub struct Interpreter<'p> {
     program: &'p Program,
     externs: Vec<&'p Extern>,
-    /// Calls that do more than this are not made.
+    /// The highest purity of engine functions that are called; others are skipped.
     allow: Purity,
     frames: Vec<Frame>,
-    /// Slots of all params before each.
+    /// For each param, the number of slots of all params before it.
     param_offsets: Vec<usize>,
-    /// Failures of the library that the program survived; `None` if it survives none.
+    /// Library failures after which the program continued; `None` if it stops at the first failure.
     failures: Option<survive::Failures>,
-    /// Follows NaN to where it arises, if somebody wants to know.
+    /// The NaN trace, if tracing is enabled.
     trace: Option<NanTrace>,
 }
 
-/// Where the locals of a function stand in its frame.
+/// The positions of a function's locals in its stack frame.
 struct Frame {
     offsets: Vec<usize>,
     slots: usize,
 }
 
 impl<'p> Interpreter<'p> {
-    /// Prepares to run a program. Of the engine's functions only those are called that do no more than `allow`:
-    /// with `Purity::Scene`, as `check` uses it, an `Effect` is skipped and gives zeros, an empty string or an
-    /// empty array.
+    /// Prepares to run a program. Calls only engine functions whose purity is at most `allow`. With
+    /// `Purity::Scene`, as `check` uses it, an `Effect` is skipped and returns zeros, an empty
+    /// string or an empty array.
     ///
     /// # Errors
-    /// The engine lacks a function the program declares.
+    /// The engine lacks a function that the program declares.
     pub fn new(program: &'p Program, externs: &'p [Extern], allow: Purity) -> Result<Self, LinkError> {
         let externs = resolve_externs(program, externs)?;
         let frames = program.functions.iter().map(|function| {
@@ -65,12 +67,12 @@ impl<'p> Interpreter<'p> {
     /// Runs the top level of the model.
     ///
     /// # Errors
-    /// What the program or the engine fails with, and where.
+    /// Any error of the program or of the engine, with its source location.
     pub fn run_main(&self, ctx: &mut Context) -> Result<(), RuntimeError> {
         self.run_function(self.program.main, &[], ctx).map(|_| ())
     }
 
-    /// Runs the top level of the model, and hands back the slots of its variables in order as it leaves them.
+    /// Runs the top level of the model and returns the final slots of its variables, in order.
     ///
     /// # Errors
     /// As for [`Interpreter::run_main`].
@@ -78,8 +80,9 @@ impl<'p> Interpreter<'p> {
         self.run(self.program.main, &[], ctx, true)
     }
 
-    /// Runs one function (a param's default, say) and returns the slots of its result, followed by those of its
-    /// `out` and `inout` parameters. `arguments` holds the slots of its `in` and `inout` parameters.
+    /// Runs one function (for example a param's default) and returns the slots of its result,
+    /// followed by those of its `out` and `inout` parameters. `arguments` holds the slots of its
+    /// `in` and `inout` parameters.
     ///
     /// # Errors
     /// As for [`Interpreter::run_main`].
@@ -92,7 +95,7 @@ impl<'p> Interpreter<'p> {
         self.run(id, arguments, ctx, false)
     }
 
-    /// With `keep`, the slots of the function's variables are what is handed back.
+    /// Runs a function. If `keep` is set, returns the slots of its variables instead of its result.
     fn run(
         &self,
         id: FunctionId,
@@ -136,34 +139,34 @@ impl<'p> Interpreter<'p> {
     }
 }
 
-/// One run. Frames and intermediate values share one stack of slots.
+/// The state of one run. Frames and intermediate values share one stack of slots.
 struct Machine<'m, 'p> {
     interpreter: &'m Interpreter<'p>,
     ctx: &'m mut Context,
     stack: Vec<Slot>,
     activation: Activation<'m, 'p>,
-    /// Blocks under way, in this function and those that called it, whose errors the program catches.
+    /// Number of active blocks, in this function and its callers, whose errors the program catches.
     guards: usize,
-    /// What the variables of the outermost function end with, if somebody wants them.
+    /// The final variables of the outermost function, if requested.
     kept: Option<Vec<Slot>>,
 }
 
-/// The function at work.
+/// The function that is running.
 #[derive(Clone, Copy)]
 struct Activation<'m, 'p> {
     function: &'p Function,
     frame: &'m Frame,
-    /// Where its frame begins on the stack.
+    /// Start of its frame on the stack.
     base: usize,
 }
 
 impl<'p> Machine<'_, 'p> {
-    /// Notes the source range of what is about to happen, for errors.
+    /// Records the source range of the next operation, for errors.
     fn at(&mut self, span: Span) {
         self.ctx.place = (span.file.0, span.start, span.end);
     }
 
-    /// Calls a function as [`Machine::call`] does, at a place of the source.
+    /// Calls a function as [`Machine::call`] does, at a source location.
     fn call_at(&mut self, id: FunctionId, start: usize, span: Span) -> Result<(), RuntimeError> {
         self.at(span);
         let place = self.ctx.place;
@@ -175,7 +178,8 @@ impl<'p> Machine<'_, 'p> {
         })
     }
 
-    /// Calls a function whose arguments are the slots from `start` on, and replaces them by its results.
+    /// Calls a function whose arguments are the slots from `start` on, and replaces the arguments
+    /// by the results.
     fn call(&mut self, id: FunctionId, start: usize) -> Result<(), RuntimeError> {
         let (function, frame) = self.interpreter.function(id)?;
         if self.ctx.depth >= MAX_DEPTH {
@@ -190,7 +194,7 @@ impl<'p> Machine<'_, 'p> {
         result
     }
 
-    /// Runs the present function in a fresh frame.
+    /// Runs the current function in a new frame.
     fn run(&mut self, start: usize) -> Result<(), RuntimeError> {
         let Activation { function, frame, base } = self.activation;
         self.stack.resize(base + frame.slots, 0);
@@ -220,7 +224,7 @@ impl<'p> Machine<'_, 'p> {
         Ok(())
     }
 
-    /// Where the slots of a local stand on the stack.
+    /// Returns the stack range of a local.
     fn local(&self, local: LocalId) -> Result<Range<usize>, RuntimeError> {
         let Activation { function, frame, base } = self.activation;
         let index = local.0 as usize;

@@ -1,4 +1,5 @@
-//! Symbolic sites to kernels: the expression as a graph, its time derivatives, and a schedule of what is left.
+//! Lowers symbolic sites to kernels: builds the expression graph, differentiates it with respect to
+//! time, and schedules the result.
 
 use crate::nan::{self, NanSource};
 use calyx_abi::Repr;
@@ -24,14 +25,14 @@ pub use definitions::{
 pub use functions::lower_kernel;
 use value::Value;
 
-/// Index of time in every kernel's inputs; the params follow.
+/// Index of time among the inputs of every kernel; the params follow.
 const TIME: u32 = 0;
 
-/// Why a site has no kernel.
+/// The reason why a site has no kernel.
 #[derive(Clone, Debug, PartialEq)]
 pub struct KernelError {
     pub message: String,
-    /// What to do about it; empty if nothing can be said.
+    /// A suggested fix; may be empty.
     pub help: String,
     pub span: Span,
 }
@@ -44,18 +45,27 @@ impl fmt::Display for KernelError {
 
 impl std::error::Error for KernelError {}
 
-/// The kernels of all sites, in order of site.
+/// Returns the kernels of all sites, in order of the sites.
+///
+/// # Errors
+/// As for [`lower_site`].
 pub fn lower_sites(program: &Program) -> Result<Vec<Tape>, KernelError> {
     program.sites.iter().map(|site| lower(program, site)).collect()
 }
 
-/// The kernel of one site.
+/// Returns the kernel of one site.
 ///
-/// Inputs: time; every param of the program by index (1 or 0 for a truth value; NaN for text, which nothing reads);
-/// the captured values in order (a number, truth value or observable takes one, a vector 3, a transform 12; an
-/// expression all that its own kernel gives).
-/// Outputs: the value (1, 3 or 12 numbers), then its time derivatives up to [`Site::order`] in the same layout; of a
-/// [`Site::part`], then the same of the derivative by each of [`Program::graph_params`].
+/// Inputs: time; every param of the program by index (1 or 0 for a truth value; NaN for text, which
+/// no expression reads); the captured values in order. A captured number, truth value or observable
+/// takes one input, a vector 3, a transform 12, and an expression takes all outputs of its own
+/// kernel.
+///
+/// Outputs: the value (1, 3 or 12 numbers), followed by its time derivatives up to [`Site::order`]
+/// in the same layout. For a [`Site::part`], the same numbers follow for the derivative with
+/// respect to each of [`Program::graph_params`].
+///
+/// # Errors
+/// The expression has no kernel (an unsupported derivative, for example) or is too large.
 pub fn lower_site(program: &Program, site: SiteId) -> Result<Tape, KernelError> {
     match program.sites.get(site.0 as usize) {
         Some(site) => lower(program, site),
@@ -73,7 +83,7 @@ fn lower(program: &Program, site: &Site) -> Result<Tape, KernelError> {
     Ok(lowering.graph.schedule(lowering.inputs, &outputs))
 }
 
-/// The kernel's outputs as nodes.
+/// Returns the outputs of the kernel as nodes.
 fn outputs<'a>(lowering: &mut Lowering<'a>, site: &'a Site) -> Result<Vec<NodeId>, KernelError> {
     let value = lowering.value(&site.expr)?;
     if site.order > 0 {
@@ -86,7 +96,7 @@ fn outputs<'a>(lowering: &mut Lowering<'a>, site: &'a Site) -> Result<Vec<NodeId
 }
 
 impl Lowering<'_> {
-    /// A site's value and its time derivatives.
+    /// Returns a site's value and its time derivatives.
     fn rates(&mut self, value: &Value, site: &Site) -> Result<Vec<NodeId>, KernelError> {
         let graph = &mut self.graph;
         let order = usize::from(site.order);
@@ -106,20 +116,20 @@ impl Lowering<'_> {
     }
 }
 
-/// A site's expression as a graph, to look at.
+/// The expression of a site as a graph, for display.
 pub struct SiteGraph {
     pub graph: Graph,
-    /// The nodes that the outputs need, in ascending order: operands before their users.
+    /// The nodes that the outputs need in ascending order, so operands precede their users.
     pub nodes: Vec<NodeId>,
     pub outputs: Vec<NodeId>,
     /// Names of the inputs, by index of their symbol.
     pub inputs: Vec<String>,
 }
 
-/// The graph from which a site's kernel is made.
+/// Returns the graph from which a site's kernel is built.
 ///
 /// # Errors
-/// As [`lower_site`].
+/// As for [`lower_site`].
 pub fn site_graph(program: &Program, id: SiteId) -> Result<SiteGraph, KernelError> {
     let site = program.sites.get(id.0 as usize);
     let site = site.ok_or_else(|| broken("no such site", Span::default()))?;
@@ -136,7 +146,8 @@ pub fn site_graph(program: &Program, id: SiteId) -> Result<SiteGraph, KernelErro
     Ok(SiteGraph { graph: lowering.graph, nodes, outputs, inputs })
 }
 
-/// Evaluates a site's expression as its kernel does, and follows the first NaN to the expression in which it arose.
+/// Evaluates a site's expression as its kernel does, and traces the first NaN to the expression
+/// that produced it.
 pub fn trace_nan(program: &Program, site: SiteId, inputs: &[f64]) -> Option<NanSource> {
     let site = program.sites.get(site.0 as usize)?;
     let mut lowering = Lowering::of_site(program, site);
@@ -153,7 +164,7 @@ pub fn trace_nan(program: &Program, site: SiteId, inputs: &[f64]) -> Option<NanS
     Some(NanSource { span, made_by: nan::node_text(found.node, &found.operands), input })
 }
 
-/// Numbers, then all their first time derivatives, and so on.
+/// Returns the numbers, followed by all their first time derivatives, and so on up to `order`.
 fn with_derivatives(graph: &mut Graph, value: &[NodeId], order: usize) -> Vec<NodeId> {
     let mut outputs = value.to_vec();
     for at in 0..value.len() * order {
@@ -163,29 +174,31 @@ fn with_derivatives(graph: &mut Graph, value: &[NodeId], order: usize) -> Vec<No
     outputs
 }
 
-/// Deeper than the checker lets any expression nest.
+/// Limit of the nesting depth; larger than the limit of the checker.
 const MOST_LEVELS: usize = 5000;
-/// More operations than any model needs; derivatives of derivatives of products reach it.
+/// Limit of the operations in a kernel. Only repeated derivatives of long products reach it.
 const MOST_OPERATIONS: usize = 2_000_000;
 
 struct Lowering<'a> {
     graph: Graph,
     program: &'a Program,
     site_captures: &'a [Capture],
-    /// Index of each capture's first number in the inputs.
+    /// For each capture, the index of its first number among the inputs.
     captures: Vec<u32>,
     inputs: usize,
-    /// Of the expressions lowered, by the mark their nodes have.
+    /// The source ranges of the lowered expressions, by the origin mark of their nodes.
     spans: Vec<Span>,
-    /// What the expressions being lowered stand in: the site, then functions called in it, innermost last.
+    /// The scopes of the expression being lowered: the site, then the called functions, innermost
+    /// last.
     scopes: Vec<Scope<'a>>,
-    /// Bodies of the symbolic functions met so far, their arguments free symbols.
+    /// Lowered bodies of symbolic functions, with free symbols for the arguments.
     functions: HashMap<SymbolicFunctionId, Free>,
-    /// Vectors that came out of frames.
+    /// Vectors that a frame transforms, with that frame.
     motions: HashMap<Vector3, Motion>,
-    /// Inputs that stand for captured expressions.
+    /// Input ranges of the captured expressions.
     parts: Vec<std::ops::Range<u32>>,
-    /// The next symbol that is no input: an argument of a symbolic function, replaced where it is called.
+    /// The next symbol that is not an input: an argument of a symbolic function, substituted in
+    /// calls.
     next_symbol: u32,
     level: usize,
 }
@@ -410,8 +423,8 @@ impl<'a> Lowering<'a> {
         Ok(value)
     }
 
-    /// An observable's value arrives step by step; how it changes is not known, so a derivative would be a silent
-    /// zero.
+    /// Rejects the derivative of an expression with observables. Their values are updated at time
+    /// steps and have no known derivative, so the result would silently be zero.
     fn reject_observables(&self, value: &Value, span: Span) -> Result<(), KernelError> {
         let observables: Vec<(u32, &str)> = self
             .site_captures
@@ -438,7 +451,7 @@ impl<'a> Lowering<'a> {
     }
 }
 
-/// Whether two values are equal, component by component. None if they cannot be compared.
+/// Compares two values component by component. Returns `None` if they cannot be compared.
 fn equal(graph: &mut Graph, a: &Value, b: &Value) -> Option<NodeId> {
     match (a, b) {
         (Value::Number(a), Value::Number(b)) => Some(graph.binary(Binary::Equal, *a, *b)),
@@ -488,7 +501,7 @@ fn binary(op: Op) -> Option<Binary> {
     })
 }
 
-/// A program that the checker should not have let through.
+/// Returns the error for a program that the checker should have rejected.
 fn broken(message: &str, span: Span) -> KernelError {
     KernelError { message: format!("ill-typed symbolic expression: {message}"), help: String::new(), span }
 }

@@ -1,11 +1,11 @@
-//! What the interpreter and the code generator must see alike in the typed program: which slots go where.
+//! The slot layout of the typed program, shared by the interpreter and the code generator.
 
 use calyx_abi::Repr;
 use calyx_abi::blame;
 use calyx_lang::ir::{Expr, ExternDecl, Function, Mode};
 use calyx_lang::span::Span;
 
-/// For each size the sum of those before it, and the sum of all.
+/// Returns for each size the sum of the sizes before it, and the total.
 pub fn running_sums(sizes: impl Iterator<Item = usize>) -> (Vec<usize>, usize) {
     let mut sum = 0;
     let mut before = Vec::new();
@@ -16,8 +16,8 @@ pub fn running_sums(sizes: impl Iterator<Item = usize>) -> (Vec<usize>, usize) {
     (before, sum)
 }
 
-/// The arguments that are passed: those of `in` and `inout` parameters. An `out` parameter's argument, where the
-/// call holds one, is not evaluated.
+/// Returns the arguments that are passed: those of `in` and `inout` parameters. The argument of an
+/// `out` parameter is not evaluated.
 pub fn passed<'e>(function: &Function, arguments: &'e [Expr]) -> Vec<&'e Expr> {
     if arguments.len() != function.parameters.len() {
         return arguments.iter().collect();
@@ -26,7 +26,7 @@ pub fn passed<'e>(function: &Function, arguments: &'e [Expr]) -> Vec<&'e Expr> {
     pairs.filter(|((_, mode), _)| *mode != Mode::Out).map(|(_, argument)| argument).collect()
 }
 
-/// Slots of an element of an array.
+/// Returns the number of slots per array element.
 pub fn stride(array: &Repr) -> usize {
     match array {
         Repr::Array(element) => element.slots(),
@@ -34,12 +34,13 @@ pub fn stride(array: &Repr) -> usize {
     }
 }
 
-/// First slot of an element of a tuple; `None` if it is no tuple.
+/// Returns the first slot of a tuple element; `None` if the representation is not a tuple.
 pub fn tuple_offset(tuple: &Repr, index: usize) -> Option<usize> {
     tuple_part(tuple, index).map(|(before, _)| before)
 }
 
-/// First slot and representation of an element of a tuple; `None` if it is no tuple.
+/// Returns the first slot and the representation of a tuple element; `None` if the representation
+/// is not a tuple.
 pub fn tuple_part(tuple: &Repr, index: usize) -> Option<(usize, &Repr)> {
     match tuple {
         Repr::Tuple(parts) => Some((parts.get(..index)?.iter().map(Repr::slots).sum(), parts.get(index)?)),
@@ -47,10 +48,11 @@ pub fn tuple_part(tuple: &Repr, index: usize) -> Option<(usize, &Repr)> {
     }
 }
 
-/// Where the arguments of a call of a provided function are written, as [`blame::blame`] reads it.
+/// Returns the source locations of the arguments of an engine call, encoded for [`blame::blame`].
 pub fn blame_table(function: &ExternDecl, arguments: &[Expr], call: Span) -> Vec<u8> {
     let pairs = function.parameters.iter().zip(arguments);
-    // A default's text stands in the declaration, outside of the call: such an argument has no place.
+    // The text of a default is in the declaration, outside the call, so that argument has no
+    // location.
     let written = pairs.filter(|(_, argument)| {
         let at = argument.span;
         at.file == call.file && at.start >= call.start && at.end <= call.end

@@ -1,4 +1,4 @@
-//! From the typed program to what runs: kernels of symbolic expressions, and the interpreter.
+//! Lowers the typed program: kernels of symbolic expressions, and an interpreter.
 
 pub mod interpret;
 pub mod kernels;

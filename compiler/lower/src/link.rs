@@ -1,20 +1,20 @@
-//! Finds the functions of the engine that a program calls.
+//! Resolves the engine functions that a program calls.
 
 use calyx_abi::Extern;
 use calyx_lang::ir::{ExternDecl, Program};
 use calyx_lang::span::Span;
 use std::fmt;
 
-/// A function the program declares and the engine does not provide as declared.
+/// An engine function that does not exist or does not match its declaration in the program.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LinkError {
-    /// As the program names it.
+    /// Name in the program.
     pub name: String,
     /// Link symbol.
     pub symbol: String,
-    /// The engine has it, but with other parameters or another result.
+    /// `true` if the engine provides the function with other parameters or another result.
     pub differs: bool,
-    /// Where the program declares it.
+    /// Location of the declaration.
     pub span: Span,
 }
 
@@ -31,7 +31,7 @@ impl fmt::Display for LinkError {
 
 impl std::error::Error for LinkError {}
 
-/// The engine's rows of all externs of a program, in order of `Program::externs`.
+/// Returns the engine's entries for all externs of a program, in order of `Program::externs`.
 ///
 /// # Errors
 /// The first extern that is missing, or whose slots differ from the declaration.

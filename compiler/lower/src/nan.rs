@@ -1,22 +1,23 @@
-//! What is said about a NaN: where it arose, and of what.
+//! Description of a NaN: the expression and the operation that produced it.
 
 use calyx_abi::text::number;
 use calyx_lang::ir::Op;
 use calyx_lang::span::Span;
 use calyx_symbolic::{Binary, Node, Unary};
 
-/// Where a NaN came from.
+/// The origin of a NaN.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NanSource {
-    /// The expression in which it arose.
+    /// The expression that produced the NaN.
     pub span: Span,
-    /// The operation and its operands in SI, like `sqrt(-3)`; `None` if a NaN was written or came in from outside.
+    /// The operation and its operands in SI units, like `sqrt(-3)`; `None` if the NaN is a literal
+    /// or an input.
     pub made_by: Option<String>,
-    /// The kernel's input that was NaN, if it came in from outside.
+    /// The NaN input of the kernel, if the NaN is an input.
     pub input: Option<u32>,
 }
 
-/// An operation of a program with its operands' values.
+/// Returns the text of a program operation with the values of its operands.
 pub fn operation_text(op: Op, operands: &[f64]) -> String {
     let name = match op {
         Op::Add | Op::AddVector => "+",
@@ -29,7 +30,8 @@ pub fn operation_text(op: Op, operands: &[f64]) -> String {
     text(name, operands)
 }
 
-/// An operation of a graph with its operands' values; `None` for constants and inputs.
+/// Returns the text of a graph operation with the values of its operands; `None` for constants and
+/// inputs.
 pub fn node_text(node: Node, operands: &[f64]) -> Option<String> {
     let name = match node {
         Node::Constant(_) | Node::Symbol(_) => return None,
@@ -45,7 +47,7 @@ pub fn node_text(node: Node, operands: &[f64]) -> Option<String> {
     Some(text(&name, operands))
 }
 
-/// Signs between their operands, words before them.
+/// Writes operators between their operands and function names before them.
 fn text(name: &str, operands: &[f64]) -> String {
     match operands {
         [a, b] if !name.starts_with(char::is_alphabetic) => format!("{} {name} {}", number(*a), number(*b)),

@@ -1,22 +1,25 @@
-//! Operations on vectors and transforms, written out in scalar ones: once, for the interpreter and for machine code.
+//! Operations on vectors and transforms, expanded into scalar operations. The interpreter and the
+//! code generator share these definitions.
 //!
-//! The order of additions is part of the definition, so that both give the same bits.
+//! The order of additions is part of the definition, so that both produce the same bits.
 
 use calyx_lang::ir::Op;
 
-/// Whoever can do scalar operations: on numbers, or on values of machine code.
+/// A backend for scalar operations: on numbers, or on values of machine code.
 pub trait Scalars {
     /// A number or a truth value.
     type Value: Copy;
     fn number(&mut self, value: f64) -> Self::Value;
-    /// One of the operations for which [`is_scalar`] holds, `None` for others or without enough operands.
-    /// `Equal` and `NotEqual` are given numbers here.
+    /// Applies one of the operations for which [`is_scalar`] returns `true`. Returns `None` for
+    /// other operations or if operands are missing. The operands of `Equal` and `NotEqual` are
+    /// numbers.
     fn apply(&mut self, op: Op, operands: &[Self::Value]) -> Option<Self::Value>;
-    /// Both truth values.
+    /// Returns the conjunction of two truth values.
     fn both(&mut self, a: Self::Value, b: Self::Value) -> Self::Value;
 }
 
-/// Whether an operation takes scalars and gives one. (`Equal` and `NotEqual` do so on scalar operands only.)
+/// Returns `true` if an operation maps scalars to a scalar. `Equal` and `NotEqual` do so for scalar
+/// operands only.
 pub fn is_scalar(op: Op) -> bool {
     use Op::*;
     matches!(
@@ -52,9 +55,11 @@ pub fn is_scalar(op: Op) -> bool {
     )
 }
 
-/// The slots of the result of an operation on vectors or transforms, given all operands' slots one after another.
+/// Returns the slots of the result of an operation on vectors or transforms, given the concatenated
+/// slots of all operands.
 ///
-/// `None` for operations that exist in symbolic expressions only, and for operands of the wrong size.
+/// Returns `None` for operations that exist only in symbolic expressions, and for operands of the
+/// wrong size.
 pub fn expand<S: Scalars>(s: &mut S, op: Op, operands: &[S::Value]) -> Option<Vec<S::Value>> {
     let mut e = Expansion(s);
     let v = |at: usize| -> Option<[S::Value; 3]> { operands.get(at..at + 3)?.try_into().ok() };
@@ -109,7 +114,7 @@ pub fn expand<S: Scalars>(s: &mut S, op: Op, operands: &[S::Value]) -> Option<Ve
             let moved = e.times(back, v(9)?)?;
             transform(back, e.negated(moved)?)
         }
-        // The point that goes to zero: R x + t = 0.
+        // The point that maps to zero: R x + t = 0.
         Op::Origin => {
             let moved = e.times(transposed(matrix(0)?), v(9)?)?;
             e.negated(moved)?.to_vec()
@@ -161,7 +166,8 @@ impl<S: Scalars> Expansion<'_, S> {
         three(|i| self.dot(m[i], v))
     }
 
-    /// Transpose of Rodrigues' rotation matrix `c I + s [u]x + (1 - c) u u^T` about a unit axis `u`.
+    /// Transpose of Rodrigues' rotation matrix `c I + s [u]x + (1 - c) u u^T` about a unit axis
+    /// `u`.
     fn rotation(&mut self, angle: S::Value, u: [S::Value; 3]) -> Option<[[S::Value; 3]; 3]> {
         let sine = self.0.apply(Op::Sin, &[angle])?;
         let cosine = self.0.apply(Op::Cos, &[angle])?;

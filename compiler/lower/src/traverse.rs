@@ -1,11 +1,12 @@
-//! Every expression of a function, and what can be told from that.
+//! Traversal of all expressions of a function, and properties derived from it.
 
 use calyx_lang::ir::{
     Expr, ExprKind, FormatPart, Function, FunctionId, Place, Program, Statement, Terminator,
 };
 
-/// Whether a function without parameters gives the same at all params, and always: it reads none, nor what the engine
-/// or an embedding program provides, and so do the functions it calls.
+/// Returns `true` if a function without parameters always returns the same value, for all params.
+/// Such a function and its callees read no param and nothing that the engine or an embedding
+/// program provides.
 pub fn is_constant(program: &Program, function: FunctionId) -> bool {
     let (mut waiting, mut known) = (vec![function], vec![function]);
     let mut constant = true;
@@ -28,7 +29,7 @@ pub fn is_constant(program: &Program, function: FunctionId) -> bool {
         for statement in function.blocks.iter().flat_map(|block| &block.statements) {
             match statement {
                 Statement::Call { function: called, .. } => call(*called),
-                // Each instance may have another.
+                // Each instance may receive a different value.
                 Statement::Host { .. } => constant = false,
                 _ => {}
             }
@@ -40,7 +41,7 @@ pub fn is_constant(program: &Program, function: FunctionId) -> bool {
     true
 }
 
-/// Visits every expression of a function, parts of others among them.
+/// Visits every expression of a function, including subexpressions.
 pub fn for_each_expression<'p>(function: &'p Function, visit: &mut dyn FnMut(&'p Expr)) {
     for block in &function.blocks {
         for statement in &block.statements {
@@ -75,7 +76,7 @@ fn in_place<'p>(place: &'p Place, visit: &mut dyn FnMut(&'p Expr)) {
     place.indices().for_each(|index| for_each_part(index, visit));
 }
 
-/// Visits an expression and every part of it.
+/// Visits an expression and all its subexpressions.
 pub fn for_each_part<'p>(expr: &'p Expr, visit: &mut dyn FnMut(&'p Expr)) {
     visit(expr);
     let mut each = |parts: &'p [Expr]| parts.iter().for_each(|part| for_each_part(part, visit));

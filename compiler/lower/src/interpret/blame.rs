@@ -1,4 +1,4 @@
-//! From the name of an argument to the place where it was written.
+//! Maps the name of an argument to the source location where the argument is written.
 
 use crate::traverse::for_each_expression;
 use calyx_abi::RuntimeError;
@@ -9,16 +9,16 @@ use calyx_lang::ir::{Expr, ExprKind, Function, FunctionId, Mode, Program, Statem
 use calyx_lang::span::Span;
 use std::collections::{BTreeSet, HashMap, HashSet};
 
-/// The places of the arguments of all calls of the engine's and the library's functions.
+/// The source locations of the arguments of all calls of engine and library functions.
 #[derive(Clone, Debug, Default)]
 pub struct CallSites {
-    /// Calls by place.
+    /// Calls by source location.
     calls: HashMap<Place, CallDescription>,
-    /// Files of the library, by index.
+    /// File indices of the library.
     library: HashSet<u32>,
-    /// The function of the library that contains a call, by the places of the call and its arguments.
+    /// The library function that contains a call, by the locations of the call and its arguments.
     inside: HashMap<Place, Place>,
-    /// Functions of the library, by their place: name, and the places where they are called.
+    /// Library functions by location: the name, and the locations of the calls.
     callers: HashMap<Place, (String, BTreeSet<Place>)>,
 }
 
@@ -29,7 +29,7 @@ impl CallSites {
         let mut sites =
             CallSites { library: library.map(|(index, _)| index as u32).collect(), ..CallSites::default() };
         for function in &program.functions {
-            // The chain of blame leads through the library alone.
+            // Only library functions forward blame to their callers.
             let carried =
                 if sites.is_library(function.span) { carried(function) } else { Carried::default() };
             for_each_expression(function, &mut |expr| match &expr.kind {
@@ -64,7 +64,7 @@ impl CallSites {
         self.library.contains(&span.file.0)
     }
 
-    /// A call of a function of the program, of which only the library's matter.
+    /// Adds a call of a program function; only calls of library functions are recorded.
     fn add_call(
         &mut self,
         program: &Program,
@@ -97,8 +97,8 @@ impl CallSites {
         let mut described = CallDescription { place: call, arguments: Vec::new(), carried: Vec::new() };
         for (name, argument) in arguments {
             let at = place(argument.span);
-            // An argument that is left to its default has no place: its text stands in the
-            // declaration. A variable of an enclosing function has the place of the call.
+            // A default argument has no location in the call: its text is in the declaration. A
+            // variable of an enclosing function has the location of the call.
             if at.0 == call.0 && at.1 >= call.1 && at.2 <= call.2 && at != call {
                 described.arguments.push((name.into(), at));
             }
@@ -108,7 +108,7 @@ impl CallSites {
             }
         }
         if self.is_library(span) {
-            // An error may have been moved to the argument before.
+            // An error may already have been moved to the argument.
             for (_, at) in &described.arguments {
                 self.inside.entry(*at).or_insert_with(|| place(around));
             }
@@ -117,7 +117,8 @@ impl CallSites {
         self.calls.insert(call, described);
     }
 
-    /// The same for those who have no compiler, in order of place.
+    /// Returns all calls in order of location, for programs that embed the engine without a
+    /// compiler.
     pub fn describe(&self) -> Vec<CallDescription> {
         let is_needed = |call: &&CallDescription| !call.arguments.is_empty() || !call.carried.is_empty();
         let mut described: Vec<_> = self.calls.values().filter(is_needed).cloned().collect();
@@ -125,7 +126,7 @@ impl CallSites {
         described
     }
 
-    /// Moves an error to the argument to blame: see [`calyx_abi::attribution::attribute`].
+    /// Moves an error to the responsible argument; see [`calyx_abi::attribution::attribute`].
     pub fn blame(&self, error: &mut RuntimeError) {
         if let (Some(at), true) = (error.place, error.details.calls.is_empty())
             && self.library.contains(&at.0)
@@ -135,8 +136,8 @@ impl CallSites {
         attribute(error, self.calls.values(), |file| self.library.contains(&file));
     }
 
-    /// The calls that lead to a place in the library, if all of them begin at one place of the program.
-    /// Findings that are no errors carry no calls.
+    /// Returns the calls that lead to a location in the library, if all of them begin at the same
+    /// location of the program. Findings that are not errors carry no call chain.
     fn only_chain(&self, at: Place) -> Vec<Call> {
         let Some(first) = self.inside.get(&at) else { return Vec::new() };
         let mut chains: HashMap<Place, Vec<Call>> = HashMap::from([(*first, Vec::new())]);
@@ -164,15 +165,15 @@ impl CallSites {
     }
 }
 
-/// The parameters of a function that its locals are computed from on any path.
+/// The function parameters from which each local is computed, on any path.
 #[derive(Default)]
 struct Carried {
-    /// Names of parameters, by local.
+    /// Names of parameters, for each local.
     names: Vec<Vec<String>>,
 }
 
 impl Carried {
-    /// The parameters that a value is computed from, in the order in which it names them.
+    /// Returns the parameters from which a value is computed, in order of occurrence.
     fn by(&self, value: &Expr) -> Vec<String> {
         let mut names = Vec::new();
         if self.names.is_empty() {
@@ -197,7 +198,7 @@ fn carried(function: &Function) -> Carried {
             carried.names[local.0 as usize] = vec![known.name.clone()];
         }
     }
-    // Names only ever join, so this ends.
+    // The sets of names only grow, so the loop terminates.
     loop {
         let mut grown = false;
         for statement in function.blocks.iter().flat_map(|block| &block.statements) {

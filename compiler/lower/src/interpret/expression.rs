@@ -1,4 +1,4 @@
-//! Expressions: each leaves its slots on top of the stack.
+//! Evaluation of expressions: each leaves its slots on top of the stack.
 
 use super::Machine;
 use super::scalar::SlotScalars;
@@ -119,7 +119,7 @@ impl<'p> Machine<'_, 'p> {
         Ok(())
     }
 
-    /// Evaluates expressions one after another; returns where their slots begin.
+    /// Evaluates expressions in order and returns the start of their slots.
     fn eval_all(&mut self, parts: &'p [Expr]) -> Result<usize, RuntimeError> {
         let start = self.stack.len();
         for part in parts {
@@ -128,7 +128,7 @@ impl<'p> Machine<'_, 'p> {
         Ok(start)
     }
 
-    /// Makes room for slots on the stack; returns where they begin.
+    /// Reserves slots on the stack and returns their start.
     fn reserve(&mut self, slots: usize) -> usize {
         let start = self.stack.len();
         self.stack.resize(start + slots, 0);
@@ -196,7 +196,7 @@ impl<'p> Machine<'_, 'p> {
         Ok(())
     }
 
-    /// Evaluates all values first, then joins: a value may itself need the string under construction.
+    /// Evaluates all values before joining them: a value may itself build a string.
     fn format(&mut self, parts: &'p [FormatPart], span: Span) -> Result<(), RuntimeError> {
         let start = self.stack.len();
         for part in parts {
@@ -238,7 +238,7 @@ impl<'p> Machine<'_, 'p> {
     }
 }
 
-/// Whether a function of some purity may be called where `limit` is allowed.
+/// Returns `true` if a function of this purity may be called under the given limit.
 fn allowed(purity: Purity, limit: Purity) -> bool {
     match limit {
         Purity::Pure => purity == Purity::Pure,

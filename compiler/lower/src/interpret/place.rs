@@ -1,4 +1,4 @@
-//! Places: where a value is stored, followed from a local into arrays and tuples.
+//! Places: storage locations, resolved from a local into arrays and tuples.
 
 use super::Machine;
 use crate::layout::tuple_part;
@@ -11,17 +11,17 @@ use std::ops::Range;
 enum Spot {
     /// On the stack.
     Frame(Range<usize>),
-    /// Of an element of an array.
+    /// In an element of an array.
     Element { array: Slot, index: f64, range: Range<usize> },
 }
 
 impl<'p> Machine<'_, 'p> {
-    /// The values of a place's indices, with no check yet.
+    /// Evaluates the indices of a place, without bounds checks.
     pub(super) fn indices(&mut self, place: &'p Place) -> Result<Vec<f64>, RuntimeError> {
         place.indices().map(|index| self.number(index)).collect()
     }
 
-    /// Stores the slots that stand on the stack from `from` on.
+    /// Stores the stack slots from `from` on in a place.
     pub(super) fn store(&mut self, place: &Place, indices: &[f64], from: usize) -> Result<(), RuntimeError> {
         let count = place.repr.slots();
         match self.spot(place, indices)? {
@@ -44,7 +44,7 @@ impl<'p> Machine<'_, 'p> {
         }
     }
 
-    /// The array a place holds.
+    /// Returns the array stored in a place.
     pub(super) fn array_in(&mut self, place: &Place, indices: &[f64]) -> Result<Slot, RuntimeError> {
         let spot = self.spot(place, indices)?;
         self.array_at(&spot)

@@ -4,7 +4,7 @@ use crate::operations::Scalars;
 use calyx_abi::{Slot, math};
 use calyx_lang::ir::Op;
 
-/// Computes on slots.
+/// Scalar operations on slots.
 pub struct SlotScalars;
 
 impl Scalars for SlotScalars {
@@ -16,7 +16,7 @@ impl Scalars for SlotScalars {
 
     fn apply(&mut self, op: Op, operands: &[Slot]) -> Option<Slot> {
         let &first = operands.first()?;
-        // Operations of one operand do not look at the second.
+        // Operations with one operand ignore the second.
         let second = operands.get(1).copied().unwrap_or(first);
         let x = |index: usize| f64::from_bits([first, second][index]);
         let number = f64::to_bits;

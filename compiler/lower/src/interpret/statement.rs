@@ -7,7 +7,7 @@ use calyx_abi::{Slot, Status, failure, helpers, host, limits};
 use calyx_lang::ir::{Block, BlockId, Expr, Statement, Terminator};
 
 impl<'p> Machine<'_, 'p> {
-    /// Runs from block 0 to a return, and leaves the result's slots on top of the stack.
+    /// Runs from block 0 to a return and leaves the result's slots on top of the stack.
     pub(super) fn run_blocks(&mut self) -> Result<(), RuntimeError> {
         let Activation { function, frame, base } = self.activation;
         let mut block = 0;
@@ -37,7 +37,7 @@ impl<'p> Machine<'_, 'p> {
         }
     }
 
-    /// Runs one block; tells where to go on, if the function does not return.
+    /// Runs one block. Returns the next block, or `None` if the function returns.
     fn block(&mut self, block: &'p Block) -> Result<Option<BlockId>, RuntimeError> {
         if !limits::enter_block(self.ctx) {
             self.at(block.span);
@@ -134,7 +134,7 @@ impl<'p> Machine<'_, 'p> {
         Ok(f64::from_bits(self.slot(expr)?))
     }
 
-    /// Evaluates an expression of one slot.
+    /// Evaluates an expression that occupies one slot.
     pub(super) fn slot(&mut self, expr: &'p Expr) -> Result<Slot, RuntimeError> {
         self.eval(expr)?;
         self.stack.pop().ok_or_else(|| helpers::malformed("an expression without value"))

@@ -1,7 +1,8 @@
-//! Going on after a call of the library that failed, so that `check` reports every gear that is wrong and not the first.
+//! Continues after a failed library call, so that `check` reports all faulty gears instead of only
+//! the first one.
 //!
-//! What the failed call should have made is a poisoned handle. Calls that are given one are passed over in silence: what
-//! they would say follows from what has been said.
+//! The failed call returns a poisoned handle. Calls that receive a poisoned handle are skipped
+//! silently, because their errors would follow from the reported one.
 
 use super::{Interpreter, Machine};
 use calyx_abi::context::{Context, RuntimeError};
@@ -9,20 +10,20 @@ use calyx_abi::{HeapId, Repr, Slot, helpers};
 use calyx_lang::ir::{ExternId, Program};
 use std::sync::Mutex;
 
-/// A handle to nothing.
+/// An invalid handle.
 const POISON: Slot = Slot::MAX;
 
-/// Failures survived so far.
+/// Failures after which the program continued.
 pub(super) type Failures = Mutex<Vec<RuntimeError>>;
 
 impl<'p> Interpreter<'p> {
-    /// Goes on after calls of the library that find something wrong with the model.
+    /// Continues after library calls that report a problem of the model.
     pub fn going_on(mut self) -> Self {
         self.failures = Some(Failures::default());
         self
     }
 
-    /// What the program survived, in order.
+    /// Returns the failures after which the program continued, in order.
     pub fn failures(&self) -> Vec<RuntimeError> {
         let failures = self.failures.as_ref().and_then(|failures| failures.lock().ok());
         failures.map(|failures| failures.clone()).unwrap_or_default()
@@ -30,8 +31,8 @@ impl<'p> Interpreter<'p> {
 }
 
 impl<'p> Machine<'_, 'p> {
-    /// Notes a failure and goes on, where that is wanted, the failure is the model's, and the program does not catch it
-    /// itself.
+    /// Records a failure and continues, if this is enabled, the model causes the failure, and the
+    /// program does not catch it. Otherwise returns the error.
     pub(super) fn survive(&mut self, mut error: RuntimeError) -> Result<(), RuntimeError> {
         let failures = self.interpreter.failures.as_ref();
         let Some(failures) = failures.filter(|_| is_finding(&error) && self.guards == 0) else {
@@ -44,13 +45,13 @@ impl<'p> Machine<'_, 'p> {
         Ok(())
     }
 
-    /// Names and representations of a provided function's parameters.
+    /// Returns the names and representations of an engine function's parameters.
     pub(super) fn extern_parameters(&self, id: ExternId) -> &'p [(String, Repr)] {
         let program: &'p Program = self.interpreter.program;
         program.externs.get(id.0 as usize).map_or(&[], |decl| decl.parameters.as_slice())
     }
 
-    /// Whether an argument on the stack from `start` on comes from a call that failed.
+    /// Returns `true` if an argument on the stack from `start` on results from a failed call.
     pub(super) fn is_poisoned(&self, id: ExternId, start: usize) -> bool {
         let Some(failures) = &self.interpreter.failures else { return false };
         if failures.lock().is_ok_and(|failures| failures.is_empty()) {
@@ -64,7 +65,7 @@ impl<'p> Machine<'_, 'p> {
         })
     }
 
-    /// Puts what stands for the result of a failed call in place of its arguments.
+    /// Replaces the arguments of a failed call by a poisoned result.
     pub(super) fn put_poison(&mut self, result: &Repr, start: usize) {
         let slots = match result {
             Repr::Handle | Repr::Symbolic(_) => vec![POISON],
@@ -76,12 +77,13 @@ impl<'p> Machine<'_, 'p> {
     }
 }
 
-/// Findings about gears and scenes; anything else is an error of the program.
+/// Returns `true` for findings about gears and scenes, `false` for errors of the program.
 fn is_finding(error: &RuntimeError) -> bool {
     ["E06", "E080"].iter().any(|block| error.code.starts_with(block))
 }
 
-/// A number that was computed from nothing is NaN, whatever else may be.
+/// Returns `true` if a value contains a poisoned handle. A number computed from a poisoned handle
+/// is NaN.
 fn poisoned(ctx: &Context, repr: &Repr, slots: &[Slot]) -> bool {
     let is_nan = |slot: &Slot| f64::from_bits(*slot).is_nan();
     match repr {
@@ -96,7 +98,7 @@ fn poisoned(ctx: &Context, repr: &Repr, slots: &[Slot]) -> bool {
     }
 }
 
-/// An observable is captured as its index, a number as itself.
+/// Checks captured values: an observable is captured as its index, a number as its value.
 fn captures_poison(ctx: &Context, id: HeapId) -> bool {
     let value = ctx.heap.symbolic(id);
     value.is_some_and(|value| value.captured.iter().any(|held| held.is_nan() || *held == POISON as f64))

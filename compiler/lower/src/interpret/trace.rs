@@ -1,6 +1,7 @@
-//! Following NaN to where it arises. A program that failed because of one is interpreted again, and every NaN carries,
-//! in the bits that mean nothing, the number of the operation that made it. So it is known wherever it turns up: in a
-//! variable, an array, an argument, a captured value.
+//! NaN tracing: finds the operation that produced a NaN. A program that failed because of a NaN is
+//! interpreted again, and every NaN carries the number of its operation in its payload bits. The
+//! origin of a NaN is therefore available wherever the value occurs: in a variable, an array, an
+//! argument or a captured value.
 
 use super::{Interpreter, Machine};
 use crate::kernels::trace_nan;
@@ -11,9 +12,9 @@ use calyx_lang::span::Span;
 use std::collections::HashMap;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-/// A quiet NaN of ours; the low 32 bits number its source.
+/// A quiet NaN with a marked payload. Its low 32 bits are the number of its source.
 const MARK: u64 = 0x7ffc_0000_0000_0000;
-/// All bits but the sign, which negation changes, and the number.
+/// All bits except the sign, which negation changes, and the number of the source.
 const MARKED: u64 = 0x7fff_ffff_0000_0000;
 
 /// Sources of NaN found so far.
@@ -25,31 +26,31 @@ pub struct NanTrace {
 #[derive(Debug, Default)]
 struct State {
     sources: Vec<NanSource>,
-    /// In the arguments of the last provided function that was called.
+    /// The source of a NaN among the arguments of the last engine call.
     in_call: Option<u32>,
-    /// In the values captured by a site's last binding.
+    /// The source of a NaN among the values that a site captured when it was last bound.
     captured: HashMap<u32, u32>,
 }
 
 impl NanTrace {
-    /// The NaN that the last call of a provided function was given.
+    /// Returns the source of the NaN that the last engine call received.
     pub fn in_call(&self) -> Option<NanSource> {
         let state = self.state();
         state.in_call.and_then(|id| state.sources.get(id as usize).cloned())
     }
 
-    /// The NaN that a site captured when it was last bound.
+    /// Returns the source of the NaN that a site captured when it was last bound.
     pub fn captured(&self, site: SiteId) -> Option<NanSource> {
         let state = self.state();
         state.captured.get(&site.0).and_then(|id| state.sources.get(*id as usize).cloned())
     }
 
-    /// The source of a NaN that a traced program returned.
+    /// Returns the source of a NaN that a traced program returned.
     pub fn source(&self, slot: Slot) -> Option<NanSource> {
         self.state().sources.get(number(slot)? as usize).cloned()
     }
 
-    // A trace is worth having even if somebody panicked while it was written.
+    // A poisoned lock is ignored: an incomplete trace is still useful.
     fn state(&self) -> MutexGuard<'_, State> {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
@@ -66,7 +67,7 @@ impl NanTrace {
         }
     }
 
-    /// Marks what an operation gave: with the mark of an operand, or a new one.
+    /// Marks a NaN in the result of an operation: with the mark of an operand, or a new mark.
     pub(super) fn operation(&self, op: Op, operands: &[Slot], result: &mut [Slot], span: Span) {
         if !result.iter().any(|slot| is_nan(*slot)) {
             return;
@@ -78,7 +79,7 @@ impl NanTrace {
         result.iter_mut().filter(|slot| is_nan(**slot)).for_each(|slot| *slot = mark);
     }
 
-    /// Notes NaN among the arguments of a provided function.
+    /// Records a NaN among the arguments of an engine call.
     pub(super) fn call(&self, parameters: &[(String, Repr)], arguments: &[Slot], heap: &Heap) {
         let mut found = None;
         let mut at = 0;
@@ -98,13 +99,13 @@ impl NanTrace {
 }
 
 impl Interpreter<'_> {
-    /// Follows every NaN to where it arises; see [`Interpreter::trace`].
+    /// Enables NaN tracing; see [`Interpreter::trace`].
     pub fn tracing(mut self) -> Self {
         self.trace = Some(NanTrace::default());
         self
     }
 
-    /// What was found, if the interpreter traces.
+    /// Returns the trace, if tracing is enabled.
     pub fn trace(&self) -> Option<&NanTrace> {
         self.trace.as_ref()
     }
@@ -117,7 +118,8 @@ impl Machine<'_, '_> {
         }
     }
 
-    /// Marks NaN in the value of a symbolic expression, which its kernel has put on the stack from `start` on.
+    /// Marks a NaN in the value of a symbolic expression, which its kernel has stored on the stack
+    /// from `start` on.
     pub(super) fn trace_symbolic(&mut self, id: HeapId, time: f64, start: usize) {
         let Some(trace) = &self.interpreter.trace else { return };
         let Some(value) = self.ctx.heap.symbolic(id) else { return };
@@ -140,12 +142,12 @@ fn is_nan(slot: Slot) -> bool {
     f64::from_bits(slot).is_nan()
 }
 
-/// The number of a NaN's source, if it is one of ours.
+/// Returns the number of a NaN's source if the NaN is marked.
 fn number(slot: Slot) -> Option<u32> {
     (slot & MARKED == MARK).then_some(slot as u32)
 }
 
-/// The first marked number in a value.
+/// Returns the first marked number in a value.
 fn marked(repr: &Repr, slots: &[Slot], heap: &Heap) -> Option<u32> {
     match repr {
         Repr::Number | Repr::Vector | Repr::Transform => slots.iter().find_map(|slot| number(*slot)),

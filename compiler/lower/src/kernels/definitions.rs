@@ -1,5 +1,6 @@
-//! What a `:=` stands for, as a simplified graph to look at: a site, an expression shared within one, or a symbolic
-//! function. Values only; the time derivatives that kernels compute beside them are left out.
+//! The simplified graph of a `:=` definition, for display: a site, an expression shared within a
+//! site, or a symbolic function. The graphs contain values only, without the time derivatives of
+//! the kernels.
 
 use super::functions::Scope;
 use super::value::Value;
@@ -9,19 +10,19 @@ use calyx_lang::ir::{Capture, Program, SiteId, SymExpr, SymbolicFunctionId};
 use calyx_lang::span::Span;
 use calyx_symbolic::{Factor, Graph, NodeId};
 
-/// An expression of the program that a `:=` names.
+/// An expression of the program that is named with `:=`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DefinitionId {
     Site(SiteId),
-    /// Used within a site, and put into it there: by index in its shared expressions.
+    /// A definition that is inlined into a site: an index of the site's shared expressions.
     Shared(SiteId, u32),
     Function(SymbolicFunctionId),
 }
 
-/// A symbolic value as nodes of its graph.
+/// A symbolic value as graph nodes.
 #[derive(Clone, Debug)]
 pub enum Shape {
-    /// Also a truth value.
+    /// A number or a truth value.
     Number(NodeId),
     Vector([NodeId; 3]),
     /// Factors in order of application, from ground.
@@ -39,7 +40,7 @@ impl Shape {
         }
     }
 
-    /// Every node in it.
+    /// Returns every node of the value.
     pub fn nodes(&self) -> Vec<NodeId> {
         let factor = |factor: &Factor| match factor {
             Factor::Translate(vector) => vector.to_vec(),
@@ -55,16 +56,16 @@ impl Shape {
     }
 }
 
-/// What a symbol of the graph is.
+/// The kind of a graph symbol.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum SymbolKind {
     Time,
     Param,
-    /// Of a symbolic function.
+    /// An argument of a symbolic function.
     Argument,
-    /// A value that was taken when the definition was executed.
+    /// A value captured when the definition was executed.
     Captured,
-    /// What the engine observes.
+    /// A value observed by the engine.
     Observable,
 }
 
@@ -73,7 +74,7 @@ pub enum SymbolKind {
 pub struct InputSymbol {
     /// The name in the program.
     pub name: String,
-    /// The same, or the part of it that this is: `p.x`, `derivative(X, Time)[9]`.
+    /// The name of this component, such as `p.x` or `derivative(X, Time)[9]`.
     pub text: String,
     pub kind: SymbolKind,
 }
@@ -82,11 +83,11 @@ pub struct InputSymbol {
 pub struct DefinitionGraph {
     pub graph: Graph,
     pub shape: Shape,
-    /// By index of their symbol.
+    /// The inputs, by index of their symbol.
     pub inputs: Vec<InputSymbol>,
 }
 
-/// The expression a definition stands for, and the definitions beside it in the same place.
+/// Returns the expression of a definition and the shared expressions of the same site or function.
 pub fn definition_expressions(program: &Program, id: DefinitionId) -> Option<(&SymExpr, &[SymExpr])> {
     match id {
         DefinitionId::Site(site) => {
@@ -104,10 +105,10 @@ pub fn definition_expressions(program: &Program, id: DefinitionId) -> Option<(&S
     }
 }
 
-/// The graph of a definition.
+/// Returns the graph of a definition.
 ///
 /// # Errors
-/// As [`super::lower_site`]; the program has no such definition.
+/// As for [`super::lower_site`]; also if the program has no such definition.
 pub fn definition_graph(program: &Program, id: DefinitionId) -> Result<DefinitionGraph, KernelError> {
     let missing = || broken("no such definition", Span::default());
     let (expr, shared) = definition_expressions(program, id).ok_or_else(missing)?;
@@ -150,7 +151,7 @@ fn symbol(name: &str, text: String, kind: SymbolKind) -> InputSymbol {
     InputSymbol { name: name.to_owned(), text, kind }
 }
 
-/// The names of a value's numbers.
+/// Returns the names of a value's components.
 fn element_texts(name: &str, repr: &Repr) -> Vec<String> {
     match repr {
         Repr::Vector => ["x", "y", "z"].map(|axis| format!("{name}.{axis}")).to_vec(),
@@ -159,7 +160,8 @@ fn element_texts(name: &str, repr: &Repr) -> Vec<String> {
     }
 }
 
-/// The name of one of a capture's inputs; of an expression those of its derivatives follow, see [`super::parts`].
+/// Returns the name of one of a capture's inputs. The inputs of an expression include its
+/// derivatives; see [`super::parts`].
 fn part_text(program: &Program, capture: &Capture, slot: usize) -> String {
     let Repr::Symbolic(inner) = &capture.repr else {
         return element_texts(&capture.name, &capture.repr).get(slot).cloned().unwrap_or_default();

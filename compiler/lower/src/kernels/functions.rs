@@ -1,8 +1,9 @@
-//! Symbolic functions: their kernels, and calls of them inside other expressions.
+//! Kernels of symbolic functions, and calls of symbolic functions in other expressions.
 //!
-//! A body is lowered once per graph, with free symbols for its arguments. A call replaces the symbols; a derivative by
-//! an argument, inside the body, is taken before that. So an argument is an independent symbol where the function is
-//! written, and the chain rule holds where it is called, because the graph differentiates what has been put in.
+//! A body is lowered once per graph, with free symbols for its arguments. A call substitutes the
+//! symbols. A derivative with respect to an argument inside the body is computed before the
+//! substitution. An argument is therefore an independent variable within the function, and the
+//! chain rule applies at the call, because the graph differentiates the substituted expressions.
 
 use super::{KernelError, Lowering, Value, broken};
 use calyx_abi::Repr;
@@ -10,18 +11,18 @@ use calyx_lang::ir::{Program, SymExpr, SymbolicFunction, SymbolicFunctionId, Sym
 use calyx_lang::span::Span;
 use calyx_symbolic::Tape;
 
-/// What an expression stands in: its site or function.
+/// The site or function that contains an expression.
 pub(super) struct Scope<'a> {
     shared: &'a [SymExpr],
-    /// Values of the shared expressions met so far.
+    /// Values of the shared expressions lowered so far.
     values: Vec<Option<Value>>,
     arguments: Vec<Value>,
 }
 
-/// A function's body, with free symbols for its arguments.
+/// The body of a function, with free symbols for its arguments.
 #[derive(Clone)]
 pub(super) struct Free {
-    /// The symbols of its arguments' numbers, in order.
+    /// The symbols of its arguments' components, in order.
     symbols: Vec<u32>,
     body: Value,
 }
@@ -32,15 +33,17 @@ impl<'a> Scope<'a> {
     }
 }
 
-/// The kernel of a symbolic function.
+/// Returns the kernel of a symbolic function.
 ///
-/// Inputs: time; every param of the program by index (1 or 0 for a truth value; NaN for text, which nothing reads);
-/// the arguments in order (a number or truth value takes one, a vector 3).
-/// Outputs: the values of [`SymbolicFunction::result`] in order, brackets one part after the other (a number or truth
-/// value takes one, a vector 3, a transform 12: rotation row by row, then translation).
+/// Inputs: time; every param of the program by index (1 or 0 for a truth value; NaN for text, which
+/// no expression reads); the arguments in order (a number or truth value takes one, a vector 3).
+///
+/// Outputs: the values of [`SymbolicFunction::result`] in order, the elements of brackets one after
+/// the other (a number or truth value takes one, a vector 3, a transform 12: rotation row by row,
+/// then translation).
 ///
 /// # Errors
-/// The expression makes no sense (the derivative of a frame) or is too large.
+/// The expression has no meaning (the derivative of a frame, for example) or is too large.
 pub fn lower_kernel(program: &Program, id: SymbolicFunctionId) -> Result<Tape, KernelError> {
     let function = program
         .symbolic_functions
@@ -53,7 +56,8 @@ pub fn lower_kernel(program: &Program, id: SymbolicFunctionId) -> Result<Tape, K
 }
 
 impl<'a> Lowering<'a> {
-    /// Symbols from `first` on for arguments, and the arguments as values.
+    /// Creates symbols from `first` on for arguments, and returns them together with the arguments
+    /// as values.
     fn free_arguments(&mut self, parameters: &[SymbolicParameter], first: u32) -> (Vec<u32>, Vec<Value>) {
         let mut symbols = Vec::new();
         let mut symbol = |graph: &mut calyx_symbolic::Graph| {
@@ -70,7 +74,8 @@ impl<'a> Lowering<'a> {
         (symbols, arguments)
     }
 
-    /// The body of a function that stands for itself: its arguments are the inputs after those there are.
+    /// Lowers the body of a function for its own kernel: its arguments are the inputs that follow
+    /// the existing ones.
     pub(super) fn free_body(&mut self, function: &'a SymbolicFunction) -> Result<Value, KernelError> {
         let first = self.inputs as u32;
         let (symbols, arguments) = self.free_arguments(&function.parameters, first);
@@ -86,7 +91,7 @@ impl<'a> Lowering<'a> {
         value
     }
 
-    /// A call of a symbolic function.
+    /// Lowers a call of a symbolic function.
     pub(super) fn call(
         &mut self,
         id: SymbolicFunctionId,
@@ -128,7 +133,7 @@ impl<'a> Lowering<'a> {
             .ok_or_else(|| broken("no such argument", span))
     }
 
-    /// The symbol of an argument that is a number.
+    /// Returns the symbol of an argument that is a number.
     pub(super) fn argument_symbol(&self, index: u32, span: Span) -> Result<u32, KernelError> {
         match self.argument(index, span)? {
             Value::Number(node) => {
@@ -138,7 +143,7 @@ impl<'a> Lowering<'a> {
         }
     }
 
-    /// An expression used more than once, lowered the first time.
+    /// Returns the value of a shared expression, which is lowered on first use.
     pub(super) fn shared(&mut self, index: u32, span: Span) -> Result<Value, KernelError> {
         let missing = || broken("no such shared expression", span);
         let scope = self.scopes.last().ok_or_else(missing)?;

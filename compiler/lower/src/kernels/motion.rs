@@ -1,37 +1,40 @@
-//! Vectors that a frame carries: differentiated by rigid-body algebra and not entry by entry.
+//! Vectors that a frame transforms, differentiated by rigid-body kinematics instead of entry by
+//! entry.
 //!
-//! The derivative of `X * p` by anything is cheapest tip to base, factor by factor (see [`calyx_symbolic::Frame`]).
-//! So what came out of a frame is remembered with the frame.
+//! The derivative of `X * p` with respect to any symbol is cheapest from tip to base, factor by
+//! factor (see [`calyx_symbolic::Frame`]). A vector that results from a frame is therefore stored
+//! together with the frame.
 
 use super::Lowering;
 use super::value::Value;
 use calyx_symbolic::{Frame, NodeId, Vector3};
 
-/// Where a vector came from.
+/// The frame and the operation from which a vector results.
 #[derive(Clone, Debug)]
 pub(super) struct Motion {
     carried: Carried,
     frame: Frame,
-    /// The derivative already taken: by which symbol, how often.
+    /// The derivative that was already computed: its symbol and its order.
     taken: Option<(u32, usize)>,
 }
 
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Carried {
-    /// A point in coordinates of the frame.
+    /// A point in frame coordinates.
     Point(Vector3),
     Origin,
     Direction(Vector3),
 }
 
-/// Moving factors from which on rigid-body algebra is the cheaper way; shorter chains share more entry by entry.
+/// The number of moving factors from which rigid-body kinematics is cheaper; shorter chains share
+/// more operations entry by entry.
 const LONG: usize = 6;
 
-/// Derivatives by rigid-body algebra go up to this order.
+/// Highest order of derivatives by rigid-body kinematics.
 const MOST_ORDER: usize = 2;
 
 impl Lowering<'_> {
-    /// The vector that a frame carries, remembered as such.
+    /// Transforms a vector by a frame and stores the origin of the result.
     pub(super) fn carried(&mut self, frame: &Frame, carried: Carried) -> Vector3 {
         let graph = &mut self.graph;
         let vector = match carried {
@@ -68,7 +71,7 @@ impl Lowering<'_> {
         derivative
     }
 
-    /// The value of a called function moves as the body it was made of does.
+    /// Copies the motion of a function's body to the value of a call.
     pub(super) fn carry_motion(&mut self, body: &Value, value: &Value, replacements: &[(u32, NodeId)]) {
         match (body, value) {
             (Value::Brackets(body), Value::Brackets(value)) => {
@@ -76,7 +79,7 @@ impl Lowering<'_> {
             }
             (Value::Vector(body), Value::Vector(value)) => {
                 let Some(motion) = self.motions.get(body).cloned() else { return };
-                // What is put in for the symbol differentiated by need not be a symbol.
+                // The replacement of the differentiation symbol may be an expression.
                 let taken = match motion.taken {
                     Some((by, _)) if replacements.iter().any(|(symbol, _)| *symbol == by) => return,
                     taken => taken,

@@ -1,9 +1,10 @@
-//! Sites that capture expressions, and sites that are captured: the chain rule between kernels.
+//! Sites that capture expressions, and captured sites: the chain rule between kernels.
 //!
-//! The kernel of a captured expression gives its value, its first two time derivatives, and the same of its derivative
-//! by each param that expressions are differentiated by ([`Program::graph_params`]). In the kernel that captured it
-//! these numbers are symbols, each the derivative of another one, so everything done there follows the chain rule. A
-//! derivative that would need more than the part gives is an error.
+//! The kernel of a captured expression returns its value, its first two time derivatives, and the
+//! same three of its derivative with respect to each of [`Program::graph_params`]. In the kernel
+//! that captures it, these numbers are symbols, each declared as the derivative of another one, so
+//! the chain rule applies to all operations on them. A derivative that would need more than these
+//! numbers is an error.
 //!
 //! [`Program::graph_params`]: calyx_lang::ir::Program::graph_params
 
@@ -14,13 +15,13 @@ use calyx_lang::ir::Site;
 use calyx_lang::span::Span;
 use calyx_symbolic::{Frame, NodeId};
 
-/// Stands for derivatives that are not known. No kernel has that many inputs.
+/// A symbol for unavailable derivatives. No kernel has that many inputs.
 const BEYOND: u32 = u32::MAX;
 /// Value, first and second time derivative.
 const ORDERS: u32 = 3;
 
 impl Lowering<'_> {
-    /// A captured expression, whose numbers are the inputs from `first` on.
+    /// Returns a captured expression whose numbers are the inputs from `first` on.
     pub(super) fn part(&mut self, repr: &Repr, first: u32, span: Span) -> Result<Value, KernelError> {
         let size = repr.slots() as u32;
         let params = &self.program.graph_params;
@@ -63,7 +64,8 @@ impl Lowering<'_> {
         })
     }
 
-    /// Outputs of a site that may be captured: after those given, their derivatives by the params.
+    /// Appends the derivatives with respect to the params to the outputs of a site that may be
+    /// captured.
     pub(super) fn with_params(&mut self, outputs: Vec<NodeId>, site: &Site) -> Vec<NodeId> {
         let mut all = outputs.clone();
         if site.part {
@@ -74,7 +76,7 @@ impl Lowering<'_> {
         all
     }
 
-    /// Nothing asked for may need a derivative that a captured expression does not give.
+    /// Rejects outputs that need a derivative that a captured expression does not provide.
     pub(super) fn reject_beyond(&self, outputs: &[NodeId], span: Span) -> Result<(), KernelError> {
         if self.parts.is_empty() || !self.graph.depends_on(outputs, |symbol| symbol == BEYOND) {
             return Ok(());
@@ -88,7 +90,8 @@ impl Lowering<'_> {
         })
     }
 
-    /// A captured expression comes as numbers at the present time and params, and has no value at others.
+    /// Rejects evaluation of a captured expression at other times or params: its numbers are valid
+    /// only for the current ones.
     pub(super) fn reject_parts_at(&self, value: &Value, by: u32, span: Span) -> Result<(), KernelError> {
         if self.parts.is_empty() || by as usize > self.program.params.len() {
             return Ok(());

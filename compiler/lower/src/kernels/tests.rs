@@ -1,4 +1,4 @@
-//! Kernels of sites written as typed expressions.
+//! Tests the kernels of sites that are given as typed expressions.
 
 use super::*;
 use calyx_abi::Kernel;
@@ -26,7 +26,7 @@ fn capture(index: u32, repr: Repr) -> SymExpr {
     expr(SymKind::Capture(index), repr)
 }
 
-/// An operation; the representation of its result follows from the operation.
+/// Returns an operation; the operation determines the representation of the result.
 fn op(op: Op, operands: Vec<SymExpr>) -> SymExpr {
     let repr = match op {
         Op::Not | Op::Less | Op::LessEqual | Op::Greater | Op::GreaterEqual | Op::Equal | Op::NotEqual => {
@@ -62,7 +62,7 @@ fn at(inner: SymExpr, symbol: Symbol, value: SymExpr) -> SymExpr {
     expr(SymKind::At(Box::new(inner), symbol, Box::new(value)), repr)
 }
 
-/// A program of one site, with two params.
+/// Returns a program with one site and two params.
 fn program(expr: SymExpr, captures: Vec<(Repr, bool)>, order: u8) -> Program {
     let unit = DisplayUnit { name: String::new(), factor: 1.0, dimension: [(0, 1); 8] };
     let param = Param {
@@ -95,7 +95,7 @@ fn program(expr: SymExpr, captures: Vec<(Repr, bool)>, order: u8) -> Program {
     Program { params: vec![param.clone(), param], sites: vec![site], ..Program::default() }
 }
 
-/// Outputs of the site's kernel for `[Time, p0, p1, captured...]`.
+/// Returns the outputs of the site's kernel for `[Time, p0, p1, captured...]`.
 fn run(program: &Program, inputs: &[f64]) -> Vec<f64> {
     let kernel = TapeKernel(lower_site(program, SiteId(0)).unwrap());
     assert_eq!(kernel.inputs(), inputs.len());
@@ -190,7 +190,7 @@ fn every_operation_on_vectors_and_transforms_has_its_value() {
     }
 }
 
-/// The planet of the report, section 3.1.2, with the carrier as a frame of its own.
+/// Returns the planet of the report, section 3.1.2, with a separate frame for the carrier.
 fn planet(runout: [f64; 3], pin_error: [f64; 3]) -> SymExpr {
     let e3 = || vector([0.0, 0.0, 1.0]);
     let (planet, carrier) = (param(0), param(1));
@@ -212,7 +212,8 @@ fn planet(runout: [f64; 3], pin_error: [f64; 3]) -> SymExpr {
 
 const CENTER_DISTANCE: f64 = 10.0;
 const PHASE: f64 = 0.3;
-/// Speeds of planet and carrier; times of less than a turn, so that rounding of the angle is 1e-15.
+/// Speeds of the planet and the carrier. The times cover less than a rotation, so that rounding of
+/// the angle is 1e-15.
 const SPEEDS: [f64; 2] = [3.3, 1.1];
 
 #[test]
@@ -222,14 +223,14 @@ fn the_planet_keeps_its_center_distance_and_turns_with_the_carrier() {
     for t in [0.0, 0.4, 1.7, 3.9] {
         let inputs = [t, own, carrier];
         let (sine, cosine) = (carrier * t).sin_cos();
-        // On the carrier's e2, which turns with it.
+        // On the carrier's e2 axis, which rotates with the carrier.
         let origin = [-CENTER_DISTANCE * sine, CENTER_DISTANCE * cosine, 0.0];
         assert_close(&run(&kernel(Op::Origin), &inputs), &origin, 1e-14);
         let velocity = [-carrier * origin[1], carrier * origin[0], 0.0];
         assert_close(&run(&kernel(Op::Velocity), &inputs), &velocity, 1e-14);
         let acceleration = origin.map(|x| -carrier * carrier * x);
         assert_close(&run(&kernel(Op::Acceleration), &inputs), &acceleration, 1e-14);
-        // The planet's own speed is relative to ground.
+        // The planet's speed is relative to ground.
         assert_close(&run(&kernel(Op::AngularVelocity), &inputs), &[0.0, 0.0, own], 1e-15);
         assert_close(&run(&kernel(Op::AngularAcceleration), &inputs), &[0.0; 3], 1e-15);
         let axis = op(Op::Direction, vec![planet([0.0; 3], [0.0; 3]), vector([1.0, 0.0, 0.0])]);
@@ -240,7 +241,8 @@ fn the_planet_keeps_its_center_distance_and_turns_with_the_carrier() {
 
 #[test]
 fn the_planets_errors_are_measured_in_their_own_frames() {
-    // At rest: the pin's error along the carrier's axes, the runout along the planet's, turned by the phase.
+    // At time zero: the pin error along the carrier's axes; the runout along the planet's axes,
+    // rotated by the phase.
     let (sine, cosine) = PHASE.sin_cos();
     let frame = program(op(Op::Origin, vec![planet([0.02, 0.01, 0.0], [0.03, 0.04, 0.0])]), vec![], 0);
     let expected = [0.03 + 0.02 * cosine - 0.01 * sine, 10.04 + 0.02 * sine + 0.01 * cosine, 0.0];
@@ -280,7 +282,7 @@ fn captured_values_are_inputs_in_order_and_constant() {
     );
     let applied = op(Op::Apply, vec![capture(2, Repr::Transform), point]);
     let chosen = conditional(capture(3, Repr::Bool), applied, vector([0.0; 3]));
-    // A quarter turn about e3 and a shift: x' = R x + t.
+    // A quarter turn about e3 and a translation: x' = R x + t.
     let pose = [0.0, 1.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 5.0, 6.0, 7.0];
     let inputs = |flag: f64| [&[2.0, 0.0, 0.0, 3.0, 1.0, 2.0, 4.0][..], &pose, &[flag]].concat();
     let program = program(chosen, captures, 1);
@@ -342,7 +344,7 @@ fn what_has_no_derivative_is_refused_not_zero() {
     assert!(lower_site(&Program::default(), SiteId(0)).is_err());
 }
 
-/// Evaluated expressions go through [`expand`], symbolic ones through the graph: on numbers both must agree.
+/// Evaluated expressions use [`expand`] and symbolic ones the graph; on numbers both must agree.
 #[test]
 fn symbolic_operations_agree_with_evaluated_ones() {
     use crate::operations::{Scalars, expand};
@@ -410,7 +412,7 @@ fn symbolic_operations_agree_with_evaluated_ones() {
         let expected = expand(&mut folding, operation, &nodes).unwrap();
         let expected: Vec<f64> =
             expected.into_iter().map(|id| folding.0.constant_value(id).unwrap()).collect();
-        // Sums may be taken in another order: a few units in the last place of numbers below ten.
+        // The order of additions may differ: a few units in the last place of numbers below ten.
         assert_close(&actual, &expected, 1e-14);
     }
 }

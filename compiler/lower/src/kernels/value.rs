@@ -1,10 +1,10 @@
-//! A symbolic expression as nodes of the graph.
+//! The value of a symbolic expression, as graph nodes.
 
 use calyx_symbolic::{Frame, Graph, NodeId, Vector3};
 
 #[derive(Clone, Debug)]
 pub(super) enum Value {
-    /// Also a truth value.
+    /// A number or a truth value.
     Number(NodeId),
     Vector(Vector3),
     Frame(Frame),
@@ -28,16 +28,17 @@ impl Value {
         });
     }
 
-    /// The value with symbols replaced, all at once.
+    /// Returns the value with all given symbols replaced simultaneously.
     pub(super) fn substituted(&self, graph: &mut Graph, replacements: &[(u32, NodeId)]) -> Value {
         let mut nodes = Vec::new();
         self.for_each(|node| nodes.push(node));
         let mut replaced = graph.substitute_all(&nodes, replacements).into_iter();
-        // `map` visits in the order of `for_each`.
+        // `map` visits the nodes in the order of `for_each`.
         self.map(&mut |node| replaced.next().unwrap_or(node))
     }
 
-    /// Its numbers: 1, 3, or 12 of a frame's pose; brackets one part after the other.
+    /// Returns the components: 1 or 3 numbers, or the 12 of a frame's pose; the elements of
+    /// brackets one after the other.
     pub(super) fn flat(&self, graph: &mut Graph) -> Vec<NodeId> {
         match self {
             Value::Number(number) => vec![*number],
