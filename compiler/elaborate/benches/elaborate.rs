@@ -1,5 +1,6 @@
-//! How long an elaboration takes, and how soon it ends after it was cancelled, on the pair of the report and on a model
-//! of many gears; how long a symbolic definition takes to be told: `cargo bench -p calyx-elaborate`.
+//! Benchmarks elaboration and its cancellation, on the gear pair of the report and on a model with
+//! many gears, and the formatting of a symbolic definition. Run it with `cargo bench -p
+//! calyx-elaborate`.
 
 use calyx_elaborate::binding::{binding, definition_in};
 use calyx_elaborate::{Cancel, ModelLoader, Params, elaborate};
@@ -7,7 +8,7 @@ use calyx_lang::ir::Program;
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// Moments at which an elaboration is cancelled.
+/// Number of cancellation times per model.
 const CANCELLED: u32 = 200;
 
 fn main() {
@@ -28,7 +29,7 @@ fn program(text: &str) -> Program {
     checked.program.unwrap_or_else(|| panic!("{:?}", checked.diagnostics))
 }
 
-/// Gears of their own in a row, each meshed with the one before.
+/// Returns a model with a row of distinct gears, each meshed with the previous one.
 fn train(gears: usize) -> String {
     let mut text = String::from(
         "import gears;\nunits mm_N_s;\nvar steel = gears.material(206 GPa, 0.3);\n\
@@ -76,7 +77,7 @@ fn measure(name: &str, program: &Program) {
     );
 }
 
-/// How long the text of a definition takes, that a card shows: the one in the statement or argument that begins so.
+/// Prints the time to format the definition in the statement or argument that begins with `head`.
 fn tell(name: &str, text: &str, head: &str) {
     let program = program(text);
     let start = text.find(head).expect("the definition is there");
@@ -91,7 +92,7 @@ fn tell(name: &str, text: &str, head: &str) {
     println!("{name}, {operations} operations, as text in {time:.1?}");
 }
 
-/// How long after it was cancelled an elaboration ended; `None` if it had ended before.
+/// Returns the time from cancellation to the end of an elaboration; `None` if it ended before.
 fn cancelled(program: &Program, after: Duration) -> Option<Duration> {
     let cancel = Cancel::default();
     let switch = cancel.clone();

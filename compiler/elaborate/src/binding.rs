@@ -1,5 +1,5 @@
-//! What a `:=` name stands for, for people: its simplified expression, the symbols it is free in, its size. Computed when
-//! somebody asks, from the typed program alone.
+//! Display form of a `:=` definition: its simplified expression, the symbols it depends on, and its
+//! size. It is computed on demand, from the typed program alone.
 
 use crate::infix::{Infix, infix};
 use calyx_lang::ir::{Program, SiteId, SymExpr, SymKind, SymbolicFunctionId};
@@ -8,22 +8,22 @@ use calyx_lower::kernels::{DefinitionId, SymbolKind, definition_expressions, def
 use calyx_symbolic::Node;
 use std::collections::{BTreeSet, HashMap, HashSet};
 
-/// Source of a literal longer than this is not shown in its place.
+/// The longest literal, in bytes, that is shown as written.
 const LONGEST_LITERAL: usize = 24;
-/// Expressions larger than this are not looked at: nobody waits for them, and nobody reads them.
+/// The largest expression, in nodes, that is analysed for display.
 const MOST_NODES: usize = 20_000;
 
-/// What a `:=` name stands for.
+/// The display form of a `:=` definition.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Binding {
-    /// In the notation of the language, simplified; `None` if it is too long to be read.
+    /// The simplified expression in the notation of the language; `None` if it is too long to read.
     pub expression: Option<Infix>,
-    /// The symbols it depends on, those of the language first. What it does not depend on any more after simplification
-    /// is not among them.
+    /// The symbols on which the expression depends, with those of the language first. Symbols that
+    /// simplification removes are not included.
     pub symbols: Vec<FreeSymbol>,
-    /// Distinct operations of its value.
+    /// Number of distinct operations of its value.
     pub operations: usize,
-    /// Of the definition's expression.
+    /// Source range of the definition's expression.
     pub span: Span,
 }
 
@@ -34,8 +34,9 @@ pub struct FreeSymbol {
     pub name: String,
 }
 
-/// The definition written within a range of a file, such as that of a `:=` statement or of an argument: the largest
-/// expression there. `None` if there is none, or if nothing uses it.
+/// Returns the definition within a range of a file, such as the range of a `:=` statement or of an
+/// argument: the largest expression there. Returns `None` if there is no definition, or if nothing
+/// uses it.
 pub fn definition_in(program: &Program, file: u32, start: u32, end: u32) -> Option<DefinitionId> {
     let size = |expr: &SymExpr| {
         let Span { file: of, start: from, end: to } = expr.span;
@@ -63,7 +64,8 @@ pub fn definition_in(program: &Program, file: u32, start: u32, end: u32) -> Opti
     found.map(|(_, id)| id)
 }
 
-/// What a definition stands for. `None` if it cannot be made a formula; checking says why.
+/// Returns the display form of a definition. Returns `None` if it cannot be written as a formula;
+/// checking reports the reason.
 pub fn binding(program: &Program, id: DefinitionId) -> Option<Binding> {
     let (expr, _) = definition_expressions(program, id)?;
     let literals = literals(program, id)?;
@@ -89,8 +91,8 @@ pub fn binding(program: &Program, id: DefinitionId) -> Option<Binding> {
     })
 }
 
-/// Constants of a definition as the source writes them (`3 rpm`, or the name of a `const`), by the bits of their number.
-/// `None` if the definition is too large to be looked at.
+/// Returns the constants of a definition as the source writes them (`3 rpm`, or the name of a
+/// `const`), by the bits of their number. Returns `None` if the definition is too large.
 fn literals(program: &Program, id: DefinitionId) -> Option<HashMap<u64, String>> {
     let mut literals: HashMap<u64, Option<&str>> = HashMap::new();
     let (mut functions, mut seen) = (HashSet::new(), 0);
@@ -106,7 +108,8 @@ fn literals(program: &Program, id: DefinitionId) -> Option<HashMap<u64, String>>
                 if let Some(text) = literal(program, expr.span) {
                     let known = literals.entry(value.to_bits()).or_insert(Some(text));
                     if *known != Some(text) {
-                        // Two of one number but perhaps of different dimensions: which of them this is, nobody knows.
+                        // Two constants with the same number may have different dimensions, so
+                        // neither text is used.
                         *known = None;
                     }
                 }
@@ -119,13 +122,13 @@ fn literals(program: &Program, id: DefinitionId) -> Option<HashMap<u64, String>>
         }
         pending.extend(expr.operands());
     }
-    // Derivatives and rules of simplification bring in these.
+    // Differentiation and simplification introduce these constants.
     let of_algebra = [0.0, 1.0, 2.0, -1.0].map(f64::to_bits);
     let sure = literals.into_iter().filter(|(bits, _)| !of_algebra.contains(bits));
     Some(sure.filter_map(|(bits, text)| Some((bits, text?.to_owned()))).collect())
 }
 
-/// The source of a number, if it is a literal or a name.
+/// Returns the source text of a number if it is a literal or a name.
 fn literal(program: &Program, span: Span) -> Option<&str> {
     let file = program.files.get(span.file.0 as usize)?;
     let text = file.text.get(span.start as usize..span.end as usize)?.trim();

@@ -1,4 +1,4 @@
-//! A model checked in one go, from a file or a text: what is wrong with its language, and with the gears it describes.
+//! Checks a model from a file or a text: its language, then its gears.
 
 use crate::diagnostics::has_errors;
 use crate::elaboration::{Params, elaborate};
@@ -16,20 +16,20 @@ use std::collections::BTreeMap;
 use std::io::{self, IsTerminal};
 use std::path::Path;
 
-/// What checking a model found.
+/// The result of checking a model.
 pub struct Checked {
-    /// `None` if there are errors of the language. A program may be there although its gears are impossible at these
-    /// params: others may mend that.
+    /// The program; `None` if the language rejects it. A program may exist although its gears are
+    /// impossible at these params, because other params may be valid.
     pub program: Option<Program>,
-    /// What the model says of itself, with the defaults and ranges of its params.
+    /// The model's own description, with the defaults and ranges of its params.
     pub description: ModelDescription,
     pub diagnostics: Vec<Diagnostic>,
     pub files: Vec<SourceFile>,
-    /// Types of the model's top-level names as shown to people.
+    /// Types of the model's top-level names, as displayed.
     pub types: BTreeMap<String, String>,
-    /// How the model would be analysed; `None` if it analyses nothing, or cannot.
+    /// The plan of the analysis; `None` if the model has no valid analysis.
     pub plan: Option<Planned>,
-    /// Why the params given from outside cannot be used.
+    /// The reason why the given params were rejected.
     pub refused: Option<Refused>,
 }
 
@@ -38,21 +38,22 @@ impl Checked {
         has_errors(&self.diagnostics)
     }
 
-    /// The diagnostics for people, in colour if standard error is a terminal.
+    /// Returns the diagnostics as text, in colour if standard error is a terminal.
     pub fn render(&self) -> String {
         render(&self.diagnostics, &self.files)
     }
 }
 
-/// Checks the model in a file at its params' defaults.
+/// Checks the model in a file with the defaults of its params.
 ///
 /// # Errors
-/// The file cannot be read. (A file that is not UTF-8 is readable, and wrong.)
+/// The file cannot be read. A file that is not UTF-8 is read and rejected with a diagnostic.
 pub fn check_file(path: &Path) -> io::Result<Checked> {
     check_at(path, Params::Defaults)
 }
 
-/// Checks the model in a file for a run with these params, its analysis changed like this.
+/// Checks the model in a file for a run with the given params and with settings that override those
+/// of its analysis.
 ///
 /// # Errors
 /// As for [`check_file`].
@@ -60,7 +61,7 @@ pub fn check_run(path: &Path, given: &[Given], overrides: Override) -> io::Resul
     check_run_within(path, given, overrides, None)
 }
 
-/// As [`check_run`], for a run whose memory is limited to so many bytes.
+/// Checks as [`check_run`] does, for a run with a memory limit in bytes.
 ///
 /// # Errors
 /// As for [`check_file`].
@@ -81,7 +82,7 @@ fn check_at(path: &Path, params: Params) -> io::Result<Checked> {
     })
 }
 
-/// The text of a file, or what is wrong with one that is none.
+/// Reads a text file. Returns a rejection if the file is not text.
 ///
 /// # Errors
 /// The file cannot be read.
@@ -91,13 +92,13 @@ pub fn read(path: &Path) -> io::Result<Result<String, Box<Checked>>> {
     Ok(String::from_utf8(bytes).map_err(|error| Box::new(not_utf8(&name, &error))))
 }
 
-/// Checks a model given as text; it can import the library only.
+/// Checks a model given as text. It can import only the library.
 pub fn check_text(name: &str, text: &str) -> Checked {
     check_with(name, text, &ModelLoader { folder: None }, Params::Defaults)
 }
 
-/// Checks a model again of which the texts of all its files are at hand: its own first, then those it uses. Nothing else is
-/// read.
+/// Checks a model whose files are all in memory: first the model's own file, then the imported
+/// ones. Reads no other file.
 pub fn check_sources(files: &[SourceFile]) -> Checked {
     let (name, text) = files.first().map_or(("", ""), |model| (&model.name, &model.text));
     check_with(name, text, &TextLoader(files), Params::Defaults)
@@ -114,7 +115,7 @@ fn check_with(name: &str, text: &str, loader: &dyn Loader, params: Params) -> Ch
         plan: None,
         refused: None,
     };
-    // Nobody holds this switch, so nobody cancels.
+    // No other code has access to this switch, so the elaboration cannot be cancelled.
     if let Some(program) = &result.program
         && let Ok(elaboration) = elaborate(program, params, &Cancel::default())
     {
@@ -129,10 +130,10 @@ fn check_with(name: &str, text: &str, loader: &dyn Loader, params: Params) -> Ch
     result
 }
 
-/// Diagnostics that are shown at most; a text with more of them is not a model.
+/// Limit of the diagnostics shown; a text with more is probably not a model.
 const MOST_SHOWN: usize = 200;
 
-/// Diagnostics as text for standard error.
+/// Returns the diagnostics as text for standard error.
 pub fn render(diagnostics: &[Diagnostic], files: &[SourceFile]) -> String {
     let colour = if io::stderr().is_terminal() { Colour::Always } else { Colour::Never };
     let mut renderer = Renderer::new(files, colour);

@@ -1,4 +1,4 @@
-//! What a planned analysis will cost on a machine of known rates.
+//! Predicted cost of a planned analysis on a machine with known rates.
 
 use crate::plan::{Planned, PlannedWork};
 use calyx_runtime::cost::{AnalysisCost, Rates};
@@ -6,30 +6,31 @@ use calyx_runtime::estimate::Estimates;
 use calyx_runtime::overriding::Grid;
 use calyx_runtime::tolerance::{SearchCost, search_cost};
 
-/// The costs of a plan's parts.
+/// The costs of the parts of a plan.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PlannedCost {
     /// Cost of the analysis with the model's own setting.
     pub analysis: AnalysisCost,
-    /// The tolerance, and the cost of the search for a setting that meets it, if the model asks for one.
+    /// The tolerance and the cost of the search for a setting that meets it, if the model requests
+    /// a tolerance.
     pub search: Option<(f64, SearchCost)>,
     estimates: Estimates,
 }
 
-/// Positions at which settings are compared for a tolerance: some spread over all of them, and the
-/// characteristic points of a mesh cycle.
+/// Number of positions at which settings are compared for a tolerance: some are spread over all
+/// positions, the others are the characteristic points of a mesh cycle.
 const COMPARED: usize = 8;
 
 impl PlannedCost {
     fn of(work: &PlannedWork, rates: &Rates) -> PlannedCost {
         let task = work.task();
-        // The scene has been planned already.
+        // The scene was planned before, so planning cannot fail here.
         let analysis = task.cost(rates).unwrap_or_default();
         let search = work.tolerance().map(|tolerance| (tolerance, search_cost(&task, COMPARED, rates)));
         PlannedCost { analysis, search, estimates: work.estimates() }
     }
 
-    /// s; of a search for a setting the most that it takes.
+    /// Time, s. For a tolerance search, an upper bound.
     pub fn time(&self) -> f64 {
         self.search.as_ref().map_or(self.analysis.time(), |(_, search)| search.most)
     }
@@ -40,7 +41,7 @@ impl PlannedCost {
         rungs.map(|rung| rung.memory).fold(self.analysis.memory(), f64::max)
     }
 
-    /// The predictions as a section of a plan.
+    /// Returns the predictions as a section of a plan.
     pub fn text(&self) -> String {
         let lines = match &self.search {
             Some((tolerance, search)) => search_lines(*tolerance, search),
@@ -93,7 +94,7 @@ fn search_lines(tolerance: f64, search: &SearchCost) -> Vec<String> {
     lines
 }
 
-/// In two digits or so: more would be a promise.
+/// Formats a number of bytes with about two digits, the precision of the prediction.
 fn bytes(count: f64) -> String {
     match count {
         count if count < 1e9 => format!("{:.0} MB", (1e-6 * count).ceil()),
@@ -112,17 +113,18 @@ fn seconds(time: f64) -> String {
 }
 
 impl Planned {
-    /// Half the cells of the contact grids, the largest of all meshes; `None` if nothing meshes.
+    /// Returns half the cells of the contact grids, the maximum over all meshes; `None` without
+    /// meshes.
     pub fn grid(&self) -> Option<Grid> {
         self.meshes.iter().map(|mesh| mesh.grid).max_by_key(|grid| grid.half_cells)
     }
 
-    /// Whether positions can be left out of its analysis.
+    /// Returns `true` if the analysis may skip positions.
     pub fn is_sampled(&self) -> bool {
         !self.in_time && self.positions.iter().sum::<usize>() >= 8
     }
 
-    /// What it will cost.
+    /// Predicts the cost.
     pub fn cost(&self, rates: &Rates) -> PlannedCost {
         PlannedCost::of(&self.work, rates)
     }

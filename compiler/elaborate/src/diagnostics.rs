@@ -1,4 +1,4 @@
-//! What the engine and the library say, as diagnostics at the place to blame.
+//! Converts errors of the engine and the library to diagnostics at the responsible source location.
 
 use calyx_abi::RuntimeError;
 use calyx_gears::error::Severity as FindingSeverity;
@@ -7,12 +7,12 @@ use calyx_lang::diagnostic::{Diagnostic, Severity};
 use calyx_lang::span::{FileId, Span};
 use calyx_lower::interpret::CallSites;
 
-/// Whether one of them is an error.
+/// Returns `true` if any diagnostic is an error.
 pub fn has_errors(diagnostics: &[Diagnostic]) -> bool {
     diagnostics.iter().any(|diagnostic| diagnostic.severity == Severity::Error)
 }
 
-/// A run-time error as a diagnostic at its place.
+/// Converts a run-time error to a diagnostic at its source location.
 pub fn diagnostic(error: &RuntimeError) -> Diagnostic {
     let label = if error.argument.is_some() { "because of this" } else { "it happened here" };
     let mut diagnostic = Diagnostic::error(&error.code, &error.message, place(error.place), label);
@@ -23,7 +23,7 @@ pub fn diagnostic(error: &RuntimeError) -> Diagnostic {
         .iter()
         .fold(diagnostic, |diagnostic, (at, note)| diagnostic.label(place(Some(*at)), note.clone()));
     match (error.help.as_str(), error.details.origin.as_str()) {
-        // A `throw` in the library has no help of its own; its code has a page.
+        // A `throw` in the library has no help of its own; the page of its code explains it.
         ("", "") if error.code.starts_with("E08") => {
             diagnostic.help(format!("see `calyx explain {}` for what to do", error.code))
         }
@@ -33,7 +33,8 @@ pub fn diagnostic(error: &RuntimeError) -> Diagnostic {
     }
 }
 
-/// What the library found beside the error that stopped the model, placed on the argument to blame.
+/// Converts a finding that accompanies the error that stopped the model, located at the responsible
+/// argument.
 pub fn finding_diagnostic(finding: &Finding, sites: &CallSites) -> Diagnostic {
     let mut error = finding.error.clone();
     sites.blame(&mut error);
@@ -46,7 +47,7 @@ pub fn finding_diagnostic(finding: &Finding, sites: &CallSites) -> Diagnostic {
     }
 }
 
-/// The span of a place as running programs note it.
+/// Converts a source location of a running program to a span.
 pub fn place(place: Option<(u32, u32, u32)>) -> Span {
     let (file, start, end) = place.unwrap_or_default();
     Span { file: FileId(file), start, end }

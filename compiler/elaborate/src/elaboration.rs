@@ -1,4 +1,4 @@
-//! Running a program without solving anything, and what that shows.
+//! Runs a program without solving anything, and collects what it describes.
 
 use crate::diagnostics::{diagnostic, finding_diagnostic, place};
 use crate::geometry::Geometry;
@@ -26,27 +26,29 @@ use std::collections::BTreeMap;
 use std::fmt;
 use std::sync::{Arc, Mutex};
 
-/// Basic blocks a program may enter while it is checked: models build and end; one that does not is stopped.
+/// Limit of the basic blocks that a program may enter during checking. A program that does not end
+/// is stopped.
 pub const FUEL: u64 = 20_000_000;
 
-/// Bytes that its values and its output may take meanwhile: an editor checks several models beside other programs.
+/// Memory limit, bytes, for the program's values and output during checking. It is small because an
+/// editor checks several models at the same time.
 pub const MEMORY: u64 = 256_000_000;
 
-/// Goes on, unless somebody has cancelled.
+/// Returns an error if the elaboration was cancelled.
 fn go_on(cancel: &Cancel) -> Result<(), Cancelled> {
     if cancel.is_cancelled() { Err(Cancelled) } else { Ok(()) }
 }
 
-/// What the engine asks whether to go on.
+/// Returns the interrupt that the engine polls.
 fn interrupt(cancel: &Cancel) -> Interrupt {
     let cancel = cancel.clone();
-    // Nobody reads the error: who finds the elaboration cancelled has no answer.
+    // The message is never shown: a cancelled elaboration has no result.
     Interrupt::new(move || {
         go_on(&cancel).map_err(|Cancelled| EngineError::new(codes::CANCELLED, Cancelled.to_string(), ""))
     })
 }
 
-/// An elaboration was stopped by its [`Cancel`]; what it had found until then means nothing.
+/// The elaboration was stopped by its [`Cancel`]; there is no partial result.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Cancelled;
 
@@ -58,45 +60,46 @@ impl fmt::Display for Cancelled {
 
 impl std::error::Error for Cancelled {}
 
-/// The params at which a model is elaborated.
+/// The params for which a model is elaborated.
 #[derive(Clone, Copy, Debug)]
 pub enum Params<'a> {
     Defaults,
-    /// For a run, which may take as long as it likes, and which may change the analysis.
-    /// The memory is that of the run, bytes, if it has a limit.
+    /// The params of a run, the settings that override its analysis, and its memory limit in bytes,
+    /// if any. A run has no time limit.
     Given(&'a [Given], Override, Option<u64>),
 }
 
-/// What a program describes, at some params.
+/// The description of a model for particular params.
 #[derive(Debug, Default)]
 pub struct Elaboration {
-    /// What the model says of itself, with the defaults and ranges of its params.
+    /// The model's own description, with the defaults and ranges of its params.
     pub description: ModelDescription,
-    /// What is wrong with the gears and the scene, and what failed, in order of file and place.
+    /// Problems of the gears and the scene, and failures, in order of file and position.
     pub found: Vec<Diagnostic>,
-    /// Why the params given from outside cannot be used.
+    /// The reason why the given params were rejected.
     pub refused: Option<Refused>,
-    /// `false` if the program cannot be run at any params; `found` says why.
+    /// `false` if the program cannot run for any params; `found` has the reason.
     pub runnable: bool,
-    /// How the scene would be analysed; `None` if there is nothing to analyse or something is wrong with it.
+    /// The plan of the analysis; `None` if there is no analysis or the scene has errors.
     pub plan: Option<Planned>,
-    /// Values of the top level's variables at its end; of those that hold no expression, number, text or truth value
-    /// there is none.
+    /// Final values of the top level's variables. Variables are omitted unless their value is an
+    /// expression, a number, text or a truth value.
     pub values: BTreeMap<String, Value>,
-    /// What follows from the gears and meshes that were made, also where others are impossible.
+    /// Derived geometry of the valid gears and meshes, also if others are impossible.
     pub geometry: Geometry,
 }
 
-/// Runs a program without solving anything. It never fails: what is wrong is found, and of several gears one that is
-/// impossible does not hide the others.
+/// Runs a program without solving anything. Problems of the model are collected in the result, and
+/// an impossible gear does not hide the problems of the others.
 ///
 /// # Errors
-/// It was cancelled.
+/// The elaboration was cancelled.
 pub fn elaborate(program: &Program, params: Params, cancel: &Cancel) -> Result<Elaboration, Cancelled> {
     elaborate_with(program, params, cancel, None)
 }
 
-/// Elaborates a program at its params' defaults: the lines it prints, and what was found.
+/// Elaborates a program with the defaults of its params. Returns the lines it prints and the
+/// diagnostics.
 pub fn elaborate_printing(program: &Program) -> (Vec<String>, Vec<Diagnostic>) {
     let lines = Arc::new(Mutex::new(Vec::new()));
     let printed = lines.clone();
@@ -110,7 +113,7 @@ pub fn elaborate_printing(program: &Program) -> (Vec<String>, Vec<Diagnostic>) {
     (lines, elaboration.map(|elaboration| elaboration.found).unwrap_or_default())
 }
 
-/// Receives each line that a program prints.
+/// A callback that receives each line that a program prints.
 type PrintLine = Box<dyn FnMut(&str) + Send>;
 
 fn elaborate_with(
@@ -167,7 +170,7 @@ fn elaborate_with(
     let (mut refused, mut planned, mut geometry) = (None, None, Geometry::default());
     let mut read = Vec::new();
     if let Some(host) = context.host::<ModelHost>() {
-        // Of a scene that is not complete nobody can say what it would do.
+        // An incomplete scene has no meaningful analysis.
         if ran.is_ok() && survived.is_empty() {
             check_unheld(host);
             if !host.scene.pairs.is_empty() || host.asked.is_some() {
@@ -176,7 +179,7 @@ fn elaborate_with(
                     Err(error) => found.push(at_place(&error)),
                 }
             }
-            // An analysis says it itself; there may be none yet.
+            // An analysis checks this itself, but the model may not have one yet.
             if host.asked.is_none() {
                 found.extend(check_signals(host).err().iter().map(at_place));
                 let description = interpreted.description();
@@ -193,11 +196,11 @@ fn elaborate_with(
         found.extend(host.findings.iter().map(|finding| finding_diagnostic(finding, &sites)));
     }
     match ran {
-        // A run may take longer than checking.
+        // A run may need more steps than checking allows.
         Err(Error::Model(error))
             if matches!(error.code.as_str(), codes::LIMIT | codes::EXHAUSTED)
                 && matches!(params, Params::Given(..)) => {}
-        // What comes after a call that failed may follow from it.
+        // An error after a failed call may be a consequence of that failure.
         Err(Error::Model(error)) if survived.is_empty() => found.push(at_place(&error)),
         Err(Error::Model(_)) => {}
         Err(Error::Given(why)) => match params {
@@ -207,7 +210,7 @@ fn elaborate_with(
         Ok(_) => {}
     }
     found.sort_by_key(|diagnostic| (diagnostic.primary.span.file, diagnostic.primary.span.start));
-    // A loop says the same at every turn.
+    // A loop repeats the same diagnostic in every iteration.
     found.dedup();
     go_on(cancel)?;
     Ok(Elaboration {
@@ -225,14 +228,14 @@ fn elaborate_with(
     })
 }
 
-/// A program that cannot be run at any params.
+/// Returns the result for a program that cannot run for any params.
 fn unrunnable(found: Box<Diagnostic>) -> Elaboration {
     Elaboration { found: vec![*found], ..Elaboration::default() }
 }
 
-/// A default that its param does not allow.
+/// Returns the diagnostic for a default that its param does not allow.
 fn wrong_default(program: &Program, Refused { message, help, .. }: Refused) -> Diagnostic {
-    // Messages about params begin with the name.
+    // Messages about params start with the name.
     let name = message.split('`').nth(1).unwrap_or_default();
     let param = program.params.iter().find(|param| param.name == name);
     let span = param.map_or(Span::default(), |param| param.span);

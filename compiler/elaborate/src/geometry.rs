@@ -1,4 +1,4 @@
-//! The geometry that follows from a model, by the calls that made it: what a gear engineer asks of a gear in the source.
+//! Derived geometry of gears and meshes, by the call that created them, for display in the source.
 
 use calyx_gears::derived::{Quantity, of_gear, of_mesh};
 use calyx_gears::host::{Meeting, ModelHost};
@@ -6,78 +6,80 @@ use calyx_lang::span::Span;
 
 use crate::diagnostics::place;
 
-/// Gears or meshes that are kept of one call: what a loop makes is counted, and the first shown.
+/// Number of gears or meshes that are stored for each call. A loop may create more; these are
+/// counted.
 pub const MOST_PER_CALL: usize = 4;
 
-/// Everything that was made, by the calls that made it.
+/// All gears and meshes, by the calls that created them.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Geometry {
-    /// In order of first execution.
+    /// Gears, in order of first execution.
     pub gears: Vec<Made<GearGeometry>>,
     pub meshes: Vec<Made<MeshGeometry>>,
 }
 
-/// What one call made, which may run many times.
+/// The gears or meshes created by one call, which may run many times.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Made<T> {
-    /// The whole call.
+    /// Source range of the whole call.
     pub span: Span,
-    /// How many it made.
+    /// Number of objects that the call created.
     pub count: usize,
-    /// The first of them, at most [`MOST_PER_CALL`].
+    /// The first objects, at most [`MOST_PER_CALL`].
     pub first: Vec<T>,
 }
 
-/// A gear and what follows from its data.
+/// A gear and its derived data.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GearGeometry {
     /// Names of the bodies that have this gear.
     pub bodies: Vec<String>,
     pub quantities: Vec<Quantity>,
-    /// Its meshes, as far as they are kept.
+    /// Its meshes, as far as they are stored.
     pub meshes: Vec<Membership>,
 }
 
-/// A gear's place in a mesh.
+/// The role of a gear in a mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Membership {
-    /// Index of the call in [`Geometry::meshes`], and of the mesh among those it made.
+    /// Index of the call in [`Geometry::meshes`], and of the mesh within this call.
     pub call: usize,
     pub index: usize,
     /// 0 for the first gear of the mesh, 1 for the second.
     pub member: usize,
 }
 
-/// Two gears in mesh and what follows from that. A pair that cannot run has a geometry too, as long as it can touch.
+/// Two gears in mesh and the derived data of the pair. A pair that cannot run also has a geometry,
+/// if its teeth can touch.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MeshGeometry {
     /// Names of the two bodies.
     pub bodies: [String; 2],
-    /// Calls that made their gears.
+    /// The calls that created the gears.
     pub gears: [Span; 2],
     pub quantities: Vec<Quantity>,
 }
 
 impl Geometry {
-    /// The gear call around a place of a file: the smallest one that holds the offset.
+    /// Returns the innermost gear call that contains an offset of a file.
     pub fn gear_at(&self, file: u32, offset: u32) -> Option<&Made<GearGeometry>> {
         at(&self.gears, file, offset)
     }
 
-    /// The mesh call around a place.
+    /// Returns the innermost mesh call that contains an offset of a file.
     pub fn mesh_at(&self, file: u32, offset: u32) -> Option<&Made<MeshGeometry>> {
         at(&self.meshes, file, offset)
     }
 
-    /// The mesh of a membership.
+    /// Returns the mesh of a membership.
     pub fn mesh(&self, membership: Membership) -> Option<&MeshGeometry> {
         self.meshes.get(membership.call)?.first.get(membership.index)
     }
 
-    /// What was made until the program ended, however it ended.
+    /// Collects what the program created before it ended, whether it succeeded or not.
     pub(crate) fn of(host: &ModelHost) -> Geometry {
         let mut geometry = Geometry::default();
-        // Of each gear of the host: its call and its index there, if it is kept.
+        // For each gear of the host: its call and its index within the call, if it is stored.
         let mut kept = Vec::with_capacity(host.gears.len());
         for (gear, made_at) in host.gears.iter().zip(&host.gear_places) {
             let gear = || GearGeometry { bodies: Vec::new(), quantities: of_gear(gear), meshes: Vec::new() };
@@ -117,9 +119,10 @@ fn at<T>(calls: &[Made<T>], file: u32, offset: u32) -> Option<&Made<T>> {
     calls.iter().filter(around).min_by_key(|made| made.span.end - made.span.start)
 }
 
-/// Counts one more of a call, and keeps it if it is among the first: the index of the call and its own there.
+/// Counts one more object of a call and stores it if it is among the first. Returns the index of
+/// the call and the index within the call.
 fn add<T>(calls: &mut Vec<Made<T>>, span: Span, make: impl FnOnce() -> T) -> Option<(usize, usize)> {
-    // A loop comes back to the same few calls.
+    // A loop repeats the last few calls, so the search starts at the end.
     let call = calls.iter().rposition(|made| made.span == span).unwrap_or_else(|| {
         calls.push(Made { span, count: 0, first: Vec::new() });
         calls.len() - 1
@@ -132,7 +135,7 @@ fn add<T>(calls: &mut Vec<Made<T>>, span: Span, make: impl FnOnce() -> T) -> Opt
     })
 }
 
-/// A meeting of two bodies, and the numbers of their gears.
+/// Returns the geometry of a mesh between two bodies, and the indices of their gears.
 fn mesh(host: &ModelHost, meeting: &Meeting) -> Option<(MeshGeometry, [usize; 2])> {
     let [first, second] = meeting.bodies;
     let numbers = [(*host.body_gears.get(first)?)?, (*host.body_gears.get(second)?)?];

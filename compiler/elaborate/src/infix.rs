@@ -1,31 +1,32 @@
-//! Simplified expressions in the notation of the language, parts that are used again under names of their own.
+//! Formats simplified expressions in the notation of the language. Subexpressions that occur
+//! repeatedly are named.
 
 use crate::shown::rounded;
 use calyx_lower::kernels::{DefinitionGraph, Shape};
 use calyx_symbolic::{Binary, Factor, Node, NodeId, Unary};
 use std::collections::HashMap;
 
-/// A part longer than this gets a name, so that no line is too long to be read.
+/// A subexpression longer than this is named, to limit the length of lines.
 const LONGEST: usize = 90;
-/// A part used more than once gets a name if it is longer than this.
+/// A repeated subexpression longer than this is named.
 const WORTH_A_NAME: usize = 20;
-/// Parts beyond which nobody reads on.
+/// Limit of the named subexpressions.
 const MOST_PARTS: usize = 12;
-/// Operations beyond which nothing is written.
+/// Limit of the operations; larger expressions are not formatted.
 const MOST_OPERATIONS: usize = 300;
 
 /// An expression in the notation of the language.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Infix {
-    /// The whole, in terms of the parts.
+    /// The whole expression, in terms of the named parts.
     pub value: String,
-    /// Parts by name, each in terms of those before it.
+    /// Named parts, each in terms of earlier parts.
     pub parts: Vec<(String, String)>,
-    /// Numbers in it were computed from others, so they are in SI and have lost their unit.
+    /// `true` if it contains computed numbers, which are in SI units and have lost their unit.
     pub bare: bool,
 }
 
-/// How tightly the outermost operation of a text binds, loosest first.
+/// Precedence of the outermost operation of a text, lowest first.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Binding {
     Choice,
@@ -39,7 +40,7 @@ enum Binding {
     Atom,
 }
 
-/// A text and what surrounds it must know of it.
+/// A text with the properties that determine whether it needs brackets.
 #[derive(Clone)]
 struct Piece {
     text: String,
@@ -51,14 +52,14 @@ impl Piece {
         Piece { text: text.into(), binding: Binding::Atom }
     }
 
-    /// In a place that holds what binds at least so tightly.
+    /// Returns the text, in brackets if its precedence is lower than `least`.
     fn within(&self, least: Binding) -> String {
         if self.binding >= least { self.text.clone() } else { format!("({})", self.text) }
     }
 }
 
-/// The expression as text; `None` if it is too long to be read. `literals` are constants as the source writes them, by the
-/// bits of their number.
+/// Returns the expression as text; `None` if it is too long to read. `literals` maps the bits of a
+/// number to its text in the source.
 pub(crate) fn infix(definition: &DefinitionGraph, literals: &HashMap<u64, String>) -> Option<Infix> {
     let roots = definition.shape.nodes();
     let nodes = definition.graph.reachable(&roots, |_| true);
@@ -85,7 +86,7 @@ pub(crate) fn infix(definition: &DefinitionGraph, literals: &HashMap<u64, String
     (writer.out.value.len() <= LONGEST * MOST_PARTS).then_some(writer.out)
 }
 
-/// What names of parts begin with: no input has such a name.
+/// Returns the prefix for names of parts: one that no input's name starts with.
 fn prefix(definition: &DefinitionGraph) -> &'static str {
     let taken = |prefix: &&str| {
         let numbered = |name: &str| {
@@ -100,7 +101,7 @@ struct Writer<'a> {
     definition: &'a DefinitionGraph,
     literals: &'a HashMap<u64, String>,
     uses: HashMap<NodeId, usize>,
-    /// Products of one factor: the factor, and how often.
+    /// Repeated products: the base and the exponent.
     powers: HashMap<NodeId, (NodeId, u32)>,
     pieces: HashMap<NodeId, Piece>,
     out: Infix,
@@ -108,7 +109,7 @@ struct Writer<'a> {
 }
 
 impl Writer<'_> {
-    /// How often each node is written, if none gets a name.
+    /// Counts how often each node would be written if no part were named.
     fn count(&mut self, nodes: &[NodeId], roots: &[NodeId]) {
         for root in roots {
             *self.uses.entry(*root).or_default() += 1;
@@ -182,7 +183,7 @@ impl Writer<'_> {
         if let Some(literal) = self.literals.get(&(-value).to_bits()) {
             return Piece { text: format!("-{literal}"), binding: Binding::Sign };
         }
-        // Whole numbers are exponents, orders and counts.
+        // Small integers are exponents, orders and counts and have no unit.
         self.out.bare |= value.fract() != 0.0 || value.abs() >= 100.0;
         if value < 0.0 {
             return Piece { text: rounded(value), binding: Binding::Sign };
@@ -230,7 +231,7 @@ impl Writer<'_> {
         match operation {
             Binary::Add => {
                 let second = self.piece(b);
-                // A negative constant stands second.
+                // A negative constant is the second operand.
                 if let Some(positive) =
                     second.text.strip_prefix('-').filter(|_| second.binding == Binding::Sign)
                 {
@@ -257,7 +258,8 @@ impl Writer<'_> {
         }
     }
 
-    /// Two operands, of which what is on the right binds more tightly unless grouping does not matter.
+    /// Formats a binary operation. The right operand needs a higher precedence, unless the
+    /// operation is associative.
     fn between(&self, a: NodeId, sign: &str, b: NodeId, binding: Binding) -> Piece {
         let tighter = match binding {
             Binding::Sum => Binding::Product,
@@ -266,7 +268,7 @@ impl Writer<'_> {
             same => same,
         };
         let left = if binding == Binding::Comparison { tighter } else { binding };
-        // A sum of sums and a product of products read without brackets.
+        // Sums of sums and products of products need no brackets.
         let right = if matches!(sign, "+" | "*") { binding } else { tighter };
         let text = format!("{} {sign} {}", self.piece(a).within(left), self.piece(b).within(right));
         Piece { text, binding }
@@ -285,7 +287,7 @@ impl Writer<'_> {
         })
     }
 
-    /// A sum over the axes.
+    /// Formats a vector as a sum over the axes.
     fn vector(&self, vector: [NodeId; 3]) -> Piece {
         let whole: Vec<String> = vector.iter().map(|id| self.piece(*id).text).collect();
         if let [Some(x), Some(y), Some(z)] =
@@ -322,14 +324,15 @@ impl Writer<'_> {
         }
     }
 
-    /// The chain, read right to left from ground as it is written. `None` if a factor cannot be written.
+    /// Formats a chain of transformations, from right to left starting at ground. Returns `None` if
+    /// a factor has no notation.
     fn frame(&self, factors: &[Factor]) -> Option<Piece> {
         let factor = |factor: &Factor| match factor {
             Factor::Translate(vector) => Some(format!("Translate({})", self.vector(*vector).text)),
             Factor::Rotate { angle, axis } => {
                 Some(format!("Rotate({}, {})", self.piece(*angle).text, self.vector(*axis).text))
             }
-            // A frame that was captured stands as its twelve numbers.
+            // A captured frame is an input of twelve numbers.
             Factor::Rigid { rotation, .. } => {
                 let first = self.piece(rotation[0][0]).text;
                 first.strip_suffix("[0]").map(str::to_owned)

@@ -1,4 +1,4 @@
-//! A model run by the interpreter: what `check` does, and what compiled models are compared with.
+//! A model run by the interpreter: used by `check`, and as the reference for compiled models.
 
 use calyx_abi::description::{ModelDescription, ParamValue};
 use calyx_abi::{Context, Kernel, Purity, Repr, RuntimeError, Slot};
@@ -22,17 +22,17 @@ pub struct Interpreted<'p> {
 }
 
 impl<'p> Interpreted<'p> {
-    /// Prepares a model; of the engine's functions it calls only those that do no more than `allow`.
+    /// Prepares a model. Calls only engine functions whose purity is at most `allow`.
     ///
     /// # Errors
-    /// E0708 where the program declares a function the engine does not have, E0709 where an expression cannot be made
-    /// a kernel.
+    /// E0708 if the program declares a function that the engine lacks; E0709 if an expression has
+    /// no kernel.
     pub fn new(program: &'p Program, allow: Purity) -> Result<Self, Box<Diagnostic>> {
         let tapes = lower_sites(program).map_err(|error| no_kernel(&error))?;
         Self::with_tapes(program, allow, tapes)
     }
 
-    /// The same with the kernels of all sites, in order.
+    /// Prepares a model with the kernels of all sites, in order.
     pub(crate) fn with_tapes(
         program: &'p Program,
         allow: Purity,
@@ -47,18 +47,19 @@ impl<'p> Interpreted<'p> {
         Ok(Interpreted { program, interpreter, kernels, description })
     }
 
-    /// Goes on after calls of the library that find something wrong with the model; see [`Interpreted::failures`].
+    /// Continues after library calls that report a problem of the model; see
+    /// [`Interpreted::failures`].
     pub fn going_on(mut self) -> Self {
         self.interpreter = self.interpreter.going_on();
         self
     }
 
-    /// What the program survived, in order.
+    /// Returns the failures after which the program continued, in order.
     pub fn failures(&self) -> Vec<RuntimeError> {
         self.interpreter.failures()
     }
 
-    /// Follows every NaN to where it arises.
+    /// Enables NaN tracing.
     pub(crate) fn tracing(mut self) -> Self {
         self.interpreter = self.interpreter.tracing();
         self
@@ -68,12 +69,12 @@ impl<'p> Interpreted<'p> {
         self.interpreter.trace()
     }
 
-    /// Runs the model's top level: the slots of its variables at its end.
+    /// Runs the model's top level and returns the final slots of its variables.
     pub(crate) fn main_to_values(&self, context: &mut Context) -> Result<Vec<Slot>, RuntimeError> {
         self.interpreter.run_main_to_values(context)
     }
 
-    /// Fills in the defaults and ranges of the params, which `context` holds at their defaults.
+    /// Sets the defaults and ranges of the params. `context` has the params at their defaults.
     pub(crate) fn describe_params(&mut self, context: &mut Context) -> Result<(), Error> {
         for index in 0..self.description.params.len() {
             let mut end = |which| {
@@ -112,13 +113,13 @@ impl<'p> Interpreted<'p> {
     }
 }
 
-/// An expression of which no kernel can be made, as a diagnostic.
+/// Converts the error of an expression without a kernel to a diagnostic.
 pub(crate) fn no_kernel(error: &KernelError) -> Box<Diagnostic> {
     let found = Diagnostic::error("E0709", &error.message, error.span, "this expression");
     Box::new(if error.help.is_empty() { found } else { found.help(&error.help) })
 }
 
-/// The function that computes a param's default or an end of its range.
+/// Returns the function that computes a param's default or a limit of its range.
 pub fn param_function(program: &Program, param: usize, which: ParamFunction) -> Option<FunctionId> {
     let param = program.params.get(param)?;
     match which {

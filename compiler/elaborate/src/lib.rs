@@ -1,23 +1,24 @@
-//! Elaboration: what a model describes, known without solving anything.
+//! Elaboration: runs a model without solving it, to find its gears, its problems and the plan of
+//! its analysis.
 //!
-//! A typed program is interpreted at some params with the functions that build a scene and none that solve one. That shows
-//! what is wrong with its gears and meshes and how it would be analysed. `calyx check` does it once; an editor does it in the
-//! background, again after every edit, and cancels what an edit supersedes.
+//! Elaboration interprets a typed program for particular params. It calls the functions that build
+//! a scene, but none that solves one. `calyx check` elaborates once. An editor elaborates in the
+//! background after every edit, and cancels elaborations that an edit supersedes.
 //!
 //! | question | answer |
 //! |---|---|
-//! | what is wrong with the gears? | [`Elaboration::found`] |
-//! | what follows from the gear or mesh at this call? | [`Elaboration::geometry`]: [`Geometry::gear_at`], [`Geometry::mesh_at`]; as text by [`shown::value`] |
-//! | what does this variable or param hold? | [`Elaboration::values`], [`values::default_of`], [`values::range_of`] |
-//! | how would it be analysed? | [`Elaboration::plan`]: [`Planned::text`] |
-//! | what does this `:=` stand for? | [`binding::definition_in`], [`binding::binding`]: from the program alone |
-//! | what did the last run give? | [`results::RunSummary`]: from its directory |
+//! | Which gears have problems? | [`Elaboration::found`] |
+//! | What is the geometry of the gear or mesh at this call? | [`Elaboration::geometry`]: [`Geometry::gear_at`], [`Geometry::mesh_at`]; as text by [`shown::value`] |
+//! | What is the value of this variable or param? | [`Elaboration::values`], [`values::default_of`], [`values::range_of`] |
+//! | How would it be analysed? | [`Elaboration::plan`]: [`Planned::text`] |
+//! | What is the expression of this `:=`? | [`binding::definition_in`], [`binding::binding`]: from the program alone |
+//! | What are the results of the last run? | [`results::RunSummary`]: from its directory |
 //!
 //! ```
 //! use calyx_elaborate::{Cancel, ModelLoader, Params, elaborate};
 //! let text = "var a = 1; assert(a > 2);";
 //! let checked = calyx_lang::check::check_program("model.cx", text, &ModelLoader { folder: None });
-//! let program = checked.program.expect("the language has nothing against it");
+//! let program = checked.program.expect("the language accepts the text");
 //! let elaboration = elaborate(&program, Params::Defaults, &Cancel::default())?;
 //! assert_eq!(elaboration.found[0].code, "E0705");
 //! # Ok::<(), calyx_elaborate::Cancelled>(())

@@ -1,4 +1,5 @@
-//! Where imported modules come from: the library, then files beside the model; or the texts a compiled model brings along.
+//! Loaders of imported modules: from the library and the model's folder, or from the sources stored
+//! in a compiled model.
 
 use calyx_gears::library::{MODULES, PRELUDE};
 use calyx_gears::tables::read_below;
@@ -6,7 +7,7 @@ use calyx_lang::check::Loader;
 use calyx_lang::ir::SourceFile;
 use std::path::{Path, PathBuf};
 
-/// Finds modules for a model.
+/// Loads modules from the library and from the model's folder.
 pub struct ModelLoader {
     /// The model's folder; `None` for text that is not from a file.
     pub folder: Option<PathBuf>,
@@ -36,15 +37,17 @@ impl Loader for ModelLoader {
     }
 }
 
-/// Text of the module in a file below a model's folder; `None` if there is no such file.
+/// Returns the text of a module in a file below a model's folder; `None` if the file does not
+/// exist.
 ///
-/// The rule for files is that of `read_table`: regular files below the folder, symbolic links resolved.
+/// As for `read_table`, the module must be a regular file below the folder after symbolic links are
+/// resolved.
 ///
 /// # Errors
-/// Says why a file that is there is not read.
+/// The reason why an existing file cannot be read.
 pub fn read_module(folder: &Path, path: &[String]) -> Result<Option<String>, String> {
     let relative = beside(Path::new(""), path);
-    // A folder without a name is the working directory.
+    // An empty path is the working directory.
     let folder = if folder == Path::new("") { Path::new(".") } else { folder };
     if std::fs::symlink_metadata(folder.join(&relative)).is_err() {
         return Ok(None);
@@ -55,7 +58,7 @@ pub fn read_module(folder: &Path, path: &[String]) -> Result<Option<String>, Str
     }
 }
 
-/// The file of a module that is not the library's.
+/// Returns the path of a module that is not part of the library.
 fn beside(folder: &Path, path: &[String]) -> PathBuf {
     let mut file = folder.to_path_buf();
     file.extend(path);
@@ -63,7 +66,8 @@ fn beside(folder: &Path, path: &[String]) -> PathBuf {
     file
 }
 
-/// Finds modules among texts that were checked before: the model's first, then those it used, by the names they had.
+/// Loads modules from texts that were checked before: the model's own first, then the imported
+/// ones, by the names they had.
 pub struct TextLoader<'a>(pub &'a [SourceFile]);
 
 impl TextLoader<'_> {
@@ -99,7 +103,7 @@ mod tests {
     use std::fs;
     use std::os::unix::fs::symlink;
 
-    /// Diagnostics of a model that imports `part`, a file that `make` creates.
+    /// Returns the diagnostics of a model that imports `part`, a file that `make` creates.
     fn imported(name: &str, make: impl FnOnce(&Path, &Path)) -> Vec<String> {
         let root = std::env::temp_dir().join(format!("calyx-loader-{name}-{}", std::process::id()));
         let folder = root.join("model");

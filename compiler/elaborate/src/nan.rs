@@ -1,7 +1,8 @@
-//! Tells where a NaN came from that stopped a model: the expression it arose in, what its operation was given, and when.
+//! Explains a NaN that stopped a model: the expression that produced it, the operands, and the
+//! time.
 //!
-//! Kernels note the inputs at which NaN came out of them. If the cause lies before, in the program itself, the program is
-//! interpreted once more, following every NaN.
+//! Kernels record the inputs for which an output was NaN. If the NaN was produced earlier, by the
+//! program itself, the program is interpreted again with NaN tracing.
 
 use crate::interpreted::Interpreted;
 use calyx_abi::error::Place;
@@ -15,22 +16,24 @@ use calyx_lower::nan::NanSource;
 use calyx_rt::program::ParamFunction;
 use calyx_rt::{Given, Program as _, Seen, apply};
 
-/// Codes of errors that NaN causes: of a frame, an argument, an output.
+/// Codes of errors that a NaN causes: in a frame, an argument, an output.
 const FRAME: &str = "E0710";
 const ARGUMENT: &str = "E0722";
 const OUTPUT: &str = "E0721";
 
-/// The site to blame for an error, and the inputs at which it gave NaN.
+/// Returns the site that is responsible for an error, and the inputs for which its kernel returned
+/// NaN.
 fn blamed(program: &Program, seen: &Seen, code: &str) -> Option<(usize, Vec<f64>)> {
     let inputs = |site| Some((site, seen.inputs(site)?));
     match code {
-        // The first output that is not a number is the one that is reported.
+        // The error reports the first output that is NaN.
         OUTPUT => program.outputs.iter().find_map(|output| inputs(output.site.0 as usize)),
         _ => inputs(seen.last()?),
     }
 }
 
-/// Notes at an error where the NaN behind it arose, if NaN is behind it. `given` are the params of the run that failed.
+/// Adds the origin of a NaN to the error that the NaN caused. `given` are the params of the failed
+/// run.
 pub fn explain(program: &Program, given: &[Given], seen: &Seen, error: &mut RuntimeError) {
     error.details.notes.extend(found(program, given, seen, &error.code));
 }
@@ -57,7 +60,7 @@ fn found(program: &Program, given: &[Given], seen: &Seen, code: &str) -> Option<
     }
 }
 
-/// A param whose default is not a number: where it arose.
+/// Returns the origin of a NaN in the default of a param.
 pub(crate) fn of_default(program: &Program) -> Option<(Span, NanSource)> {
     let interpreted = Interpreted::new(program, Purity::Scene).ok()?.tracing();
     let mut context = context(&interpreted);
@@ -74,7 +77,7 @@ pub(crate) fn of_default(program: &Program) -> Option<(Span, NanSource)> {
     None
 }
 
-/// Where a NaN arose, and of what.
+/// Returns the location and the description of a NaN's origin.
 pub(crate) fn note(program: &Program, source: &NanSource, time: Option<f64>) -> (Place, String) {
     let Span { file: FileId(file), start, end } = source.span;
     let text = program.files.get(file as usize).and_then(|file| file.text.get(start as usize..end as usize));
@@ -85,7 +88,7 @@ pub(crate) fn note(program: &Program, source: &NanSource, time: Option<f64>) -> 
     ((file, start, end), format!("{what}{why}{when}"))
 }
 
-/// A NaN that neither the program nor its expression made: an observable's.
+/// Describes a NaN that an input already had, such as an observable's value.
 fn from_outside(program: &Program, site: SiteId, input: u32, span: Span) -> (Place, String) {
     let first = 1 + program.params.len();
     let captures =
@@ -94,7 +97,8 @@ fn from_outside(program: &Program, site: SiteId, input: u32, span: Span) -> (Pla
     ((span.file.0, span.start, span.end), format!("the engine observed no number for `{name}`"))
 }
 
-/// Interprets the program with the same params, following NaN, and asks what was found.
+/// Interprets the program again with the same params and NaN tracing, and returns the result of
+/// `ask`.
 fn retrace<R>(
     program: &Program,
     given: &[Given],
@@ -106,7 +110,7 @@ fn retrace<R>(
     context.cancel = seen.cancel.clone();
     context.limits = seen.limits;
     apply(&interpreted, given, &mut context).ok()?;
-    // It ends where it ended before.
+    // It fails again as before.
     let _ = interpreted.main(&mut context);
     ask(&interpreted)
 }

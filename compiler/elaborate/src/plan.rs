@@ -1,4 +1,5 @@
-//! How a model would be analysed, for people: what is modelled and why, what is left out and why, and what it costs.
+//! The plan of an analysis, for display: which parts are modelled or omitted, the reasons, and the
+//! cost.
 
 use crate::shown::{in_unit, rounded};
 use calyx_abi::description::ModelDescription;
@@ -17,33 +18,34 @@ use calyx_runtime::structure::StructureSize;
 use std::fmt::{self, Write};
 use std::sync::Arc;
 
-/// The plan of a scene, in the words of its model. Nothing has been solved.
+/// The plan of a scene, with the names of its model. Planning solves nothing.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Planned {
-    /// As `analyze` calls it.
+    /// The name of the fidelity level, as in `analyze`.
     pub fidelity: &'static str,
-    /// Whether motion in time is followed.
+    /// `true` for an analysis in the time domain.
     pub in_time: bool,
     pub bodies: Vec<PlannedBody>,
     pub meshes: Vec<PlannedMesh>,
     pub bearings: Vec<PlannedBearing>,
-    /// Names of the outputs, which decide what is modelled.
+    /// Names of the outputs, which determine what is modelled.
     pub outputs: Vec<String>,
-    /// Contact problems that its analysis solves one after the other; without one, the lengths of the lists of positions that it makes.
+    /// The number of contact problems that each chain of the analysis solves in sequence. Without
+    /// contact, the lengths of its lists of positions.
     pub positions: Vec<usize>,
-    /// Whether bodies are in space, and not a section in the plane.
+    /// `true` for a three-dimensional model, `false` for a two-dimensional one.
     pub in_space: bool,
-    /// Different elastic structures; bodies of one gear share theirs.
+    /// Number of distinct elastic structures. Bodies with the same gear share one.
     pub structures: usize,
-    /// Outputs that this fidelity has no value of, each with what it needs.
+    /// Outputs that this fidelity level does not support, each with its requirement.
     pub refused: Vec<(String, &'static str)>,
-    /// Inputs that this fidelity cannot see, each with the reason.
+    /// Inputs that this fidelity level ignores, each with the reason.
     pub not_seen: Vec<(String, String)>,
-    /// The analysis as its cost is predicted.
+    /// The work on which the predicted cost is based.
     pub work: PlannedWork,
 }
 
-/// An analysis whose cost can be predicted. Its meshes are generated when the cost is computed.
+/// An analysis whose cost can be predicted. Meshes are generated when the cost is computed.
 #[derive(Clone)]
 pub struct PlannedWork {
     scene: Arc<Scene>,
@@ -73,12 +75,13 @@ impl PlannedWork {
         }
     }
 
-    /// The tolerance relative to the largest magnitude of every output, if the model asks for one.
+    /// Returns the tolerance, relative to the largest magnitude of every output, if the model
+    /// requests one.
     pub fn tolerance(&self) -> Option<f64> {
         self.tolerance
     }
 
-    /// Which errors are estimated.
+    /// Returns the kinds of errors that are estimated.
     pub fn estimates(&self) -> Estimates {
         self.estimates
     }
@@ -112,33 +115,33 @@ impl PartialEq for PlannedWork {
     }
 }
 
-/// How a body is treated.
+/// The treatment of a body.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PlannedBody {
     pub name: String,
-    /// Its gear in a few words.
+    /// Short description of its gear.
     pub gear: String,
-    /// The freedoms of its frame that are not held, and the load on each.
+    /// The unconstrained degrees of freedom of its frame, and the load on each.
     pub free: Vec<(&'static str, String)>,
     pub left_out: bool,
-    /// Why it is modelled the way it is, or left out.
+    /// The reason for its model, or for omitting it.
     pub reason: &'static str,
-    /// What it would be divided into.
+    /// The finite-element mesh that it would get.
     pub mesh: PlannedStructure,
 }
 
-/// What a body's structure would be made of: its mesh is made, and counted, when its size is asked for.
+/// The structure of a body. Its mesh is generated and counted when its size is requested.
 #[derive(Clone)]
 pub struct PlannedStructure {
     prototype: Arc<dyn Prototype>,
     fidelity: Fidelity,
     options: StructureOptions,
-    /// Which structure of the plan it is; `None` if it is left out.
+    /// Index of the structure in the plan; `None` if the body is omitted.
     number: Option<usize>,
 }
 
 impl PlannedStructure {
-    /// How large its equations are; `None` if it has no mesh.
+    /// Returns the size of the equations; `None` without a mesh.
     pub fn size(&self) -> Option<StructureSize> {
         self.prototype.size(self.fidelity, &self.options)
     }
@@ -157,31 +160,31 @@ impl PartialEq for PlannedStructure {
     }
 }
 
-/// Where teeth may touch.
+/// A pair of gears whose teeth may touch.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PlannedMesh {
     pub bodies: [String; 2],
-    /// Contact cells of each pair of teeth.
+    /// Contact cells of each tooth pair.
     pub grid: Grid,
-    /// Whether tip edges are searched.
+    /// `true` if edge contact at the tips is searched.
     pub edges: bool,
-    /// Whether these are the back sides of the teeth, of a mesh that is listed too.
+    /// `true` for the back flanks of a mesh whose working flanks are also listed.
     pub back_sides: bool,
     pub contact_ratio: Option<f64>,
-    /// What a helix adds to it.
+    /// Overlap ratio ε_β, the part of the contact ratio due to the helix.
     pub overlap_ratio: f64,
 }
 
-/// What connects bodies besides contact.
+/// A connection of bodies other than contact.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PlannedBearing {
     pub name: String,
-    /// The body it is on, and what that is mounted on: another one, or ground.
+    /// The supported body, and the body or ground that supports it.
     pub between: [String; 2],
-    /// Gap equations of its clearances.
+    /// Number of gap equations of its clearances.
     pub walls: usize,
     pub left_out: bool,
-    /// Why it is modelled, or left out.
+    /// The reason for its model, or for omitting it.
     pub reason: &'static str,
 }
 
@@ -269,12 +272,14 @@ impl Planned {
         }
     }
 
-    /// Freedoms of bodies that are modelled: the unknowns beside the pressures.
+    /// Returns the degrees of freedom of the modelled bodies: the unknowns other than the
+    /// pressures.
     pub fn freedoms(&self) -> usize {
         self.bodies.iter().filter(|body| !body.left_out).map(|body| body.free.len()).sum()
     }
 
-    /// Contact pressures of a position. Where no edges are searched, no more pairs touch than the next whole number above the contact ratio.
+    /// Returns the number of contact pressures at a position. Without edge contact, the number of
+    /// tooth pairs in contact is at most the contact ratio rounded up.
     pub(crate) fn cells_in_contact(&self) -> usize {
         let pairs = |mesh: &PlannedMesh| match mesh.contact_ratio {
             Some(ratio) => (ratio + mesh.overlap_ratio).ceil() as usize,
@@ -283,7 +288,7 @@ impl Planned {
         self.meshes.iter().map(|mesh| mesh.grid.cells() * pairs(mesh)).sum()
     }
 
-    /// The plan as text, in sections.
+    /// Returns the plan as text, in sections.
     pub fn text(&self) -> String {
         let mut text = String::new();
         let mut section = |title: &str, lines: Vec<String>| {
@@ -347,11 +352,11 @@ impl Planned {
         if free.is_empty() { vec!["none: every frame moves as given".into()] } else { free }
     }
 
-    /// Each structure with the bodies that share it, and its size.
+    /// Returns each structure with the bodies that share it and with its size.
     pub(crate) fn sizes(&self) -> Vec<(Vec<&str>, StructureSize)> {
         let of = |number: usize| {
             let bodies = || self.bodies.iter().filter(move |body| body.mesh.number == Some(number));
-            // Of bodies that share one, whoever needs stresses decides.
+            // If one of the bodies that share a structure requests stresses, its size applies.
             let largest = bodies().filter_map(|body| body.mesh.size()).max_by_key(|size| size.stresses)?;
             Some((bodies().map(|body| body.name.as_str()).collect(), largest))
         };
@@ -429,7 +434,7 @@ impl Planned {
     }
 }
 
-/// A count with its thousands apart.
+/// Formats a count with separated thousands.
 fn grouped(count: usize) -> String {
     let digits = count.to_string();
     let groups: Vec<&str> =
@@ -437,7 +442,8 @@ fn grouped(count: usize) -> String {
     groups.join(",")
 }
 
-/// Two digits of a number in powers of thousand with these names, the first for thousands.
+/// Formats a number with two digits and a power of a thousand; `names` starts with the name for
+/// thousands.
 fn of_thousands(number: f64, names: [&str; 4]) -> String {
     let power = names.len().min(((number.max(1.0).log10() + 1e-9) / 3.0).floor().max(1.0) as usize);
     let value = number / 1e3_f64.powi(power as i32);
@@ -445,10 +451,10 @@ fn of_thousands(number: f64, names: [&str; 4]) -> String {
     format!("{value:.digits$}{}", names[power - 1])
 }
 
-/// Width to which names are set in lines.
+/// Line width for lists of names.
 const WIDTH: usize = 96;
 
-/// Names with commas between them, in lines.
+/// Formats names as lines with commas between them.
 fn lines_of(names: &[String]) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for (index, name) in names.iter().enumerate() {
@@ -461,7 +467,8 @@ fn lines_of(names: &[String]) -> Vec<String> {
     lines
 }
 
-/// The free components of a body's frame, with the load on each; of a load that changes with time, the one at its start.
+/// Returns the free components of a body's frame, with the load on each. A load that varies with
+/// time is evaluated at the start.
 fn free(body: &Body, system: &str) -> Vec<(&'static str, String)> {
     let system = UnitSystem::from_name(system).unwrap_or(UnitSystem::Si);
     let of = |name: &str| system.unit_of(Dimension::from_name(name).unwrap_or(Dimension::NONE));
@@ -482,7 +489,7 @@ fn body_lines(body: &PlannedBody) -> [String; 2] {
     [format!("\"{}\"{gear}", body.name), format!("  {}", body.reason)]
 }
 
-/// A reason under a title that says what it is the reason of.
+/// Removes the verdict from a reason, because the title already states it.
 fn without_verdict(reason: &str) -> &str {
     reason.strip_prefix("left out: ").unwrap_or(reason)
 }

@@ -1,4 +1,5 @@
-//! What a run has left in its directory, for those who show it beside the model: the summary of each output.
+//! Reads the results of the last run from its directory, for display next to the model: a summary
+//! of each output.
 
 use crate::shown::rounded;
 use serde::Deserialize;
@@ -8,16 +9,16 @@ use std::path::Path;
 
 pub use calyx_rt::directory::default_directory;
 
-/// A run as its `run.json` tells it.
+/// A run, as described in its `run.json`.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
 pub struct RunSummary {
-    /// By name. None if the run did not finish.
+    /// Outputs by name; empty if the run did not finish.
     #[serde(default)]
     pub outputs: BTreeMap<String, OutputSummary>,
-    /// Positions solved.
+    /// Number of positions solved.
     #[serde(default)]
     pub positions: usize,
-    /// Why the run did not finish; `None` if it did.
+    /// The reason why the run did not finish; `None` if it did.
     #[serde(default)]
     pub incomplete: Option<Incomplete>,
     #[serde(default)]
@@ -26,14 +27,14 @@ pub struct RunSummary {
     source: Source,
 }
 
-/// What ended a run before its time.
+/// The reason why a run stopped early.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
 pub struct Incomplete {
     pub code: String,
     pub message: String,
 }
 
-/// An output over all positions, in the unit it is shown in.
+/// An output over all positions, in its display unit.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
 pub struct OutputSummary {
     display: Display,
@@ -45,7 +46,7 @@ pub struct OutputSummary {
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
 struct Display {
     unit: String,
-    // Infinity is null in JSON.
+    // JSON represents infinity as null.
     min: Option<f64>,
     max: Option<f64>,
     mean: Option<f64>,
@@ -54,7 +55,8 @@ struct Display {
 
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
 struct ErrorEstimate {
-    /// Of the largest magnitude; null where that is nothing, or rounding.
+    /// Estimated error relative to the largest magnitude; null if the magnitude is zero or rounding
+    /// noise.
     #[serde(default)]
     relative: Option<f64>,
     #[serde(default)]
@@ -92,7 +94,8 @@ impl OutputSummary {
         self.quantity(self.display.peak_to_peak)
     }
 
-    /// All of it on a line: `2.31 .. 2.44 inch, mean 2.4, peak to peak 0.13`. An output that does not change is one value.
+    /// Returns the summary on one line: `2.31 .. 2.44 inch, mean 2.4, peak to peak 0.13`. A
+    /// constant output is shown as one value.
     pub fn line(&self) -> String {
         let Display { unit, min, max, mean, peak_to_peak } = &self.display;
         if self.number(*min) == self.number(*max) {
@@ -103,7 +106,8 @@ impl OutputSummary {
         format!("{min} .. {max}{unit}, mean {mean}, peak to peak {change}")
     }
 
-    /// Where the maximum was: the roll angle of the first gear, and the name of a characteristic point if it is one.
+    /// Returns the position of the maximum: the roll angle of the first gear, and the name of a
+    /// characteristic point if it is one.
     pub fn place_of_maximum(&self) -> Option<String> {
         let roll = rounded((self.max_at.roll_angle?.to_degrees() * 100.0).round() / 100.0);
         let point = &self.max_at.point;
@@ -114,8 +118,8 @@ impl OutputSummary {
         })
     }
 
-    /// The estimated error of the value of largest magnitude, and whether it leaves out what the fidelity level itself is off; `None` if it is
-    /// not known.
+    /// Returns the estimated error of the value of largest magnitude, and whether it excludes the
+    /// error of the fidelity level itself; `None` if it is unknown.
     pub fn error(&self) -> Option<String> {
         let ErrorEstimate { relative, includes_level } = self.error_estimate.as_ref()?;
         let percent = format!("{:.1e}", 100.0 * (*relative)?).parse().map_or_else(|_| "?".into(), rounded);
@@ -128,7 +132,7 @@ impl OutputSummary {
     }
 
     fn number(&self, value: Option<f64>) -> String {
-        // Four digits are what a plane model is good for.
+        // Two-dimensional models are accurate to at most four digits.
         value.map_or_else(
             || "inf".into(),
             |value| format!("{value:.3e}").parse().map_or_else(|_| "?".into(), rounded),
@@ -141,21 +145,23 @@ impl OutputSummary {
 }
 
 impl RunSummary {
+    /// Parses a `run.json` text.
+    ///
     /// # Errors
-    /// The text is not what a run writes.
+    /// The text does not have the format of a `run.json`.
     pub fn from_text(text: &str) -> io::Result<RunSummary> {
         serde_json::from_str(text).map_err(io::Error::from)
     }
 
-    /// The last run in a directory.
+    /// Reads the last run in a directory.
     ///
     /// # Errors
-    /// There is none that can be read.
+    /// The directory has no readable `run.json`.
     pub fn read(directory: &Path) -> io::Result<RunSummary> {
         Self::from_text(&std::fs::read_to_string(directory.join("run.json"))?)
     }
 
-    /// Whether this is a run of the model's text as it stands.
+    /// Returns `true` if the run used the current text of the model.
     pub fn is_of(&self, model: &str) -> bool {
         self.source.sha256 == calyx_rt::directory::text_hash(model)
     }

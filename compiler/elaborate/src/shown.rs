@@ -1,4 +1,4 @@
-//! Quantities as people read them: rounded, in the unit of the file.
+//! Display of quantities: rounded, in the unit of the file.
 
 use calyx_abi::units::from_si;
 use calyx_gears::derived::{Kind, Quantity};
@@ -6,10 +6,11 @@ use calyx_gears::host::LengthUnit;
 use calyx_lang::dimension::{Base, Dimension};
 use calyx_lang::ir::DisplayUnit;
 
-/// Significant digits of a derived value: more than any drawing has, fewer than any rounding shows in.
+/// Significant digits of a derived value: more than a drawing has, but too few to show rounding
+/// errors.
 const DIGITS: i32 = 6;
 
-/// What a derived quantity measures.
+/// Returns the dimension of a derived quantity.
 pub fn dimension(kind: Kind) -> Dimension {
     match kind {
         Kind::Length => Dimension::of(Base::Length),
@@ -19,9 +20,9 @@ pub fn dimension(kind: Kind) -> Dimension {
     }
 }
 
-/// The value of a derived quantity with its unit, in a file whose system of units is `system`: lengths as messages about
-/// gears give them (millimetres, or inches), angles in degrees. Lengths are rounded to tenths of a micrometre (hundredths of
-/// a thousandth of an inch), finer than anybody measures and coarser than the rounding of the data shows.
+/// Formats a derived quantity with its unit, for a file with the system of units `system`. Lengths
+/// have the unit of messages about gears (mm or inches), angles are in degrees. Lengths are rounded
+/// to 0.1 µm (1e-5 inch): finer than measurements, coarser than rounding errors.
 pub fn value(quantity: &Quantity, system: &str) -> String {
     let LengthUnit { name, metres } = LengthUnit::of_system(system);
     match quantity.kind {
@@ -33,13 +34,13 @@ pub fn value(quantity: &Quantity, system: &str) -> String {
     }
 }
 
-/// A number in SI with a unit, rounded.
+/// Formats a number in SI with a unit, rounded.
 pub fn in_unit(si: f64, unit: &DisplayUnit) -> String {
     let number = rounded(from_si(si, unit.factor));
     if unit.name.is_empty() { number } else { format!("{number} {}", unit.name) }
 }
 
-/// A number in six significant digits, without zeros that say nothing.
+/// Formats a number with six significant digits and without trailing zeros.
 pub fn rounded(value: f64) -> String {
     if value == 0.0 {
         return "0".into();
@@ -58,7 +59,7 @@ pub fn rounded(value: f64) -> String {
     fixed(value, (DIGITS - 1 - magnitude).max(0) as usize)
 }
 
-/// A number with at most so many decimals.
+/// Formats a number with at most `decimals` decimals.
 fn fixed(value: f64, decimals: usize) -> String {
     let text = format!("{value:.decimals$}");
     match without_zeros(&text) {

@@ -1,4 +1,4 @@
-//! Values that names have once a model has been elaborated: of params, and of variables when the top level has ended.
+//! Values of names after elaboration: of params, and of variables at the end of the top level.
 
 use crate::shown::{in_unit, rounded};
 use calyx_abi::description::{ParamDescription, ParamValue};
@@ -9,7 +9,8 @@ use calyx_lang::ir::{DisplayUnit, Program};
 use calyx_lang::units::UnitSystem;
 use std::collections::BTreeMap;
 
-/// The value of a variable of the top level when that has ended. Numbers are in SI; what they measure, the types say.
+/// The final value of a top-level variable. Numbers are in SI units; the variable's type has the
+/// dimension.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Value {
     Number(f64),
@@ -19,7 +20,8 @@ pub enum Value {
 }
 
 impl Value {
-    /// The value in the units of a file; `None` where the model's own dimensions are in it.
+    /// Returns the value in the units of a file; `None` if its dimension involves one that the
+    /// model declares.
     pub fn shown(&self, dimension: Dimension, system: &str) -> Option<String> {
         let unit = || {
             let system = UnitSystem::from_name(system).unwrap_or(UnitSystem::Si);
@@ -39,7 +41,7 @@ impl Value {
     }
 }
 
-/// The value of a param as the model has it, in the unit of its default.
+/// Returns the default of a param, in the unit in which the model writes it.
 pub fn default_of(param: &ParamDescription) -> Option<String> {
     Some(match param.default.as_ref()? {
         ParamValue::Number(number) => of_param(*number, param),
@@ -49,7 +51,8 @@ pub fn default_of(param: &ParamDescription) -> Option<String> {
     })
 }
 
-/// The range of a param in the unit of its default, or its choices; `None` if it has neither.
+/// Returns the range of a param in the unit of its default, or its choices; `None` if it has
+/// neither.
 pub fn range_of(param: &ParamDescription) -> Option<String> {
     if !param.choices.is_empty() {
         let choices: Vec<String> = param.choices.iter().map(|choice| format!("{choice:?}")).collect();
@@ -65,8 +68,8 @@ fn of_param(number: f64, param: &ParamDescription) -> String {
     in_unit(number, &DisplayUnit { name: unit.name.clone(), factor: unit.factor, dimension: unit.dimension })
 }
 
-/// Variables of the top level by name, from the slots that its function ended with. Names that stand for
-/// variables of several values (in blocks beside each other, say) are left out.
+/// Returns the top-level variables by name, from the final slots of the top-level function. Omits
+/// names of several variables with different values, for example in separate blocks.
 pub(crate) fn of_top_level(program: &Program, slots: &[Slot], context: &Context) -> BTreeMap<String, Value> {
     let Some(main) = program.functions.get(program.main.0 as usize) else { return BTreeMap::new() };
     let (mut values, mut at) = (BTreeMap::new(), 0);
@@ -74,7 +77,7 @@ pub(crate) fn of_top_level(program: &Program, slots: &[Slot], context: &Context)
         let own = slots.get(at..at + local.repr.slots()).unwrap_or_default();
         at += local.repr.slots();
         let value = value(&local.repr, own, context);
-        // What a `:=` captured has the name of the variable that it was.
+        // A value captured by `:=` has the name of the original variable.
         let known = values.entry(local.name.clone()).or_insert_with(|| value.clone());
         if *known != value {
             *known = None;

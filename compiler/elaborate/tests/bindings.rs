@@ -1,4 +1,4 @@
-//! What `:=` names stand for, as text.
+//! Tests the display form of `:=` definitions.
 
 use calyx_elaborate::ModelLoader;
 use calyx_elaborate::binding::{Binding, binding, definition_in};
@@ -9,7 +9,7 @@ fn program(text: &str) -> Program {
     checked.program.unwrap_or_else(|| panic!("{:?}", checked.diagnostics))
 }
 
-/// The binding in the statement that begins with `head`.
+/// Returns the binding in the statement that begins with `head`.
 fn of(text: &str, head: &str) -> Option<Binding> {
     let start = text.find(head).unwrap_or_else(|| panic!("no {head}"));
     let end = start + text[start..].find(";").expect("an end");

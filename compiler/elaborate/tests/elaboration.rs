@@ -1,4 +1,4 @@
-//! Elaboration ends, can be cancelled, and goes on after what is wrong.
+//! Tests that elaboration ends, can be cancelled, and continues after problems of the model.
 
 use calyx_elaborate::values::{default_of, range_of};
 use calyx_elaborate::{Cancel, Cancelled, Elaboration, Given, ModelLoader, Override, Params, elaborate};
@@ -29,7 +29,7 @@ fn what_is_cancelled_before_it_begins_does_not_run() {
 
 #[test]
 fn another_thread_cancels_a_loop_without_end() {
-    // A run, so that the count of steps does not end it first.
+    // A run has no limit of steps that would end it before the cancellation.
     let (program, cancel) = (program("var n = 0; while (n >= 0) { n = n + 1; }"), Cancel::default());
     let switch = cancel.clone();
     let ended = thread::scope(|scope| {
@@ -58,7 +58,7 @@ fn params_from_outside_are_used_or_refused() {
     assert!(codes(&ended("2")).is_empty());
     assert_eq!(codes(&ended("5")), ["E0705"]);
     assert!(ended("9").refused.is_some_and(|refused| refused.message.contains("`n`")));
-    // The description is that of the model, not of the run.
+    // The description has the ranges of the model, not those of the run.
     assert_eq!(ended("2").description.params[0].high, Some(5.0));
 }
 

@@ -1,4 +1,4 @@
-//! Derived geometry by the calls that made it: of the examples, in loops, beside what is impossible.
+//! Tests the derived geometry by call: in the examples, in loops, and next to impossible gears.
 
 use calyx_elaborate::{Cancel, Elaboration, Made, ModelLoader, Params, Quantity, elaborate, shown};
 
@@ -10,7 +10,7 @@ fn elaborated(text: &str) -> Elaboration {
 
 const PAIR: &str = include_str!("../../../examples/spur_pair.cx");
 
-/// What stands at a call, and what was made there.
+/// Returns the text of a call and the values of what it created.
 fn told<T>(text: &str, made: &Made<T>, system: &str, quantities: &[Quantity]) -> Vec<String> {
     let head = text[made.span.start as usize..made.span.end as usize].lines().next().unwrap_or_default();
     let mut lines = vec![head.to_owned()];
@@ -86,7 +86,8 @@ fn a_place_finds_the_call_around_it() {
     assert!(geometry.mesh_at(0, offset("gears.mesh(")).is_some());
 }
 
-/// Gears of the teeth given, meshed with a first one of 20 teeth where `meshes`.
+/// Returns a model of gears with the given tooth numbers, meshed with a first gear of 20 teeth
+/// where `meshes`.
 fn train(rest: &str) -> String {
     format!(
         "import gears;\nunits mm_N_s;\n\
@@ -112,7 +113,7 @@ fn a_call_that_runs_often_is_counted_and_shows_the_first() {
 
 #[test]
 fn an_impossible_gear_does_not_hide_the_others() {
-    // The second one has its root above its tip.
+    // The root of the second gear is above its tip.
     let text = train(
         "var good = blank(20);\n\
          var bad = gears.external(teeth = 30, rack = rack, face_width = 10 mm, outer_diameter = 60 mm,\n\

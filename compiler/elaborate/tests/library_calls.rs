@@ -1,5 +1,5 @@
-//! The declared functions of the library: every number has a range, and a call with extreme arguments
-//! is refused or works. `CALYX_FUZZ=10` makes ten times as many calls.
+//! Tests the declared functions of the library: every number has a range, and a call with extreme
+//! arguments is either rejected or works. `CALYX_FUZZ=10` makes ten times as many calls.
 
 mod library;
 
@@ -15,8 +15,8 @@ use std::sync::Arc;
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::time::{Duration, Instant};
 
-/// A number without a range lets a program ask for 10^12 cells. An end may be open if the default is
-/// infinite.
+/// A number without a range would let a program request 10^12 cells. A limit may be open if the
+/// default is infinite.
 #[test]
 fn every_numeric_argument_has_a_range() {
     let (mut checked, mut missing) = (0, Vec::new());
@@ -34,7 +34,7 @@ fn every_numeric_argument_has_a_range() {
     assert!(checked > 200, "only {checked} numbers");
 }
 
-/// Counts decide how much is computed and stored.
+/// Counts determine the amount of computation and memory.
 #[test]
 fn no_range_of_a_count_is_too_large_to_be_stored() {
     for function in functions() {
@@ -46,7 +46,7 @@ fn no_range_of_a_count_is_too_large_to_be_stored() {
     }
 }
 
-/// The samples that are varied below are right, with every default written out.
+/// Checks that the samples varied below are valid, with every default written explicitly.
 #[test]
 fn samples_of_all_functions_are_accepted() {
     let mut wrong = String::new();
@@ -61,7 +61,7 @@ fn samples_of_all_functions_are_accepted() {
     assert!(wrong.is_empty(), "\n{wrong}");
 }
 
-/// An error inside a function of the library is shown at the argument that the program gave.
+/// An error inside a library function is reported at the argument that the program passed.
 #[test]
 fn errors_inside_library_functions_are_shown_at_the_argument() {
     let planetary = |given: &str| {
@@ -76,7 +76,7 @@ fn errors_inside_library_functions_are_shown_at_the_argument() {
     };
     let torque =
         |speed: &str| format!("import gears;\nvar still = 0 rpm;\nprint(gears.torque_of(3 kW, {speed}));");
-    // Model, code, text that is blamed.
+    // Model, code, text at which the error is reported.
     let cases = [
         (planetary("cells = 2.5"), "E0672", "2.5"),
         (planetary("cells = same(1e12)"), "E0314", "same(1e12)"),
@@ -97,7 +97,7 @@ fn errors_inside_library_functions_are_shown_at_the_argument() {
             assert!(error.labels.iter().any(|label| label.span.file != FileId(0)), "{error:?}");
         }
     }
-    // Several arguments lead to it: the call is to blame.
+    // Several arguments contribute, so the error is reported at the call.
     let text = planetary("center_distance = 44 mm");
     let found = check_text("model.cx", &text).diagnostics;
     let errors: Vec<_> = found.iter().filter(|d| d.severity == Severity::Error).collect();
@@ -156,7 +156,7 @@ enum Verdict {
     Defect(String),
 }
 
-/// Nothing that is checked takes so long; a run is limited to a tenth of it.
+/// Time limit for checking; a run is limited to a tenth of it.
 const PATIENCE: Duration = Duration::from_secs(120);
 
 fn verdict(text: &str, solved: bool) -> Verdict {
@@ -192,7 +192,7 @@ fn judge(text: &str, solved: bool, cancel: &Cancel) -> Verdict {
     let Some(program) = checked.program.filter(|_| errors.is_empty()) else {
         return match errors.as_slice() {
             [] => Verdict::Defect("no program and no error".into()),
-            // Any other error is a mistake of the generator.
+            // Any other error is a mistake of the test generator.
             all if all.iter().all(|code| code == "E0314") => Verdict::Refused,
             _ => {
                 let errors = checked.diagnostics.iter().filter(|d| d.severity == Severity::Error);
@@ -214,13 +214,13 @@ fn judge(text: &str, solved: bool, cancel: &Cancel) -> Verdict {
     }
 }
 
-/// Defects of Calyx, and limits that no sensible call reaches.
+/// Returns `true` for codes of defects in Calyx, and of limits that no sensible call reaches.
 fn is_defect(code: &str) -> bool {
     matches!(code, "E0799" | "E0703" | "E0707" | "E0708" | "E0709")
 }
 
 fn solve(program: Program) -> Verdict {
-    // An instance wants to keep its program.
+    // An instance needs a program with static lifetime.
     let program: &'static Program = Box::leak(Box::new(program));
     let interpreted = match Interpreted::new(program, calyx_abi::Purity::Effect) {
         Ok(interpreted) => interpreted,
@@ -230,7 +230,7 @@ fn solve(program: Program) -> Verdict {
     instance.limit_time(Some(PATIENCE / 10));
     match instance.solve() {
         Ok(_) => Verdict::Solved,
-        // Work that is long is allowed, as long as it can be stopped.
+        // A long computation is allowed, because it can be stopped.
         Err(Error::Model(error)) if error.code == "E0707" => Verdict::Solved,
         Err(Error::Model(error)) if is_defect(&error.code) => {
             Verdict::Defect(format!("the run: {}: {}", error.code, error.message))
@@ -240,7 +240,7 @@ fn solve(program: Program) -> Verdict {
     }
 }
 
-/// Peak resident memory of this process in bytes; `None` on other systems than Linux.
+/// Peak resident memory of this process, bytes; `None` on systems other than Linux.
 fn peak_memory() -> Option<u64> {
     let status = std::fs::read_to_string("/proc/self/status").ok()?;
     let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;

@@ -1,4 +1,4 @@
-//! The plan of a model in words.
+//! Tests the text of a model's plan.
 
 use calyx_elaborate::{Cancel, Given, ModelLoader, Override, Params, Planned, elaborate};
 use calyx_runtime::cost::Rates;
@@ -98,7 +98,7 @@ fn what_is_wrong_or_touches_nothing_has_no_plan() {
     assert!(planned(PAIR, &[("torque", "-1")]).is_none());
 }
 
-/// A machine of two cores.
+/// A machine with two cores.
 const RATES: Rates = Rates { products: 1e10, logarithms: 2.8e8, threads: 2 };
 
 #[test]
@@ -134,7 +134,7 @@ fn the_cost_of_a_tolerance_is_that_of_its_settings() {
     for part in ["to a tolerance of 3 %", "\"medium\": ", "at most 10 min: "] {
         assert!(said.contains(part), "{part} in {said}");
     }
-    // With a setting from outside there is no search.
+    // With a setting on the command line there is no tolerance search.
     let overrides = Override { fidelity: Fidelity::named("plane"), ..Override::default() };
     let cost = planned_with(&text, &[], overrides).expect("a plan").cost(&RATES);
     assert!(cost.search.is_none());

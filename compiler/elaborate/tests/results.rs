@@ -1,4 +1,4 @@
-//! What a run leaves is read back as text for people.
+//! Tests that a run's results are read from its directory and shown as text.
 
 use calyx_elaborate::results::RunSummary;
 

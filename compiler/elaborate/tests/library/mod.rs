@@ -1,4 +1,4 @@
-//! The declared functions of the library, and models with a call of one of them.
+//! The declared functions of the library, and models that call one of them.
 
 use calyx_gears::library::{MODULES, PRELUDE};
 use calyx_lang::ast::{Domain, FunctionDecl, Mode, Parameter, StmtKind, TypeExpr, TypeKind};
@@ -6,16 +6,16 @@ use calyx_lang::dimension::Dimension;
 use calyx_lang::parser::parse;
 use calyx_lang::span::{FileId, Span};
 
-/// In the line with the call.
+/// Marks the line of the call.
 pub const MARK: &str = "/* the call */";
 
-/// A function and what it takes.
+/// A function and its parameters.
 pub struct Function {
     pub name: String,
-    /// As a program calls it.
+    /// The path by which a program calls it.
     path: String,
     pub parameters: Vec<Argument>,
-    /// It gives something that has a value at each position alone.
+    /// `true` if the result has a value only at solved positions.
     is_observable: bool,
 }
 
@@ -27,20 +27,20 @@ pub struct Argument {
     pub high: Option<String>,
     choices: Vec<String>,
     ty: String,
-    /// Numbers, vectors and arrays of them.
+    /// `true` for numbers, vectors and arrays of them.
     pub is_number: bool,
-    /// A value that is right in [`model`].
+    /// A value that is valid in [`model`].
     pub sample: Option<String>,
 }
 
-/// Parameters of functions for any dimension, which cannot have a range.
+/// Parameters that accept any dimension and therefore have no range.
 const ANY_DIMENSION: [(&str, &str); 4] =
     [("interpolate", "xs"), ("interpolate", "ys"), ("interpolate", "x"), ("column", "unit")];
 
 /// Functions that read tables from files.
 const OF_FILES: [&str; 2] = ["read_table", "column"];
 
-/// Every function that programs may call.
+/// Returns every function that programs may call.
 pub fn functions() -> Vec<Function> {
     let mut all = Vec::new();
     for module in [&PRELUDE].into_iter().chain(MODULES) {
@@ -117,7 +117,7 @@ fn is_number(ty: &TypeExpr) -> bool {
     }
 }
 
-/// A value of a type in [`SCENE`].
+/// Returns a value of a type in [`SCENE`].
 fn sample_of(ty: &str) -> Option<String> {
     let known = match ty {
         "Rack" => "rack",
@@ -140,7 +140,7 @@ fn sample_of(ty: &str) -> Option<String> {
     Some(known.into())
 }
 
-/// Values that do not follow from types: function, parameter, value.
+/// Values that do not follow from types, as (function, parameter, value).
 const SAMPLES: &[(&str, &str, &str)] = &[
     ("analyze", "method", "\"quasi_static\""),
     ("analyze", "fidelity", "\"analytic\""),
@@ -246,7 +246,8 @@ const SAMPLES: &[(&str, &str, &str)] = &[
     ("mode_energy", "mode", "0"),
 ];
 
-/// Functions that need a planetary set, a splined rim or a dynamic analysis, which the scene lacks.
+/// Functions that need a planetary set, a splined rim or a dynamic analysis; [`SCENE`] has none of
+/// them.
 pub const NOT_IN_SCENE: [&str; 7] = [
     "mode_kind",
     "lumped_natural_frequency",
@@ -257,7 +258,7 @@ pub const NOT_IN_SCENE: [&str; 7] = [
     "transfer_function",
 ];
 
-/// A pair of spur gears on their frames, and one of everything else.
+/// A pair of spur gears on their frames, and one object of every other kind.
 const SCENE: &str = r#"
 import gears;
 function same(in x) { return x; }
@@ -291,7 +292,7 @@ var sun_like = gears.body("third", pinion_gear, free = ["theta_z"], moment = 10 
 var planet_like = gears.body("fourth", pinion_gear, frame := Rotate(-speed * Time, e3) * Translate(40 mm * e1 + 1 m * e2));
 "#;
 
-/// A model with one call.
+/// Returns a model with one call.
 pub fn model(function: &Function, arguments: &[String]) -> String {
     let call = format!("{}({}) {MARK};", function.path, arguments.join(", "));
     let mut text = SCENE.to_owned();
@@ -315,7 +316,7 @@ pub fn model(function: &Function, arguments: &[String]) -> String {
 }
 
 impl Argument {
-    /// A number that says how many of something there are.
+    /// Returns `true` for a number that is a count.
     pub fn is_count(&self) -> bool {
         const COUNTS: [&str; 14] = [
             "teeth",
@@ -336,7 +337,7 @@ impl Argument {
         self.is_number && COUNTS.contains(&self.name.as_str())
     }
 
-    /// The unit of its range, as written after a number.
+    /// Returns the unit of its range, as written after a number.
     fn unit(&self) -> &str {
         let written = self.low.as_deref().or(self.high.as_deref()).unwrap_or_default();
         let number = |c: char| c.is_ascii_digit() || matches!(c, '-' | '+' | '.' | 'e' | ' ');
@@ -354,7 +355,7 @@ impl Argument {
             0 => self.low.clone().unwrap_or_else(|| format!("0 * {one}")),
             1 => self.high.clone().unwrap_or_else(|| format!("1e300 * {one}")),
             2 => self.high.as_deref().map_or_else(|| one.clone(), |high| format!("0.999 * ({high})")),
-            // Anywhere in the range, by order of magnitude.
+            // Any value in the range, uniform in order of magnitude.
             3 => {
                 let end = self.high.as_deref().or(self.low.as_deref()).unwrap_or("1");
                 format!("1e-{} * ({end})", random.below(16))
@@ -381,7 +382,7 @@ impl Argument {
             let elements = random.below(3);
             let mut number = || {
                 let text = self.number(random);
-                // The result of a function is not constant: the range is checked when the program runs.
+                // The result of a function is not constant, so its range is checked at run time.
                 if random.below(2) == 0 { text } else { format!("same({text})") }
             };
             let vector = |x: String| format!("({x}) * e1");
@@ -435,7 +436,7 @@ impl Argument {
 }
 
 impl Function {
-    /// Arguments by name; those without a value are left out.
+    /// Returns named arguments; those without a value are omitted.
     pub fn arguments(&self, mut value: impl FnMut(&Argument) -> Option<String>) -> Vec<String> {
         let given = self.parameters.iter().filter_map(|parameter| Some((parameter, value(parameter)?)));
         given
@@ -446,7 +447,7 @@ impl Function {
             .collect()
     }
 
-    /// The sample with one to three arguments that are extreme.
+    /// Returns the sample with one to three arguments replaced by extreme values.
     pub fn extreme(&self, random: &mut Random) -> Vec<String> {
         let count = 1 + random.below(3);
         let chosen: Vec<usize> = (0..count).map(|_| random.below(self.parameters.len().max(1))).collect();
@@ -462,11 +463,11 @@ impl Function {
     }
 }
 
-/// Numbers of a linear congruential generator: the same on every machine.
+/// A linear congruential generator, so that random numbers are the same on every machine.
 pub struct Random(pub u64);
 
 impl Random {
-    /// A number below `end`.
+    /// Returns a number below `end`.
     pub fn below(&mut self, end: usize) -> usize {
         self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         ((self.0 >> 33) % end.max(1) as u64) as usize
