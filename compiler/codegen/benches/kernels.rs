@@ -1,5 +1,6 @@
-//! Kernels in memory against the interpreted tape and against the same formulas written in Rust; and what compiling
-//! costs. Read the ratios: `cargo bench -p calyx-codegen`.
+//! Benchmarks compiled kernels against the interpreted tape and against the same formulas written
+//! in Rust, and measures compile time. The ratios are meaningful, the absolute times are not. Run
+//! it with `cargo bench -p calyx-codegen`.
 
 use calyx_abi::{Repr, math};
 use calyx_codegen::{JitModule, compile_jit_with_tapes};
@@ -13,10 +14,11 @@ fn main() {
     divan::main();
 }
 
-/// Links of the chain: each turns about e3 at its own rate, then extends along its own first axis.
+/// Links of the chain: each rotates about e3 at its own rate, then extends along its own first
+/// axis.
 const RATES: [f64; 4] = [1.0, -2.0, 3.0, 0.5];
 
-/// Where the end of the chain is, at input 0 = time.
+/// Returns the tape for the position of the end of the chain; input 0 is time.
 fn chain_tape() -> Tape {
     const TIME: u32 = 0;
     let mut graph = Graph::new();
@@ -32,7 +34,7 @@ fn chain_tape() -> Tape {
     graph.schedule(1, &origin)
 }
 
-/// The same, written by hand: tip to base.
+/// Computes the same values with hand-written code, from tip to base.
 fn chain_by_hand(time: f64) -> [f64; 3] {
     let mut tip = [0.0, 0.0];
     for rate in RATES.iter().rev() {
@@ -85,11 +87,12 @@ fn chain_written_by_hand(bencher: Bencher) {
     bencher.bench_local(|| chain_by_hand(black_box(0.7)));
 }
 
-/// Sums and products with near and far operands.
+/// Returns a tape of sums and products with near and far operands.
 fn arithmetic_tape(operations: u32) -> Tape {
     let mut instructions: Vec<_> = (0..32).map(Instruction::Input).collect();
     for k in 32..32 + operations {
-        // A far operand now and then keeps values alive for long, which is what costs.
+        // Occasional far operands keep values alive for long, which makes register allocation
+        // expensive.
         let other = if k % 5 == 0 { k * 7 % k } else { k - 2 - k % 23 };
         let both = (k - 1, other);
         instructions.push(if k % 3 == 0 {

@@ -1,4 +1,5 @@
-//! Where code goes: what the lowering needs of a back end, and the settings all back ends share.
+//! The back ends of the lowering: code in memory, in an object file or as data, and their common
+//! settings.
 
 use crate::error::CodegenError;
 use crate::module::ModuleLowering;
@@ -8,16 +9,16 @@ use cranelift_codegen::isa::OwnedTargetIsa;
 use cranelift_codegen::settings::{self, Configurable};
 use cranelift_module::{FuncId, Module};
 
-/// A place for code: memory or an object file.
+/// A destination for code, such as memory or an object file.
 pub trait Backend {
-    /// Cranelift's side of it.
+    /// The Cranelift module.
     type Module: Module;
-    /// What comes out.
+    /// The result of the back end.
     type Artifact;
 
     fn module(&mut self) -> &mut Self::Module;
 
-    /// Makes the artifact of a module all of whose functions are defined.
+    /// Returns the artifact of a module with all functions defined.
     ///
     /// # Errors
     /// The code cannot be placed in memory or written.
@@ -26,9 +27,9 @@ pub trait Backend {
 
 /// The functions of a lowered program.
 pub struct Lowered {
-    /// In order of `Program::functions`.
+    /// Functions in order of `Program::functions`.
     pub functions: Vec<FuncId>,
-    /// In order of `Program::sites`.
+    /// Kernels in order of `Program::sites`.
     pub kernels: Vec<Kernel>,
 }
 
@@ -39,7 +40,7 @@ pub struct Kernel {
     pub outputs: usize,
 }
 
-/// Lowers a program and finishes it.
+/// Lowers a program and returns its artifact.
 pub fn compile<B: Backend>(
     mut backend: B,
     program: &Program,
@@ -49,40 +50,41 @@ pub fn compile<B: Backend>(
     backend.finish(lowered)
 }
 
-/// How much Cranelift improves code.
+/// Cranelift's optimization level.
 #[derive(Clone, Copy)]
 pub enum Effort {
-    /// For functions of programs.
+    /// Optimizes for speed; used for functions of programs.
     Speed,
-    /// For kernels: a tape holds each operation once, simplified and in an order that keeps few values alive. What
-    /// Cranelift could add takes time and loses that order (a chain of fifty factors ran 1.25 times slower with it).
+    /// No optimization; used for kernels. A tape contains each operation once, simplified, in an
+    /// order that keeps few values alive. Cranelift's optimizations would take time and lose that
+    /// order: a chain of fifty factors runs 1.25 times slower with them.
     AsWritten,
 }
 
-/// Settings of code in memory: this very machine.
+/// Returns the settings of code in memory, for the current machine.
 pub fn native_isa(effort: Effort) -> Result<OwnedTargetIsa, CodegenError> {
     isa(TargetCpu::Native, false, effort)
 }
 
-/// Settings of code that is kept as data and placed in memory later.
+/// Returns the settings of code that is stored as data and placed in memory later.
 pub fn position_dependent_isa(cpu: TargetCpu) -> Result<OwnedTargetIsa, CodegenError> {
     isa(cpu, false, Effort::Speed)
 }
 
-/// The machines that an object file, or code that is kept, is for.
+/// The processors for which object files or stored code are compiled.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum TargetCpu {
-    /// Every machine of this architecture (for x86-64 that is SSE2).
+    /// Every processor of this architecture (for x86-64, SSE2).
     #[default]
     Baseline,
-    /// This very machine, and those that have all it has.
+    /// This processor and those that support all its features.
     Native,
 }
 
-/// Settings of object files.
+/// Returns the settings of object files.
 ///
-/// What the baseline lacks is called, never emulated differently: `floor` and its like are calls everywhere, and
-/// nothing is fused, so that object files give the bits of code in memory.
+/// Operations that the baseline lacks are calls on every processor (`floor`, for example), and no
+/// multiply-add is fused. Object files therefore produce the same bits as code in memory.
 pub fn object_isa(cpu: TargetCpu) -> Result<OwnedTargetIsa, CodegenError> {
     isa(cpu, true, Effort::Speed)
 }
@@ -105,10 +107,10 @@ fn flags(position_independent: bool, effort: Effort) -> Result<settings::Flags, 
         ("opt_level", opt_level),
         ("enable_verifier", verify),
         ("is_pic", if position_independent { "true" } else { "false" }),
-        // Large frames touch their pages in order, so that an overrun meets the guard page.
+        // Large frames touch their pages in order, so that a stack overflow hits the guard page.
         ("enable_probestack", "true"),
         ("probestack_strategy", "inline"),
-        // Calls into the engine may be anywhere in memory.
+        // The functions of the engine may be at any address.
         ("use_colocated_libcalls", "false"),
     ] {
         builder.set(name, value).map_err(|error| CodegenError::Cranelift(error.to_string()))?;

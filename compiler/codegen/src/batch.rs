@@ -1,10 +1,12 @@
-//! Kernels for many points: two points side by side, tile after tile.
+//! Kernels for many points: two points per SIMD register, tile by tile.
 //!
-//! A [`BatchTape`] says what is computed once and what follows in which stage. Each stage becomes functions of about
-//! [`CHUNK`] operations, and each of them is a loop over the pairs of points of a tile, so that a tile's data stay in the
-//! cache from one function to the next. What one function computes and another needs is carried in the tile, pair by
-//! pair. Between two stages the sines and cosines of all angles of the tile are taken at once, as wide as the machine
-//! allows ([`calyx_abi::math::sincos_columns`]). The bits are those of the kernel for one point.
+//! A [`BatchTape`] splits a tape into a uniform part and stages. Each stage becomes functions of
+//! about [`CHUNK`] operations. Each function loops over the pairs of points of a tile, so that the
+//! data of a tile stay in the cache from one function to the next. Values that a later function
+//! needs are stored in the tile, pair by pair. Between two stages,
+//! [`calyx_abi::math::sincos_columns`] computes the sines and cosines of all angles of the tile
+//! with the widest SIMD instructions available. The results have the same bits as those of the
+//! kernel for one point.
 
 mod run;
 
@@ -25,28 +27,31 @@ use std::collections::HashMap;
 
 pub use run::{Batch, BatchError, BatchKernel};
 
-/// Operations in one function: register allocation costs more than proportionally.
+/// Operations in one function. The cost of register allocation grows faster than linearly.
 const CHUNK: usize = 1000;
 
-/// Bytes of a pair of numbers.
+/// Size of a pair of numbers, bytes.
 const PAIR: usize = 16;
 
-/// A tile should stay in the cache next to the processor, beside inputs, outputs and what is uniform.
+/// Target size of a tile, bytes: it should fit in the first-level cache together with inputs,
+/// outputs and uniform values.
 const TILE_BYTES: usize = 32 << 10;
 
-/// Pairs of points in a tile: enough to make its fixed cost small, even where every pair carries much.
+/// Pairs of points in a tile: enough that the fixed cost per tile is small, even if each pair
+/// stores many values.
 const TILE_PAIRS: std::ops::RangeInclusive<usize> = 16..=64;
 
-/// Columns of the caller begin anywhere; everything else lies on whole pairs.
+/// Flags for the caller's columns, which have any alignment; all other memory is aligned to pairs.
 const ANYWHERE: MemFlagsData = MemFlagsData::new().with_notrap();
 
-/// How many operations later a value in memory is rather read again than kept in a register.
+/// Number of operations after which a value in memory is loaded again instead of staying in a
+/// register.
 const RELOAD_AFTER: usize = 24;
 
-/// Compiles a tape for evaluation at many points; `varying` tells for each input whether it varies.
+/// Compiles a tape for evaluation at many points. `varying` is `true` for each input that varies.
 ///
 /// # Errors
-/// The tape is malformed, or the machine is not one that Cranelift knows.
+/// The tape is malformed, or Cranelift does not support the machine.
 pub fn compile_batch(tape: &Tape, varying: &[bool]) -> Result<BatchKernel, CodegenError> {
     if !tape.is_well_formed() {
         return Err(CodegenError::Malformed("a tape that uses a value before it is there"));
@@ -69,31 +74,32 @@ pub fn compile_batch(tape: &Tape, varying: &[bool]) -> Result<BatchKernel, Codeg
 struct Chunk {
     stage: usize,
     operations: std::ops::Range<usize>,
-    /// The first of its stage also passes on angles that no operation computes.
+    /// `true` for the first chunk of a stage, which also copies angles that no operation computes.
     first: bool,
-    /// The last of all also writes outputs that no operation computes.
+    /// `true` for the last chunk, which also writes outputs that no operation computes.
     last: bool,
 }
 
-/// Where sines and cosines of the angles of one stage lie in a tile, in bytes.
+/// The locations in a tile of the sines and cosines of one stage, in bytes.
 #[derive(Clone, Copy, Default)]
 struct Angles {
-    /// Angles, pair by pair; the sines follow at `offset + size`, the cosines at `offset + 2 * size`.
+    /// Start of the angles, pair by pair. The sines start at `offset + size`, the cosines at
+    /// `offset + 2 * size`.
     offset: usize,
     size: usize,
     count: usize,
 }
 
-/// How a tape is cut up, and what lies where in a tile.
+/// The chunks of a tape and the layout of a tile.
 struct Plan {
     chunks: Vec<Chunk>,
-    /// Place among those carried of each value that a later function needs.
+    /// For each value that a later function needs, its index among the stored values.
     places: HashMap<u32, usize>,
     carried: usize,
     angles: Vec<Angles>,
     /// Pairs of points in a full tile.
     pairs: usize,
-    /// Bytes of a tile; what is carried begins it.
+    /// Size of a tile, bytes. The stored values are at its start.
     size: usize,
 }
 
@@ -147,7 +153,7 @@ impl Plan {
     }
 }
 
-/// Signature of [`run::ChunkFn`].
+/// Returns the signature of [`run::ChunkFn`].
 fn signature<M: Module>(module: &M) -> Signature {
     let mut signature = module.make_signature();
     signature.params.extend([AbiParam::new(types::I64); 5]);
@@ -170,7 +176,8 @@ fn define_chunk<M: Module>(
         let &[table, columns, outputs, tile, pairs] = builder.block_params(entry) else {
             return Err(CodegenError::Malformed("a batch function of another signature"));
         };
-        // One pointer per stride: position in columns, pair among what is carried, pair among the angles of a stage.
+        // One pointer per stride: into the columns, into the stored values, and into the angles of
+        // each stage.
         let strides: Vec<usize> = [PAIR, plan.carried * PAIR]
             .into_iter()
             .chain(plan.angles.iter().map(|angles| angles.count * PAIR))
@@ -226,20 +233,20 @@ struct Lanes<'c, 'm, 'f, M: Module> {
     builder: FunctionBuilder<'f>,
     batch: &'c BatchTape,
     plan: &'c Plan,
-    /// What is uniform, twice each.
+    /// The uniform values, each stored twice.
     table: Value,
-    /// Where the columns of inputs and outputs begin.
+    /// The start addresses of input and output columns.
     columns: Value,
     outputs: Value,
-    /// As the loop's strides.
+    /// The loop's pointers, in the order of its strides.
     pointers: Vec<Value>,
-    /// What this function has computed.
+    /// Values computed by this function.
     values: HashMap<u32, Value>,
-    /// What was last read from memory, and after how many operations.
+    /// Values loaded from memory, with the number of operations at that time.
     read: HashMap<u32, (Value, usize)>,
-    /// Where columns of inputs are.
+    /// Addresses of input columns.
     addresses: HashMap<u32, Value>,
-    /// Operations so far.
+    /// Number of operations so far.
     done: usize,
     references: References,
 }
@@ -251,7 +258,7 @@ impl<M: Module> Lanes<'_, '_, '_, M> {
         for (position, &output) in batch.tape.outputs.iter().enumerate() {
             outputs.entry(output).or_default().push(position);
         }
-        // The angles that this function makes: of any later stage if it computes them.
+        // The angles that this function computes for any later stage.
         let mut angles: HashMap<u32, Vec<(usize, usize)>> = HashMap::new();
         for (stage, list) in batch.angles.iter().enumerate() {
             for (index, &angle) in list.iter().enumerate() {
@@ -302,7 +309,7 @@ impl<M: Module> Lanes<'_, '_, '_, M> {
         )
     }
 
-    /// An operand. What lies in memory is read close to its use, which then needs no register for long.
+    /// Returns an operand. Values in memory are loaded close to their use, to keep registers free.
     fn operand(&mut self, id: u32) -> Result<Value, CodegenError> {
         if let Some(value) = self.values.get(&id) {
             return Ok(*value);
@@ -341,7 +348,7 @@ impl<M: Module> Lanes<'_, '_, '_, M> {
         Ok(self.builder.ins().load(types::F64X2, TRUSTED, address, offset as i32))
     }
 
-    /// Where the column of an input begins.
+    /// Returns the start of an input's column.
     fn column(&mut self, input: u32) -> Result<Value, CodegenError> {
         if let Some(address) = self.addresses.get(&input) {
             return Ok(*address);

@@ -1,7 +1,8 @@
-//! Machine code as data: what a module's code is made of, so that it can be kept and loaded again.
+//! Machine code as data, so that it can be stored and loaded again.
 //!
-//! [`crate::compile_code`] makes it (module `recorder`), [`crate::load_code`] puts it into memory (module `load`). It says
-//! by name what it calls, and by number what is its own.
+//! [`crate::compile_code`] produces it (module `recorder`), and [`crate::load_code`] places it in
+//! memory (module `load`). External functions are referenced by symbol, the module's own functions
+//! and constants by index.
 
 use crate::backend::{TargetCpu, position_dependent_isa};
 use crate::error::CodegenError;
@@ -14,37 +15,38 @@ use std::fmt;
 /// The machine code of a program.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ModuleCode {
-    /// Link symbols of what it calls: helpers, numeric functions and functions of the engine.
+    /// Link symbols of the external functions: helpers, numeric functions and functions of the
+    /// engine.
     pub(crate) imports: Vec<String>,
     pub(crate) functions: Vec<FunctionCode>,
     /// Constants.
     pub(crate) data: Vec<DataCode>,
-    /// The functions of the program, in order of its own.
+    /// The functions of the program, in order of `Program::functions`.
     pub(crate) program: Vec<ProgramFunction>,
-    /// In order of site.
+    /// Kernels in order of the sites.
     pub(crate) kernels: Vec<KernelFunction>,
-    /// Which function of the program is its top level.
+    /// Index of the program function for the top level.
     pub(crate) main: u32,
 }
 
 impl ModuleCode {
-    /// Whether there is a function of this number in the program.
+    /// Returns `true` if the program has a function with this index.
     pub fn has_function(&self, number: u32) -> bool {
         (number as usize) < self.program.len()
     }
 
-    /// How many numbers each kernel takes and gives, in order of site.
+    /// Returns the numbers of inputs and outputs of each kernel, in order of the sites.
     pub fn kernel_sizes(&self) -> impl Iterator<Item = (usize, usize)> {
         self.kernels.iter().map(|kernel| (kernel.inputs as usize, kernel.outputs as usize))
     }
 }
 
-/// One function's code.
+/// The code of one function.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FunctionCode {
     #[serde(with = "serde_bytes")]
     pub bytes: Vec<u8>,
-    /// A power of two.
+    /// Alignment, a power of two.
     pub alignment: u64,
     pub relocations: Vec<Relocation>,
 }
@@ -54,43 +56,43 @@ pub struct FunctionCode {
 pub struct DataCode {
     #[serde(with = "serde_bytes")]
     pub bytes: Vec<u8>,
-    /// A power of two.
+    /// Alignment, a power of two.
     pub alignment: u64,
 }
 
 /// An address that is written into code when it is loaded.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Relocation {
-    /// Where, from the function's start.
+    /// Offset from the start of the function, bytes.
     pub offset: u32,
     pub kind: RelocationKind,
     pub target: Target,
     pub addend: i64,
 }
 
-/// Whose address.
+/// The symbol whose address is written.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Target {
-    /// Of a row of [`ModuleCode::imports`].
+    /// An index of [`ModuleCode::imports`].
     Import(u32),
-    /// Of a row of [`ModuleCode::functions`].
+    /// An index of [`ModuleCode::functions`].
     Function(u32),
-    /// Of a row of [`ModuleCode::data`].
+    /// An index of [`ModuleCode::data`].
     Data(u32),
 }
 
 /// A function of the program.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ProgramFunction {
-    /// Row of [`ModuleCode::functions`].
+    /// Index in [`ModuleCode::functions`].
     pub function: u32,
     pub signature: Signature,
 }
 
-/// A kernel.
+/// A kernel and its function.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct KernelFunction {
-    /// Row of [`ModuleCode::functions`].
+    /// Index in [`ModuleCode::functions`].
     pub function: u32,
     pub inputs: u32,
     pub outputs: u32,
@@ -98,12 +100,14 @@ pub struct KernelFunction {
 
 macro_rules! relocation_kinds {
     ($($(#[$doc:meta])* $kind:ident: $bytes:literal),+ $(,)?) => {
-        /// How an address is written: the kinds that code of this compiler has on the machines it knows.
+        /// The encoding of an address: the relocation kinds that Cranelift emits on the supported
+        /// machines.
         #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
         pub enum RelocationKind { $($(#[$doc])* $kind),+ }
 
         impl RelocationKind {
-            /// `None` if code of this kind cannot be kept.
+            /// Converts Cranelift's relocation kind; `None` if code with this kind cannot be
+            /// stored.
             pub fn new(kind: binemit::Reloc) -> Option<Self> {
                 match kind {
                     $(binemit::Reloc::$kind => Some(RelocationKind::$kind),)+
@@ -111,12 +115,12 @@ macro_rules! relocation_kinds {
                 }
             }
 
-            /// As Cranelift has it.
+            /// Returns Cranelift's relocation kind.
             pub fn kind(self) -> binemit::Reloc {
                 match self { $(RelocationKind::$kind => binemit::Reloc::$kind),+ }
             }
 
-            /// Bytes of code it changes.
+            /// Returns the number of code bytes that the relocation changes.
             pub fn width(self) -> usize {
                 match self { $(RelocationKind::$kind => $bytes),+ }
             }
@@ -125,7 +129,7 @@ macro_rules! relocation_kinds {
 }
 
 relocation_kinds! {
-    /// The whole address.
+    /// The absolute address.
     Abs8: 8,
     X86PCRel4: 4,
     X86CallPCRel4: 4,
@@ -135,26 +139,27 @@ relocation_kinds! {
 }
 
 impl RelocationKind {
-    /// Whether it reaches any address. The others reach what lies near.
+    /// Returns `true` if the relocation reaches any address. The others are relative and have a
+    /// limited range.
     pub fn is_absolute(self) -> bool {
         matches!(self, RelocationKind::Abs8)
     }
 }
 
-/// The machine that code is for.
+/// The machine for which code was compiled.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Machine {
     /// Architecture and system, like `x86_64-unknown-linux-gnu`.
     pub triple: String,
-    /// What the processor must be able to do, as Cranelift calls it (`has_avx2`), in alphabetical order.
+    /// Required processor features in Cranelift's notation (`has_avx2`), in alphabetical order.
     pub features: Vec<String>,
 }
 
 impl Machine {
-    /// The machine that [`crate::compile_code`] compiles for.
+    /// Returns the machine for which [`crate::compile_code`] compiles.
     ///
     /// # Errors
-    /// Cranelift does not know this machine.
+    /// Cranelift does not support this machine.
     pub fn new(cpu: TargetCpu) -> Result<Machine, CodegenError> {
         Ok(Machine::of(&*position_dependent_isa(cpu)?))
     }
@@ -167,21 +172,21 @@ impl Machine {
         Machine { triple: isa.triple().to_string(), features }
     }
 
-    /// Which features of this machine's code another machine lacks.
+    /// Returns the features that code for this machine requires and another machine lacks.
     pub fn lacking_on(&self, other: &Machine) -> Vec<&str> {
         let lacks = |feature: &&String| !other.features.contains(feature);
         self.features.iter().filter(lacks).map(String::as_str).collect()
     }
 }
 
-/// Why code could not be loaded.
+/// The reason why code could not be loaded.
 #[derive(Debug)]
 pub enum LoadError {
-    /// It refers to something that is not there.
+    /// It refers to an item that does not exist.
     Malformed(&'static str),
     /// It calls a function that this engine does not have.
     Unknown(String),
-    /// Memory for it could not be had.
+    /// Its memory could not be allocated.
     Memory(CodegenError),
 }
 

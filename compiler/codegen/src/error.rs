@@ -1,20 +1,21 @@
-//! Why code could not be generated.
+//! Errors of code generation.
 
 use calyx_lower::kernels::KernelError;
 use calyx_lower::link::LinkError;
 use cranelift_module::ModuleError;
 use std::fmt;
 
-/// Why code could not be generated. Only `Kernel` can be a mistake in the user's text; it says where.
+/// The reason why code could not be generated. Only `Kernel` can result from a mistake in the
+/// user's text; it has the source location.
 #[derive(Debug)]
 pub enum CodegenError {
     /// The program declares a function that the engine does not provide.
     Link(LinkError),
-    /// A symbolic expression could not be made a kernel.
+    /// A symbolic expression has no kernel.
     Kernel(KernelError),
-    /// The typed program contradicts itself.
+    /// The typed program is inconsistent.
     Malformed(&'static str),
-    /// Cranelift refuses this machine or this code.
+    /// Cranelift does not support this machine or this code.
     Cranelift(String),
 }
 
@@ -39,7 +40,7 @@ impl From<LinkError> for CodegenError {
 
 impl From<ModuleError> for CodegenError {
     fn from(error: ModuleError) -> Self {
-        // The alternate form names the cause as well.
+        // The alternate form includes the cause.
         CodegenError::Cranelift(format!("{error:#}"))
     }
 }

@@ -1,4 +1,4 @@
-//! Expressions: each becomes the values of its slots.
+//! Lowers expressions to the values of their slots.
 
 use crate::error::CodegenError;
 use crate::function::{FunctionLowering, slot_types};
@@ -14,7 +14,7 @@ use cranelift_module::Module;
 type Values = Result<Vec<Value>, CodegenError>;
 
 impl<'m, M: Module> FunctionLowering<'_, 'm, '_, M> {
-    /// The slots of an expression.
+    /// Returns the slots of an expression.
     pub fn expression(&mut self, expr: &'m Expr) -> Values {
         Ok(match &expr.kind {
             ExprKind::Number(value) => vec![self.number(*value)],
@@ -138,7 +138,7 @@ impl<'m, M: Module> FunctionLowering<'_, 'm, '_, M> {
         })
     }
 
-    /// The slots of expressions one after another.
+    /// Returns the concatenated slots of expressions.
     pub fn expressions(&mut self, parts: impl IntoIterator<Item = &'m Expr>) -> Values {
         let mut values = Vec::new();
         for part in parts {
@@ -147,7 +147,7 @@ impl<'m, M: Module> FunctionLowering<'_, 'm, '_, M> {
         Ok(values)
     }
 
-    /// An expression of one slot.
+    /// Returns the value of an expression that occupies one slot.
     pub fn scalar(&mut self, expr: &'m Expr) -> Result<Value, CodegenError> {
         match self.expression(expr)?[..] {
             [value] => Ok(value),
@@ -214,7 +214,7 @@ impl<'m, M: Module> FunctionLowering<'_, 'm, '_, M> {
         expand(self, op, &values).ok_or(unknown)
     }
 
-    /// Whether two values, given one after the other, are equal.
+    /// Compares two values whose slots are concatenated.
     fn equal(&mut self, repr: &Repr, values: &[Value]) -> Result<Value, CodegenError> {
         if let (Repr::Bool | Repr::Handle, &[a, b]) = (repr, values) {
             let equal = self.builder.ins().icmp(IntCC::Equal, a, b);

@@ -1,7 +1,8 @@
-//! One function of the program: its frame, its calls, and the checks around them.
+//! Lowers one function of the program: its frame, its calls, and the checks around them.
 //!
-//! Values live in registers, one Cranelift value a slot, as `F64` if the slot holds a number and `I64` if not.
-//! Only the slots of a call's arguments and results pass through memory, a buffer in the frame.
+//! Values are in registers, with one Cranelift value per slot: `F64` if the slot contains a number,
+//! otherwise `I64`. Only the arguments and results of calls pass through memory, a buffer in the
+//! frame.
 
 use crate::error::CodegenError;
 use crate::module::ModuleLowering;
@@ -18,10 +19,10 @@ use cranelift_frontend::{FunctionBuilder, Variable};
 use cranelift_module::{FuncId, Module};
 use std::collections::{BTreeMap, HashMap};
 
-/// Memory that is there and aligned: the context, arguments, results, the buffer.
+/// Flags for memory that is always mapped and aligned: the context, arguments, results, the buffer.
 pub const TRUSTED: MemFlagsData = MemFlagsData::trusted();
 
-/// Bytes of a slot.
+/// Size of a slot, bytes.
 pub const SLOT: usize = 8;
 
 /// A function under construction.
@@ -29,26 +30,26 @@ pub struct FunctionLowering<'l, 'm, 'f, M: Module> {
     pub module: &'l mut ModuleLowering<'m, M>,
     pub builder: FunctionBuilder<'f>,
     pub function: &'m Function,
-    /// Per local one variable a slot.
+    /// For each local, one variable per slot.
     pub locals: Vec<Vec<Variable>>,
-    /// In order of `Function::blocks`.
+    /// Blocks in order of `Function::blocks`.
     pub blocks: Vec<Block>,
     context: Value,
     arguments: Value,
     results: Value,
-    /// Takes a status; ends the call under way and returns it.
+    /// Block that takes a status, ends the current call and returns the status.
     leave: Block,
-    /// Takes a status: where an error of the present block leads.
+    /// Block that takes a status: the target of errors in the current block.
     on_error: Block,
-    /// For each handler of the function, what `on_error` is in blocks that it serves.
+    /// For each handler of the function, the value of `on_error` in the blocks that it covers.
     landings: BTreeMap<BlockId, Block>,
-    /// Room for arguments and results of calls, as large as the largest needs.
+    /// Buffer for arguments and results, as large as the largest call needs.
     buffer: StackSlot,
     buffer_slots: usize,
     references: HashMap<FuncId, FuncRef>,
 }
 
-/// Machine types of the slots of a value.
+/// Returns the machine types of a value's slots.
 pub fn slot_types(repr: &Repr) -> Vec<Type> {
     match repr {
         Repr::Number | Repr::Vector | Repr::Transform => vec![types::F64; repr.slots()],
@@ -58,7 +59,7 @@ pub fn slot_types(repr: &Repr) -> Vec<Type> {
 }
 
 impl<'l, 'm, 'f, M: Module> FunctionLowering<'l, 'm, 'f, M> {
-    /// Begins a function: declares its variables and blocks.
+    /// Starts a function: declares its variables and blocks.
     pub fn new(
         module: &'l mut ModuleLowering<'m, M>,
         mut builder: FunctionBuilder<'f>,
@@ -120,7 +121,7 @@ impl<'l, 'm, 'f, M: Module> FunctionLowering<'l, 'm, 'f, M> {
         Ok(())
     }
 
-    /// Counts the call, reads the arguments, sets all other locals to zero, and goes to block 0.
+    /// Counts the call, loads the arguments, sets all other locals to zero, and jumps to block 0.
     fn enter(&mut self) -> Result<(), CodegenError> {
         let depth = self.load_context(types::I64, Layout::DEPTH);
         let too_deep =
@@ -154,7 +155,7 @@ impl<'l, 'm, 'f, M: Module> FunctionLowering<'l, 'm, 'f, M> {
         Ok(())
     }
 
-    /// Where errors lead in blocks with this handler.
+    /// Returns the target of errors in blocks with this handler.
     fn landing(&mut self, handler: Option<BlockId>) -> Block {
         let Some(handler) = handler else { return self.leave };
         if let Some(landing) = self.landings.get(&handler) {
@@ -166,7 +167,7 @@ impl<'l, 'm, 'f, M: Module> FunctionLowering<'l, 'm, 'f, M> {
         landing
     }
 
-    /// From a landing on to the handler, if what happened can be caught.
+    /// Emits the jump from a landing block to the handler, if the error can be caught.
     fn land(&mut self, handler: BlockId, landing: Block) -> Result<(), CodegenError> {
         let target = self.target(handler)?;
         self.builder.switch_to_block(landing);
@@ -176,13 +177,13 @@ impl<'l, 'm, 'f, M: Module> FunctionLowering<'l, 'm, 'f, M> {
         Ok(())
     }
 
-    /// A block of the function.
+    /// Returns the Cranelift block of a basic block.
     pub fn target(&self, block: BlockId) -> Result<Block, CodegenError> {
         let block = self.blocks.get(block.0 as usize).copied();
         block.ok_or(CodegenError::Malformed("a block that is not there"))
     }
 
-    /// Counts a basic block against what the program may still enter.
+    /// Decrements the number of basic blocks that the program may still enter, and fails at zero.
     fn count_block(&mut self, span: Span) -> Result<(), CodegenError> {
         let granted = self.load_context(types::I64, Layout::GRANTED);
         let (refuel, proceed) = (self.cold_block(), self.builder.create_block());
@@ -221,7 +222,7 @@ impl<'l, 'm, 'f, M: Module> FunctionLowering<'l, 'm, 'f, M> {
         self.store_context(depth, Layout::DEPTH);
     }
 
-    /// Notes the source range of what is about to happen, for errors.
+    /// Records the source range of the next operation, for errors.
     pub fn at(&mut self, span: Span) {
         for (value, offset) in [
             (span.file.0, Layout::PLACE_FILE),
@@ -241,8 +242,9 @@ impl<'l, 'm, 'f, M: Module> FunctionLowering<'l, 'm, 'f, M> {
         self.builder.ins().store(TRUSTED, value, self.context, offset as i32);
     }
 
-    /// Calls a compiled or provided function with the slots of its arguments; gives those of its results.
-    /// If it fails, `note` adds to the error what is known here, and returns the status again.
+    /// Calls a compiled or provided function with the slots of its arguments, and returns the slots
+    /// of its results. If the call fails, `note` adds information to the error and returns the
+    /// status.
     pub fn call_slots(
         &mut self,
         id: FuncId,
@@ -266,7 +268,7 @@ impl<'l, 'm, 'f, M: Module> FunctionLowering<'l, 'm, 'f, M> {
         Ok(self.load_buffer(into, types))
     }
 
-    /// Calls a function of the program at a place.
+    /// Calls a function of the program at a source location.
     pub fn call_function(
         &mut self,
         id: FunctionId,
@@ -288,19 +290,19 @@ impl<'l, 'm, 'f, M: Module> FunctionLowering<'l, 'm, 'f, M> {
         })
     }
 
-    /// Goes where errors of the present block lead.
+    /// Jumps to the target of errors in the current block.
     pub fn fail(&mut self, status: Value) {
         self.builder.ins().jump(self.on_error, &[BlockArg::Value(status)]);
     }
 
-    /// Calls a helper with words; goes on if it succeeds.
+    /// Calls a helper with words, and continues if it succeeds.
     pub fn helper(&mut self, symbol: &str, arguments: &[Value]) -> Result<(), CodegenError> {
         let status = self.helper_status(symbol, arguments)?;
         self.check(status);
         Ok(())
     }
 
-    /// Calls a helper with words; gives its status.
+    /// Calls a helper with words, and returns its status.
     pub fn helper_status(&mut self, symbol: &str, arguments: &[Value]) -> Result<Value, CodegenError> {
         let id = self.module.import(symbol)?;
         let function = self.reference(id);
@@ -309,14 +311,14 @@ impl<'l, 'm, 'f, M: Module> FunctionLowering<'l, 'm, 'f, M> {
         Ok(self.builder.inst_results(call)[0])
     }
 
-    /// Goes where errors lead unless the status is `Ok`.
+    /// Jumps to the target of errors unless the status is `Ok`.
     fn check(&mut self, status: Value) {
         let proceed = self.builder.create_block();
         self.builder.ins().brif(status, self.on_error, &[BlockArg::Value(status)], proceed, &[]);
         self.builder.switch_to_block(proceed);
     }
 
-    /// A function as this one may call it.
+    /// Returns a reference to a function for calls from this one.
     pub fn reference(&mut self, id: FuncId) -> FuncRef {
         let (module, function) = (&mut *self.module.module, &mut *self.builder.func);
         *self.references.entry(id).or_insert_with(|| module.declare_func_in_func(id, function))
@@ -328,7 +330,7 @@ impl<'l, 'm, 'f, M: Module> FunctionLowering<'l, 'm, 'f, M> {
         block
     }
 
-    /// Address of a slot of the buffer.
+    /// Returns the address of a slot of the buffer.
     pub fn buffer_address(&mut self, slot: usize) -> Value {
         self.builder.ins().stack_addr(types::I64, self.buffer, (slot * SLOT) as i32)
     }
@@ -337,7 +339,7 @@ impl<'l, 'm, 'f, M: Module> FunctionLowering<'l, 'm, 'f, M> {
         self.buffer_slots = self.buffer_slots.max(slots);
     }
 
-    /// Stores values in the buffer from a slot on.
+    /// Stores values in the buffer, starting at a slot.
     pub fn store_buffer(&mut self, slot: usize, values: &[Value]) {
         self.reserve(slot + values.len());
         let base = self.buffer_address(slot);
@@ -346,14 +348,14 @@ impl<'l, 'm, 'f, M: Module> FunctionLowering<'l, 'm, 'f, M> {
         }
     }
 
-    /// Loads values from the buffer from a slot on.
+    /// Loads values from the buffer, starting at a slot.
     pub fn load_buffer(&mut self, slot: usize, types: &[Type]) -> Vec<Value> {
         self.reserve(slot + types.len());
         let base = self.buffer_address(slot);
         self.load_slots(base, 0, types)
     }
 
-    /// Loads values from memory from a slot on.
+    /// Loads values from memory, starting at a slot.
     pub fn load_slots(&mut self, base: Value, slot: usize, types: &[Type]) -> Vec<Value> {
         let load = |(index, &ty): (usize, &Type)| {
             self.builder.ins().load(ty, TRUSTED, base, ((slot + index) * SLOT) as i32)
@@ -361,7 +363,7 @@ impl<'l, 'm, 'f, M: Module> FunctionLowering<'l, 'm, 'f, M> {
         types.iter().enumerate().map(load).collect()
     }
 
-    /// Address and length of constant bytes, as words.
+    /// Returns address and length of constant bytes, as words.
     pub fn constant(&mut self, bytes: &[u8]) -> Result<[Value; 2], CodegenError> {
         let id = self.module.constant(bytes)?;
         let global = self.module.module.declare_data_in_func(id, self.builder.func);
@@ -369,7 +371,7 @@ impl<'l, 'm, 'f, M: Module> FunctionLowering<'l, 'm, 'f, M> {
         Ok([address, self.word(bytes.len())])
     }
 
-    /// A constant word.
+    /// Returns a constant word.
     pub fn word(&mut self, value: usize) -> Value {
         self.builder.ins().iconst(types::I64, value as i64)
     }
@@ -378,7 +380,7 @@ impl<'l, 'm, 'f, M: Module> FunctionLowering<'l, 'm, 'f, M> {
         if ty == types::F64 { self.builder.ins().f64const(0.0) } else { self.builder.ins().iconst(ty, 0) }
     }
 
-    /// The bits of a value, as a word.
+    /// Returns the bits of a value as a word.
     pub fn bits(&mut self, value: Value) -> Value {
         if self.builder.func.dfg.value_type(value) == types::F64 {
             self.builder.ins().bitcast(types::I64, MemFlagsData::new(), value)
@@ -387,20 +389,20 @@ impl<'l, 'm, 'f, M: Module> FunctionLowering<'l, 'm, 'f, M> {
         }
     }
 
-    /// Representation of a local.
+    /// Returns the representation of a local.
     pub fn local_repr(&self, local: LocalId) -> Result<&'m Repr, CodegenError> {
         let local = self.function.locals.get(local.0 as usize);
         local.map(|local| &local.repr).ok_or(CodegenError::Malformed("a local that is not there"))
     }
 
-    /// The present slots of a local.
+    /// Returns the current slots of a local.
     pub fn local(&mut self, local: LocalId) -> Result<Vec<Value>, CodegenError> {
         let variables = self.locals.get(local.0 as usize);
         let variables = variables.ok_or(CodegenError::Malformed("a local that is not there"))?;
         Ok(variables.iter().map(|&variable| self.builder.use_var(variable)).collect())
     }
 
-    /// Gives a local new slots.
+    /// Assigns the slots of a local.
     pub fn assign_local(&mut self, local: LocalId, values: &[Value]) -> Result<(), CodegenError> {
         match self.locals.get(local.0 as usize) {
             Some(variables) if variables.len() == values.len() => self.assign_slots(local, 0, values),
@@ -408,7 +410,7 @@ impl<'l, 'm, 'f, M: Module> FunctionLowering<'l, 'm, 'f, M> {
         }
     }
 
-    /// Gives some slots of a local, from one on, new values.
+    /// Assigns consecutive slots of a local, starting at `first`.
     pub fn assign_slots(
         &mut self,
         local: LocalId,

@@ -1,4 +1,4 @@
-//! Code in memory.
+//! The back end that places code in memory.
 
 use crate::backend::{Backend, Effort, Lowered, native_isa};
 use crate::error::CodegenError;
@@ -16,18 +16,18 @@ use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// Address space reserved for one module. Pages cost something only when they are used; code and its constants lie
-/// close together, so that they reach each other by short offsets.
+/// Address space reserved for one module, bytes. Pages use memory only when they are accessed. Code
+/// and constants are close together, so that relative addresses reach them.
 const ADDRESS_SPACE: usize = 256 << 20;
 
-/// The back end that puts code into memory.
+/// A back end that places code in memory.
 pub struct Jit {
     module: JITModule,
     functions: Vec<Signature>,
     main: FunctionId,
 }
 
-/// What a caller must know of a function.
+/// The signature of a function, as its callers need it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Signature {
     arguments: usize,
@@ -48,8 +48,8 @@ impl Signature {
     }
 }
 
-/// What code can reach: the helpers, the numeric functions and the engine's functions it was given. Nothing else, in
-/// particular no other symbol of the process.
+/// The symbols that code can reach: helpers, numeric functions and the given engine functions, but
+/// no other symbol of the process.
 pub struct Symbols(HashMap<&'static str, *const u8>);
 
 impl Symbols {
@@ -66,14 +66,14 @@ impl Symbols {
 }
 
 impl Jit {
-    /// Prepares memory and the table of symbols, with the externs that the program declares.
+    /// Allocates memory and creates the symbol table, with the externs that the program declares.
     pub fn new(program: &Program, externs: &[Extern], effort: Effort) -> Result<Self, CodegenError> {
         let symbols = Symbols::new(resolve_externs(program, externs)?);
         let functions = program.functions.iter().map(Signature::new).collect();
         Jit::in_space(native_isa(effort)?, symbols, ADDRESS_SPACE, functions, program.main)
     }
 
-    /// As [`Jit::new`], with so many bytes of address space.
+    /// Creates a back end as [`Jit::new`] does, with `bytes` bytes of address space.
     pub fn in_space(
         isa: OwnedTargetIsa,
         symbols: Symbols,
@@ -83,7 +83,8 @@ impl Jit {
     ) -> Result<Self, CodegenError> {
         let mut builder = JITBuilder::with_isa(isa, default_libcall_names());
         builder.symbols(symbols.0);
-        // Asked before the system's own lookup, which therefore never answers.
+        // This lookup precedes the system's lookup and always succeeds, so the latter is never
+        // used.
         builder.symbol_lookup_fn(Box::new(|_| Some(unresolved as *const u8)));
         let memory = ArenaMemoryProvider::new_with_size(space)
             .map_err(|error| CodegenError::Cranelift(format!("cannot reserve memory for code: {error}")))?;
@@ -91,19 +92,20 @@ impl Jit {
         Ok(Jit { module: JITModule::new(builder), functions, main })
     }
 
-    /// Memory for kernels alone. Their functions are called by address ([`Code::address`]).
+    /// Creates a back end for kernels only. Their functions are called by address
+    /// ([`Code::address`]).
     pub fn of_kernels() -> Result<Self, CodegenError> {
         Jit::new(&Program::default(), &[], Effort::AsWritten)
     }
 
-    /// Ends a module of kernels.
+    /// Finishes a module of kernels.
     pub fn into_code(mut self) -> Result<Arc<Code>, CodegenError> {
         self.module.finalize_definitions()?;
         Ok(Arc::new(Code(Mutex::new(Some(self.module)))))
     }
 }
 
-/// Stands for every symbol that is not in the tables. The lowering declares none such.
+/// The target of symbols that are not in the table. The lowering declares no such symbol.
 extern "C" fn unresolved() -> i32 {
     calyx_abi::Status::Failed as i32
 }
@@ -120,8 +122,8 @@ impl Backend for Jit {
         self.module.finalize_definitions()?;
         let functions = lowered.functions.iter().zip(self.functions).map(|(&id, signature)| {
             let address = self.module.get_finalized_function(id);
-            // SAFETY: the lowering gave every function of the program this signature. The code lives as long as
-            // the `Code` that the table of functions is kept beside.
+            // SAFETY: the lowering defines every program function with this signature. The `Code`
+            // is stored next to the table of functions and keeps them alive.
             let call = unsafe { std::mem::transmute::<*const u8, SlotFn>(address) };
             (call, signature)
         });
@@ -134,13 +136,14 @@ impl Backend for Jit {
     }
 }
 
-/// Owns code memory and frees it when the module and all its kernels are gone.
+/// Owns code memory, and frees it when the module and all its kernels are dropped.
 ///
-/// The mutex is never contended; it only makes Cranelift's module, which is `Send`, shareable.
+/// The mutex is never contended. It makes Cranelift's module, which is `Send` but not `Sync`,
+/// shareable.
 pub struct Code(Mutex<Option<JITModule>>);
 
 impl Code {
-    /// Where a function of this code begins; null if there is none.
+    /// Returns the start of a function; null if it does not exist.
     pub fn address(&self, function: FuncId) -> *const u8 {
         let module = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         module.as_ref().map_or(std::ptr::null(), |module| module.get_finalized_function(function))
@@ -151,7 +154,8 @@ impl Drop for Code {
     fn drop(&mut self) {
         let module = self.0.get_mut().map(Option::take).unwrap_or_default();
         if let Some(module) = module {
-            // SAFETY: whoever calls the code holds an `Arc` of this, so nothing runs in it and nobody will call it.
+            // SAFETY: every caller of the code owns an `Arc` of this value, so no code is running
+            // and none will be called.
             unsafe { module.free_memory() };
             #[cfg(test)]
             tests::FREED.fetch_add(1, std::sync::atomic::Ordering::Relaxed);
@@ -159,12 +163,13 @@ impl Drop for Code {
     }
 }
 
-/// A compiled program in memory. Can be run any number of times, by several threads with a [`Context`] each.
+/// A compiled program in memory. It can run any number of times, also on several threads with one
+/// [`Context`] each.
 pub struct JitModule {
     functions: Vec<(SlotFn, Signature)>,
     kernels: Vec<Arc<dyn Kernel>>,
     main: FunctionId,
-    /// Dropped last, though the kernels keep it alive as well.
+    /// Dropped last; the kernels also keep it alive.
     code: Arc<Code>,
 }
 
@@ -172,13 +177,14 @@ impl JitModule {
     /// Runs the top level of the model.
     ///
     /// # Errors
-    /// What the program or the engine fails with, and where.
+    /// Any error of the program or of the engine, with its source location.
     pub fn run_main(&self, ctx: &mut Context) -> Result<(), RuntimeError> {
         self.run_function(self.main, &[], ctx).map(|_| ())
     }
 
-    /// Runs one function (a param's default, say) and returns the slots of its result, followed by those of its
-    /// `out` and `inout` parameters. `arguments` holds the slots of its `in` and `inout` parameters.
+    /// Runs one function (for example a param's default) and returns the slots of its result,
+    /// followed by those of its `out` and `inout` parameters. `arguments` contains the slots of its
+    /// `in` and `inout` parameters.
     ///
     /// # Errors
     /// As for [`JitModule::run_main`].
@@ -188,7 +194,7 @@ impl JitModule {
         arguments: &[Slot],
         ctx: &mut Context,
     ) -> Result<Vec<Slot>, RuntimeError> {
-        // Code of other modules may have made this one's values, but only a live module may be entered.
+        // Values may come from other modules, but only the code of a live module may be entered.
         let _alive = &self.code;
         let Some((function, signature)) = self.functions.get(id.0 as usize) else {
             return Err(malformed("a function that is not there"));
@@ -197,26 +203,27 @@ impl JitModule {
             return Err(malformed("a call with too few arguments"));
         }
         ctx.place = signature.place;
-        // SAFETY: the function is alive, and takes and returns as many slots as its signature says.
+        // SAFETY: the function is alive, and its slot counts are those of its signature.
         unsafe { stack::run(ctx, *function, arguments, signature.results) }
     }
 
-    /// One kernel per site, in order of site; they keep the code alive.
+    /// Returns one kernel per site, in order of the sites. The kernels keep the code alive.
     pub fn kernels(&self) -> Vec<Arc<dyn Kernel>> {
         self.kernels.clone()
     }
 }
 
-/// A function of signature [`KernelFn`] as a kernel that keeps its code alive.
+/// Wraps a function of signature [`KernelFn`] as a kernel that keeps its code alive.
 pub fn kernel(code: &Arc<Code>, function: FuncId, inputs: usize, outputs: usize) -> Arc<dyn Kernel> {
-    // SAFETY: the lowering gave every kernel this signature; `JitKernel` keeps the code alive.
+    // SAFETY: the lowering defines every kernel with this signature; `JitKernel` keeps the code
+    // alive.
     let call = unsafe { std::mem::transmute::<*const u8, KernelFn>(code.address(function)) };
     Arc::new(JitKernel { code: code.clone(), call, inputs, outputs })
 }
 
 /// A kernel in memory.
 struct JitKernel {
-    /// Keeps the code that `call` points into.
+    /// Keeps the code of `call` alive.
     #[expect(dead_code, reason = "held for its lifetime only")]
     code: Arc<Code>,
     call: KernelFn,
@@ -230,7 +237,8 @@ impl Kernel for JitKernel {
             inputs.len() >= self.inputs && outputs.len() >= self.outputs,
             "kernel called with too few values"
         );
-        // SAFETY: the code is alive, reads `inputs` values and writes `outputs` values, which are there.
+        // SAFETY: the code is alive; it reads `inputs` values and writes `outputs` values, and both
+        // slices have these lengths.
         unsafe { (self.call)(inputs.as_ptr(), outputs.as_mut_ptr()) }
     }
 
@@ -254,7 +262,7 @@ mod tests {
 
     pub(super) static FREED: AtomicUsize = AtomicUsize::new(0);
 
-    /// A program whose top level does nothing.
+    /// Returns a program whose top level is empty.
     fn empty_program() -> Program {
         let main = Function {
             name: "main".into(),

@@ -1,8 +1,9 @@
-//! Kernels: straight-line code from a tape.
+//! Compiles a tape to straight-line code.
 //!
-//! The cost of register allocation grows faster than the length of a function, so a long tape becomes several
-//! functions of about [`CHUNK`] operations, called one after another. What one computes and another needs passes
-//! through scratch memory in the kernel's frame, whose places are used again once nobody needs what they hold.
+//! The cost of register allocation grows faster than the length of a function. A long tape is
+//! therefore split into functions of about [`CHUNK`] operations, which are called in sequence.
+//! Values that a later function needs are stored in scratch memory in the kernel's frame. Scratch
+//! slots are reused after the last use of their values.
 
 use crate::error::CodegenError;
 use crate::function::{SLOT, TRUSTED};
@@ -17,10 +18,12 @@ use cranelift_frontend::FunctionBuilder;
 use cranelift_module::{FuncId, Linkage, Module};
 use std::collections::HashMap;
 
-/// Operations in one function: measured on graphs of 30,000 operations, both compile and run time are least here.
+/// Operations in one function. On graphs of 30,000 operations, both compile time and run time have
+/// their minimum here.
 const CHUNK: usize = 1000;
 
-/// A kernel's frame may hold this many scratch values (512 KiB): threads of pools have small stacks.
+/// Limit of the scratch values in a kernel's frame (512 KiB), because the threads of thread pools
+/// have small stacks.
 const MAX_SCRATCH: usize = 1 << 16;
 
 /// Defines a kernel of signature [`calyx_abi::call::KernelFn`].
@@ -67,20 +70,21 @@ pub fn lower<M: Module>(
     Ok(kernel)
 }
 
-/// Which instructions go into which function, and what passes between them.
+/// The instructions of each function, and the values passed between functions.
 struct Plan {
     /// Ranges of instructions.
     chunks: Vec<std::ops::Range<usize>>,
-    /// Place in scratch memory of each value that a later chunk needs.
+    /// For each value that a later chunk needs, its slot in scratch memory.
     places: HashMap<usize, usize>,
-    /// Number of places.
+    /// Number of scratch slots.
     scratch: usize,
 }
 
 impl Plan {
     fn new(tape: &Tape) -> Result<Plan, CodegenError> {
         let count = tape.instructions.len();
-        // Equal shares; constants and inputs cost nothing, they are made where they are used.
+        // Chunks have equal numbers of operations. Constants and inputs are free and computed where
+        // they are used.
         let operations = tape.operations();
         let share = operations.div_ceil(operations.div_ceil(CHUNK).max(1)).max(1);
         let mut chunk_of = vec![0; count];
@@ -101,7 +105,8 @@ impl Plan {
             }
         }
         let (mut places, mut free, mut scratch) = (HashMap::new(), Vec::new(), 0);
-        // Values by the chunk that needs them last; their places are free for what later chunks compute.
+        // Values by the chunk of their last use; their slots are free for the results of later
+        // chunks.
         let mut ending = vec![Vec::new(); chunks.len()];
         for (chunk, range) in chunks.iter().enumerate() {
             for index in range.clone() {
@@ -123,7 +128,7 @@ impl Plan {
     }
 }
 
-/// Begins a function and gives its parameters.
+/// Starts a function and returns its parameters.
 fn entry<const N: usize>(builder: &mut FunctionBuilder) -> Result<[Value; N], CodegenError> {
     let block = builder.create_block();
     builder.append_block_params_for_function_params(block);
@@ -138,7 +143,7 @@ fn finish<M: Module>(module: &ModuleLowering<M>, mut builder: FunctionBuilder) {
     builder.finalize(module.module.target_config());
 }
 
-/// Defines the function of a range of instructions.
+/// Defines the function for a range of instructions.
 fn define_chunk<M: Module>(
     module: &mut ModuleLowering<M>,
     id: FuncId,
@@ -175,7 +180,7 @@ fn define_chunk<M: Module>(
                 chunk.take_together(&run.angles)?;
             }
             let outputs_here = wanted.get(&index);
-            // Leaves cost nothing, and what lies in a buffer is read where it is used.
+            // Leaves are free, and buffered values are loaded where they are used.
             let waits = tape.instructions[index].is_leaf() || chunk.in_buffer(index).is_some();
             if waits && outputs_here.is_none() && !plan.places.contains_key(&index) {
                 continue;
@@ -196,7 +201,7 @@ fn define_chunk<M: Module>(
     })
 }
 
-/// Angles in a range of instructions of which both sine and cosine are wanted there.
+/// Returns the angles in a range of instructions whose sine and cosine are both needed there.
 fn sine_cosine_pairs(tape: &Tape, range: &std::ops::Range<usize>) -> HashMap<u32, Option<[Value; 2]>> {
     let mut wanted: HashMap<u32, (bool, bool)> = HashMap::new();
     for instruction in &tape.instructions[range.clone()] {
@@ -209,7 +214,7 @@ fn sine_cosine_pairs(tape: &Tape, range: &std::ops::Range<usize>) -> HashMap<u32
     wanted.into_iter().filter(|(_, both)| *both == (true, true)).map(|(angle, _)| (angle, None)).collect()
 }
 
-/// A function of a kernel under construction.
+/// A function of a kernel, under construction.
 struct Chunk<'c, 'm, 'f, M: Module> {
     module: &'c mut ModuleLowering<'m, M>,
     builder: FunctionBuilder<'f>,
@@ -217,17 +222,17 @@ struct Chunk<'c, 'm, 'f, M: Module> {
     plan: &'c Plan,
     inputs: Value,
     scratch: Option<Value>,
-    /// What this function has at hand, by instruction.
+    /// Available values, by instruction.
     values: HashMap<usize, Value>,
     references: References,
-    /// Sine and cosine of angles that want both, once computed.
+    /// Sine and cosine of angles that need both, once computed.
     pairs: HashMap<u32, Option<[Value; 2]>>,
     pair_buffer: Option<StackSlot>,
-    /// Angles whose sines and cosines were taken with those of others.
+    /// Angles whose sines and cosines were computed together with others.
     together: HashMap<u32, Buffered>,
 }
 
-/// Where the sine of an angle lies, and its cosine.
+/// The locations of an angle's sine and cosine in a buffer.
 #[derive(Clone, Copy)]
 struct Buffered {
     buffer: StackSlot,
@@ -236,7 +241,7 @@ struct Buffered {
 }
 
 impl<M: Module> Chunk<'_, '_, '_, M> {
-    /// The value of an instruction: at hand, loaded from scratch memory, or computed.
+    /// Returns the value of an instruction: available, loaded from scratch memory, or computed.
     fn value(&mut self, index: usize) -> Result<Value, CodegenError> {
         if let Some(value) = self.values.get(&index) {
             return Ok(*value);
@@ -246,7 +251,7 @@ impl<M: Module> Chunk<'_, '_, '_, M> {
         Ok(value)
     }
 
-    /// Sine or cosine that lies in a buffer: which, and where.
+    /// Returns the buffer and the offset of a buffered sine or cosine.
     fn in_buffer(&self, index: usize) -> Option<(StackSlot, i32)> {
         match self.tape.instructions[index] {
             Instruction::Sin(angle) => self.together.get(&angle).map(|found| (found.buffer, found.sine)),
@@ -255,7 +260,7 @@ impl<M: Module> Chunk<'_, '_, '_, M> {
         }
     }
 
-    /// Sines and cosines of several angles by one call.
+    /// Computes the sines and cosines of several angles with one call.
     fn take_together(&mut self, angles: &[u32]) -> Result<(), CodegenError> {
         let count = angles.len().next_multiple_of(together::WIDTH);
         let block = (count * SLOT) as i32;
@@ -281,7 +286,7 @@ impl<M: Module> Chunk<'_, '_, '_, M> {
         Ok(())
     }
 
-    /// An operand; only what another function computed is not at hand, and that is in scratch memory.
+    /// Returns an operand. Operands from other functions are loaded from scratch memory.
     fn operand(&mut self, id: u32) -> Result<Value, CodegenError> {
         let index = id as usize;
         if let Some((buffer, offset)) = self.in_buffer(index) {
@@ -325,7 +330,7 @@ impl<M: Module> Chunk<'_, '_, '_, M> {
         )
     }
 
-    /// Sine and cosine of an angle, by one call, if both are wanted.
+    /// Computes sine and cosine of an angle with one call, if both are needed.
     fn sine_cosine(&mut self, angle: u32) -> Result<Option<[Value; 2]>, CodegenError> {
         let known = match self.pairs.get(&angle) {
             None => return Ok(None),

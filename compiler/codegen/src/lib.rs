@@ -1,10 +1,12 @@
-//! Machine code through Cranelift: in memory ([`compile_jit`]), as an object file ([`compile_object`]), or as data to be
-//! kept and loaded again ([`compile_code`], [`load_code`]).
+//! Machine code generation with Cranelift: in memory ([`compile_jit`]), as an object file
+//! ([`compile_object`]), or as data that can be stored and loaded again ([`compile_code`],
+//! [`load_code`]).
 //!
-//! One lowering (modules `module`, `function`, `kernel`) serves all, generic over where the code goes
-//! ([`Backend`]). No other crate names Cranelift. Compiled code gives the same bits, the same errors and the
-//! same places as the interpreter of `calyx-lower`: arithmetic is IEEE 754 without fused multiply-adds, everything
-//! else is a call of the one definition in `calyx-abi`. No call unwinds: each returns a status, checked at once.
+//! All three share one lowering (modules `module`, `function`, `kernel`), generic over a
+//! [`Backend`]. No other crate depends on Cranelift. Compiled code produces the same bits, the same
+//! errors and the same source locations as the interpreter of `calyx-lower`: arithmetic is IEEE 754
+//! without fused multiply-adds, and everything else calls the shared definitions in `calyx-abi`.
+//! Calls do not unwind; each returns a status, which the caller checks immediately.
 
 mod backend;
 mod batch;
@@ -39,20 +41,20 @@ use calyx_lower::kernels::lower_sites;
 use calyx_symbolic::Tape;
 use std::sync::Arc;
 
-/// Compiles a program into memory. `externs` are the functions of the engine; the program's own declarations are
-/// looked up there by symbol, and code can reach nothing else.
+/// Compiles a program into memory. `externs` are the functions of the engine. The program's
+/// declarations are resolved among them by symbol; the code cannot reach anything else.
 ///
 /// # Errors
-/// The engine lacks a function the program declares, a symbolic expression cannot be made a kernel, or the machine
-/// is not one that Cranelift knows.
+/// The engine lacks a function that the program declares, a symbolic expression has no kernel, or
+/// Cranelift does not support the machine.
 pub fn compile_jit(program: &Program, externs: &[Extern]) -> Result<JitModule, CodegenError> {
     compile_jit_with_tapes(program, &lower_sites(program).map_err(CodegenError::Kernel)?, externs)
 }
 
-/// As [`compile_jit`], with the kernels' tapes (one per site) made beforehand.
+/// Compiles as [`compile_jit`] does, with given tapes of the kernels (one per site).
 ///
 /// # Errors
-/// As [`compile_jit`].
+/// As for [`compile_jit`].
 pub fn compile_jit_with_tapes(
     program: &Program,
     tapes: &[Tape],
@@ -61,24 +63,27 @@ pub fn compile_jit_with_tapes(
     backend::compile(jit::Jit::new(program, externs, backend::Effort::Speed)?, program, tapes)
 }
 
-/// Compiles a program into code that can be kept: it says by name which functions of the engine it calls, so that
-/// another process can load it.
+/// Compiles a program into code that can be stored. It references the functions of the engine by
+/// symbol, so that another process can load it.
 ///
 /// # Errors
-/// As [`compile_jit`], except that missing functions show when it is loaded.
+/// As for [`compile_jit`], except that missing functions are reported by [`load_code`].
 pub fn compile_code(program: &Program, cpu: TargetCpu) -> Result<ModuleCode, CodegenError> {
     let tapes = lower_sites(program).map_err(CodegenError::Kernel)?;
     backend::compile(recorder::Recorder::new(program, cpu)?, program, &tapes)
 }
 
-/// Puts code that was kept into memory. `externs` are the functions of the engine; code can reach nothing else.
+/// Places stored code in memory. `externs` are the functions of the engine; the code cannot reach
+/// anything else.
 ///
 /// # Errors
-/// The code refers to what is not there, or memory for it cannot be had. No code makes this panic.
+/// The code refers to an item that does not exist, or its memory cannot be allocated. Malformed
+/// code never causes a panic.
 ///
 /// # Safety
-/// The code came from [`compile_code`] of the very same version of this crate and of `calyx-abi`, for a machine
-/// ([`Machine`]) that can do no more than this one. It is run as it is: other bytes may do anything.
+/// The code was produced by [`compile_code`] of the same version of this crate and of `calyx-abi`,
+/// for a machine ([`Machine`]) whose features this one supports. The code is executed without
+/// verification, so other bytes are undefined behaviour.
 pub unsafe fn load_code(code: &ModuleCode, externs: &[Extern]) -> Result<JitModule, LoadError> {
     load::load(code, externs)
 }
@@ -86,7 +91,7 @@ pub unsafe fn load_code(code: &ModuleCode, externs: &[Extern]) -> Result<JitModu
 /// Compiles one tape for evaluation at one point at a time. For many points see [`compile_batch`].
 ///
 /// # Errors
-/// The tape is malformed, or the machine is not one that Cranelift knows.
+/// The tape is malformed, or Cranelift does not support the machine.
 pub fn compile_kernel(tape: &Tape) -> Result<Arc<dyn Kernel>, CodegenError> {
     let program = Program::default();
     let mut jit = jit::Jit::of_kernels()?;
@@ -95,21 +100,21 @@ pub fn compile_kernel(tape: &Tape) -> Result<Arc<dyn Kernel>, CodegenError> {
     Ok(jit::kernel(&jit.into_code()?, function, tape.inputs, tape.outputs.len()))
 }
 
-/// Compiles a program into an object file for this kind of machine, to be linked with `calyx-rt`.
+/// Compiles a program into an object file for a kind of machine, to be linked with `calyx-rt`.
 ///
-/// It exports `NAME_model`, a [`calyx_abi::description::ModuleTable`], and, if it is to be an executable, `main`, which
-/// calls `calyx_rt_main(argc, argv, &NAME_model)`.
+/// The object file exports `NAME_model`, a [`calyx_abi::description::ModuleTable`]. For an
+/// executable it also exports `main`, which calls `calyx_rt_main(argc, argv, &NAME_model)`.
 ///
 /// # Errors
-/// As [`compile_jit`], except that missing functions show when it is linked.
+/// As for [`compile_jit`], except that missing functions are reported by the linker.
 pub fn compile_object(program: &Program, options: &ObjectOptions) -> Result<Vec<u8>, CodegenError> {
     compile_object_with_tapes(program, &lower_sites(program).map_err(CodegenError::Kernel)?, options)
 }
 
-/// As [`compile_object`], with the kernels' tapes (one per site) made beforehand.
+/// Compiles as [`compile_object`] does, with given tapes of the kernels (one per site).
 ///
 /// # Errors
-/// As [`compile_object`].
+/// As for [`compile_object`].
 pub fn compile_object_with_tapes(
     program: &Program,
     tapes: &[Tape],

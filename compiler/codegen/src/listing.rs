@@ -1,4 +1,4 @@
-//! Code as text: what Cranelift is given, and what it makes of it for this machine.
+//! Code listings: Cranelift's intermediate representation and the machine code generated from it.
 
 use crate::backend::{Backend, Effort};
 use crate::error::CodegenError;
@@ -11,24 +11,25 @@ use calyx_lower::kernels::lower_sites;
 /// One function of a module under construction.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Listing {
-    /// Link symbol: `calyx_function_N`, `calyx_kernel_N`, or one that Cranelift made up for a part of a kernel.
+    /// Link symbol: `calyx_function_N`, `calyx_kernel_N`, or a generated symbol for a part of a
+    /// kernel.
     pub symbol: String,
-    /// Cranelift's intermediate code.
+    /// Cranelift's intermediate representation.
     pub clif: String,
-    /// Machine code of this machine.
+    /// Assembly code for this machine.
     pub asm: String,
 }
 
-/// Compiles a program and lists its code, function by function.
+/// Compiles a program and returns the listings of its functions.
 ///
 /// # Errors
-/// As [`crate::compile_jit`].
+/// As for [`crate::compile_jit`].
 pub fn list(program: &Program, externs: &[Extern]) -> Result<Vec<Listing>, CodegenError> {
     let tapes = lower_sites(program).map_err(CodegenError::Kernel)?;
     let mut jit = Jit::new(program, externs, Effort::Speed)?;
     let mut listings = Vec::new();
     let lowered = ModuleLowering::new(jit.module(), program)?.listed_in(&mut listings).lower(&tapes)?;
-    // Whoever finishes the module also frees its memory.
+    // Finishing the module also frees its memory.
     jit.finish(lowered)?;
     Ok(listings)
 }

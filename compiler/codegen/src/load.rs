@@ -1,6 +1,7 @@
-//! Puts code that was kept as data into memory.
+//! Places code that was stored as data in memory.
 //!
-//! Everything that the memory's owner takes for granted is checked here first, so that no bytes make it panic.
+//! All requirements of the code memory are checked first, so that malformed bytes never cause a
+//! panic.
 
 use crate::backend::{Backend, Effort, Kernel, Lowered, native_isa};
 use crate::code::{FunctionCode, LoadError, ModuleCode, Relocation, Target};
@@ -9,16 +10,17 @@ use crate::jit::{Jit, JitModule, Symbols};
 use calyx_abi::Extern;
 use cranelift_module::{DataDescription, FuncId, Linkage, Module, ModuleReloc, ModuleRelocTarget};
 
-/// Largest alignment that code or data may ask for: that of a page.
+/// Largest alignment of code or data: a page.
 const MOST_ALIGNED: u64 = 4096;
 
-/// What may be added to an address: offsets of a program counter, never a way out of what is meant.
+/// Allowed addends of addresses: offsets of the program counter, too small to leave the target.
 const ADDENDS: std::ops::RangeInclusive<i64> = -16..=16;
 
-/// Address space one module may take; relative addresses reach across it.
+/// Limit of a module's address space, which relative addresses can span.
 const MOST_SPACE: usize = 256 << 20;
 
-/// Checks the code and puts it into memory. It reaches helpers, numeric functions and `externs`, nothing else.
+/// Checks the code and places it in memory. The code reaches helpers, numeric functions and
+/// `externs`, but nothing else.
 pub fn load(code: &ModuleCode, externs: &[Extern]) -> Result<JitModule, LoadError> {
     check(code)?;
     let symbols = Symbols::new(externs);
@@ -56,11 +58,11 @@ fn check(code: &ModuleCode) -> Result<(), LoadError> {
     Ok(())
 }
 
-/// Whether an address lies within its function, means something that is there, and reaches it.
+/// Returns `true` if a relocation is within its function, has an existing target, and can reach it.
 fn is_sound(relocation: &Relocation, function: &FunctionCode, code: &ModuleCode) -> bool {
     let end = (relocation.offset as usize).checked_add(relocation.kind.width());
     let target = match relocation.target {
-        // The engine may be anywhere.
+        // The engine may be at any address.
         Target::Import(number) => {
             (number as usize) < code.imports.len() && relocation.kind.is_absolute() && relocation.addend == 0
         }
@@ -70,8 +72,8 @@ fn is_sound(relocation: &Relocation, function: &FunctionCode, code: &ModuleCode)
     target && end.is_some_and(|end| end <= function.bytes.len()) && ADDENDS.contains(&relocation.addend)
 }
 
-/// Address space for the code, at least: each function and constant begins a page at worst, and a far call of AArch64 takes
-/// 24 bytes more.
+/// Returns an upper bound of the address space for the code: in the worst case each function and
+/// constant starts a page, and a far call of AArch64 takes 24 additional bytes.
 fn space(code: &ModuleCode) -> Option<usize> {
     let page = MOST_ALIGNED as usize;
     let functions =
@@ -89,7 +91,7 @@ fn place(code: &ModuleCode, symbols: Symbols) -> Result<JitModule, CodegenError>
         calyx_lang::ir::FunctionId(code.main),
     )?;
     let module = jit.module();
-    // The code is there, so nobody asks what its functions take.
+    // The code is complete, so the signatures are not used.
     let unknown = module.make_signature();
     let mut imports = Vec::new();
     for symbol in &code.imports {

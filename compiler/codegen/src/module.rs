@@ -1,4 +1,4 @@
-//! A module under construction: what its functions may call and refer to.
+//! A module under construction: the functions and constants that its functions may reference.
 
 use crate::backend::{Kernel, Lowered};
 use crate::error::CodegenError;
@@ -16,22 +16,22 @@ use cranelift_frontend::{FunctionBuilder, FunctionBuilderContext};
 use cranelift_module::{DataDescription, DataId, FuncId, Linkage, Module};
 use std::collections::HashMap;
 
-/// What all functions of a module share.
+/// State shared by all functions of a module.
 pub struct ModuleLowering<'m, M: Module> {
     pub module: &'m mut M,
     pub program: &'m Program,
-    /// In order of `Program::functions`.
+    /// Functions in order of `Program::functions`.
     pub functions: Vec<FuncId>,
-    /// In order of `Program::externs`.
+    /// Functions in order of `Program::externs`.
     pub externs: Vec<FuncId>,
     /// Helpers and numeric functions, by link symbol.
     imports: HashMap<&'static str, FuncId>,
-    /// Slots of all params before each.
+    /// For each param, the number of slots of all params before it.
     pub param_offsets: Vec<usize>,
     constants: HashMap<Vec<u8>, DataId>,
     context: Context,
     builder_context: FunctionBuilderContext,
-    /// Where the code is listed, if somebody wants to see it.
+    /// Receives code listings, if requested.
     listings: Option<&'m mut Vec<Listing>>,
 }
 
@@ -84,7 +84,7 @@ impl<'m, M: Module> ModuleLowering<'m, M> {
         })
     }
 
-    /// Lists the code of every function that is defined from now on.
+    /// Enables listings of functions that are defined from now on.
     pub fn listed_in(mut self, listings: &'m mut Vec<Listing>) -> Self {
         self.listings = Some(listings);
         self
@@ -134,12 +134,12 @@ impl<'m, M: Module> ModuleLowering<'m, M> {
         built
     }
 
-    /// A helper or numeric function.
+    /// Returns a helper or numeric function by its symbol.
     pub fn import(&self, symbol: &str) -> Result<FuncId, CodegenError> {
         self.imports.get(symbol).copied().ok_or(CodegenError::Malformed("a call of an unknown helper"))
     }
 
-    /// Constant bytes; equal ones are stored once.
+    /// Defines constant bytes; equal constants are stored once.
     pub fn constant(&mut self, bytes: &[u8]) -> Result<DataId, CodegenError> {
         if let Some(id) = self.constants.get(bytes) {
             return Ok(*id);
@@ -153,7 +153,7 @@ impl<'m, M: Module> ModuleLowering<'m, M> {
     }
 }
 
-/// Signature of [`calyx_abi::SlotFn`].
+/// Returns the signature of [`calyx_abi::SlotFn`].
 fn slot_signature<M: Module>(module: &M) -> Signature {
     let mut signature = module.make_signature();
     signature.params.extend([AbiParam::new(types::I64); 3]);

@@ -1,4 +1,4 @@
-//! Code in an object file.
+//! The back end that writes object files.
 
 use crate::backend::{Backend, Lowered, TargetCpu, object_isa};
 use crate::error::CodegenError;
@@ -13,43 +13,44 @@ use cranelift_module::{DataDescription, DataId, FuncId, Linkage, Module, default
 use cranelift_object::{ObjectBuilder, ObjectModule};
 use std::mem::{offset_of, size_of};
 
-/// What an object file holds beside the program's code.
+/// The contents of an object file other than the program's code.
 #[derive(Clone, Debug)]
 pub struct ObjectOptions<'p> {
-    /// The model's name, a word of C: the file exports `NAME_model`.
+    /// The model's name, a C identifier: the file exports `NAME_model`.
     pub name: &'p str,
     /// The description as JSON.
     pub description: &'p str,
-    /// Of the engine that the code may call.
+    /// Fingerprint of the engine that the code may call.
     pub abi: Fingerprint,
     pub cpu: TargetCpu,
-    /// Whether the file has a `main`, which makes it an executable with the runtime library and nothing else.
+    /// If `true`, the file exports `main`, so that linking it with the runtime library results in
+    /// an executable.
     pub entry: bool,
 }
 
 impl<'p> ObjectOptions<'p> {
-    /// For every machine of this architecture, without `main`.
+    /// Creates options for every processor of this architecture, without `main`.
     pub fn new(name: &'p str, description: &'p str, abi: Fingerprint) -> Self {
         ObjectOptions { name, description, abi, cpu: TargetCpu::Baseline, entry: false }
     }
 }
 
-/// Symbol of the table of the model called `name`.
+/// Returns the symbol of the table of the model called `name`.
 pub fn model_symbol(name: &str) -> String {
     format!("{name}_model")
 }
 
-/// The back end that writes an object file.
+/// A back end that writes an object file.
 pub struct ObjectFile<'p> {
     module: ObjectModule,
     options: &'p ObjectOptions<'p>,
     main: FunctionId,
-    /// Three per param: default, low, high.
+    /// Three functions per param: default, lower limit, upper limit.
     param_functions: Vec<Option<FunctionId>>,
 }
 
 impl<'p> ObjectFile<'p> {
-    /// Begins the object file of a program.
+    /// Starts the object file of a program.
     pub fn new(program: &Program, options: &'p ObjectOptions<'p>) -> Result<Self, CodegenError> {
         let builder = ObjectBuilder::new(object_isa(options.cpu)?, options.name, default_libcall_names())?;
         let ends = |param: &calyx_lang::ir::Param| [Some(param.default), param.low, param.high];
@@ -61,11 +62,11 @@ impl<'p> ObjectFile<'p> {
         })
     }
 
-    /// Constant bytes with addresses of functions written into them.
+    /// Defines constant bytes that contain addresses of functions.
     fn data(&mut self, bytes: Vec<u8>, functions: &[(usize, FuncId)]) -> Result<DataId, CodegenError> {
         let id = self.module.declare_anonymous_data(false, false)?;
         let mut data = DataDescription::new();
-        // An address of nothing must still be one.
+        // Empty data also needs an address.
         data.define(if bytes.is_empty() { [0].into() } else { bytes.into() });
         data.set_align(SLOT as u64);
         for &(offset, function) in functions {

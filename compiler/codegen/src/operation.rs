@@ -1,7 +1,8 @@
-//! One operation of a tape as instructions, on one number or on two side by side.
+//! Lowers one operation of a tape to instructions, on one number or on two SIMD lanes.
 //!
-//! `+ - * /`, negation, square root, absolute value, minimum, maximum, comparisons and choice are instructions with
-//! exactly the meaning of [`calyx_abi::math`], for two lanes as for one; the rest are calls of it, lane by lane.
+//! `+ - * /`, negation, square root, absolute value, minimum, maximum, comparisons and selection
+//! are instructions with exactly the semantics of [`calyx_abi::math`], for two lanes as for one.
+//! The other operations are calls of these functions, lane by lane.
 
 use crate::error::CodegenError;
 use crate::module::ModuleLowering;
@@ -12,10 +13,10 @@ use cranelift_frontend::FunctionBuilder;
 use cranelift_module::Module;
 use std::collections::HashMap;
 
-/// Functions called so far by the function under construction.
+/// Functions that the function under construction references so far.
 pub type References = HashMap<&'static str, FuncRef>;
 
-/// Link symbol of an operation that is a call.
+/// Returns the link symbol of an operation that is a call.
 fn symbol(instruction: Instruction) -> Option<&'static str> {
     use Instruction as I;
     Some(match instruction {
@@ -36,7 +37,8 @@ fn symbol(instruction: Instruction) -> Option<&'static str> {
     })
 }
 
-/// The function of a symbol, for calls from the function under construction.
+/// Returns a reference to the function with a symbol, for calls from the function under
+/// construction.
 pub fn reference<M: Module>(
     module: &mut ModuleLowering<M>,
     builder: &mut FunctionBuilder,
@@ -52,7 +54,8 @@ pub fn reference<M: Module>(
     Ok(reference)
 }
 
-/// The value of an operation on operands of type `ty`, `F64` or `F64X2`. Constants and inputs are not operations.
+/// Returns the value of an operation on operands of type `ty`, `F64` or `F64X2`. Constants and
+/// inputs are not operations.
 pub fn lower<M: Module>(
     module: &mut ModuleLowering<M>,
     builder: &mut FunctionBuilder,
@@ -81,7 +84,7 @@ fn arithmetic(
 ) -> Option<Value> {
     use Instruction as I;
     let &first = operands.first()?;
-    // Operations of one operand do not look at the others.
+    // Operations with one operand ignore the others.
     let second = operands.get(1).copied().unwrap_or(first);
     let third = operands.get(2).copied().unwrap_or(first);
     let compare = |builder: &mut FunctionBuilder, condition| builder.ins().fcmp(condition, first, second);
@@ -130,19 +133,19 @@ fn arithmetic(
     })
 }
 
-/// The same number in every lane.
+/// Returns the same number in every lane.
 pub fn constant(builder: &mut FunctionBuilder, ty: Type, value: f64) -> Value {
     let number = builder.ins().f64const(value);
     if ty == types::F64 { number } else { builder.ins().splat(ty, number) }
 }
 
-/// Whether a truth value holds: it is not equal to zero, NaN included.
+/// Tests a truth value: it is true if it differs from zero, also if it is NaN.
 fn holds(builder: &mut FunctionBuilder, ty: Type, value: Value) -> Value {
     let zero = constant(builder, ty, 0.0);
     builder.ins().fcmp(FloatCC::NotEqual, value, zero)
 }
 
-/// 1.0 or 0.0.
+/// Converts a condition to 1.0 or 0.0.
 fn truth(builder: &mut FunctionBuilder, ty: Type, holds: Value) -> Value {
     let (yes, no) = (constant(builder, ty, 1.0), constant(builder, ty, 0.0));
     choose(builder, ty, holds, yes, no)

@@ -1,4 +1,4 @@
-//! Places: where a value is stored, followed from a local into arrays and tuples.
+//! Places: storage locations, resolved from a local into arrays and tuples.
 
 use crate::error::CodegenError;
 use crate::function::{FunctionLowering, SLOT, TRUSTED};
@@ -8,21 +8,21 @@ use calyx_lower::layout::tuple_part;
 use cranelift_codegen::ir::{InstBuilder, Value, types};
 use cranelift_module::Module;
 
-/// The slots of a place, from its first one on.
+/// The slots of a place, from its first slot on.
 enum Spot {
-    /// Of the place's local.
+    /// The index of a slot in the place's local.
     Local(usize),
-    /// Behind the address of an element, which is valid until the next call.
+    /// The address of an element, valid until the next call, and a slot offset.
     Element(Value, usize),
 }
 
 impl<'m, M: Module> FunctionLowering<'_, 'm, '_, M> {
-    /// The values of a place's indices, with no check yet.
+    /// Evaluates the indices of a place, without bounds checks.
     pub fn indices(&mut self, place: &'m Place) -> Result<Vec<Value>, CodegenError> {
         place.indices().map(|index| self.scalar(index)).collect()
     }
 
-    /// Stores the slots of a value.
+    /// Stores the slots of a value in a place.
     pub fn store(&mut self, place: &Place, indices: &[Value], values: &[Value]) -> Result<(), CodegenError> {
         match self.spot(place, indices)? {
             Spot::Local(first) => self.assign_slots(place.local, first, values),
@@ -35,7 +35,7 @@ impl<'m, M: Module> FunctionLowering<'_, 'm, '_, M> {
         }
     }
 
-    /// The array a place holds.
+    /// Returns the array stored in a place.
     pub fn array_in(&mut self, place: &Place, indices: &[Value]) -> Result<Value, CodegenError> {
         let spot = self.spot(place, indices)?;
         self.array_at(place, &spot)
@@ -81,7 +81,7 @@ impl<'m, M: Module> FunctionLowering<'_, 'm, '_, M> {
         Ok(spot)
     }
 
-    /// Address of an element of an array, valid until the next call.
+    /// Returns the address of an array element, valid until the next call.
     pub fn element(&mut self, array: Value, index: Value) -> Result<Value, CodegenError> {
         let index = self.bits(index);
         let into = self.buffer_address(0);

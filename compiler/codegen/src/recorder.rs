@@ -1,4 +1,4 @@
-//! The back end that keeps code as data.
+//! The back end that stores code as data.
 
 use crate::backend::{Backend, Lowered, TargetCpu, position_dependent_isa};
 use crate::code::{
@@ -17,18 +17,18 @@ use cranelift_module::{
 use std::collections::HashMap;
 use std::io;
 
-/// A module whose definitions are kept as they come from the compiler.
+/// A Cranelift module that stores definitions as they come from the compiler.
 pub struct Recorder {
     isa: OwnedTargetIsa,
     declarations: ModuleDeclarations,
     functions: Vec<(FuncId, Recorded)>,
     data: Vec<(DataId, DataCode)>,
-    /// What a caller must know of the program's functions.
+    /// The signatures of the program's functions.
     signatures: Vec<Signature>,
     main: u32,
 }
 
-/// A function's code before its targets have numbers.
+/// A function's code before its relocation targets have indices.
 struct Recorded {
     bytes: Vec<u8>,
     alignment: u64,
@@ -36,7 +36,7 @@ struct Recorded {
 }
 
 impl Recorder {
-    /// Begins the code of a program.
+    /// Starts the code of a program.
     pub fn new(program: &Program, cpu: TargetCpu) -> Result<Self, CodegenError> {
         Ok(Recorder {
             isa: position_dependent_isa(cpu)?,
@@ -95,7 +95,7 @@ fn count(number: usize) -> Result<u32, CodegenError> {
     number.try_into().map_err(|_| CodegenError::Malformed("a kernel of billions of values"))
 }
 
-/// Numbers for what Cranelift tells apart by ids.
+/// Indices for Cranelift's ids.
 struct Numbers<'d> {
     functions: HashMap<FuncId, u32>,
     data: HashMap<DataId, u32>,
@@ -220,7 +220,7 @@ impl Module for Recorder {
     }
 }
 
-/// What the lowering never asks for.
+/// Returns the error for an operation that the lowering never requests.
 fn unusual(what: &str) -> ModuleError {
     ModuleError::Allocation { err: io::Error::other(format!("{what} cannot be kept")) }
 }

@@ -1,7 +1,7 @@
-//! Scalar operations as instructions.
+//! Lowers scalar operations to instructions.
 //!
-//! `+ - * /`, square root, absolute value, minimum, maximum and comparisons are instructions with exactly the
-//! meaning of [`calyx_abi::math`]; the rest are calls of it.
+//! `+ - * /`, square root, absolute value, minimum, maximum and comparisons are instructions with
+//! exactly the semantics of [`calyx_abi::math`]. The other operations are calls of these functions.
 
 use crate::function::FunctionLowering;
 use calyx_lang::ir::Op;
@@ -10,7 +10,7 @@ use cranelift_codegen::ir::condcodes::{FloatCC, IntCC};
 use cranelift_codegen::ir::{InstBuilder, Value, types};
 use cranelift_module::Module;
 
-/// Link symbol of an operation that is a call.
+/// Returns the link symbol of an operation that is a call.
 fn symbol(op: Op) -> Option<&'static str> {
     Some(match op {
         Op::Power => "calyx_math_pow",
@@ -45,7 +45,7 @@ impl<M: Module> Scalars for FunctionLowering<'_, '_, '_, M> {
             return self.builder.inst_results(call).first().copied();
         }
         let &first = operands.first()?;
-        // Operations of one operand do not look at the second.
+        // Operations with one operand ignore the second.
         let second = operands.get(1).copied().unwrap_or(first);
         let condition = match op {
             Op::Less => Some(FloatCC::LessThan),

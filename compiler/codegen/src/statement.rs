@@ -1,4 +1,4 @@
-//! Blocks and statements.
+//! Lowers blocks and statements.
 
 use crate::error::CodegenError;
 use crate::function::{FunctionLowering, slot_types};
@@ -71,7 +71,7 @@ impl<'m, M: Module> FunctionLowering<'_, 'm, '_, M> {
                 let arguments = self.expressions(arguments)?;
                 let given = slot_types(&result.repr);
                 let told = slot_types(&provided.repr);
-                // Arguments, result and answer lie one behind the other.
+                // Arguments, result and status are stored one after the other.
                 let (result_at, told_at) = (arguments.len(), arguments.len() + given.len());
                 self.store_buffer(0, &arguments);
                 let function = self.word(function.0 as usize);

@@ -1,28 +1,29 @@
-//! Kernels for one point take sines and cosines of many angles by one call too: eight at once cost little more than
-//! one. For that, a tape is put in the order of a batch, where each stage ends with its angles.
+//! Groups the sines and cosines of a tape for one point, because eight angles in one call cost
+//! little more than one. The tape is reordered like a batch tape, in which each stage ends with its
+//! angles.
 
 use calyx_symbolic::batch::{BatchTape, Source};
 use calyx_symbolic::{Instruction, Tape};
 use std::borrow::Cow;
 use std::ops::Range;
 
-/// Fewer angles than this are taken one by one.
+/// The smallest number of angles that is worth a common call.
 const WORTH_IT: usize = 3;
 
-/// The widest function takes this many at once; what is left over is filled up with zeros.
+/// Number of angles of the widest function; missing angles are filled with zeros.
 pub const WIDTH: usize = 8;
 
-/// Neighbours on a tape that are sines and cosines.
+/// Consecutive sines and cosines on a tape.
 pub struct Run {
-    /// The first of them.
+    /// Index of the first one.
     pub start: usize,
-    /// Their angles, each once.
+    /// Their distinct angles.
     pub angles: Vec<u32>,
 }
 
-/// The tape with sines and cosines that do not depend on each other side by side, if there are enough of them.
+/// Returns the tape with independent sines and cosines grouped, if there are enough of them.
 pub fn gathered(tape: &Tape) -> Cow<'_, Tape> {
-    // Constants do not vary, everything else may.
+    // All inputs are treated as varying.
     let batch = BatchTape::new(tape.clone(), &vec![true; tape.inputs]);
     if batch.angles.iter().all(|angles| angles.len() < WORTH_IT) {
         return Cow::Borrowed(tape);
@@ -30,7 +31,7 @@ pub fn gathered(tape: &Tape) -> Cow<'_, Tape> {
     let is_first = |source: &Source| matches!(source, Source::Uniform(_) | Source::Column(_));
     let ids = || (0u32..).zip(&batch.sources);
     let mut order: Vec<u32> = ids().filter(|(_, source)| is_first(source)).map(|(id, _)| id).collect();
-    // For each stage the sines and cosines after it, as they stand on the tape.
+    // The sines and cosines that follow each stage, in order of the tape.
     let mut after: Vec<Vec<u32>> = vec![Vec::new(); batch.stages.len()];
     for (id, source) in ids() {
         if let Source::Sine { stage, .. } | Source::Cosine { stage, .. } = source {
@@ -51,13 +52,13 @@ pub fn gathered(tape: &Tape) -> Cow<'_, Tape> {
     })
 }
 
-/// The runs in a range of a tape that are worth a call together.
+/// Returns the runs in a range of a tape that are worth a common call.
 pub fn runs(tape: &Tape, range: &Range<usize>) -> Vec<Run> {
     let mut runs: Vec<Run> = Vec::new();
     let mut end = None;
     for index in range.clone() {
         let (Instruction::Sin(angle) | Instruction::Cos(angle)) = tape.instructions[index] else { continue };
-        // The sine of a sine in the same run must wait for it.
+        // A sine of another sine in the same run must start a new run.
         let run = runs.last_mut().filter(|run| end == Some(index) && (angle as usize) < run.start);
         match run {
             Some(run) if run.angles.last() == Some(&angle) || run.angles.contains(&angle) => {}

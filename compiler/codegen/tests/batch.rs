@@ -1,5 +1,10 @@
+<<<<<<< HEAD
 //! Batch kernels give the bits of kernels for one point, whatever varies and however many points
 //! there are, and take no more operations than the same formulas written by hand.
+=======
+//! Tests that kernels for many points produce the same bits as kernels for one point, for any
+//! varying inputs and any number of points.
+>>>>>>> 5e1af5f (Rewrite the comments of the code generator in standard terms)
 
 #[allow(dead_code, reason = "shared by several tests")]
 mod workloads;
@@ -23,7 +28,7 @@ fn assert_same_bits(
     points: usize,
 ) {
     let columns: Vec<&[f64]> = columns.iter().map(|column| &column[..points]).collect();
-    // One number more than there are points, which must stay as it is.
+    // One number more than there are points, which must not be overwritten.
     let mut outputs = vec![vec![7.5; points + 1]; tape.outputs.len()];
     let mut views: Vec<&mut [f64]> = outputs.iter_mut().map(|column| &mut column[..points]).collect();
     kernel.evaluate(uniforms, &columns, &mut views).unwrap();
@@ -144,7 +149,7 @@ fn the_workloads_have_the_same_bits_at_every_point() {
         for points in [1, 8, 259] {
             assert_same_bits(&tape, &varying, &kernel, workload.parameters, &columns, points);
         }
-        // Parameters as columns too.
+        // Parameters also as columns.
         let everything = vec![true; workload.inputs()];
         let kernel = compile_batch(&tape, &everything).unwrap();
         let mut all = columns.clone();
@@ -153,8 +158,8 @@ fn the_workloads_have_the_same_bits_at_every_point() {
     }
 }
 
-/// Operations per point beside sines and cosines, against those of the formulas written by hand (in the bench
-/// `kinematics`, negations counted).
+/// Compares operations per point, without sines and cosines, with those of the hand-written
+/// formulas (in the bench `kinematics`, including negations).
 #[test]
 fn the_workloads_cost_what_formulas_written_by_hand_cost() {
     for (workload, (angles, by_hand)) in WORKLOADS.iter().zip([(2, 36), (3, 364), (3, 229), (25, 3619)]) {
@@ -180,7 +185,7 @@ fn outputs_may_be_inputs_constants_sines_or_nothing() {
             }
         }
     }
-    // Nothing varies: the same number everywhere.
+    // No input varies: the same number everywhere.
     let tape = Tape { inputs: 2, instructions, outputs: vec![3, 2] };
     let kernel = compile_batch(&tape, &[]).unwrap();
     assert_same_bits(&tape, &[false, false], &kernel, &[0.3, 0.4], &[], 0);

@@ -1,4 +1,5 @@
-//! Machine code does what the interpreter does, bit for bit, errors and their places included; and both do right.
+//! Tests that machine code and the interpreter produce the same correct bits, errors and source
+//! locations.
 
 #[allow(dead_code, reason = "shared by several tests")]
 mod common;
@@ -9,14 +10,14 @@ use calyx_lang::ir::*;
 use calyx_lang::span::Span;
 use common::*;
 
-/// Result of both evaluators as text.
+/// Returns the result of both evaluators as text.
 fn shown(program: &Program) -> String {
     let outcome = both(program, &Start::default());
     assert!(outcome.result.is_ok(), "{:?}", outcome.result);
     outcome.shown
 }
 
-/// Code and place of the error of both evaluators.
+/// Returns the code and the location of the error of both evaluators.
 fn failure(program: &Program) -> (String, Option<u32>) {
     let outcome = both(program, &Start::default());
     let (code, place) = outcome.failure();
@@ -96,7 +97,8 @@ const OPERATIONS: [Op; 48] = {
     ]
 };
 
-/// One program that applies an operation to its arguments, run on many arguments by each evaluator.
+/// Runs one program that applies an operation to its arguments, for many arguments in each
+/// evaluator.
 #[test]
 fn every_operation_has_the_same_bits() {
     for (position, operation) in OPERATIONS.into_iter().enumerate() {
@@ -113,7 +115,7 @@ fn every_operation_has_the_same_bits() {
         let interpreter = calyx_lower::interpret::Interpreter::new(&program, &[], Purity::Pure).unwrap();
         let slots: usize = operands.iter().map(Repr::slots).sum();
         for first in 0..SPECIAL.len() {
-            // All pairs of two numbers, a selection of more.
+            // All pairs of two numbers; a selection for more operands.
             for step in 0..if slots <= 2 { SPECIAL.len() } else { 5 } {
                 let number = |slot: usize| SPECIAL[(first + slot * step) % SPECIAL.len()].to_bits();
                 let arguments: Vec<Slot> = if operation == Op::Not {
@@ -141,7 +143,7 @@ fn every_operation_has_the_same_bits() {
 
 #[test]
 fn frames_are_read_right_to_left() {
-    // In A * B the frame is moved by B first; X * p gives the coordinates of p in the new frame.
+    // In A * B, B is applied first; X * p returns the coordinates of p in the frame X.
     let vector = |x, y, z| op(Op::Vector, vec![number(x), number(y), number(z)]);
     let quarter = number(std::f64::consts::FRAC_PI_2);
     let turn = op(Op::Rotate, vec![quarter, vector(0.0, 0.0, 1.0)]);
@@ -152,7 +154,8 @@ fn frames_are_read_right_to_left() {
         tuple(vec![component(Op::X), component(Op::Y), component(Op::Z)])
     };
     let cases = [
-        // Turned by 90 degrees, then moved by 2 along its own first axis, which is e2 of ground.
+        // Rotated by 90 degrees, then translated by 2 along its own first axis, which is ground's
+        // e2.
         (op(Op::Origin, vec![frame.clone()]), "[0, 2, 0]"),
         (op(Op::Direction, vec![frame.clone(), vector(1.0, 0.0, 0.0)]), "[0, 1, 0]"),
         (op(Op::Apply, vec![frame.clone(), vector(0.0, 5.0, 1.0)]), "[3, 0, 1]"),
@@ -196,7 +199,7 @@ fn an_endless_loop_is_stopped() {
 
 #[test]
 fn both_sides_are_evaluated_only_if_needed() {
-    // The right side would fail.
+    // Evaluating the right side would fail.
     let fails = || less(index(array(N, vec![]), at(5, number(0.0))), number(0.0));
     let and = |a, b| expr(ExprKind::And(Box::new(a), Box::new(b)), B);
     let or = |a, b| expr(ExprKind::Or(Box::new(a), Box::new(b)), B);
@@ -250,7 +253,7 @@ fn arrays_are_values() {
 
 #[test]
 fn elements_of_several_slots() {
-    // Vectors and pairs stand flat in their arrays.
+    // Vectors and pairs are stored inline in their arrays.
     let vector = |x| op(Op::Vector, vec![number(x), number(x + 1.0), number(x + 2.0)]);
     let pair = Repr::Tuple(vec![V, S]);
     let pairs = array_of(pair.clone());
@@ -271,7 +274,8 @@ fn elements_of_several_slots() {
 
 #[test]
 fn elements_of_tuples_are_places() {
-    // t = [1, [v, "a"], [[2, "b"], [3, "c"]]]; t[1][1] = "x"; t[2][1][0] = 7; t[2][0] = [8, "y"]; push t[2], [9, "z"];
+    // t = [1, [v, "a"], [[2, "b"], [3, "c"]]]; t[1][1] = "x"; t[2][1][0] = 7; t[2][0] = [8, "y"];
+    // push t[2], [9, "z"];
     let vector = op(Op::Vector, vec![number(1.0), number(2.0), number(3.0)]);
     let pair = Repr::Tuple(vec![N, S]);
     let make = |x, text| tuple(vec![number(x), string(text)]);
@@ -371,7 +375,7 @@ fn out_and_inout_copy_back() {
             assign(0, number(2.0)),
             assign(1, array(N, vec![number(0.0), number(0.0), number(0.0)])),
             call(Some(element(0, 30)), place(0, vec![], N), element(1, 31), n(0)),
-            // The result is not kept.
+            // The result is not used.
             call(None, element(bad, 32), place(2, vec![], N), number(4.0)),
         ];
         let value = tuple(vec![n(0), local(1, numbers.clone()), n(2)]);
@@ -403,7 +407,8 @@ fn recursion_has_a_limit() {
     assert_eq!(failure(&fibonacci(1.0, f64::NEG_INFINITY)), ("E0702".into(), Some(40)));
 }
 
-/// A handler that leaves the code, the message and the value of the error in locals 0, 1 and 2.
+/// Returns a handler that stores the code, the message and the value of the error in locals 0, 1
+/// and 2.
 fn handler(then: Terminator) -> Block {
     let fields = expr(ExprKind::CaughtFields(Box::new(local(3, Repr::Handle))), error_repr());
     let part = |at, repr| expr(ExprKind::TupleElement(Box::new(fields.clone()), at), repr);
@@ -411,7 +416,8 @@ fn handler(then: Terminator) -> Block {
     block(vec![caught, assign(0, part(0, S)), assign(1, part(1, S)), assign(2, part(3, N))], then)
 }
 
-/// `try { statements } catch (e) { 0 = e.code; 1 = e.message; 2 = e.value; }`, then an expression in a fifth local.
+/// Returns `try { statements } catch (e) { 0 = e.code; 1 = e.message; 2 = e.value; }`, then an
+/// expression in a fifth local.
 fn tries(tried: Vec<Statement>, then: Terminator, after: Expr, others: Vec<Function>) -> Program {
     let value = tuple(vec![local(0, S), local(1, S), n(2), n(4)]);
     let blocks = vec![
@@ -429,7 +435,7 @@ fn throw(place: u32, code: &str, value: Expr) -> Terminator {
     Terminator::Throw { error, help: String::new(), span: span(place) }
 }
 
-/// A function that throws its argument when that is positive, else returns it.
+/// Returns a function that throws its argument if it is positive, and returns it otherwise.
 fn thrower() -> Function {
     let blocks = vec![
         block(vec![], branch(less(number(0.0), n(0)), 1, 2)),
@@ -445,7 +451,7 @@ fn errors_are_caught() {
     let run = |statement| {
         shown(&tries(vec![statement, assign(4, number(50.0))], jump(3), number(1.0), vec![thrower()]))
     };
-    // What the failing statement would have assigned keeps its value.
+    // The target of the failed assignment keeps its value.
     assert_eq!(run(thrown(2.5)), "[MINE, thrown, 2.5, 2]");
     assert_eq!(run(thrown(0.0)), "[none, , 0, 51]");
     let outside = index(array(N, vec![]), at(72, number(3.0)));
@@ -458,7 +464,7 @@ fn errors_are_caught() {
     };
     let deep = tries(vec![assign(4, call(1, vec![number(0.0)], N))], jump(3), number(1.0), vec![endless]);
     assert!(shown(&deep).starts_with("[E0702, "));
-    // The depth of calls is right afterwards.
+    // The call depth is correct afterwards.
     let tried = vec![assign(4, call(2, vec![number(1.0)], N))];
     let others = vec![fibonacci(15.0, 2.0).functions.remove(1), thrower()];
     let again = tries(tried, jump(3), call(1, vec![number(10.0)], N), others);
@@ -578,7 +584,8 @@ fn effects_are_skipped_where_they_are_not_allowed() {
 
 #[test]
 fn params_and_symbolic_values() {
-    // position := scale * Time * direction + (if (mirrored) -param else param) * e1, captured and evaluated.
+    // position := scale * Time * direction + (if (mirrored) -param else param) * e1, captured and
+    // evaluated.
     let sym = |kind, repr| SymExpr { kind, repr, span: Span::default() };
     let capture = |index, repr| sym(SymKind::Capture(index), repr);
     let sym_op = |operation, operands| sym(SymKind::Op(operation, operands), signature(operation).1);

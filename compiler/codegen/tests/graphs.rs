@@ -1,5 +1,6 @@
-//! Expressions chosen when a model runs: built up in loops, on one of several ways, handed to functions. They have the
-//! values and derivatives of the same expression written out, by interpreter and machine code.
+//! Tests expressions that are chosen at run time: built in loops, on one of several branches,
+//! passed to functions. They have the values and derivatives of the same expression written in
+//! full, in the interpreter and in machine code.
 
 #[allow(dead_code, reason = "shared by several tests")]
 mod common;
@@ -9,7 +10,7 @@ use calyx_lower::kernels::lower_sites;
 use common::text::{check, defaults};
 use common::{Start, both};
 
-/// Lines printed by both evaluators.
+/// Returns the lines printed by both evaluators.
 #[track_caller]
 fn printed(program: &Program) -> Vec<String> {
     let start = Start { params: defaults(program), ..Start::default() };
@@ -119,7 +120,7 @@ fn functions_take_expressions() {
 
 #[test]
 fn the_side_not_taken_leaves_no_trace() {
-    // Value and derivatives at the singular point, where the guard takes the other side.
+    // Value and derivatives at the singular point, where the guard selects the other arm.
     for (guarded, expected) in [
         ("if (x > 0) sqrt(x) else 3*x", "0 3"),
         ("if (x != 0) 1/x else x", "0 1"),
@@ -160,7 +161,7 @@ fn derivatives_follow_their_conventions_where_they_do_not_exist() {
             "function f(in x) := {expression}; function g(in x) := derivative(f(x), x); print(\"{{g({at})}}\");"
         );
         let found = printed(&check(&text));
-        // Angles carry their unit.
+        // Angles include their unit.
         let found: Vec<&str> = found.iter().filter_map(|line| line.split(' ').next()).collect();
         assert_eq!(found, [slope], "{expression}");
     }

@@ -1,5 +1,6 @@
-//! Functions that the embedding program provides: called with the right values by the interpreter, by code in memory and by
-//! code that was kept; their errors are errors of the model; nothing else of a model changes.
+//! Tests functions that the embedding program provides. The interpreter, code in memory and stored
+//! code call them with the right values. Their errors are errors of the model, and nothing else in
+//! the model changes.
 
 #[allow(dead_code, reason = "shared by several tests")]
 mod common;
@@ -17,7 +18,7 @@ fn provided(add: impl FnOnce(&mut HostFunctions)) -> Start {
     Start { host, ..Start::default() }
 }
 
-/// What a model prints, by all evaluators.
+/// Returns the lines that a model prints in all evaluators.
 fn printed(text: &str, start: &Start) -> Vec<String> {
     let outcome = both(&check(text), start);
     assert!(outcome.result.is_ok(), "{:?}", outcome.result);
@@ -30,7 +31,7 @@ const FRICTION: &str = "units mm_N_s; host function friction(in v: Velocity) -> 
 fn a_closure_takes_the_place_of_the_body() {
     let text = format!("{FRICTION} print(friction(2 m/s), friction(v = -1 mm/s));");
     assert_eq!(printed(&text, &Start::default()), ["0.05 0.05"]);
-    // In SI.
+    // Values are in SI units.
     assert_eq!(printed(&text, &provided(|host| host.add("friction", |v: f64| 0.5 + v))), ["2.5 0.499"]);
 }
 
@@ -47,7 +48,7 @@ fn values_of_every_type_cross() {
     let start = provided(|host| {
         host.add("mixed", |name: String, on: bool, v: [f64; 3], mut all: Vec<Vec<f64>>| {
             assert_eq!((name.as_str(), on), ("é", true));
-            // A copy: the model's own array stays as it is.
+            // The function receives a copy, so the model's own array does not change.
             all[0][0] = 9.0;
             vec![v, [all[0][1], all[1][0], 0.0]]
         });
@@ -73,7 +74,8 @@ fn errors_carry_place_and_calls() {
         let error = both(&program, &start).result.unwrap_err();
         assert_eq!(error.code, "E0725");
         assert!(error.message.ends_with("it slips"), "{}", error.message);
-        // Where the function is declared; then the calls that led there, innermost first.
+        // The location of the function's declaration; then the calls that lead to it, innermost
+        // first.
         assert_eq!(error.place.map(|place| place.1), Some(text.find("friction").unwrap() as u32));
         let calls = error.details.calls.iter();
         let calls: Vec<_> = calls.map(|call| (call.function.as_str(), call.place.1)).collect();
@@ -109,7 +111,7 @@ fn recursion_keeps_its_limit_and_cancelling_its_effect() {
     assert_eq!(both(&program, &start).failure().0, codes::CANCELLED);
 }
 
-/// A function sees what is around it also where another program provides it.
+/// A function sees the surrounding variables also if another program provides it.
 #[test]
 fn variables_of_the_model_stay_as_they_are() {
     let text = "var calls = 0; host function f(in n: Number) -> Number { calls = calls + 1; return n; }

@@ -1,5 +1,5 @@
-//! Code that is kept as bytes: loaded again it is the same, and no bytes make loading it panic. (What it computes is
-//! compared in every test of the evaluators.)
+//! Tests code that is stored as bytes: loading returns the same code, and malformed bytes do not
+//! panic. Every test of the evaluators compares its results.
 
 #[allow(dead_code, reason = "shared by several tests")]
 mod common;
@@ -10,7 +10,7 @@ use calyx_lang::ir::Program;
 use common::text::check;
 use common::*;
 
-/// Functions that call each other and the engine, constants, symbolic expressions.
+/// A model with functions that call each other and the engine, constants, and symbolic expressions.
 const MODEL: &str = "
     function f(in n) { return if (n < 2) 1 else n * f(n - 1); }
     var xs = [0 mm, 1 mm]; var ys = [\"a\", \"b\"]; push(ys, \"{f(5)} of {xs}\");
@@ -49,14 +49,14 @@ fn the_baseline_asks_for_less() {
 fn code_calls_only_what_the_engine_has() {
     let program = with_externs(evaluates(vec![], vec![], call_extern(0, vec![number(2.0), number(4.0)], N)));
     let code = compile_code(&program, TargetCpu::Native).unwrap();
-    // SAFETY: the code was just made by the same compiler.
+    // SAFETY: the same compiler just produced the code.
     let refused = unsafe { load_code(&code, calyx_abi::standard::EXTERNS) };
     let Err(LoadError::Unknown(symbol)) = refused else { panic!("it calls what is not there") };
     assert_eq!(symbol, EXTERNS[0].symbol);
     assert!(matches!(EXTERNS[0].purity, Purity::Pure));
 }
 
-/// SplitMix64.
+/// The SplitMix64 generator.
 struct Random(u64);
 
 impl Random {
@@ -69,7 +69,7 @@ impl Random {
     }
 }
 
-/// Nothing of what is loaded here is run.
+/// The loaded code is never run.
 #[test]
 fn no_bytes_make_loading_panic() {
     let whole = bytes(&compile_code(&model(), TargetCpu::Native).unwrap());
@@ -95,7 +95,7 @@ fn no_bytes_make_loading_panic() {
             unreadable += 1;
             continue;
         };
-        // SAFETY: loading alone is sound whatever the code; it is not run.
+        // SAFETY: loading is sound for any code; the code is not run.
         match unsafe { load_code(&code, &externs) } {
             Ok(_) => loaded += 1,
             Err(_) => refused += 1,

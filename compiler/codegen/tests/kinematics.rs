@@ -1,4 +1,5 @@
-//! The kinematic workloads as written in `examples/kinematics` reproduce values that were computed to fifty digits.
+//! Tests that the kinematic workloads in `examples/kinematics` reproduce reference values computed
+//! with fifty digits.
 
 #[allow(dead_code, reason = "shared by several tests")]
 mod common;
@@ -45,7 +46,7 @@ fn tape(program: &Program, function: &str) -> Tape {
 fn assert_reproduces(kernel: &dyn Kernel, params: &[f64], points: &[(Vec<f64>, Vec<f64>)], name: &str) {
     let mut found = Vec::new();
     for (variables, expected) in points {
-        // Nothing depends on time but through the argument.
+        // The outputs depend on time only through the argument.
         let inputs = [&[f64::NAN], params, variables].concat();
         assert_eq!((kernel.inputs(), kernel.outputs()), (inputs.len(), expected.len()), "{name}");
         let mut outputs = vec![f64::NAN; expected.len()];

@@ -1,4 +1,4 @@
-//! Object files link with a C compiler, and give the bits of code in memory.
+//! Tests that object files link with a C compiler and produce the same bits as code in memory.
 #![cfg(unix)]
 
 #[allow(dead_code, reason = "shared by several tests")]
@@ -12,8 +12,8 @@ use calyx_symbolic::{Instruction, Tape};
 use common::*;
 use std::process::Command;
 
-/// A runner that prints what it finds in the table: description, bits of each param's default, and of each kernel's
-/// outputs at fixed inputs.
+/// A C program that prints the contents of the table: description, bits of each param's default,
+/// and bits of each kernel's outputs for fixed inputs.
 const RUNNER: &str = r#"
 #include <math.h>
 #include <stdint.h>
@@ -49,14 +49,16 @@ int calyx_rt_main(int argc, char **argv, const struct table *model) {
 }
 "#;
 
-/// Everything code may call and the runner lacks: a call of it ends the process.
+/// Returns definitions of all functions that the code may call and the C program lacks; each ends
+/// the process.
 fn stubs() -> String {
     let helpers = entry::entry_points().into_iter().map(|row| row.symbol);
     let functions = math::FUNCTIONS.iter().map(|row| row.0).filter(|symbol| *symbol != "calyx_math_floor");
     helpers.chain(functions).map(|symbol| format!("void {symbol}(void) {{ abort(); }}\n")).collect()
 }
 
-/// Main does nothing; the param's default sums the squares below 20.
+/// Returns a model whose main is empty and whose param's default is the sum of the squares below
+/// 20.
 fn model() -> Program {
     let square = op(Op::Multiply, vec![n(0), n(0)]);
     let body = vec![assign(1, add(n(1), square)), assign(0, add(n(0), number(1.0)))];
@@ -86,7 +88,7 @@ fn model() -> Program {
     Program { functions: vec![main, sum], params: vec![param], ..Program::default() }
 }
 
-/// A kernel of several functions in which only exact operations occur.
+/// Returns a kernel of several functions with only exact operations.
 fn tape() -> Tape {
     use Instruction as I;
     let mut instructions = vec![I::Input(0), I::Input(1), I::Constant(1.25)];

@@ -1,4 +1,5 @@
-//! From text to what runs: small models print the same lines by both evaluators, and the example compiles.
+//! Tests the compiler from text to output: small models print the same lines in both evaluators,
+//! and the example compiles.
 
 #[allow(dead_code, reason = "shared by several tests")]
 mod common;
@@ -8,7 +9,7 @@ use calyx_codegen::ObjectOptions;
 use common::text::{check, read};
 use common::*;
 
-/// Lines that a model prints, or the code of its error.
+/// Models with the lines they print, or the code of their error.
 const MODELS: &[(&str, &[&str])] = &[
     ("units inch_lbf_s; var x = 3 inch; print(\"{x} and {2 * x}\");", &["3 inch and 6 inch"]),
     (

@@ -1,4 +1,4 @@
-//! Compiled kernels give the bits of interpreted tapes, whatever their length.
+//! Tests that compiled kernels of any length produce the same bits as interpreted tapes.
 
 use calyx_abi::Repr;
 use calyx_codegen::compile_jit_with_tapes;
@@ -23,7 +23,7 @@ fn empty_program() -> Program {
     Program { functions: vec![main], ..Program::default() }
 }
 
-/// Marsaglia's xorshift generator with a multiplier: the same tapes every time.
+/// Marsaglia's xorshift* generator, for reproducible tapes.
 struct Random(u64);
 
 impl Random {
@@ -65,7 +65,7 @@ const KINDS: usize = 31;
 
 fn instruction(kind: usize, random: &mut Random, before: usize) -> Instruction {
     use Instruction as I;
-    // Mostly near operands, some from anywhere, so that values cross between functions.
+    // Mostly near operands, sometimes any operand, so that values are passed between functions.
     let mut operand = || {
         let near = before.min(if random.below(5) == 0 { before } else { 24 });
         (before - 1 - random.below(near)) as u32
@@ -106,13 +106,13 @@ fn instruction(kind: usize, random: &mut Random, before: usize) -> Instruction {
     }
 }
 
-/// A tape of so many instructions, every kind of them, a third of whose values are outputs.
+/// Returns a tape of `length` instructions of every kind, a third of whose values are outputs.
 fn random_tape(length: usize, seed: u64) -> Tape {
     let mut random = Random(seed | 1);
     let mut instructions = vec![Instruction::Input(0)];
     while instructions.len() < length {
         let kind = if instructions.len() <= KINDS { instructions.len() - 1 } else { random.below(KINDS) };
-        // A sine whose cosine is wanted too.
+        // A sine whose cosine is also needed.
         let paired = match instructions.last() {
             Some(Instruction::Sin(angle)) if random.below(2) == 0 => Some(Instruction::Cos(*angle)),
             _ => None,
@@ -124,8 +124,8 @@ fn random_tape(length: usize, seed: u64) -> Tape {
     Tape { inputs: INPUTS, instructions, outputs }
 }
 
-/// Evaluates a tape both ways on many inputs. Returns the share of outputs that are finite and not whole: where it is
-/// small, the comparison says little.
+/// Evaluates a tape both ways for many inputs. Returns the share of outputs that are finite and not
+/// integers; if it is small, the comparison has little significance.
 fn assert_same_bits(tape: &Tape, seed: u64) -> f64 {
     let module = compile_jit_with_tapes(&empty_program(), std::slice::from_ref(tape), &[]).unwrap();
     let kernel = &module.kernels()[0];

@@ -5,14 +5,15 @@
 //! a scene, but none that solves one. `calyx check` elaborates once. An editor elaborates in the
 //! background after every edit, and cancels elaborations that an edit supersedes.
 //!
-//! | question | answer |
-//! |---|---|
-//! | Which gears have problems? | [`Elaboration::found`] |
-//! | What is the geometry of the gear or mesh at this call? | [`Elaboration::geometry`]: [`Geometry::gear_at`], [`Geometry::mesh_at`]; as text by [`shown::value`] |
-//! | What is the value of this variable or param? | [`Elaboration::values`], [`values::default_of`], [`values::range_of`] |
-//! | How would it be analysed? | [`Elaboration::plan`]: [`Planned::text`] |
-//! | What is the expression of this `:=`? | [`binding::definition_in`], [`binding::binding`]: from the program alone |
-//! | What are the results of the last run? | [`results::RunSummary`]: from its directory |
+//! - Problems of the gears and the scene: [`Elaboration::found`].
+//! - Geometry of the gear or mesh at a call: [`Elaboration::geometry`], with [`Geometry::gear_at`]
+//!   and [`Geometry::mesh_at`]; as text by [`shown::value`].
+//! - Value of a variable or param: [`Elaboration::values`], [`values::default_of`],
+//!   [`values::range_of`].
+//! - Plan of the analysis: [`Elaboration::plan`], as text by [`Planned::text`].
+//! - Expression of a `:=` definition: [`binding::definition_in`] and [`binding::binding`], which need
+//!   only the program.
+//! - Results of the last run: [`results::RunSummary`], from its directory.
 //!
 //! ```
 //! use calyx_elaborate::{Cancel, ModelLoader, Params, elaborate};

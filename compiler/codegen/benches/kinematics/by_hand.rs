@@ -1,16 +1,17 @@
-//! The workloads written by hand, as carefully as one would: what is uniform is computed beforehand, rotations about
-//! one axis are one, velocities come from rigid-body algebra, no product is formed twice. Generic over one number or
-//! two lanes; angles first, then the rest, so that sines and cosines can also be taken of a whole tile.
+//! Carefully optimized hand-written versions of the workloads: uniform values are precomputed,
+//! rotations about one axis are merged, velocities follow from rigid-body kinematics, and no
+//! product is computed twice. The code is generic over one number or two SIMD lanes. Angles are
+//! computed first, so that the sines and cosines of a whole tile can be computed together.
 
 use super::lanes::Number;
 
-/// A workload by hand.
+/// A hand-written workload.
 pub trait ByHand<N: Number> {
     const VARIABLES: usize;
     const ANGLES: usize;
-    /// The angles of which sine and cosine are needed.
+    /// Computes the angles whose sines and cosines are needed.
     fn angles(&self, variables: &[N], angles: &mut [N]);
-    /// Everything else; `out(k, value)` writes output `k`.
+    /// Computes everything else; `out(k, value)` writes output `k`.
     fn rest(&self, variables: &[N], sines: &[N], cosines: &[N], out: impl FnMut(usize, N));
 }
 
@@ -44,7 +45,7 @@ fn write<N: Number, const COUNT: usize>(out: &mut impl FnMut(usize, N), first: u
     }
 }
 
-/// Right-handed rotation about coordinate axis `AXIS`.
+/// Rotates a vector about coordinate axis `AXIS`, right-handed.
 #[inline(always)]
 fn turn<N: Number, const AXIS: usize>(s: N, c: N, v: V<N>) -> V<N> {
     let (i, j) = ((AXIS + 1) % 3, (AXIS + 2) % 3);
@@ -54,7 +55,7 @@ fn turn<N: Number, const AXIS: usize>(s: N, c: N, v: V<N>) -> V<N> {
     w
 }
 
-/// W1.
+/// Workload W1.
 pub struct Planet<N> {
     rx: N,
     ry: N,
@@ -111,7 +112,7 @@ impl<N: Number> ByHand<N> for Planet<N> {
     }
 }
 
-/// What W2 and W3 share: settings of the machine, and what follows from them alone.
+/// Machine settings of W2 and W3, and values that depend only on the settings.
 pub struct Machine<N> {
     s: N,
     q: N,
@@ -122,7 +123,8 @@ pub struct Machine<N> {
     ra: N,
     xp: N,
     r0: N,
-    /// Sine and cosine of the blade angle, of the root angle's complement, of tilt and swivel.
+    /// Sines and cosines of the blade angle, of the complement of the root angle, of tilt and
+    /// swivel.
     blade: [N; 2],
     root: [N; 2],
     tilt: [N; 2],
@@ -148,7 +150,7 @@ impl<N: Number> Machine<N> {
         }
     }
 
-    /// The roll angle over the ratio.
+    /// Returns the roll angle divided by the ratio.
     #[inline(always)]
     fn bracket(&self, phi: N) -> N {
         let [a, b, c, d] = self.roll;
@@ -161,7 +163,7 @@ fn cubic<N: Number>(c: [N; 4], x: N) -> N {
     c[0] + x * (c[1] + x * (c[2] + x * c[3]))
 }
 
-/// W2.
+/// Workload W2.
 pub struct Generated<N>(pub Machine<N>);
 
 impl<N: Number> ByHand<N> for Generated<N> {
@@ -183,7 +185,8 @@ impl<N: Number> ByHand<N> for Generated<N> {
         let (zero, one, two) = (N::of(0.0), N::of(1.0), N::of(2.0));
         let [sal, cal] = m.blade;
         let (rho, z) = (m.r0 + u * sal, -(u * cal));
-        // The cutter's directions: radial, its derivative by theta, axial; then tilted and swivelled.
+        // Directions of the cutter: radial, its derivative with respect to theta, axial; then
+        // tilted and swivelled.
         let (st, ct) = (sines[0], cosines[0]);
         let placed = |v: V<N>| {
             let v = turn::<N, 1>(m.tilt[0], m.tilt[1], v);
@@ -192,7 +195,7 @@ impl<N: Number> ByHand<N> for Generated<N> {
         let [e1, e2, axial] = [[one, zero, zero], [zero, one, zero], [zero, zero, one]].map(placed);
         let radial = add(scale(ct, e1), scale(st, e2));
         let along = add(scale(ct, e2), scale(-st, e1));
-        // Cradle: turned by beta, whose derivative by phi is -1.
+        // Cradle: rotated by beta, whose derivative with respect to phi is -1.
         let (sb, cb) = (sines[1], cosines[1]);
         let [radial, along, axial] = [radial, along, axial].map(|v| turn::<N, 2>(sb, cb, v));
         let y = add(add(scale(rho, radial), scale(z, axial)), [-(m.s * sb), m.s * cb, zero]);
@@ -210,12 +213,12 @@ impl<N: Number> ByHand<N> for Generated<N> {
         let w = add(y, d);
         let w1 = add(back(y), d1);
         let w2 = add([-y[0], -y[1], zero], d2);
-        // Tilted by the root angle.
+        // Rotation by the root angle.
         let lean = |v: V<N>| turn::<N, 1>(m.root[0], m.root[1], v);
         let v = lean(w);
         let v = [v[0], v[1], v[2] + m.xp];
         let (v1, v2) = (lean(w1), lean(w2));
-        // The blank turns.
+        // Rotation of the blank.
         let [a, b, c, e] = m.roll;
         let rate = m.ra
             * (one + phi * (two * a + phi * (three * b + phi * (N::of(4.0) * c + phi * (N::of(5.0) * e)))));
@@ -253,7 +256,7 @@ impl<N: Number> ByHand<N> for Generated<N> {
     }
 }
 
-/// W3.
+/// Workload W3.
 pub struct Sensitivity<N>(pub Machine<N>);
 
 impl<N: Number> ByHand<N> for Sensitivity<N> {
@@ -335,14 +338,14 @@ impl<N: Number> ByHand<N> for Sensitivity<N> {
     }
 }
 
-/// Coefficients of one pair of W4: of the translation, of the angle.
+/// Coefficients of one pair of W4, for the translation and for the angle.
 #[derive(Clone, Copy)]
 struct Link {
     translation: [[f64; 3]; 3],
     angle: [f64; 4],
 }
 
-/// W4: coefficients known when it is compiled.
+/// Workload W4, with coefficients known at compile time.
 pub struct Chain;
 
 const LINKS: [Link; 25] = links();
@@ -372,7 +375,8 @@ const fn links() -> [Link; 25] {
     links
 }
 
-/// What passes tip to base: the frame's axes, its spin and its origin, each with derivatives, seen from the link below.
+/// The state passed from tip to base: axes, angular velocity and origin of the frame, each with
+/// derivatives, relative to the link below.
 struct Tip<N> {
     axes: [V<N>; 3],
     spin: [V<N>; 2],
@@ -396,7 +400,7 @@ impl Chain {
                 }
             })
         };
-        // About a coordinate axis two components stay as they are.
+        // The cross product with a coordinate axis has one zero component and needs two products.
         let about = |factor: N, v: V<N>| match axis {
             [1.0, 0.0, 0.0] => [N::of(0.0), -(factor * v[2]), factor * v[1]],
             [0.0, 1.0, 0.0] => [factor * v[2], N::of(0.0), -(factor * v[0])],
@@ -413,7 +417,8 @@ impl Chain {
             }
             sum
         };
-        // Spins add in the frame before the rotation, where the axis is the same.
+        // Angular velocities are added in the frame before the rotation, where the axis is the
+        // same.
         let [spin, spinning] = tip.spin;
         let spinning = plus(spinning, about(rate, spin));
         let add_along = |v: V<N>, factor: N| {
@@ -486,7 +491,7 @@ impl<N: Number> ByHand<N> for Chain {
                 }
             }
         }
-        // The axes turn with the spin.
+        // The axes rotate with the angular velocity.
         let [w, change] = tip.spin;
         let first = tip.axes.map(|axis| cross(w, axis));
         let second = [0, 1, 2].map(|i| add(cross(change, tip.axes[i]), cross(w, first[i])));

@@ -1,4 +1,4 @@
-//! Two numbers side by side, as hand-written code has them, and their sine and cosine.
+//! Two numbers in SIMD lanes, as hand-written code uses them, and their sine and cosine.
 
 use std::ops::{Add, Mul, Neg, Sub};
 
@@ -12,31 +12,31 @@ mod arch {
     impl Lanes {
         #[inline(always)]
         pub fn splat(value: f64) -> Self {
-            // SAFETY: SSE2 belongs to every machine of this architecture.
+            // SAFETY: SSE2 is part of the x86-64 baseline.
             Lanes(unsafe { _mm_set1_pd(value) })
         }
 
-        /// The pair of numbers at an address.
+        /// Loads a pair of numbers.
         ///
         /// # Safety
-        /// Two numbers are there.
+        /// `from` points to two readable numbers.
         #[inline(always)]
         pub unsafe fn load(from: *const f64) -> Self {
-            // SAFETY: the caller promises it.
+            // SAFETY: guaranteed by the caller.
             Lanes(unsafe { _mm_loadu_pd(from) })
         }
 
         /// # Safety
-        /// There is room for two numbers.
+        /// `to` points to memory for two numbers.
         #[inline(always)]
         pub unsafe fn store(self, to: *mut f64) {
-            // SAFETY: the caller promises it.
+            // SAFETY: guaranteed by the caller.
             unsafe { _mm_storeu_pd(to, self.0) }
         }
 
         #[inline(always)]
         pub fn sincos(self) -> (Self, Self) {
-            // SAFETY: SSE2 belongs to every machine of this architecture.
+            // SAFETY: SSE2 is part of the x86-64 baseline.
             unsafe {
                 let sign = _mm_castsi128_pd(_mm_set1_epi64x(i64::MIN));
                 let x = Lanes(_mm_andnot_pd(sign, self.0));
@@ -62,7 +62,7 @@ mod arch {
         type Output = Self;
         #[inline(always)]
         fn add(self, other: Self) -> Self {
-            // SAFETY: SSE2 belongs to every machine of this architecture.
+            // SAFETY: SSE2 is part of the x86-64 baseline.
             Lanes(unsafe { _mm_add_pd(self.0, other.0) })
         }
     }
@@ -97,7 +97,7 @@ mod arch {
 
 #[cfg(not(target_arch = "x86_64"))]
 mod arch {
-    /// Left to the compiler to put into one register.
+    /// Two numbers, which the compiler may place in one register.
     #[derive(Clone, Copy)]
     pub struct Lanes(pub [f64; 2]);
 
@@ -108,18 +108,18 @@ mod arch {
         }
 
         /// # Safety
-        /// Two numbers are there.
+        /// `from` points to two readable numbers.
         #[inline(always)]
         pub unsafe fn load(from: *const f64) -> Self {
-            // SAFETY: the caller promises it.
+            // SAFETY: guaranteed by the caller.
             Lanes(unsafe { [from.read(), from.add(1).read()] })
         }
 
         /// # Safety
-        /// There is room for two numbers.
+        /// `to` points to memory for two numbers.
         #[inline(always)]
         pub unsafe fn store(self, to: *mut f64) {
-            // SAFETY: the caller promises it.
+            // SAFETY: guaranteed by the caller.
             unsafe {
                 to.write(self.0[0]);
                 to.add(1).write(self.0[1]);
@@ -168,17 +168,17 @@ mod arch {
 
 pub use arch::Lanes;
 
-/// What hand-written formulas compute with: one number or two.
+/// The scalar type of hand-written formulas: one number or two lanes.
 pub trait Number:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self>
 {
     const WIDTH: usize;
     fn of(value: f64) -> Self;
     /// # Safety
-    /// There are [`Number::WIDTH`] numbers.
+    /// `from` points to [`Number::WIDTH`] readable numbers.
     unsafe fn read(from: *const f64) -> Self;
     /// # Safety
-    /// There is room for [`Number::WIDTH`] numbers.
+    /// `to` points to memory for [`Number::WIDTH`] numbers.
     unsafe fn write(self, to: *mut f64);
     fn sine_and_cosine(self) -> (Self, Self);
 }
@@ -193,13 +193,13 @@ impl Number for Lanes {
 
     #[inline(always)]
     unsafe fn read(from: *const f64) -> Self {
-        // SAFETY: the caller promises it.
+        // SAFETY: guaranteed by the caller.
         unsafe { Lanes::load(from) }
     }
 
     #[inline(always)]
     unsafe fn write(self, to: *mut f64) {
-        // SAFETY: the caller promises it.
+        // SAFETY: guaranteed by the caller.
         unsafe { self.store(to) }
     }
 
@@ -219,13 +219,13 @@ impl Number for f64 {
 
     #[inline(always)]
     unsafe fn read(from: *const f64) -> Self {
-        // SAFETY: the caller promises it.
+        // SAFETY: guaranteed by the caller.
         unsafe { from.read() }
     }
 
     #[inline(always)]
     unsafe fn write(self, to: *mut f64) {
-        // SAFETY: the caller promises it.
+        // SAFETY: guaranteed by the caller.
         unsafe { to.write(self) }
     }
 
@@ -235,7 +235,8 @@ impl Number for f64 {
     }
 }
 
-/// Sine and cosine of `x - n pi/2`: the polynomials of `calyx_abi::trigonometry`, in lanes.
+/// Returns sine and cosine of `x - n pi/2` with the polynomials of `calyx_abi::trigonometry`, in
+/// lanes.
 #[cfg(target_arch = "x86_64")]
 #[inline(always)]
 fn reduced(x: Lanes, n: Lanes) -> (Lanes, Lanes) {

@@ -1,9 +1,11 @@
-//! The kinematic workloads as kernels, against the same formulas written by hand, interleaved in one run: read the
-//! ratios. And what deriving and compiling them costs. `cargo bench -p calyx-codegen --bench kinematics`.
-//! They are the functions of `examples/kinematics`; chains of other lengths are built as graphs.
+//! Benchmarks the kinematic workloads as kernels against hand-written code, interleaved in one run,
+//! and measures differentiation and compile time. The ratios are meaningful, the absolute times are
+//! not. Run it with `cargo bench -p calyx-codegen --bench kinematics`. The workloads are the
+//! functions of `examples/kinematics`; chains of other lengths are built as graphs.
 //!
-//! As hand-written code has its own best order, so has it its own way to the sines and cosines: two angles at a time
-//! (*two lanes*), or those of a tile at once by the function that compiled kernels use (*wide sines*).
+//! The hand-written code has its own optimal order and its own evaluation of sines and cosines: two
+//! angles per call (*two lanes*), or all angles of a tile with the function that compiled kernels
+//! use (*wide sines*).
 
 mod by_hand;
 #[path = "../../tests/common/mod.rs"]
@@ -31,12 +33,12 @@ use workloads::{WORKLOADS, Workload, chain};
 const WRITTEN: [(&str, &str); 4] =
     [("planet", "motion"), ("face_milling", "surface"), ("face_milling", "sensitivity"), ("chain", "motion")];
 
-/// A workload as written in Calyx.
+/// A workload written in Calyx.
 struct Written {
     workload: Workload,
     program: Program,
     function: SymbolicFunctionId,
-    /// Time, on which nothing depends, and the params.
+    /// The uniform inputs: time, which no output uses, and the params.
     uniforms: Vec<f64>,
 }
 
@@ -60,20 +62,22 @@ impl Written {
     }
 }
 
-/// Points of a tile (not a power of two: equal strides would share one set of the cache) and tiles of a batch.
+/// Points of a tile (not a power of two: equal strides would map to the same cache set) and tiles
+/// of a batch.
 const TILE: usize = 504;
 const TILES: usize = 260;
-/// Tiles after which it is another's turn, so that what disturbs the machine disturbs neighbours alike; fewer where
-/// points are evaluated one by one.
+/// Number of tiles before the next variant runs, so that disturbances of the machine affect all
+/// variants equally. It is smaller where points are evaluated one by one.
 const SLICE: usize = 10;
 const SLICE_OF_ONE: usize = 2;
 const ROUNDS: usize = 5;
 
-/// Evaluates one tile of points by hand. Not inlined, so that the instructions of this machine may be used in it.
+/// Evaluates one tile of points with hand-written code. It is not inlined, so that it can use all
+/// instructions of this machine.
 type ByHandTile = Box<dyn Fn(&[&[f64]], &mut [f64])>;
 
 fn main() {
-    // `cargo test --benches` only wants to know that it runs.
+    // `cargo test --benches` only checks that the benchmark runs.
     let rounds = if std::env::args().any(|argument| argument == "--bench") { ROUNDS } else { 1 };
     println!(
         "ns per point          batch  by hand, two lanes  by hand, wide sines      one point  by hand, one"
@@ -115,7 +119,8 @@ fn main() {
     }
 }
 
-/// Evaluates one tile of points: columns of inputs; columns of outputs, `TILE` numbers each.
+/// Evaluates one tile of points: columns of inputs, and columns of outputs with `TILE` numbers
+/// each.
 type Way<'w> = dyn FnMut(&[&[f64]], &mut [f64]) + 'w;
 
 fn compare(written: &Written, [lanes, wide, single]: &[ByHandTile; 3], rounds: usize) {
@@ -190,7 +195,7 @@ fn median(mut values: Vec<f64>) -> f64 {
     values[values.len() / 2]
 }
 
-/// All ways give the same numbers, up to rounding.
+/// Asserts that all variants return the same numbers, up to rounding.
 fn agree(workload: &Workload, ways: &mut [(usize, &mut Way)], columns: &[Vec<f64>], outputs: usize) {
     let part: Vec<&[f64]> = columns.iter().map(|column| &column[..TILE]).collect();
     let found: Vec<Vec<f64>> = ways
@@ -210,7 +215,7 @@ fn agree(workload: &Workload, ways: &mut [(usize, &mut Way)], columns: &[Vec<f64
     }
 }
 
-/// Loops over a tile with `N::WIDTH` points at a time.
+/// Evaluates a tile with `N::WIDTH` points at a time.
 #[inline(always)]
 fn walk<N: Number, W: ByHand<N>>(workload: &W, columns: &[&[f64]], out: &mut [f64]) {
     let points = columns[0].len();
@@ -220,7 +225,7 @@ fn walk<N: Number, W: ByHand<N>>(workload: &W, columns: &[&[f64]], out: &mut [f6
     let (mut angles, mut sines, mut cosines) = ([N::of(0.0); 25], [N::of(0.0); 25], [N::of(0.0); 25]);
     for point in (0..points).step_by(N::WIDTH) {
         for (variable, column) in variables[..W::VARIABLES].iter_mut().zip(columns) {
-            // SAFETY: `point` and the next ones are in the column.
+            // SAFETY: `point` and the next `N::WIDTH - 1` points are in the column.
             *variable = unsafe { N::read(column.as_ptr().add(point)) };
         }
         workload.angles(&variables, &mut angles);
@@ -234,7 +239,7 @@ fn walk<N: Number, W: ByHand<N>>(workload: &W, columns: &[&[f64]], out: &mut [f6
     }
 }
 
-/// The same, two points at a time, sines and cosines of a tile at once.
+/// Evaluates a tile with two points at a time, and all sines and cosines of a tile together.
 #[inline(always)]
 fn walk_wide<W: ByHand<Lanes>>(
     workload: &W,
@@ -252,12 +257,12 @@ fn walk_wide<W: ByHand<Lanes>>(
         let part = PART.min(points - start);
         for point in (0..part).step_by(2) {
             for (variable, column) in variables[..W::VARIABLES].iter_mut().zip(columns) {
-                // SAFETY: `start + point` and the next one are in the column.
+                // SAFETY: `start + point` and the next point are in the column.
                 *variable = unsafe { Lanes::load(column.as_ptr().add(start + point)) };
             }
             workload.angles(&variables, &mut local);
             for k in 0..W::ANGLES {
-                // SAFETY: the memory holds `ANGLES` numbers for each point of a part.
+                // SAFETY: the buffer holds `ANGLES` numbers for each point.
                 unsafe { local[k].store(memory[0].as_mut_ptr().add(point * W::ANGLES + 2 * k)) };
             }
         }
@@ -268,7 +273,8 @@ fn walk_wide<W: ByHand<Lanes>>(
                 // SAFETY: as above.
                 *variable = unsafe { Lanes::load(column.as_ptr().add(start + point)) };
             }
-            // SAFETY: lanes lie as pairs of numbers, of which the memory holds `ANGLES` for each two points.
+            // SAFETY: lanes have the layout of pairs of numbers, and the buffer holds `ANGLES`
+            // pairs for each two points.
             let [sines, cosines] = unsafe {
                 [&memory[1], &memory[2]].map(|memory| {
                     let from = memory.as_ptr().add(point * W::ANGLES).cast::<Lanes>();
@@ -306,7 +312,7 @@ fn tile_of<N: Number, W: ByHand<N> + 'static>(workload: W) -> ByHandTile {
     Box::new(move |columns, out| {
         #[cfg(target_arch = "x86_64")]
         if is_x86_feature_detected!("avx2") {
-            // SAFETY: the machine has just said so.
+            // SAFETY: the processor supports AVX, as just detected.
             return unsafe { walk_avx(&workload, columns, out) };
         }
         walk(&workload, columns, out);
@@ -328,14 +334,14 @@ fn wide_tile<W: ByHand<Lanes> + 'static>(workload: W) -> ByHandTile {
         let memory = &mut *memory.borrow_mut();
         #[cfg(target_arch = "x86_64")]
         if is_x86_feature_detected!("avx2") {
-            // SAFETY: the machine has just said so.
+            // SAFETY: the processor supports AVX, as just detected.
             return unsafe { walk_wide_avx(&workload, columns, out, memory) };
         }
         walk_wide(&workload, columns, out, memory);
     })
 }
 
-/// Seconds this thread has run; where the system does not tell (Linux does), those that have passed.
+/// Returns the CPU time of this thread, s; on systems other than Linux, the elapsed time.
 fn processor_time() -> f64 {
     static START: std::sync::OnceLock<Instant> = std::sync::OnceLock::new();
     let text = std::fs::read_to_string("/proc/thread-self/schedstat").ok();
@@ -346,7 +352,8 @@ fn processor_time() -> f64 {
     )
 }
 
-/// Mean times of deriving a tape, of compiling its kernel for one point, and that for many.
+/// Prints the mean times to derive a tape, to compile its kernel for one point, and to compile it
+/// for many points.
 fn compile_times(name: &str, derive: impl Fn() -> Tape, varying: &[bool], rounds: usize) {
     let (mut sums, mut runs) = ([0.0; 3], 0.0);
     let mut counts = (0, 0);

@@ -1,4 +1,4 @@
-//! A batch kernel in memory, and how it walks over the points.
+//! A batch kernel in memory, and its loop over tiles of points.
 
 use super::{PAIR, Plan};
 use crate::jit::Code;
@@ -9,16 +9,17 @@ use cranelift_module::FuncId;
 use std::fmt;
 use std::sync::Arc;
 
-/// Some operations of a stage, for all pairs of a tile: uniform values (twice each), where the columns of inputs and of
-/// outputs begin, the tile, and how many pairs (at least one).
+/// A function that executes some operations of a stage for all pairs of a tile. Arguments: uniform
+/// values (each stored twice), start addresses of the input columns and of the output columns, the
+/// tile, and the number of pairs (at least one).
 pub type ChunkFn = unsafe extern "C" fn(*const f64, *const *const f64, *const *mut f64, *mut f64, usize);
 
-/// Why a batch was not evaluated. Nothing was written then.
+/// The reason why a batch was not evaluated. In this case no output was written.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum BatchError {
-    /// Another number of uniform values, columns or outputs than the kernel has.
+    /// The number of uniform values, columns or outputs differs from that of the kernel.
     Count { what: &'static str, given: usize, expected: usize },
-    /// A column whose length differs from that of the first.
+    /// The length of a column differs from that of the first column.
     Length { what: &'static str, column: usize, given: usize, expected: usize },
 }
 
@@ -37,9 +38,10 @@ impl fmt::Display for BatchError {
 
 impl std::error::Error for BatchError {}
 
-/// A kernel for many points: columns in, columns out.
+/// A kernel for many points, with columns of inputs and outputs.
 ///
-/// It holds no state that evaluation changes: several threads may each evaluate a part of the points.
+/// Evaluation does not change its state, so several threads can evaluate parts of the points
+/// concurrently.
 pub struct BatchKernel {
     /// Keeps the functions alive.
     #[expect(dead_code, reason = "held for its lifetime only")]
@@ -47,21 +49,21 @@ pub struct BatchKernel {
     uniform: KernelFn,
     uniform_outputs: usize,
     varying: Vec<bool>,
-    /// For each stage its functions, then the angles whose sines and cosines are taken: offset, block size and
-    /// count per pair.
+    /// For each stage its functions and the angles whose sines and cosines are needed: offset,
+    /// block size and number per pair.
     stages: Vec<(Vec<ChunkFn>, Option<super::Angles>)>,
-    /// Outputs that are the same at all points: their places among what is uniform.
+    /// For each uniform output, its index among the uniform values.
     outputs: Vec<Option<usize>>,
     pairs: usize,
     tile_bytes: usize,
 }
 
-/// Memory that begins on a cache line.
+/// A cache line of aligned memory.
 #[repr(C, align(64))]
 #[derive(Clone, Copy)]
 struct Line([f64; 8]);
 
-/// At least `bytes` bytes.
+/// Allocates at least `bytes` bytes.
 fn lines(bytes: usize) -> Vec<Line> {
     vec![Line([0.0; 8]); bytes.div_ceil(size_of::<Line>()).max(1)]
 }
@@ -74,12 +76,12 @@ impl BatchKernel {
         uniform: FuncId,
         functions: &[FuncId],
     ) -> Self {
-        // SAFETY: `kernel::lower` gave this function the signature; the code is kept beside it.
+        // SAFETY: `kernel::lower` defines this function with this signature; `code` keeps it alive.
         let uniform = unsafe { std::mem::transmute::<*const u8, KernelFn>(code.address(uniform)) };
         let mut stages: Vec<_> =
             (0..batch.stages.len()).map(|stage| (Vec::new(), plan.angles.get(stage).copied())).collect();
         for (chunk, &function) in plan.chunks.iter().zip(functions) {
-            // SAFETY: `define_chunk` gave it this signature.
+            // SAFETY: `define_chunk` defines the function with this signature.
             let function = unsafe { std::mem::transmute::<*const u8, ChunkFn>(code.address(function)) };
             stages[chunk.stage].0.push(function);
         }
@@ -99,26 +101,26 @@ impl BatchKernel {
         }
     }
 
-    /// Numbers that are the same at all points.
+    /// Returns the number of uniform inputs.
     pub fn uniforms(&self) -> usize {
         self.varying.len() - self.columns()
     }
 
-    /// Columns of inputs.
+    /// Returns the number of varying inputs.
     pub fn columns(&self) -> usize {
         self.varying.iter().filter(|&&varies| varies).count()
     }
 
-    /// Columns of outputs.
+    /// Returns the number of outputs.
     pub fn outputs(&self) -> usize {
         self.outputs.len()
     }
 
-    /// Evaluates the kernel at every point. `uniforms` and `columns` hold the inputs that do not vary and those that
-    /// do, each in order; all columns, in and out, have the same length.
+    /// Evaluates the kernel at every point. `uniforms` and `columns` contain the uniform and the
+    /// varying inputs, each in order. All input and output columns have the same length.
     ///
     /// # Errors
-    /// Counts or lengths do not fit; nothing has been written then.
+    /// Counts or lengths do not match; no output is written.
     pub fn evaluate(
         &self,
         uniforms: &[f64],
@@ -128,16 +130,16 @@ impl BatchKernel {
         self.with(uniforms)?.evaluate(columns, outputs)
     }
 
-    /// Computes what is the same at all points, for any number of evaluations.
+    /// Computes the uniform values, for any number of evaluations.
     ///
     /// # Errors
-    /// Another number of uniform values than the kernel has.
+    /// The number of uniform inputs does not match.
     pub fn with(&self, uniforms: &[f64]) -> Result<Batch<'_>, BatchError> {
         count("uniform values", uniforms.len(), self.uniforms())?;
         Ok(Batch { kernel: self, table: self.table(uniforms), tile: lines(self.tile_bytes) })
     }
 
-    /// What is uniform, each value twice, so that it can be read as a pair.
+    /// Returns the uniform values, each stored twice, so that they can be loaded as pairs.
     fn table(&self, uniforms: &[f64]) -> Vec<Line> {
         let mut given = uniforms.iter().copied();
         let inputs: Vec<f64> = self
@@ -158,20 +160,20 @@ impl BatchKernel {
     }
 }
 
-/// A kernel and what is the same at all points.
+/// A kernel with computed uniform values.
 pub struct Batch<'k> {
     kernel: &'k BatchKernel,
-    /// What is uniform, each value twice.
+    /// The uniform values, each stored twice.
     table: Vec<Line>,
-    /// What a tile of points needs on the way.
+    /// Memory for the intermediate values of a tile.
     tile: Vec<Line>,
 }
 
 impl Batch<'_> {
-    /// Evaluates the kernel at every point; all columns, in and out, have the same length.
+    /// Evaluates the kernel at every point. All input and output columns have the same length.
     ///
     /// # Errors
-    /// Counts or lengths do not fit; nothing has been written then.
+    /// Counts or lengths do not match; no output is written.
     pub fn evaluate(&mut self, columns: &[&[f64]], outputs: &mut [&mut [f64]]) -> Result<(), BatchError> {
         let points = self.check(columns, outputs)?;
         if points == 0 {
@@ -188,7 +190,7 @@ impl Batch<'_> {
         let mut left = points / 2;
         while left > 0 {
             let pairs = left.min(kernel.pairs);
-            // SAFETY: `2 * pairs` points are left in every column.
+            // SAFETY: every column has at least `2 * pairs` remaining points.
             unsafe {
                 self.run(&inputs, &results, pairs);
                 inputs.iter_mut().for_each(|column| *column = column.add(2 * pairs));
@@ -197,7 +199,7 @@ impl Batch<'_> {
             left -= pairs;
         }
         if points % 2 == 1 {
-            // The last one beside itself: the same functions, hence the same bits.
+            // An odd last point is duplicated to a pair: the same functions produce the same bits.
             let last: Vec<[f64; 2]> =
                 columns.iter().filter_map(|column| column.last()).map(|&value| [value; 2]).collect();
             let mut found = vec![[0.0; 2]; outputs.len()];
@@ -214,7 +216,7 @@ impl Batch<'_> {
         Ok(())
     }
 
-    /// Number of points, if everything fits.
+    /// Returns the number of points if all counts and lengths match.
     fn check(&self, columns: &[&[f64]], outputs: &[&mut [f64]]) -> Result<usize, BatchError> {
         count("columns of inputs", columns.len(), self.kernel.columns())?;
         count("columns of outputs", outputs.len(), self.kernel.outputs())?;
@@ -231,22 +233,23 @@ impl Batch<'_> {
     /// Evaluates the first points of the columns.
     ///
     /// # Safety
-    /// `pairs` is at least 1 and at most `kernel.pairs`; there are as many columns as the kernel has, and each holds
-    /// `2 * pairs` points.
+    /// `pairs` is between 1 and `kernel.pairs`. The numbers of columns match those of the kernel,
+    /// and each column holds `2 * pairs` points.
     unsafe fn run(&mut self, columns: &[*const f64], outputs: &[*mut f64], pairs: usize) {
         let table = self.table.as_ptr().cast::<f64>();
         let base = self.tile.as_mut_ptr().cast::<f64>();
         for (functions, angles) in &self.kernel.stages {
             for function in functions {
-                // SAFETY: the code is alive; it reads and writes inside the table, the tile and `2 * pairs` points of the
-                // columns, which the caller promises to be there.
+                // SAFETY: the code is alive. It accesses only the table, the tile and `2 * pairs`
+                // points of the columns, which the caller guarantees.
                 unsafe { function(table, columns.as_ptr(), outputs.as_ptr(), base, pairs) };
             }
             if let Some(angles) = angles {
                 let block = angles.size / size_of::<f64>();
                 let count = 2 * pairs * angles.count;
                 let start = angles.offset / size_of::<f64>();
-                // SAFETY: three blocks of this size lie one after the other in the tile, and `count` numbers fit one.
+                // SAFETY: the tile contains three consecutive blocks of this size, each with space
+                // for `count` numbers.
                 let [angles, sines, cosines] = unsafe {
                     [0, 1, 2]
                         .map(|which| std::slice::from_raw_parts_mut(base.add(start + which * block), count))

@@ -1,4 +1,5 @@
-//! Typed programs written by hand, run by the interpreter and as machine code, and compared bit for bit.
+//! Typed programs written by hand, run by the interpreter and as machine code, and compared bit by
+//! bit.
 
 pub mod text;
 
@@ -30,7 +31,7 @@ pub fn expr(kind: ExprKind, repr: Repr) -> Expr {
     Expr { kind, repr, span: Span::default() }
 }
 
-/// The expression, written at a place.
+/// Returns the expression with a source location.
 pub fn at(start: u32, expr: Expr) -> Expr {
     Expr { span: span(start), ..expr }
 }
@@ -51,7 +52,7 @@ pub fn local(index: u32, repr: Repr) -> Expr {
     expr(ExprKind::Local(LocalId(index)), repr)
 }
 
-/// A number local.
+/// Returns the value of a number local.
 pub fn n(index: u32) -> Expr {
     local(index, N)
 }
@@ -119,7 +120,7 @@ pub fn block(statements: Vec<Statement>, terminator: Terminator) -> Block {
     Block { statements, terminator, handler: None, span: span(800) }
 }
 
-/// A function whose first locals are its parameters.
+/// Returns a function whose first locals are its parameters.
 pub fn function(parameters: &[Mode], locals: Vec<Repr>, result: Repr, blocks: Vec<Block>) -> Function {
     let name = |(index, repr)| Local { name: format!("x{index}"), repr };
     Function {
@@ -132,18 +133,18 @@ pub fn function(parameters: &[Mode], locals: Vec<Repr>, result: Repr, blocks: Ve
     }
 }
 
-/// A program that begins with its first function.
+/// Returns a program that starts with its first function.
 pub fn program(functions: Vec<Function>) -> Program {
     Program { functions, ..Program::default() }
 }
 
-/// A program whose only function evaluates an expression after some statements.
+/// Returns a program whose only function runs some statements and then evaluates an expression.
 pub fn evaluates(locals: Vec<Repr>, statements: Vec<Statement>, value: Expr) -> Program {
     let result = value.repr.clone();
     program(vec![function(&[], locals, result, vec![block(statements, ret(value))])])
 }
 
-/// Representations of operands and result of an operation.
+/// Returns the representations of an operation's operands and result.
 pub fn signature(op: Op) -> (Vec<Repr>, Repr) {
     use Op::*;
     match op {
@@ -170,7 +171,7 @@ pub fn signature(op: Op) -> (Vec<Repr>, Repr) {
 }
 
 calyx_abi::externs! {
-    /// Fails on negative numbers and blames the argument.
+    /// Fails for negative numbers, with the error at the argument.
     Pure fn calyx_test_root(_context, scale: f64, x: f64) -> f64 {
         if x < 0.0 {
             let error = RuntimeError::new("E0999", "negative", "");
@@ -182,19 +183,19 @@ calyx_abi::externs! {
     /// Panics.
     Scene fn calyx_test_panic(_context) -> () { panic!("broken") }
 
-    /// Has an effect, and a result that stands on the heap.
+    /// Has an effect, and a result on the heap.
     Effect fn calyx_test_effect(context, line: String) -> String {
         (context.print)(&line);
         Ok("done".into())
     }
 }
 
-/// What the engine of these tests provides.
+/// Returns the functions that the engine of these tests provides.
 pub fn externs() -> Vec<Extern> {
     [EXTERNS, calyx_abi::standard::EXTERNS].concat()
 }
 
-/// Declares all of [`externs`] in a program, in the order of their rows.
+/// Declares all of [`externs`] in a program, in order.
 pub fn with_externs(mut program: Program) -> Program {
     let declare = |row: Extern| ExternDecl {
         symbol: row.symbol.into(),
@@ -208,20 +209,20 @@ pub fn with_externs(mut program: Program) -> Program {
     program
 }
 
-/// What came of a run, in a form that can be compared.
+/// The result of a run, in comparable form.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outcome {
-    /// Slots of the results; every NaN the same.
+    /// Slots of the results, with all NaNs normalized.
     pub result: Result<Vec<Slot>, RuntimeError>,
     /// The results as text.
     pub shown: String,
     pub printed: Vec<String>,
-    /// Basic blocks and place at the end: both evaluators go the same way.
+    /// Number of basic blocks and source location at the end, which both evaluators share.
     pub state: (u64, u64, (u32, u32, u32)),
 }
 
 impl Outcome {
-    /// Code and start of the place of the error.
+    /// Returns the code and the start of the source location of the error.
     pub fn failure(&self) -> (&str, Option<u32>) {
         match &self.result {
             Ok(_) => ("", None),
@@ -230,7 +231,7 @@ impl Outcome {
     }
 }
 
-/// How a run begins.
+/// The initial state of a run.
 #[derive(Clone, Default)]
 pub struct Start {
     pub arguments: Vec<Slot>,
@@ -238,7 +239,7 @@ pub struct Start {
     pub fuel: Option<u64>,
     pub cancelled: bool,
     pub memory: Option<u64>,
-    /// What the embedding program provides.
+    /// Functions of the embedding program.
     pub host: HostFunctions,
 }
 
@@ -285,16 +286,16 @@ pub fn interpreted(program: &Program, start: &Start, allow: Purity) -> Outcome {
     run(program, start, kernels, |ctx| interpreter.run_function(program.main, &start.arguments, ctx))
 }
 
-/// The program's code, kept for this or any machine of this kind as bytes and loaded again.
+/// Compiles the program for a processor, stores the code as bytes and loads it again.
 pub fn kept(program: &Program, cpu: TargetCpu) -> JitModule {
     let bytes = postcard::to_stdvec(&compile_code(program, cpu).unwrap()).unwrap();
     let code = postcard::from_bytes(&bytes).unwrap();
-    // SAFETY: the code was just made by the same compiler.
+    // SAFETY: the same compiler just produced the code.
     unsafe { load_code(&code, &externs()) }.unwrap()
 }
 
-/// Runs the first function by the interpreter, as code in memory, and as code that was kept and loaded again; they must
-/// agree.
+/// Runs the first function with the interpreter, as code in memory, and as code that was stored and
+/// loaded again. Asserts that the outcomes are equal.
 pub fn both(program: &Program, start: &Start) -> Outcome {
     let expected = interpreted(program, start, Purity::Effect);
     let modules = [

@@ -1,4 +1,4 @@
-//! Programs as text.
+//! Test programs as text.
 
 use super::externs;
 use calyx_abi::{Context, Purity};
@@ -10,7 +10,7 @@ use std::path::Path;
 /// The library's own sources.
 struct Library;
 
-/// A file of this project.
+/// Reads a file of this project.
 pub fn read(path: &str) -> String {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(path);
     std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
@@ -34,7 +34,7 @@ pub fn check(text: &str) -> Program {
     })
 }
 
-/// The defaults of params that are numbers.
+/// Returns the defaults of numeric params.
 pub fn defaults(program: &Program) -> Vec<f64> {
     let externs = externs();
     let interpreter = Interpreter::new(program, &externs, Purity::Pure).unwrap();

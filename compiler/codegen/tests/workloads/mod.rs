@@ -1,15 +1,16 @@
-//! The kinematic workloads W1 to W4 as graphs, with inputs that are the same everywhere: chains of translations and
-//! rotations with their derivatives, as gear models have them.
+//! The kinematic workloads W1 to W4 as graphs, with reproducible inputs: chains of translations and
+//! rotations with their derivatives, as they occur in gear models.
 //!
-//! They multiply active matrices; as changes of coordinates these are those of the reverse motion.
+//! The workloads multiply active matrices; as coordinate transformations they describe the inverse
+//! motion.
 
 use calyx_symbolic::{Frame, Graph, NodeId, Tape, Vector3};
 
-/// SplitMix64 (Steele, Lea and Flood 2014).
+/// The SplitMix64 generator (Steele, Lea and Flood 2014).
 pub struct Random(pub u64);
 
 impl Random {
-    /// Uniform in `low..high`.
+    /// Returns a number uniformly distributed in `low..high`.
     pub fn uniform(&mut self, low: f64, high: f64) -> f64 {
         self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
         let mut z = self.0;
@@ -20,7 +21,7 @@ impl Random {
     }
 }
 
-/// A kernel whose inputs are variables, which vary from point to point, then parameters.
+/// A kernel whose inputs are variables, which vary from point to point, followed by parameters.
 pub struct Workload {
     pub name: &'static str,
     pub build: fn(&mut Graph) -> Vec<NodeId>,
@@ -76,7 +77,7 @@ impl Workload {
         graph.schedule(self.inputs(), &outputs)
     }
 
-    /// The variables at many points, a column each.
+    /// Returns the variables at many points, one column each.
     pub fn columns(&self, points: usize) -> Vec<Vec<f64>> {
         let mut random = Random(self.seed);
         let mut columns = vec![Vec::with_capacity(points); self.variables.len()];
@@ -89,12 +90,12 @@ impl Workload {
     }
 }
 
-/// An active translation as a change of coordinates.
+/// Returns an active translation as a coordinate transformation.
 fn translation(g: &mut Graph, v: Vector3) -> Frame {
     Frame::translate(g.negate_vector(v))
 }
 
-/// An active rotation about a coordinate axis, likewise.
+/// Returns an active rotation about a coordinate axis as a coordinate transformation.
 fn rotation(g: &mut Graph, angle: NodeId, axis: usize) -> Frame {
     let (zero, one) = (g.constant(0.0), g.constant(1.0));
     let mut n = [zero; 3];
@@ -107,7 +108,7 @@ fn product(factors: &[Frame]) -> Frame {
     factors.iter().fold(Frame::ground(), |chain, factor| chain.after(factor))
 }
 
-/// Sum of coefficients (the first without) times powers.
+/// Returns the polynomial `c0 + c1 x + c2 x^2 + ...`, evaluated by Horner's method.
 fn series(g: &mut Graph, x: NodeId, coefficients: &[NodeId]) -> NodeId {
     let zero = g.constant(0.0);
     coefficients.iter().rev().fold(zero, |sum, &coefficient| {
@@ -116,7 +117,8 @@ fn series(g: &mut Graph, x: NodeId, coefficients: &[NodeId]) -> NodeId {
     })
 }
 
-/// W1: the frame of a planet, its first two time derivatives, and derivatives by design parameters.
+/// W1: the frame of a planet gear, its first two time derivatives, and derivatives with respect to
+/// design parameters.
 fn planet(g: &mut Graph) -> Vec<NodeId> {
     let [time, cd, rx, ry, px, py, phase, planet, carrier] = [0, 1, 2, 3, 4, 5, 6, 7, 8].map(|i| g.symbol(i));
     let zero = g.constant(0.0);
@@ -141,7 +143,8 @@ fn planet(g: &mut Graph) -> Vec<NodeId> {
     outputs
 }
 
-/// A point of a generated tooth flank, by settings of the machine. Symbols: u, theta, phi, then 21 settings.
+/// Returns a point of a generated tooth flank, depending on machine settings. Symbols: u, theta,
+/// phi, then 21 settings.
 fn generated_point(g: &mut Graph) -> Vector3 {
     let [u, theta, phi] = [0, 1, 2].map(|i| g.symbol(i));
     let setting: Vec<NodeId> = (3..24).map(|i| g.symbol(i)).collect();
@@ -181,7 +184,8 @@ fn generated_point(g: &mut Graph) -> Vector3 {
     frame.apply(g, blade)
 }
 
-/// W2: the point, its first and second derivatives, the function whose zeros are the envelope, and its gradient.
+/// W2: the point, its first and second derivatives, the function whose zeros define the envelope,
+/// and its gradient.
 fn generated(g: &mut Graph) -> Vec<NodeId> {
     let x = generated_point(g);
     let firsts = [0, 1, 2].map(|variable| g.vector_derivative(x, variable));
@@ -196,7 +200,7 @@ fn generated(g: &mut Graph) -> Vec<NodeId> {
     outputs
 }
 
-/// W3: the point and its derivatives by all settings, without those that are constant.
+/// W3: the point and its derivatives with respect to all settings, without the constant ones.
 fn sensitivity(g: &mut Graph) -> Vec<NodeId> {
     let x = generated_point(g);
     let mut outputs = x.to_vec();
@@ -211,7 +215,7 @@ fn sensitivity(g: &mut Graph) -> Vec<NodeId> {
     outputs
 }
 
-/// A polynomial in time with the next random coefficients, whole thousandths from -1 to 1.
+/// Returns a polynomial in time with the next random coefficients: multiples of 0.001 from -1 to 1.
 fn polynomial(g: &mut Graph, random: &mut Random, degree: usize) -> NodeId {
     let time = g.symbol(0);
     let coefficients: Vec<NodeId> = (0..=degree)
@@ -221,7 +225,8 @@ fn polynomial(g: &mut Graph, random: &mut Random, degree: usize) -> NodeId {
     series(g, time, &coefficients)
 }
 
-/// W4 (25 pairs): translations and rotations in turn, with the first two time derivatives of all entries.
+/// W4 (25 pairs): alternating translations and rotations, with the first two time derivatives of
+/// all entries.
 pub fn chain(g: &mut Graph, pairs: usize) -> Vec<NodeId> {
     let mut random = Random(4);
     let mut frame = Frame::ground();
