@@ -1,7 +1,7 @@
-//! What an editor asks of checked texts, as plain data: what a name means, of what type an expression is, what can be
-//! called and how. The answers come from [`crate::db::Database`].
+//! Data types for editor queries on checked texts: the meaning of a name, the type of an
+//! expression, the parameters of a callable. [`crate::db::Database`] answers the queries.
 //!
-//! Files are named as they are shown to people; offsets are bytes.
+//! Files are identified by their display names; offsets are in bytes.
 
 use crate::ast::Mode;
 use crate::dimension::Dimension;
@@ -21,14 +21,14 @@ pub enum NameKind {
     Variable,
     /// `var x := ...`
     Symbolic,
-    /// Of a function.
+    /// A parameter of a function.
     Parameter,
     Param,
     Output,
     Function,
     /// `function f(in x) := ...`
     SymbolicFunction,
-    /// A function of the engine, declared in the library.
+    /// An engine function that is declared in the library.
     Extern,
     Const,
     Record,
@@ -36,14 +36,14 @@ pub enum NameKind {
     Dimension,
     Unit,
     Module,
-    /// A function of the language itself.
+    /// A function that is part of the language.
     Builtin,
     /// `Time`, `pi`, `e1`, ...
     Constant,
 }
 
 impl NameKind {
-    /// As said to people.
+    /// Returns the description for messages.
     pub fn describe(self) -> &'static str {
         match self {
             NameKind::Variable => "variable",
@@ -66,20 +66,21 @@ impl NameKind {
     }
 }
 
-/// A name that stands in a file.
+/// A name in a file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Name {
     pub start: u32,
     pub end: u32,
     pub text: Arc<str>,
     pub kind: NameKind,
-    /// `None` for what the language itself has. A module is declared at the start of its file.
+    /// Location of the declaration; `None` for built-in names. A module is declared at the start of
+    /// its file.
     pub declared: Option<Place>,
-    /// The type of what it names, a function's scheme, as shown to people.
+    /// Type of the named item as displayed; for a function, its type scheme.
     pub ty: Option<Arc<str>>,
-    /// It is the declaration.
+    /// `true` for the name in a declaration.
     pub declares: bool,
-    /// It is assigned to.
+    /// `true` if the name is assigned to.
     pub writes: bool,
 }
 
@@ -89,48 +90,49 @@ pub struct Typed {
     pub start: u32,
     pub end: u32,
     pub ty: String,
-    /// Of a number, if it is known.
+    /// Dimension of a number, if known.
     pub dimension: Option<Dimension>,
-    /// A number without a unit, whose dimension follows from its use.
+    /// `true` for a number without a unit, whose dimension is inferred from its use.
     pub bare: bool,
 }
 
-/// A name that can be used at some place.
+/// A name that is visible at a source location.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Visible {
     pub name: Arc<str>,
     pub kind: NameKind,
     pub ty: Option<Arc<str>>,
     pub declared: Option<Place>,
-    /// Levels of blocks around the place: 0 is the innermost. What is imported or the language's own has none.
+    /// Number of enclosing blocks between the location and the declaration; 0 is the innermost
+    /// block. `None` for imported and built-in names.
     pub level: Option<u32>,
 }
 
-/// What a declaration says, for people.
+/// The text of a declaration, for display.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Declaration {
     pub kind: NameKind,
     pub name: Arc<str>,
-    /// Its text without a function's body.
+    /// Source text without the body of a function.
     pub header: String,
     pub doc: Option<String>,
     pub ty: Option<Arc<str>>,
-    /// The whole statement.
+    /// Location of the whole statement.
     pub item: Place,
 }
 
-/// What can be called, and how.
+/// A callable and its parameters.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Callable {
     pub name: Arc<str>,
     pub kind: NameKind,
     pub doc: Option<String>,
     pub parameters: Vec<CallParameter>,
-    /// More arguments like the last may follow.
+    /// `true` if more arguments of the last kind may follow.
     pub open: bool,
-    /// `None` if it gives nothing.
+    /// Result type; `None` if there is no result.
     pub result: Option<String>,
-    /// What else is demanded of the types: `T adds`.
+    /// Further requirements on types, such as `T adds`.
     pub demands: Vec<String>,
     pub declared: Option<Place>,
 }
@@ -139,17 +141,17 @@ pub struct Callable {
 pub struct CallParameter {
     pub name: Arc<str>,
     pub mode: Mode,
-    /// Takes an expression, given with `:=`.
+    /// `true` if the parameter takes an expression, given with `:=`.
     pub symbolic: bool,
-    /// As shown to people; empty if nothing is known.
+    /// Type as displayed; empty if unknown.
     pub ty: String,
-    /// The dimension of a number, if it is known.
+    /// Dimension of a number, if known.
     pub dimension: Option<Dimension>,
-    /// As written.
+    /// Default as written.
     pub default: Option<String>,
-    /// The ends of its range as written: `0 mm .. 5 mm`.
+    /// Range as written: `0 mm .. 5 mm`.
     pub range: Option<String>,
-    /// The strings it may be.
+    /// Allowed strings.
     pub choices: Vec<String>,
     pub doc: Option<String>,
     pub declared: Option<Place>,

@@ -1,6 +1,7 @@
-//! The syntax tree: what was written, with nothing resolved.
+//! The syntax tree, with unresolved names.
 //!
-//! A tree always exists; where the text made no sense it holds `Error` nodes and the parser reports why.
+//! Every text has a tree. The tree contains `Error` nodes for parts that cannot be parsed; the
+//! parser reports the reason.
 
 use crate::span::Span;
 
@@ -10,11 +11,11 @@ pub struct Ident {
     pub span: Span,
 }
 
-/// A file: statements in order. Functions among them are visible in the whole file.
+/// A file: statements in order. Its functions are visible in the whole file.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Module {
     pub statements: Vec<Stmt>,
-    /// Text of a `///` block at the beginning of the file with a blank line after it.
+    /// Text of a `///` block at the start of the file that is followed by a blank line.
     pub doc: Option<String>,
 }
 
@@ -22,9 +23,9 @@ pub struct Module {
 pub struct Stmt {
     pub kind: StmtKind,
     pub span: Span,
-    /// Text of the `///` comments above, lines joined by `\n`, one leading blank removed from each.
+    /// Text of the `///` comments above, joined with `\n`, without the leading space of each line.
     pub doc: Option<String>,
-    /// `private` stands before it: a declaration that importers do not see.
+    /// `true` after `private`: importers do not see the declaration.
     pub private: bool,
 }
 
@@ -32,7 +33,7 @@ pub struct Stmt {
 pub enum StmtKind {
     /// `;`
     Empty,
-    /// What could not be parsed (already reported).
+    /// A statement that could not be parsed (already reported).
     Error,
     /// `import gears.helical;`
     Import(Vec<Ident>),
@@ -45,7 +46,8 @@ pub enum StmtKind {
         value: Expr,
     },
     Record(RecordDecl),
-    /// `dimension Cost;` is a new base dimension, `dimension LineLoad = Force / Length;` a name for a product.
+    /// `dimension Cost;` declares a new base dimension, `dimension LineLoad = Force / Length;` a
+    /// name for a product.
     Dimension {
         name: Ident,
         value: Option<TypeExpr>,
@@ -80,7 +82,8 @@ pub enum StmtKind {
         body: Box<Stmt>,
         condition: Expr,
     },
-    /// `for (init; condition; step) body`; `init` and `step` are `Empty`, `Var`, `Assign` or `Expr`.
+    /// `for (init; condition; step) body`, where `init` and `step` are `Empty`, `Var`, `Assign` or
+    /// `Expr`.
     For {
         init: Box<Stmt>,
         condition: Option<Expr>,
@@ -112,7 +115,7 @@ pub enum StmtKind {
     },
 }
 
-/// `=` evaluates now, `:=` keeps the expression.
+/// The kind of a binding: `=` evaluates now, `:=` stores the expression.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Bind {
     Evaluate,
@@ -156,16 +159,16 @@ pub struct UnitDecl {
 
 #[derive(Clone, Debug, PartialEq)]
 pub enum UnitMeaning {
-    /// `unit euro: Cost;`, the unit that numbers of this dimension are held in.
+    /// `unit euro: Cost;`, the unit in which numbers of this dimension are stored.
     Coherent(TypeExpr),
     /// `unit furlong = 220 yard;`
     Equal(Expr),
 }
 
-/// Allowed values of a param or of a library function's parameter.
+/// The allowed values of a param or of a library function's parameter.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Domain {
-    /// `in low .. high`, both ends allowed; either may be missing.
+    /// `in low .. high`, inclusive; either limit may be missing.
     Range { low: Option<Expr>, high: Option<Expr>, span: Span },
     /// `in ["a", "b"]`
     Choices { values: Vec<Expr>, span: Span },
@@ -179,9 +182,9 @@ pub struct FunctionDecl {
     pub parameters: Vec<Parameter>,
     pub result: Option<TypeExpr>,
     pub body: FunctionBody,
-    /// `test function f() { ... }`, which `calyx test` runs.
+    /// `true` for `test function f() { ... }`, which `calyx test` runs.
     pub is_test: bool,
-    /// `host function`: the program that embeds the model may provide another body.
+    /// `true` for `host function`: the program that embeds the model may replace its body.
     pub is_host: bool,
 }
 
@@ -190,7 +193,8 @@ pub enum FunctionBody {
     Statement(Box<Stmt>),
     /// A symbolic function: `:= expression;`
     Symbolic(Expr),
-    /// Provided by the engine. `purity` is `pure` (default `effect`), or `scene`, as written before `function`.
+    /// A function of the engine. `purity` is `effect` by default; `pure` or `scene` may be written
+    /// before `function`.
     Extern {
         purity: Option<Ident>,
     },
@@ -208,8 +212,8 @@ pub struct Parameter {
     pub mode: Mode,
     pub name: Ident,
     pub annotation: Option<TypeExpr>,
-    /// `= default`, or `:= default` for a parameter that takes a symbolic value. `Some((Symbolic, None))` is
-    /// written `in frame :=` and has no default.
+    /// `= default`, or `:= default` for a parameter that takes a symbolic value. `Some((Symbolic,
+    /// None))` is written `in frame :=` and has no default.
     pub default: Option<(Bind, Option<Expr>)>,
     pub domain: Option<Domain>,
     pub doc: Option<String>,
@@ -232,7 +236,7 @@ pub enum TypeKind {
     Apply(Ident, Vec<TypeExpr>),
     Product(Box<TypeExpr>, Box<TypeExpr>),
     Quotient(Box<TypeExpr>, Box<TypeExpr>),
-    /// Rational exponent `numerator/denominator`.
+    /// A power with the rational exponent `numerator/denominator`.
     Power(Box<TypeExpr>, i32, i32),
     Error,
 }
@@ -245,21 +249,21 @@ pub struct Expr {
 
 #[derive(Clone, Debug, PartialEq)]
 pub enum ExprKind {
-    /// What could not be parsed (already reported).
+    /// An expression that could not be parsed (already reported).
     Error,
     Number(f64),
-    /// `2 inch^2`: the number, then one unit atom with an optional integer exponent.
+    /// `2 inch^2`: a number followed by one unit with an optional integer exponent.
     Quantity {
         value: f64,
         unit: Ident,
         exponent: i32,
-        /// Span of the exponent if one was written.
+        /// Span of the exponent, if written.
         exponent_span: Option<Span>,
     },
     Bool(bool),
-    /// Literal text and `{expressions}` in turn.
+    /// Alternating literal text and `{expressions}`.
     String(Vec<StringPart>),
-    /// Variable, param, constant, unit in operand position, or module.
+    /// A variable, param, constant, module, or a unit as an operand.
     Name(Ident),
     /// `module.name`, `vector.x`, `record.field`.
     Field {
@@ -280,7 +284,7 @@ pub enum ExprKind {
     },
     Binary {
         op: BinaryOp,
-        /// Where the operator stands.
+        /// Span of the operator.
         op_span: Span,
         left: Box<Expr>,
         right: Box<Expr>,
@@ -308,16 +312,16 @@ pub enum StringPart {
     Value(Expr, Option<Format>),
 }
 
-/// How a number is shown, after a colon in braces: `{x : 10.3e lbf*inch}`.
+/// The format of a number after a colon in braces: `{x : 10.3e lbf*inch}`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Format {
-    /// Least number of characters of the number; blanks are put before it.
+    /// Minimum number of characters; the number is padded with leading spaces.
     pub width: Option<u8>,
     /// Digits after the decimal point.
     pub digits: Option<u8>,
-    /// With a power of ten.
+    /// `true` for scientific notation.
     pub scientific: bool,
-    /// A product of units.
+    /// The unit, a product of units.
     pub unit: Option<Expr>,
     pub span: Span,
 }
@@ -327,7 +331,7 @@ pub struct Format {
 pub struct Argument {
     pub name: Option<(Ident, Bind)>,
     pub value: Expr,
-    /// `..record`: its fields are arguments by name.
+    /// `true` for `..record`: its fields are passed as named arguments.
     pub spread: bool,
 }
 
@@ -356,7 +360,7 @@ pub enum BinaryOp {
 }
 
 impl BinaryOp {
-    /// Whether it gives a truth value of two values that need be none.
+    /// Returns `true` for operators that return a truth value and accept other operands.
     pub fn compares(self) -> bool {
         use BinaryOp::*;
         matches!(self, Less | LessEqual | Greater | GreaterEqual | Equal | NotEqual)

@@ -1,21 +1,21 @@
-//! The page behind every diagnostic code: what it means and what to do about it.
+//! Explanations of diagnostic codes: the meaning of each code and how to fix the problem.
 
-/// A code with its explanation.
+/// A diagnostic code with its explanation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Explanation {
     pub code: &'static str,
-    /// The finding in a few words.
+    /// The problem in a few words.
     pub title: &'static str,
-    /// One paragraph: why it is reported and how to mend it.
+    /// One paragraph: the reason for the diagnostic and how to fix the problem.
     pub text: &'static str,
 }
 
-/// The explanation of a code, written in any case.
+/// Returns the explanation of a code, case-insensitively.
 pub fn explain(code: &str) -> Option<&'static Explanation> {
     CODES.iter().find(|e| e.code.eq_ignore_ascii_case(code))
 }
 
-/// All codes in order.
+/// Returns all codes in order.
 pub fn all() -> &'static [Explanation] {
     CODES
 }

@@ -1,10 +1,11 @@
-//! Strongly connected components of a graph, by Tarjan's algorithm without recursion: a chain of calls
-//! may be as long as a program.
+//! Strongly connected components of a graph, by Tarjan's algorithm (1972). It is iterative, because
+//! a chain of calls may be as long as a program.
 
 use std::collections::{HashMap, HashSet};
 use std::hash::Hash;
 
-/// The components, each after those that it links to.
+/// Returns the strongly connected components in reverse topological order: each follows the
+/// components that it links to.
 pub fn components<N, L>(nodes: impl IntoIterator<Item = N>, links: impl Fn(N) -> L) -> Vec<Vec<N>>
 where
     N: Copy + Eq + Hash,
@@ -84,7 +85,7 @@ mod tests {
 
     #[test]
     fn components_come_after_what_they_link_to() {
-        // 0 -> 1 <-> 2 -> 3, 4 alone.
+        // Edges 0 -> 1 <-> 2 -> 3; node 4 is isolated.
         let links = |node: usize| [vec![1], vec![2], vec![1, 3], vec![], vec![]][node].clone();
         let mut found = components(0..5, links);
         found.iter_mut().for_each(|component| component.sort());

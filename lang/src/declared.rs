@@ -1,4 +1,4 @@
-//! Finds the declaration of a name in a syntax tree, and what its text says of it.
+//! Finds the declaration of a name in a syntax tree, and extracts its text.
 
 use crate::ast::{
     Domain, Expr, FunctionBody, FunctionDecl, Ident, Module, Parameter, RecordDecl, RecordField, Stmt,
@@ -6,7 +6,7 @@ use crate::ast::{
 };
 use crate::span::Span;
 
-/// A declaration in a tree.
+/// A declaration in a syntax tree.
 #[derive(Clone, Copy, Debug)]
 pub enum Declared<'t> {
     /// A function, record, param, output, constant, dimension, unit or import.
@@ -14,16 +14,17 @@ pub enum Declared<'t> {
     Variable(&'t Stmt, &'t VarDecl),
     Parameter(&'t FunctionDecl, &'t Parameter),
     Field(&'t RecordDecl, &'t RecordField),
-    /// What `catch` receives.
+    /// The variable of a `catch` clause.
     Caught(&'t Stmt),
 }
 
-/// The declaration whose name starts at an offset, and the top-level statement it lies in.
+/// Returns the declaration whose name starts at an offset, and the top-level statement that
+/// contains it.
 pub fn find(module: &Module, offset: u32) -> Option<(&Stmt, Declared<'_>)> {
     find_in(&module.statements, offset)
 }
 
-/// The same among some statements of a file, in order.
+/// As [`find`], among consecutive statements of a file.
 pub(crate) fn find_in(statements: &[Stmt], offset: u32) -> Option<(&Stmt, Declared<'_>)> {
     let after = statements.partition_point(|statement| statement.span.start <= offset);
     let item = statements.get(after.checked_sub(1)?)?;
@@ -60,7 +61,7 @@ fn within(statement: &Stmt, offset: u32) -> Option<Declared<'_>> {
     }
 }
 
-/// The name that a statement declares, if it declares one.
+/// Returns the name that a statement declares, if any.
 pub fn name_of(statement: &Stmt) -> Option<&Ident> {
     match &statement.kind {
         StmtKind::Function(decl) => Some(&decl.name),
@@ -75,7 +76,7 @@ pub fn name_of(statement: &Stmt) -> Option<&Ident> {
     }
 }
 
-/// The statements directly inside a statement, in order of place.
+/// Returns the direct child statements of a statement in source order.
 pub fn children(statement: &Stmt) -> Vec<&Stmt> {
     match &statement.kind {
         StmtKind::Block(all) => all.iter().collect(),
@@ -95,7 +96,7 @@ pub fn children(statement: &Stmt) -> Vec<&Stmt> {
     }
 }
 
-/// The text of a declaration without what is inside it.
+/// Returns the source text of a declaration without its body.
 pub fn header(declared: Declared<'_>, text: &str) -> String {
     let slice = |start: u32, end: u32| text.get(start as usize..end as usize).unwrap_or_default();
     match declared {
@@ -140,7 +141,7 @@ pub fn header(declared: Declared<'_>, text: &str) -> String {
     }
 }
 
-/// The `///` text of a declaration.
+/// Returns the `///` text of a declaration.
 pub fn doc(declared: Declared<'_>) -> Option<&str> {
     match declared {
         Declared::Statement(statement) | Declared::Variable(statement, _) => statement.doc.as_deref(),
@@ -156,7 +157,7 @@ fn domain_span(domain: &Domain) -> Span {
     }
 }
 
-/// The ends of a range as written.
+/// Returns the limits of a range as written.
 pub fn range(domain: Option<&Domain>, text: &str) -> Option<String> {
     let Some(Domain::Range { low, high, .. }) = domain else { return None };
     let slice = |e: &Option<Expr>| {
@@ -167,13 +168,13 @@ pub fn range(domain: Option<&Domain>, text: &str) -> Option<String> {
     Some(ends.trim().to_string())
 }
 
-/// The strings that are allowed.
+/// Returns the allowed strings.
 pub fn choices(domain: Option<&Domain>) -> Vec<String> {
     let Some(Domain::Choices { values, .. }) = domain else { return Vec::new() };
     values.iter().filter_map(plain_string).collect()
 }
 
-/// The text of a string without interpolated values.
+/// Returns the text of a string that has no interpolated values.
 pub fn plain_string(e: &Expr) -> Option<String> {
     match &e.kind {
         crate::ast::ExprKind::String(parts) => match parts.as_slice() {

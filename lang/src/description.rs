@@ -1,4 +1,5 @@
-//! A program's description of itself, from the typed program: what `--help`, results, executables and embedders read.
+//! The description of a program, derived from the typed program. `--help`, results, executables and
+//! embedding programs read it.
 
 use crate::dimension::Dimension;
 use crate::ir::{DisplayUnit, HostValue, Program};
@@ -9,8 +10,8 @@ use calyx_abi::description::{
     KernelDescription, ModelDescription, OutputDescription, ParamDescription, UnitDescription,
 };
 
-/// Describes a program that runs with an engine of this fingerprint. Defaults and ranges of params, tables and calls are left out: whoever elaborates the
-/// program fills them in.
+/// Describes a program for an engine with this fingerprint. Defaults and ranges of params, tables
+/// and calls are empty; elaboration sets them.
 pub fn describe(program: &Program, abi: Fingerprint) -> ModelDescription {
     ModelDescription {
         abi,
@@ -114,12 +115,12 @@ fn unit(unit: &DisplayUnit) -> UnitDescription {
     UnitDescription { name: unit.name.clone(), factor: unit.factor, dimension: unit.dimension }
 }
 
-/// The description as JSON.
+/// Returns the description as JSON.
 pub fn to_json(description: &ModelDescription) -> serde_json::Result<String> {
     serde_json::to_string(description)
 }
 
-/// Reads what [`to_json`] wrote.
+/// Parses the output of [`to_json`].
 pub fn from_json(text: &str) -> serde_json::Result<ModelDescription> {
     serde_json::from_str(text)
 }
@@ -128,15 +129,15 @@ pub fn from_json(text: &str) -> serde_json::Result<ModelDescription> {
 mod tests {
     use super::*;
 
-    /// An executable reads quantities by the units in its description: a bit more or less in a factor would show in
-    /// every result.
+    /// An executable converts quantities with the units of its description, so an inexact factor
+    /// would change every result.
     #[test]
     fn the_description_comes_back_to_the_last_bit() {
         let described = describe(&Program::default(), Fingerprint::default());
         assert!(described.known_units.len() > 50);
         let json = to_json(&described).unwrap();
         assert_eq!(from_json(&json).unwrap(), described);
-        // Where a fast but careless reading of decimals errs, and plain ones.
+        // Numbers that a fast, inexact decimal parser reads incorrectly, and plain ones.
         for number in [6894.757293168361, 1e23, 8.533e68, 0.1 + 0.2, 4.35e-31, f64::MIN_POSITIVE] {
             assert_eq!(
                 serde_json::from_str::<f64>(&serde_json::to_string(&number).unwrap()).unwrap(),

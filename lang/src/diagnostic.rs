@@ -1,4 +1,5 @@
-//! What is wrong with a program, as data: made where it is found, rendered elsewhere.
+//! Diagnostics as data. The stage that finds a problem creates them; [`crate::render`] formats
+//! them.
 
 use crate::span::{FileId, Span};
 use calyx_abi::error::Call;
@@ -9,25 +10,25 @@ pub enum Severity {
     Warning,
 }
 
-/// One finding. `code` is stable: 01 text and syntax, 02 names, 03 types, 04 dimensions and units, 05 symbolic,
-/// 06 gears, 07 run time.
+/// A diagnostic. `code` is stable: 01 text and syntax, 02 names, 03 types, 04 dimensions and units,
+/// 05 symbolic, 06 gears, 07 run time.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Diagnostic {
     pub severity: Severity,
-    /// E.g. `E0201`; warnings too have their own `W0203`.
+    /// The code, such as `E0201`. Warnings have separate codes, such as `W0203`.
     pub code: String,
-    /// A plain sentence, without a full stop.
+    /// A sentence without a full stop.
     pub message: String,
-    /// Where, and what to say there.
+    /// The location of the problem and its label.
     pub primary: Label,
     pub labels: Vec<Label>,
-    /// What to do about it.
+    /// How to fix the problem.
     pub help: Option<String>,
-    /// A change that certainly mends it.
+    /// A change that fixes the problem with certainty.
     pub fix: Option<Fix>,
-    /// Changes that may be what was meant: offered in editors, never made unasked.
+    /// Changes that may be intended. Editors offer them; they are never applied automatically.
     pub suggestions: Vec<Fix>,
-    /// Of an error of a running program: the calls under way, innermost first.
+    /// The call stack of a run-time error, innermost call first.
     pub calls: Vec<Call>,
 }
 
@@ -39,7 +40,7 @@ pub struct Label {
 
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fix {
-    /// As a menu entry would say it.
+    /// The title of the change in a menu.
     pub title: String,
     pub span: Span,
     pub replacement: String,
@@ -64,7 +65,7 @@ impl Diagnostic {
         Diagnostic { severity: Severity::Warning, ..Diagnostic::error(code, message, span, label) }
     }
 
-    /// Places counted from the start of a part of `file`, put where the part lies.
+    /// Converts locations relative to the start of a part of `file` to locations in the file.
     pub(crate) fn moved(&self, file: FileId, by: u32) -> Self {
         let mut moved = self.clone();
         let to = |span: &mut Span| *span = Span { file, start: span.start + by, end: span.end + by };
@@ -74,7 +75,8 @@ impl Diagnostic {
         moved
     }
 
-    /// Error of a decimal comma, as in `2,5`; `None` if the two parts make no number.
+    /// Returns the error for a decimal comma, as in `2,5`; `None` if the two parts do not form a
+    /// number.
     pub(crate) fn decimal_comma(span: Span, whole: &str, fraction: &str) -> Option<Self> {
         let is_number = whole.bytes().all(|b| b.is_ascii_digit())
             && fraction.starts_with(|c: char| c.is_ascii_digit())
@@ -102,7 +104,7 @@ impl Diagnostic {
         self
     }
 
-    /// Offers a change that may be meant.
+    /// Adds a change that may be intended.
     pub fn suggest(mut self, title: impl Into<String>, span: Span, replacement: impl Into<String>) -> Self {
         self.suggestions.push(Fix { title: title.into(), span, replacement: replacement.into() });
         self

@@ -1,8 +1,8 @@
 //! Physical dimensions: products of powers of length, mass, time, angle and temperature.
 //!
-//! Exponents are rational, so that `sqrt` of any quantity has a dimension.
-//! Angle is *soft*: it is kept for display and conversion, but two dimensions that differ only in it fit each other
-//! (`v = omega * r`), see [`Dimension::fits`].
+//! Exponents are rational, so that the `sqrt` of any quantity has a dimension. Angle is *soft*: it
+//! is stored for display and conversion, but dimensions that differ only in the exponent of angle
+//! are compatible (`v = omega * r`), see [`Dimension::fits`].
 
 use calyx_abi::description::{Exponents, OWN_BASES};
 use std::fmt;
@@ -22,7 +22,8 @@ impl Rational {
         Rational { numerator: value, denominator: 1 }
     }
 
-    /// The reduced fraction; `None` for a zero denominator or a fraction beyond 32 bits.
+    /// Returns the reduced fraction; `None` for a zero denominator or a fraction that does not fit
+    /// in 32 bits.
     pub fn new(numerator: i64, denominator: i64) -> Option<Self> {
         if denominator == 0 {
             return None;
@@ -34,7 +35,8 @@ impl Rational {
         Some(Rational { numerator: reduce(numerator)?, denominator: reduce(denominator)? })
     }
 
-    /// The fraction with denominator up to 64 nearest to `value`, if it is within rounding of it.
+    /// Returns the fraction nearest to `value` with a denominator up to 64, if the difference is
+    /// within rounding.
     pub fn from_f64(value: f64) -> Option<Self> {
         (1..=64_i64).find_map(|denominator| {
             let scaled = value * denominator as f64;
@@ -58,7 +60,8 @@ impl Rational {
         self.numerator == 0
     }
 
-    /// The opposite; the one numerator that has none stays.
+    /// Returns the negative fraction. The numerator `i32::MIN` has no negative and is returned
+    /// unchanged.
     pub fn negated(self) -> Rational {
         Rational { numerator: self.numerator.saturating_neg(), ..self }
     }
@@ -105,7 +108,7 @@ impl fmt::Debug for Rational {
     }
 }
 
-/// The base dimensions, in the order in which exponents are stored everywhere.
+/// The base dimensions, in the order in which exponents are stored.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Base {
     Length,
@@ -129,24 +132,24 @@ impl Base {
     }
 }
 
-/// Base dimensions of physics and those a program may add.
+/// Number of physical base dimensions and of those that a program may declare.
 const BASES: usize = Base::ALL.len() + OWN_BASES;
 
 /// A dimension: one exponent per [`Base`], then one per base dimension that the program declares.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Dimension {
     exponents: [Rational; BASES],
-    /// The power of cycles: 1 in Hz, -1 in a period. It is softer than angle: neither shown nor
-    /// compared, and kept only in powers of time. The lints use it to find where cycles meet angles
-    /// without the factor 2 pi ([`Dimension::lacks_turn`]).
+    /// The exponent of cycles: 1 in Hz, -1 in a period. It is softer than angle: it is neither
+    /// displayed nor compared, and only powers of time have it. The lints use it to find a missing
+    /// factor 2 pi between cycles and angles ([`Dimension::lacks_turn`]).
     cycles: Rational,
 }
 
 impl Dimension {
-    /// Of a pure number.
+    /// The dimension of a pure number.
     pub const NONE: Dimension = Dimension::whole([0, 0, 0, 0, 0]);
 
-    /// From whole exponents of length, mass, time, angle, temperature.
+    /// Returns the dimension with integer exponents of length, mass, time, angle, temperature.
     pub const fn whole(exponents: [i32; 5]) -> Self {
         let mut all = [Rational::ZERO; BASES];
         let mut base = 0;
@@ -157,19 +160,19 @@ impl Dimension {
         Dimension { exponents: all, cycles: Rational::ZERO }
     }
 
-    /// The base dimension that the program declares as its `index`-th, if it may have so many.
+    /// Returns the `index`-th base dimension that the program declares; `None` beyond the limit.
     pub fn own(index: usize) -> Option<Self> {
         let mut exponents = [Rational::ZERO; BASES];
         *exponents.get_mut(Base::ALL.len() + index)? = Rational::ONE;
         Some(Dimension { exponents, cycles: Rational::ZERO })
     }
 
-    /// Exponents of the base dimensions that the program declares.
+    /// Returns the exponents of the base dimensions that the program declares.
     pub fn own_exponents(self) -> [Rational; OWN_BASES] {
         std::array::from_fn(|index| self.exponents[Base::ALL.len() + index])
     }
 
-    /// From all exponents as (numerator, denominator).
+    /// Returns the dimension with the given exponents as (numerator, denominator).
     pub fn from_exponents(exponents: Exponents) -> Option<Self> {
         let mut all = [Rational::ZERO; BASES];
         for (to, (n, d)) in all.iter_mut().zip(exponents) {
@@ -178,12 +181,12 @@ impl Dimension {
         Some(Dimension { exponents: all, cycles: Rational::ZERO })
     }
 
-    /// Whether no dimension that the program declares is in it.
+    /// Returns `true` if the exponents of all dimensions that the program declares are zero.
     pub fn is_physics(self) -> bool {
         self == self.without_own()
     }
 
-    /// The part of physics alone.
+    /// Returns the physical factors only.
     pub fn without_own(mut self) -> Dimension {
         self.exponents[Base::ALL.len()..].fill(Rational::ZERO);
         self
@@ -199,7 +202,7 @@ impl Dimension {
         self.exponents[base as usize]
     }
 
-    /// All exponents as (numerator, denominator).
+    /// Returns all exponents as (numerator, denominator).
     pub fn exponents(self) -> Exponents {
         self.exponents.map(|e| (e.numerator, e.denominator))
     }
@@ -208,13 +211,13 @@ impl Dimension {
         self.without_cycles() == Dimension::NONE
     }
 
-    /// Dimension of a product. Exponents beyond 32 bits keep their old value; [`Dimension::power`] refuses the
-    /// exponents that lead there.
+    /// Returns the dimension of a product. Exponents beyond 32 bits keep their old value;
+    /// [`Dimension::power`] rejects the exponents that would lead there.
     pub fn times(self, other: Dimension) -> Dimension {
         self.combine(other, 1)
     }
 
-    /// Dimension of a quotient; exponents as in [`Dimension::times`].
+    /// Returns the dimension of a quotient; exponents as in [`Dimension::times`].
     pub fn over(self, other: Dimension) -> Dimension {
         self.combine(other, -1)
     }
@@ -225,7 +228,7 @@ impl Dimension {
         Dimension { exponents, cycles: sum(self.cycles, other.cycles) }.counting_in_time()
     }
 
-    /// Dimension of a power; `None` if an exponent leaves -1000 .. 1000 (no physics is out there).
+    /// Returns the dimension of a power; `None` if an exponent is outside -1000 .. 1000.
     pub fn power(self, exponent: Rational) -> Option<Dimension> {
         let power =
             |e: Rational| e.product(exponent).filter(|e| e.numerator.abs() <= 1000 && e.denominator <= 1000);
@@ -236,7 +239,7 @@ impl Dimension {
         Some(Dimension { exponents: result, cycles: power(self.cycles)? })
     }
 
-    /// The same dimension of quantities that count cycles, such as those in Hz.
+    /// Returns the same dimension for quantities that count cycles, such as those in Hz.
     pub fn of_cycles(self) -> Dimension {
         Dimension { cycles: Rational::ONE, ..self }
     }
@@ -245,15 +248,16 @@ impl Dimension {
         Dimension { cycles: Rational::ZERO, ..self }
     }
 
-    /// A force times a frequency counts nothing any more.
+    /// Removes the cycles from dimensions other than powers of time: a force times a frequency does
+    /// not count cycles.
     fn counting_in_time(self) -> Dimension {
         let bases = (0..BASES).filter(|i| *i != Base::Time as usize && *i != Base::Angle as usize);
         let time_alone = bases.into_iter().all(|i| self.exponents[i].is_zero());
         if time_alone { self } else { self.without_cycles() }
     }
 
-    /// Reports whether a factor of 2 pi is missing where values of the two dimensions meet: one
-    /// counts cycles, the other angles, as 50 Hz and 3000 rpm do.
+    /// Returns `true` if a factor of 2 pi is missing between values of the two dimensions: one
+    /// counts cycles and the other angles, such as 50 Hz and 3000 rpm.
     pub fn lacks_turn(self, other: Dimension) -> bool {
         let difference = self.combine(other, -1);
         let (angle, cycles) = (difference.exponent(Base::Angle), difference.cycles);
@@ -261,24 +265,26 @@ impl Dimension {
             && angle.numerator.signum() * cycles.numerator.signum() < 0
     }
 
-    /// Reports whether quantities count cycles or angles, by time or as a pure number.
+    /// Returns `true` for counts of cycles or angles, either per time or as a pure number.
     pub fn is_turning(self) -> bool {
         let counts = !self.cycles.is_zero() || !self.exponent(Base::Angle).is_zero();
         counts && self.of_cycles().counting_in_time() == self.of_cycles()
     }
 
-    /// The same with the exponent of angle set to zero: what unification compares.
+    /// Returns the dimension with the exponent of angle set to zero, which unification compares.
     pub fn without_angle(mut self) -> Dimension {
         self.exponents[Base::Angle as usize] = Rational::ZERO;
         self.without_cycles()
     }
 
-    /// Whether values of the two dimensions may meet in a sum or assignment: equal up to angle.
+    /// Returns `true` if values of the two dimensions may be added or assigned: the dimensions are
+    /// equal except for angle.
     pub fn fits(self, other: Dimension) -> bool {
         self.without_angle() == other.without_angle()
     }
 
-    /// The dimension people mean: where an angle got in by multiplication (`omega * r`), the named dimension without it.
+    /// Returns the dimension for display. If angle results from a multiplication (`omega * r`),
+    /// returns the named dimension without angle.
     pub fn tidy(self) -> Dimension {
         let this = self.without_cycles();
         let exact = |d: &&(&str, Dimension)| d.1 == this;
@@ -286,40 +292,43 @@ impl Dimension {
         NAMES.iter().find(exact).or_else(|| NAMES.iter().find(soft)).map_or(this, |d| d.1)
     }
 
-    /// `Force`, `Pressure`, ...; also where only the angle differs.
+    /// Returns the name of the dimension (`Force`, `Pressure`, ...), ignoring angle if necessary.
     pub fn known_name(self) -> Option<&'static str> {
         let tidy = self.tidy();
         NAMES.iter().find(|d| d.1 == tidy).map(|d| d.0)
     }
 
-    /// The dimension a name in an annotation stands for; aliases such as `Torque` and `Stress` too.
+    /// Returns the dimension with a name in an annotation, including aliases such as `Torque` and
+    /// `Stress`.
     pub fn from_name(name: &str) -> Option<Dimension> {
         NAMES.iter().chain(ALIASES).find(|d| d.0 == name).map(|d| d.1)
     }
 
-    /// Every name [`Dimension::from_name`] knows, for suggestions and completion.
+    /// Returns every name that [`Dimension::from_name`] accepts, for suggestions and completion.
     pub fn names() -> impl Iterator<Item = &'static str> {
         NAMES.iter().chain(ALIASES).map(|d| d.0)
     }
 
-    /// Every dimension that has a name, once: of those that differ in angle only, the one that is meant comes first.
+    /// Returns every named dimension once. Of dimensions that differ only in angle, the preferred
+    /// one comes first.
     pub fn named() -> impl Iterator<Item = (&'static str, Dimension)> {
         NAMES.iter().copied()
     }
 
-    /// As a product of powers of base dimensions, e.g. `Length*Mass/Time^2`; `1` for a pure number.
+    /// Returns the product of powers of base dimensions, such as `Length*Mass/Time^2`; `1` for a
+    /// pure number.
     pub fn in_bases(self) -> String {
         product(Base::ALL.map(|base| (base.name(), self.exponent(base))))
     }
 
-    /// As a product of powers of SI base units, e.g. `m*kg/s^2`; `1` for a pure number.
+    /// Returns the product of powers of SI base units, such as `m*kg/s^2`; `1` for a pure number.
     pub fn in_base_units(self) -> String {
         let units = ["m", "kg", "s", "rad", "K"];
         product(Base::ALL.map(|base| (units[base as usize], self.exponent(base))))
     }
 }
 
-/// The known name if there is one, else the product of base dimensions.
+/// Writes the name if there is one, otherwise the product of base dimensions.
 impl fmt::Display for Dimension {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.known_name() {
@@ -335,12 +344,13 @@ impl fmt::Debug for Dimension {
     }
 }
 
-/// Writes `a^2*b/c`: positive powers first, then each negative one after its own `/`. `1` for the empty product.
+/// Formats `a^2*b/c`: positive powers first, then each negative power after its own `/`. The empty
+/// product is `1`.
 pub(crate) fn product<const N: usize>(factors: [(&str, Rational); N]) -> String {
     product_of(&factors)
 }
 
-/// [`product`] of any number of factors.
+/// Formats as [`product`] does, for any number of factors.
 pub(crate) fn product_of(factors: &[(&str, Rational)]) -> String {
     let powered =
         |name: &str, e: Rational| if e == Rational::ONE { name.into() } else { format!("{name}^{e}") };
@@ -354,7 +364,7 @@ pub(crate) fn product_of(factors: &[(&str, Rational)]) -> String {
     text
 }
 
-/// One name per dimension, found first to last: where only the angle differs the earlier entry wins.
+/// One name per dimension. Of dimensions that differ only in angle, the first entry has priority.
 const NAMES: &[(&str, Dimension)] = &[
     ("Number", Dimension::NONE),
     ("Length", Dimension::whole([1, 0, 0, 0, 0])),
@@ -387,7 +397,7 @@ const NAMES: &[(&str, Dimension)] = &[
     ("Power", Dimension::whole([2, 1, -3, 0, 0])),
 ];
 
-/// Other names for dimensions of [`NAMES`].
+/// Aliases for dimensions of [`NAMES`].
 const ALIASES: &[(&str, Dimension)] = &[
     ("Torque", Dimension::whole([2, 1, -2, 0, 0])),
     ("Energy", Dimension::whole([2, 1, -2, 0, 0])),
@@ -451,10 +461,10 @@ mod tests {
         assert!(hertz.lacks_turn(speed) && speed.lacks_turn(hertz));
         assert!(Dimension::NONE.over(hertz).lacks_turn(Dimension::NONE.over(speed)));
         assert!(hertz.times(named("Time")).lacks_turn(named("Angle")));
-        // A radius times a frequency is a velocity, and so is a radius times an angular velocity.
+        // A radius times a frequency is a velocity, as is a radius times an angular velocity.
         assert!(!hertz.times(named("Length")).lacks_turn(speed.times(named("Length"))));
-        // The root of stiffness by mass counts no cycles; a revolution in each cycle is an angular
-        // velocity.
+        // The square root of stiffness by mass does not count cycles; a revolution in each cycle is
+        // an angular velocity.
         assert!(!named("Frequency").lacks_turn(speed) && !hertz.lacks_turn(named("Frequency")));
         assert!(!hertz.times(named("Angle")).lacks_turn(speed));
         assert_eq!((hertz.to_string(), hertz.is_none()), ("Frequency".to_string(), false));

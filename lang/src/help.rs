@@ -1,6 +1,7 @@
-//! What is said of the language's own words where somebody points at them: a sentence or two and an example each.
+//! Help texts for the keywords and built-in names of the language: one or two sentences and an
+//! example each.
 
-/// What a word means.
+/// The help text for a word.
 #[derive(Clone, Copy, Debug)]
 pub struct Help {
     pub word: &'static str,
@@ -10,17 +11,17 @@ pub struct Help {
     pub example: &'static str,
 }
 
-/// The help on a function or constant that every program has.
+/// Returns the help for a built-in function or constant.
 pub fn builtin(name: &str) -> Option<&'static Help> {
     BUILTINS.iter().find(|help| help.word == name)
 }
 
-/// The help on a word of the language.
+/// Returns the help for a keyword.
 pub fn keyword(word: &str) -> Option<&'static Help> {
     KEYWORDS.iter().find(|help| help.word == word)
 }
 
-/// All help, for tests and the reference.
+/// Returns all help texts, for tests and the reference.
 pub fn all() -> impl Iterator<Item = &'static Help> {
     BUILTINS.iter().chain(KEYWORDS)
 }

@@ -1,9 +1,11 @@
-//! The typed program: names, types and dimensions resolved, ready to be interpreted or compiled.
+//! The typed program: names, types and dimensions are resolved, and the program is ready to be
+//! interpreted or compiled.
 //!
-//! Control flow is a graph of basic blocks, so that every construct of the language (`goto`, `switch`, `try`)
-//! is an edge. Expressions stay trees; `And`, `Or` and `If` in them evaluate only what they need.
-//! Dimensions have been checked and are gone: every number is an `f64` in SI, literals converted.
-//! Generic functions stand here once per representation of their arguments.
+//! Control flow is a graph of basic blocks, so every control structure (`goto`, `switch`, `try`) is
+//! represented by edges. Expressions are trees; `And`, `Or` and `If` evaluate only the operands
+//! that they need. Dimensions are checked and erased: every number is an `f64` in SI units, and
+//! literals are converted. Generic functions are instantiated once per representation of their
+//! arguments.
 
 use crate::span::Span;
 use calyx_abi::description::Exponents;
@@ -12,36 +14,37 @@ use calyx_abi::{Purity, Repr};
 
 #[derive(Clone, Debug, Default)]
 pub struct Program {
-    /// The model first, then every file it uses, the library's included.
+    /// The model's file, followed by every imported file, including those of the library.
     pub files: Vec<SourceFile>,
     pub params: Vec<Param>,
     pub outputs: Vec<Output>,
     pub functions: Vec<Function>,
-    /// The function that runs the model's top level. Takes and returns nothing.
+    /// The function for the model's top level, without parameters and result.
     pub main: FunctionId,
     pub externs: Vec<ExternDecl>,
-    /// What the embedding program may provide, in order of file and place.
+    /// Functions that the embedding program may provide, in order of file and position.
     pub host_functions: Vec<HostFunction>,
-    /// Every `:=` expression and every symbolic argument.
+    /// All `:=` expressions and symbolic arguments.
     pub sites: Vec<Site>,
-    /// Symbolic functions, each once per representation of its arguments. A function stands after those it calls.
+    /// Symbolic functions, instantiated once per representation of their arguments. Callees precede
+    /// their callers.
     pub symbolic_functions: Vec<SymbolicFunction>,
-    /// Params by which expressions are differentiated that captured other expressions: every [`Site::part`] gives its
-    /// derivatives by them.
+    /// Params with respect to which expressions with captured expressions are differentiated. Every
+    /// [`Site::part`] provides its derivatives with respect to these.
     pub graph_params: Vec<u32>,
-    /// Name of the unit system results print in: `SI`, `mm_N_s`, `inch_lbf_s`.
+    /// Name of the unit system of results: `SI`, `mm_N_s`, `inch_lbf_s`.
     pub units: String,
     /// Units that the program declares.
     pub own_units: Vec<DisplayUnit>,
     /// Dimensions that the program declares, by name.
     pub own_dimensions: Vec<(String, Exponents)>,
-    /// Text of the doc comment that opens the model's file; empty if there is none.
+    /// Text of the doc comment at the start of the model's file; empty if there is none.
     pub doc: String,
 }
 
 #[derive(Clone, Debug)]
 pub struct SourceFile {
-    /// As shown to people: the path given, or `<library>/gears.cx`.
+    /// Display name: the given path, or `<library>/gears.cx`.
     pub name: String,
     pub text: String,
 }
@@ -50,12 +53,12 @@ pub struct SourceFile {
 pub struct FunctionId(pub u32);
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct ExternId(pub u32);
-/// By index in `Program::host_functions`.
+/// An index of `Program::host_functions`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct HostId(pub u32);
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct SiteId(pub u32);
-/// By index in `Program::symbolic_functions`.
+/// An index of `Program::symbolic_functions`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct SymbolicFunctionId(pub u32);
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -69,108 +72,110 @@ pub struct Param {
     pub name: String,
     pub doc: String,
     pub repr: Repr,
-    /// Evaluates the default (it may use earlier params and functions without effects).
+    /// Evaluates the default, which may use earlier params and functions without effects.
     pub default: FunctionId,
-    /// Evaluate the ends of the allowed range.
+    /// Evaluates the lower limit of the allowed range; `high` evaluates the upper one.
     pub low: Option<FunctionId>,
     pub high: Option<FunctionId>,
-    /// Allowed strings; empty if any string will do.
+    /// Allowed strings; empty if any string is allowed.
     pub choices: Vec<String>,
-    /// The default's unit: what a bare value given by the user is in, and what it is shown in.
+    /// Unit of the default. A value given without a unit is in this unit, and values are displayed
+    /// in it.
     pub unit: DisplayUnit,
-    /// The default is a bare whole number, so only whole numbers are allowed.
+    /// `true` if the default is an integer without a unit; only integers are then allowed.
     pub integral: bool,
     pub span: Span,
 }
 
-/// How a number is shown: SI value = shown value * `factor`.
+/// The display unit of a number: SI value = displayed value * `factor`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DisplayUnit {
-    /// E.g. `lbf*inch`; empty for a pure number.
+    /// Name, such as `lbf*inch`; empty for a pure number.
     pub name: String,
     pub factor: f64,
     pub dimension: Exponents,
 }
 
-/// A wanted observable.
+/// A requested observable.
 #[derive(Clone, Debug)]
 pub struct Output {
     pub name: String,
     pub doc: String,
     pub site: SiteId,
-    /// What results are shown in, in the model's units; `si` is the name of the coherent SI unit.
+    /// Display unit in the model's unit system; `si` is the name of the coherent SI unit.
     pub unit: DisplayUnit,
     pub si: String,
     pub span: Span,
 }
 
-/// A function the engine provides.
+/// A function that the engine provides.
 #[derive(Clone, Debug)]
 pub struct ExternDecl {
     /// Link symbol: `calyx_` + module + `_` + name.
     pub symbol: String,
-    /// As the program names it, e.g. `gears.material`.
+    /// Name in the program, such as `gears.material`.
     pub name: String,
     pub purity: Purity,
     pub parameters: Vec<(String, Repr)>,
     pub result: Repr,
-    /// Where it is declared.
+    /// Location of the declaration.
     pub span: Span,
 }
 
-/// A function that the program which embeds the model may provide; its own body begins by asking for that
-/// ([`Statement::Host`]).
+/// A function that the embedding program may provide. Its own body starts with [`Statement::Host`],
+/// which calls the provided function.
 #[derive(Clone, Debug, PartialEq)]
 pub struct HostFunction {
-    /// With the module it stands in.
+    /// Name including the module.
     pub name: String,
     pub doc: String,
     pub parameters: Vec<HostValue>,
-    /// Its name is empty.
+    /// The result, whose name is empty.
     pub result: HostValue,
-    /// Where it is declared.
+    /// Location of the declaration.
     pub span: Span,
 }
 
-/// What a host function takes or gives.
+/// A parameter or the result of a host function.
 #[derive(Clone, Debug, PartialEq)]
 pub struct HostValue {
     pub name: String,
     /// Number, Bool, String, Vector, or an array of these.
     pub repr: Repr,
-    /// The type as people write it.
+    /// The type as displayed.
     pub ty: String,
     pub unit: DisplayUnit,
 }
 
-/// A symbolic expression in the source: one kernel, many sets of captured values.
+/// A symbolic expression in the source: one kernel, and one set of captured values per execution.
 #[derive(Clone, Debug)]
 pub struct Site {
-    /// Name bound, for messages and for the symbol of its kernel.
+    /// Name of the binding, for messages and for the symbol of its kernel.
     pub name: String,
-    /// Parts used more than once; each may name those before it ([`SymKind::Shared`]).
+    /// Shared subexpressions; each may refer to earlier ones ([`SymKind::Shared`]).
     pub shared: Vec<SymExpr>,
     pub expr: SymExpr,
-    /// What is captured by value when the binding executes, in order of `SymExpr::Capture`.
+    /// Values captured when the binding executes, in order of `SymExpr::Capture`.
     pub captures: Vec<Capture>,
-    /// Number, Vector, Transform, or a tuple of these where brackets are evaluated.
+    /// Number, Vector or Transform; a tuple of these for bracket expressions.
     pub repr: Repr,
-    /// Highest time derivative its kernel computes beside the value: 2 for a transform, else 0.
+    /// Order of the highest time derivative that its kernel computes: 2 for a transform, otherwise
+    /// 0.
     pub order: u8,
-    /// Its value may be captured by other sites: after its time derivatives, of order 2 then, its kernel gives the
-    /// same of its derivative by each of [`Program::graph_params`].
+    /// `true` if other sites may capture its value. The kernel then computes time derivatives up to
+    /// order 2, followed by the same outputs differentiated by each of [`Program::graph_params`].
     pub part: bool,
     pub span: Span,
 }
 
 impl Site {
-    /// Number of its kernel's inputs: time, every param, what it captures.
+    /// Returns the number of its kernel's inputs: time, every param, and the captured values.
     pub fn inputs(&self, program: &Program) -> usize {
         let captured = self.captures.iter().map(|capture| capture.inputs(program));
         1 + program.params.len() + captured.sum::<usize>()
     }
 
-    /// Number of its kernel's outputs.
+    /// Returns the number of its kernel's outputs.
     pub fn outputs(&self, program: &Program) -> usize {
         let by = if self.part { 1 + program.graph_params.len() } else { 1 };
         self.repr.slots() * (1 + usize::from(self.order)) * by
@@ -180,19 +185,21 @@ impl Site {
 #[derive(Clone, Debug)]
 pub struct Capture {
     pub name: String,
-    /// Number, Bool, Vector or Transform; `Symbolic(Number)` with `observable` set for an observable; else
-    /// `Symbolic` of Number, Vector or Transform for an expression, the value of a site that is a [`Site::part`].
+    /// Number, Bool, Vector or Transform. For an observable, `Symbolic(Number)` with `observable`
+    /// set. For an expression (the value of a site that is a [`Site::part`]), `Symbolic` of Number,
+    /// Vector or Transform.
     pub repr: Repr,
     pub observable: bool,
 }
 
 impl Capture {
-    /// An expression: what the kernel of its site gives is what the kernel that captured it takes.
+    /// Returns `true` for an expression: the outputs of its site's kernel are inputs of the
+    /// capturing kernel.
     pub fn is_part(&self) -> bool {
         !self.observable && matches!(self.repr, Repr::Symbolic(_))
     }
 
-    /// How many inputs of the kernel it takes.
+    /// Returns the number of kernel inputs that it takes.
     pub fn inputs(&self, program: &Program) -> usize {
         match &self.repr {
             Repr::Symbolic(inner) if !self.observable => inner.slots() * 3 * (1 + program.graph_params.len()),
@@ -201,22 +208,25 @@ impl Capture {
     }
 }
 
-/// `function p(in u, in th) := e;`: an expression with free arguments. Its kernel has the inputs time, every param by
-/// index, then the arguments in order, and the outputs of `result` in order (see `calyx_lower::kernels`).
+/// A symbolic function `function p(in u, in th) := e;`: an expression with free arguments. The
+/// inputs of its kernel are time, every param by index, and the arguments in order; the outputs are
+/// those of `result` in order (see `calyx_lower::kernels`).
 #[derive(Clone, Debug)]
 pub struct SymbolicFunction {
     pub name: String,
     pub doc: String,
     pub parameters: Vec<SymbolicParameter>,
-    /// Parts used more than once; each may name those before it ([`SymKind::Shared`]).
+    /// Shared subexpressions; each may refer to earlier ones ([`SymKind::Shared`]).
     pub shared: Vec<SymExpr>,
     pub body: SymExpr,
-    /// Number, Bool, Vector, Transform, or a tuple of these for brackets (arrays too: every length is known).
+    /// Number, Bool, Vector or Transform; a tuple of these for brackets. Arrays are also tuples,
+    /// because all lengths are known.
     pub result: Repr,
-    /// What the numbers of the result are shown in, one per value of `result` that is no tuple; of a frame, its
+    /// Display units, one per value of `result` that is not a tuple. For a frame, the unit of its
     /// translation.
     pub units: Vec<DisplayUnit>,
-    /// A function of the model itself, outside all others: offered by name. Exported names are unique.
+    /// `true` for a top-level function of the model itself, which embedding programs can call by
+    /// name. Exported names are unique.
     pub exported: bool,
     pub span: Span,
 }
@@ -226,11 +236,11 @@ pub struct SymbolicParameter {
     pub name: String,
     /// Number, Bool or Vector.
     pub repr: Repr,
-    /// What the argument is shown in; dimensionless where the function takes any dimension.
+    /// Display unit of the argument; dimensionless if the function accepts any dimension.
     pub unit: DisplayUnit,
 }
 
-/// A symbolic expression, typed. Becomes a graph of the symbolic crate when lowered.
+/// A typed symbolic expression. The lowering converts it to a graph.
 #[derive(Clone, Debug)]
 pub struct SymExpr {
     pub kind: SymKind,
@@ -240,7 +250,7 @@ pub struct SymExpr {
 }
 
 impl SymExpr {
-    /// The expressions directly in this one.
+    /// Returns the direct operands.
     pub fn operands(&self) -> Vec<&SymExpr> {
         match &self.kind {
             SymKind::Number(_)
@@ -262,26 +272,26 @@ impl SymExpr {
 pub enum SymKind {
     Number(f64),
     Bool(bool),
-    /// Seconds since the start of the motion.
+    /// Time since the start of the motion, s.
     Time,
-    /// A number param, by index in `Program::params`.
+    /// A number param: an index of `Program::params`.
     Param(u32),
-    /// By index in `Site::captures`.
+    /// An index of `Site::captures`.
     Capture(u32),
-    /// By index in `SymbolicFunction::parameters`.
+    /// An index of `SymbolicFunction::parameters`.
     Argument(u32),
-    /// By index in `shared` of the site or function.
+    /// An index of `shared` of the site or function.
     Shared(u32),
     Op(Op, Vec<SymExpr>),
     If(Box<SymExpr>, Box<SymExpr>, Box<SymExpr>),
-    /// Derivative by a symbol.
+    /// The derivative with respect to a symbol.
     Derivative(Box<SymExpr>, Symbol),
-    /// `e at Time = t`: the symbol replaced by the second expression.
+    /// `e at Time = t`: the expression with the symbol replaced by the second expression.
     At(Box<SymExpr>, Symbol, Box<SymExpr>),
-    /// A symbolic function of arguments. Inside it, its arguments are independent symbols.
+    /// A call of a symbolic function. In its body, its arguments are independent symbols.
     Call(SymbolicFunctionId, Vec<SymExpr>),
     Brackets(Vec<SymExpr>),
-    /// Of brackets, by index.
+    /// An element of a bracket expression, by index.
     Element(Box<SymExpr>, u32),
 }
 
@@ -289,7 +299,7 @@ pub enum SymKind {
 pub enum Symbol {
     Time,
     Param(u32),
-    /// An argument of the symbolic function the expression stands in: a number, by index.
+    /// A number argument of the enclosing symbolic function, by index.
     Argument(u32),
 }
 
@@ -297,7 +307,8 @@ pub enum Symbol {
 pub struct Function {
     pub name: String,
     pub parameters: Vec<(LocalId, Mode)>,
-    /// `Unit` if it returns nothing. Values of `out` and `inout` parameters follow the result in the returned slots.
+    /// `Unit` without a result. The values of `out` and `inout` parameters follow the result in the
+    /// returned slots.
     pub result: Repr,
     pub locals: Vec<Local>,
     /// Execution starts at block 0.
@@ -317,9 +328,10 @@ pub struct Local {
 pub struct Block {
     pub statements: Vec<Statement>,
     pub terminator: Terminator,
-    /// Where an error of this block leads; without it, out of the function. What one cannot catch leaves it anyway.
+    /// The block to which errors in this block jump; without one, the function returns the error.
+    /// Errors that cannot be caught always leave the function.
     pub handler: Option<BlockId>,
-    /// Where a program that is stopped here is said to be.
+    /// The location reported if the program is stopped in this block.
     pub span: Span,
 }
 
@@ -330,15 +342,16 @@ pub enum Statement {
         value: Expr,
         span: Span,
     },
-    /// Evaluated for what it does.
+    /// Evaluates an expression for its effects.
     Eval(Expr),
-    /// A call whose `out` and `inout` results are stored back, after the call, into places evaluated before it.
+    /// A call whose `out` and `inout` results are stored, after the call, in places evaluated
+    /// before the call.
     Call {
-        /// Where the function's own result goes, if it is kept.
+        /// The place for the function's result, if it is used.
         result: Option<Place>,
         function: FunctionId,
         arguments: Vec<Expr>,
-        /// One per `out` or `inout` parameter, in order.
+        /// One place per `out` or `inout` parameter, in order.
         copy_back: Vec<Place>,
         span: Span,
     },
@@ -346,13 +359,13 @@ pub enum Statement {
     Host {
         function: HostId,
         arguments: Vec<Expr>,
-        /// Where its result goes if it is provided; left with no particular value otherwise.
+        /// The place for the result, which is unspecified if the function is not provided.
         result: Place,
-        /// Where it is told whether it is provided.
+        /// The place for a truth value: whether the function is provided.
         provided: Place,
         span: Span,
     },
-    /// Appends an element to the array the place holds.
+    /// Appends an element to the array in a place.
     Push {
         place: Place,
         value: Expr,
@@ -360,32 +373,32 @@ pub enum Statement {
     },
 }
 
-/// Where a value is stored: a local, or a part (of a part ...) of the array or tuple it holds.
+/// A storage location: a local, or a (nested) element of the array or tuple in it.
 #[derive(Clone, Debug)]
 pub struct Place {
     pub local: LocalId,
-    /// From the local inwards.
+    /// Projections, starting at the local.
     pub steps: Vec<Step>,
-    /// Representation of what is stored there.
+    /// Representation of the stored value.
     pub repr: Repr,
 }
 
-/// From a value to a part of it.
+/// A projection from a value to an element of it.
 #[derive(Clone, Debug)]
 pub enum Step {
-    /// Element of an array; the index must be a whole number within bounds: checked, code E0701.
+    /// Element of an array. The index must be an integer within bounds; a check reports E0701.
     Index(Expr),
     /// Element of a tuple, by constant index.
     Element(usize),
 }
 
 impl Place {
-    /// A local as a whole.
+    /// Returns the place of a whole local.
     pub fn whole(local: LocalId, repr: Repr) -> Place {
         Place { local, steps: Vec::new(), repr }
     }
 
-    /// The indices that are computed, in order.
+    /// Returns the computed indices in order.
     pub fn indices(&self) -> impl Iterator<Item = &Expr> {
         self.steps.iter().filter_map(|step| match step {
             Step::Index(index) => Some(index),
@@ -403,19 +416,19 @@ pub enum Terminator {
         otherwise: BlockId,
     },
     Return(Option<Expr>),
-    /// Fails with an error of the program's own making.
+    /// Fails with an error that the program creates.
     Throw {
-        /// The fields of an `Error`: code, message, place, value.
+        /// The fields of an `Error`: code, message, location, value.
         error: Expr,
-        /// What to do about it; empty if nothing can be said.
+        /// A suggested fix; may be empty.
         help: String,
         span: Span,
     },
-    /// Fails again with an error that was caught ([`ExprKind::Catch`]).
+    /// Fails again with a caught error ([`ExprKind::Catch`]).
     Rethrow(Expr),
 }
 
-/// Representation of the record `Error`.
+/// Returns the representation of the record `Error`.
 pub fn error_repr() -> Repr {
     Repr::Tuple(vec![Repr::String, Repr::String, Repr::String, Repr::Number])
 }
@@ -433,30 +446,32 @@ pub enum ExprKind {
     Bool(bool),
     String(String),
     Local(LocalId),
-    /// By index in `Program::params`.
+    /// An index of `Program::params`.
     Param(u32),
     Op(Op, Vec<Expr>),
     And(Box<Expr>, Box<Expr>),
     Or(Box<Expr>, Box<Expr>),
     If(Box<Expr>, Box<Expr>, Box<Expr>),
-    /// Function without `out` or `inout` parameters.
+    /// A call of a function without `out` or `inout` parameters.
     Call(FunctionId, Vec<Expr>),
     CallExtern(ExternId, Vec<Expr>),
-    /// A fresh array; every element has the representation of the array's element.
+    /// A new array. Every element has the representation of the array's elements.
     Array(Vec<Expr>),
     /// Element of an array; the index is checked (E0701).
     Index(Box<Expr>, Box<Expr>),
     Tuple(Vec<Expr>),
     /// Element of a tuple, by constant index.
     TupleElement(Box<Expr>, usize),
-    /// A copy of an array that shares nothing with the original. Inserted wherever an array read from a place
-    /// is bound to another place, passed by `in`, stored in an array, or returned while a place still holds it.
+    /// A copy of an array that shares no memory with the original. It is inserted when an array
+    /// that is read from a place is bound to another place, passed by `in`, stored in an array, or
+    /// returned while a place still refers to it.
     Copy(Box<Expr>),
     /// Number of elements.
     Len(Box<Expr>),
-    /// Text and values joined; each as its display says.
+    /// Concatenated text and formatted values.
     Format(Vec<FormatPart>),
-    /// Takes the error that led to this block and keeps it: a handle. Stands once, at the head of a handler.
+    /// Takes the error that led to this block and returns a handle. Occurs once, at the start of a
+    /// handler.
     Catch,
     /// The fields of a caught error, as in [`error_repr`].
     CaughtFields(Box<Expr>),
@@ -465,7 +480,8 @@ pub enum ExprKind {
         site: SiteId,
         captures: Vec<Expr>,
     },
-    /// The present value of a symbolic value: kernel outputs of derivative order 0 at the given time.
+    /// The current value of a symbolic value: the kernel outputs of derivative order 0 at the given
+    /// time.
     EvalSymbolic {
         value: Box<Expr>,
         time: Box<Expr>,
@@ -478,11 +494,12 @@ pub enum FormatPart {
     Value(Expr, Display),
 }
 
-/// Operations on numbers, truth values, vectors and transforms, the same in evaluated and in symbolic expressions.
-/// The comment gives the representations of operands and result (N number, B bool, S string, V vector, T transform).
+/// Operations on numbers, truth values, vectors and transforms, shared by evaluated and symbolic
+/// expressions. The comments give the representations of operands and result (N number, B bool, S
+/// string, V vector, T transform).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Op {
-    /// N,N -> N and so on to `Divide`. `Power` is `abi::math::pow`.
+    /// N,N -> N, as for all operations up to `Divide`. `Power` is `abi::math::pow`.
     Add,
     Subtract,
     Multiply,
@@ -497,7 +514,8 @@ pub enum Op {
     LessEqual,
     Greater,
     GreaterEqual,
-    /// N,N or B,B or S,S or V,V -> B (arrays and tuples are expanded or compared by element when lowering)
+    /// N,N or B,B or S,S or V,V -> B. The lowering expands arrays and tuples or compares them
+    /// element by element.
     Equal,
     NotEqual,
     /// N -> N
@@ -535,21 +553,23 @@ pub enum Op {
     Scale,
     /// V,V -> N
     Dot,
-    /// V -> T: takes coordinates into a frame moved by v: `x' = x - v`.
+    /// V -> T: transformation into a frame translated by v: `x' = x - v`.
     Translate,
-    /// N,V -> T: takes coordinates into a frame turned by the angle about the unit axis: `x' = R(angle, axis)^T x`.
+    /// N,V -> T: transformation into a frame rotated by the angle about the unit axis: `x' =
+    /// R(angle, axis)^T x`.
     Rotate,
     /// T,T -> T: `(A * B) x = A (B x)`.
     Compose,
-    /// T,V -> V: coordinates of the point in the new frame.
+    /// T,V -> V: coordinates of the point in the frame.
     Apply,
     /// T -> T
     Inverse,
-    /// T -> V: where the new frame's origin is, in ground coordinates.
+    /// T -> V: the frame's origin in ground coordinates.
     Origin,
-    /// T,V -> V: the direction in ground coordinates of a vector given in the new frame.
+    /// T,V -> V: the direction in ground coordinates of a vector given in the frame.
     Direction,
-    /// T -> V, symbolic only: of the frame's origin, and of its rotation, in ground coordinates.
+    /// T -> V, symbolic only: velocity and acceleration of the frame's origin, angular velocity and
+    /// angular acceleration of the frame, in ground coordinates.
     Velocity,
     Acceleration,
     AngularVelocity,

@@ -1,8 +1,8 @@
-//! Text to tokens. Never fails: what belongs to no token is reported and skipped.
+//! Lexer: converts text to tokens. It never fails: invalid characters are reported and skipped.
 //!
-//! Tokens hold no text, only their place, so they are small and the text is decoded once, by the parser.
-//! Strings with interpolated expressions become a flat run of tokens
-//! (`StringOpen StringText InterpolationOpen ... InterpolationClose StringClose`).
+//! Tokens contain only their source range; the parser decodes their text. Strings with interpolated
+//! expressions become a flat sequence of tokens (`StringOpen StringText InterpolationOpen ...
+//! InterpolationClose StringClose`).
 
 mod token;
 
@@ -28,7 +28,8 @@ pub fn lex(file: FileId, text: &str) -> Tokens {
     tokens
 }
 
-/// `param torque` declares, `param + 1` is a variable; two names never stand side by side elsewhere.
+/// Marks contextual keywords: `param torque` is a declaration, but `param` in `param + 1` is a
+/// variable. Elsewhere, two names are never adjacent.
 fn mark_contextual_words(tokens: &mut [Token], text: &str) {
     for i in 0..tokens.len() {
         let token = tokens[i];
@@ -38,8 +39,8 @@ fn mark_contextual_words(tokens: &mut [Token], text: &str) {
         let word = &text[token.span.start as usize..token.span.end as usize];
         let Some(&(_, kind, _)) = CONTEXTUAL.iter().find(|(w, _, _)| *w == word) else { continue };
         let next = tokens.get(i + 1).map(|t| t.kind);
-        // `param at Time = 0 s` is the value of a variable: no name that is declared or given a value is followed by
-        // another.
+        // In `param at Time = 0 s`, `param` is a variable: a declared or assigned name is not
+        // followed by another name.
         let value_at = next == Some(Kind::Identifier)
             && &text[tokens[i + 1].span.start as usize..tokens[i + 1].span.end as usize] == "at"
             && tokens.get(i + 2).is_some_and(|t| t.kind == Kind::Identifier);
@@ -58,7 +59,7 @@ fn mark_contextual_words(tokens: &mut [Token], text: &str) {
 
 struct OpenString {
     start: usize,
-    /// Whether we are in an interpolated expression of it.
+    /// `true` within an interpolated expression of this string.
     interpolating: bool,
 }
 
@@ -67,11 +68,11 @@ struct Lexer<'a> {
     text: &'a str,
     at: usize,
     out: Tokens,
-    /// The strings we are in, outermost first.
+    /// The open strings, outermost first.
     open_strings: Vec<OpenString>,
-    /// The `///` block being collected.
+    /// The `///` block under construction.
     doc: Option<String>,
-    /// Line ends since its last line.
+    /// Number of line ends since its last line.
     lines_since_doc: usize,
 }
 
@@ -95,7 +96,8 @@ impl Lexer<'_> {
         self.out.tokens.push(Token { kind, span: self.span(start) });
     }
 
-    /// The `///` block, if it is directly above. One with a blank line after it documents nothing but the file.
+    /// Takes the `///` block if it is directly above. A block followed by a blank line documents
+    /// only the file.
     fn take_doc(&mut self) -> Option<String> {
         let doc = self.doc.take()?;
         if self.lines_since_doc <= 1 {
@@ -112,7 +114,7 @@ impl Lexer<'_> {
     }
 
     fn run(&mut self) {
-        // A byte order mark is not text.
+        // Skip a byte order mark.
         if self.text.starts_with('\u{feff}') {
             self.at = '\u{feff}'.len_utf8();
         }
@@ -152,7 +154,7 @@ impl Lexer<'_> {
         let line = self.rest()[..length].trim_end();
         let span = Span::new(self.file, self.at, self.at + line.len());
         let mut kind = CommentKind::Line;
-        // `////` and more is a ruler, not documentation.
+        // `////` is a separator line, not documentation.
         if let Some(content) = line.strip_prefix("///").filter(|rest| !rest.starts_with('/')) {
             kind = CommentKind::Doc;
             let content = content.strip_prefix(' ').unwrap_or(content).to_string();
@@ -166,7 +168,7 @@ impl Lexer<'_> {
         self.at += length;
     }
 
-    /// `# ...` as in other languages: the whole line is text.
+    /// Skips a `# ...` comment of other languages, up to the end of the line.
     fn foreign_comment(&mut self, start: usize) {
         self.at += 1;
         let span = self.span(start);
@@ -228,12 +230,12 @@ impl Lexer<'_> {
         self.push(Kind::Number, start);
     }
 
-    /// Whether we are in an expression between the braces of a string.
+    /// Returns `true` within an expression between the braces of a string.
     fn interpolating(&self) -> bool {
         self.open_strings.last().is_some_and(|open| open.interpolating)
     }
 
-    /// `: 10.3e` in an interpolation, up to the unit.
+    /// Reads `: 10.3e` in an interpolation, up to the unit.
     fn format(&mut self, start: usize) {
         self.at += 1;
         let blanks = self.rest().len() - self.rest().trim_start_matches([' ', '\t']).len();
@@ -275,7 +277,7 @@ impl Lexer<'_> {
             self.push(kind, start);
             return;
         }
-        // One report for a run of such characters.
+        // Consecutive invalid characters are reported once.
         let begins_token = |c: char| {
             c.is_whitespace()
                 || c.is_alphanumeric()
@@ -322,7 +324,7 @@ impl Lexer<'_> {
         self.string_text();
     }
 
-    /// Literal text up to the closing quote, an interpolation, or the end of the line.
+    /// Reads literal text up to the closing quote, an interpolation, or the end of the line.
     fn string_text(&mut self) {
         let start = self.at;
         loop {
@@ -375,7 +377,7 @@ impl Lexer<'_> {
         self.at += 1;
         match self.peek() {
             Some('n' | 't' | '"' | '\\') => self.at += 1,
-            // The end of the line is reported as the end of the string.
+            // The unterminated string is reported at the end of the line.
             None | Some('\n') => {}
             Some(other) => {
                 self.at += other.len_utf8();
@@ -383,14 +385,15 @@ impl Lexer<'_> {
                 let message = format!("`\\{}` is no escape", other.escape_debug());
                 let help = "the escapes are `\\n`, `\\t`, `\\\"` and `\\\\`; braces are doubled";
                 let problem = Diagnostic::error("E0104", message, span, "unknown escape").help(help);
-                // A path of Windows, or a sign that needs no escape here.
+                // A Windows path, or a character that needs no escape.
                 let doubled = format!("\\{}", &self.text[start..self.at]);
                 self.out.diagnostics.push(problem.suggest("write `\\\\`", span, doubled));
             }
         }
     }
 
-    /// Ends every string that the end of a line leaves open, so that the next line is read afresh.
+    /// Closes all strings that are open at the end of a line, so that the next line is lexed
+    /// independently.
     fn close_strings(&mut self, reason: &str) {
         let Some(outermost) = self.open_strings.first() else { return };
         let span = Span::new(self.file, outermost.start, self.at);
@@ -412,7 +415,8 @@ impl Lexer<'_> {
     }
 }
 
-/// The characters a `StringText` token stands for. Unknown escapes (already reported) stay as written.
+/// Returns the characters that a `StringText` token represents. Unknown escapes (already reported)
+/// are copied as written.
 pub fn unescape(raw: &str) -> String {
     let mut text = String::with_capacity(raw.len());
     let mut characters = raw.chars().peekable();

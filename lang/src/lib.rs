@@ -1,8 +1,8 @@
-//! The Calyx language: from text to a checked, typed program.
+//! The Calyx language front end: from text to a checked, typed program.
 //!
-//! Knows nothing of machine code or of physics.
-//! `text -> tokens -> syntax tree -> names, types, dimensions -> typed program`; every stage returns a value and
-//! diagnostics, none fails.
+//! The crate does not depend on code generation or physics. Its stages are `text -> tokens ->
+//! syntax tree -> names, types, dimensions -> typed program`. Every stage returns a value and
+//! diagnostics; none fails.
 
 pub mod analysis;
 pub mod ast;

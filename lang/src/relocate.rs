@@ -1,27 +1,28 @@
-//! Visits every place and every name of a syntax tree, to move the tree or to see what it names.
+//! Visits all source ranges and names in a syntax tree, to move the tree or to collect its names.
 //!
-//! Checking works on single top-level statements whose places are counted from their own start, so that nothing that
-//! happens above a statement changes it.
+//! The checker works on top-level statements whose source ranges are relative to their own start,
+//! so that edits above a statement do not invalidate its results.
 
 use crate::ast::*;
 use crate::span::{FileId, Span};
 use std::collections::BTreeSet;
 
-/// Is given each place, and the name that stands there if it is one.
+/// A callback that receives each source range and, if the range is a name, the name.
 pub type Visit<'v> = dyn FnMut(&mut Span, Option<&str>) + 'v;
 
 /// Moves a statement so that it starts at `start` of `file`.
 pub fn to(statement: &mut Stmt, file: FileId, start: u32) {
     let from = statement.span.start;
     self::statement(statement, &mut |span, _| {
-        // Nothing of a statement lies before it; where a broken text says otherwise, it is put to the start.
+        // All ranges of a statement follow its start. In a malformed text, other ranges are clamped
+        // to the start.
         span.file = file;
         span.start = span.start.saturating_sub(from).saturating_add(start);
         span.end = span.end.saturating_sub(from).saturating_add(start).max(span.start);
     });
 }
 
-/// Adds the names that stand in what `visit_part` visits.
+/// Adds the names that `visit_part` visits.
 pub fn names(found: &mut BTreeSet<String>, visit_part: impl FnOnce(&mut Visit<'_>)) {
     visit_part(&mut |_, name| {
         if let Some(name) = name
@@ -137,7 +138,7 @@ pub fn statement(s: &mut Stmt, visit: &mut Visit<'_>) {
     }
 }
 
-/// What of a function its callers see.
+/// Visits the parts of a function that its callers depend on.
 pub fn function_header(decl: &mut FunctionDecl, visit: &mut Visit<'_>) {
     ident(&mut decl.name, visit);
     for parameter in &mut decl.parameters {

@@ -1,4 +1,4 @@
-//! Diagnostics for people (text with the source beside it) and for programs (one JSON object a line).
+//! Renders diagnostics as text with source lines, or as JSON objects, one per line.
 
 use crate::diagnostic::{Diagnostic, Label as Note, Severity};
 use crate::ir::SourceFile;
@@ -9,7 +9,7 @@ use calyx_abi::error::call_lines;
 use serde_json::{Value, json};
 use std::borrow::Cow;
 
-/// Whether text may hold terminal colours.
+/// Determines whether the text contains terminal colours.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Colour {
     #[default]
@@ -17,20 +17,20 @@ pub enum Colour {
     Always,
 }
 
-/// Writes diagnostics with the source lines they are about.
+/// Renders diagnostics with the source lines they refer to.
 pub struct Renderer<'a> {
     files: Files<'a>,
     colour: Colour,
 }
 
 impl<'a> Renderer<'a> {
-    /// `files` are those that spans refer to, by index.
+    /// Creates a renderer. `files` are the files of the spans, by index.
     pub fn new(files: &'a [SourceFile], colour: Colour) -> Self {
         let sources = files.iter().map(|f| Source::from(visible(&f.text))).collect();
         Renderer { files: Files { files, sources }, colour }
     }
 
-    /// One diagnostic; ends with a line end.
+    /// Renders one diagnostic, including a final line end.
     pub fn text(&mut self, diagnostic: &Diagnostic) -> String {
         let diagnostic = &shown(diagnostic);
         let text = if self.has_long_line(diagnostic) {
@@ -69,17 +69,18 @@ impl<'a> Renderer<'a> {
         let mut out = Vec::new();
         match (report.finish().write(&mut self.files, &mut out), String::from_utf8(out)) {
             (Ok(()), Ok(text)) => text,
-            // Writing to memory does not fail; the message must reach the user in any case.
+            // Writing to memory does not fail, but the message must reach the user in any case.
             _ => format!("{}: {}\n", diagnostic.code, diagnostic.message),
         }
     }
 }
 
-/// Characters of a source line that are shown at most. Nobody reads on, and every error of such a line would repeat it.
+/// Limit of the displayed characters of a source line. Without it, every error in a very long line
+/// would repeat the line.
 const LONGEST_LINE: usize = 1000;
 
 impl Renderer<'_> {
-    /// The calls that led to an error of a running program, a line each.
+    /// Renders the call stack of a run-time error, one line per call.
     fn calls(&self, diagnostic: &Diagnostic) -> String {
         let lines = call_lines(&diagnostic.calls, |(file, start, end)| {
             let (file, text) = file_of(FileId(file), self.files.files);
@@ -119,7 +120,7 @@ impl Renderer<'_> {
     }
 }
 
-/// The sources as the report writer asks for them: by index, shown by name.
+/// The source files in the interface of the report writer: by index, with display names.
 struct Files<'a> {
     files: &'a [SourceFile],
     sources: Vec<Source<Cow<'a, str>>>,
@@ -137,7 +138,7 @@ impl<'f> Cache<usize> for Files<'f> {
     }
 }
 
-/// A diagnostic whose messages hold no control characters.
+/// Returns the diagnostic without control characters in its messages.
 fn shown(diagnostic: &Diagnostic) -> Diagnostic {
     let mut shown = diagnostic.clone();
     let notes = std::iter::once(&mut shown.primary).chain(&mut shown.labels);
@@ -151,11 +152,11 @@ fn shown(diagnostic: &Diagnostic) -> Diagnostic {
     shown
 }
 
-/// Range of bytes in a file, by index, in its text as shown.
+/// Returns the byte range of a span in the text as displayed, and the index of the file.
 fn shown_place(span: Span, files: &[SourceFile]) -> (usize, std::ops::Range<usize>) {
     let (file, range) = place(span, files);
     let text = files.get(file).map_or("", |f| f.text.as_str());
-    // A `\r` right before its `\n` stays.
+    // A `\r` directly before `\n` is preserved.
     let shown = |byte: usize| match text[..byte].strip_suffix('\r') {
         Some(before) if text[byte..].starts_with('\n') => visible(before).len() + 1,
         _ => visible(&text[..byte]).len(),
@@ -166,7 +167,8 @@ fn shown_place(span: Span, files: &[SourceFile]) -> (usize, std::ops::Range<usiz
     }
 }
 
-/// Range of bytes in a file, by index; clipped to the text, so that no stale span can panic the renderer.
+/// Returns the byte range of a span and the index of its file. The range is clipped to the text, so
+/// that an outdated span cannot cause a panic.
 fn place(span: Span, files: &[SourceFile]) -> (usize, std::ops::Range<usize>) {
     let file = span.file.0 as usize;
     let text = files.get(file).map_or("", |f| f.text.as_str());
@@ -186,11 +188,12 @@ fn clipped(span: Span, text: &str) -> (usize, usize) {
     (start, boundary(span.end).max(start))
 }
 
-/// One diagnostic as a JSON object on one line, without the line end.
+/// Returns a diagnostic as a JSON object on one line, without the line end.
 ///
-/// `{severity, code, message, primary: {file, line, column, byte_start, byte_end, message}, labels: [...], help, fix}`;
-/// lines and columns count from 1, columns in characters. `help` and `fix` are null where there is none. An error of a
-/// running program has the calls under way, innermost first, as `calls: [{function, file, line, ...}]`.
+/// `{severity, code, message, primary: {file, line, column, byte_start, byte_end, message}, labels:
+/// [...], help, fix}`. Lines and columns count from 1, columns in characters. `help` and `fix` may
+/// be null. A run-time error has the call stack, innermost call first, as `calls: [{function, file,
+/// line, ...}]`.
 pub fn to_json(diagnostic: &Diagnostic, files: &[SourceFile]) -> String {
     let mut value = json!({
         "severity": match diagnostic.severity { Severity::Error => "error", Severity::Warning => "warning" },
@@ -235,7 +238,7 @@ fn file_of(file: FileId, files: &[SourceFile]) -> (&str, &str) {
     files.get(file.0 as usize).map_or(("", ""), |f| (f.name.as_str(), f.text.as_str()))
 }
 
-/// Line and column, both from 1, columns in characters, of a byte position.
+/// Returns the line and the column of a byte position. Both count from 1, columns in characters.
 pub fn line_column(text: &str, byte: usize) -> (usize, usize) {
     let before = text.get(..byte).unwrap_or(text);
     let line_start = before.rfind('\n').map_or(0, |i| i + 1);

@@ -1,22 +1,24 @@
-//! Which names of its own file a place can see, from tokens alone, so that it works where there is no tree yet.
+//! Finds the names of a file that are visible at a position. It uses only tokens, so it also works
+//! if the text cannot be parsed.
 //!
-//! Functions, constants and records are seen in their whole block, everything else from the end of its declaration on.
+//! Functions, constants and records are visible in their whole block, all other names after their
+//! declaration.
 
 use crate::analysis::NameKind;
 use crate::lexer::{Kind, Token};
 use crate::span::Span;
 
-/// A name declared around a place.
+/// A local name that is visible at a position.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Local {
     pub span: Span,
     pub kind: NameKind,
-    /// Blocks between the place and the declaration: 0 is the innermost block.
+    /// Number of blocks between the position and the declaration: 0 is the innermost block.
     pub level: u32,
 }
 
-/// The names of a file that are seen at an offset, innermost first, the later of one block before the earlier. A name that is
-/// being written at the offset is not among them.
+/// Returns the names of a file that are visible at an offset, innermost first, and later names of a
+/// block before earlier ones. Excludes the name at the offset itself.
 pub fn visible(tokens: &[Token], offset: u32) -> Vec<Local> {
     let mut scan = Scan { tokens, scopes: vec![Scope::default()], pending: Vec::new(), depth: 0 };
     let mut split = tokens.partition_point(|token| token.span.end <= offset);
@@ -29,7 +31,7 @@ pub fn visible(tokens: &[Token], offset: u32) -> Vec<Local> {
     while index < split {
         index = scan.token(index, split);
     }
-    // A declaration that the place lies in has not been made yet.
+    // A declaration that contains the position is not complete.
     scan.pending.clear();
     let seen = scan.hoisted(split);
     let innermost = scan.scopes.len() - 1;
@@ -48,18 +50,19 @@ pub fn visible(tokens: &[Token], offset: u32) -> Vec<Local> {
 #[derive(Default)]
 struct Scope {
     names: Vec<(Span, NameKind)>,
-    /// Of the head of a function, loop or handler whose body has not begun: a brace opens the body, a semicolon is one.
+    /// `true` for the head of a function, loop or handler without a body yet: a brace starts the
+    /// body, a semicolon is an empty body.
     head: bool,
-    /// Brackets that were open where it began.
+    /// Number of open brackets at its start.
     depth: u32,
 }
 
 struct Scan<'t> {
     tokens: &'t [Token],
     scopes: Vec<Scope>,
-    /// Names whose declaration has not ended.
+    /// Names whose declaration is not complete.
     pending: Vec<(Span, NameKind)>,
-    /// Open parentheses and square brackets.
+    /// Number of open parentheses and square brackets.
     depth: u32,
 }
 
@@ -88,10 +91,11 @@ impl Scan<'_> {
         self.scopes.push(Scope { names: Vec::new(), head: true, depth: self.depth });
     }
 
-    /// Takes the token at `index`, and those after it that belong to it; gives the index of the next.
+    /// Processes the token at `index` and the following tokens that belong to it; returns the index
+    /// of the next token.
     fn token(&mut self, index: usize, end: usize) -> usize {
         let Some(kind) = self.kind(index) else { return index + 1 };
-        // Where a declaration was left open, the next statement begins without it.
+        // The start of a statement ends an incomplete declaration.
         if kind.begins_statement() && self.depth == self.scopes.last().map_or(0, |scope| scope.depth) {
             self.settle();
         }
@@ -104,7 +108,7 @@ impl Scan<'_> {
                     Some(scope) if scope.head => scope.head = false,
                     _ => self.scopes.push(Scope::default()),
                 }
-                // Brackets left open before a block belong to no expression that goes on in it.
+                // Brackets that are open before a block do not extend into it.
                 self.depth = 0;
             }
             Kind::CloseBrace => {
@@ -132,7 +136,7 @@ impl Scan<'_> {
                 if let Some(span) = self.name(index + 1) {
                     self.declare(span, hoisted_kind(kind));
                 }
-                // The fields of a record are no names of a block.
+                // The fields of a record are not names of the enclosing block.
                 if kind == Kind::Record && self.kind(index + 2) == Some(Kind::OpenBrace) {
                     self.open();
                 }
@@ -167,14 +171,14 @@ impl Scan<'_> {
         index + 1
     }
 
-    /// Heads whose body was a single statement end with it.
+    /// Closes the heads whose body was a single statement.
     fn close_heads(&mut self) {
         while self.scopes.len() > 1 && self.scopes.last().is_some_and(|scope| scope.head) {
             self.scopes.pop();
         }
     }
 
-    /// `a = 1, b := 2` after `var`, as far as the first expression.
+    /// Reads `a = 1, b := 2` after `var`, up to the first expression.
     fn variables(&mut self, mut index: usize, end: usize) -> usize {
         let around = self.depth;
         let mut expected = true;
@@ -201,7 +205,7 @@ impl Scan<'_> {
         index
     }
 
-    /// The parameters of a function, which its body sees.
+    /// Reads the parameters of a function, which are visible in its body.
     fn parameters(&mut self, mut index: usize, end: usize) -> usize {
         if self.kind(index) != Some(Kind::OpenParen) {
             return index;
@@ -230,7 +234,7 @@ impl Scan<'_> {
                     }
                     expected = false;
                 }
-                // The parentheses were never closed.
+                // The parentheses are not closed.
                 Some(Kind::OpenBrace | Kind::Semicolon) | None => return index,
                 Some(_) => expected = false,
             }
@@ -239,11 +243,11 @@ impl Scan<'_> {
         index
     }
 
-    /// What is declared after the place and yet seen from it: scope, name, and kind.
+    /// Returns names that are declared after the position but visible there: scope, name, and kind.
     fn hoisted(&mut self, from: usize) -> Vec<(usize, Span, NameKind)> {
         let mut found = Vec::new();
         let mut open = self.scopes.len() - 1;
-        // Blocks opened after the place hide what is in them.
+        // Names in blocks that start after the position are not visible.
         let mut inner = 0_u32;
         for index in from..self.tokens.len() {
             match self.kind(index) {

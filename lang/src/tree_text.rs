@@ -1,8 +1,9 @@
-//! Syntax trees as nested lists, without places: for comparison with what fixtures expect, and to look at.
+//! Formats syntax trees as nested lists without source locations, for comparison with fixtures and
+//! for inspection.
 
 use crate::ast::*;
 
-/// One line per statement; blocks are indented.
+/// Formats a module with one line per statement; blocks are indented.
 pub fn print(module: &Module) -> String {
     let mut out = String::new();
     if let Some(doc) = &module.doc {

@@ -1,4 +1,4 @@
-//! Units of measurement and the unit systems a model may be written in.
+//! Units of measurement and the unit systems of models.
 
 use crate::dimension::{Base, Dimension, Rational, product};
 use crate::ir::DisplayUnit;
@@ -8,19 +8,19 @@ use std::f64::consts::PI;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Unit {
     pub name: &'static str,
-    /// Plurals and other spellings.
+    /// Plurals and alternative spellings.
     pub aliases: &'static [&'static str],
     pub dimension: Dimension,
     pub factor: f64,
 }
 
 impl Unit {
-    /// The unit called `name`, by its name or an alias.
+    /// Returns the unit with the given name or alias.
     pub fn find(name: &str) -> Option<&'static Unit> {
         UNITS.iter().find(|u| u.name == name || u.aliases.contains(&name))
     }
 
-    /// Its dimension with what it counts: cycles in Hz and kHz, which carry no angle.
+    /// Returns its dimension, including cycles for Hz and kHz, which have no angle.
     pub fn counted(&self) -> Dimension {
         match self.name {
             "Hz" | "kHz" => self.dimension.of_cycles(),
@@ -28,32 +28,33 @@ impl Unit {
         }
     }
 
-    /// The unit's name that is spelt most like `name`, for "did you mean".
+    /// Returns the unit name with the most similar spelling, for "did you mean".
     pub fn similar(name: &str) -> Option<&'static str> {
         Unit::nearest(name).into_iter().next()
     }
 
-    /// Names of the units that are spelt most like `name`, the nearest first. Contains only names that are
-    /// about as near as the first.
+    /// Returns the unit names with the most similar spelling, the nearest first. Only names about
+    /// as near as the first are included.
     pub fn nearest(name: &str) -> Vec<&'static str> {
         let spellings = UNITS.iter().flat_map(|u| u.aliases.iter().chain([&u.name]));
         let lower = name.to_lowercase();
         let close = |spelling: &str| {
-            // A different case alone (`MM`, `Psi`) is nearer than any other change.
+            // A difference in case alone (`MM`, `Psi`) is nearer than any other change.
             if spelling.to_lowercase() == lower {
                 return 2.0;
             }
-            // Two letters exchanged (`rmp`) are one slip, which the measure of likeness punishes in short names.
+            // Two transposed letters (`rmp`) are one mistake, which the similarity measure
+            // overrates in short names.
             let slip = name.len() > 2 && strsim::damerau_levenshtein(spelling, name) == 1;
             strsim::jaro_winkler(spelling, name).max(if slip { 0.85 } else { 0.0 })
         };
-        // Where letters are missing likeness alone finds `rad` in `breadth`.
+        // For missing letters, similarity alone would find `rad` in `breadth`.
         let mut near: Vec<(f64, &'static str)> = spellings
             .filter(|spelling| spelling.chars().count().abs_diff(name.chars().count()) <= 2)
             .map(|s| (close(s), *s))
             .filter(|(similarity, _)| *similarity > 0.8)
             .collect();
-        // Prefer names to aliases, which come first.
+        // Aliases precede names; prefer names.
         near.reverse();
         near.sort_by(|a, b| b.0.total_cmp(&a.0));
         let best = near.first().map_or(0.0, |(similarity, _)| *similarity);
@@ -63,7 +64,7 @@ impl Unit {
             .collect()
     }
 
-    /// All units, in the order of the reference.
+    /// Returns all units in the order of the reference.
     pub fn all() -> &'static [Unit] {
         UNITS
     }
@@ -71,11 +72,11 @@ impl Unit {
 
 const INCH: f64 = 0.0254;
 const FOOT: f64 = 0.3048;
-/// International avoirdupois pound, exact.
+/// International avoirdupois pound, kg, exact.
 const POUND_MASS: f64 = 0.453_592_37;
-/// Standard acceleration of gravity, exact.
+/// Standard acceleration of gravity, m/s², exact.
 const GRAVITY: f64 = 9.806_65;
-/// `POUND_MASS * GRAVITY`, exact in decimal.
+/// Pound-force, N: `POUND_MASS * GRAVITY`, exact in decimal.
 const POUND_FORCE: f64 = 4.448_221_615_260_5;
 const PSI: f64 = POUND_FORCE / (INCH * INCH);
 
@@ -153,26 +154,27 @@ const UNITS: &[Unit] = &[
     unit("%", &["percent"], NUMBER, 0.01),
 ];
 
-/// A coherent system: what bare literals mean and what results print in. Because it is coherent, products of
-/// numbers shown in it need no factors, and a number it prints reads back as a bare literal.
+/// A coherent system of units, for literals without a unit and for displayed results. Because it is
+/// coherent, products of displayed numbers need no conversion factors, and a displayed number can
+/// be used as a literal.
 ///
-/// Angles are in radians in every system: transmission errors are microradians, and products such as
-/// `error * base_radius` must come out in the system's length.
+/// Angles are in radians in every system: transmission errors are microradians, and products such
+/// as `error * base_radius` are in the system's unit of length.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum UnitSystem {
     #[default]
     Si,
-    /// Millimetre, newton, second (so tonne and MPa).
+    /// Millimetre, newton, second (therefore tonne and MPa).
     MmNS,
-    /// Inch, pound-force, second (so lbf*s^2/inch and psi).
+    /// Inch, pound-force, second (therefore lbf*s^2/inch and psi).
     InchLbfS,
 }
 
-/// The units a system's names are made of.
+/// The base units of a system's unit names.
 struct Names {
     length: &'static str,
     force: &'static str,
-    /// Where the coherent unit of mass has no name, masses show as force, time and length.
+    /// If the coherent unit of mass has no name, masses are displayed in force, time and length.
     mass: Option<&'static str>,
     pressure: &'static str,
     power: Option<&'static str>,
@@ -181,7 +183,7 @@ struct Names {
 impl UnitSystem {
     pub const ALL: [UnitSystem; 3] = [UnitSystem::Si, UnitSystem::MmNS, UnitSystem::InchLbfS];
 
-    /// As written in `units ...;`.
+    /// Returns the name as written in `units ...;`.
     pub fn name(self) -> &'static str {
         match self {
             UnitSystem::Si => "SI",
@@ -208,7 +210,8 @@ impl UnitSystem {
         }
     }
 
-    /// SI value of one unit of length and of force; time, angle and temperature are SI everywhere.
+    /// Returns the SI values of the units of length and force; time, angle and temperature are in
+    /// SI units in every system.
     fn length_and_force(self) -> (f64, f64) {
         match self {
             UnitSystem::Si => (1.0, 1.0),
@@ -217,19 +220,19 @@ impl UnitSystem {
         }
     }
 
-    /// The system's unit of a dimension: what a bare literal of that dimension is in and what such values show in.
-    /// Angles that entered by multiplication are dropped ([`Dimension::tidy`]).
+    /// Returns the system's unit of a dimension, for literals without a unit and for display.
+    /// Angles that result from multiplication are dropped ([`Dimension::tidy`]).
     pub fn unit_of(self, dimension: Dimension) -> DisplayUnit {
         let dimension = dimension.tidy();
         let (length, force) = self.length_and_force();
-        // L^l M^m T^t = F^m L^(l-m) T^(t+2m), because the coherent mass is F T^2 / L.
+        // L^l M^m T^t = F^m L^(l-m) T^(t+2m), because the coherent unit of mass is F T^2 / L.
         let (length_exponent, mass_exponent) =
             (dimension.exponent(Base::Length), dimension.exponent(Base::Mass));
         let in_force = force_length_time(dimension);
         let factor = if mass_exponent.is_zero() {
             power(length, length_exponent)
         } else {
-            // One fraction where exponents are whole, so that psi is exactly lbf/inch^2.
+            // For integer exponents, a single fraction, so that psi is exactly lbf/inch^2.
             let above = power(force, mass_exponent);
             let lengths = in_force.exponent(Base::Length);
             if lengths.numerator() < 0 {
@@ -277,7 +280,8 @@ impl UnitSystem {
     }
 }
 
-/// Exponents of force (in the place of mass), length and time; angle and temperature as they are.
+/// Returns the exponents of force (instead of mass), length and time; angle and temperature are
+/// unchanged.
 fn force_length_time(dimension: Dimension) -> Dimension {
     let per_force = Dimension::whole([1, 0, -2, 0, 0]);
     let mass = dimension.exponent(Base::Mass);
@@ -288,12 +292,12 @@ fn power(base: f64, exponent: Rational) -> f64 {
     if exponent.denominator() == 1 { base.powi(exponent.numerator()) } else { base.powf(exponent.to_f64()) }
 }
 
-/// The unit of a pure number.
+/// Returns the unit of a pure number.
 pub fn pure() -> DisplayUnit {
     DisplayUnit { name: String::new(), factor: 1.0, dimension: Dimension::NONE.exponents() }
 }
 
-/// A power of a unit; `None` if its exponents become absurd.
+/// Returns a power of a unit; `None` if an exponent is out of range.
 pub fn powered(unit: &DisplayUnit, exponent: i32) -> Option<DisplayUnit> {
     if exponent == 1 {
         return Some(unit.clone());
@@ -308,7 +312,7 @@ pub fn powered(unit: &DisplayUnit, exponent: i32) -> Option<DisplayUnit> {
     Some(DisplayUnit { name, factor: power(unit.factor, Rational::integer(exponent)), dimension })
 }
 
-/// A product or quotient of units, named as it is written.
+/// Returns a product or quotient of units, named as it is written.
 pub fn combined(left: &DisplayUnit, right: &DisplayUnit, product: bool) -> Option<DisplayUnit> {
     let name = match (left.name.as_str(), right.name.as_str(), product) {
         (left, "", _) => left.to_string(),
@@ -377,7 +381,7 @@ mod tests {
         ] {
             assert_eq!(shown(system, dimension).1, Unit::find(unit).unwrap().factor, "{dimension}");
         }
-        // One rounding of the divided powers of 0.001 is all that separates these.
+        // These differ by one rounding of the divided powers of 0.001.
         for (dimension, unit) in [("Pressure", "MPa"), ("Mass", "tonne")] {
             let ratio = shown(UnitSystem::MmNS, dimension).1 / Unit::find(unit).unwrap().factor;
             assert!((ratio - 1.0).abs() < 4.0 * f64::EPSILON, "{dimension}: {ratio}");

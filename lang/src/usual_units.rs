@@ -1,10 +1,12 @@
-//! The units engineers write for each kind of quantity: what is offered beside the unit of the file's system.
+//! The common engineering units of each quantity, offered in addition to the unit of the file's
+//! system.
 
 use crate::dimension::Dimension;
 use crate::ir::DisplayUnit;
 use crate::units::{Unit, UnitSystem, combined, powered, pure};
 
-/// Units of physical quantities, the commoner first. A quantity that is not here has the units of the systems.
+/// Units of physical quantities, the most common first. Quantities that are not listed use the
+/// units of the systems.
 const USUAL: &[(&str, &[&str])] = &[
     ("Number", &["%"]),
     ("Length", &["mm", "inch", "m", "um", "mil"]),
@@ -34,7 +36,8 @@ const USUAL: &[(&str, &[&str])] = &[
     ("Temperature", &["K"]),
 ];
 
-/// The unit of a system for a dimension, then the other usual ones. A pure number has none but `%`.
+/// Returns the unit of a system for a dimension, followed by the other common units. For a pure
+/// number this is only `%`.
 pub fn usual(dimension: Dimension, system: UnitSystem) -> Vec<DisplayUnit> {
     let own = system.unit_of(dimension);
     let others = UnitSystem::ALL.map(|system| system.unit_of(dimension));
@@ -52,7 +55,7 @@ pub fn usual(dimension: Dimension, system: UnitSystem) -> Vec<DisplayUnit> {
     found
 }
 
-/// The unit that a product such as `lbf*inch^2/s` of the language's own units stands for.
+/// Returns the unit for a product of built-in units, such as `lbf*inch^2/s`.
 pub fn named(product: &str) -> Option<DisplayUnit> {
     let mut found = pure();
     let mut above = true;
@@ -76,7 +79,7 @@ pub fn named(product: &str) -> Option<DisplayUnit> {
     Some(DisplayUnit { name: product.into(), ..found })
 }
 
-/// A number with a unit as it is written in a program: `3 mm`, `1000 lbf*inch`, `10 / inch`.
+/// Formats a number with a unit as written in a program: `3 mm`, `1000 lbf*inch`, `10 / inch`.
 pub fn written(number: &str, unit: &str) -> String {
     match unit.strip_prefix("1/") {
         _ if unit.is_empty() => number.to_string(),

@@ -1,28 +1,30 @@
-//! Replaces control characters in text from files before it is written to a terminal.
+//! Replaces control characters in text from files before the text is written to a terminal.
 //!
-//! A source file, its name or a text in it may hold control characters. Written to a terminal they move the cursor, change
-//! colours or titles, or reorder what is shown, so a message could show something that is not in the file.
+//! A source file, its name or a string in it may contain control characters. On a terminal, these
+//! can move the cursor, change colours or titles, or reorder the output, so that a message could
+//! display text that is not in the file.
 
 use std::borrow::Cow;
 
-/// The text with every control character replaced by a visible sign, line ends and tabs apart.
+/// Returns the text with every control character replaced by a visible character, except line ends
+/// and tabs.
 pub fn visible(text: &str) -> Cow<'_, str> {
-    // Most texts have none.
+    // Most texts contain no control characters.
     if !text.char_indices().any(|(at, c)| sign(text, at, c).is_some()) {
         return Cow::Borrowed(text);
     }
     Cow::Owned(text.char_indices().map(|(at, c)| sign(text, at, c).unwrap_or(c)).collect())
 }
 
-/// What stands for a character that a terminal would act upon.
+/// Returns the replacement of a character that would affect a terminal.
 fn sign(text: &str, at: usize, c: char) -> Option<char> {
     match c {
         '\n' | '\t' => None,
         '\r' if text[at..].starts_with("\r\n") => None,
-        // The pictures of control characters are in their order.
+        // The Unicode control pictures have the order of the control characters.
         '\0'..='\u{1f}' => char::from_u32(0x2400 + c as u32),
         '\u{7f}' => Some('\u{2421}'),
-        // Control characters of eight bits, and those that change the direction of writing.
+        // C1 control characters, and characters that change the writing direction.
         '\u{80}'..='\u{9f}'
         | '\u{61c}'
         | '\u{200e}'

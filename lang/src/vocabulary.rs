@@ -1,14 +1,14 @@
-//! Dimensions and units that a program adds to the language's own, and how quantities in them are shown.
+//! Dimensions and units that a program declares, and the display of quantities with them.
 
 use crate::dimension::{Base, Dimension, Rational, product_of};
 use crate::ir::DisplayUnit;
 use crate::units::UnitSystem;
 use calyx_abi::description::Exponents;
 
-/// What a program declares with `dimension` and `unit`.
+/// The `dimension` and `unit` declarations of a program.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Vocabulary {
-    /// New base dimensions, in the order of their exponents.
+    /// New base dimensions, in order of their exponents.
     pub bases: Vec<OwnBase>,
     /// Names for products of dimensions.
     pub named: Vec<(String, Dimension)>,
@@ -19,19 +19,20 @@ pub struct Vocabulary {
 #[derive(Clone, Debug, PartialEq)]
 pub struct OwnBase {
     pub name: String,
-    /// The unit its numbers are held and shown in, once one is declared.
+    /// The unit in which its numbers are stored and displayed, once declared.
     pub unit: Option<String>,
 }
 
 impl Vocabulary {
-    /// Every dimension that the program declares, by name: those that are new, then names for products.
+    /// Returns every dimension that the program declares, by name: new base dimensions, then names
+    /// for products.
     pub fn own_dimensions(&self) -> Vec<(String, Exponents)> {
         let bases = self.bases.iter().enumerate();
         let bases = bases.filter_map(|(at, base)| Some((base.name.clone(), Dimension::own(at)?.exponents())));
         bases.chain(self.named.iter().map(|(name, named)| (name.clone(), named.exponents()))).collect()
     }
 
-    /// The name of a dimension, if it has one.
+    /// Returns the name of a dimension, if it has one.
     pub fn name_of(&self, dimension: Dimension) -> Option<&str> {
         let base = || {
             let own = (0..self.bases.len()).find(|&at| Dimension::own(at) == Some(dimension));
@@ -42,19 +43,20 @@ impl Vocabulary {
         dimension.known_name().or_else(base).or_else(named)
     }
 
-    /// The name of a dimension, or else its factors.
+    /// Returns the name of a dimension, or its factors.
     pub fn show(&self, dimension: Dimension) -> String {
         self.name_of(dimension).map_or_else(|| self.in_bases(dimension), str::to_string)
     }
 
-    /// As a product of powers of base dimensions; `1` for a pure number.
+    /// Returns the product of powers of base dimensions; `1` for a pure number.
     pub fn in_bases(&self, dimension: Dimension) -> String {
         let physics = Base::ALL.map(|base| (base.name(), dimension.exponent(base)));
         let own = self.bases.iter().map(|base| base.name.as_str()).zip(dimension.own_exponents());
         product_of(&physics.into_iter().chain(own).collect::<Vec<_>>())
     }
 
-    /// The unit of a system for a dimension, with the program's own units for its own dimensions.
+    /// Returns the unit of a system for a dimension, including the program's units for its own
+    /// dimensions.
     pub fn unit_of(&self, system: UnitSystem, dimension: Dimension) -> DisplayUnit {
         let own: Vec<(&str, Rational)> = self
             .bases
@@ -67,7 +69,8 @@ impl Vocabulary {
         if own.is_empty() {
             return physics;
         }
-        // The names of physics come first where they stand above the line, and after the first slash below it.
+        // The physical units follow the program's own units in the numerator and in the
+        // denominator.
         let own = product_of(&own);
         let name = match physics.name.as_str() {
             "" => own,

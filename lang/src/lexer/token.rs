@@ -1,17 +1,17 @@
-//! What a text is made of: kinds of tokens with their spellings, comments, and what lexing yields.
+//! Token kinds and their spellings, comments, and the result of lexing.
 
 use crate::diagnostic::Diagnostic;
 use crate::span::Span;
 use std::collections::HashMap;
 
-/// What a token is.
+/// The kind of a token.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Kind {
     Number,
     Identifier,
     StringOpen,
     StringText,
-    /// `: 10.3e`, how an interpolated value is shown.
+    /// `: 10.3e`, the format of an interpolated value.
     Format,
     InterpolationOpen,
     InterpolationClose,
@@ -40,7 +40,7 @@ pub enum Kind {
     True,
     False,
 
-    // Words only where another name follows, so that a program may still use them as names.
+    // Contextual keywords: programs may still use them as names.
     Import,
     Units,
     Param,
@@ -89,7 +89,7 @@ pub enum Kind {
 }
 
 impl Kind {
-    /// How to name the token in a message.
+    /// Returns the description of the token for messages.
     pub fn describe(self) -> &'static str {
         match self {
             Kind::Number => "a number",
@@ -107,7 +107,7 @@ impl Kind {
         }
     }
 
-    /// Whether an expression can end with this token.
+    /// Returns `true` if an expression can end with this token.
     pub fn ends_expression(self) -> bool {
         matches!(
             self,
@@ -122,7 +122,7 @@ impl Kind {
         )
     }
 
-    /// Whether the token is a word that only begins statements.
+    /// Returns `true` if the token is a keyword that only starts statements.
     pub fn begins_statement(self) -> bool {
         matches!(
             self,
@@ -199,7 +199,7 @@ pub(super) const CONTEXTUAL: &[Spelling] = &[
     ("unit", Kind::Unit, "`unit`"),
 ];
 
-/// Longer spellings before their beginnings.
+/// Longer spellings precede their prefixes.
 pub(super) const SYMBOLS: &[Spelling] = &[
     ("..", Kind::DotDot, "`..`"),
     (":=", Kind::Bind, "`:=`"),
@@ -234,7 +234,7 @@ pub(super) const SYMBOLS: &[Spelling] = &[
     ("!", Kind::Not, "`!`"),
 ];
 
-/// Words that are always keywords, for completion and suggestions.
+/// Returns the reserved keywords, for completion and suggestions.
 pub fn keywords() -> impl Iterator<Item = &'static str> {
     KEYWORDS.iter().chain(CONTEXTUAL).map(|(word, _, _)| *word)
 }
@@ -255,11 +255,11 @@ pub enum CommentKind {
     Block,
 }
 
-/// Means nothing to the program, but belongs to its text.
+/// A comment. Comments do not affect the program, but formatting preserves them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Comment {
     pub kind: CommentKind,
-    /// Without blanks at the end of the line.
+    /// Range without trailing whitespace.
     pub span: Span,
 }
 
@@ -267,11 +267,11 @@ pub struct Comment {
 #[derive(Clone, Debug, Default)]
 pub struct Tokens {
     pub tokens: Vec<Token>,
-    /// All comments, in order of place.
+    /// All comments, in source order.
     pub comments: Vec<Comment>,
     /// Text of the `///` block directly above a token, by the token's index.
     pub docs: HashMap<usize, String>,
-    /// Text of a `///` block at the beginning of the file with a blank line after it.
+    /// Text of a `///` block at the start of the file that is followed by a blank line.
     pub file_doc: Option<String>,
     pub diagnostics: Vec<Diagnostic>,
 }
