@@ -1,4 +1,4 @@
-//! Type annotations: from what is written to types.
+//! Converts type annotations to types.
 
 use super::dim::Dim;
 use super::infer::Checker;
@@ -9,10 +9,11 @@ use crate::diagnostic::Diagnostic;
 use crate::dimension::{Dimension, Rational};
 use crate::span::Span;
 
-/// Type names that are no dimensions.
+/// Type names that are not dimensions.
 const NAMES: &[&str] = &["Bool", "String", "Vector", "Transform", "Array", "Symbolic", "Observable"];
 
-/// A capitalised name in an `extern` declaration that means nothing else is the name of something the engine makes.
+/// Returns the handle types in an `extern` declaration: capitalized names without another meaning
+/// denote objects of the engine.
 pub fn handles_of(decl: &FunctionDecl) -> Vec<String> {
     fn names(ty: &TypeExpr, handles: &mut Vec<String>) {
         match &ty.kind {
@@ -33,7 +34,8 @@ pub fn handles_of(decl: &FunctionDecl) -> Vec<String> {
 }
 
 impl<'a> Checker<'a> {
-    /// The type an annotation stands for. `symbolic` allows what only the engine's functions take.
+    /// Returns the type of an annotation. `symbolic` allows types that only engine functions
+    /// accept.
     pub(super) fn annotation(&mut self, annotation: &TypeExpr, symbolic: bool) -> Type {
         match &annotation.kind {
             TypeKind::Error => Type::Error,
@@ -45,7 +47,7 @@ impl<'a> Checker<'a> {
                 "Bool" => Type::Bool,
                 "String" => Type::String,
                 "Transform" => Type::Transform,
-                // Of any dimension.
+                // A vector of any dimension.
                 "Vector" => self.fresh_vector().0,
                 "Array" => Type::array(self.store.fresh()),
                 other if self.handles.contains(other) => Type::Handle(other.into()),
@@ -89,7 +91,7 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// What a name declared in the program is as a type.
+    /// Returns the type for a name that the program declares.
     fn declared_type(&mut self, name: &Ident) -> Option<Type> {
         match self.names.uses.get(&name.span).copied()? {
             Res::Record(id) => Some(Type::Record(id)),
@@ -162,7 +164,8 @@ impl<'a> Checker<'a> {
         Type::Error
     }
 
-    /// Checks the declarations of the engine's functions once, called or not.
+    /// Checks the declarations of all engine functions once, including functions that are not
+    /// called.
     pub(super) fn check_extern_declarations(&mut self) {
         let modules = self.modules;
         for module in modules {
@@ -229,7 +232,7 @@ impl<'a> Checker<'a> {
     }
 }
 
-/// The dimension that a name in a type stands for. A frequency is in cycles by time.
+/// Returns the dimension with a name in a type. A frequency is in cycles by time.
 fn counted_dimension(name: &str) -> Option<Dimension> {
     let dimension = Dimension::from_name(name)?;
     Some(if name == "Frequency" { dimension.of_cycles() } else { dimension })

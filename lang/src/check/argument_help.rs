@@ -1,5 +1,5 @@
-//! Dimension errors of arguments: the quantity that the parameter takes, and the parameter that
-//! takes the quantity given.
+//! Help for dimension errors of arguments: the quantity that the parameter accepts, and the
+//! parameter that accepts the given quantity.
 
 use super::infer::Checker;
 use super::symbols::with_article;
@@ -9,14 +9,14 @@ use crate::ast::{self, ExprKind};
 use crate::dimension::Dimension;
 use crate::usual_units::{usual, written};
 
-/// A parameter that the call leaves out.
+/// A parameter that the call omits.
 pub(super) struct Free<'a> {
     pub name: &'a str,
     pub ty: Type,
 }
 
 impl Checker<'_> {
-    /// The parameters with a default and a declared type that a call leaves out.
+    /// Returns the omitted parameters that have a default and a declared type.
     pub(super) fn free_parameters<'d>(
         &mut self,
         decl: &'d ast::FunctionDecl,
@@ -32,7 +32,7 @@ impl Checker<'_> {
         typed.collect()
     }
 
-    /// Completes the dimension error of an argument, which is among the diagnostics from
+    /// Adds help to the dimension error of an argument, which is among the diagnostics from
     /// `reported` on.
     pub(super) fn explain_argument(
         &mut self,
@@ -114,7 +114,7 @@ impl Checker<'_> {
     }
 }
 
-/// The number of a quantity that is written out.
+/// Returns the number of a literal quantity.
 fn number_of(e: &ast::Expr) -> Option<f64> {
     match &e.kind {
         ExprKind::Quantity { value, .. } | ExprKind::Number(value) => Some(*value),

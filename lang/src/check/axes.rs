@@ -1,9 +1,9 @@
-//! Axes of rotations. A rotation is about a unit vector, because another one would stretch the
-//! frame.
+//! Checks the axes of rotations. The axis must be a unit vector, because another vector would scale
+//! the frame.
 //!
-//! The compiler checks an axis that is constant as written. A computed axis is checked when the
-//! rotation, or the `:=` that captures the axis, is executed. An axis with symbols has no value
-//! then: if it is no unit vector, the frame is NaN, which the engine reports.
+//! The compiler checks constant axes. A computed axis is checked when the rotation, or the `:=`
+//! that captures the axis, is executed. An axis with symbols has no value at that time: if it is
+//! not a unit vector, the frame is NaN, and the engine reports an error.
 
 use super::constant;
 use super::infer::Checker;
@@ -14,7 +14,7 @@ use crate::diagnostic::Diagnostic;
 use crate::ir::Op;
 
 impl Checker<'_> {
-    /// Checks an axis, or sees to it that it is checked when it is known.
+    /// Checks an axis, or inserts a check at run time.
     pub(super) fn check_axis(&mut self, axis: &mut Expr) {
         let Some([x, y, z]) = vector(axis, &self.store) else {
             let (ty, span) = (axis.ty.clone(), axis.span);
@@ -45,7 +45,7 @@ impl Checker<'_> {
     }
 }
 
-/// Reports whether an expression has symbols, so that it has no value when it is bound.
+/// Returns `true` if an expression has symbols and therefore no value when it is bound.
 pub(super) fn has_symbols(e: &Expr) -> bool {
     let itself = matches!(
         e.kind,
@@ -63,7 +63,7 @@ pub(super) fn has_symbols(e: &Expr) -> bool {
     itself || e.children().into_iter().any(has_symbols)
 }
 
-/// The components of a vector that is constant as written.
+/// Returns the components of a vector of literals.
 fn vector(e: &Expr, store: &Store) -> Option<[f64; 3]> {
     let both = |a: [f64; 3], b: [f64; 3], f: fn(f64, f64) -> f64| [0, 1, 2].map(|i| f(a[i], b[i]));
     match &e.kind {

@@ -1,4 +1,5 @@
-//! Diagnostics of derivatives and of values at another param that would miss a dependence.
+//! Diagnostics for derivatives, and for values at another param value, that would miss a
+//! dependence.
 
 use super::dependence::{Blind, Question};
 use super::infer::Checker;
@@ -6,7 +7,7 @@ use crate::diagnostic::Diagnostic;
 use crate::span::Span;
 
 impl Checker<'_> {
-    /// A derivative or value that would miss a dependence on a param.
+    /// Returns the diagnostic for a derivative or value that would miss a dependence on a param.
     pub(super) fn blind(&self, question: Question, param: u32, blind: Blind, span: Span) -> Diagnostic {
         let name_of = |id: u32| self.params.get(id as usize).map(|p| p.name.as_str()).unwrap_or_default();
         let name = name_of(param);

@@ -1,4 +1,4 @@
-//! Calls of the functions built into the language.
+//! Checks calls of built-in functions.
 
 use super::builtins::{Builtin, RateOf, Shape, Signature};
 use super::dim::Dim;
@@ -102,7 +102,7 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// A function of any number of values has no names for them.
+    /// Rejects named arguments: the parameters of a variadic function have no names.
     fn refuse_names(&mut self, function: &str, arguments: &[ast::Argument]) {
         for argument in arguments {
             let Some((name, _)) = &argument.name else { continue };
@@ -140,7 +140,7 @@ impl<'a> Checker<'a> {
         Expr::error(span)
     }
 
-    /// Arguments of a builtin, in order of its parameters.
+    /// Matches the arguments of a built-in function to its parameters, in their order.
     pub(super) fn plain<const N: usize>(
         &mut self,
         function: &str,

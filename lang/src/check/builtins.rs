@@ -1,4 +1,4 @@
-//! Names every program has without declaring or importing them.
+//! Built-in names: names that every program can use without a declaration or an import.
 
 use super::schemes::Shown;
 use super::symbols::{Constant, NumberConstant};
@@ -7,12 +7,12 @@ use crate::ast::Mode;
 use crate::dimension::{Base, Dimension};
 use crate::ir::Op;
 
-/// A function built into the language.
+/// A built-in function.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Builtin {
-    /// Typed by a table row: [`Signature`].
+    /// A function with a [`Signature`] in the table.
     Operation(&'static Signature),
-    /// Two or more numbers of one dimension.
+    /// Minimum or maximum of two or more numbers with the same dimension.
     Extreme(Op),
     Sqrt,
     Derivative,
@@ -23,35 +23,35 @@ pub enum Builtin {
     Push,
 }
 
-/// Parameters and result of a builtin, in terms of at most one unknown dimension `d`.
+/// Parameters and result of a built-in function, with at most one dimension variable `d`.
 #[derive(Debug, PartialEq, Eq)]
 pub struct Signature {
     pub name: &'static str,
     pub op: Op,
     pub parameters: &'static [(&'static str, Shape)],
     pub result: Shape,
-    /// Its argument must be an expression in `Time`, not a value.
+    /// `true` if its argument must be an expression in `Time`.
     pub symbolic: bool,
 }
 
-/// A type in a builtin's signature.
+/// A type in the signature of a built-in function.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shape {
     /// A pure number.
     Number,
     Angle,
-    /// Number of dimension d.
+    /// Number with dimension d.
     Any,
-    /// Number of dimension d*e, e being a second unknown dimension.
+    /// Number with dimension d*e, where e is a second dimension variable.
     Product,
-    /// Vector of dimension d, e or d*e.
+    /// Vector with dimension d, e or d*e.
     VectorAny,
     VectorOther,
     VectorProduct,
     VectorLength,
-    /// A direction: dimensionless vector.
+    /// Direction: a dimensionless vector.
     Axis,
-    /// Vector of length / time, length / time^2, angle / time, angle / time^2.
+    /// Vector with dimension length / time, length / time^2, angle / time, angle / time^2.
     VectorRate(RateOf, u8),
     Transform,
 }
@@ -128,10 +128,11 @@ impl Builtin {
     }
 }
 
-/// Name, parameters with their types, whether it is open, result.
+/// Name, parameters with their types, whether it is variadic, result.
 type ShownBuiltin = (&'static str, &'static [(&'static str, &'static str)], bool, Option<&'static str>);
 
-/// Parameters and results of the functions that no table row types; the last parameter of an open one may be repeated.
+/// Parameters and results of functions without a table row. The last parameter of a variadic
+/// function may be repeated.
 const SHOWN: &[ShownBuiltin] = &[
     ("min", &[("a", "a"), ("b", "a")], true, Some("a")),
     ("max", &[("a", "a"), ("b", "a")], true, Some("a")),
@@ -145,7 +146,7 @@ const SHOWN: &[ShownBuiltin] = &[
 ];
 
 impl Shape {
-    /// As shown to people; `a` and `b` are unknown dimensions.
+    /// Returns the type as displayed; `a` and `b` are dimension variables.
     fn show(self) -> &'static str {
         match self {
             Number => "Number",
@@ -179,7 +180,7 @@ impl Shape {
     }
 }
 
-/// How a function of the language is called.
+/// Returns the parameters and the result of a built-in function.
 pub fn callable(name: &str) -> Option<Callable> {
     let parameter = |name: &str, ty: &str, dimension| CallParameter {
         name: name.into(),
@@ -217,7 +218,7 @@ pub fn callable(name: &str) -> Option<Callable> {
     })
 }
 
-/// The type of a function or a name of the language.
+/// Returns the type of a built-in function or name, as displayed.
 pub fn shown(name: &str) -> Option<String> {
     if let Some(constant) = constant(name) {
         let ty = match constant {
@@ -251,12 +252,12 @@ const CONSTANTS: &[(&str, Constant)] = &[
     ("FALSE", Constant::Bool(false)),
 ];
 
-/// The meaning of a reserved name.
+/// Returns the meaning of a reserved name.
 pub fn constant(name: &str) -> Option<Constant> {
     CONSTANTS.iter().find(|(reserved, _)| *reserved == name).map(|(_, constant)| *constant)
 }
 
-/// Every name of this module, functions and reserved names, for suggestions and the reference.
+/// Returns all built-in functions and reserved names, for suggestions and the reference.
 pub fn names() -> impl Iterator<Item = &'static str> {
     SIGNATURES
         .iter()

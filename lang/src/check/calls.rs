@@ -1,4 +1,5 @@
-//! Calls: arguments to parameters, and what each kind of function demands.
+//! Checks calls: matches arguments to parameters and applies the requirements of each kind of
+//! function.
 
 use super::infer::Checker;
 use super::meanings::note_arguments;
@@ -11,7 +12,7 @@ use crate::diagnostic::Diagnostic;
 use crate::span::Span;
 use std::collections::HashMap;
 
-/// The argument of each parameter, and the fields of records among the arguments by name.
+/// The argument of each parameter, and the fields of spread records by name.
 pub(super) type Given<'a> = (Vec<Option<&'a ast::Argument>>, HashMap<String, Expr>);
 
 impl<'a> Checker<'a> {
@@ -29,7 +30,7 @@ impl<'a> Checker<'a> {
             Some(Res::Extern(id)) => self.extern_call(id, name, arguments, span),
             Some(Res::Builtin(builtin)) => self.builtin_call(builtin, name, arguments, span),
             Some(Res::Unknown) | None => {
-                // Still look into the arguments.
+                // Check the arguments for further errors.
                 if self.names.uses.contains_key(&name.span) || !matches!(callee.kind, ExprKind::Field { .. })
                 {
                     self.check_loosely(arguments);
@@ -55,7 +56,7 @@ impl<'a> Checker<'a> {
         Expr::error(span)
     }
 
-    /// Checks arguments of a call that makes no sense itself, for the errors in them.
+    /// Checks the arguments of an invalid call, to report errors in them.
     pub(super) fn check_loosely(&mut self, arguments: &'a [ast::Argument]) {
         for argument in arguments {
             let symbolic = matches!(argument.name, Some((_, Bind::Symbolic)));
@@ -66,7 +67,7 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Gives each parameter its argument. `None` where the default stands in; errors are reported.
+    /// Matches arguments to parameters. `None` stands for a default; errors are reported.
     pub(super) fn match_arguments(
         &mut self,
         function: &str,
@@ -80,7 +81,7 @@ impl<'a> Checker<'a> {
         let list = || parameters.iter().map(|(name, _)| format!("`{name}`")).collect::<Vec<_>>().join(", ");
         for (index, argument) in arguments.iter().enumerate() {
             let at = match &argument.name {
-                // Filled in by the caller.
+                // The caller handles spread arguments.
                 _ if argument.spread => {
                     named = true;
                     continue;
@@ -96,7 +97,8 @@ impl<'a> Checker<'a> {
                                 name.span,
                                 "unknown parameter",
                             );
-                            // A misspelt name cannot mean a parameter that is given already.
+                            // A misspelt name cannot refer to a parameter that already has an
+                            // argument.
                             let is_free = |parameter: &str| {
                                 let mut named =
                                     arguments.iter().filter_map(|argument| argument.name.as_ref());
@@ -215,8 +217,8 @@ impl<'a> Checker<'a> {
         sound.then_some(given)
     }
 
-    /// Reports a decimal comma if an argument without a parameter is the fraction of the number before
-    /// it. Returns whether it did.
+    /// Reports a decimal comma if an argument without a parameter is the fraction of the previous
+    /// number. Returns `true` if reported.
     fn is_decimal_comma(
         &mut self,
         arguments: &[ast::Argument],
@@ -305,7 +307,7 @@ impl<'a> Checker<'a> {
                         value
                     })
                 }),
-                // Reported as missing.
+                // Already reported as missing.
                 (None, _) => Expr::error(span),
             };
             if !is_default {
@@ -384,7 +386,7 @@ impl<'a> Checker<'a> {
             format!("`{}` takes {}", parameter.name, with_article(&self.store.show(ty))),
         ));
         self.expect(inner, &value, &format!("`{}`", parameter.name), cause);
-        // A body named by a plain text gives its kernel a telling name.
+        // A string argument, usually the name of a body, identifies the kernel in messages.
         let owner = all.iter().find_map(|argument| match &argument.value.kind {
             ExprKind::String(parts) => match parts.as_slice() {
                 [ast::StringPart::Text(text)] => Some(text.as_str()),
@@ -399,15 +401,15 @@ impl<'a> Checker<'a> {
         self.made_symbolic(&name, value, ty.clone())
     }
 
-    /// A checked expression handed on as a value of type `ty`.
+    /// Converts a checked expression to a symbolic value of type `ty`.
     fn made_symbolic(&mut self, name: &str, value: Expr, ty: Type) -> Expr {
         let span = value.span;
         let def = self.make_def(name, value, span);
         Expr { kind: Kind::MakeSymbolic(def), ty, span }
     }
 
-    /// What a call gives to a function's parameters: an argument each where one is written, and by name the fields of
-    /// the records that it spreads. Nothing if they do not fit; reported.
+    /// Returns the arguments of a function's parameters and the fields of spread records by name.
+    /// Returns `None` if they do not match, which is reported.
     pub(super) fn given(
         &mut self,
         called: &str,

@@ -1,4 +1,4 @@
-//! Values known at compile time: exponents, ranges, duplicate cases.
+//! Compile-time evaluation of constant expressions: exponents, ranges, duplicate cases.
 
 use super::tree::{Expr, Kind};
 use super::types::{Store, Type};
@@ -7,7 +7,7 @@ use crate::ir::Op;
 use calyx_abi::math;
 use calyx_abi::units::to_si;
 
-/// The number an expression stands for, in SI, if it is made of literals alone.
+/// Returns the value, in SI units, of an expression that consists of literals.
 pub fn number(e: &Expr, store: &Store) -> Option<f64> {
     Some(match &e.kind {
         Kind::Number(value) => *value,
@@ -37,12 +37,12 @@ pub fn number(e: &Expr, store: &Store) -> Option<f64> {
     })
 }
 
-/// A number or truth value that is known, as a literal.
+/// Returns the constant number or truth value of an expression, as a literal.
 pub fn scalar(e: &Expr, store: &Store) -> Option<Kind> {
     truth(e, store).map(Kind::Bool).or_else(|| number(e, store).map(Kind::Number))
 }
 
-/// The truth value an expression stands for, if it is made of literals alone.
+/// Returns the truth value of an expression that consists of literals.
 fn truth(e: &Expr, store: &Store) -> Option<bool> {
     let numbers = |a, b| number(a, store).zip(number(b, store));
     Some(match &e.kind {
@@ -66,7 +66,7 @@ fn truth(e: &Expr, store: &Store) -> Option<bool> {
     })
 }
 
-/// The result of an operation on known numbers.
+/// Evaluates an operation on constants.
 fn operation(op: Op, all: &[f64]) -> Option<f64> {
     let &first = all.first()?;
     let second = all.get(1).copied().unwrap_or(first);
@@ -91,7 +91,7 @@ fn operation(op: Op, all: &[f64]) -> Option<f64> {
     })
 }
 
-/// The text an expression stands for, if it is a plain literal.
+/// Returns the text of a string literal.
 pub fn text(e: &Expr) -> Option<&str> {
     match &e.kind {
         Kind::Text(text) => Some(text),
@@ -99,7 +99,7 @@ pub fn text(e: &Expr) -> Option<&str> {
     }
 }
 
-/// Whether two constant expressions are known to be equal.
+/// Returns `true` if two constant expressions are equal.
 pub fn equal(a: &Expr, b: &Expr, store: &Store) -> bool {
     match (&a.kind, &b.kind) {
         (Kind::Bool(a), Kind::Bool(b)) => a == b,

@@ -1,4 +1,4 @@
-//! Operators: what they demand of their operands, decided as soon as the operands' types allow it.
+//! Type constraints of operators, which are solved as soon as the types of the operands are known.
 
 use super::dim::Dim;
 use super::infer::{Checker, too_large};
@@ -13,10 +13,10 @@ use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 use std::mem::{Discriminant, discriminant};
 
-/// What became of a constraint.
+/// The result of solving a constraint.
 enum Outcome {
     Solved,
-    /// The types are not known yet.
+    /// Some types are still unknown.
     Open,
     Failed(Box<Diagnostic>),
 }
@@ -30,7 +30,7 @@ impl Outcome {
 use ConstraintKind::*;
 
 impl Constraint {
-    /// The types it is about.
+    /// Returns the types in the constraint.
     pub fn types(&self) -> Vec<&Type> {
         match &self.kind {
             Multiply(a, b, c) | Divide(a, b, c) => vec![a, b, c],
@@ -39,7 +39,7 @@ impl Constraint {
         }
     }
 
-    /// The same of other types.
+    /// Returns the same constraint on other types.
     pub fn map(&self, mut f: impl FnMut(&Type) -> Type) -> ConstraintKind {
         match &self.kind {
             Multiply(a, b, c) => Multiply(f(a), f(b), f(c)),
@@ -56,7 +56,7 @@ impl Constraint {
 }
 
 impl Checker<'_> {
-    /// Adds a constraint, solving it at once if possible.
+    /// Adds a constraint, and solves it immediately if possible.
     pub fn constrain(&mut self, constraint: Constraint) {
         let outcome = self.try_solve(&constraint);
         let solved = match &outcome {
@@ -72,7 +72,7 @@ impl Checker<'_> {
         }
     }
 
-    /// Solves what can be solved, until nothing more can.
+    /// Solves constraints until no more can be solved.
     pub fn solve_constraints(&mut self) {
         loop {
             let before = self.pending.len();
@@ -86,8 +86,7 @@ impl Checker<'_> {
         }
     }
 
-    /// Before a decision that types take part in: what operators have to say of them by now is put in. Types that are known
-    /// cost nothing.
+    /// Solves the constraints on types before a decision depends on them. Known types cost nothing.
     pub fn settle<'t>(&mut self, types: impl Iterator<Item = &'t Type>) {
         let (mut unknown, mut dims) = Default::default();
         types.for_each(|ty| self.store.unknowns(ty, &mut unknown, &mut dims));
@@ -96,8 +95,9 @@ impl Checker<'_> {
         }
     }
 
-    /// Drops constraints that say the same. The operands of an operator decide its result, so equal operands have
-    /// equal results; without this, functions that call each other twice would double their schemes at each level.
+    /// Merges equal constraints. The operands of an operator determine its result, so equal
+    /// operands have equal results. Without merging, the schemes of functions that call each other
+    /// twice would double at each level.
     fn merge_constraints(&mut self) {
         let mut seen: HashMap<(Discriminant<ConstraintKind>, String, Vec<Type>), Type> = HashMap::new();
         for constraint in std::mem::take(&mut self.pending) {
@@ -120,7 +120,7 @@ impl Checker<'_> {
                 }
                 (Entry::Occupied(entry), Some(result)) => {
                     if self.store.unify(entry.get(), &result).is_err() {
-                        // Kept, to be reported when its operands are known.
+                        // Kept until its operands are known, when it is reported.
                         self.pending.push(constraint);
                     }
                 }
@@ -129,7 +129,7 @@ impl Checker<'_> {
         }
     }
 
-    /// The end of the program: what nothing decided is a number.
+    /// Ends inference: types that no constraint determines are numbers.
     pub fn finish_constraints(&mut self) {
         self.solve_constraints();
         while let Some(constraint) = self.pending.first().cloned() {
@@ -139,7 +139,8 @@ impl Checker<'_> {
                 .map(|ty| self.store.shallow(ty))
                 .find(|ty| matches!(ty, Type::Unknown(_)));
             let Some(unknown) = unknown else {
-                // Open although everything is known: cannot be, but must not loop.
+                // A constraint on known types is always solved; this prevents an endless loop in
+                // case of a defect.
                 self.pending.remove(0);
                 continue;
             };
@@ -169,7 +170,8 @@ impl Checker<'_> {
                 }
             };
             if self.store.unify(&unknown, &number).is_err() {
-                // Nothing decides it, and what it is a part of leaves no room for an array.
+                // No constraint determines the type, and an array would exceed the limits of the
+                // types that contain it.
                 self.report(too_large(constraint.span));
                 self.pending.remove(0);
             }
@@ -227,7 +229,8 @@ impl Checker<'_> {
                         Type::Vector(length)
                     }
                     (Type::Unknown(_), _) | (_, Type::Unknown(_)) => {
-                        // The result may decide: only numbers give a number, only frames a frame.
+                        // The result may determine the operands: a number is a product of numbers,
+                        // a frame of frames.
                         let part = match result {
                             Type::Number(_) => None,
                             Type::Transform => Some(Type::Transform),
@@ -255,7 +258,7 @@ impl Checker<'_> {
             Divide(a, b, c) => {
                 let (left, right) = (self.store.shallow(a), self.store.shallow(b));
                 if matches!(right, Type::Unknown(_)) {
-                    // Only numbers divide.
+                    // Only numbers can be divisors.
                     let divisor = self.fresh_number();
                     let _ = self.store.unify(&right, &divisor);
                 }
@@ -442,7 +445,7 @@ impl Checker<'_> {
         fields.map(|(_, ty)| ty.clone()).collect()
     }
 
-    /// Demands the same of all parts of a tuple or record.
+    /// Applies the same constraint to all elements of a tuple or record.
     fn every_part(
         &mut self,
         parts: Vec<Type>,
@@ -460,7 +463,7 @@ impl Checker<'_> {
         if open { Outcome::Open } else { Outcome::Solved }
     }
 
-    /// Whether values of a type can be shown in a unit, or with so many digits.
+    /// Checks that values of a type can be formatted with a unit or a number of digits.
     fn styled(
         &mut self,
         ty: Type,
@@ -505,7 +508,8 @@ impl Checker<'_> {
             (Type::Array(element), _) => self.styled(*element, unit, digits, constraint),
             (Type::Number(_) | Type::Vector(_) | Type::Transform | Type::Error, _) => Outcome::Solved,
             (Type::Bool | Type::String, None) if !digits => Outcome::Solved,
-            // Parts without numbers are shown as ever; the unit must fit all that have some.
+            // Elements without numbers ignore the format; all numbers must have the dimension of
+            // the unit.
             (Type::Tuple(parts), _) => self.every_part(parts, |ty| Styled(ty, unit, digits), constraint),
             (Type::Record(_), None) => Outcome::Solved,
             (other, _) => {

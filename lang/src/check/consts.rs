@@ -1,4 +1,5 @@
-//! `const`: values known before the program runs, put in wherever they are named.
+//! `const` declarations: values computed before the program runs and substituted where they are
+//! used.
 
 use super::constant;
 use super::infer::Checker;
@@ -9,11 +10,12 @@ use super::types::Type;
 use crate::diagnostic::Diagnostic;
 use crate::span::Span;
 
-/// Parts of a constant, those it names included. Constants that name two others each would double at every step.
+/// Limit of the subexpressions of a constant, including the constants that it uses. Without it, a
+/// chain of constants that each use the previous one twice would grow exponentially.
 const MOST_PARTS: usize = 10_000;
 
 impl<'a> Checker<'a> {
-    /// Computes all constants, used or not.
+    /// Computes all constants, including unused ones.
     pub(super) fn declare_consts(&mut self) {
         let texts: Vec<Span> = self.names.consts.iter().map(|declared| declared.decl.value.span).collect();
         let of = |res| match res {
@@ -26,11 +28,11 @@ impl<'a> Checker<'a> {
         self.solve_constraints();
     }
 
-    /// A use of a constant.
+    /// Returns the value for a use of a constant.
     pub(super) fn const_use(&mut self, id: u32, span: Span) -> Expr {
         let value = self.const_value(id);
         let ty = match (&value.kind, self.store.shallow(&value.ty)) {
-            // `0`, `inf` and `nan` fit every dimension, each time anew.
+            // `0`, `inf` and `nan` have any dimension, which each use determines separately.
             (Kind::Number(number), Type::Number(dim)) if *number == 0.0 || !number.is_finite() => {
                 let unknown = self.store.dim(&dim).unknowns.keys().all(|v| !self.store.is_literal(*v));
                 let open = self.store.dim(&dim).as_known().is_none();
@@ -73,7 +75,8 @@ impl<'a> Checker<'a> {
         value
     }
 
-    /// The value of a constant as far as it is known already, or an error where it is none.
+    /// Reduces the value of a constant to literals where possible, and reports an error if it is
+    /// not constant.
     fn settled(&mut self, value: Expr, name: &str) -> Expr {
         let mut parts = 0;
         if let Some((span, what)) = variable_part(&value, &mut parts) {
@@ -102,7 +105,8 @@ impl<'a> Checker<'a> {
     }
 }
 
-/// What in an expression is no constant, and where; counts its parts.
+/// Returns the location and the description of a subexpression that is not constant, and counts the
+/// subexpressions.
 fn variable_part(e: &Expr, parts: &mut usize) -> Option<(Span, &'static str)> {
     *parts += 1;
     let what = match &e.kind {

@@ -1,10 +1,10 @@
-//! Dependence of values on params. A derivative by a param, or a value at another one, must not
-//! overlook a value that was computed from the param beforehand.
+//! Analyses the dependence of values on params. A derivative with respect to a param, or a value at
+//! another value of the param, must not miss a captured value that was computed from the param.
 //!
-//! A value depends on its operands, and on the conditions that decide whether it is assigned:
-//! the conditions of the statements around the assignment, of jumps past it, of calls of its
-//! function, and of errors before it. The analysis is flow-insensitive: it may refuse a
-//! derivative that would have been right, and it accepts no wrong one.
+//! A value depends on its operands, and on the conditions that control its assignment: the
+//! conditions of the enclosing statements, of jumps past the assignment, of calls of its function,
+//! and of earlier errors. The analysis is flow-insensitive and conservative: it may reject a
+//! correct derivative, but it accepts no incorrect one.
 
 use super::graphs::Graphs;
 use super::tree::{Call, Def, DefId, Expr, FuncId, Function, Kind, Place, Sym, VarId};
@@ -28,7 +28,7 @@ enum Node {
     Choice(VarId),
     /// The conditions of calls of a function.
     Called(FuncId),
-    /// The conditions of `goto` in a function.
+    /// The conditions of `goto` statements in a function.
     Jumps(FuncId),
     /// The conditions of `return` and `throw` in a function.
     Leaves(FuncId),
@@ -37,7 +37,7 @@ enum Node {
 }
 
 impl Node {
-    /// Reports whether the node decides which statements run, and is no value.
+    /// Returns `true` if the node controls the execution of statements, `false` if it is a value.
     fn is_control(self) -> bool {
         !matches!(
             self,
@@ -46,17 +46,17 @@ impl Node {
     }
 }
 
-/// A statement with conditions that decide which statements inside it run.
+/// A statement with conditions that control the statements in it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Region {
     Choice,
     Switch,
     Loop,
-    /// Every expression in it may end it with an error.
+    /// Any expression in it may leave it with an error.
     Try,
 }
 
-/// An operation that varies a param, which captured values do not follow.
+/// An operation that varies a param, although captured values do not change with it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Question {
     Derivative,
@@ -64,16 +64,16 @@ pub enum Question {
     Value,
 }
 
-/// The reason why the operation would give a wrong value.
+/// The reason why the operation would return an incorrect value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Blind {
     /// The captured variable was computed from the param.
     Computed(VarId),
     /// The captured variable was assigned under a condition on the param.
     Conditional(VarId),
-    /// Which expression the `:=` name has was decided by a condition on the param.
+    /// A condition on the param selected the expression of the `:=` name.
     Chosen(VarId),
-    /// The default of this other param follows the param.
+    /// The default of this other param depends on the param.
     Follows(u32),
 }
 
@@ -85,16 +85,16 @@ struct Asked {
     span: Span,
 }
 
-/// The variables, params and functions that an expression names.
+/// The variables, params and functions in an expression.
 #[derive(Clone, Debug, Default)]
 struct Named {
     captured: BTreeSet<VarId>,
     params: BTreeSet<u32>,
-    /// Functions that become part of the expression.
+    /// Functions that are inlined into the expression.
     functions: BTreeSet<FuncId>,
 }
 
-/// The function and the statements around what is being checked.
+/// The function and the statements that contain the current position.
 #[derive(Debug, Default)]
 pub struct Around {
     function: FuncId,
@@ -107,15 +107,15 @@ pub struct Dependence {
     asked: Vec<Asked>,
     around: Around,
     controls: u32,
-    /// Number of regions around the declaration of a variable. Outside of them the variable
-    /// does not exist, so their conditions do not count.
+    /// Number of regions around the declaration of a variable. The conditions of these regions do
+    /// not matter, because the variable exists only inside them.
     declared: HashMap<VarId, usize>,
 }
 
 impl Dependence {
-    // The place that is being checked.
+    // The current position.
 
-    /// Enters the body of a function, and returns the place to come back to.
+    /// Enters the body of a function, and returns the previous position.
     pub fn enter(&mut self, function: FuncId) -> Around {
         std::mem::replace(&mut self.around, Around { function, regions: Vec::new() })
     }
@@ -133,7 +133,7 @@ impl Dependence {
         self.around.regions.pop();
     }
 
-    /// Goes from the guarded statement of a `try` to its handler.
+    /// Moves from the body of a `try` to its handler.
     pub fn handle(&mut self) {
         let guarded = self.around.regions.pop();
         self.open(Region::Choice);
@@ -142,7 +142,7 @@ impl Dependence {
         }
     }
 
-    /// Notes that the value decides which statements of the innermost region run.
+    /// Records that a value controls the statements of the innermost region.
     pub fn decides(&mut self, value: &Expr) {
         if let Some((_, control)) = self.around.regions.last() {
             self.add(Node::Control(*control), value);
@@ -161,7 +161,7 @@ impl Dependence {
         self.jump_to(|region| region == Region::Loop);
     }
 
-    /// Makes the regions that a jump leaves depend on the conditions of the jump.
+    /// Adds the conditions of a jump to the regions that it leaves.
     fn jump_to(&mut self, end: impl Fn(Region) -> bool) {
         let here = self.conditions();
         let regions: Vec<_> = self.around.regions.iter().rev().copied().collect();
@@ -183,14 +183,15 @@ impl Dependence {
         self.link(Node::Leaves(self.around.function), here);
     }
 
-    /// The conditions of the statement that is being checked, once its function is called.
+    /// Returns the conditions of the current statement, given that its function is called.
     fn conditions(&self) -> BTreeSet<Node> {
         let function = self.around.function;
         let regions = self.around.regions.iter().map(|(_, control)| Node::Control(*control));
         regions.chain([Node::Jumps(function), Node::Leaves(function)]).collect()
     }
 
-    /// The conditions of an assignment at this place to a variable of the function `owner`.
+    /// Returns the conditions of an assignment at the current position to a variable of the
+    /// function `owner`.
     fn conditions_of(&self, id: VarId, owner: FuncId) -> BTreeSet<Node> {
         let function = self.around.function;
         if owner != function {
@@ -205,13 +206,13 @@ impl Dependence {
 
     // Operands of values.
 
-    /// Notes the value of a variable that no statement assigns: a parameter, or a variable that
-    /// a `:=` captures.
+    /// Records the value of a variable that no statement assigns: a parameter, or a variable
+    /// captured by a `:=`.
     pub fn variable(&mut self, id: VarId, value: &Expr) {
         self.add(Node::Variable(id), value);
     }
 
-    /// Notes the assignment of a variable of the function `owner`, or of a part of it.
+    /// Records the assignment of a variable of the function `owner`, or of a part of the variable.
     pub fn assigned(&mut self, place: &Place, owner: FuncId, value: &Expr) {
         let node = Node::Variable(place.variable);
         self.add(node, value);
@@ -222,13 +223,13 @@ impl Dependence {
         self.link(node, self.conditions_of(place.variable, owner));
     }
 
-    /// Notes that a `:=` name is bound to a definition.
+    /// Records that a `:=` name is bound to a definition.
     pub fn bound(&mut self, id: VarId, owner: FuncId, def: DefId) {
         self.link(Node::Variable(id), [Node::Definition(def), Node::Choice(id)]);
         self.link(Node::Choice(id), self.conditions_of(id, owner));
     }
 
-    /// Notes that a function hands back the value of a parameter.
+    /// Records that a function returns the value of a parameter.
     pub fn function_on_variable(&mut self, function: FuncId, id: VarId) {
         self.link(
             Node::Function(function),
@@ -246,12 +247,12 @@ impl Dependence {
         self.link(Node::Error, self.conditions());
     }
 
-    /// An error may carry the variable's value.
+    /// Records that an error may contain the variable's value.
     pub fn thrown_variable(&mut self, id: VarId) {
         self.link(Node::Error, [Node::Variable(id)]);
     }
 
-    /// Notes the variable of the handler that is the innermost region.
+    /// Records the variable of the handler that is the innermost region.
     pub fn caught(&mut self, id: VarId) {
         let handler = self.around.regions.last().map(|(_, control)| Node::Control(*control));
         self.link(Node::Variable(id), handler.into_iter().chain([Node::Error]));
@@ -265,8 +266,8 @@ impl Dependence {
         self.add(Node::Param(id), default);
     }
 
-    /// Notes that a statement evaluates an expression. The functions it calls run under the
-    /// conditions of this place, and it may fail.
+    /// Records that a statement evaluates an expression. The called functions run under the current
+    /// conditions, and the evaluation may fail.
     pub fn evaluated(&mut self, e: &Expr, owner: &dyn Fn(VarId) -> FuncId) {
         if can_fail(e) {
             self.may_fail(Some(e));
@@ -274,12 +275,12 @@ impl Dependence {
         self.calls(e, &BTreeSet::new(), owner);
     }
 
-    /// Notes that an error may arise here, in the evaluated expression if there is one.
+    /// Records that an error may occur here, in the evaluated expression if there is one.
     pub fn may_fail(&mut self, evaluated: Option<&Expr>) {
         let function = self.around.function;
         let guards = self.around.regions.iter().filter(|(region, _)| *region == Region::Try);
         let mut ends: Vec<Node> = guards.map(|(_, control)| Node::Control(*control)).collect();
-        // Nothing calls the top level.
+        // The top level is never called.
         if function != FuncId(0) {
             ends.push(Node::Fails(function));
         }
@@ -296,7 +297,7 @@ impl Dependence {
         ends.into_iter().for_each(|end| self.link(end, found.iter().copied()));
     }
 
-    /// Notes the calls in an expression; `guards` decide whether it is evaluated.
+    /// Records the calls in an expression; `guards` control its evaluation.
     fn calls(&mut self, e: &Expr, guards: &BTreeSet<Node>, owner: &dyn Fn(VarId) -> FuncId) {
         match &e.kind {
             Kind::If(condition, then, otherwise) => {
@@ -338,8 +339,8 @@ impl Dependence {
         e.children().into_iter().for_each(|child| self.calls(child, guards, owner));
     }
 
-    /// Notes that an expression is differentiated by a symbol, or evaluated at another value of
-    /// it.
+    /// Records that an expression is differentiated with respect to a symbol, or evaluated at
+    /// another value of the symbol.
     pub fn asked(&mut self, question: Question, by: Sym, expr: &Expr, defs: &[Def], span: Span) {
         let Sym::Param(param) = by else { return };
         let named = Named::of(expr, defs);
@@ -355,7 +356,7 @@ impl Dependence {
         self.edges.entry(node).or_default().extend(to);
     }
 
-    /// Reports whether a node depends on a param; `by_value` leaves conditions aside.
+    /// Returns `true` if a node depends on a param; `by_value` ignores conditions.
     fn depends(&self, from: Node, param: u32, by_value: bool) -> bool {
         let (mut seen, mut stack) = (HashSet::new(), vec![from]);
         while let Some(node) = stack.pop() {
@@ -370,8 +371,8 @@ impl Dependence {
         false
     }
 
-    /// The derivatives and values that would miss a dependence: operation, param, reason and
-    /// place.
+    /// Returns the derivatives and values that would miss a dependence: operation, param, reason
+    /// and location.
     pub fn blind(
         &self,
         defs: &[Def],
@@ -406,11 +407,11 @@ impl Dependence {
     }
 }
 
-/// Definitions visited, each with the params that an `at` replaces in it.
+/// Visited definitions, each with the params that an `at` replaces in it.
 type Seen = HashSet<(DefId, Vec<u32>)>;
 
-/// Number of nested `at` whose params are left out. The params of deeper ones count, which only
-/// refuses more.
+/// Number of nested `at` expressions whose params are excluded. The params of deeper ones count as
+/// dependences, which is conservative.
 const MOST_REPLACED: usize = 2;
 
 impl Named {
@@ -420,7 +421,8 @@ impl Named {
         named
     }
 
-    /// Collects from an expression; `replaced` are the params that an `at` around it replaces.
+    /// Collects the names in an expression; `replaced` are the params that an enclosing `at`
+    /// replaces.
     fn collect(&mut self, e: &Expr, defs: &[Def], replaced: &[u32], seen: &mut Seen) {
         match &e.kind {
             Kind::Var(id) => {
@@ -448,8 +450,8 @@ impl Named {
         e.children().into_iter().for_each(|child| self.collect(child, defs, replaced, seen));
     }
 
-    /// Adds the params that the named functions use. A function of which only the header is in
-    /// the excerpt uses no params.
+    /// Adds the params that the named functions use. A function with only a header in the excerpt
+    /// uses no params.
     fn with_functions(&self, functions: &HashMap<FuncId, Function>, defs: &[Def]) -> Named {
         let mut all = self.clone();
         let mut seen = HashSet::new();
@@ -465,7 +467,7 @@ impl Named {
                     s.expressions().into_iter().for_each(|e| inner.collect(e, defs, &[], &mut met));
                 });
             }
-            // Its variables are its own.
+            // The variables of the function are local to it.
             all.params.extend(inner.params);
             pending.extend(inner.functions);
         }
@@ -473,8 +475,8 @@ impl Named {
     }
 }
 
-/// The values captured by an expression and by the expressions that it captured, and the names
-/// of the latter.
+/// Returns the values captured by an expression and, transitively, by the expressions that it
+/// captures, together with the names of the latter.
 fn through_graphs(
     captured: &BTreeSet<VarId>,
     defs: &[Def],
@@ -517,7 +519,7 @@ fn sources(e: &Expr, found: &mut BTreeSet<Node>) {
     e.children().into_iter().for_each(|child| sources(child, found));
 }
 
-/// Reports whether the evaluation of an expression may end with an error.
+/// Returns `true` if the evaluation of an expression may fail.
 fn can_fail(e: &Expr) -> bool {
     let itself = matches!(
         e.kind,
@@ -526,7 +528,7 @@ fn can_fail(e: &Expr) -> bool {
     itself || e.children().into_iter().any(can_fail)
 }
 
-/// The guards of an operand that is evaluated only under a further condition.
+/// Returns the guards of an operand that is evaluated under a further condition.
 fn guarded(guards: &BTreeSet<Node>, condition: &Expr) -> BTreeSet<Node> {
     let mut all = guards.clone();
     sources(condition, &mut all);
@@ -537,7 +539,7 @@ fn has_call(e: &Expr) -> bool {
     matches!(e.kind, Kind::Call(_)) || e.children().into_iter().any(has_call)
 }
 
-/// The calls in an expression.
+/// Visits the calls in an expression.
 fn called(e: &Expr, visit: &mut dyn FnMut(&Call)) {
     if let Kind::Call(call) = &e.kind {
         visit(call);

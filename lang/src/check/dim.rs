@@ -1,16 +1,17 @@
-//! Dimensions under inference: a known part times powers of unknown dimensions.
+//! Dimensions during inference: a known dimension times powers of dimension variables.
 //!
-//! These form a vector space over the rationals, so unification is solving one linear equation: any unknown that
-//! occurs can be expressed by the rest. Angle never decides (it is soft), but is carried along for display.
+//! Dimensions form a vector space over the rationals, so unification solves one linear equation:
+//! any variable in it can be expressed by the others. Angle is soft and never causes a mismatch,
+//! but is stored for display.
 
 use crate::dimension::{Dimension, Rational};
 use std::collections::BTreeMap;
 
-/// An unknown dimension.
+/// A dimension variable.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct DimVar(pub u32);
 
-/// `fixed * v1^e1 * v2^e2 ...`; no exponent is zero.
+/// The product `fixed * v1^e1 * v2^e2 ...`; no exponent is zero.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Dim {
     pub fixed: Dimension,
@@ -44,14 +45,14 @@ impl Dim {
     }
 
     pub fn over(&self, other: &Dim) -> Dim {
-        // An exponent of -1 stays in every bound.
+        // Negation keeps every exponent within its bounds.
         match other.power(Rational::integer(-1)) {
             Some(inverse) => self.times(&inverse),
             None => self.clone(),
         }
     }
 
-    /// `None` if an exponent becomes absurd (see [`Dimension::power`]).
+    /// Returns a power; `None` if an exponent is out of range (see [`Dimension::power`]).
     pub fn power(&self, exponent: Rational) -> Option<Dim> {
         if exponent.is_zero() {
             return Some(Dim::none());
@@ -63,7 +64,7 @@ impl Dim {
         Some(Dim { fixed: self.fixed.power(exponent)?, unknowns })
     }
 
-    /// The dimension, once nothing is unknown.
+    /// Returns the dimension if it has no variables.
     pub fn as_known(&self) -> Option<Dimension> {
         self.unknowns.is_empty().then_some(self.fixed)
     }
@@ -72,7 +73,7 @@ impl Dim {
 fn add(a: Rational, b: Rational) -> Rational {
     let (n, d) = (i64::from(a.numerator()), i64::from(a.denominator()));
     let (m, e) = (i64::from(b.numerator()), i64::from(b.denominator()));
-    // Beyond 32 bits nothing meaningful is left; the old value keeps the checker total.
+    // Exponents beyond 32 bits are meaningless; keeping the old value avoids a failure.
     Rational::new(n * e + m * d, d * e).unwrap_or(a)
 }
 
@@ -84,7 +85,7 @@ fn multiply(a: Rational, b: Rational) -> Option<Rational> {
     .filter(|e| e.numerator().abs() <= 1000 && e.denominator() <= 1000)
 }
 
-/// What the unknown must be for `dim` to be a pure number, given its exponent in `dim`.
+/// Solves `dim = 1` for a variable, given its exponent in `dim`.
 pub fn solve(dim: &Dim, variable: DimVar, exponent: Rational) -> Option<Dim> {
     let mut rest = dim.clone();
     rest.unknowns.remove(&variable);

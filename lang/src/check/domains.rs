@@ -1,6 +1,6 @@
-//! Ranges and choices: what a param or a function's parameter may be. Constant values are checked here, others when the
-//! program runs: params by whoever sets them, arguments of library functions by the library, other arguments by the
-//! caller ([`Demand`]).
+//! Checks the ranges and choices of params and parameters. Constant values are checked at compile
+//! time, others at run time: params when they are set, arguments of library functions by the
+//! library, other arguments by the caller ([`Demand`]).
 
 use super::constant;
 use super::infer::Checker;
@@ -12,22 +12,23 @@ use crate::diagnostic::Diagnostic;
 use crate::dimension::{Base, Dimension};
 use crate::span::Span;
 
-/// A value and what it may be.
+/// A value and its domain.
 pub struct Check {
     name: String,
     ty: Type,
-    /// `None` to check the range alone.
+    /// The value; `None` to check only the range itself.
     value: Option<Expr>,
     low: Option<Expr>,
     high: Option<Expr>,
     choices: Vec<String>,
     span: Span,
-    /// The range as it is written.
+    /// The range as written.
     text: String,
 }
 
 impl Demand {
-    /// Whether all of it is constant, so that it was checked with the program.
+    /// Returns `true` if the value and the domain are constant, so that the check happens at
+    /// compile time.
     pub fn is_decided(&self, value: &Expr, store: &Store) -> bool {
         let number = |e: &Expr| constant::number(e, store).is_some_and(|number| !number.is_nan());
         let ends = || self.low.iter().chain(&self.high).all(number);
@@ -39,7 +40,8 @@ impl Demand {
     }
 }
 
-/// The elements of an array literal and of the arrays in it; the expression itself if it is none.
+/// Returns the elements of an array literal, recursively; for any other expression, the expression
+/// itself.
 fn elements(e: &Expr) -> Vec<&Expr> {
     match &e.kind {
         Kind::Array(all) => all.iter().flat_map(elements).collect(),
@@ -48,8 +50,8 @@ fn elements(e: &Expr) -> Vec<&Expr> {
 }
 
 impl<'a> Checker<'a> {
-    /// Notes a domain to be checked when all types are known. Its ends must have the type `ty`, or
-    /// the type of its elements or components. Returns the demand on the value.
+    /// Registers a domain to be checked when all types are known. Its limits must have the type
+    /// `ty`, or the type of its elements or components. Returns the run-time check of the value.
     pub(super) fn domain(
         &mut self,
         ty: &Type,
@@ -117,7 +119,7 @@ impl<'a> Checker<'a> {
         Some(demand)
     }
 
-    /// The type of the numbers in arrays and vectors of a type; the type itself if it is neither.
+    /// Returns the type of the numbers in an array or vector; for any other type, the type itself.
     fn scalar(&self, ty: &Type) -> Type {
         match self.store.shallow(ty) {
             Type::Array(element) => self.scalar(&element),
@@ -126,7 +128,7 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// The range or choices of a function's own parameter, checked where they are declared.
+    /// Checks the range or choices of a function's parameter at the declaration.
     pub(super) fn parameter_domain(&mut self, ty: &Type, parameter: &'a Parameter) {
         let Some(domain) = &parameter.domain else { return };
         let open = matches!(self.store.shallow(ty), Type::Unknown(_));
@@ -134,14 +136,14 @@ impl<'a> Checker<'a> {
             Domain::Range { low, high, .. } => low.iter().chain(high).any(super::expr::is_bare),
             Domain::Choices { .. } => false,
         };
-        // Under a unit system a bare literal has the dimension of each call.
+        // Under a unit system, a literal without a unit has the dimension of each call.
         if open && bare && self.system().is_some() {
             return;
         }
         self.domain(ty, Some(domain), None, &parameter.name.name);
     }
 
-    /// Whether two types, all else decided, are of one kind and dimension.
+    /// Returns `true` if two resolved types have the same kind and dimension.
     fn fits(&self, a: &Type, b: &Type) -> bool {
         match (self.store.resolve(a), self.store.resolve(b)) {
             (Type::Number(a), Type::Number(b)) => match (a.as_known(), b.as_known()) {
@@ -190,7 +192,7 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// A constant number against a range.
+    /// Checks a constant number against a range.
     fn check_range(&mut self, check: &Check, [low, high]: [Option<f64>; 2], number: f64, span: Span) {
         if !low.is_some_and(|low| number < low) && !high.is_some_and(|high| number > high) {
             return;
@@ -200,7 +202,7 @@ impl<'a> Checker<'a> {
         let diagnostic = Diagnostic::error("E0314", message, span, "outside the allowed range")
             .label(check.span, "allowed here")
             .help(format!("choose a value in {range}, ends included"));
-        // An angle without a unit that would be right in degrees.
+        // An angle without a unit that would be within the range in degrees.
         let angle = Dimension::of(Base::Angle);
         let written = self.text(span).trim().to_owned();
         let in_degrees = number.to_radians();
@@ -218,7 +220,7 @@ impl<'a> Checker<'a> {
         });
     }
 
-    /// A constant text against choices.
+    /// Checks a constant text against choices.
     fn check_choice(&mut self, check: &Check, text: &str, span: Span) {
         if check.choices.is_empty() || check.choices.iter().any(|choice| choice == text) {
             return;
@@ -230,7 +232,7 @@ impl<'a> Checker<'a> {
         let begun: Vec<&String> =
             check.choices.iter().filter(|choice| !text.is_empty() && choice.starts_with(text)).collect();
         let diagnostic = match similar(text, check.choices.iter().map(String::as_str)) {
-            // Which of them is meant, the spelling does not say.
+            // The spelling does not determine the intended choice.
             _ if begun.len() > 1 => {
                 let names =
                     begun.iter().map(|choice| format!("\"{choice}\"")).collect::<Vec<_>>().join(" or ");
@@ -257,5 +259,5 @@ impl<'a> Checker<'a> {
     }
 }
 
-/// Choices offered in place of a wrong one.
+/// Limit of the choices offered as replacements.
 const MOST_CHOICES: usize = 8;

@@ -1,7 +1,7 @@
 //! Help for names that a module does not have, and for handles of the wrong kind.
 //!
 //! The documentation of a module may list concepts that the module lacks, and concepts that it has
-//! under another name. Each item ends with the names that people look for:
+//! under another name. Each item ends with the names that users look for:
 //!
 //! ```text
 //! Not available yet:
@@ -13,10 +13,10 @@
 
 use super::symbols::with_article;
 
-/// Names offered at most.
+/// Limit of the names offered.
 const MOST_NAMES: usize = 6;
 
-/// The help for a name that a module does not have.
+/// Returns the help for a name that a module does not have.
 pub(super) fn help(module: &str, doc: &str, name: &str, declared: &[String]) -> String {
     let related = related(name, declared);
     let near = match related.as_slice() {
@@ -46,12 +46,12 @@ pub(super) fn help(module: &str, doc: &str, name: &str, declared: &[String]) -> 
     }
 }
 
-/// Returns whether the documentation lists a name.
+/// Returns `true` if the documentation lists a name.
 pub(super) fn lists(doc: &str, name: &str) -> bool {
     listed(doc, name).is_some()
 }
 
-/// An item of the documentation's lists.
+/// An item in the lists of the documentation.
 enum Listed {
     Absent(String),
     Renamed(String),
@@ -80,14 +80,15 @@ fn words(name: &str) -> Vec<String> {
     name.split('_').filter(|word| !word.is_empty()).map(str::to_lowercase).collect()
 }
 
-/// Returns whether the words of `part` stand side by side in `name`.
+/// Returns `true` if the words of `part` are adjacent in `name`.
 fn has_words(name: &str, part: &str) -> bool {
     let (name, part) = (words(name), words(part));
     !part.is_empty() && name.windows(part.len()).any(|window| window == part)
 }
 
-/// The help where a handle is wanted and something else is given: the functions that make one, those
-/// that make it of what is given before all others. `makers` are functions and the handles they take.
+/// Returns the help for a value that is not the required handle: the functions that create such a
+/// handle, first those that accept the given value. `makers` are functions and the handles they
+/// accept.
 pub(super) fn handle(makers: &[(String, Vec<String>)], wanted: &str, found: &str) -> String {
     let quoted = |all: &[&String]| {
         let all: Vec<String> = all.iter().map(|name| format!("`{name}`")).collect();
@@ -106,10 +107,10 @@ pub(super) fn handle(makers: &[(String, Vec<String>)], wanted: &str, found: &str
     }
 }
 
-/// Names that share a word with a name, those that share most first.
+/// Returns names that share words with a name, those with the most shared words first.
 fn related(name: &str, declared: &[String]) -> Vec<String> {
     let wanted = words(name);
-    // Words such as `of` and `at` say nothing.
+    // Words such as `of` and `at` are not significant.
     let shared =
         |other: &String| words(other).iter().filter(|word| word.len() > 3 && wanted.contains(word)).count();
     let mut found: Vec<(usize, &String)> =
@@ -135,7 +136,7 @@ mod tests {
         assert_eq!(help("pinion"), "`external` makes external gears");
         assert_eq!(help("tooth_root_stress"), "it has names like it: `max_root_stress`, `gauge_stress`");
         assert!(help("zebra").contains("`calyx doc gears`"));
-        // Parts of words are no words.
+        // Parts of words do not match.
         assert!(!help("bevelled").contains("yet"));
     }
 }

@@ -1,4 +1,4 @@
-//! `throw`, `try` and `catch`.
+//! Checks `throw`, `try` and `catch`.
 
 use super::dependence::Region;
 use super::infer::Checker;
@@ -10,7 +10,8 @@ use crate::diagnostic::Diagnostic;
 use crate::span::Span;
 
 impl<'a> Checker<'a> {
-    /// What `catch` receives: the record `Error` of the prelude, whatever the model declares under that name.
+    /// Returns the type of the variable of `catch`: the record `Error` of the prelude, even if the
+    /// model declares another `Error`.
     pub(super) fn error_type(&self) -> Type {
         let prelude = self.modules.get(1).map(|module| module.file);
         let mut records = self.names.records.iter();
@@ -62,7 +63,7 @@ impl<'a> Checker<'a> {
                 c.dependence.handle();
                 if let Some(id) = error {
                     let (ty, caught) = (c.variable_type(id), c.error_type());
-                    // A fresh unknown takes any type.
+                    // A fresh type variable unifies with any type.
                     let _ = c.store.unify(&ty, &caught);
                     c.dependence.declare(id);
                     c.dependence.caught(id);

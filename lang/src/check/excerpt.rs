@@ -1,8 +1,8 @@
-//! Excerpts: a program of just the items that one check needs.
+//! Excerpts: small programs of the items that one check needs.
 //!
-//! A unit of checking is checked in a small program made of its own items, the declarations they name, and the headers
-//! of the functions they call. Names, types and diagnostics then work as in any program. Places lie in an excerpt's
-//! own texts; its layout tells which item each belongs to.
+//! A check unit is checked in a program that consists of its own items, the declarations they use,
+//! and the headers of the functions they call. Names, types and diagnostics work as in any program.
+//! Source locations refer to the texts of the excerpt; its layout maps them to items.
 
 use super::ModuleData;
 use super::item::Item;
@@ -13,24 +13,24 @@ use crate::span::{FileId, Span};
 use crate::units::UnitSystem;
 use std::collections::HashMap;
 
-/// Tells items apart, across excerpts and edits.
+/// Identifies an item, across excerpts and edits.
 pub type ItemId = u64;
 
-/// Tells records apart: the item, and where in it the record's name stands.
+/// Identifies a record: its item, and the offset of the record's name in the item.
 pub type RecordKey = (ItemId, u32);
 
-/// How an item takes part in an excerpt.
+/// The role of an item in an excerpt.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Part {
-    /// It is what is checked.
+    /// The item is checked.
     Own,
-    /// It is needed in full.
+    /// The item is needed in full.
     Whole,
-    /// It is what callers see of a function.
+    /// The item is a function of which only the header is needed.
     Header,
 }
 
-/// A module of an excerpt and its items in order.
+/// A module of an excerpt and its items, in order.
 pub struct Extract<'i> {
     pub name: String,
     pub system: Option<UnitSystem>,
@@ -44,35 +44,36 @@ pub struct Segment {
     pub part: Part,
 }
 
-/// Which item lies where.
+/// The positions of the items.
 #[derive(Debug, Default)]
 pub struct Layout {
-    /// By file of the excerpt, in order of place.
+    /// Items by file of the excerpt, in order of position.
     files: Vec<Vec<Segment>>,
     starts: HashMap<ItemId, (FileId, u32)>,
-    /// Module and name of every base dimension that the program declares, so that all checks number them alike.
+    /// Module and name of every base dimension of the program, so that all checks number them
+    /// equally.
     pub bases: Vec<(String, String)>,
 }
 
 impl Layout {
-    /// The item a place belongs to.
+    /// Returns the segment that contains a location.
     pub fn segment(&self, file: FileId, at: u32) -> Option<&Segment> {
         let segments = self.files.get(file.0 as usize)?;
         segments.get(segments.partition_point(|segment| segment.start <= at).checked_sub(1)?)
     }
 
-    /// The item a place belongs to, and where it lies in that.
+    /// Returns the item that contains a location, and the offset in the item.
     pub fn locate(&self, span: Span) -> Option<(ItemId, u32)> {
         let segment = self.segment(span.file, span.start)?;
         Some((segment.item, span.start - segment.start))
     }
 
-    /// Where an item starts.
+    /// Returns the start of an item.
     pub fn start(&self, item: ItemId) -> Option<(FileId, u32)> {
         self.starts.get(&item).copied()
     }
 
-    /// Whether a place belongs to what is checked.
+    /// Returns `true` if a location belongs to an item that is checked.
     pub fn is_own(&self, span: Span) -> bool {
         self.segment(span.file, span.start).is_some_and(|segment| segment.part == Part::Own)
     }
@@ -85,7 +86,7 @@ pub struct Excerpt {
 }
 
 impl Excerpt {
-    /// The model first, the prelude second.
+    /// Builds an excerpt. The model is the first file, the prelude the second.
     pub fn new(extracts: Vec<Extract<'_>>) -> Excerpt {
         let mut excerpt = Excerpt { modules: Vec::new(), layout: Layout::default() };
         for (index, extract) in extracts.into_iter().enumerate() {
@@ -114,15 +115,15 @@ impl Excerpt {
     }
 }
 
-/// From places in an excerpt to places in files.
+/// Maps locations in an excerpt to locations in files.
 pub struct Places<'l> {
     layout: &'l Layout,
-    /// File and start of the item of each segment.
+    /// For each segment, the file and the start of its item.
     starts: Vec<Vec<(FileId, u32)>>,
 }
 
 impl<'l> Places<'l> {
-    /// `items` tells where each item starts.
+    /// Creates the map. `items` has the start of each item.
     pub fn new(layout: &'l Layout, items: &HashMap<ItemId, (FileId, u32)>) -> Self {
         let start = |segment: &Segment| items.get(&segment.item).copied().unwrap_or_default();
         let starts = layout.files.iter().map(|segments| segments.iter().map(start).collect());
@@ -130,12 +131,12 @@ impl<'l> Places<'l> {
     }
 
     pub fn span(&self, span: Span) -> Span {
-        // Belongs to no text.
+        // The default span belongs to no text.
         if span == Span::default() {
             return span;
         }
         let (file, start) = self.position(span.file, span.start);
-        // The end of an item is not the start of the next.
+        // The end of an item must not be mistaken for the start of the next.
         let (end_file, end) = match span.end.checked_sub(1) {
             Some(last) if span.end > span.start => self.position(span.file, last),
             _ => (file, start.saturating_sub(1)),

@@ -1,4 +1,4 @@
-//! Expressions: from syntax to typed tree.
+//! Checks expressions: converts syntax to the typed tree.
 
 use super::builtins::Builtin;
 use super::dim::Dim;
@@ -15,17 +15,18 @@ use crate::span::Span;
 use crate::units::{Unit, UnitSystem, powered};
 use calyx_abi::units::to_si;
 
-/// Where an expression stands.
+/// The context of an expression.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Position {
-    /// As a whole initialiser or argument: bare literals take their dimension from use.
+    /// A complete initializer or argument: literals without a unit take their dimension from its
+    /// use.
     Whole,
-    /// As a part of another expression: a bare literal is a pure number.
+    /// An operand: a literal without a unit is a pure number.
     Part,
 }
 
 impl<'a> Checker<'a> {
-    /// A whole initialiser, argument, returned or assigned value.
+    /// Checks a complete initializer, argument, returned or assigned value.
     pub fn whole(&mut self, e: &'a ast::Expr) -> Expr {
         self.expr_at(e, Position::Whole)
     }
@@ -34,7 +35,7 @@ impl<'a> Checker<'a> {
         self.expr_at(e, Position::Part)
     }
 
-    /// Checks in a value context (what stands there is computed at once).
+    /// Checks in a value context, where expressions are evaluated immediately.
     pub fn as_value<T>(&mut self, work: impl FnOnce(&mut Self) -> T) -> T {
         let symbolic = std::mem::replace(&mut self.symbolic, false);
         let result = work(self);
@@ -159,7 +160,7 @@ impl<'a> Checker<'a> {
         (kind, Type::String)
     }
 
-    /// How a value in a text is to be shown; checks that it can be.
+    /// Returns the format of a value in a string, and checks that it applies to the value.
     fn style(&mut self, value: &Expr, format: &'a ast::Format) -> Style {
         let unit = format.unit.as_ref().and_then(|unit| self.format_unit(unit));
         let digits = format.digits.is_some() || format.scientific;
@@ -174,7 +175,7 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// A value to be written into text.
+    /// Checks a value to be written into a string.
     pub(super) fn printable(&mut self, value: &'a ast::Expr) -> Expr {
         let value = self.as_value(|c| c.expr(value));
         let kind = ConstraintKind::Printable(value.ty.clone());
@@ -263,7 +264,7 @@ impl<'a> Checker<'a> {
             }
             Res::Unit(unit) => (Kind::Number(unit.factor), Type::quantity(unit.counted())),
             Res::Builtin(_) if Unit::find(&name.name).is_some() => {
-                // `min` is a function where it is called and the minute elsewhere.
+                // `min` is a function if it is called, and otherwise the minute.
                 let unit = Unit::find(&name.name);
                 let (factor, dimension) = unit.map_or((1.0, Dimension::NONE), |u| (u.factor, u.dimension));
                 (Kind::Number(factor), Type::quantity(dimension))
@@ -297,7 +298,7 @@ impl<'a> Checker<'a> {
         self.observed(Expr { kind, ty, span })
     }
 
-    /// Inside a `:=` an observable counts as the number it will be.
+    /// Converts an observable in a `:=` to its value as a number.
     pub(super) fn observed(&mut self, e: Expr) -> Expr {
         match (self.symbolic, self.store.shallow(&e.ty)) {
             (true, Type::Observable(dim)) => {
@@ -346,7 +347,7 @@ impl<'a> Checker<'a> {
         {
             return self.name(field, span);
         }
-        // A field of an expression kept with `:=` may still be a component of a vector that moves.
+        // A field of a `:=` expression may be a component of a vector that depends on time.
         let base = self.expr(base);
         self.named_fields.push((field.clone(), base.ty.clone()));
         let component = component(&field.name);
@@ -414,7 +415,7 @@ impl<'a> Checker<'a> {
         self.observed(Expr { kind, ty: element, span })
     }
 
-    /// Brackets: an array, unless the elements are known to differ.
+    /// Checks a bracket expression: an array, unless the types of its elements differ.
     fn list(&mut self, elements: &'a [ast::Expr], given: Position, span: Span) -> Expr {
         let elements: Vec<Expr> = elements.iter().map(|e| self.expr_at(e, given)).collect();
         self.settle(elements.iter().map(|e| &e.ty));
@@ -537,7 +538,7 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// What can be differentiated by or given a value: `Time` or a number param.
+    /// Returns a symbol that can be differentiated or replaced: `Time` or a number param.
     pub(super) fn symbol(&mut self, name: &ast::Ident) -> Option<(Sym, Dim)> {
         match self.names.uses.get(&name.span).copied() {
             Some(Res::Constant(Constant::Time)) => Some((Sym::Time, Dim::known(Dimension::of(Base::Time)))),
@@ -580,7 +581,7 @@ impl<'a> Checker<'a> {
         );
     }
 
-    /// Whether a name is a builtin where it is called.
+    /// Returns the built-in function that a name denotes if it is called.
     pub(super) fn builtin(&self, name: &ast::Ident) -> Option<Builtin> {
         match self.names.uses.get(&name.span) {
             Some(Res::Builtin(builtin)) => Some(*builtin),
@@ -588,14 +589,15 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// The unit system in which this file's text shows numbers.
+    /// Returns the unit system for displayed numbers of this file.
     pub(super) fn shown_system(&self) -> UnitSystem {
         self.system().unwrap_or_default()
     }
 }
 
-/// Whether bare literals in this expression take their dimension from use: a signed literal, a literal times a
-/// basis vector, sums of these. (Of arrays and choices each part is judged alone.)
+/// Returns `true` if literals without a unit in this expression take their dimension from its use:
+/// a signed literal, a literal times a basis vector, and sums of these. Elements of arrays and arms
+/// of conditional expressions are treated separately.
 pub fn is_bare(e: &ast::Expr) -> bool {
     match &e.kind {
         ExprKind::Number(_) => true,
@@ -628,14 +630,13 @@ fn is_basis(e: &ast::Expr) -> bool {
     }
 }
 
-/// A whole number, written as one.
-/// The index, if it is known: a tuple's must be.
+/// Returns the value of a constant index. Indices of tuples must be constant.
 pub(super) fn constant_index(index: &Expr, store: &Store) -> Option<usize> {
     let value = super::constant::number(index, store)?;
     (value >= 0.0 && value.fract() == 0.0 && value < 1e6).then_some(value as usize)
 }
 
-/// The operation that takes a component of a vector.
+/// Returns the operation for a component of a vector.
 pub(super) fn component(field: &str) -> Option<Op> {
     match field {
         "x" => Some(Op::X),

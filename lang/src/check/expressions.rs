@@ -1,4 +1,4 @@
-//! The typed expressions at a place, for editors.
+//! The typed expressions at a source location, for editors.
 
 use super::meanings::dimension;
 use super::tree::{Expr, Kind, Stmt};
@@ -6,7 +6,7 @@ use super::typed::Typed;
 use crate::analysis;
 use crate::span::Span;
 
-/// The expressions that a range touches. Places are those of the unit's excerpt.
+/// Returns the expressions that overlap a range. Locations refer to the unit's excerpt.
 pub fn touching(typed: &Typed, range: Span) -> Vec<analysis::Typed> {
     let mut found = Vec::new();
     let mut collect = |e: &Expr| found.push(shown(typed, e));
@@ -43,7 +43,7 @@ fn statement(s: &Stmt, range: Span, collect: &mut dyn FnMut(&Expr)) {
 }
 
 fn expression(e: &Expr, range: Span, collect: &mut dyn FnMut(&Expr)) {
-    // A default that stands in for an argument lies elsewhere.
+    // The text of a default argument is elsewhere.
     if !touches(e.span, range) {
         return;
     }

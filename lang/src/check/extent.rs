@@ -1,20 +1,20 @@
-//! Extent of types: nesting depth and number of parts, fields of records included.
+//! The extent of types: nesting depth and number of parts, including fields of records.
 //!
-//! Walks over types are recursive, and values are laid out part by part. Both are bounded here, at the one place where
-//! a type grows: where an unknown type is decided.
+//! Traversals of types are recursive, and values are stored part by part. Both are limited here, at
+//! the only operation that enlarges a type: the assignment of a type variable.
 
 use super::tree::RecordId;
 use super::types::{Mismatch, Store, Type, TypeVar};
 use std::collections::{HashMap, HashSet};
 
-/// Largest depth of arrays, tuples and records inside one another.
+/// Limit of the nesting depth of arrays, tuples and records.
 pub const MOST_NESTED: usize = 100;
 
-/// Largest number of parts of a type, fields of records not counted. A tuple of two tuples of two tuples
-/// ... has a short text and a type that doubles at every step.
+/// Limit of the parts of a type, without the fields of records. A tuple of two tuples of two tuples
+/// ... has a short text but a type of exponential size.
 pub const MOST_PARTS: usize = 1000;
 
-/// Largest number of parts of a type, fields of records included.
+/// Limit of the parts of a type, including the fields of records.
 pub const MOST_FIELDS: usize = 1000;
 
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -23,20 +23,21 @@ struct Extent {
     parts: usize,
 }
 
-/// One walk over a type. Each record is measured once.
+/// A traversal of a type that measures each record once.
 struct Walk<'s> {
     store: &'s Store,
-    /// Unknown that must not occur in the type.
+    /// A type variable that must not occur in the type.
     excluded: Option<TypeVar>,
-    /// Parts that may still be visited outside of records.
+    /// Remaining number of parts outside of records.
     left: usize,
-    /// Extents of records; `None` while one is being measured.
+    /// Extents of records; `None` while a record is being measured.
     records: HashMap<RecordId, Option<Extent>>,
     unknowns: Vec<TypeVar>,
 }
 
 impl Walk<'_> {
-    /// Extent of a type; `None` if it is infinite or too large. `around` is the number of types around it.
+    /// Returns the extent of a type; `None` if it is infinite or too large. `around` is the number
+    /// of enclosing types.
     fn extent(&mut self, ty: &Type, around: usize) -> Option<Extent> {
         self.left = self.left.checked_sub(1)?;
         if around > MOST_NESTED {
@@ -58,7 +59,7 @@ impl Walk<'_> {
                 }
             }
             Type::Record(id) => match self.records.get(id) {
-                // `None` inside: the record holds itself.
+                // `None` in the map: the record contains itself.
                 Some(known) => return *known,
                 None => {
                     self.records.insert(*id, None);
@@ -88,12 +89,13 @@ impl Store {
         Walk { store: self, excluded, left: MOST_PARTS, records: HashMap::new(), unknowns: Vec::new() }
     }
 
-    /// Returns true if a type is finite and within the limits.
+    /// Returns `true` if a type is finite and within the limits.
     pub fn is_bounded(&self, ty: &Type) -> bool {
         self.walk(None).extent(ty, 0).is_some()
     }
 
-    /// Decides an unknown type, unless it, or a type that has it as a part, would become infinite or too large.
+    /// Assigns a type to a type variable. Fails if the type, or a type that contains the variable,
+    /// would become infinite or too large.
     pub(super) fn decide(&mut self, variable: TypeVar, ty: &Type) -> Result<(), Mismatch> {
         let mut walk = self.walk(Some(variable));
         let extent = walk.extent(ty, 0).ok_or(Mismatch::Infinite)?;
@@ -106,7 +108,7 @@ impl Store {
             return Ok(());
         }
         self.set_type(variable, Some(ty.clone()));
-        // A type without parts does not enlarge the types around it.
+        // A type without parts does not enlarge the types that contain it.
         if extent.parts > 1 && !self.all_around_are_bounded(variable) {
             self.set_type(variable, None);
             return Err(Mismatch::Infinite);
@@ -119,7 +121,7 @@ impl Store {
         Ok(())
     }
 
-    /// Returns true if the outermost types that contain a type are within the limits.
+    /// Returns `true` if the outermost types that contain a type are within the limits.
     fn all_around_are_bounded(&self, variable: TypeVar) -> bool {
         let (mut left, mut seen) = (vec![variable], HashSet::from([variable]));
         while let Some(at) = left.pop() {

@@ -1,11 +1,12 @@
-//! What only the flow of control shows: variables read before they have a value, out parameters never set.
+//! Control-flow checks: variables read before they have a value, and out parameters that are never
+//! set.
 
 use crate::ast::Mode;
 use crate::diagnostic::Diagnostic;
 use crate::ir::{Expr, ExprKind, FormatPart, Function, LocalId, Place, Statement, Terminator};
 use crate::span::Span;
 
-/// Checks a lowered function. Warnings only where `shown`.
+/// Checks a lowered function. Reports warnings only if `shown` is set.
 pub fn check(function: &Function, shown: bool) -> Vec<Diagnostic> {
     let count = function.locals.len();
     let entry = {
@@ -17,7 +18,7 @@ pub fn check(function: &Function, shown: bool) -> Vec<Diagnostic> {
         }
         set
     };
-    // Assigned on every way to the start of each block; everything until a way is found.
+    // Locals assigned on every path to the start of each block; all locals until a path is found.
     let mut before = vec![Set::new(count, true); function.blocks.len()];
     if let Some(first) = before.first_mut() {
         *first = entry;
@@ -38,7 +39,7 @@ pub fn check(function: &Function, shown: bool) -> Vec<Diagnostic> {
                 work.push(next);
             }
         }
-        // An error may come before the first assignment.
+        // An error may occur before the first assignment.
         if let Some(handler) = function.blocks[at].handler {
             let start = before[at].clone();
             if before[handler.0 as usize].intersect(&start) {
@@ -74,7 +75,7 @@ impl Set {
         self.0[local.0 as usize / 64] & (1 << (local.0 % 64)) != 0
     }
 
-    /// Keeps what both have; true if something went.
+    /// Intersects with another set; returns `true` if the set changed.
     fn intersect(&mut self, other: &Set) -> bool {
         let mut changed = false;
         for (mine, theirs) in self.0.iter_mut().zip(&other.0) {

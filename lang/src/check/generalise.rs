@@ -1,4 +1,4 @@
-//! Generalisation: type schemes of functions, and their uses.
+//! Generalization: type schemes of functions, and their instantiation.
 
 use super::dim::DimVar;
 use super::infer::Checker;
@@ -12,7 +12,8 @@ use std::collections::{BTreeSet, HashMap};
 use std::rc::Rc;
 
 impl Checker<'_> {
-    /// Closes the types of a group over what nothing outside can still decide.
+    /// Quantifies the types of a group over the variables that no code outside the group can still
+    /// determine.
     pub(super) fn generalise(&mut self, group: &[FuncId], constraints: Vec<Constraint>) {
         let (mut types, mut dims) = (BTreeSet::new(), BTreeSet::new());
         for &member in group {
@@ -21,7 +22,7 @@ impl Checker<'_> {
                 self.store.unknowns(ty, &mut types, &mut dims);
             }
         }
-        // Unknowns of local variables that no parameter decides: they become defaults per instance.
+        // Literals have fixed dimensions and are not quantified.
         let of_literals = dims.iter().any(|v| self.store.is_literal(*v));
         dims.retain(|v| !self.store.is_literal(*v));
         let (outer_types, outer_dims) = match types.is_empty() && dims.is_empty() && constraints.is_empty() {
@@ -31,7 +32,7 @@ impl Checker<'_> {
         let sees_unknown = of_literals || !types.is_disjoint(&outer_types) || !dims.is_disjoint(&outer_dims);
         types.retain(|v| !outer_types.contains(v));
         dims.retain(|v| !outer_dims.contains(v));
-        // A constraint on a quantified type quantifies what else it mentions.
+        // If a constraint mentions a quantified type, its other variables are also quantified.
         let mut own = Vec::new();
         let mut rest = constraints;
         loop {
@@ -73,17 +74,18 @@ impl Checker<'_> {
         }
     }
 
-    /// Undecided types and dimensions of variables, params and fields outside a group of functions.
+    /// Returns the type and dimension variables of variables, params and fields outside a group of
+    /// functions.
     fn outer_unknowns(&mut self, group: &[FuncId]) -> (BTreeSet<TypeVar>, BTreeSet<DimVar>) {
         let inside: BTreeSet<FuncId> = self.inside(group);
         let (mut types, mut dims) = (BTreeSet::new(), BTreeSet::new());
-        // A decided type stays decided, so its variable is not visited again.
+        // A resolved type stays resolved, so its variable is not visited again.
         let mut open = std::mem::take(&mut self.open_variables);
         open.retain(|id| {
             let Some(ty) = self.variable_types.get(id) else { return false };
             let (mut own_types, mut own_dims) = (BTreeSet::new(), BTreeSet::new());
             self.store.unknowns(ty, &mut own_types, &mut own_dims);
-            // The dimension of a literal is never generalised.
+            // The dimension of a literal is never generalized.
             own_dims.retain(|dim| !self.store.is_literal(*dim));
             let is_open = !own_types.is_empty() || !own_dims.is_empty();
             let is_inside = inside.contains(&self.names.variables[id.0 as usize].owner);
@@ -91,21 +93,21 @@ impl Checker<'_> {
                 types.extend(own_types);
                 dims.extend(own_dims);
             }
-            // Nothing that is checked later refers to variables inside the group.
+            // Code that is checked later does not refer to variables inside the group.
             is_open && !is_inside
         });
         self.open_variables = open;
         for param in &self.params {
             self.store.unknowns(&param.ty, &mut types, &mut dims);
         }
-        // Records are never general: a field has one type in the program.
+        // Records are never generic: a field has one type in the program.
         for (_, ty) in self.store.records.iter().flat_map(|record| &record.fields) {
             self.store.unknowns(ty, &mut types, &mut dims);
         }
         (types, dims)
     }
 
-    /// The functions of a group and those nested in them.
+    /// Returns the functions of a group and the functions nested in them.
     fn inside(&self, group: &[FuncId]) -> BTreeSet<FuncId> {
         let mut inside: BTreeSet<FuncId> = group.iter().copied().collect();
         let mut left = group.to_vec();
@@ -116,7 +118,7 @@ impl Checker<'_> {
         inside
     }
 
-    /// A use of a function: its parameter types and result with fresh unknowns.
+    /// Instantiates a function: returns its parameter types and result with fresh variables.
     pub fn instantiate(&mut self, id: FuncId, span: Span) -> (Vec<Type>, Type, UseId) {
         self.ensure_inferred(id);
         let Some(signature) = self.signatures.get(&id).cloned() else {
@@ -145,7 +147,7 @@ impl Checker<'_> {
     }
 }
 
-/// Groups of functions that name each other. The top level belongs to none.
+/// Returns the groups of mutually recursive functions. The top level belongs to no group.
 pub(super) fn recursive_groups(functions: &[FunctionInfo<'_>]) -> HashMap<FuncId, Rc<[FuncId]>> {
     let all = (1..functions.len() as u32).map(FuncId);
     let mut groups = HashMap::new();

@@ -1,8 +1,8 @@
-//! Symbolic names whose expression is chosen when the program runs: bound again in a loop or on one of several ways,
-//! bound by another function, or handed to a function by `in frame :=`.
+//! Symbolic names whose expression is selected at run time: bound again in a loop or on one of
+//! several branches, bound by another function, or passed to a function by `in frame :=`.
 //!
-//! Such a name is a variable that holds an expression. Expressions that use it capture what it holds, so at run time
-//! they form a graph; a use that one binding alone can reach still fuses with that binding.
+//! Such a name is a variable whose value is an expression. Expressions that use it capture this
+//! value, so at run time they form a graph. A use that only one binding can reach is still inlined.
 
 use super::infer::{Checker, Reaching};
 use super::symbols::VarKind;
@@ -14,20 +14,21 @@ use std::collections::{BTreeSet, HashMap};
 
 #[derive(Debug, Default)]
 pub struct Graphs {
-    /// Names some use of which has no one definition.
+    /// Names with a use that several definitions can reach.
     pub chosen: BTreeSet<VarId>,
-    /// Names that functions other than their own bind.
+    /// Names that are bound by functions other than their own.
     pub foreign: BTreeSet<VarId>,
-    /// Every definition of a name.
+    /// All definitions of each name.
     pub bound: HashMap<VarId, Vec<DefId>>,
-    /// The names that hidden variables took their expressions from.
+    /// For each hidden variable, the name whose expression it captures.
     pub captured: HashMap<VarId, VarId>,
-    /// Evaluations at no given time of what depends on chosen names: definition, name, place.
+    /// Evaluations without a time of expressions that depend on run-time selected names:
+    /// definition, name, location.
     evaluated: Vec<(DefId, String, Span)>,
 }
 
 impl<'a> Checker<'a> {
-    /// A use of a `:=` name that has no one definition.
+    /// Returns the expression for a use of a `:=` name that several definitions can reach.
     pub(super) fn chosen_name(&mut self, id: VarId, span: Span) -> Expr {
         self.graphs.chosen.insert(id);
         let e = Expr { kind: Kind::Chosen(id), ty: self.variable_type(id), span };
@@ -38,13 +39,13 @@ impl<'a> Checker<'a> {
         self.evaluate_now(e, &name)
     }
 
-    /// A symbolic parameter holds what it is called with.
+    /// Marks a symbolic parameter: its expression is that of the call.
     pub(super) fn symbolic_parameter(&mut self, variable: VarId) {
         self.graphs.chosen.insert(variable);
         self.reaching.insert(variable, Reaching::Several);
     }
 
-    /// An expression handed to a symbolic parameter.
+    /// Records an expression that is passed to a symbolic parameter.
     pub(super) fn hand_over(&mut self, parameter: VarId, value: &Expr) {
         if let Kind::MakeSymbolic(def) = value.kind {
             self.defs[def.0 as usize].part = true;
@@ -52,14 +53,15 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Notes an evaluation whose dependence on time is known when all definitions are.
+    /// Records an evaluation that must not depend on time; this is checked when all definitions are
+    /// known.
     pub(super) fn evaluated_later(&mut self, def: DefId, name: &str, span: Span) {
         if !self.defs[def.0 as usize].chosen.is_empty() {
             self.graphs.evaluated.push((def, name.into(), span));
         }
     }
 
-    /// Names that nested functions bind although they are not theirs.
+    /// Finds names that nested functions bind although other functions declare them.
     pub(super) fn find_foreign(&mut self, statements: &'a [ast::Stmt]) {
         for statement in statements {
             let mut inside: Vec<(&'a ast::FunctionDecl, BTreeSet<VarId>)> = Vec::new();
@@ -78,7 +80,7 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// What every function declared in a statement binds.
+    /// Collects the names that functions declared in a statement bind.
     fn bound_in_functions(
         &self,
         statement: &'a ast::Stmt,
@@ -113,7 +115,8 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// After inference: what holds of a chosen name holds of any of its definitions.
+    /// Checks run-time selected names after inference: a property of any definition of a name is a
+    /// property of the name.
     pub(super) fn finish_graphs(&mut self) {
         let mut on_time: BTreeSet<VarId> = BTreeSet::new();
         loop {

@@ -1,5 +1,5 @@
-//! Host functions, `host function f(in v: Velocity) -> Number { ... }`: the program that embeds the model may provide another
-//! body, so the header alone says what goes in and comes out.
+//! Host functions, `host function f(in v: Velocity) -> Number { ... }`. The program that embeds the
+//! model may provide another body, so the header must declare all types.
 
 use super::infer::Checker;
 use super::tree::{FuncId, HostOffer};
@@ -9,7 +9,7 @@ use crate::diagnostic::Diagnostic;
 use crate::span::Span;
 
 impl Checker<'_> {
-    /// Checks the header of a host function, whose types are those it declares.
+    /// Checks the header of a host function, which must declare all its types.
     pub(super) fn host_function(&mut self, id: FuncId, decl: &FunctionDecl) -> HostOffer {
         let name = &decl.name.name;
         if matches!(decl.body, FunctionBody::Symbolic(_)) {
@@ -73,7 +73,7 @@ impl Checker<'_> {
         }
     }
 
-    /// Whether values of a type can cross to the embedding program.
+    /// Checks that values of a type can be passed to the embedding program.
     fn host_type(&mut self, ty: &Type, span: Span) {
         let mut inner = self.store.resolve(ty);
         while let Type::Array(element) = inner {
@@ -81,7 +81,7 @@ impl Checker<'_> {
         }
         let crosses = match &inner {
             Type::Number(dim) | Type::Vector(dim) => dim.as_known().is_some(),
-            // What is no type has been reported.
+            // An invalid type has already been reported.
             Type::Bool | Type::String | Type::Error => true,
             _ => false,
         };

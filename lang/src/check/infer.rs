@@ -1,7 +1,8 @@
-//! Inference of types and dimensions: the state of it, and functions as a whole.
+//! Inference of types and dimensions: its state, and the inference of functions.
 //!
-//! Hindley and Milner's method with two kinds of unknowns. A function's scheme follows from its own body and the
-//! schemes of the functions it names; functions that name each other form a group and have one type inside it.
+//! The method is that of Hindley and Milner, with type variables and dimension variables. A
+//! function's scheme follows from its body and the schemes of the functions it uses. Mutually
+//! recursive functions form a group and are monomorphic within the group.
 
 use super::ModuleData;
 use super::dim::Dim;
@@ -20,25 +21,25 @@ use crate::units::UnitSystem;
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 use std::rc::Rc;
 
-/// Which `:=` a symbolic name has at some point of the text.
+/// The `:=` definition of a symbolic name at a point of the program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reaching {
     One(DefId),
     Several,
 }
 
-/// A function's type, known before its body is.
+/// A function's type, known before its body is checked.
 #[derive(Clone, Debug)]
 pub struct Signature {
     pub parameters: Vec<Type>,
     pub result: Type,
-    /// `None` while its group is being inferred.
+    /// The type scheme; `None` while its group is being inferred.
     pub scheme: Option<Scheme>,
 }
 
 pub struct Checker<'a> {
     pub modules: &'a [ModuleData],
-    /// Which item lies where.
+    /// The positions of the items.
     pub(super) layout: &'a Layout,
     pub names: Names<'a>,
     pub store: Store,
@@ -49,55 +50,57 @@ pub struct Checker<'a> {
     pub params: Vec<Param>,
     pub outputs: Vec<Output>,
     pub handles: BTreeSet<String>,
-    /// Who depends on whom, for derivatives by params of values.
+    /// Dependences between values, for derivatives with respect to params.
     pub dependence: super::dependence::Dependence,
     pub(super) signatures: HashMap<FuncId, Signature>,
     pub(super) pending: Vec<Constraint>,
     pub(super) reaching: HashMap<VarId, Reaching>,
-    /// Symbolic names whose expression is chosen at run time, and what every symbolic name is bound to.
+    /// Symbolic names whose expression is selected at run time, and the definitions of every
+    /// symbolic name.
     pub(super) graphs: super::graphs::Graphs,
-    /// Symbolic names that are bound in more than one place.
+    /// Symbolic names that are bound more than once.
     pub(super) rebound: HashSet<VarId>,
-    /// Definitions of outputs, which may be named in later expressions.
+    /// Definitions of outputs, which later expressions may use.
     pub(super) output_defs: HashMap<u32, DefId>,
-    /// Inside a `:=` expression.
+    /// `true` inside a `:=` expression.
     pub(super) symbolic: bool,
-    /// In an expression that is evaluated before the program runs (`a param's default`).
+    /// Description of an expression that is evaluated before the program runs, such as `a param's
+    /// default`.
     pub(super) constant_place: Option<&'static str>,
-    /// `switch` statements around, innermost last: the value and the cases so far.
+    /// Enclosing `switch` statements, innermost last: the value and the cases so far.
     pub(super) switches: Vec<(Expr, Vec<Expr>)>,
-    /// `catch` sections around, in the function being checked.
+    /// Number of enclosing `catch` sections in the current function.
     pub(super) handlers: usize,
-    /// Ranges and choices to check once types are known.
+    /// Ranges and choices to be checked once types are known.
     pub(super) domains: Vec<super::domains::Check>,
-    /// Values of constants; `None` while one is computed.
+    /// Values of constants; `None` while a constant is being computed.
     pub(super) consts: HashMap<u32, Option<Expr>>,
-    /// How many constants are being computed, each for the one before.
+    /// Number of constants being computed, each for the previous one.
     pub(super) open_consts: usize,
-    /// Declared dimensions and units that are known; `None` for those that make no sense or are being found out.
+    /// Declared dimensions and units; `None` if they are invalid or being computed.
     pub(super) own_dimensions: HashMap<u32, Option<Dimension>>,
     pub(super) own_units: HashMap<u32, Option<DisplayUnit>>,
-    /// Dimensions and units being found out.
+    /// Dimensions and units being computed.
     pub(super) opening: Vec<Res>,
-    /// Records whose defaults are being put in, outermost first.
+    /// Records whose defaults are being inserted, outermost first.
     pub(super) making: Vec<RecordId>,
     pub(super) function: FuncId,
     pub(super) file: FileId,
-    /// Names of arguments, and where the parameters or fields they mean are declared.
+    /// Names of arguments, and the declarations of the parameters or fields that they refer to.
     pub(super) named_parts: Vec<(Span, Span)>,
-    /// Types of the parameters of the engine's functions that are checked.
+    /// Types of the parameters of the checked engine functions.
     pub(super) parameter_types: HashMap<Span, Type>,
-    /// Fields of values, and the types of the values.
+    /// Field accesses, and the types of their records.
     pub(super) named_fields: Vec<(ast::Ident, Type)>,
-    /// Some literal or field in a declaration has a type that only uses determine.
+    /// `true` if the type of a literal or field in a declaration depends on its uses.
     pub(super) unsettled: bool,
-    /// Notes for the lints of cycles and angles.
+    /// Data for the lints of cycles and angles.
     pub(super) turns: super::turns::Turns,
     pub(super) groups: HashMap<FuncId, Rc<[FuncId]>>,
-    /// Functions by the one that they are declared in.
+    /// Nested functions, by the enclosing function.
     pub(super) nested: HashMap<FuncId, Vec<FuncId>>,
     pub(super) variable_types: HashMap<VarId, Type>,
-    /// Variables whose types may not be known yet.
+    /// Variables whose types may still be unknown.
     pub(super) open_variables: Vec<VarId>,
     reported: HashSet<(String, Span, String)>,
 }
@@ -156,7 +159,7 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Infers the whole program. `functions[0]` is the model's top level afterwards.
+    /// Infers the whole program. Afterwards, `functions[0]` is the model's top level.
     pub fn program(&mut self) {
         let modules = self.modules;
         let Some(model) = modules.first() else { return };
@@ -213,7 +216,7 @@ impl<'a> Checker<'a> {
         self.open_variables.push(id);
     }
 
-    /// A variable that holds a value captured by a `:=`, shown to people as `name`.
+    /// Creates a variable for a value that a `:=` captures; messages call it `name`.
     pub fn hidden_variable(&mut self, name: &str, span: Span, ty: Type) -> VarId {
         let id = VarId(self.names.variables.len() as u32);
         self.names.variables.push(Variable {
@@ -227,7 +230,7 @@ impl<'a> Checker<'a> {
         id
     }
 
-    /// The unit system declared in the file being checked.
+    /// Returns the unit system declared in the current file.
     pub fn system(&self) -> Option<UnitSystem> {
         self.modules.get(self.file.0 as usize).and_then(|module| module.system)
     }
@@ -240,7 +243,7 @@ impl<'a> Checker<'a> {
             .unwrap_or("")
     }
 
-    /// Reports once, however often a place is visited.
+    /// Reports a diagnostic, once even if the code is visited repeatedly.
     pub fn report(&mut self, diagnostic: Diagnostic) {
         let key = (diagnostic.code.clone(), diagnostic.primary.span, diagnostic.message.clone());
         if self.reported.insert(key) {
@@ -248,8 +251,8 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Demands that a checked expression has a type. `what` names the place it is put in (`argument `teeth``), `cause`
-    /// is where that place got its type.
+    /// Requires that a checked expression has a type. `what` describes the context (`argument
+    /// `teeth``), `cause` is the origin of the required type.
     pub fn expect(&mut self, expected: &Type, found: &Expr, what: &str, cause: Option<(Span, String)>) {
         self.check_turns(expected, &found.ty, found.span, cause.as_ref().map(|(span, _)| *span));
         self.note_literal(expected, found);
@@ -327,13 +330,13 @@ impl<'a> Checker<'a> {
 
     // Functions.
 
-    /// Infers a function and its group, the functions that it calls first. Does nothing if that has been
-    /// done.
+    /// Infers a function and its group after the functions that it calls. Does nothing if they are
+    /// already inferred.
     pub fn ensure_inferred(&mut self, id: FuncId) {
-        // A chain of calls may be as long as a program.
+        // Iterative, because a chain of calls may be as long as a program.
         let mut open = vec![(id, false)];
         while let Some((id, called_are_inferred)) = open.pop() {
-            // Its body may also have been reached through its enclosing function.
+            // The enclosing function may already have reached its body.
             if self.signatures.contains_key(&id) {
                 continue;
             }
@@ -378,7 +381,7 @@ impl<'a> Checker<'a> {
             let ty = if symbolic { Type::Symbolic(Box::new(ty)) } else { ty };
             if let Some(annotation) = &parameter.annotation {
                 let annotated = self.annotation(annotation, symbolic);
-                // A fresh unknown takes any type.
+                // A fresh type variable unifies with any type.
                 let _ = self.store.unify(&ty, &annotated);
             }
             parameters.push(ty);
@@ -462,7 +465,7 @@ impl<'a> Checker<'a> {
         self.file = file;
     }
 
-    /// Types of what the model declares at its top level.
+    /// Returns the types of the model's top-level declarations, as displayed.
     pub fn shown_types(&self) -> BTreeMap<String, String> {
         let variables = self.names.variables.iter().enumerate().filter_map(|(index, variable)| {
             let ty = self.variable_types.get(&VarId(index as u32))?;
@@ -476,7 +479,7 @@ impl<'a> Checker<'a> {
         variables.chain(params).chain(outputs).collect()
     }
 
-    /// The result type of the function being checked; `Unit` at the top level.
+    /// Returns the result type of the current function; `Unit` at the top level.
     pub fn current_result(&self) -> Type {
         self.signatures.get(&self.function).map_or(Type::Unit, |signature| signature.result.clone())
     }
@@ -491,7 +494,7 @@ impl<'a> Checker<'a> {
     }
 }
 
-/// Error of a value whose type would be infinite or too large.
+/// Returns the error for a value whose type would be infinite or too large.
 pub(super) fn too_large(span: Span) -> Diagnostic {
     Diagnostic::error(
         "E0302",

@@ -1,7 +1,8 @@
-//! What callers know of a function's type, free of the check it came from.
+//! Interfaces: the type of a function as its callers need it, independent of the check that
+//! inferred it.
 //!
-//! Equal for equal schemes: unknowns are numbered in the order in which they occur, so an edit of a body that leaves
-//! the scheme as it was gives an equal interface.
+//! Equal schemes have equal interfaces, because variables are numbered in order of occurrence. An
+//! edit of a body that does not change the scheme therefore does not change the interface.
 
 use super::dim::{Dim, DimVar};
 use super::excerpt::RecordKey;
@@ -19,25 +20,27 @@ use std::collections::BTreeMap;
 pub struct Interface {
     parameters: Vec<Type>,
     result: Type,
-    /// How many types and dimensions a call is free to choose.
+    /// Number of type variables that a call instantiates; `dims` is the number of dimension
+    /// variables.
     types: u32,
     dims: u32,
     constraints: Vec<ConstraintKind>,
     /// The records in these types, by number.
     pub records: Vec<RecordKey>,
-    /// Of a symbolic function, whether it depends on `Time`.
+    /// For a symbolic function, `true` if it depends on `Time`.
     on_time: Option<bool>,
 }
 
-/// Gives unknowns new names.
+/// Renumbers type and dimension variables.
 struct Renaming<'s> {
     store: &'s Store,
     types: BTreeMap<TypeVar, TypeVar>,
     dims: BTreeMap<DimVar, DimVar>,
-    /// Unknowns that have no name yet get the next number; otherwise meeting one makes the type open.
+    /// If `true`, variables without a number get the next one; otherwise such a variable sets
+    /// `open`.
     grows: bool,
     open: bool,
-    /// The numbers of records.
+    /// Maps records to their numbers.
     record: &'s dyn Fn(RecordId) -> Option<RecordId>,
 }
 
@@ -100,8 +103,9 @@ impl Renaming<'_> {
 }
 
 impl Interface {
-    /// Interfaces of a group of functions that share a scheme, whose unknowns are put into the order of the interface.
-    /// `None` if something else in the program still decides a type (a literal without a unit under `units`).
+    /// Returns the interfaces of a group of functions with a common scheme, and numbers the
+    /// variables of the scheme in the order of the interface. Returns `None` if other code can
+    /// still determine a type, as for a literal without a unit under `units`.
     pub fn of_group(checker: &mut Checker<'_>, group: &[FuncId]) -> Option<Vec<Interface>> {
         let signatures: Vec<Signature> =
             group.iter().map(|id| checker.signatures.get(id).cloned()).collect::<Option<_>>()?;
@@ -140,7 +144,7 @@ impl Interface {
             (types, constraints)
         };
         all(&mut order);
-        // Only what the scheme is general in may be left.
+        // Only quantified variables may remain.
         order.types.retain(|variable, _| scheme.types.contains(variable));
         order.dims.retain(|variable, _| scheme.dims.contains(variable));
         let mut by_number: Vec<_> =
@@ -187,12 +191,12 @@ impl Interface {
         Some(interfaces)
     }
 
-    /// Makes a function known to a check that does not see its body.
+    /// Declares the function in a check that does not contain its body.
     pub fn import(&self, checker: &mut Checker<'_>, id: FuncId) {
         let Some(decl) = checker.names.functions[id.0 as usize].decl else { return };
         let types: Vec<TypeVar> = (0..self.types).map(|_| checker.store.fresh_variable()).collect();
         let dims: Vec<DimVar> = (0..self.dims).map(|_| checker.store.fresh_dim_variable()).collect();
-        // Its numbers stand for these.
+        // The numbered variables are replaced by these.
         let numbered = Store::unknown(self.types, self.dims);
         let record = |id: RecordId| {
             let key = self.records.get(id.0 as usize)?;
@@ -238,13 +242,13 @@ impl Interface {
             SymbolicBody { def, exported: false, doc: String::new() }
         });
         for ((variable, _), ty) in variables.iter().zip(&parameters) {
-            // A symbolic parameter is a name for what it holds.
+            // A symbolic parameter has the type of its expression.
             let held = match ty {
                 Type::Symbolic(inner) => (**inner).clone(),
                 ty => ty.clone(),
             };
             checker.set_variable_type(*variable, held);
-            // What it does with its arguments is not seen here.
+            // Without the body, its result is assumed to depend on all arguments.
             checker.dependence.function_on_variable(id, *variable);
             checker.dependence.thrown_variable(*variable);
         }
@@ -266,7 +270,7 @@ impl Interface {
 }
 
 impl Checker<'_> {
-    /// What a record is called by other checks. `None` for one that is declared in a function.
+    /// Returns the identity of a record for other checks; `None` if it is declared in a function.
     pub(super) fn record_key(&self, id: RecordId) -> Option<RecordKey> {
         let record = self.names.records.get(id.0 as usize)?;
         let name = record.decl.name.span;

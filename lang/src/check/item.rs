@@ -1,6 +1,6 @@
-//! Items: the top-level statements of a file, each a text of its own.
+//! Items: the top-level statements of a file, each with its own text.
 //!
-//! Places in an item are counted from its start, so an item stays the same whatever happens above it.
+//! Locations in an item are relative to its start, so edits above an item do not change it.
 
 use crate::ast::{Expr, ExprKind, FunctionBody, FunctionDecl, Stmt, StmtKind};
 use crate::relocate;
@@ -8,48 +8,50 @@ use crate::span::{FileId, Span};
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
-/// What a top-level statement is to others. Stays the same while its text is edited.
+/// The role of a top-level statement in other checks. Editing its text does not change the role.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum ItemKind {
-    /// A function with a body; checked on its own unless it sees the model's state.
+    /// A function with a body. It is checked on its own unless it uses the model's state.
     Function,
-    /// A function of the engine.
+    /// An engine function.
     Extern,
-    /// Gives a name to a module, by its dotted path.
+    /// An import, which names a module by its dotted path.
     Import(String),
-    /// Declares a name without running: part of every check that needs the name.
+    /// A declaration without run-time effect, included in every check that uses the name.
     Declaration,
     /// A variable, param or output of the model.
     State,
-    /// Runs, or says something of the whole file.
+    /// A statement that runs, or that applies to the whole file.
     Other,
 }
 
 #[derive(Debug, PartialEq)]
 pub struct Item {
-    /// Starts at byte 0 of file 0. Documentation is left out where it does not belong to the program.
+    /// The statement, starting at byte 0 of file 0. Documentation that the program does not need is
+    /// removed.
     pub statement: Stmt,
     pub text: String,
-    /// Names in what others see of a function; all names of anything else.
+    /// Names in the header of a function; for other items, all names.
     pub header_names: BTreeSet<String>,
     pub names: BTreeSet<String>,
 }
 
-/// A statement as an item: what it is and what it declares.
+/// A statement as an item, with its role and the name it declares.
 #[derive(Debug)]
 pub struct Split {
     pub kind: ItemKind,
-    /// Empty if it declares nothing. Of several names the first; the others are in `more`.
+    /// The declared name, or an empty string. For several names, the first; the others are in
+    /// `more`.
     pub name: String,
     pub more: Vec<String>,
-    /// Not seen by importers.
+    /// `true` if importers do not see it.
     pub private: bool,
-    /// Where it starts in the text it was split from.
+    /// Start in the text from which it was split.
     pub start: u32,
     pub item: Arc<Item>,
 }
 
-/// A statement of a text as an item.
+/// Converts a statement of a text to an item.
 pub fn split(mut statement: Stmt, text: &str) -> Split {
     let Span { start, end, .. } = statement.span;
     relocate::to(&mut statement, FileId(0), 0);
@@ -101,7 +103,8 @@ fn without_docs(statement: &mut Stmt) {
     match &mut statement.kind {
         StmtKind::Function(decl) => {
             decl.parameters.iter_mut().for_each(|parameter| parameter.doc = None);
-            // Symbolic functions and host functions are offered by name, with their documentation.
+            // Embedding programs can list symbolic functions and host functions, with their
+            // documentation.
             if !matches!(decl.body, FunctionBody::Symbolic(_)) && !decl.is_host {
                 statement.doc = None;
             }
@@ -110,14 +113,15 @@ fn without_docs(statement: &mut Stmt) {
             decl.fields.iter_mut().for_each(|field| field.doc = None);
             statement.doc = None;
         }
-        // Those of params and outputs belong to the program.
+        // The program contains the documentation of params and outputs.
         StmtKind::Param(_) | StmtKind::Output { .. } => {}
         _ => statement.doc = None,
     }
 }
 
 impl Item {
-    /// What others see of a function: everything but its body. Of another item, all.
+    /// Returns a function without its body, as other checks see it; other items are returned
+    /// unchanged.
     pub fn header(&self) -> Item {
         let none = BTreeSet::new;
         let whole = || Item {

@@ -1,7 +1,7 @@
-//! What the names in a checked unit stand for, kept for editors.
+//! The meanings of names in a check unit, stored for editors.
 //!
-//! Checking finds all of this out anyway; here it is put by, without reference to syntax trees. Places lie in the unit's
-//! excerpt.
+//! The checker computes this information anyway; here it is stored without references to syntax
+//! trees. Locations refer to the unit's excerpt.
 
 use super::infer::Checker;
 use super::schemes::Shown;
@@ -15,21 +15,22 @@ use crate::dimension::Dimension;
 use crate::span::Span;
 use std::collections::{HashMap, HashSet};
 
-/// Of one unit.
+/// The meanings of the names in one unit.
 #[derive(Debug, Default)]
 pub struct Meanings {
     uses: HashMap<Span, Res>,
-    /// Names of arguments and fields, and the parameter or field that each means.
+    /// Names of arguments and fields, and the declarations of the parameters and fields that they
+    /// refer to.
     parts: HashMap<Span, Span>,
-    /// Parameters of the engine's functions and fields of records, with their types.
+    /// Parameters of engine functions and fields of records, with their types.
     part_types: HashMap<Span, (NameKind, String, Option<Dimension>)>,
     /// `.x`, `.y` and `.z` of vectors, with their types.
     components: HashMap<Span, String>,
     /// Names that are assigned to.
     written: HashSet<Span>,
-    /// Where functions are named, and whether they are symbolic.
+    /// Locations where functions are named, and whether the functions are symbolic.
     functions: Vec<(Span, bool)>,
-    /// Schemes of the functions that were checked here, nested ones too.
+    /// Schemes of the functions that were checked in this unit, including nested ones.
     schemes: HashMap<FuncId, Shown>,
     externs: Vec<Span>,
     consts: Vec<(Span, String)>,
@@ -41,27 +42,27 @@ pub struct Meanings {
     modules: Vec<String>,
 }
 
-/// What one name stands for.
+/// The meaning of a name.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Meaning {
     pub kind: NameKind,
     pub declared: Declared,
-    /// As shown to people. Of functions declared elsewhere it is not known here.
+    /// Type as displayed. It is unknown here for functions that are declared in other units.
     pub ty: Option<String>,
     pub written: bool,
 }
 
 #[derive(Clone, Debug, PartialEq)]
 pub enum Declared {
-    /// By the language.
+    /// A built-in name without a declaration.
     Nowhere,
     At(Span),
-    /// A module as a whole, by its dotted path.
+    /// A module, by its dotted path.
     Module(String),
 }
 
 impl Meanings {
-    /// What a checker found out; `schemes` are those of its functions.
+    /// Collects the meanings that a checker found; `schemes` are those of its functions.
     pub fn of(checker: &mut Checker<'_>, schemes: HashMap<FuncId, Shown>) -> Meanings {
         let mut parts: HashMap<Span, Span> = checker.named_parts.drain(..).collect();
         let (mut part_types, mut components) = (HashMap::new(), HashMap::new());
@@ -131,18 +132,18 @@ impl Meanings {
         }
     }
 
-    /// Adds what identifiers stand for, by their places.
+    /// Adds the meanings of identifiers, by location.
     pub fn with_uses(mut self, uses: HashMap<Span, Res>) -> Meanings {
         self.uses = uses;
         self
     }
 
-    /// The scheme of a function that was checked here.
+    /// Returns the scheme of a function that was checked in this unit.
     pub fn scheme(&self, id: FuncId) -> Option<&Shown> {
         self.schemes.get(&id)
     }
 
-    /// The function that is declared at a place.
+    /// Returns the function declared at a location.
     pub fn function_at(&self, span: Span) -> Option<FuncId> {
         match self.uses.get(&span) {
             Some(Res::Function(id)) => Some(*id),
@@ -150,7 +151,8 @@ impl Meanings {
         }
     }
 
-    /// The dimension of the numbers that a variable, param, parameter or field declared at a place holds, if it is known.
+    /// Returns the dimension of the numbers in a variable, param, parameter or field declared at a
+    /// location, if known.
     pub fn dimension_at(&self, typed: &Typed, span: Span) -> Option<Dimension> {
         if let Some((_, _, dimension)) = self.part_types.get(&span) {
             return *dimension;
@@ -163,7 +165,7 @@ impl Meanings {
         }
     }
 
-    /// What the name at a place stands for.
+    /// Returns the meaning of the name at a location.
     pub fn at(&self, typed: &Typed, span: Span) -> Option<Meaning> {
         let written = self.written.contains(&span);
         if let Some(declared) = self.parts.get(&span) {
@@ -227,7 +229,7 @@ impl Meanings {
     }
 }
 
-/// The dimension of numbers of a type, symbolic ones too.
+/// Returns the dimension of numbers of a type, including symbolic ones.
 pub fn dimension(store: &Store, ty: &Type) -> Option<Dimension> {
     match store.shallow(ty) {
         Type::Number(dim) | Type::Vector(dim) | Type::Observable(dim) => {
@@ -238,7 +240,7 @@ pub fn dimension(store: &Store, ty: &Type) -> Option<Dimension> {
     }
 }
 
-/// Remembers what parameter each argument's name means.
+/// Records the parameter that each named argument refers to.
 pub(super) fn note_arguments(
     parts: &mut Vec<(Span, Span)>,
     parameters: impl Iterator<Item = (String, Span)>,

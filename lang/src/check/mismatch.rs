@@ -1,4 +1,4 @@
-//! Dimension errors: both sides factor by factor, where each came from, and the factor that is missing.
+//! Dimension errors: the factors of both sides, their declarations, and the missing factor.
 
 use super::dim::Dim;
 use super::infer::Checker;
@@ -11,7 +11,8 @@ use crate::dimension::{Dimension, Rational};
 use crate::span::Span;
 
 impl Checker<'_> {
-    /// Demands that the two sides of an operator have one type, and tells whether they do. The later side is to blame.
+    /// Unifies the types of the two sides of an operator. Returns `false` and reports an error at
+    /// the second side if they differ.
     pub(super) fn same(&mut self, a: &Expr, b: &Expr, op_span: Span, verb: &str) -> bool {
         self.check_turns(&a.ty, &b.ty, b.span, Some(a.span));
         self.check_bare_angle(a, b);
@@ -32,7 +33,7 @@ impl Checker<'_> {
                     Diagnostic::error("E0401", message, b.span, format!("this is {y}: {}", self.factors(b)))
                         .label(a.span, format!("this is {x}: {}", self.factors(a)));
                 let diagnostic = self.origins(diagnostic, &[a, b]);
-                // A side without a unit is the likelier one to lack something.
+                // A side without a unit more likely lacks a factor.
                 let pure = |ty: &Type| match self.store.resolve(ty) {
                     Type::Number(dim) => dim.as_known().is_some_and(Dimension::is_none),
                     _ => false,
@@ -103,7 +104,8 @@ impl Checker<'_> {
         self.report(diagnostic);
     }
 
-    /// The factors of a product with their dimensions: `torque [Moment] / radius [Length] = Force`.
+    /// Returns the factors of a product with their dimensions: `torque [Moment] / radius [Length] =
+    /// Force`.
     fn factors(&self, e: &Expr) -> String {
         let mut parts = Vec::new();
         self.collect_factors(e, true, &mut parts);
@@ -143,7 +145,7 @@ impl Checker<'_> {
         }
     }
 
-    /// Labels where the variables and params in the given expressions were declared.
+    /// Labels the declarations of the variables and params in the given expressions.
     fn origins(&self, mut diagnostic: Diagnostic, sides: &[&Expr]) -> Diagnostic {
         let mut seen = Vec::new();
         for side in sides {
@@ -168,8 +170,8 @@ impl Checker<'_> {
         diagnostic
     }
 
-    /// What the second must be multiplied or divided by to have the dimension of the first, where that is something a
-    /// model has: a factor that is a product of many dimensions helps nobody.
+    /// Describes the factor between two dimensions: multiply or divide by a common quantity if
+    /// possible, otherwise the product of base dimensions.
     fn missing_factor(&self, wanted: &Type, got: &Type) -> Option<String> {
         let known = |ty: &Type| match self.store.resolve(ty) {
             Type::Number(dim) | Type::Vector(dim) | Type::Observable(dim) => dim.as_known(),
@@ -193,6 +195,6 @@ impl Checker<'_> {
     }
 }
 
-/// Dimensions that are forgotten as factors.
+/// Dimensions that are often forgotten as factors.
 const FACTORS: &[&str] =
     &["Length", "Area", "Volume", "Time", "Mass", "Force", "Velocity", "AngularVelocity", "Temperature"];

@@ -1,10 +1,12 @@
-//! From syntax trees to a typed program: names, types, dimensions, then control flow.
+//! The checker: converts syntax trees to a typed program. It resolves names, infers types and
+//! dimensions, and checks control flow.
 //!
-//! What is checked at once is a unit ([`mod@unit`]), in an excerpt of the program ([`excerpt`]): names are resolved
-//! ([`names`]), types and dimensions inferred ([`infer`] and its neighbours) into a typed tree ([`tree`]), and what only
-//! the flow of control shows is checked ([`flow`]). Callers know a function by its interface ([`interface`]). The units of
-//! a program are then lowered to the typed program ([`mod@lower`]). Which units there are and when they are checked again is
-//! the database's affair ([`crate::db`]).
+//! The checker works on one unit at a time ([`mod@unit`]), in an excerpt of the program
+//! ([`excerpt`]). It resolves names ([`names`]), infers types and dimensions ([`infer`] and related
+//! modules), and builds a typed tree ([`tree`]); control-flow checks follow ([`flow`]). Callers
+//! depend only on the interface of a function ([`interface`]). Finally, the units of a program are
+//! lowered to the typed program ([`mod@lower`]). The database ([`crate::db`]) determines the units
+//! and when they are checked again.
 
 mod annotate;
 mod argument_help;
@@ -73,48 +75,48 @@ use crate::units::UnitSystem;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-/// Finds modules. `import gears.helical;` asks for `["gears", "helical"]`.
+/// Loads modules. `import gears.helical;` requests `["gears", "helical"]`.
 pub trait Loader {
-    /// Name shown to people and text of a module.
+    /// Returns the display name and the text of a module.
     fn module(&self, path: &[String]) -> Option<(String, String)>;
-    /// Reason for not reading a module whose file exists, such as a symbolic link that leads out of the
-    /// model's folder.
+    /// Returns the reason why an existing module file cannot be read, such as a symbolic link that
+    /// leads out of the model's folder.
     fn refusal(&self, _path: &[String]) -> Option<String> {
         None
     }
-    /// Name and text of the module every program sees.
+    /// Returns the name and the text of the module that every program imports.
     fn prelude(&self) -> (String, String);
-    /// Modules there are, for suggestions.
+    /// Returns the available modules, for suggestions.
     fn names(&self) -> Vec<String> {
         Vec::new()
     }
 }
 
-/// What checking a model gives.
+/// The result of checking a model.
 #[derive(Clone, Debug, Default)]
 pub struct Checked {
-    /// `None` if there are errors.
+    /// The typed program; `None` if there are errors.
     pub program: Option<Program>,
-    /// In order of file and place.
+    /// Diagnostics in order of file and position.
     pub diagnostics: Vec<Diagnostic>,
-    /// By [`FileId`]; there even if checking failed.
+    /// Files by [`FileId`], also if checking failed.
     pub files: Vec<SourceFile>,
-    /// Types of the model's top-level variables, params, outputs and functions as shown to people.
+    /// Types of the model's top-level variables, params, outputs and functions, as displayed.
     pub types: BTreeMap<String, String>,
 }
 
 /// A parsed file.
 pub struct ModuleData {
-    /// As imported: `gears.helical`; empty for the model, `prelude` for the prelude.
+    /// Name as imported: `gears.helical`; empty for the model, `prelude` for the prelude.
     pub name: String,
     pub file: FileId,
     pub text: String,
     pub tree: Module,
-    /// `units ...;` if the file has it.
+    /// The system of `units ...;`, if the file has it.
     pub system: Option<UnitSystem>,
 }
 
-/// Checks a model and everything it imports. `name` is the model's file as shown to people.
+/// Checks a model and everything that it imports. `name` is the display name of the model's file.
 pub fn check_program(name: &str, text: &str, loader: &dyn Loader) -> Checked {
     let mut database = Database::new(loader);
     database.set_model(name, text);

@@ -1,7 +1,7 @@
-//! Names: what every identifier of the program stands for.
+//! Name resolution: determines the meaning of every identifier.
 //!
-//! Runs before types are inferred, so that a misspelt name is reported whatever its type might have been.
-//! Functions are visible in their whole block, variables from their declaration on.
+//! It precedes type inference, so that a misspelt name is reported regardless of its type.
+//! Functions are visible in their whole block, variables after their declaration.
 
 mod ambiguous;
 mod uses;
@@ -28,7 +28,7 @@ struct Resolver<'a> {
     around: &'a dyn Surroundings,
     /// Functions and externs by module and name.
     exports: Vec<HashMap<String, (Res, Span)>>,
-    /// Names of each module that importers do not see.
+    /// Names of each module that are private.
     private: Vec<HashSet<&'a str>>,
     scopes: Vec<Scope>,
     function: FuncId,
@@ -68,7 +68,8 @@ pub fn resolve<'a>(modules: &'a [ModuleData], around: &'a dyn Surroundings) -> N
         let hidden = module.tree.statements.iter().filter(|statement| statement.private);
         resolver.private.push(hidden.filter_map(item_name).map(|name| name.name.as_str()).collect());
     }
-    // Modules first: a model's diagnostics then never depend on how far its modules were read.
+    // Modules first, so that a model's diagnostics do not depend on the order in which modules are
+    // resolved.
     for index in (0..modules.len()).rev() {
         resolver.module(index);
     }
@@ -158,7 +159,7 @@ impl<'a> Resolver<'a> {
         self.names.diagnostics.push(diagnostic);
     }
 
-    /// Declares the functions, constants and so on of a block before anything else in it.
+    /// Declares the functions, constants and other hoisted names of a block before its statements.
     fn declare_functions(&mut self, statements: &'a [Stmt]) {
         for statement in statements {
             let mut names = self.scopes.pop().unwrap_or_default().names;
@@ -202,7 +203,7 @@ impl<'a> Resolver<'a> {
     ) {
         let name = &decl.name;
         let res = if matches!(decl.body, FunctionBody::Extern { .. }) {
-            // The prelude's functions are the standard ones, without a module name in the program.
+            // Programs use the functions of the prelude without a module name.
             let (shown, prefix) = match module {
                 "" | "prelude" => (name.name.clone(), "std".to_string()),
                 _ => (format!("{module}.{}", name.name), module.replace('.', "_")),
@@ -230,8 +231,8 @@ impl<'a> Resolver<'a> {
         self.insert(names, name, res);
     }
 
-    /// Enters a name into a block, reporting a reserved or taken one.
-    /// False if it could not.
+    /// Declares a name in a block. Returns `false` and reports an error if the name is reserved or
+    /// already declared.
     fn insert(&mut self, names: &mut HashMap<String, (Res, Span)>, name: &Ident, res: Res) -> bool {
         if builtins::constant(&name.name).is_some() {
             self.report(
@@ -279,7 +280,7 @@ impl<'a> Resolver<'a> {
             reads: 0,
         });
         if !self.declare(name, Res::Var(id)) {
-            // Nothing can name it, and that has been reported.
+            // The variable cannot be used, which has already been reported.
             self.names.variables[id.0 as usize].reads = 1;
         }
         id
@@ -325,7 +326,7 @@ impl<'a> Resolver<'a> {
                     Some(Domain::Choices { values, .. }) => values.iter().for_each(|e| self.expr(e)),
                     None => {}
                 }
-                // Inside a block it is out of place, which the parser has reported.
+                // Not allowed inside a block; already reported by the parser.
                 if !top {
                     return;
                 }
@@ -335,7 +336,7 @@ impl<'a> Resolver<'a> {
             }
             StmtKind::Output { name, value } => {
                 self.expr(value);
-                // Inside a block it is out of place, which the parser has reported.
+                // Not allowed inside a block; already reported by the parser.
                 if !top {
                     return;
                 }
@@ -407,7 +408,7 @@ impl<'a> Resolver<'a> {
         }
     }
 
-    /// A statement that is a block of its own even without braces.
+    /// Resolves a statement that is a block even without braces.
     fn nested(&mut self, statement: &'a Stmt) {
         self.scoped(|r| {
             r.declare_functions(std::slice::from_ref(statement));
@@ -422,7 +423,7 @@ impl<'a> Resolver<'a> {
             Some(index) => {
                 self.declare(last, Res::Module(index as u32));
             }
-            // The loader has reported it.
+            // Already reported by the loader.
             None => {
                 self.declare(last, Res::Unknown);
                 self.meant_module(&name, last);
@@ -430,7 +431,8 @@ impl<'a> Resolver<'a> {
         };
     }
 
-    /// Where a module's name is misspelt in its import only, its right name is used everywhere else: one error is enough.
+    /// If a module's name is misspelt only in its import, the correct name is used elsewhere.
+    /// Declares it so that only one error is reported.
     fn meant_module(&mut self, name: &str, declared: &Ident) {
         let known = self.around.modules();
         let Some(near) = similar(name, known.iter().map(String::as_str)) else { return };
@@ -441,7 +443,7 @@ impl<'a> Resolver<'a> {
         }
     }
 
-    /// Nothing hands anything to a test, or takes what it gives.
+    /// Rejects parameters and a result of a test function.
     fn test(&mut self, decl: &FunctionDecl) {
         let place = match (decl.parameters.first(), &decl.result) {
             (Some(parameter), _) => parameter.name.span,
@@ -460,7 +462,7 @@ impl<'a> Resolver<'a> {
         );
     }
 
-    /// What the model runs is not run before a test, so its variables have no values there.
+    /// Rejects variables of the model in tests, which run without the model's top level.
     fn refuse_in_test(&mut self, name: &Ident, id: VarId) {
         let variable = &self.names.variables[id.0 as usize];
         let (owner, declared) = (variable.owner, variable.span);
@@ -500,7 +502,7 @@ impl<'a> Resolver<'a> {
         }
         let id = match self.names.uses.get(&decl.name.span) {
             Some(Res::Function(id)) => *id,
-            // An extern function has no body. Its parameters' names must still differ.
+            // An extern function has no body, but the names of its parameters must differ.
             _ => {
                 let mut seen = HashSet::new();
                 for parameter in &decl.parameters {
@@ -518,13 +520,14 @@ impl<'a> Resolver<'a> {
                     && matches!(decl.body, FunctionBody::Statement(_));
                 let kind = if symbolic { VarKind::Symbolic } else { VarKind::Parameter(parameter.mode) };
                 let variable = r.variable(&parameter.name, kind);
-                // A parameter need not be used.
+                // Unused parameters are allowed.
                 r.names.variables[variable.0 as usize].reads = 1;
                 r.names.functions[id.0 as usize].parameters.push(variable);
             }
             match &decl.body {
                 FunctionBody::Statement(body) => match &body.kind {
-                    // Parameters and body share one block: a parameter cannot be declared again.
+                    // Parameters and body share one block, so the body cannot declare a parameter
+                    // again.
                     StmtKind::Block(statements) => {
                         r.declare_functions(statements);
                         statements.iter().for_each(|s| r.statement(s, false));
@@ -545,7 +548,7 @@ impl<'a> Resolver<'a> {
         );
     }
 
-    /// The target of an assignment: naming it is no use of it.
+    /// Resolves the target of an assignment, which does not count as a use of the variable.
     fn place(&mut self, place: &'a Expr) {
         match &place.kind {
             ExprKind::Name(name) => {
@@ -571,7 +574,7 @@ impl<'a> Resolver<'a> {
     }
 }
 
-/// The name of a declaration that a module can hold.
+/// Returns the declared name of a module-level declaration.
 fn item_name(statement: &Stmt) -> Option<&Ident> {
     match &statement.kind {
         StmtKind::Function(decl) => Some(&decl.name),

@@ -1,4 +1,4 @@
-//! What may be written instead: changes that a diagnostic offers beside its help.
+//! Suggested changes that a diagnostic offers in addition to its help.
 
 use super::infer::Checker;
 use super::tree::{Expr, Kind};
@@ -6,11 +6,11 @@ use super::types::Type;
 use crate::diagnostic::Diagnostic;
 use crate::usual_units::{usual, written};
 
-/// Units offered for one literal.
+/// Limit of the units offered for a literal.
 const MOST_UNITS: usize = 4;
 
 impl Checker<'_> {
-    /// Offers units of the dimension that is wanted, where a literal without unit or with another one is to blame.
+    /// Offers units of the required dimension if a literal has no unit or the wrong one.
     pub(super) fn with_units(&self, mut diagnostic: Diagnostic, wanted: &Type, found: &Expr) -> Diagnostic {
         let known = |ty: &Type| match self.store.resolve(ty) {
             Type::Number(dim) | Type::Vector(dim) => dim.as_known(),
@@ -25,7 +25,8 @@ impl Checker<'_> {
         });
         let literals: Vec<_> = literals.collect();
         let [(span, (number, unit))] = literals.as_slice() else { return diagnostic };
-        // A unit of its own says something even if it is a wrong one; beside other factors it stays.
+        // The wrong unit of a single literal can be replaced; next to other factors it may be
+        // intended.
         if !unit.is_empty() && factors.len() > 1 {
             return diagnostic;
         }
@@ -42,7 +43,7 @@ impl Checker<'_> {
         };
         for unit in units.iter().take(MOST_UNITS) {
             let quantity = written(number, &unit.name);
-            // A product of units binds as tightly as the factors beside it.
+            // A product of units next to other factors needs parentheses.
             let quantity = match factors.len() > 1 && quantity.contains(['*', '/']) {
                 true => format!("({quantity})"),
                 false => quantity,
@@ -52,7 +53,7 @@ impl Checker<'_> {
         diagnostic
     }
 
-    /// Offers to put two sides of a sum into one text.
+    /// Offers to combine two sides of a sum into one string.
     pub(super) fn as_text(&self, diagnostic: Diagnostic, a: &Expr, b: &Expr) -> Diagnostic {
         let part = |e: &Expr| {
             let text = self.text(e.span);
@@ -70,7 +71,7 @@ impl Checker<'_> {
         }
     }
 
-    /// Offers what makes a value of another type one of the type that is wanted.
+    /// Offers conversions of a value to the required type.
     pub(super) fn converted(
         &self,
         diagnostic: Diagnostic,
@@ -109,7 +110,7 @@ impl Checker<'_> {
     }
 }
 
-/// Number and unit of a literal as written; the unit is empty where there is none.
+/// Splits a literal into number and unit; the unit may be empty.
 fn split_literal(text: &str) -> Option<(&str, &str)> {
     let number = |c: char| c.is_ascii_digit() || c == '.';
     let mut end = text.find(|c| !number(c)).unwrap_or(text.len());

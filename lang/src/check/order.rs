@@ -1,21 +1,21 @@
-//! Declarations in the order of their dependence.
+//! Orders declarations by their dependences.
 //!
-//! Constants, records, dimensions and units are computed when they are first named. A long chain of them, each named
-//! before it is declared, would otherwise be as deep a recursion.
+//! Constants, records, dimensions and units are computed on first use. In source order, a long
+//! chain of declarations, each using a later one, would cause deep recursion.
 
 use super::infer::Checker;
 use super::symbols::Res;
 use crate::components::components;
 use crate::span::Span;
 
-/// Largest number of declarations computed inside one another. In the order of dependence only circular
+/// Limit of the nesting depth of declarations being computed. In dependence order, only circular
 /// declarations reach it.
 pub const MOST_OPEN: usize = 100;
 
 impl Checker<'_> {
-    /// Indices of declarations, each after those that it names; of a circle the first declared comes
-    /// first. `texts` are the places of what they are computed from; `of` selects the uses of
-    /// declarations of this kind.
+    /// Returns the indices of declarations in dependence order: each follows the declarations that
+    /// it uses, and cycles are in source order. `texts` are the source ranges of their values; `of`
+    /// selects the uses of declarations of this kind.
     pub(super) fn by_dependence(&self, texts: &[Span], of: impl Fn(Res) -> Option<u32>) -> Vec<u32> {
         let mut uses: Vec<(Span, u32)> =
             self.names.uses.iter().filter_map(|(span, res)| Some((*span, of(*res)?))).collect();

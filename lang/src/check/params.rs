@@ -1,4 +1,4 @@
-//! Params and outputs: the model's interface.
+//! Checks params and outputs: the interface of the model.
 
 use super::infer::Checker;
 use super::symbols::with_article;
@@ -9,7 +9,7 @@ use crate::diagnostic::Diagnostic;
 use crate::dimension::Dimension;
 
 impl<'a> Checker<'a> {
-    /// Params are set before the program runs, so all of them are checked before it.
+    /// Checks all params first, because they are set before the program runs.
     pub(super) fn declare_params(&mut self) {
         self.constant_place = Some("a param's default");
         for (decl, doc) in self.names.params.clone() {
@@ -76,7 +76,7 @@ impl<'a> Checker<'a> {
         self.constant_place = None;
     }
 
-    /// Once types are known: what kind of value each param is, and its unit.
+    /// Determines the type and the unit of each param, once types are known.
     pub(super) fn finish_params(&mut self) {
         for index in 0..self.params.len() {
             let (ty, span) = (self.store.resolve(&self.params[index].ty), self.params[index].span);
@@ -109,12 +109,12 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// The default of a function's parameter, checked where it is declared.
+    /// Checks the default of a function's parameter at the declaration.
     pub(super) fn parameter_default(&mut self, ty: &Type, name: &ast::Ident, default: &'a ast::Expr) {
         let around = self.constant_place.replace("a default");
         let value = self.as_value(|c| c.whole(default));
         self.constant_place = around;
-        // Under a unit system a bare literal has the dimension of each call.
+        // Under a unit system, a literal without a unit has the dimension of each call.
         let open = matches!(self.store.shallow(ty), Type::Unknown(_));
         if !(open && super::expr::is_bare(default) && self.system().is_some()) {
             self.expect(
@@ -126,7 +126,7 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// `output name := value;`
+    /// Checks `output name := value;`.
     pub(super) fn output(&mut self, id: u32, name: &ast::Ident, value: &'a ast::Expr) -> StmtKind {
         let e = self.as_symbolic(|c| c.whole(value));
         let number = self.fresh_number();
@@ -142,7 +142,7 @@ impl<'a> Checker<'a> {
     }
 }
 
-/// A whole number without a unit, perhaps signed.
+/// Returns `true` for an integer without a unit, possibly signed.
 fn is_whole(e: &ast::Expr) -> bool {
     match &e.kind {
         ExprKind::Number(value) => value.fract() == 0.0,

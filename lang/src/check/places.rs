@@ -1,4 +1,4 @@
-//! Places: what can be assigned to or handed back into, and whether two of them are the same.
+//! Places: expressions that can be assigned to, and the detection of aliases among them.
 
 use super::constant;
 use super::infer::{Checker, too_large};
@@ -9,18 +9,18 @@ use crate::ast::{self, ExprKind};
 use crate::diagnostic::Diagnostic;
 use crate::span::Span;
 
-/// Whether two places share something.
+/// The possible overlap of two places.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Overlap {
     Never,
     Always,
-    /// If the indices turn out equal when the program runs.
+    /// The places overlap if their indices are equal at run time.
     Perhaps,
 }
 
 impl<'a> Checker<'a> {
-    /// One place in two out slots would leave open which value it gets.
-    /// Hands back which places only turn out the same or not when the program runs.
+    /// Rejects the same place in several out parameters, because its final value would be
+    /// undefined. Returns the pairs of places that must be compared at run time.
     pub(super) fn distinct_places(&mut self, places: &[Place]) -> Vec<(usize, usize)> {
         let mut perhaps = Vec::new();
         for (index, later) in places.iter().enumerate() {
@@ -49,7 +49,7 @@ impl<'a> Checker<'a> {
         perhaps
     }
 
-    /// Whether a value stored in one place changes what the other holds.
+    /// Determines whether storing a value in one place changes the value of the other.
     pub(super) fn overlap(&self, a: &Place, b: &Place) -> Overlap {
         if a.variable != b.variable {
             return Overlap::Never;
@@ -59,7 +59,7 @@ impl<'a> Checker<'a> {
             match pair {
                 (Step::Element(i), Step::Element(j)) if i == j => {}
                 (Step::Field(_, a), Step::Field(_, b)) if a == b => {}
-                // A field that is not known yet and one that is.
+                // One field is resolved, the other is not yet.
                 (Step::Field(..), Step::Element(_)) | (Step::Element(_), Step::Field(..)) => {
                     found = Overlap::Perhaps;
                 }
@@ -68,7 +68,7 @@ impl<'a> Checker<'a> {
                     match constants {
                         Some((i, j)) if i != j => return Overlap::Never,
                         Some(_) => {}
-                        // Of the same words without a call, the same number comes.
+                        // Equal expressions without calls have equal values.
                         None if self.text(i.span).trim() == self.text(j.span).trim() && !calls(i) => {}
                         None => found = Overlap::Perhaps,
                     }
@@ -79,7 +79,7 @@ impl<'a> Checker<'a> {
         found
     }
 
-    /// Something that can be assigned to.
+    /// Checks an assignment target.
     pub(super) fn place(&mut self, e: &'a ast::Expr) -> Option<Place> {
         match &e.kind {
             ExprKind::Name(name) => match self.names.uses.get(&name.span).copied() {
@@ -154,7 +154,7 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// An element of the array or tuple in a place; `at` is the index if it is a constant.
+    /// Returns an element of the array or tuple in a place; `at` is the index if it is constant.
     fn element_place(
         &mut self,
         mut place: Place,
@@ -217,7 +217,7 @@ impl<'a> Checker<'a> {
         Some(Place { ty, span, ..place })
     }
 
-    /// A field of the record in a place.
+    /// Returns a field of the record in a place.
     fn field_place(&mut self, mut place: Place, field: &ast::Ident, span: Span) -> Option<Place> {
         self.named_fields.push((field.clone(), place.ty.clone()));
         let (step, ty) = match self.store.shallow(&place.ty) {
@@ -256,7 +256,7 @@ impl<'a> Checker<'a> {
         Some(Place { ty, span, ..place })
     }
 
-    /// The `:=` name that a target is, which takes no value.
+    /// Returns the `:=` name of a target; such a name cannot be assigned a value.
     pub(super) fn symbolic_target(&self, e: &ast::Expr) -> Option<VarId> {
         let ExprKind::Name(name) = &e.kind else { return None };
         match self.names.uses.get(&name.span) {
@@ -281,7 +281,7 @@ impl<'a> Checker<'a> {
     }
 }
 
-/// Reading a place.
+/// Returns the expression that reads a place.
 pub(super) fn place_value(place: &Place) -> Kind {
     let variable = Kind::Var(place.variable);
     place.steps.iter().fold(variable, |base, step| {
@@ -298,7 +298,7 @@ pub(super) fn place_value(place: &Place) -> Kind {
     })
 }
 
-/// Whether anything is called.
+/// Returns `true` if an expression contains a call.
 pub(super) fn calls(e: &Expr) -> bool {
     matches!(e.kind, Kind::Call(_) | Kind::CallExtern(..)) || e.children().into_iter().any(calls)
 }

@@ -1,4 +1,4 @@
-//! Records: their fields, how they are made, and how their fields become arguments.
+//! Checks records: their fields, their construction, and the use of their fields as arguments.
 
 use super::extent::{MOST_FIELDS, MOST_NESTED};
 use super::infer::Checker;
@@ -13,7 +13,7 @@ use crate::span::Span;
 use std::collections::{HashMap, HashSet};
 
 impl ast::RecordDecl {
-    /// From the first field to the last.
+    /// Returns the span from the first field to the last.
     fn span_of_fields(&self) -> Span {
         let ends = |field: &ast::RecordField| {
             let value = field.default.as_ref().map(|default| default.span);
@@ -25,7 +25,7 @@ impl ast::RecordDecl {
 }
 
 impl<'a> Checker<'a> {
-    /// Gives the fields of all records the types that annotations and defaults say.
+    /// Sets the types of the fields of all records, from annotations and defaults.
     pub(super) fn declare_records(&mut self) {
         let records = self.names.records.clone();
         for record in &records {
@@ -42,7 +42,7 @@ impl<'a> Checker<'a> {
             if let Some(annotation) = &field.annotation {
                 let annotated = self.in_file(file, |c| c.annotation(annotation, false));
                 if self.store.unify(&self.field_type(id, at), &annotated).is_err() {
-                    // Infinite or too large. `refuse_endless_records` reports the record.
+                    // Infinite or too large, which `refuse_endless_records` reports.
                     self.store.records[id.0 as usize].fields[at].1 = annotated;
                 }
             }
@@ -62,7 +62,7 @@ impl<'a> Checker<'a> {
         self.refuse_endless_records(&order);
     }
 
-    /// Gives the fields of a record the types that their defaults say.
+    /// Sets the types of a record's fields from their defaults.
     fn field_defaults(&mut self, id: RecordId) {
         let (decl, file) = {
             let record = &self.names.records[id.0 as usize];
@@ -87,7 +87,7 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Returns true if some field has a type that only uses determine, such as `x = [];`.
+    /// Returns `true` if the type of some field depends on its uses, such as `x = [];`.
     pub(super) fn has_open_records(&self) -> bool {
         let (mut types, mut dims) = Default::default();
         let fields = self.store.records.iter().flat_map(|record| &record.fields);
@@ -100,8 +100,8 @@ impl<'a> Checker<'a> {
         field.map_or(Type::Error, |(_, ty)| ty.clone())
     }
 
-    /// Reports records that contain themselves, directly or through other records or arrays, and records
-    /// that are too large.
+    /// Reports records that contain themselves, directly or through other records or arrays, and
+    /// records that are too large.
     fn refuse_endless_records(&mut self, order: &[u32]) {
         for id in order.iter().copied().map(RecordId) {
             if self.store.is_bounded(&Type::Record(id)) {
@@ -116,7 +116,7 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Reports a field that makes its record infinite, and leaves it without a type.
+    /// Reports a field that makes its record infinite, and gives the field the error type.
     fn endless_record(&mut self, id: RecordId, at: usize) {
         let decl = self.names.records[id.0 as usize].decl;
         self.report(
@@ -131,7 +131,7 @@ impl<'a> Checker<'a> {
         self.store.records[id.0 as usize].fields[at].1 = Type::Error;
     }
 
-    /// Reports a record with too many parts, and leaves its fields without types.
+    /// Reports a record with too many parts, and gives its fields the error type.
     fn large_record(&mut self, id: RecordId) {
         let name = &self.names.records[id.0 as usize].decl.name;
         self.report(
@@ -146,7 +146,7 @@ impl<'a> Checker<'a> {
         self.store.records[id.0 as usize].fields.iter_mut().for_each(|(_, ty)| *ty = Type::Error);
     }
 
-    /// Returns true if a type contains a record.
+    /// Returns `true` if a type contains a record.
     fn holds(&self, ty: &Type, id: RecordId) -> bool {
         let (mut left, mut seen) = (vec![ty], HashSet::new());
         while let Some(ty) = left.pop() {
@@ -164,7 +164,7 @@ impl<'a> Checker<'a> {
         false
     }
 
-    /// `Name(field = value, ...)`
+    /// Checks `Name(field = value, ...)`.
     pub(super) fn record_call(&mut self, id: RecordId, arguments: &'a [ast::Argument], span: Span) -> Expr {
         let ty = Type::Record(id);
         let (decl, file) = {
@@ -194,11 +194,12 @@ impl<'a> Checker<'a> {
                 (None, _) if fields.contains_key(&field.name.name) => {
                     self.field_argument(&wanted, &field.name, &mut fields, span)
                 }
-                // Made in the default of its own field, so it holds itself, which is reported there.
+                // A record in the default of its own field contains itself, which is reported at
+                // the field.
                 (None, Some(_)) if self.making.contains(&id) || self.making.len() >= MOST_OPEN => {
                     return failed;
                 }
-                // Reported with the field.
+                // Already reported at the field.
                 (None, Some(_)) if matches!(self.store.shallow(&wanted), Type::Error) => Expr::error(span),
                 (None, Some(default)) => {
                     self.making.push(id);
@@ -212,15 +213,15 @@ impl<'a> Checker<'a> {
                     self.making.pop();
                     value
                 }
-                // Reported as missing.
+                // Already reported as missing.
                 (None, None) => Expr::error(span),
             });
         }
         Expr { kind: Kind::Tuple(values), ty, span }
     }
 
-    /// The fields of the records among the arguments (`..r`), by name, without those that are given otherwise. `None`
-    /// if something was reported.
+    /// Returns the fields of spread records (`..r`) by name, except those with an explicit
+    /// argument. Returns `None` if an error was reported.
     pub(super) fn spread(
         &mut self,
         function: &str,
@@ -281,7 +282,7 @@ impl<'a> Checker<'a> {
                     sound = false;
                     continue;
                 };
-                // What is written wins.
+                // An explicit argument takes precedence.
                 let written = arguments.iter().enumerate().any(|(index, other)| match &other.name {
                     Some((given, _)) => given.name == *name,
                     None => !other.spread && index == position,
@@ -311,7 +312,7 @@ impl<'a> Checker<'a> {
         sound.then_some(fields)
     }
 
-    /// A field that stands for an argument.
+    /// Returns a field that is used as an argument.
     pub(super) fn field_argument(
         &mut self,
         ty: &Type,
@@ -328,7 +329,7 @@ impl<'a> Checker<'a> {
         value
     }
 
-    /// The error of a field that is not there.
+    /// Returns the error for a field that does not exist.
     pub(super) fn no_field(&self, ty: &Type, field: &str, span: Span) -> Diagnostic {
         let shown = with_article(&self.store.show(ty));
         let diagnostic =

@@ -1,12 +1,13 @@
-//! The rules of type inference by name, and a record of those that a check applied.
+//! Names of the type inference rules, and a record of the rules that a check applied.
 //!
-//! The record is for the language corpus, which must exercise every rule (`tests/language/COVERAGE.md`). It is kept per
-//! thread, and only with the feature `rule-record`; without it recording is nothing.
+//! The language corpus uses the record, because it must apply every rule
+//! (`tests/language/COVERAGE.md`). The record is per thread and requires the feature `rule-record`;
+//! otherwise recording does nothing.
 
 use super::tree::ConstraintKind;
 use super::types::{Mismatch, Type};
 
-/// Declares the rules with a sentence for each.
+/// Declares the rules with a sentence each.
 macro_rules! rules {
     ($($name:ident $text:literal)*) => {
         /// A rule of type inference.
@@ -19,7 +20,7 @@ macro_rules! rules {
             /// All rules, in order.
             pub const ALL: &[Rule] = &[$(Rule::$name),*];
 
-            /// What the rule says.
+            /// Returns the sentence that describes the rule.
             pub fn text(self) -> &'static str {
                 match self {
                     $(Rule::$name => $text,)*
@@ -119,7 +120,7 @@ mod record {
         APPLIED.with_borrow_mut(|rules| rules.insert(rule));
     }
 
-    /// The rules applied on this thread since it was last asked.
+    /// Returns the rules applied on this thread since the last call.
     pub fn take() -> BTreeSet<Rule> {
         APPLIED.take()
     }
@@ -135,8 +136,8 @@ pub(super) use record::applied;
 #[cfg(feature = "rule-record")]
 pub use record::take;
 
-/// Notes what became of a constraint: `Some(true)` solved, `Some(false)` refused, `None` still open. `shallow` shows
-/// as much of a type as is known.
+/// Records the result of a constraint: `Some(true)` solved, `Some(false)` failed, `None` still
+/// open. `shallow` returns the known outermost constructor of a type.
 pub(super) fn constraint(kind: &ConstraintKind, solved: Option<bool>, shallow: impl Fn(&Type) -> Type) {
     use ConstraintKind::{
         Additive, Comparable, Divide, Field, Index, Multiply, Printable, Styled, Throwable,
@@ -217,7 +218,7 @@ pub(super) fn constraint(kind: &ConstraintKind, solved: Option<bool>, shallow: i
     rule.into_iter().for_each(applied);
 }
 
-/// Notes how two types, as far as known before, were made one.
+/// Records the unification of two types, given as they were known before.
 pub(super) fn unified(a: &Type, b: &Type, result: &Result<(), Mismatch>) {
     use Rule::*;
     let rule = match (result, a, b) {
@@ -231,7 +232,7 @@ pub(super) fn unified(a: &Type, b: &Type, result: &Result<(), Mismatch>) {
         (Ok(()), Type::Observable(_), _) => UnifyObservables,
         (Ok(()), Type::Array(_), _) => UnifyArrays,
         (Ok(()), Type::Tuple(_), _) => UnifyTuples,
-        // Only parameters have such a type, and no two of them are made one.
+        // Only parameters have such types, and parameters are not unified with each other.
         (Ok(()), Type::Symbolic(_), _) => return,
         (
             Ok(()),

@@ -1,6 +1,7 @@
-//! Type schemes of functions as shown to people: `(in a: T, in b: U) -> V where T*U = V`.
+//! Display of type schemes: `(in a: T, in b: U) -> V where T*U = V`.
 //!
-//! What a scheme leaves open has letters, in the order met: `T U V ...` types, `a b c ...` dimensions.
+//! Quantified variables get letters in order of occurrence: `T U V ...` for types, `a b c ...` for
+//! dimensions.
 
 use super::dim::{Dim, DimVar};
 use super::infer::Checker;
@@ -10,15 +11,15 @@ use crate::ast::Mode;
 use crate::dimension::Rational;
 use std::fmt::{self, Display, Formatter};
 
-/// The scheme of a function in words.
+/// The displayed scheme of a function.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Shown {
     pub name: String,
     /// Mode, name and type of each parameter.
     pub parameters: Vec<(Mode, String, String)>,
-    /// `None` if it gives nothing.
+    /// Result type; `None` if there is no result.
     pub result: Option<String>,
-    /// What else is demanded of the types.
+    /// Further requirements on the types.
     pub demands: Vec<String>,
 }
 
@@ -44,7 +45,7 @@ impl Display for Shown {
 }
 
 impl Checker<'_> {
-    /// The scheme of a function; `None` for the top level.
+    /// Returns the scheme of a function; `None` for the top level.
     pub(super) fn shown_scheme(&self, id: FuncId) -> Option<Shown> {
         let (function, signature) = (self.names.functions.get(id.0 as usize)?, self.signatures.get(&id)?);
         let mut letters = Letters { store: &self.store, types: Vec::new(), dims: Vec::new() };
@@ -65,7 +66,7 @@ impl Checker<'_> {
     }
 }
 
-/// The unknowns met so far; their places are their letters.
+/// The variables in order of occurrence; the position determines the letter.
 struct Letters<'s> {
     store: &'s Store,
     types: Vec<TypeVar>,
@@ -137,7 +138,7 @@ impl Letters<'_> {
     }
 }
 
-/// The letter of an unknown, numbered where the alphabet ends.
+/// Returns the letter of a variable, with a number after the end of the alphabet.
 fn letter<V: PartialEq>(met: &mut Vec<V>, variable: V, alphabet: &[&str]) -> String {
     let place = met.iter().position(|other| *other == variable).unwrap_or_else(|| {
         met.push(variable);

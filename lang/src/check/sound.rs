@@ -1,4 +1,4 @@
-//! Functions that can be checked for their flow of control although the program has errors elsewhere.
+//! Finds functions whose control flow can be checked although the program has errors elsewhere.
 
 use super::infer::Checker;
 use super::tree::FuncId;
@@ -7,7 +7,7 @@ use crate::diagnostic::{Diagnostic, Severity};
 use crate::span::{FileId, Span};
 
 impl Checker<'_> {
-    /// Functions of the model's own file in whose text nothing is wrong, with that text.
+    /// Returns the functions of the model's own file whose text has no errors, with that text.
     pub fn sound_functions(&self, diagnostics: &[Diagnostic]) -> Vec<(FuncId, Span)> {
         let functions = self.names.functions.iter().enumerate().skip(1);
         let texts = functions.filter_map(|(index, info)| {

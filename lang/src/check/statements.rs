@@ -1,4 +1,4 @@
-//! Statements: from syntax to typed tree.
+//! Checks statements: converts syntax to the typed tree.
 
 use super::builtins::Builtin;
 use super::constant;
@@ -41,7 +41,7 @@ impl<'a> Checker<'a> {
             | Ast::Error
             | Ast::Import(_)
             | Ast::Param(_)
-            // Declared before anything else.
+            // Already declared, before the other statements.
             | Ast::Const { .. }
             | Ast::Record(_)
             | Ast::Dimension { .. }
@@ -188,7 +188,7 @@ impl<'a> Checker<'a> {
         condition
     }
 
-    /// The condition of the loop that is the innermost region.
+    /// Checks the condition of the loop that is the innermost region.
     fn loop_condition(&mut self, e: &'a ast::Expr) -> Expr {
         let condition = self.condition(e);
         self.dependence.decides(&condition);
@@ -196,20 +196,20 @@ impl<'a> Checker<'a> {
         condition
     }
 
-    /// Notes what depends on the evaluation of an expression.
+    /// Records the dependences of the evaluation of an expression.
     pub(super) fn note_evaluated(&mut self, e: &Expr) {
         let variables = &self.names.variables;
         self.dependence.evaluated(e, &|id| variables[id.0 as usize].owner);
     }
 
-    /// Notes what the new value of a place depends on.
+    /// Records the dependences of a value assigned to a place.
     fn assigned(&mut self, place: &Place, value: &Expr) {
         self.note_circular(place.variable, value);
         let owner = self.variable(place.variable).owner;
         self.dependence.assigned(place, owner, value);
     }
 
-    /// A whole value that is stored or returned.
+    /// Checks a complete value that is stored or returned.
     fn stored(&mut self, e: &'a ast::Expr) -> Expr {
         let value = self.whole(e);
         if matches!(self.store.shallow(&value.ty), Type::Unit) {
@@ -264,7 +264,7 @@ impl<'a> Checker<'a> {
             ExprKind::Name(_) | ExprKind::Index { .. } | ExprKind::Field { .. } | ExprKind::Paren(_) => {
                 self.place(place)
             }
-            // The parser has reported it.
+            // Already reported by the parser.
             _ => None,
         };
         let value = self.stored(value);
@@ -331,7 +331,7 @@ impl<'a> Checker<'a> {
                 "computed for nothing",
             )
             .help("assign it to a variable, or remove it");
-            // `a == b;` was meant to assign.
+            // `a == b;` was probably intended as an assignment.
             let problem = match &e.kind {
                 ExprKind::Binary { op: BinaryOp::Equal, op_span, left, .. } if may_be_place(left) => {
                     problem.suggest("assign with `=`", *op_span, "=")
@@ -437,8 +437,8 @@ impl<'a> Checker<'a> {
     }
 }
 
-/// Reports whether a statement has others inside it. Its own expressions are noted where these are
-/// checked.
+/// Returns `true` if a statement contains other statements. Its own expressions are recorded where
+/// they are checked.
 fn has_parts(kind: &StmtKind) -> bool {
     use StmtKind::*;
     matches!(

@@ -1,8 +1,9 @@
-//! `:=`: expressions that stay symbolic, what they capture, and where they may be used.
+//! Symbolic expressions (`:=`): their definitions and captures, and checks of their uses.
 //!
-//! A `:=` is split into a symbolic part over `Time`, params and other `:=` names, and the values it takes when its
-//! binding executes. Those values go into hidden variables, so that an expression that uses the name later fuses
-//! with it and still sees the values of the binding.
+//! A `:=` is split into a symbolic part, an expression in `Time`, params and other `:=` names, and
+//! the values that it captures when its binding executes. The captured values are stored in hidden
+//! variables. A later expression that uses the name therefore inlines its symbolic part and still
+//! uses the values of the binding.
 
 use super::axes::has_symbols;
 use super::dependence::Question;
@@ -19,7 +20,8 @@ use std::collections::{BTreeSet, HashMap};
 /// A definition under construction.
 struct Builder {
     name: String,
-    /// The symbolic function whose body this is: it has symbols for arguments and captures nothing.
+    /// The symbolic function whose body this is. Its arguments are symbols, and it captures
+    /// nothing.
     function: Option<FuncId>,
     captures: Vec<(VarId, Expr)>,
     /// Variables already captured.
@@ -37,7 +39,7 @@ impl<'a> Checker<'a> {
         )
     }
 
-    /// A use of a `:=` name.
+    /// Checks a use of a `:=` name.
     pub(super) fn symbolic_name(&mut self, id: VarId, span: Span) -> Expr {
         let (name, declared, owner) = {
             let variable = self.variable(id);
@@ -77,7 +79,7 @@ impl<'a> Checker<'a> {
         self.evaluated(def, span)
     }
 
-    /// The value of a definition that does not depend on time.
+    /// Returns the value of a definition that does not depend on time.
     fn evaluated(&mut self, def: DefId, span: Span) -> Expr {
         let found = &self.defs[def.0 as usize];
         let (ty, name, bound) = (found.expr.ty.clone(), found.name.clone(), found.span);
@@ -104,14 +106,14 @@ impl<'a> Checker<'a> {
         Expr { kind: Kind::Eval(def, None), ty, span }
     }
 
-    /// The value, now, of an expression checked as a symbolic one.
+    /// Returns the current value of an expression that was checked as symbolic.
     pub(super) fn evaluate_now(&mut self, e: Expr, name: &str) -> Expr {
         let span = e.span;
         let def = self.make_def(name, e, span);
         self.evaluated(def, span)
     }
 
-    /// `derivative(e, s)`.
+    /// Checks `derivative(e, s)`.
     pub(super) fn derivative(&mut self, arguments: &'a [ast::Argument], span: Span) -> Expr {
         let Some([e, by]) = self.plain("derivative", arguments, span, ["e", "s"]) else {
             return Expr::error(span);
@@ -123,7 +125,7 @@ impl<'a> Checker<'a> {
         if self.symbolic { result } else { self.evaluate_now(result, "derivative") }
     }
 
-    /// What an expression is differentiated by, as written.
+    /// Returns the symbol of a derivative as written.
     fn derivative_symbol(&mut self, by: &'a ast::Expr) -> Option<(Sym, Dim)> {
         let mut name = by;
         while let ExprKind::Paren(inner) = &name.kind {
@@ -144,7 +146,7 @@ impl<'a> Checker<'a> {
         None
     }
 
-    /// The type of something divided by a number, brackets element by element.
+    /// Returns the type of a quotient by a number, element by element for brackets.
     fn quotient(&mut self, ty: &Type, by: &Type, span: Span) -> Type {
         match self.store.shallow(ty) {
             Type::Array(element) => Type::array(self.quotient(&element, by, span)),
@@ -174,7 +176,8 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// `gradient(e, [p, q])`: brackets of the derivatives, a tuple where their dimensions differ.
+    /// Checks `gradient(e, [p, q])`, which returns the derivatives in brackets: a tuple if their
+    /// dimensions differ.
     pub(super) fn gradient(&mut self, arguments: &'a [ast::Argument], span: Span) -> Expr {
         let Some([e, by]) = self.plain("gradient", arguments, span, ["e", "symbols"]) else {
             return Expr::error(span);
@@ -209,7 +212,7 @@ impl<'a> Checker<'a> {
             Type::Tuple(types)
         } else {
             let element = self.store.fresh();
-            // Nothing is known to differ, so this cannot fail.
+            // The types do not differ, so unification cannot fail.
             types.iter().for_each(|ty| self.store.unify(&element, ty).unwrap_or_default());
             Type::array(element)
         };
@@ -219,7 +222,7 @@ impl<'a> Checker<'a> {
 
     // Binding.
 
-    /// `name := value`, in a declaration or an assignment.
+    /// Checks `name := value` in a declaration or an assignment.
     pub(super) fn bind(&mut self, id: VarId, value: &'a ast::Expr) -> StmtKind {
         let name = self.variable(id).name.clone();
         let e = self.as_symbolic(|c| c.whole(value));
@@ -240,7 +243,7 @@ impl<'a> Checker<'a> {
         self.make_def_in(name, e, span, None)
     }
 
-    /// The same for the body of a symbolic function, if one is given.
+    /// Splits the body of a symbolic function, if one is given; otherwise as [`Self::make_def`].
     pub(super) fn make_def_in(&mut self, name: &str, e: Expr, span: Span, function: Option<FuncId>) -> DefId {
         let mut builder = Builder {
             name: name.into(),
@@ -327,7 +330,8 @@ impl<'a> Checker<'a> {
                     Type::String | Type::Array(_) | Type::Tuple(_) | Type::Record(_)
                 );
                 if comparison && of_values {
-                    // Strings and arrays never depend on time; their comparison is a captured truth value.
+                    // Strings and arrays never depend on time, so their comparison is a captured
+                    // truth value.
                     return self.capture(Expr { kind: Kind::Binary(op, a, b), ty, span }, to);
                 }
                 Kind::Binary(op, self.split_box(a, to), self.split_box(b, to))
@@ -349,7 +353,7 @@ impl<'a> Checker<'a> {
                 }
                 Kind::At(inner, sym, self.split_box(at, to))
             }
-            // Checked when its value is taken.
+            // The captured axis is checked when its value is captured.
             Kind::UnitAxis(inner) if to.function.is_none() && !has_symbols(&inner) => {
                 return self.capture(Expr { kind: Kind::UnitAxis(inner), ty, span }, to);
             }
@@ -364,7 +368,7 @@ impl<'a> Checker<'a> {
         Expr { kind, ty, span }
     }
 
-    /// Splits what is differentiated, and notes by what.
+    /// Splits a differentiated expression, and records its symbols.
     fn differentiated(&mut self, inner: Box<Expr>, by: &[Sym], to: &mut Builder, span: Span) -> Box<Expr> {
         let observed = std::mem::replace(&mut to.observes, false);
         let inner = self.split_box(inner, to);
@@ -407,7 +411,7 @@ impl<'a> Checker<'a> {
         }
         let name = match value.kind {
             Kind::Var(id) | Kind::Chosen(id) => self.variable(id).name.clone(),
-            // As it is written, where that is short: it names the captured value in results and messages.
+            // A short source text is the name of the captured value in results and messages.
             _ => match self.text(span) {
                 text if text.len() <= 40 && !text.is_empty() && !text.contains('\n') => text.to_string(),
                 _ => to.name.clone(),
@@ -428,8 +432,8 @@ impl<'a> Checker<'a> {
         Expr { kind: Kind::Var(hidden), ty, span }
     }
 
-    /// After inference: a definition is a number, a vector or a frame, and params are only differentiated by where
-    /// no captured value depends on them.
+    /// Checks definitions after inference: each must be a number, vector or frame, and derivatives
+    /// with respect to params must not miss captured values that depend on them.
     pub(super) fn finish_definitions(&mut self) {
         for index in 0..self.defs.len() {
             let def = &self.defs[index];
@@ -453,16 +457,16 @@ impl<'a> Checker<'a> {
         }
     }
 
-    // Which definition reaches a use.
+    // Reaching definitions.
 
-    /// Notes the `:=` names that statements bind again after their declaration.
+    /// Finds the `:=` names that statements bind again after their declaration.
     pub(super) fn find_rebound(&mut self, statements: &'a [ast::Stmt]) {
         let mut bound = BTreeSet::new();
         statements.iter().for_each(|s| self.bound_in(s, &mut bound));
         self.rebound.extend(bound);
     }
 
-    /// The `:=` names assigned in a statement (declarations apart).
+    /// Collects the `:=` names assigned in a statement, without declarations.
     pub(super) fn bound_in(&self, statement: &ast::Stmt, bound: &mut BTreeSet<VarId>) {
         use ast::StmtKind::*;
         match &statement.kind {
@@ -493,8 +497,8 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Checks a part of the program that may run any number of times, or be entered in its middle: names bound in it
-    /// have no one definition at its start or after it.
+    /// Checks code that may run repeatedly or be entered in the middle: names bound in it have
+    /// several reaching definitions at its start and after it.
     pub(super) fn repeated<T>(
         &mut self,
         statements: &[&'a ast::Stmt],
@@ -508,7 +512,7 @@ impl<'a> Checker<'a> {
         result
     }
 
-    /// Checks statements that control may reach from any place in others.
+    /// Checks statements that may follow any statement within another one.
     pub(super) fn after_part_of<T>(
         &mut self,
         statement: &'a ast::Stmt,
@@ -520,7 +524,7 @@ impl<'a> Checker<'a> {
         work(self)
     }
 
-    /// A place that control may reach from elsewhere.
+    /// Marks all rebound names at a target of jumps, where several definitions may reach.
     pub(super) fn forget_rebound(&mut self) {
         let rebound: BTreeSet<VarId> = self.rebound.iter().copied().collect();
         self.forget(&rebound);
@@ -534,7 +538,7 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Checks two ways of which the program takes one.
+    /// Checks two alternative branches.
     pub(super) fn either<A, B>(
         &mut self,
         first: impl FnOnce(&mut Self) -> A,

@@ -1,8 +1,10 @@
-//! Symbolic functions, `function p(in u, in th) := e;`: their bodies, calls of them, and brackets in symbolic expressions.
+//! Checks symbolic functions, `function p(in u, in th) := e;`: their bodies and calls, and brackets
+//! in symbolic expressions.
 //!
-//! A symbolic function is an expression with free arguments. Called in a `:=` it fuses with what is around it; called
-//! elsewhere, its kernel is evaluated at once. It has no binding that executes, so it captures no values: it sees its
-//! arguments, `Time`, params, constants and other symbolic functions.
+//! A symbolic function is an expression with free arguments. A call in a `:=` is inlined into the
+//! expression; elsewhere, a call evaluates the function's kernel. The function has no binding that
+//! executes, so it captures no values: its body can use its arguments, `Time`, params, constants
+//! and other symbolic functions.
 
 use super::builtins::Builtin;
 use super::infer::Checker;
@@ -59,7 +61,7 @@ impl<'a> Checker<'a> {
         SymbolicBody { def, exported, doc }
     }
 
-    /// Symbolic functions that need themselves have no expression.
+    /// Rejects recursive symbolic functions, which have no finite expression.
     pub(super) fn check_symbolic_recursion(&mut self, group: &[FuncId]) {
         let recursive = group.len() > 1
             || group.iter().any(|id| self.names.functions[id.0 as usize].callees.contains(id));
@@ -82,7 +84,7 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// A call of a symbolic function.
+    /// Checks a call of a symbolic function.
     pub(super) fn symbolic_call(
         &mut self,
         id: FuncId,
@@ -115,7 +117,7 @@ impl<'a> Checker<'a> {
                     c.expect(ty, &value, "the default", None);
                     value
                 }),
-                // Reported as missing.
+                // Already reported as missing.
                 (None, _) => Expr::error(span),
             };
             values.push(value);
@@ -132,7 +134,7 @@ impl<'a> Checker<'a> {
         if self.symbolic { call } else { self.evaluate_now(call, &name.name) }
     }
 
-    /// Whether a variable is an argument of the symbolic function being checked.
+    /// Returns `true` if a variable is an argument of the current symbolic function.
     pub(super) fn is_argument(&self, id: VarId) -> bool {
         let variable = self.variable(id);
         variable.owner == self.function
@@ -184,8 +186,9 @@ impl<'a> Checker<'a> {
         self.report(diagnostic);
     }
 
-    /// Whether arguments contain `Time`, `:=` names or arguments of the symbolic function around, so that a function
-    /// called with them must become part of the expression.
+    /// Returns `true` if arguments contain `Time`, `:=` names or arguments of the enclosing
+    /// symbolic function. A function that is called with such arguments must be inlined into the
+    /// expression.
     pub(super) fn names_symbols(&self, arguments: &'a [ast::Argument]) -> bool {
         let mut pending: Vec<&ast::Expr> = arguments.iter().map(|argument| &argument.value).collect();
         while let Some(e) = pending.pop() {
@@ -208,7 +211,8 @@ impl<'a> Checker<'a> {
 
     // Brackets.
 
-    /// Whether what is written may give brackets of symbolic expressions (and not the value of an array).
+    /// Returns `true` if the syntax of an expression may denote brackets of symbolic expressions
+    /// (and not the value of an array).
     pub(super) fn names_brackets(&self, e: &ast::Expr) -> bool {
         match &e.kind {
             ExprKind::List(_) => true,
@@ -240,7 +244,7 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Whether a checked expression gives brackets of symbolic expressions.
+    /// Returns `true` if a checked expression has brackets of symbolic expressions as its value.
     pub(super) fn is_brackets(&self, e: &Expr) -> bool {
         match &e.kind {
             Kind::Array(_) | Kind::Tuple(_) | Kind::SymbolicCall(_) | Kind::Gradient(..) => true,
@@ -254,7 +258,7 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Numbers, vectors and frames stay symbolic, and brackets of them.
+    /// Returns `true` for numbers, vectors, frames, and brackets of them, which can stay symbolic.
     pub(super) fn can_stay_symbolic(&self, e: &Expr) -> bool {
         let ty = self.store.resolve(&e.ty);
         is_symbolic_value(&ty)
@@ -262,7 +266,7 @@ impl<'a> Checker<'a> {
     }
 }
 
-/// The expressions in an expression from which its value is made.
+/// Returns the subexpressions from which an expression's value is computed.
 fn parts(e: &ast::Expr) -> Vec<&ast::Expr> {
     match &e.kind {
         ExprKind::Field { base: a, .. } | ExprKind::Unary { operand: a, .. } | ExprKind::Paren(a) => vec![a],

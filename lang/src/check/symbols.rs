@@ -1,4 +1,4 @@
-//! What identifiers can stand for, and the tables that say what each one does.
+//! The meanings of identifiers, and the tables of declarations that they refer to.
 
 use super::builtins::Builtin;
 use super::tree::{FuncId, RecordId, VarId};
@@ -9,7 +9,7 @@ use crate::span::{FileId, Span};
 use crate::units::Unit;
 use std::collections::{BTreeSet, HashMap, HashSet};
 
-/// What an identifier stands for.
+/// The meaning of an identifier.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Res {
     Var(VarId),
@@ -17,25 +17,25 @@ pub enum Res {
     Output(u32),
     Function(FuncId),
     Extern(u32),
-    /// `const`, by index in [`Names::consts`].
+    /// A `const`, by index in [`Names::consts`].
     Const(u32),
     Record(RecordId),
-    /// `dimension`, by index in [`Names::dimensions`].
+    /// A `dimension`, by index in [`Names::dimensions`].
     Dimension(u32),
-    /// `unit`, by index in [`Names::units`].
+    /// A `unit`, by index in [`Names::units`].
     OwnUnit(u32),
     Module(u32),
     Builtin(Builtin),
     Constant(Constant),
     Unit(&'static Unit),
-    /// Not found; reported.
+    /// Not found; already reported.
     Unknown,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Constant {
     Time,
-    /// Basis vector by axis, 0 to 2.
+    /// A basis vector, by axis 0 to 2.
     Basis(u8),
     Number(NumberConstant),
     Bool(bool),
@@ -48,7 +48,7 @@ pub enum NumberConstant {
     NotANumber,
 }
 
-/// How a variable came to be.
+/// The kind of declaration of a variable.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum VarKind {
     /// `var x = ...`
@@ -56,7 +56,7 @@ pub enum VarKind {
     /// `var x := ...`
     Symbolic,
     Parameter(Mode),
-    /// Holds a value captured by a `:=`.
+    /// Contains a value captured by a `:=`.
     Hidden,
 }
 
@@ -71,28 +71,28 @@ pub struct Variable {
 
 #[derive(Clone, Debug)]
 pub struct FunctionInfo<'a> {
-    /// `None` for the model's top level.
+    /// The declaration; `None` for the model's top level.
     pub decl: Option<&'a FunctionDecl>,
     pub name: String,
     pub file: FileId,
     pub parent: Option<FuncId>,
     pub parameters: Vec<VarId>,
-    /// Variables of functions around this one that it names.
+    /// Variables of enclosing functions that it uses.
     pub outer: BTreeSet<VarId>,
-    /// Functions it names.
+    /// Functions that it uses.
     pub callees: BTreeSet<FuncId>,
 }
 
 #[derive(Clone, Debug)]
 pub struct ExternInfo<'a> {
     pub decl: &'a FunctionDecl,
-    /// As the program names it, e.g. `gears.material`.
+    /// Name in the program, such as `gears.material`.
     pub name: String,
     pub symbol: String,
     pub file: FileId,
 }
 
-/// A declaration and the file it stands in.
+/// A declaration and its file.
 #[derive(Clone, Debug)]
 pub struct Declared<T> {
     pub decl: T,
@@ -111,12 +111,12 @@ pub struct DimensionDecl<'a> {
     pub value: Option<&'a TypeExpr>,
 }
 
-/// The result of resolving names.
+/// The result of name resolution.
 #[derive(Default)]
 pub struct Names<'a> {
-    /// The program around, for suggestions.
+    /// The rest of the program, for suggestions.
     pub around: Option<&'a dyn Surroundings>,
-    /// By the identifier's place; declarations too.
+    /// Meanings by the location of the identifier, including declarations.
     pub uses: HashMap<Span, Res>,
     /// Names that are assigned to.
     pub written: HashSet<Span>,
@@ -132,14 +132,15 @@ pub struct Names<'a> {
     pub diagnostics: Vec<Diagnostic>,
 }
 
-/// A word with its indefinite article: `a Length`, `an Angle`.
+/// Returns a word with its indefinite article: `a Length`, `an Angle`.
 pub fn with_article(word: &str) -> String {
-    // Nothing is known of a type shown as `_`. No type's name begins with a vowel that sounds like a consonant.
+    // A type shown as `_` is unknown. No type name starts with a vowel that is pronounced as a
+    // consonant.
     let article = if word.starts_with(['A', 'E', 'I', 'O', 'U']) { "an" } else { "a" };
     format!("{article} {word}")
 }
 
-/// The candidate spelt most like `name`, if one is near enough to be meant.
+/// Returns the candidate with the most similar spelling, if it is similar enough.
 pub fn similar<'s>(name: &str, candidates: impl Iterator<Item = &'s str>) -> Option<String> {
     candidates
         .map(|candidate| (strsim::damerau_levenshtein(name, candidate), candidate))

@@ -1,7 +1,7 @@
-//! The checked program as a tree: names resolved, every expression with its (perhaps still general) type.
+//! The typed tree: names are resolved, and every expression has its type, which may be generic.
 //!
-//! It stands between inference and the typed program: functions are kept once, with their type schemes, and lowered
-//! once per representation.
+//! It is the result of inference and the input of lowering. Each function occurs once, with its
+//! type scheme; lowering instantiates it per representation.
 
 use super::dim::{Dim, DimVar};
 use super::types::{Type, TypeVar};
@@ -16,22 +16,22 @@ use std::collections::BTreeSet;
 pub struct VarId(pub u32);
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct FuncId(pub u32);
-/// A record declared in the program.
+/// The index of a record declared in the program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct RecordId(pub u32);
-/// A `:=` expression: of a name, an argument or an output.
+/// The index of a `:=` expression: of a name, an argument or an output.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct DefId(pub u32);
-/// One use of a function's type scheme.
+/// The index of a use of a function's type scheme.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct UseId(pub u32);
 
-/// What a symbolic expression can be differentiated by.
+/// A symbol with respect to which an expression can be differentiated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Sym {
     Time,
     Param(u32),
-    /// A parameter of the symbolic function around.
+    /// A parameter of the enclosing symbolic function.
     Argument(VarId),
 }
 
@@ -44,53 +44,55 @@ pub struct Expr {
 
 #[derive(Clone, Debug)]
 pub enum Kind {
-    /// Already reported.
+    /// An invalid expression; already reported.
     Error,
-    /// In SI.
+    /// A number in SI units.
     Number(f64),
-    /// A bare literal, in the unit that the file's system has for whatever dimension was inferred.
+    /// A literal without a unit, in the file system's unit for the inferred dimension.
     Bare(f64, Dim, UnitSystem),
     Bool(bool),
     Text(String),
     Var(VarId),
     Param(u32),
     Time,
-    /// A `:=` expression in a symbolic one: fused.
+    /// A `:=` expression within a symbolic one; it is inlined.
     Def(DefId),
-    /// The expression that a `:=` name chosen at run time, or a symbolic parameter, has now.
+    /// The current expression of a `:=` name that is selected at run time, or of a symbolic
+    /// parameter.
     Chosen(VarId),
-    /// A `:=` expression handed on as a value.
+    /// A `:=` expression passed as a value.
     MakeSymbolic(DefId),
-    /// The value of a `:=` expression at a time (0 where it does not depend on time).
+    /// The value of a `:=` expression at a time; at time 0 if it does not depend on time.
     Eval(DefId, Option<Box<Expr>>),
-    /// An observable inside a symbolic expression.
+    /// An observable in a symbolic expression.
     Observe(Box<Expr>),
     Unary(UnaryOp, Box<Expr>),
     Binary(BinaryOp, Box<Expr>, Box<Expr>),
-    /// A function every program has, by the operation that it is.
+    /// A built-in function, by its operation.
     Op(Op, Vec<Expr>),
     If(Box<Expr>, Box<Expr>, Box<Expr>),
     Call(Box<Call>),
-    /// A symbolic function in a symbolic expression.
+    /// A call of a symbolic function in a symbolic expression.
     SymbolicCall(Box<Call>),
-    /// A library function, its arguments, and what some of them must be, by their position.
+    /// A call of a library function: its index, its arguments, and the domains of arguments by
+    /// position.
     CallExtern(u32, Vec<Expr>, Vec<(usize, Demand)>),
     Print(Vec<Expr>, UnitSystem),
     Assert(Box<Assertion>),
     Array(Vec<Expr>),
     Tuple(Vec<Expr>),
     Index(Box<Expr>, Box<Expr>),
-    /// Element of a tuple, field of a record.
+    /// An element of a tuple, or a field of a record.
     TupleElement(Box<Expr>, usize),
-    /// Field of a record or component of a vector, which only the types of a call decide.
+    /// A field of a record or a component of a vector; the types of a call determine which.
     Field(Box<Expr>, String),
     /// The axis of a rotation, which must be a unit vector.
     UnitAxis(Box<Expr>),
     Len(Box<Expr>),
-    /// Text and values in turn, numbers shown in the system's units.
+    /// Alternating text and values; numbers are displayed in units of the system.
     Format(Vec<Piece>, UnitSystem),
     Derivative(Box<Expr>, Sym),
-    /// Brackets of derivatives.
+    /// The gradient: derivatives in brackets.
     Gradient(Box<Expr>, Vec<Sym>),
     At(Box<Expr>, Sym, Box<Expr>),
 }
@@ -101,7 +103,7 @@ pub enum Piece {
     Value(Box<Expr>, Option<Style>),
 }
 
-/// How a value in a text is shown, where that is written.
+/// The explicit format of a value in a string.
 #[derive(Clone, Debug)]
 pub struct Style {
     pub width: Option<u8>,
@@ -114,9 +116,9 @@ pub struct Style {
 pub struct Assertion {
     pub condition: Expr,
     pub message: Expr,
-    /// The two sides of a comparison as written: a failure says what they were.
+    /// The source texts of both sides of a comparison, for the message of a failure.
     pub sides: Option<[String; 2]>,
-    /// What their values are shown in.
+    /// The unit system for the displayed values.
     pub system: UnitSystem,
 }
 
@@ -124,47 +126,48 @@ pub struct Assertion {
 pub struct Call {
     pub function: FuncId,
     pub instance: UseId,
-    /// One per parameter. For `out` parameters the expression is not evaluated.
+    /// One expression per parameter. Expressions for `out` parameters are not evaluated.
     pub arguments: Vec<Expr>,
-    /// Places of `out` and `inout` arguments, in order.
+    /// Places of the `out` and `inout` arguments, in order.
     pub copy_back: Vec<Place>,
-    /// Places, by position in `copy_back`, that are the same if their indices turn out equal.
+    /// Pairs of positions in `copy_back` whose places are the same if their indices are equal.
     pub perhaps_same: Vec<(usize, usize)>,
-    /// What arguments must be, by their position.
+    /// The domains of arguments, by position.
     pub demands: Vec<(usize, Demand)>,
 }
 
-/// The range or the choices of a parameter, with the types of one call.
+/// The domain of a parameter, with the types of one call.
 #[derive(Clone, Debug)]
 pub struct Demand {
     pub name: String,
     pub low: Option<Expr>,
     pub high: Option<Expr>,
-    /// Empty if any string will do.
+    /// Allowed strings; empty if any string is allowed.
     pub choices: Vec<String>,
-    /// As it is written, without `in`.
+    /// The domain as written, without `in`.
     pub text: String,
-    /// Whether NaN passes: the library refuses it by itself (E0722), and finds out where it arose.
+    /// `true` if NaN passes the check: the library rejects it itself (E0722) and reports its
+    /// origin.
     pub nan_passes: bool,
 }
 
 #[derive(Clone, Debug)]
 pub struct Place {
     pub variable: VarId,
-    /// From the variable inwards.
+    /// Projections, starting at the variable.
     pub steps: Vec<Step>,
     pub ty: Type,
     pub span: Span,
 }
 
-/// From a value to a part of it.
+/// A projection from a value to a part of it.
 #[derive(Clone, Debug)]
 pub enum Step {
     /// Element of an array.
     Index(Expr),
-    /// Element of a tuple, field of a record.
+    /// Element of a tuple, or field of a record.
     Element(usize),
-    /// Field of a record of this type, which only the types of a call decide.
+    /// Field of a record of this type; the types of a call determine its position.
     Field(Type, String),
 }
 
@@ -176,14 +179,15 @@ pub struct Stmt {
 
 #[derive(Clone, Debug)]
 pub enum StmtKind {
-    /// Nothing to do (a declaration, or something already reported).
+    /// No operation: a declaration, or a statement that was already reported.
     Nothing,
     Assign(Place, Expr),
-    /// A `:=` executes: its captures are stored, and the expression itself if the name is chosen at run time.
+    /// Executes a `:=`: stores its captures, and the expression itself if the name is selected at
+    /// run time.
     Bind(VarId, DefId),
     Eval(Expr),
     Push(Place, Expr),
-    /// An output, by index, is handed to the engine.
+    /// Passes an output, by index, to the engine.
     Output(u32, DefId),
     Block(Vec<Stmt>),
     If(Expr, Box<Stmt>, Option<Box<Stmt>>),
@@ -203,40 +207,42 @@ pub enum StmtKind {
     Break,
     Continue,
     Return(Option<Expr>),
-    /// A text or an `Error`; without one, the error being handled again.
+    /// Throws a text or an `Error`; without a value, the error that is being handled.
     Throw(Option<Expr>),
     Try {
         body: Box<Stmt>,
-        /// Takes the error.
+        /// The variable that receives the error.
         error: Option<VarId>,
         handler: Box<Stmt>,
     },
 }
 
-/// A `:=` expression, with the values it takes when its binding executes.
+/// A `:=` expression, with the values that it captures when its binding executes.
 #[derive(Clone, Debug)]
 pub struct Def {
-    /// The name bound, `body.frame` for an argument.
+    /// The bound name; for an argument, such as `body.frame`.
     pub name: String,
     pub expr: Expr,
-    /// Hidden variables and what they are set to when the binding executes.
+    /// Hidden variables and the values assigned to them when the binding executes.
     pub captures: Vec<(VarId, Expr)>,
-    /// Its hidden variables are set by a statement; those of an argument where the argument stands.
+    /// `true` if a statement sets its hidden variables. Those of an argument are set where the
+    /// argument is evaluated.
     pub stored: bool,
-    /// Depends on `Time`, directly or through other definitions.
+    /// `true` if it depends on `Time`, directly or through other definitions.
     pub on_time: bool,
-    /// Contains an observable, directly or through other definitions.
+    /// `true` if it contains an observable, directly or through other definitions.
     pub observes: bool,
-    /// Captures nothing, neither directly nor through other definitions.
+    /// `true` if neither it nor the definitions that it uses capture a value.
     pub closed: bool,
-    /// Names chosen at run time that it depends on, directly or through other definitions, at the time asked for.
+    /// Names selected at run time on which it depends at the requested time, directly or through
+    /// other definitions.
     pub chosen: BTreeSet<VarId>,
-    /// Handed on as a value that other expressions may capture.
+    /// `true` if it is passed as a value that other expressions may capture.
     pub part: bool,
     pub span: Span,
 }
 
-/// A general type: what is unknown in a function's type when its body has been seen.
+/// The quantified variables and the constraints of a generic type.
 #[derive(Clone, Debug, Default)]
 pub struct Scheme {
     pub types: Vec<TypeVar>,
@@ -244,7 +250,7 @@ pub struct Scheme {
     pub constraints: Vec<Constraint>,
 }
 
-/// What operators demand of types that are not known yet.
+/// A constraint of an operator on types that are not known yet.
 #[derive(Clone, Debug)]
 pub struct Constraint {
     pub kind: ConstraintKind,
@@ -257,15 +263,16 @@ pub enum ConstraintKind {
     Multiply(Type, Type, Type),
     /// `left / right = result`
     Divide(Type, Type, Type),
-    /// Number or Vector.
+    /// The type is Number or Vector.
     Additive(Type),
-    /// Can be compared for equality.
+    /// Values can be compared for equality.
     Comparable(Type),
-    /// Can be written into a string.
+    /// Values can be written into a string.
     Printable(Type),
-    /// Can be thrown: a text or an `Error`.
+    /// Values can be thrown: a text or an `Error`.
     Throwable(Type),
-    /// Holds numbers that can be shown so: in a unit of this dimension, if one is given, with digits if that is said.
+    /// Values contain numbers that can be formatted with a unit of this dimension, if given, and
+    /// with digits, if set.
     Styled(Type, Option<Dimension>, bool),
     /// `base[index] = result`, array or (with a constant index) tuple.
     Index(Type, Option<usize>, Type),
@@ -280,9 +287,9 @@ pub struct Function {
     pub parameters: Vec<(VarId, Mode)>,
     pub result: Type,
     pub body: Vec<Stmt>,
-    /// What a symbolic function stands for; its body is empty then.
+    /// The expression of a symbolic function; its body is empty.
     pub definition: Option<SymbolicBody>,
-    /// Of a host function whose body is there: how it is offered.
+    /// For a host function with its body: its interface.
     pub host: Option<HostOffer>,
     pub scheme: Scheme,
     pub span: Span,
@@ -291,15 +298,15 @@ pub struct Function {
 #[derive(Clone, Debug)]
 pub struct SymbolicBody {
     pub def: DefId,
-    /// Declared at the model's top level: offered by name.
+    /// `true` for a top-level function of the model, which embedding programs can call by name.
     pub exported: bool,
     pub doc: String,
 }
 
-/// How a host function is offered to the program that embeds the model.
+/// The interface of a host function for the embedding program.
 #[derive(Clone, Debug, PartialEq)]
 pub struct HostOffer {
-    /// With the module it stands in.
+    /// Name including the module.
     pub name: String,
     pub doc: String,
 }
@@ -314,7 +321,7 @@ pub struct Param {
     pub high: Option<Expr>,
     pub choices: Vec<String>,
     pub unit: Option<DisplayUnit>,
-    /// The default was written as a bare whole number.
+    /// `true` if the default is an integer without a unit.
     pub whole: bool,
     pub span: Span,
 }
@@ -328,7 +335,7 @@ pub struct Output {
 }
 
 impl Place {
-    /// The indices that are computed, in order.
+    /// Returns the computed indices in order.
     pub fn indices(&self) -> impl Iterator<Item = &Expr> {
         self.steps.iter().filter_map(|step| match step {
             Step::Index(index) => Some(index),
@@ -342,7 +349,7 @@ impl Expr {
         Expr { kind: Kind::Error, ty: Type::Error, span }
     }
 
-    /// The expressions evaluated as part of this one.
+    /// Returns the expressions that are evaluated as part of this one.
     pub fn children(&self) -> Vec<&Expr> {
         match &self.kind {
             Kind::Error
@@ -418,7 +425,7 @@ impl Stmt {
         }
     }
 
-    /// The expressions of this statement alone (not of those inside it).
+    /// Returns the expressions of this statement, without those of nested statements.
     pub fn expressions(&self) -> Vec<&Expr> {
         match &self.kind {
             StmtKind::Assign(place, value) | StmtKind::Push(place, value) => {

@@ -1,9 +1,9 @@
-//! Cycles and angles. A radian is 1, and a cycle is 1 too, but a cycle has 2 pi radians. Where
-//! quantities that count cycles (in Hz) meet quantities that count angles (in rad, deg, rev,
-//! rpm), a factor of 2 pi is missing.
+//! Lints for cycles and angles. A radian is 1, and a cycle is also 1, but a cycle has 2 pi radians.
+//! A factor of 2 pi is therefore missing if quantities that count cycles (in Hz) are combined with
+//! quantities that count angles (in rad, deg, rev, rpm).
 //!
-//! Quantities that count neither fit both: the root of stiffness by mass, a velocity by a
-//! radius, and products and quotients with pi.
+//! Quantities that count neither are compatible with both: the root of stiffness by mass, a
+//! velocity by a radius, and products and quotients with pi.
 
 use super::infer::Checker;
 use super::tree::{DefId, Expr, Kind, VarId};
@@ -15,21 +15,21 @@ use crate::span::Span;
 use std::collections::HashSet;
 use std::f64::consts::PI;
 
-/// Notes of expressions for lints that need all types.
+/// Data for lints that need all types.
 #[derive(Debug, Default)]
 pub struct Turns {
     /// Variables, definitions and params computed with pi.
     circular: HashSet<VarId>,
     circular_definitions: HashSet<DefId>,
     circular_params: HashSet<u32>,
-    /// Quotients with literal dividends: place, dividend as written, divisor and its type.
+    /// Quotients with literal dividends: location, dividend as written, divisor and its type.
     reciprocals: Vec<(Span, Span, Span, Type)>,
-    /// Numbers without units above 2 pi, and the types of the places that take them.
+    /// Numbers without units above 2 pi, and their expected types.
     literals: Vec<(f64, Span, Type)>,
 }
 
 impl Checker<'_> {
-    /// The dimension of a number or vector, if all of it is known.
+    /// Returns the dimension of a number or vector if it is completely known.
     fn known_dimension(&self, ty: &Type) -> Option<Dimension> {
         match self.store.resolve(ty) {
             Type::Number(dim) | Type::Vector(dim) | Type::Observable(dim) => dim.as_known(),
@@ -37,7 +37,7 @@ impl Checker<'_> {
         }
     }
 
-    /// Warns where one side counts cycles and the other angles. Before the two are unified.
+    /// Warns if one side counts cycles and the other angles. Must precede their unification.
     pub(super) fn check_turns(&mut self, a: &Type, b: &Type, span: Span, other: Option<Span>) {
         let (Some(x), Some(y)) = (self.known_dimension(a), self.known_dimension(b)) else { return };
         if !x.lacks_turn(y) {
@@ -56,8 +56,8 @@ impl Checker<'_> {
         });
     }
 
-    /// The result of a product or quotient: with pi in it, it may count cycles as well as
-    /// angles.
+    /// Returns the type of a product or quotient. If it contains pi, it is compatible with cycles
+    /// and angles.
     pub(super) fn turned(&mut self, result: Type, a: &Expr, b: &Expr) -> Type {
         match self.store.resolve(&result) {
             Type::Number(dim) => match dim.as_known() {
@@ -72,7 +72,7 @@ impl Checker<'_> {
 
     fn has_pi(&self, e: &Expr) -> bool {
         match &e.kind {
-            // Units of angles have pi in them as well.
+            // Units of angles also contain pi.
             Kind::Number(value) => {
                 let part = Rational::from_f64(value / PI).filter(|part| part.numerator().abs() <= 1000);
                 *value != 0.0
@@ -86,7 +86,7 @@ impl Checker<'_> {
         }
     }
 
-    /// Notes a variable that is computed with pi.
+    /// Records a variable that is computed with pi.
     pub(super) fn note_circular(&mut self, id: VarId, value: &Expr) {
         if self.has_pi(value) {
             self.turns.circular.insert(id);
@@ -105,7 +105,7 @@ impl Checker<'_> {
         }
     }
 
-    /// Notes a number divided by something that may be an angular velocity.
+    /// Records a number divided by a value that may be an angular velocity.
     pub(super) fn note_reciprocal(&mut self, op: BinaryOp, a: &Expr, b: &Expr, span: Span) {
         if op == BinaryOp::Divide
             && literal(a).is_some()
@@ -116,7 +116,7 @@ impl Checker<'_> {
         }
     }
 
-    /// Notes a number without a unit that is put where it may turn out to be an angle.
+    /// Records a number without a unit whose expected type may be an angle.
     pub(super) fn note_literal(&mut self, expected: &Type, found: &Expr) {
         if let Some(value) = literal(found).filter(|value| value.abs() > 2.0 * PI)
             && !self.known_dimension(expected).is_some_and(|d| d.exponent(Base::Angle).is_zero())
@@ -128,7 +128,7 @@ impl Checker<'_> {
         }
     }
 
-    /// Lints that need all types.
+    /// Runs the lints that need all types.
     pub(super) fn finish_turns(&mut self) {
         let speed = Dimension::of(Base::Angle).over(Dimension::of(Base::Time));
         for (span, dividend, divisor, ty) in std::mem::take(&mut self.turns.reciprocals) {
@@ -159,7 +159,7 @@ impl Checker<'_> {
         }
     }
 
-    /// A number without a unit where an angle is added or compared.
+    /// Warns about a number without a unit that is added to or compared with an angle.
     pub(super) fn check_bare_angle(&mut self, a: &Expr, b: &Expr) {
         for (angle, number) in [(a, b), (b, a)] {
             let is_angle = self
@@ -168,7 +168,7 @@ impl Checker<'_> {
             let is_pure = self.known_dimension(&number.ty).is_some_and(|d| d == Dimension::NONE);
             if is_angle && is_pure && literal(number).is_some_and(f64::is_finite) && !self.has_pi(number) {
                 let value = literal(number).unwrap_or(f64::NAN);
-                // A tolerance or a series in radians is not in the way of a variable.
+                // A literal angle in radians may be a tolerance or a term of a series.
                 let other_unit = literal(angle).is_some() && !self.text(angle.span).trim().ends_with("rad");
                 if other_unit || value.abs() > 2.0 * PI {
                     self.bare_angle(value, number.span);
@@ -194,7 +194,7 @@ impl Checker<'_> {
     }
 }
 
-/// The name of the thing that a dimension counts.
+/// Returns the name of the quantity that a dimension counts.
 fn counted(dimension: Dimension) -> &'static str {
     match dimension.exponent(Base::Angle).is_zero() {
         true => "cycles",
@@ -202,7 +202,7 @@ fn counted(dimension: Dimension) -> &'static str {
     }
 }
 
-/// A number as it is written, perhaps signed; not zero, which fits everything.
+/// Returns the value of a literal, possibly signed; `None` for zero, which has any dimension.
 fn literal(e: &Expr) -> Option<f64> {
     match &e.kind {
         Kind::Number(value) | Kind::Bare(value, ..) if *value != 0.0 => Some(*value),
@@ -211,7 +211,7 @@ fn literal(e: &Expr) -> Option<f64> {
     }
 }
 
-/// A literal whose dimension comes from its use.
+/// Returns `true` for a literal whose dimension depends on its use.
 fn is_bare(e: &Expr) -> bool {
     match &e.kind {
         Kind::Unary(_, a) => is_bare(a),
@@ -219,7 +219,7 @@ fn is_bare(e: &Expr) -> bool {
     }
 }
 
-/// The error of a value in cycles that is shown in a unit of angles, or the other way round.
+/// Returns the error for a value in cycles with a format in a unit of angles, or vice versa.
 pub(super) fn turn_in_format(span: Span) -> Diagnostic {
     Diagnostic::error(
         "E0519",

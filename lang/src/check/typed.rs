@@ -1,6 +1,6 @@
-//! What checking found out, without what it needed to find it: typed functions, ready to be lowered.
+//! The result of checking without intermediate data: typed functions, ready to be lowered.
 //!
-//! Holds no reference to a syntax tree, so it can be kept while texts change.
+//! It does not refer to syntax trees, so it can be stored while texts change.
 
 use super::infer::Checker;
 use super::symbols::{Res, Variable};
@@ -13,7 +13,7 @@ use calyx_abi::{Purity, Repr};
 use std::collections::{BTreeSet, HashMap};
 use std::sync::Arc;
 
-/// Typed functions and the tables their bodies refer to. Clones share them.
+/// Typed functions and the tables that their bodies refer to. Clones share them.
 #[derive(Clone, Debug, Default)]
 pub struct Typed {
     pub functions: Arc<HashMap<FuncId, Function>>,
@@ -21,11 +21,11 @@ pub struct Typed {
     pub defs: Arc<Vec<Def>>,
     pub params: Arc<Vec<Param>>,
     pub outputs: Arc<Vec<Output>>,
-    /// Values of the constants, each at its declaration.
+    /// Values of the constants, each in the file of its declaration.
     pub consts: Arc<Vec<Expr>>,
     pub externs: Arc<Vec<ExternDecl>>,
     pub store: Arc<Store>,
-    /// Symbolic names that hold their expression at run time.
+    /// Symbolic names whose expression is selected at run time.
     pub chosen: Arc<BTreeSet<VarId>>,
     variables: Arc<Vec<Variable>>,
     variable_types: Arc<HashMap<VarId, Type>>,
@@ -36,12 +36,12 @@ impl Typed {
         &self.variables[id.0 as usize]
     }
 
-    /// The type found for a variable.
+    /// Returns the inferred type of a variable.
     pub fn type_of(&self, id: VarId) -> Type {
         self.variable_types.get(&id).cloned().unwrap_or(Type::Error)
     }
 
-    /// Whether a function of it takes arguments of several types.
+    /// Returns `true` if it contains a generic function.
     pub fn is_general(&self) -> bool {
         self.functions.values().any(|function| !function.scheme.types.is_empty())
     }
@@ -52,7 +52,8 @@ impl Typed {
 }
 
 impl Checker<'_> {
-    /// Lets go of syntax trees. What every identifier stands for comes apart: only editors ask for it.
+    /// Converts to data without references to syntax trees. The meanings of identifiers are
+    /// returned separately, because only editors need them.
     pub fn into_typed(self) -> (Typed, HashMap<Span, Res>) {
         let externs = self.names.externs.iter().map(|info| {
             let purity = match &info.decl.body {

@@ -1,4 +1,4 @@
-//! Types under inference, and the store in which unknown ones are found.
+//! Types during inference, and the store of type and dimension variables.
 
 use super::dim::{Dim, DimVar, solve};
 use super::rules::{self, Rule};
@@ -8,16 +8,16 @@ use crate::vocabulary::Vocabulary;
 use calyx_abi::Repr;
 use std::collections::{BTreeSet, HashMap};
 
-/// An unknown type.
+/// A type variable.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct TypeVar(pub u32);
 
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Type {
     Unknown(TypeVar),
-    /// Already reported; fits everything.
+    /// An invalid type; already reported. It unifies with every type.
     Error,
-    /// Result of a function that returns nothing.
+    /// The result of a function that returns nothing.
     Unit,
     Number(Dim),
     Bool,
@@ -26,16 +26,16 @@ pub enum Type {
     Transform,
     Array(Box<Type>),
     Tuple(Vec<Type>),
-    /// A number that has a value at every step of an analysis.
+    /// A number with a value at every step of an analysis.
     Observable(Dim),
-    /// An expression handed to the engine unevaluated.
+    /// An expression that is passed to the engine without evaluation.
     Symbolic(Box<Type>),
-    /// Something the engine made.
+    /// An object created by the engine.
     Handle(String),
     Record(RecordId),
 }
 
-/// A record's name and the types of its fields. Records are nominal and never general.
+/// A record's name and the types of its fields. Records are nominal and never generic.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RecordType {
     pub name: String,
@@ -51,7 +51,7 @@ impl Type {
         Type::Number(Dim::known(dimension))
     }
 
-    /// The type with other numbers for records.
+    /// Returns the type with renumbered records.
     pub fn with_records(&self, number: &dyn Fn(RecordId) -> RecordId) -> Type {
         match self {
             Type::Record(id) => Type::Record(number(*id)),
@@ -67,30 +67,31 @@ impl Type {
     }
 }
 
-/// Why two types do not fit.
+/// The reason why two types do not unify.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Mismatch {
-    /// These two parts differ in kind.
+    /// Two parts differ in kind.
     Kind,
-    /// These two dimensions differ.
+    /// Two dimensions differ.
     Dimension(Box<(Dim, Dim)>),
     /// A type would contain itself, nest too deeply or have too many parts.
     Infinite,
 }
 
-/// What is known of unknown types and dimensions.
+/// The assignments of type and dimension variables.
 #[derive(Clone, Debug, Default)]
 pub struct Store {
     types: Vec<Option<Type>>,
     dims: Vec<Option<Dim>>,
-    /// Unknown dimensions of bare literals. Such a literal is one number in the program, so it has one dimension:
-    /// these are never generalised.
+    /// Dimension variables of literals without a unit. Such a literal is one number in the program
+    /// and has one dimension, so these are never generalized.
     literals: BTreeSet<DimVar>,
-    /// Decided types that contain an undecided one, by the undecided one: these may still grow.
+    /// For each unassigned variable, the assigned variables whose types contain it; these types may
+    /// still grow.
     pub(super) around: HashMap<TypeVar, Vec<TypeVar>>,
-    /// By [`RecordId`].
+    /// Records by [`RecordId`].
     pub records: Vec<RecordType>,
-    /// Dimensions and units that the program declares.
+    /// Dimensions and units declared by the program.
     pub vocabulary: Vocabulary,
 }
 
@@ -103,14 +104,14 @@ impl Store {
         self.records.get(id.0 as usize)
     }
 
-    /// Place and type of a field of a record.
+    /// Returns the index and the type of a record's field.
     pub fn field(&self, id: RecordId, name: &str) -> Option<(usize, Type)> {
         let record = self.record(id)?;
         let at = record.fields.iter().position(|(field, _)| field == name)?;
         Some((at, record.fields[at].1.clone()))
     }
 
-    /// Whether a record is part of a type.
+    /// Returns `true` if a type contains a record.
     pub fn has_record(&self, ty: &Type) -> bool {
         match self.shallow(ty) {
             Type::Record(_) => true,
@@ -134,7 +135,7 @@ impl Store {
         DimVar(self.dims.len() as u32 - 1)
     }
 
-    /// So many unknowns, of which nothing is known.
+    /// Creates a store with the given numbers of unassigned variables.
     pub fn unknown(types: u32, dims: u32) -> Store {
         Store { types: vec![None; types as usize], dims: vec![None; dims as usize], ..Store::default() }
     }
@@ -146,7 +147,7 @@ impl Store {
         Dim::unknown(variable)
     }
 
-    /// Whether a literal is there whose dimension is not decided.
+    /// Returns `true` if the dimension of some literal is not determined.
     pub fn has_open_literals(&self) -> bool {
         self.literals.iter().any(|variable| self.dims[variable.0 as usize].is_none())
     }
@@ -155,10 +156,11 @@ impl Store {
         self.literals.contains(&variable)
     }
 
-    /// The dimension with everything known put in.
+    /// Returns the dimension with assigned variables substituted.
     pub fn dim(&self, dim: &Dim) -> Dim {
         let decided = |dim: &Dim| {
-            // The youngest first: solutions mostly name older unknowns, so each is substituted once.
+            // Newest first: assignments mostly refer to older variables, so each is substituted
+            // once.
             let mut unknowns = dim.unknowns.iter().rev();
             unknowns.find_map(|(v, exponent)| Some((*v, *exponent, self.dims[v.0 as usize].as_ref()?)))
         };
@@ -170,12 +172,12 @@ impl Store {
         result
     }
 
-    /// The outermost constructor, known if it can be.
+    /// Returns the outermost constructor, if known.
     pub fn shallow(&self, ty: &Type) -> Type {
         self.known(ty).clone()
     }
 
-    /// The outermost constructor as it is stored.
+    /// Returns a reference to the outermost constructor.
     pub(super) fn known<'s>(&'s self, ty: &'s Type) -> &'s Type {
         let mut ty = ty;
         while let Type::Unknown(variable) = ty {
@@ -191,7 +193,7 @@ impl Store {
         self.types[variable.0 as usize] = ty;
     }
 
-    /// The type with everything known put in.
+    /// Returns the type with assigned variables substituted.
     pub fn resolve(&self, ty: &Type) -> Type {
         match self.shallow(ty) {
             Type::Number(dim) => Type::Number(self.dim(&dim)),
@@ -204,8 +206,8 @@ impl Store {
         }
     }
 
-    /// Shortens chains of unknowns that stand for one another, which may be as long as a program, so that
-    /// every later look-up takes constant time.
+    /// Shortens chains of variables that are assigned to each other. A chain may be as long as a
+    /// program; afterwards every look-up takes constant time.
     pub fn compress(&mut self) {
         for index in 0..self.dims.len() {
             if let Some(known) = self.dims[index].take() {
@@ -220,7 +222,7 @@ impl Store {
                 chain.push(at);
                 at = next.0 as usize;
             }
-            // The last of a chain is right already.
+            // The last variable of a chain already has the right value.
             chain.pop();
             for link in chain {
                 self.types[link] = Some(Type::Unknown(TypeVar(at as u32)));
@@ -231,8 +233,9 @@ impl Store {
     pub fn unify_dims(&mut self, a: &Dim, b: &Dim) -> Result<(), Mismatch> {
         let (a, b) = (self.dim(a), self.dim(b));
         let difference = a.over(&b);
-        // Solving for a literal's dimension only where nothing else is unknown keeps generalisation away from it.
-        // The youngest is solved for: what is known of it then points to older ones, and chains stay short.
+        // A literal's variable is solved for only if there is no other variable, so that
+        // generalization does not affect it. Solving for the newest variable makes assignments
+        // refer to older ones and keeps chains short.
         let unknown = difference
             .unknowns
             .iter()
@@ -256,7 +259,7 @@ impl Store {
         }
     }
 
-    /// Whether two types cannot be one, whatever is still unknown.
+    /// Returns `true` if two types cannot be unified, whatever the values of their variables.
     pub fn differ(&self, a: &Type, b: &Type) -> bool {
         match (self.shallow(a), self.shallow(b)) {
             (Type::Error | Type::Unknown(_), _) | (_, Type::Error | Type::Unknown(_)) => false,
@@ -298,7 +301,7 @@ impl Store {
         }
     }
 
-    /// The type where nothing more will be found out: what is unknown is a pure number.
+    /// Returns the final type at the end of inference: unassigned variables are pure numbers.
     pub fn closed(&self, ty: &Type) -> Type {
         match self.shallow(ty) {
             Type::Unknown(_) => Type::number(),
@@ -316,7 +319,7 @@ impl Store {
         Dim::known(self.dim(dim).fixed)
     }
 
-    /// Adds what is unknown in a type to the sets.
+    /// Adds the unassigned variables of a type to the sets.
     pub fn unknowns(&self, ty: &Type, types: &mut BTreeSet<TypeVar>, dims: &mut BTreeSet<DimVar>) {
         match self.known(ty) {
             Type::Unknown(variable) => {
@@ -331,7 +334,7 @@ impl Store {
         }
     }
 
-    /// How values of the type lie in slots; what is still unknown is a number.
+    /// Returns the representation of values of the type; unassigned variables are numbers.
     pub fn repr(&self, ty: &Type) -> Repr {
         match self.shallow(ty) {
             Type::Unknown(_) | Type::Error | Type::Number(_) => Repr::Number,
@@ -352,7 +355,7 @@ impl Store {
         }
     }
 
-    /// As shown to people: `Length`, `Array(Vector(Force))`; what is unknown is `_`.
+    /// Returns the type as displayed: `Length`, `Array(Vector(Force))`; an unknown type is `_`.
     pub fn show(&self, ty: &Type) -> String {
         match self.shallow(ty) {
             Type::Unknown(_) | Type::Error => "_".into(),
@@ -386,7 +389,7 @@ impl Store {
     }
 }
 
-/// What stands for the unknowns of a type scheme at one use of it.
+/// The values of a type scheme's variables at one use.
 #[derive(Clone, Debug, Default)]
 pub struct Substitution {
     pub types: HashMap<TypeVar, Type>,
@@ -429,7 +432,7 @@ mod tests {
 
     #[test]
     fn dimensions_are_solved_with_rational_exponents() {
-        // x^2 = Length gives x = Length^(1/2).
+        // x^2 = Length implies x = Length^(1/2).
         let mut store = Store::default();
         let x = store.fresh_dim();
         store.unify_dims(&x.power(Rational::integer(2)).unwrap(), &length()).unwrap();

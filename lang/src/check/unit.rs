@@ -1,6 +1,6 @@
-//! A unit of checking: a function or functions that name each other, or what runs at a file's top level.
+//! Check units: a function, mutually recursive functions, or the top level of a file.
 //!
-//! A unit is checked in an excerpt of the program. What comes out refers to nothing outside but by item.
+//! A unit is checked in an excerpt of the program. The result refers to other code only by item.
 
 use super::excerpt::{Excerpt, ItemId, Layout, Part, RecordKey};
 use super::infer::Checker;
@@ -16,59 +16,59 @@ use crate::span::Span;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::sync::Arc;
 
-/// What a check may ask of the program around its excerpt, to make suggestions where something is wrong.
+/// Queries of a check about the rest of the program, for suggestions in diagnostics.
 pub trait Surroundings {
-    /// Names that a module declares.
+    /// Returns the names that a module declares.
     fn declared(&self, module: &str) -> Vec<String>;
-    /// What a module says of itself as a whole.
+    /// Returns the documentation of a module.
     fn doc(&self, module: &str) -> String;
-    /// Functions of the library that make a handle of this type: their names with their modules, and the handles that they
-    /// take.
+    /// Returns the functions of the library that create a handle of this type: their names
+    /// including the module, and the handles that they accept.
     fn makers(&self, handle: &str) -> Vec<(String, Vec<String>)>;
-    /// Whether a module of this name can be imported.
+    /// Returns `true` if a module with this name can be imported.
     fn is_module(&self, name: &str) -> bool;
-    /// Modules that can be imported.
+    /// Returns the modules that can be imported.
     fn modules(&self) -> Vec<String>;
-    /// Whether suggestions are wanted at all.
+    /// Returns `true` if suggestions are requested.
     fn suggests(&self) -> bool {
         true
     }
 }
 
-/// What checking a unit found.
+/// The result of checking a unit.
 #[derive(Debug, Default)]
 pub struct Unit {
     pub typed: Typed,
     pub layout: Layout,
     /// The functions of the excerpt's items.
     pub functions: HashMap<ItemId, FuncId>,
-    /// Functions of which the excerpt has only the header.
+    /// Functions of which the excerpt contains only the header.
     pub foreign: HashMap<FuncId, ItemId>,
     pub closures: HashMap<FuncId, Closure>,
-    /// By their number in this unit.
+    /// Records by their number in this unit.
     pub records: Vec<RecordKey>,
-    /// Of names, types and dimensions. Places lie in the excerpt.
+    /// Diagnostics of names, types and dimensions. Locations refer to the excerpt.
     pub diagnostics: Vec<Diagnostic>,
-    /// Of the flow of control; found only in functions without errors of types.
+    /// Control-flow diagnostics, only of functions without type errors.
     pub flow: Vec<Diagnostic>,
-    /// Types of variables, params and outputs as shown to people.
+    /// Types of variables, params and outputs, as displayed.
     pub types: BTreeMap<String, String>,
-    /// Schemes of the functions checked here, as shown to people.
+    /// Schemes of the functions checked in this unit, as displayed.
     pub schemes: BTreeMap<String, String>,
-    /// For editors.
+    /// Meanings of names, for editors.
     pub meanings: Meanings,
 }
 
-/// What the rest of the program contributes to a check.
+/// Information about the rest of the program that a check needs.
 pub struct Context<'c> {
     pub interfaces: &'c HashMap<ItemId, Arc<Interface>>,
-    /// Names of what the engine makes.
+    /// Names of handle types.
     pub handles: &'c BTreeSet<String>,
     pub surroundings: &'c dyn Surroundings,
 }
 
-/// Checks the own items of an excerpt. The interfaces are those of `group`, in order, or `None` if they depend on how the
-/// functions are used.
+/// Checks an excerpt's own items. Returns the interfaces of `group`, in order, or `None` if they
+/// depend on the uses of the functions.
 pub fn check(excerpt: Excerpt, group: &[ItemId], context: &Context<'_>) -> (Unit, Option<Vec<Interface>>) {
     let Excerpt { modules, layout } = excerpt;
     let mut names = names::resolve(&modules, context.surroundings);
@@ -140,7 +140,8 @@ pub fn check(excerpt: Excerpt, group: &[ItemId], context: &Context<'_>) -> (Unit
     (unit, interfaces)
 }
 
-/// What is well typed is checked for its flow of control also where something else in the unit is not.
+/// Returns the control-flow diagnostics of well-typed functions, even if the unit has errors
+/// elsewhere.
 fn flow_of_sound(unit: &Unit, sound: &[(FuncId, Span)]) -> Vec<Diagnostic> {
     let functions: Vec<FuncId> = sound.iter().map(|(id, _)| *id).collect();
     let mut found = lower::flow(unit, &functions);
@@ -153,7 +154,7 @@ fn flow_of_sound(unit: &Unit, sound: &[(FuncId, Span)]) -> Vec<Diagnostic> {
     found
 }
 
-/// Whether a function names one of the given variables of the top level around it.
+/// Returns `true` if a function uses one of the given variables of the enclosing top level.
 pub fn sees(extract: super::excerpt::Extract<'_>, variables: &[&str]) -> bool {
     use crate::ast::{Ident, Stmt, StmtKind, VarDecl};
     let mut excerpt = Excerpt::new(vec![extract]);
@@ -174,7 +175,7 @@ pub fn sees(extract: super::excerpt::Extract<'_>, variables: &[&str]) -> bool {
         .any(|function| function.outer.iter().any(|id| names.variables[id.0 as usize].owner == FuncId(0)))
 }
 
-/// Surroundings of a check whose diagnostics nobody reads.
+/// The surroundings of a check whose diagnostics are not used.
 struct Nothing;
 
 impl Surroundings for Nothing {

@@ -1,7 +1,7 @@
 //! Suggestions for unknown units.
 //!
-//! A fix is automatic only if no other reading has another dimension or size: `Nm` is `N*m` and not `N`,
-//! while `mPa` may mean 0.001 Pa or `MPa`.
+//! A fix is automatic only if every interpretation has the same dimension and size: `Nm` is `N*m`
+//! and not `N`, but `mPa` may be 0.001 Pa or `MPa`.
 
 use super::infer::Checker;
 use super::symbols::similar;
@@ -10,10 +10,10 @@ use crate::diagnostic::Diagnostic;
 use crate::span::Span;
 use crate::units::Unit;
 
-/// Largest number of units written without a sign between them.
+/// Limit of the units written without an operator between them.
 const MOST_FACTORS: usize = 3;
 
-/// Prefixes of the SI and their factors.
+/// SI prefixes and their factors.
 const PREFIXES: &[(&str, &str)] = &[
     ("p", "1e-12"),
     ("n", "1e-9"),
@@ -36,7 +36,7 @@ impl Checker<'_> {
         let diagnostic = Diagnostic::error("E0403", format!("`{name}` is not a unit"), unit.span, label);
         let near = near_units(name);
         let (mut products, prefixed) = (self.products(name), prefixed(name));
-        // `inchs` is a plural, `Pas` a product, and `lbfs` may be either.
+        // `inchs` is a plural, `Pas` is a product, `lbfs` may be either.
         let plural = name.strip_suffix('s').filter(|one| Unit::find(one).is_some()).map_or(0, str::len);
         match plural {
             0..=2 => {}
@@ -95,7 +95,8 @@ impl Checker<'_> {
         }
     }
 
-    /// Products of different units that a name may mean, the shortest first: `N*m` for `Nm`.
+    /// Returns the products of different units that a name may denote, the shortest first: `N*m`
+    /// for `Nm`.
     fn products(&self, name: &str) -> Vec<String> {
         let is_unit = |part: &str| {
             Unit::find(part).is_some() || self.names.units.iter().any(|unit| unit.decl.name.name == part)
@@ -122,8 +123,9 @@ impl Checker<'_> {
         found.iter().map(|factors| factors.join("*")).collect()
     }
 
-    /// Place and text of a product of units instead of a name, in parentheses if a `/` or `^` stands before
-    /// it. `None` if an exponent follows, which would apply to the last unit only.
+    /// Returns the range and the text that replace a name by a product of units, in parentheses
+    /// after `/` or `^`. Returns `None` before an exponent, which would apply only to the last
+    /// unit.
     fn product_in_place(&self, unit: &ast::Ident, product: &str) -> Option<(Span, String)> {
         let text = &self.modules.get(unit.span.file.0 as usize)?.text;
         let (start, end) = (unit.span.start as usize, unit.span.end as usize);
@@ -141,7 +143,7 @@ impl Checker<'_> {
     }
 }
 
-/// Letters of the longest name of a unit that is written together with another.
+/// Length of the longest unit name that is combined with another.
 const LONGEST_FACTOR: usize = 8;
 
 fn suggested(diagnostic: Diagnostic, names: &[&str], place: Span) -> Diagnostic {
@@ -151,7 +153,7 @@ fn suggested(diagnostic: Diagnostic, names: &[&str], place: Span) -> Diagnostic 
         .fold(diagnostic, |diagnostic, name| diagnostic.suggest(format!("change to `{name}`"), place, *name))
 }
 
-/// The units spelt most like a name. Spellings of one unit count once.
+/// Returns the units with the most similar spelling. Spellings of the same unit count once.
 fn near_units(name: &str) -> Vec<&'static str> {
     let mut found: Vec<&'static str> = Vec::new();
     for near in Unit::nearest(name) {
@@ -163,10 +165,10 @@ fn near_units(name: &str) -> Vec<&'static str> {
     found
 }
 
-/// Factor and unit that a name stands for by the rules of the SI.
+/// Returns the SI prefix and the unit of a name.
 fn prefixed(name: &str) -> Option<(&'static str, &str)> {
     let is_unit = |rest: &str| Unit::find(rest).is_some_and(|unit| unit.name == rest && rest != "%");
-    // No unit has two prefixes.
+    // Only units without a prefix can have one.
     let is_bare =
         |rest: &str| !PREFIXES.iter().any(|(prefix, _)| rest.strip_prefix(prefix).is_some_and(is_unit));
     PREFIXES.iter().find_map(|(prefix, factor)| {
@@ -175,7 +177,7 @@ fn prefixed(name: &str) -> Option<(&'static str, &str)> {
     })
 }
 
-/// Where the number at the end of a text begins.
+/// Returns the start of the number at the end of a text.
 fn number_start(text: &str) -> usize {
     let bytes = text.trim_end().as_bytes();
     let mut at = bytes.len();

@@ -1,4 +1,4 @@
-//! `dimension` and `unit`: what the program adds to the language's own, and units as they are written.
+//! Checks `dimension` and `unit` declarations, and units in source text.
 
 use super::constant;
 use super::infer::Checker;
@@ -15,7 +15,7 @@ use crate::vocabulary::OwnBase;
 use calyx_abi::description::OWN_BASES;
 
 impl<'a> Checker<'a> {
-    /// Finds out what all declared dimensions and units are, used or not.
+    /// Computes all declared dimensions and units, including unused ones.
     pub(super) fn declare_vocabulary(&mut self) {
         let bases = self.layout.bases.iter().take(OWN_BASES);
         self.store.vocabulary.bases =
@@ -57,7 +57,7 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// The dimension declared as the `id`-th.
+    /// Returns the `id`-th declared dimension.
     pub(super) fn own_dimension(&mut self, id: u32) -> Option<Dimension> {
         let (decl, file) = {
             let declared = &self.names.dimensions[id as usize];
@@ -115,7 +115,7 @@ impl<'a> Checker<'a> {
         found
     }
 
-    /// The unit declared as the `id`-th.
+    /// Returns the `id`-th declared unit.
     pub(super) fn own_unit(&mut self, id: u32) -> Option<DisplayUnit> {
         let (decl, file) = {
             let declared = &self.names.units[id as usize];
@@ -151,7 +151,7 @@ impl<'a> Checker<'a> {
         found
     }
 
-    /// `unit euro: Cost;`
+    /// Checks `unit euro: Cost;`.
     fn coherent_unit(&mut self, ty: &Type, name: &ast::Ident, span: Span) -> Option<(Dimension, f64)> {
         let Type::Number(dim) = ty else { return None };
         let dimension = dim.as_known()?;
@@ -184,7 +184,7 @@ impl<'a> Checker<'a> {
         Some((dimension, 1.0))
     }
 
-    /// `unit furlong = 220 yard;`
+    /// Checks `unit furlong = 220 yard;`.
     fn derived_unit(&mut self, value: &'a ast::Expr) -> Option<(Dimension, f64)> {
         let place = self.constant_place.replace("a unit");
         let value = self.as_value(|c| c.expr(value));
@@ -225,7 +225,7 @@ impl<'a> Checker<'a> {
         );
     }
 
-    /// The unit that an identifier stands for after a number or in a format.
+    /// Returns the unit that an identifier denotes after a number or in a format.
     pub(super) fn unit_named(&mut self, name: &ast::Ident) -> Option<DisplayUnit> {
         match self.names.uses.get(&name.span).copied() {
             Some(Res::OwnUnit(id)) => self.own_unit(id),
@@ -239,7 +239,8 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// The unit an expression of literals is written in: `1000 lbf*inch` is in `lbf*inch`, `10 / inch` in `1/inch`.
+    /// Returns the unit of an expression of literals: `lbf*inch` for `1000 lbf*inch`, `1/inch` for
+    /// `10 / inch`.
     pub(super) fn written_unit(&mut self, e: &ast::Expr) -> Option<DisplayUnit> {
         match &e.kind {
             ExprKind::Number(_) => Some(pure()),
@@ -262,7 +263,7 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// The unit in a format, which must be a product of units.
+    /// Returns the unit in a format, which must be a product of units.
     pub(super) fn format_unit(&mut self, e: &'a ast::Expr) -> Option<(DisplayUnit, Dimension)> {
         let mut sound = true;
         self.check_unit_names(e, &mut sound);
@@ -281,7 +282,7 @@ impl<'a> Checker<'a> {
         Some((unit, dimension))
     }
 
-    /// The dimension of a product of units, with what it counts.
+    /// Returns the dimension of a product of units, including cycles.
     fn counted_unit(&mut self, e: &ast::Expr) -> Option<Dimension> {
         match &e.kind {
             ExprKind::Name(name) => match self.names.uses.get(&name.span).copied() {
@@ -318,7 +319,7 @@ impl<'a> Checker<'a> {
     }
 }
 
-/// A whole number, perhaps negative, as an exponent of a unit.
+/// Returns the value of an integer exponent of a unit, possibly negative.
 fn whole_exponent(e: &ast::Expr) -> Option<i32> {
     match &e.kind {
         ExprKind::Number(value) if value.fract() == 0.0 && value.abs() < 100.0 => Some(*value as i32),

@@ -1,4 +1,4 @@
-//! Assertions: a failed comparison says what its two sides were.
+//! Lowers assertions: the message of a failed comparison contains the values of its two sides.
 
 use super::body::Body;
 use super::values::binary;
@@ -8,7 +8,7 @@ use crate::span::Span;
 use calyx_abi::{Purity, Repr};
 
 impl Body<'_, '_> {
-    /// `assert`. The message is made only where the condition is false.
+    /// Lowers an `assert`. The message is evaluated only if the condition is false.
     pub(super) fn assertion(&mut self, assertion: &Assertion, span: Span) {
         let (condition, told) = self.tested(assertion);
         let (holds, fails) = (self.new_block(), self.new_block());
@@ -27,14 +27,14 @@ impl Body<'_, '_> {
         self.start(holds);
     }
 
-    /// The condition, and what is told of its sides if it compares two values.
+    /// Returns the condition and, if it compares two values, the text for the values of both sides.
     fn tested(&mut self, assertion: &Assertion) -> (ir::Expr, Vec<FormatPart>) {
         let condition = &assertion.condition;
         let (Kind::Binary(op, a, b), Some([left_text, right_text])) = (&condition.kind, &assertion.sides)
         else {
             return (self.value(condition), Vec::new());
         };
-        // Kept, so that a side is evaluated once.
+        // Stored, so that each side is evaluated once.
         let (left, right) = self.pair(a, b);
         let (left, right) = (self.kept(left), self.kept(right));
         let mut told = Vec::new();
@@ -53,7 +53,7 @@ impl Body<'_, '_> {
     }
 }
 
-/// A literal tells no more than the text of the assertion does.
+/// Returns `true` for literals, whose value is already in the text of the assertion.
 fn says_itself(side: &Expr) -> bool {
     matches!(side.kind, Kind::Number(_) | Kind::Bare(..) | Kind::Bool(_) | Kind::Text(_))
 }

@@ -1,4 +1,4 @@
-//! One function: statements to a graph of basic blocks.
+//! Lowers one function: converts statements to a graph of basic blocks.
 
 use super::Lowering;
 use crate::ast::Mode;
@@ -11,7 +11,7 @@ use crate::span::{FileId, Span};
 use calyx_abi::{Purity, Repr};
 use std::collections::{HashMap, HashSet};
 
-/// Where `break` and `continue` lead.
+/// The targets of `break` and `continue`.
 pub(super) struct Exit {
     pub(super) on_break: usize,
     pub(super) on_continue: Option<usize>,
@@ -26,26 +26,26 @@ struct Draft {
 
 pub(super) struct Body<'l, 'c> {
     pub(super) lowering: &'l mut Lowering<'c>,
-    /// Types of the unknowns of the function's scheme in this instance.
+    /// The types of the scheme's variables in this instance.
     pub(super) types: Substitution,
-    /// Of the statement under way.
+    /// Source range of the current statement.
     pub(super) span: Span,
     pub(super) function: FuncId,
     locals: Vec<Local>,
     by_variable: HashMap<VarId, LocalId>,
     blocks: Vec<Draft>,
     current: usize,
-    /// Control can get to where the next statement is put.
+    /// `true` if the current position is reachable.
     alive: bool,
     reached: HashSet<usize>,
     pub(super) exits: Vec<Exit>,
     pub(super) labels: Vec<HashMap<String, usize>>,
     pub(super) cases: Vec<HashMap<Span, usize>>,
-    /// Where errors of blocks made now lead.
+    /// The target of errors in new blocks.
     pub(super) handler: Option<usize>,
-    /// Some expression takes statements of its own.
+    /// `true` if some expression needs separate statements.
     pub(super) sequenced: bool,
-    /// Errors being handled by the `catch` sections around, innermost last.
+    /// Errors handled by the enclosing `catch` sections, innermost last.
     pub(super) caught: Vec<LocalId>,
 }
 
@@ -76,7 +76,7 @@ impl<'l, 'c> Body<'l, 'c> {
         }
     }
 
-    /// Lowers a function and checks its flow of control.
+    /// Lowers a function and checks its control flow.
     pub(super) fn lower(lowering: &'l mut Lowering<'c>, id: FuncId, types: Substitution) -> Function {
         let checker = lowering.checker;
         let mut body = Body::new(lowering, id, types);
@@ -122,7 +122,7 @@ impl<'l, 'c> Body<'l, 'c> {
         self.blocks[0].span = span;
     }
 
-    /// A function that returns the value of an expression.
+    /// Creates a function that returns the value of an expression.
     pub(super) fn lower_expression(lowering: &'l mut Lowering<'c>, name: &str, e: &Expr) -> Function {
         let mut body = Body::new(lowering, FuncId(0), Substitution::default());
         body.begin(e.span);
@@ -132,7 +132,7 @@ impl<'l, 'c> Body<'l, 'c> {
         body.finish(name, Vec::new(), repr, e.span)
     }
 
-    /// Drops what cannot be reached and numbers the rest in order.
+    /// Removes unreachable blocks and numbers the others in order.
     fn finish(mut self, name: &str, parameters: Vec<(LocalId, Mode)>, result: Repr, span: Span) -> Function {
         let mut order = Vec::new();
         let mut number = HashMap::new();
@@ -221,7 +221,7 @@ impl<'l, 'c> Body<'l, 'c> {
         self.blocks.len() - 1
     }
 
-    /// Control may get to a block by a way that no terminator shows.
+    /// Marks a block as reachable by a path that is not a terminator.
     pub(super) fn reach(&mut self, block: usize) {
         if self.alive {
             self.reached.insert(block);
@@ -233,7 +233,7 @@ impl<'l, 'c> Body<'l, 'c> {
         self.alive = self.reached.contains(&block);
     }
 
-    /// Ends the present block; what follows cannot be reached until a block is started.
+    /// Ends the current block. Code that follows is unreachable until another block starts.
     pub(super) fn end(&mut self, terminator: Terminator) {
         if self.alive {
             match &terminator {
@@ -255,7 +255,7 @@ impl<'l, 'c> Body<'l, 'c> {
         self.end(Terminator::Jump(BlockId(to as u32)));
     }
 
-    /// Branches on a condition; one that is written as a constant is no branch.
+    /// Branches on a condition; a constant condition becomes a jump.
     fn branch(&mut self, condition: &Expr, then: usize, otherwise: usize) {
         match condition.kind {
             Kind::Bool(true) => self.jump(then),
@@ -465,7 +465,7 @@ impl<'l, 'c> Body<'l, 'c> {
             StmtKind::Label(name, inner) => {
                 if let Some(block) = self.labels.last().and_then(|labels| labels.get(name).copied()) {
                     self.jump(block);
-                    // A `goto` further down may lead here.
+                    // A later `goto` may jump here.
                     self.reached.insert(block);
                     self.start(block);
                 }

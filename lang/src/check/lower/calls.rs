@@ -1,4 +1,5 @@
-//! Calls of the program's functions: what is passed, what is demanded of it, and what is handed back where.
+//! Lowers calls of program functions: passes arguments, checks their domains, and stores returned
+//! values.
 
 use super::body::Body;
 use super::errors::text;
@@ -12,16 +13,18 @@ use crate::ir::{self, ExprKind, FunctionId, Op};
 use crate::span::Span;
 use calyx_abi::Repr;
 
-/// What a call takes and gives.
+/// The arguments and returned values of a call.
 struct Passing {
     function: FunctionId,
-    /// Values of `in` and `inout` parameters, then of what the function sees around it.
+    /// Values of `in` and `inout` parameters, followed by the outer variables that the function
+    /// uses.
     arguments: Vec<ir::Expr>,
     copy_back: Vec<ir::Place>,
 }
 
 impl Body<'_, '_> {
-    /// The call as a value. One that hands other things back becomes a statement, and its result a local.
+    /// Lowers a call as a value. A call with `out` values becomes a statement, and its result a
+    /// local.
     pub(super) fn call_value(&mut self, call: &Call, ty: &Type, span: Span) -> ir::Expr {
         if !self.hands_back(call.function) {
             let repr = self.call_repr(call);
@@ -34,7 +37,8 @@ impl Body<'_, '_> {
         ir::Expr { kind: ExprKind::Local(local), repr, span }
     }
 
-    /// A call whose `out` values are stored back. False if it hands nothing back and is an ordinary expression.
+    /// Lowers a call whose `out` values are stored. Returns `false` if there are no such values and
+    /// the call is an ordinary expression.
     pub(super) fn call_statement(&mut self, call: &Call, result: Option<ir::Place>, span: Span) -> bool {
         if !self.hands_back(call.function) {
             return false;
@@ -62,7 +66,8 @@ impl Body<'_, '_> {
         let reordered = order_as_written(&call.arguments, span);
         let in_order = reordered.is_none();
         let order = reordered.unwrap_or_else(|| (0..call.arguments.len()).collect());
-        // Everything before an argument that takes statements of its own is evaluated by statements too.
+        // If an argument needs separate statements, all arguments before it are also evaluated by
+        // statements.
         let last = (0..order.len()).rev().find(|position| {
             let at = order[*position];
             let argument = &call.arguments[at];
@@ -116,7 +121,8 @@ impl Body<'_, '_> {
             let place = ir::Place::whole(local, self.local_repr(local));
             let value = self.read(place.clone(), span);
             if mode == Mode::In {
-                // Nobody assigns an outer variable passed by `in` while the call lasts, so it can be shared.
+                // An outer variable passed by `in` is not assigned during the call, so it needs no
+                // copy.
                 arguments.push(value);
                 continue;
             }
@@ -139,7 +145,7 @@ impl Body<'_, '_> {
         Passing { function, arguments, copy_back }
     }
 
-    /// A place with its indices; `kept` if they are to be evaluated now.
+    /// Lowers a place with its indices, which are evaluated immediately if `kept` is set.
     pub(super) fn place(&mut self, place: &Place, kept: bool) -> ir::Place {
         let local = self.local(place.variable);
         let mut repr = self.local_repr(local);
@@ -162,7 +168,7 @@ impl Body<'_, '_> {
                 Step::Element(_) | Step::Field(..) => {
                     let at = match step {
                         Step::Element(at) => *at,
-                        // The checker has found the field.
+                        // The checker guarantees that the field exists.
                         Step::Field(record, name) => self.field_of(record, name).map_or(0, |(at, _)| at),
                         Step::Index(_) => 0,
                     };
@@ -177,7 +183,7 @@ impl Body<'_, '_> {
         ir::Place { local, steps, repr }
     }
 
-    /// What a place holds.
+    /// Returns the value stored in a place.
     fn read(&self, place: ir::Place, span: Span) -> ir::Expr {
         let local = ExprKind::Local(place.local);
         let whole = ir::Expr { kind: local, repr: self.local_repr(place.local), span };
@@ -197,7 +203,7 @@ impl Body<'_, '_> {
         })
     }
 
-    /// Ends the call under way with an error if two places turn out to be one.
+    /// Fails at run time if two places are the same.
     fn demand_distinct(&mut self, a: &ir::Place, b: &ir::Place, written: &Place) {
         let span = written.span;
         let truth = |kind| ir::Expr { kind, repr: Repr::Bool, span };
@@ -207,7 +213,7 @@ impl Body<'_, '_> {
                 (ir::Step::Index(a), ir::Step::Index(b)) => {
                     equal.push(truth(ExprKind::Op(Op::Equal, vec![a.clone(), b.clone()])));
                 }
-                // Fields whose record is known only here.
+                // Fields whose record is known only in this instance.
                 (ir::Step::Element(a), ir::Step::Element(b)) if a != b => return,
                 _ => {}
             }

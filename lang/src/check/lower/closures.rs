@@ -1,15 +1,15 @@
-//! Variables that functions see around them, made explicit.
+//! Closure conversion: makes the outer variables of functions explicit.
 //!
-//! The typed program knows no nesting: a function takes what it sees of its surroundings as further parameters, `in`
-//! where nobody below it assigns them, else `inout`.
+//! The typed program has no nested functions. A function receives its outer variables as additional
+//! parameters: `in` if neither it nor its callees assign them, otherwise `inout`.
 
 use crate::check::tree::{Def, DefId, Expr, FuncId, Function, Kind, StmtKind, VarId};
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 
-/// Outer variables of a function and whether it assigns them.
+/// The outer variables of a function, and whether it assigns them.
 pub type Closure = BTreeMap<VarId, bool>;
 
-/// What every function needs of its surroundings, its callees' needs included.
+/// Returns the closures of all functions, including the needs of their callees.
 pub fn closures(
     functions: &HashMap<FuncId, Function>,
     defs: &[Def],
@@ -95,7 +95,7 @@ impl Walk<'_> {
         e.children().into_iter().for_each(|child| self.expr(child));
     }
 
-    /// A `:=` that executes here: its captures are read.
+    /// Visits a `:=` that executes here: it reads its captures.
     fn binding(&mut self, def: DefId) {
         let defs = self.defs;
         for (hidden, value) in &defs[def.0 as usize].captures {
@@ -105,7 +105,7 @@ impl Walk<'_> {
         self.fused(def);
     }
 
-    /// A `:=` that executed before: what it captured is read.
+    /// Visits a use of a `:=` that executed before: it reads the captured values.
     fn fused(&mut self, def: DefId) {
         if self.seen.insert(def) {
             let defs = self.defs;

@@ -1,4 +1,4 @@
-//! Ranges and choices of parameters, checked by the caller when the program runs.
+//! Lowers ranges and choices of parameters, which the caller checks at run time.
 
 use super::body::Body;
 use super::errors::{error_of, text};
@@ -11,8 +11,8 @@ use calyx_abi::display::Display;
 use calyx_abi::{Purity, Repr};
 
 impl Body<'_, '_> {
-    /// Evaluates the arguments of a library function in the order in which they are written, and checks
-    /// them. The library only reads them, so nothing is copied.
+    /// Evaluates the arguments of a library function in the order in which they are written, and
+    /// checks them. The library only reads them, so arrays are not copied.
     pub(super) fn extern_arguments(
         &mut self,
         all: &[Expr],
@@ -24,7 +24,7 @@ impl Body<'_, '_> {
         let reordered = order_as_written(all, call);
         let is_reordered = reordered.is_some();
         let order = reordered.unwrap_or_else(|| (0..all.len()).collect());
-        // An argument that takes statements of its own is evaluated after all arguments before it.
+        // An argument that needs separate statements is evaluated after all arguments before it.
         let last = order.iter().rposition(|&at| is_demanded(at) || self.needs_statements(&all[at]));
         let mut values: Vec<Option<ir::Expr>> = vec![None; all.len()];
         for (position, at) in order.into_iter().enumerate() {
@@ -42,8 +42,8 @@ impl Body<'_, '_> {
         values
     }
 
-    /// Ends the call under way with an error if an argument violates the demand. Each component of a
-    /// vector and each element of an array must satisfy it.
+    /// Fails at run time if an argument is outside its domain. Each component of a vector and each
+    /// element of an array is checked.
     pub(super) fn demand(&mut self, demand: &Demand, value: ir::Expr, span: Span, ty: &Type) {
         let tested = match value.repr.clone() {
             Repr::Array(element) => self.first_refused(demand, &value, &element, span),
@@ -85,7 +85,7 @@ impl Body<'_, '_> {
         self.start(go_on);
     }
 
-    /// The condition on a number, vector or text; `None` if everything is allowed.
+    /// Returns the condition on a number, vector or text; `None` if everything is allowed.
     fn is_allowed(&mut self, demand: &Demand, value: &ir::Expr, span: Span) -> Option<ir::Expr> {
         let truth = |kind| ir::Expr { kind, repr: Repr::Bool, span };
         let compare = |op, a: &ir::Expr, b| truth(ExprKind::Op(op, vec![a.clone(), b]));
@@ -111,8 +111,8 @@ impl Body<'_, '_> {
         allowed.into_iter().reduce(|a, b| truth(ExprKind::And(Box::new(a), Box::new(b))))
     }
 
-    /// The condition on the elements of an array, and the index of the first one that violates it;
-    /// `None` if everything is allowed.
+    /// Returns the condition on the elements of an array, and the index of the first element that
+    /// violates it; `None` if everything is allowed.
     fn first_refused(
         &mut self,
         demand: &Demand,
@@ -151,14 +151,14 @@ impl Body<'_, '_> {
         let id = self.lowering.standard(name, Purity::Pure, &parameters, Repr::Number);
         let index = ir::Expr { kind: ExprKind::CallExtern(id, arguments), repr: Repr::Number, span };
         let index = self.kept(index);
-        // Not `index < 0`: the index is NaN if elements follow from a call that failed, after which
+        // Not `index < 0`: the index is NaN if the elements result from a failed call after which
         // `check` continues.
         let truth = |kind| ir::Expr { kind, repr: Repr::Bool, span };
         let refused = truth(ExprKind::Op(Op::GreaterEqual, vec![index.clone(), number(0.0)]));
         Some((truth(ExprKind::Op(Op::Not, vec![refused])), Some(index)))
     }
 
-    /// How the elements of an array of this type are shown.
+    /// Returns the display of the elements of an array type.
     fn element_display(&self, ty: &Type) -> Display {
         let checker = self.lowering.checker;
         let element = match checker.store.shallow(&self.types.ty(&checker.store, ty)) {

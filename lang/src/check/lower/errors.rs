@@ -1,4 +1,4 @@
-//! `try`, `catch` and `throw`: errors as edges of the graph of blocks.
+//! Lowers `try`, `catch` and `throw`: errors are edges of the control-flow graph.
 
 use super::body::Body;
 use crate::check::tree::{Expr, Stmt, VarId};
@@ -7,7 +7,8 @@ use crate::span::Span;
 use calyx_abi::Repr;
 
 impl Body<'_, '_> {
-    /// Every block of the body names the handler, whose first statement takes the error.
+    /// Lowers a `try` statement. Every block of the body has the handler as its error target; the
+    /// handler's first statement takes the error.
     pub(super) fn try_catch(&mut self, body: &Stmt, error: Option<VarId>, handler: &Stmt) {
         let (on_error, after) = (self.new_block(), self.new_block());
         let span = handler.span;
@@ -51,7 +52,7 @@ impl Body<'_, '_> {
                     let kind = ExprKind::Local(*caught);
                     Terminator::Rethrow(ir::Expr { kind, repr: Repr::Handle, span })
                 }
-                // Reported by the checker.
+                // Already reported by the checker.
                 None => return,
             },
         };
@@ -59,7 +60,7 @@ impl Body<'_, '_> {
     }
 }
 
-/// The fields of an `Error` without place and value.
+/// Creates an `Error` from a code and a message, without location and value.
 pub(super) fn error_of(code: ir::Expr, message: ir::Expr, span: Span) -> ir::Expr {
     let value = ir::Expr { kind: ExprKind::Number(f64::NAN), repr: Repr::Number, span };
     let fields = vec![code, message, text("", span), value];

@@ -1,4 +1,5 @@
-//! Host functions: what the embedding program may provide, and where a function of the model asks for it.
+//! Lowers host functions: lists them, and calls the embedding program's function where one is
+//! provided.
 
 use super::body::Body;
 use super::{Lowering, known_dimension};
@@ -13,7 +14,7 @@ use std::collections::HashMap;
 pub(super) type Hosts = HashMap<(usize, FuncId), HostId>;
 
 impl Lowering<'_> {
-    /// Lists every host function, called or not, in order of file and place.
+    /// Lists all host functions in order of file and position, including unused ones.
     pub(super) fn host_functions(&mut self) {
         let mut all: Vec<(FileId, u32, usize, FuncId)> = Vec::new();
         for (unit, typed) in self.linked.typed.iter().enumerate() {
@@ -25,7 +26,7 @@ impl Lowering<'_> {
             }));
         }
         all.sort();
-        // Of a function in several units the first counts, as for calls.
+        // If a function is in several units, the first one counts, as for calls.
         all.dedup_by_key(|(file, start, ..)| (*file, *start));
         for (_, _, unit, id) in all {
             self.within(unit, |lowering| lowering.host_function(id));
@@ -61,7 +62,8 @@ impl Lowering<'_> {
 }
 
 impl Body<'_, '_> {
-    /// Asks for the function of the embedding program; the body that follows is for when there is none.
+    /// Calls the function of the embedding program. The body that follows runs if it is not
+    /// provided.
     pub(super) fn ask_host(&mut self, function: HostId, parameters: &[VarId], result: &Repr, span: Span) {
         let mut arguments = Vec::new();
         for &parameter in parameters {

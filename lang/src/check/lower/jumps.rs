@@ -1,4 +1,4 @@
-//! Statements that choose where to go on: `switch`, `goto`, and `break` and `continue` where they do not belong.
+//! Lowers `switch` and `goto`, and `break` and `continue` outside of loops.
 
 use super::body::{Body, Exit};
 use crate::check::symbols::similar;

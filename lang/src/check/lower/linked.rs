@@ -1,4 +1,5 @@
-//! Units put together: which function of which unit a call means, and where items stand in files.
+//! Links check units: maps calls to functions of other units, and items to their positions in
+//! files.
 
 use super::Lowering;
 use crate::check::excerpt::{ItemId, Places, RecordKey};
@@ -14,19 +15,22 @@ use std::sync::Arc;
 /// The units of a program.
 pub struct Linked<'u> {
     units: Vec<&'u Unit>,
-    /// By unit; each knows the records of all, as a general function may be used with records it has never heard of.
+    /// The typed functions of each unit. Each unit contains the records of all units, because a
+    /// generic function may be instantiated with any of them.
     pub(super) typed: Vec<Typed>,
     /// Records by unit and number.
     records: Vec<Vec<RecordKey>>,
     /// Unit and function by item.
     functions: HashMap<ItemId, (usize, FuncId)>,
-    /// From places in the excerpt of each unit to places in files; none if places are to stay in excerpts.
+    /// Maps of locations from the excerpt of each unit to files; empty if locations stay relative
+    /// to excerpts.
     places: Vec<Places<'u>>,
 }
 
 impl<'u> Linked<'u> {
-    /// The model's top level is the first unit. Of functions in several units the first counts. `items` tells where each
-    /// item starts; without it places stay in excerpts.
+    /// Links units. The first unit is the model's top level. If a function is in several units, the
+    /// first one counts. `items` has the start of each item; if it is empty, locations stay
+    /// relative to excerpts.
     pub fn new(units: Vec<&'u Unit>, items: &HashMap<ItemId, (FileId, u32)>) -> Self {
         let mut functions = HashMap::new();
         for (index, unit) in units.iter().enumerate() {
@@ -62,7 +66,7 @@ impl<'u> Linked<'u> {
                     .push(RecordType { name: record.name.clone(), fields });
             }
         }
-        // A general function may be used at dimensions that only the model knows by name.
+        // A generic function may be instantiated with dimensions that only the model names.
         if let Some((model, others)) = typed.split_first_mut() {
             for other in others {
                 if other.store.vocabulary != model.store.vocabulary {
@@ -81,13 +85,13 @@ impl<'u> Linked<'u> {
         &self.units
     }
 
-    /// From places in the excerpt of a unit to places in files.
+    /// Returns the map of locations from the excerpt of a unit to files.
     pub fn places(&self, unit: usize) -> Option<&Places<'u>> {
         self.places.get(unit)
     }
 }
 
-/// The number that a record of one table has in another.
+/// Converts the number of a record in one table to its number in another.
 fn renumbered(id: RecordId, from: &[RecordKey], to: &[RecordKey]) -> RecordId {
     let item = from.get(id.0 as usize);
     let at = item.and_then(|item| to.iter().position(|other| other == item));
@@ -95,7 +99,7 @@ fn renumbered(id: RecordId, from: &[RecordKey], to: &[RecordKey]) -> RecordId {
 }
 
 impl<'c> Lowering<'c> {
-    /// Lowers something of another unit; what it adds to the program is put to its place in the files.
+    /// Lowers code of another unit, and converts the locations of the result to files.
     pub(super) fn within<T>(&mut self, unit: usize, work: impl FnOnce(&mut Self) -> T) -> T {
         let around = self.unit;
         self.place();
@@ -106,12 +110,13 @@ impl<'c> Lowering<'c> {
         result
     }
 
-    /// Whether one unit is looked at by itself, so that what it calls is out of reach.
+    /// Returns `true` if a single unit is lowered, so that functions of other units are not
+    /// available.
     pub(super) fn alone(&self) -> bool {
         self.linked.places.is_empty()
     }
 
-    /// Puts what the present unit has added so far to its place.
+    /// Converts the locations of everything that the current unit has added so far.
     fn place(&mut self) {
         let (sites, functions, diagnostics) = self.placed;
         if let Some(places) = self.places() {
@@ -136,13 +141,14 @@ impl<'c> Lowering<'c> {
         }
     }
 
-    /// From places in the excerpt of the present unit to places in files.
+    /// Returns the map of locations from the excerpt of the current unit to files.
     pub(super) fn places(&self) -> Option<&'c Places<'c>> {
         let linked: &'c Linked<'c> = self.linked;
         linked.places(self.unit)
     }
 
-    /// The unit that holds a function's body, and the function there. `None` where a unit is looked at alone.
+    /// Returns the unit with a function's body, and the function in that unit; `None` if a single
+    /// unit is lowered.
     pub(super) fn resolve(&self, function: FuncId) -> Option<(usize, FuncId)> {
         match self.linked.units.get(self.unit)?.foreign.get(&function) {
             None => Some((self.unit, function)),
@@ -150,8 +156,8 @@ impl<'c> Lowering<'c> {
         }
     }
 
-    /// The function used at `instance`, seen from a body whose own unknowns are `types`, and what stands for the unknowns
-    /// of its scheme.
+    /// Returns the function used at `instance` and the types of its scheme's variables. `types` are
+    /// those of the calling body.
     pub(super) fn callee(
         &self,
         function: FuncId,
@@ -180,14 +186,15 @@ impl<'c> Lowering<'c> {
     }
 }
 
-/// What only the flow of control shows to be wrong in some functions of a unit. Places lie in its excerpt.
+/// Returns the control-flow diagnostics of some functions of a unit. Locations refer to its
+/// excerpt.
 pub fn flow(unit: &Unit, functions: &[FuncId]) -> Vec<Diagnostic> {
     let linked = Linked::new(vec![unit], &HashMap::new());
     let mut lowering = Lowering::new(&linked);
     lowering.interface(&unit.typed);
     for id in functions {
         let function = unit.typed.functions.get(id);
-        // Those of which only the header is there, and symbolic ones, have no flow.
+        // Functions with only a header, and symbolic functions, have no control flow.
         if !unit.foreign.contains_key(id) && function.is_some_and(|function| function.definition.is_none()) {
             super::body::Body::lower(&mut lowering, *id, Substitution::default());
         }

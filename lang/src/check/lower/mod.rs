@@ -1,4 +1,5 @@
-//! From the typed tree to the typed program: one function per representation of its arguments, control flow as a graph.
+//! Lowers the typed tree to the typed program: instantiates functions per representation of their
+//! arguments, and converts control flow to a graph of basic blocks.
 
 mod assertions;
 mod body;
@@ -36,7 +37,7 @@ pub use linked::{Linked, flow};
 use std::collections::{BTreeSet, HashMap, HashSet};
 use std::sync::LazyLock;
 
-/// A function to be lowered for given types of its scheme's unknowns.
+/// A function to be lowered with given types of its scheme's variables.
 struct Wanted {
     unit: usize,
     function: FuncId,
@@ -44,38 +45,40 @@ struct Wanted {
     target: FunctionId,
 }
 
-/// A function of a unit, the representations of its scheme's unknowns, and dimensions where they matter.
+/// A function of a unit, the representations of its scheme's variables, and dimensions if they
+/// affect the code.
 type Instance = (usize, FuncId, Vec<Repr>, Vec<String>);
 
 pub(super) struct Lowering<'c> {
     linked: &'c Linked<'c>,
-    /// The unit whose code is being lowered.
+    /// The unit that is being lowered.
     unit: usize,
     checker: &'c Typed,
     closures: &'c HashMap<FuncId, Closure>,
     program: Program,
-    /// In which the model shows numbers.
+    /// The unit system in which the model displays numbers.
     system: UnitSystem,
     instances: HashMap<Instance, FunctionId>,
     wanted: Vec<Wanted>,
     symbolic_functions: symbolic_functions::Instances,
-    /// Functions that write numbers into text, themselves or by those they call.
+    /// For each function, whether it or a callee formats numbers.
     showing: HashMap<(usize, FuncId), bool>,
     externs: HashMap<String, ExternId>,
     hosts: hosts::Hosts,
     diagnostics: Vec<Diagnostic>,
-    /// Sites, symbolic functions and diagnostics whose places are in files already.
+    /// Numbers of sites, symbolic functions and diagnostics whose locations are already converted
+    /// to files.
     placed: (usize, usize, usize),
 }
 
-/// What the model's file says of the model as a whole.
+/// Properties of the model that its file declares.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Model {
     pub system: UnitSystem,
     pub doc: String,
 }
 
-/// The typed program, and what only lowering shows to be wrong.
+/// Returns the typed program and the diagnostics that only lowering finds.
 pub fn lower(linked: &Linked<'_>, model: Model, files: Vec<SourceFile>) -> (Program, Vec<Diagnostic>) {
     let mut lowering = Lowering::new(linked);
     lowering.system = model.system;
@@ -116,12 +119,12 @@ pub fn lower(linked: &Linked<'_>, model: Model, files: Vec<SourceFile>) -> (Prog
     (lowering.program, lowering.diagnostics)
 }
 
-/// What a unit needs of its surroundings, its functions' closures.
+/// Returns the closures of the functions of a unit.
 pub fn closures(typed: &Typed) -> HashMap<FuncId, Closure> {
     closures::closures(&typed.functions, &typed.defs, &typed.chosen, &|id| typed.variable(id).owner)
 }
 
-/// Params by which sites differentiate that capture expressions.
+/// Returns the params with respect to which sites with captured expressions are differentiated.
 fn graph_params(program: &Program) -> Vec<u32> {
     let mut found = BTreeSet::new();
     for site in &program.sites {
@@ -138,7 +141,8 @@ fn graph_params(program: &Program) -> Vec<u32> {
     found.into_iter().collect()
 }
 
-/// The comment that opens a file documents the file, also where an import or units follow without a blank line.
+/// Returns the documentation of a file: the comment at its start, also if an import or units follow
+/// without a blank line.
 pub fn model_doc<'s>(file_doc: Option<&str>, mut statements: impl Iterator<Item = &'s Stmt>) -> String {
     let first = statements.next().filter(|s| matches!(s.kind, StmtKind::Import(_) | StmtKind::Units(_)));
     file_doc.or_else(|| first?.doc.as_deref()).unwrap_or_default().to_string()
@@ -186,7 +190,7 @@ impl<'c> Lowering<'c> {
         }
     }
 
-    /// The params.
+    /// Lowers the params.
     fn interface(&mut self, checker: &'c Typed) {
         let places = self.places();
         let placed = |span| places.map_or(span, |places| places.span(span));
@@ -221,12 +225,12 @@ impl<'c> Lowering<'c> {
         }
     }
 
-    /// The function for the given types of a scheme's unknowns, which are closed.
+    /// Returns the instance of a function for the given, resolved types of its scheme's variables.
     fn instance(&mut self, unit: usize, function: FuncId, types: Substitution) -> FunctionId {
         let linked: &'c Linked<'c> = self.linked;
         let typed = linked.typed.get(unit).unwrap_or(self.checker);
         let scheme = typed.functions.get(&function).map(|f| f.scheme.clone()).unwrap_or_default();
-        // Each function of a chain may put what it is given into brackets once more.
+        // Each function of a recursive chain may nest its argument in another array.
         if !types.types.values().all(|ty| typed.store.is_bounded(ty)) {
             let span = typed.functions.get(&function).map_or_else(Span::default, |f| f.span);
             self.within(unit, |lowering| lowering.report(too_large(span)));
@@ -236,13 +240,14 @@ impl<'c> Lowering<'c> {
             .types
             .iter()
             .map(|v| typed.store.repr(&types.types.get(v).cloned().unwrap_or(Type::number())));
-        // A field stands elsewhere in another record of the same representation.
+        // Records with the same representation may store a field at different positions.
         let records = scheme.types.iter().filter_map(|v| types.types.get(v));
         let mut shown: Vec<String> = records
             .filter(|ty| typed.store.has_record(ty))
             .map(|ty| format!("{:?}", typed.store.resolve(ty)))
             .collect();
-        // Dimensions matter only to text that shows units; a function that makes none is shared by all of them.
+        // Dimensions matter only for text with units; other functions are shared between
+        // dimensions.
         let general = !(scheme.types.is_empty() && scheme.dims.is_empty());
         if general && self.shows_units(unit, function) {
             shown.extend(
@@ -270,7 +275,7 @@ impl<'c> Lowering<'c> {
         target
     }
 
-    /// Whether a function, or one it calls, writes numbers into text.
+    /// Returns `true` if a function, or a function that it calls, formats numbers.
     fn shows_units(&mut self, unit: usize, function: FuncId) -> bool {
         if let Some(known) = self.showing.get(&(unit, function)) {
             return *known;
@@ -300,23 +305,24 @@ impl<'c> Lowering<'c> {
             });
         }
         if !shows {
-            // Nor does anything that was looked at.
+            // None of the visited functions formats numbers.
             self.showing.extend(seen.into_iter().map(|id| (id, false)));
         }
         self.showing.insert((unit, function), shows);
         shows
     }
 
-    /// The function used at `instance`, seen from a body whose own unknowns are `types`.
+    /// Returns the instance of a function used at `instance`; `types` are those of the calling
+    /// body.
     fn used(&mut self, function: FuncId, instance: UseId, types: &Substitution) -> FunctionId {
         match self.callee(function, instance, types) {
             Some((unit, function, types)) if !self.alone() => self.instance(unit, function, types),
-            // A unit looked at alone: nothing is called.
+            // In a single unit, calls are not resolved.
             _ => FunctionId(0),
         }
     }
 
-    /// The engine's function by its index among the declarations.
+    /// Returns an engine function by its index among the declarations.
     fn extern_id(&mut self, index: u32) -> (ExternId, Repr) {
         let mut decl = self.checker.externs[index as usize].clone();
         if let Some(places) = self.places() {
@@ -343,7 +349,7 @@ impl<'c> Lowering<'c> {
         })
     }
 
-    /// The function that hands an axis of unit length back, and fails on any other.
+    /// Returns the function that returns an axis of unit length and fails for any other.
     fn unit_axis(&mut self) -> ExternId {
         self.add_extern(ExternDecl {
             symbol: "calyx_std_unit_axis".into(),
@@ -369,7 +375,8 @@ impl<'c> Lowering<'c> {
         self.diagnostics.push(diagnostic);
     }
 
-    /// A function's parameters as the typed program has them: its own, then what it sees around it.
+    /// Returns a function's parameters in the typed program: its own, followed by its outer
+    /// variables.
     fn modes(&self, function: FuncId) -> Vec<(tree::VarId, Mode)> {
         let own = self.checker.functions.get(&function).map(|f| f.parameters.clone()).unwrap_or_default();
         let outer = self.closures.get(&function).into_iter().flatten();
@@ -387,7 +394,8 @@ fn formats(e: &tree::Expr, called: &mut Vec<FuncId>) -> bool {
     e.children().into_iter().any(|child| formats(child, called))
 }
 
-/// The representation an annotation of an extern function stands for; `declared` knows the program's own types.
+/// Returns the representation for an annotation of an extern function; `declared` resolves the
+/// program's own types.
 pub(super) fn annotated_repr(
     annotation: &crate::ast::TypeExpr,
     declared: &dyn Fn(&crate::ast::Ident) -> Option<Repr>,

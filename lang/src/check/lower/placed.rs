@@ -1,4 +1,4 @@
-//! Moves what was lowered from places in an excerpt to places in files.
+//! Converts locations of lowered code from an excerpt to files.
 
 use crate::check::excerpt::Places;
 use crate::ir::*;

@@ -1,6 +1,6 @@
-//! Evaluation from left to right where part of an expression takes statements of its own: a call that hands values
-//! back, or whose arguments are checked. What stands before such a part is kept aside, and `&`, `|` and `if` become
-//! branches.
+//! Left-to-right evaluation of expressions that need separate statements: calls that return `out`
+//! values or have checked arguments. Operands before such a part are stored in temporaries, and
+//! `&`, `|` and `if` become branches.
 
 use super::body::Body;
 use crate::ast::{BinaryOp, Mode};
@@ -10,7 +10,8 @@ use crate::span::Span;
 use calyx_abi::Repr;
 
 impl Body<'_, '_> {
-    /// Notes whether anything in a function takes statements of its own, so that most functions are not searched again.
+    /// Records whether any expression in a function needs separate statements, so that most
+    /// functions are searched only once.
     pub(super) fn look_for_statements(&mut self, function: &Function) {
         self.sequenced = true;
         let mut found = false;
@@ -21,12 +22,13 @@ impl Body<'_, '_> {
         self.sequenced = found;
     }
 
-    /// Whether a call needs a statement of its own.
+    /// Returns `true` if a function has `out` or `inout` values, so that a call needs a separate
+    /// statement.
     pub(super) fn hands_back(&self, function: FuncId) -> bool {
         self.lowering.modes(function).iter().any(|(_, mode)| *mode != Mode::In)
     }
 
-    /// Whether statements are made for part of an expression.
+    /// Returns `true` if a part of an expression needs separate statements.
     pub(super) fn needs_statements(&self, e: &Expr) -> bool {
         self.sequenced && self.searched(e)
     }
@@ -52,7 +54,7 @@ impl Body<'_, '_> {
         own || e.children().into_iter().any(|child| self.searched(child))
     }
 
-    /// Whether the operation takes its operands in the other order, and both do something when evaluated.
+    /// Returns `true` if the operation exchanges its operands and both contain calls.
     pub(super) fn exchanged(&self, e: &Expr) -> bool {
         match &e.kind {
             Kind::Binary(BinaryOp::Multiply | BinaryOp::Divide, a, b) => {
@@ -62,12 +64,12 @@ impl Body<'_, '_> {
         }
     }
 
-    /// Values of the parts of an expression, evaluated in the order in which they are written.
+    /// Evaluates expressions in the order in which they are written.
     pub(super) fn values(&mut self, all: &[Expr], whole: Span) -> Vec<ir::Expr> {
         self.in_order(all, whole, |f, e| f.value(e))
     }
 
-    /// The same; arrays are copied if a place still holds them.
+    /// Evaluates as `values` does, and copies arrays that a place still refers to.
     pub(super) fn owned_values(&mut self, all: &[Expr], whole: Span) -> Vec<ir::Expr> {
         self.in_order(all, whole, |f, e| f.owned(e))
     }
@@ -100,7 +102,7 @@ impl Body<'_, '_> {
         all.iter().enumerate().map(lower).collect()
     }
 
-    /// The value evaluated now, so that nothing that follows can change it.
+    /// Stores a value in a temporary, so that later code cannot change it.
     pub(super) fn kept(&mut self, value: ir::Expr) -> ir::Expr {
         if matches!(
             value.kind,
@@ -113,7 +115,7 @@ impl Body<'_, '_> {
         ir::Expr { kind: ExprKind::Local(local), repr, span }
     }
 
-    /// The value of one of two expressions, of which only that one is evaluated.
+    /// Evaluates one of two expressions, depending on a condition.
     pub(super) fn choose(
         &mut self,
         condition: ir::Expr,
@@ -142,7 +144,7 @@ impl Body<'_, '_> {
         self.push(Statement::Assign { place, value, span });
     }
 
-    /// What a call's arguments must be and is not known to be yet.
+    /// Returns the argument checks that could not be decided at compile time.
     pub(super) fn demands<'t>(
         &self,
         arguments: &'t [Expr],
@@ -156,8 +158,8 @@ impl Body<'_, '_> {
     }
 }
 
-/// Order of evaluation of the arguments or fields of an expression, by their index: the written ones
-/// from left to right, then the defaults. `None` if the order of the parameters has the same effect.
+/// Returns the evaluation order of arguments or fields, by index: those that are written from left
+/// to right, then the defaults. Returns `None` if the order of the parameters has the same effect.
 pub(super) fn order_as_written(parts: &[Expr], whole: Span) -> Option<Vec<usize>> {
     let is_written =
         |e: &Expr| e.span.file == whole.file && e.span.start >= whole.start && e.span.end <= whole.end;
@@ -187,11 +189,11 @@ pub(super) fn order_as_written(parts: &[Expr], whole: Span) -> Option<Vec<usize>
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Effect {
     Nothing,
-    /// Depends on variables.
+    /// Reads variables.
     Reads,
-    /// Calls or shows something, or may fail.
+    /// Calls or prints, or may fail.
     Acts,
-    /// Calls a function of the program, which may assign variables around it.
+    /// Calls a function of the program, which may assign outer variables.
     Assigns,
 }
 
@@ -207,7 +209,7 @@ fn effect(e: &Expr) -> Effect {
     e.children().into_iter().map(effect).fold(own, Effect::max)
 }
 
-/// Whether anything is called.
+/// Returns `true` if an expression contains a call.
 pub(super) fn calls(e: &Expr) -> bool {
     matches!(e.kind, Kind::Call(_) | Kind::CallExtern(..) | Kind::Print(..))
         || e.children().into_iter().any(calls)

@@ -1,4 +1,5 @@
-//! Symbolic expressions: every use of a `:=` as a value becomes a site, with the definitions it names fused into it.
+//! Lowers symbolic expressions: every use of a `:=` as a value becomes a site, in which the
+//! definitions that it uses are inlined.
 
 use super::body::Body;
 use super::values::{BinaryForm, binary_form, unary_op};
@@ -13,25 +14,25 @@ use calyx_abi::Repr;
 use calyx_abi::units::to_si;
 use std::collections::HashMap;
 
-/// More nodes than any model needs; definitions that double at each step reach it.
+/// Limit of the nodes of an expression; only definitions that double at each step reach it.
 const MOST_NODES: usize = 200_000;
-/// Deeper than any model goes; a chain of definitions as long as a program reaches it.
+/// Limit of the nesting depth; only a chain of definitions as long as a program reaches it.
 const MOST_LEVELS: usize = 2000;
 
-/// What a site or symbolic function under construction refers to by number.
+/// The captures of a site or symbolic function under construction, by number.
 #[derive(Default)]
 pub(super) struct Captures {
     by_variable: HashMap<VarId, u32>,
     all: Vec<(VarId, Span)>,
     /// Arguments of the symbolic function.
     pub(super) arguments: HashMap<VarId, u32>,
-    /// Variables of an ordinary function, by what they stand for among `shared`.
+    /// Variables of an ordinary function, as indices of `shared`.
     pub(super) locals: HashMap<VarId, u32>,
-    /// The body of an ordinary function, whose expressions were checked as values.
+    /// `true` for the body of an ordinary function, whose expressions were checked as values.
     pub(super) plain: bool,
-    /// Something in it that is no expression in symbols.
+    /// `true` if it contains code that is not a symbolic expression.
     pub(super) outside: bool,
-    /// Definitions named, each put in once.
+    /// Indices of definitions in `shared`.
     by_definition: HashMap<DefId, u32>,
     pub(super) shared: Vec<SymExpr>,
     nodes: usize,
@@ -51,13 +52,14 @@ impl Body<'_, '_> {
         }
     }
 
-    /// A site for the definition, with the values it captures here and those its parts captured before.
+    /// Creates a site for a definition, with the values that it captures here and those that its
+    /// parts captured before.
     pub(super) fn make_symbolic(&mut self, def: DefId, span: Span) -> ir::Expr {
         let part = self.lowering.checker.defs[def.0 as usize].part;
         self.symbolic_value(def, part, span)
     }
 
-    /// The same; `part` if other expressions may capture the value.
+    /// Creates a site; `part` is `true` if other expressions may capture the value.
     pub(super) fn symbolic_value(&mut self, def: DefId, part: bool, span: Span) -> ir::Expr {
         let checker = self.lowering.checker;
         let definition = &checker.defs[def.0 as usize];
@@ -67,7 +69,8 @@ impl Body<'_, '_> {
         let repr = expr.repr.clone();
         let here: HashMap<VarId, &Expr> =
             definition.captures.iter().map(|(id, value)| (*id, value)).collect();
-        // A binding executed earlier has set its hidden variables; an argument's captures are taken here.
+        // The hidden variables of a statement are already set; an argument's captures are evaluated
+        // here.
         let bound_before = definition.stored;
         let kept = !bound_before && definition.captures.iter().any(|(_, value)| self.needs_statements(value));
         let mut values = Vec::new();
@@ -109,7 +112,7 @@ impl Body<'_, '_> {
         }
     }
 
-    /// Reports an expression too large to be compiled.
+    /// Reports an expression that is too large to compile.
     pub(super) fn report_size(&mut self, name: &str, span: Span, captures: &Captures) {
         if captures.too_large {
             self.lowering.report(
@@ -254,9 +257,9 @@ impl Body<'_, '_> {
                 let repr = inner.repr.clone();
                 make(SymKind::At(Box::new(inner), symbol(*sym, captures), Box::new(at)), repr)
             }
-            // Already reported, or the body of a function that this unit does not see.
+            // Already reported, or the body of a function in another unit.
             Kind::Error => make(SymKind::Number(f64::NAN), self.repr(&e.ty)),
-            // Everything else was turned into a capture when the definition was made, but for an ordinary function.
+            // Other expressions became captures with the definition, except in ordinary functions.
             _ => {
                 captures.outside = true;
                 make(SymKind::Number(f64::NAN), self.repr(&e.ty))
@@ -264,7 +267,7 @@ impl Body<'_, '_> {
         }
     }
 
-    /// A definition named in an expression: put in once, however often it is named.
+    /// Returns a shared definition, which is added on first use.
     fn shared(&mut self, def: DefId, span: Span, captures: &mut Captures) -> SymExpr {
         let checker = self.lowering.checker;
         let index = match captures.by_definition.get(&def) {
@@ -281,7 +284,7 @@ impl Body<'_, '_> {
         SymExpr { kind: SymKind::Shared(index), repr, span }
     }
 
-    /// An element of brackets, by constant index.
+    /// Returns an element of brackets, by constant index.
     fn element(&mut self, base: SymExpr, at: usize, span: Span) -> SymExpr {
         let parts = match &base.repr {
             Repr::Tuple(parts) => parts.as_slice(),
@@ -289,7 +292,7 @@ impl Body<'_, '_> {
         };
         let Some(repr) = parts.get(at).cloned() else {
             if self.lowering.alone() {
-                // Perhaps what a function out of reach gives.
+                // The base may be the result of a function in another unit.
                 return SymExpr { kind: SymKind::Number(f64::NAN), repr: Repr::Number, span };
             }
             self.lowering.report(
@@ -307,7 +310,7 @@ impl Body<'_, '_> {
     }
 }
 
-/// Whether a definition is the same wherever it is named.
+/// Returns `true` if a definition captures nothing, so that it is the same at every use.
 fn checker_closed(checker: &crate::check::typed::Typed, def: DefId) -> bool {
     checker.defs[def.0 as usize].closed
 }
@@ -341,8 +344,8 @@ fn symbolic_binary(op: BinaryOp, a: SymExpr, b: SymExpr, span: Span) -> SymExpr 
     }
 }
 
-/// The axis if it is a unit vector, else NaN. Its length depends on symbols, so nothing can be
-/// reported when it is bound.
+/// Returns the axis if it is a unit vector, otherwise NaN. The length of an axis with symbols is
+/// unknown when it is bound, so no error can be reported then.
 fn unit_axis_or_nan(axis: SymExpr, captures: &mut Captures) -> SymExpr {
     let span = axis.span;
     let make = |kind, repr| SymExpr { kind, repr, span };
@@ -353,7 +356,7 @@ fn unit_axis_or_nan(axis: SymExpr, captures: &mut Captures) -> SymExpr {
     let square = make(SymKind::Op(Op::Dot, vec![axis(), axis()]), Repr::Number);
     let excess = make(SymKind::Op(Op::Subtract, vec![square, number(1.0)]), Repr::Number);
     let excess = make(SymKind::Op(Op::Abs, vec![excess]), Repr::Number);
-    // The square of a length is off by twice as much as the length.
+    // The relative error of the square is twice that of the length.
     let limit = number(2.0 * calyx_abi::math::UNIT_TOLERANCE);
     let sound = make(SymKind::Op(Op::LessEqual, vec![excess, limit]), Repr::Bool);
     let nan = make(

@@ -1,4 +1,5 @@
-//! Symbolic functions: one expression per representation of the arguments, and those of the model offered by name.
+//! Lowers symbolic functions: one expression per representation of the arguments, and the exported
+//! functions of the model.
 
 use super::body::Body;
 use super::sites::Captures;
@@ -13,25 +14,26 @@ use crate::span::{FileId, Span};
 use calyx_abi::Repr;
 use std::collections::HashMap;
 
-/// Symbolic functions that call one another, deeper than any model goes.
+/// Limit of the nesting depth of calls of symbolic functions.
 const MOST_NESTED: usize = 64;
 
 /// The functions lowered so far, by function and representation of the arguments.
 #[derive(Default)]
 pub(super) struct Instances {
     known: HashMap<(usize, FuncId, Vec<Repr>), SymbolicFunctionId>,
-    /// An ordinary function that turned out to be more than an expression, and whether another program may provide it.
+    /// An ordinary function that cannot be inlined, and whether it is a host function.
     refused: Option<(String, bool)>,
-    /// Functions being lowered inside one another.
+    /// Number of functions being lowered, each within the previous one.
     depth: usize,
-    /// Expressions being lowered inside one another, over all these functions.
+    /// Number of nested expressions being lowered, over all these functions.
     pub(super) level: usize,
 }
 
-/// What a function is in a symbolic expression.
+/// The body of a function in a symbolic expression.
 enum FunctionText<'c> {
     Symbolic(&'c SymbolicBody),
-    /// An ordinary function that only names values and returns one: variables with their values, and the result.
+    /// An ordinary function that only declares variables and returns a value: the variables with
+    /// their values, and the result.
     Plain(Vec<(VarId, &'c Expr)>, &'c Expr),
 }
 
@@ -51,7 +53,7 @@ impl<'c> FunctionText<'c> {
         while let Some(statement) = pending.pop() {
             match &statement.kind {
                 StmtKind::Nothing => {}
-                // Several variables of one declaration.
+                // A declaration of several variables.
                 StmtKind::Block(inner) => pending.extend(inner.iter().rev()),
                 StmtKind::Assign(place, value) if place.steps.is_empty() => {
                     let again = variables.iter().any(|(variable, _)| *variable == place.variable);
@@ -91,11 +93,11 @@ fn not_plain(name: &str, host: bool, called: Span) -> Diagnostic {
 }
 
 impl Body<'_, '_> {
-    /// The function a call names, for the types it has here.
+    /// Returns the called function, instantiated for the types of the call.
     pub(super) fn symbolic_callee(&mut self, call: &Call, span: Span) -> Option<SymbolicFunctionId> {
         let (unit, function, types) = self.lowering.callee(call.function, call.instance, &self.types)?;
         let found = self.lowering.within(unit, |lowering| lowering.symbolic_function(function, types, span));
-        // The function may stand in another unit, the call stands in this one.
+        // The function may be in another unit; the error is reported at the call.
         if let Some((name, host)) = self.lowering.symbolic_functions.refused.take() {
             self.lowering.report(not_plain(&name, host, span));
         }
@@ -104,7 +106,7 @@ impl Body<'_, '_> {
 }
 
 impl Lowering<'_> {
-    /// `None` if it makes no sense, which is reported.
+    /// Lowers a symbolic function. Returns `None` if it is invalid, which is reported.
     fn symbolic_function(
         &mut self,
         id: FuncId,
@@ -167,7 +169,8 @@ impl Lowering<'_> {
         Some(target)
     }
 
-    /// Lowers every symbolic function of the model's own top level, for numbers where any type would do.
+    /// Lowers every top-level symbolic function of the model, with numbers for types that are not
+    /// determined.
     pub(super) fn export_symbolic_functions(&mut self) {
         let mut own: Vec<(u32, usize, FuncId)> = Vec::new();
         for (unit, typed) in self.linked.typed.iter().enumerate() {
@@ -198,7 +201,7 @@ impl Lowering<'_> {
 }
 
 impl<'l, 'c> Body<'l, 'c> {
-    /// The expression of a symbolic function for given types of its scheme's unknowns.
+    /// Lowers the expression of a symbolic function for given types of its scheme's variables.
     fn lower_symbolic(
         lowering: &'l mut Lowering<'c>,
         id: FuncId,
@@ -231,7 +234,7 @@ impl<'l, 'c> Body<'l, 'c> {
         }
         body.report_size(&function.name, function.span, &captures);
         let system = body.lowering.system;
-        // Of a frame, the unit of its translation.
+        // For a frame, the unit of its translation.
         let unit = |ty: &Type| match checker.store.resolve(ty) {
             Type::Transform => system.unit_of(Dimension::whole([1, 0, 0, 0, 0])),
             _ => system.unit_of(known_dimension(checker, ty)),
@@ -263,7 +266,7 @@ impl<'l, 'c> Body<'l, 'c> {
     }
 }
 
-/// One unit per value that is no tuple.
+/// Returns one unit per value that is not a tuple.
 fn result_units(ty: &Type, repr: &Repr, unit: &dyn Fn(&Type) -> DisplayUnit, units: &mut Vec<DisplayUnit>) {
     match (ty, repr) {
         (Type::Array(element), Repr::Tuple(parts)) => {

@@ -1,4 +1,4 @@
-//! Expressions that are evaluated.
+//! Lowers expressions that are evaluated.
 
 use super::body::Body;
 use crate::ast::{BinaryOp, UnaryOp};
@@ -14,7 +14,7 @@ use calyx_abi::units::to_si;
 use calyx_abi::{Purity, Repr};
 
 impl Body<'_, '_> {
-    /// A value to be bound, passed or stored: an array that a place still holds is copied.
+    /// Lowers a value to be bound, passed or stored; copies an array that a place still refers to.
     pub(super) fn owned(&mut self, e: &Expr) -> ir::Expr {
         let value = self.value(e);
         own(value)
@@ -24,7 +24,7 @@ impl Body<'_, '_> {
         let span = e.span;
         let make = |kind, repr| ir::Expr { kind, repr, span };
         match &e.kind {
-            // Not reached: programs with errors are not lowered, assertions are statements.
+            // Unreachable: programs with errors are not lowered, and assertions are statements.
             Kind::Error
             | Kind::Time
             | Kind::Derivative(..)
@@ -164,7 +164,7 @@ impl Body<'_, '_> {
                         make(ExprKind::TupleElement(Box::new(base), at), self.repr(&part))
                     }
                     (None, Some(op)) => make(ExprKind::Op(op, vec![base]), Repr::Number),
-                    // Not reached: the checker has found the field.
+                    // Unreachable: the checker guarantees that the field exists.
                     (None, None) => make(ExprKind::Number(f64::NAN), Repr::Number),
                 }
             }
@@ -196,7 +196,7 @@ impl Body<'_, '_> {
         }
     }
 
-    /// `kept` if the value is to be evaluated now.
+    /// Adds a value to a format; `kept` evaluates the value immediately.
     pub(super) fn format_part(
         &mut self,
         value: &Expr,
@@ -214,7 +214,7 @@ impl Body<'_, '_> {
         parts.push(FormatPart::Value(value, display));
     }
 
-    /// How values of a type are shown.
+    /// Returns the display of values of a type.
     pub(super) fn display(&self, ty: &Type, style: Option<&Style>, system: UnitSystem) -> Display {
         let store = &self.lowering.checker.store;
         let number = |unit: Option<DisplayUnit>| {
@@ -256,7 +256,7 @@ impl Body<'_, '_> {
         }
     }
 
-    /// Place and type of a field of a record in this instance.
+    /// Returns the index and the type of a record's field in this instance.
     pub(super) fn field_of(&self, record: &Type, name: &str) -> Option<(usize, Type)> {
         let store = &self.lowering.checker.store;
         match store.shallow(&self.types.ty(store, record)) {
@@ -271,7 +271,7 @@ impl Body<'_, '_> {
     }
 }
 
-/// Copies what a place still holds, if it contains an array.
+/// Copies a value that a place still refers to, if it contains an array.
 pub(super) fn own_value(value: ir::Expr) -> ir::Expr {
     own(value)
 }
@@ -300,7 +300,7 @@ fn contains_array(repr: &Repr) -> bool {
     }
 }
 
-/// The operation a unary operator is on operands of a representation.
+/// Returns the operation of a unary operator on operands of a representation.
 pub(super) fn unary_op(op: UnaryOp, repr: &Repr) -> Option<Op> {
     match (op, repr) {
         (UnaryOp::Plus, _) => None,
@@ -310,12 +310,12 @@ pub(super) fn unary_op(op: UnaryOp, repr: &Repr) -> Option<Op> {
     }
 }
 
-/// How a binary operator is carried out.
+/// The lowered form of a binary operator.
 pub(super) enum BinaryForm {
     Plain(Op, Repr),
-    /// Operands exchanged.
+    /// The operation with exchanged operands.
     Swapped(Op, Repr),
-    /// Vector by number: scale by the reciprocal.
+    /// A vector divided by a number: a product with the reciprocal.
     DivideVector,
 }
 
@@ -341,7 +341,7 @@ pub(super) fn binary_form(op: BinaryOp, left: &Repr, right: &Repr) -> BinaryForm
         (BinaryOp::GreaterEqual, ..) => Plain(Op::GreaterEqual, Bool),
         (BinaryOp::Equal, ..) => Plain(Op::Equal, Bool),
         (BinaryOp::NotEqual, ..) => Plain(Op::NotEqual, Bool),
-        // Handled where operands are evaluated only as needed.
+        // Handled separately, because the second operand is evaluated only if needed.
         (BinaryOp::And | BinaryOp::Or, ..) => Plain(Op::Equal, Bool),
     }
 }
@@ -360,7 +360,7 @@ pub(super) fn binary(op: BinaryOp, a: ir::Expr, b: ir::Expr, span: Span) -> ir::
     let make = |op, all, repr| ir::Expr { kind: ExprKind::Op(op, all), repr, span };
     match binary_form(op, &a.repr, &b.repr) {
         BinaryForm::Plain(op, repr) => make(op, vec![a, b], repr),
-        // Evaluation has no effects here, so the order of the two cannot be seen.
+        // Evaluation has no side effects here, so the order of the operands does not matter.
         BinaryForm::Swapped(op, repr) => make(op, vec![b, a], repr),
         BinaryForm::DivideVector => {
             let one = ir::Expr { kind: ExprKind::Number(1.0), repr: Repr::Number, span };

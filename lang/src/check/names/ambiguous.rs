@@ -1,10 +1,10 @@
-//! Names that are both a unit and a variable, in a product or quotient after a number with a
-//! unit. In `3 N/m` after `var m` nothing says which of the two is meant.
+//! Ambiguous names, which denote both a unit and a variable, in a product or quotient after a
+//! number with a unit. In `3 N/m` after `var m`, both meanings are possible.
 
 use super::*;
 
 impl<'a> Resolver<'a> {
-    /// The right side of a product or quotient. Names in it that are ambiguous are reported.
+    /// Resolves the right operand of a product or quotient, and reports ambiguous names in it.
     pub(super) fn right_factor(&mut self, left: &'a Expr, right: &'a Expr) {
         match self.after_unit(left).filter(|_| self.is_unit_factor(right)) {
             Some(quantity) => self.unit_factor(right, Span { end: left.span.end, ..quantity }),
@@ -12,7 +12,7 @@ impl<'a> Resolver<'a> {
         }
     }
 
-    /// If an expression ends with a number and its units, the place of the number.
+    /// If an expression ends with a number and its units, returns the location of the number.
     fn after_unit(&self, e: &Expr) -> Option<Span> {
         let mut e = e;
         loop {
@@ -31,7 +31,7 @@ impl<'a> Resolver<'a> {
         }
     }
 
-    /// Reports whether an expression names units alone: `m`, `m^2`, `(mm*K)`.
+    /// Returns `true` if an expression contains only units: `m`, `m^2`, `(mm*K)`.
     fn is_unit_factor(&self, e: &Expr) -> bool {
         match &e.kind {
             ExprKind::Name(name) => Unit::find(&name.name).is_some() || self.own_unit(&name.name).is_some(),
@@ -44,8 +44,8 @@ impl<'a> Resolver<'a> {
         }
     }
 
-    /// Resolves a factor that names units alone. `quantity` is the number with the units before
-    /// it.
+    /// Resolves a factor that contains only units. `quantity` is the preceding number with its
+    /// units.
     fn unit_factor(&mut self, e: &'a Expr, quantity: Span) {
         match &e.kind {
             ExprKind::Name(name) => {
@@ -78,7 +78,7 @@ impl<'a> Resolver<'a> {
             Res::Output(_) => "output",
             _ => return,
         };
-        // A type of its own would only lead to further errors.
+        // A type for the name would only lead to further errors.
         self.names.uses.insert(name.span, Res::Unknown);
         let unit = self.other_spelling(&name.name);
         let text = |span: Span| {
@@ -103,8 +103,7 @@ impl<'a> Resolver<'a> {
         );
     }
 
-    /// The spelling of a unit whose name is taken: another name of it that is free, or `(1
-    /// name)`.
+    /// Returns another spelling for a unit whose name is a variable: an alias, or `(1 name)`.
     fn other_spelling(&self, name: &str) -> String {
         let taken = |name: &str| self.scopes.iter().any(|scope| scope.names.contains_key(name));
         let spellings = Unit::find(name).into_iter().flat_map(|unit| unit.aliases.iter().chain([&unit.name]));

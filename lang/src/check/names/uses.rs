@@ -1,13 +1,13 @@
-//! What names refer to where they are used: in expressions, types and units; and what is said of those that nothing declares.
+//! Resolves uses of names in expressions, types and units, and reports undeclared names.
 
 use super::*;
 use crate::check::elsewhere;
 
-/// Diagnostics after which unknown names get no suggestion any more.
+/// Number of diagnostics after which unknown names get no suggestions.
 const MOST_SUGGESTIONS: usize = 200;
 
 impl<'a> Resolver<'a> {
-    /// Records and dimensions named in a type. What is not found may still be a name of the language.
+    /// Resolves records and dimensions in a type. Other names may be built-in types.
     pub(super) fn type_expr(&mut self, annotation: &'a TypeExpr) {
         match &annotation.kind {
             TypeKind::Name(name) => {
@@ -31,12 +31,12 @@ impl<'a> Resolver<'a> {
         }
     }
 
-    /// The unit that a name after a number or in a format stands for, if the program declares it.
+    /// Returns the unit with a name after a number or in a format, if the program declares it.
     pub(super) fn own_unit(&self, name: &str) -> Option<Res> {
         let unit = |res: &Res| matches!(res, Res::OwnUnit(_)).then_some(*res);
         let mut files = self.scopes.iter().take(2).rev();
         let own = files.find_map(|scope| scope.names.get(name).and_then(|(res, _)| unit(res)));
-        // Those of the modules it imports, directly or through others.
+        // Units of imported modules, including indirect imports.
         own.or_else(|| (2..self.exports.len()).find_map(|module| self.exported_unit(module, name)))
     }
 
@@ -46,7 +46,7 @@ impl<'a> Resolver<'a> {
         (public && matches!(res, Res::OwnUnit(_))).then_some(*res)
     }
 
-    /// A unit right after a number.
+    /// Resolves a unit after a number.
     pub(super) fn quantity(&mut self, unit: &'a Ident) {
         let known = Unit::find(&unit.name).map(Res::Unit).or_else(|| self.own_unit(&unit.name));
         self.names.uses.extend(known.map(|res| (unit.span, res)));
@@ -66,7 +66,7 @@ impl<'a> Resolver<'a> {
         }
     }
 
-    /// A product of units in a format: its names are units whatever else they may be.
+    /// Resolves a product of units in a format, where all names are units.
     pub(super) fn unit_product(&mut self, e: &'a Expr) {
         match &e.kind {
             ExprKind::Name(name) => {
@@ -160,7 +160,7 @@ impl<'a> Resolver<'a> {
         }
     }
 
-    /// The field of a place, which is one of a module where its base is one.
+    /// Resolves a field of a place; if the base is a module, a member of the module.
     pub(super) fn field_of(&mut self, base: &'a Expr, place: &'a Expr) {
         if let (ExprKind::Name(name), ExprKind::Field { field, .. }) = (&base.kind, &place.kind)
             && let Some(res) = self.names.uses.get(&name.span).copied()
@@ -169,7 +169,7 @@ impl<'a> Resolver<'a> {
         }
     }
 
-    /// What a module's member stands for.
+    /// Resolves a member of a module.
     pub(super) fn member(&mut self, name: &Ident, module: Res, field: &'a Ident) {
         let module = match module {
             Res::Module(module) => module as usize,
@@ -254,7 +254,8 @@ impl<'a> Resolver<'a> {
             _ => None,
         };
         let mut candidates: Vec<&str> = Vec::new();
-        // Every name is compared with every other: in a text of many thousand errors nobody waits for that.
+        // The search compares every unknown name with all declared names, so it is limited in texts
+        // with many errors.
         let mut declared: Vec<String>;
         let suggests = self.around.suggests() && self.names.diagnostics.len() < MOST_SUGGESTIONS;
         if suggests {
