@@ -105,7 +105,7 @@ impl Jit {
     }
 }
 
-/// The target of symbols that are not in the table. The lowering declares no such symbol.
+/// Replaces symbols that are not in the table. The lowering declares no such symbol.
 extern "C" fn unresolved() -> i32 {
     calyx_abi::Status::Failed as i32
 }

@@ -30,12 +30,12 @@ impl PlannedCost {
         PlannedCost { analysis, search, estimates: work.estimates() }
     }
 
-    /// Time, s. For a tolerance search, an upper bound.
+    /// Returns the time, s. For a tolerance search, this is an upper bound.
     pub fn time(&self) -> f64 {
         self.search.as_ref().map_or(self.analysis.time(), |(_, search)| search.most)
     }
 
-    /// Largest memory use, bytes.
+    /// Returns the peak memory use, bytes.
     pub fn memory(&self) -> f64 {
         let rungs = self.search.iter().flat_map(|(_, search)| &search.rungs);
         rungs.map(|rung| rung.memory).fold(self.analysis.memory(), f64::max)

@@ -11,8 +11,8 @@
 //! - Value of a variable or param: [`Elaboration::values`], [`values::default_of`],
 //!   [`values::range_of`].
 //! - Plan of the analysis: [`Elaboration::plan`], as text by [`Planned::text`].
-//! - Expression of a `:=` definition: [`binding::definition_in`] and [`binding::binding`], which need
-//!   only the program.
+//! - Expression of a `:=` definition: [`binding::definition_in`] and [`binding::binding`], which
+//!   need only the program.
 //! - Results of the last run: [`results::RunSummary`], from its directory.
 //!
 //! ```

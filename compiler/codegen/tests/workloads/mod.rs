@@ -117,7 +117,7 @@ fn series(g: &mut Graph, x: NodeId, coefficients: &[NodeId]) -> NodeId {
     })
 }
 
-/// W1: the frame of a planet gear, its first two time derivatives, and derivatives with respect to
+/// Builds W1: the frame of a planet gear, its first two time derivatives, and derivatives with respect to
 /// design parameters.
 fn planet(g: &mut Graph) -> Vec<NodeId> {
     let [time, cd, rx, ry, px, py, phase, planet, carrier] = [0, 1, 2, 3, 4, 5, 6, 7, 8].map(|i| g.symbol(i));
@@ -184,7 +184,7 @@ fn generated_point(g: &mut Graph) -> Vector3 {
     frame.apply(g, blade)
 }
 
-/// W2: the point, its first and second derivatives, the function whose zeros define the envelope,
+/// Builds W2: the point, its first and second derivatives, the function whose zeros define the envelope,
 /// and its gradient.
 fn generated(g: &mut Graph) -> Vec<NodeId> {
     let x = generated_point(g);
@@ -200,7 +200,7 @@ fn generated(g: &mut Graph) -> Vec<NodeId> {
     outputs
 }
 
-/// W3: the point and its derivatives with respect to all settings, without the constant ones.
+/// Builds W3: the point and its derivatives with respect to all settings, without the constant ones.
 fn sensitivity(g: &mut Graph) -> Vec<NodeId> {
     let x = generated_point(g);
     let mut outputs = x.to_vec();
@@ -225,7 +225,7 @@ fn polynomial(g: &mut Graph, random: &mut Random, degree: usize) -> NodeId {
     series(g, time, &coefficients)
 }
 
-/// W4 (25 pairs): alternating translations and rotations, with the first two time derivatives of
+/// Builds W4 (25 pairs): alternating translations and rotations, with the first two time derivatives of
 /// all entries.
 pub fn chain(g: &mut Graph, pairs: usize) -> Vec<NodeId> {
     let mut random = Random(4);

@@ -31,7 +31,7 @@ fn divide(a: Complex, b: Complex) -> Complex {
     Complex { re: (a.re * b.re + a.im * b.im) / size, im: (a.im * b.re - a.re * b.im) / size }
 }
 
-/// Square root for arguments in the right half-plane.
+/// Returns the square root of a number in the right half-plane.
 fn sqrt(a: Complex) -> Complex {
     let re = ((a.re.hypot(a.im) + a.re) / 2.0).sqrt();
     Complex { re, im: a.im / (2.0 * re) }
