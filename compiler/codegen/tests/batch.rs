@@ -1,10 +1,5 @@
-<<<<<<< HEAD
 //! Batch kernels give the bits of kernels for one point, whatever varies and however many points
 //! there are, and take no more operations than the same formulas written by hand.
-=======
-//! Tests that kernels for many points produce the same bits as kernels for one point, for any
-//! varying inputs and any number of points.
->>>>>>> 5e1af5f (Rewrite the comments of the code generator in standard terms)
 
 #[allow(dead_code, reason = "shared by several tests")]
 mod workloads;
