@@ -87,7 +87,7 @@ fn codes_in(directory: &Path, codes: &mut BTreeSet<String>) {
 #[test]
 fn the_reference_has_the_titles_of_the_pages() {
     let reference =
-        std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("../lang/REFERENCE.md"));
+        std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/reference.md"));
     let reference = reference.expect("the reference");
     let mut rows = 0;
     for row in reference.lines().filter(|line| line.starts_with("| E") || line.starts_with("| W")) {

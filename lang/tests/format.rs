@@ -123,31 +123,33 @@ fn programs_of_the_repository_are_formatted() {
     assert!(failures.is_empty(), "{}", failures.join("\n"));
 }
 
-/// So are the whole models on the page that people copy from.
+/// So are the models on the pages of the book, which people copy.
 #[test]
-fn snippets_of_the_reference_are_formatted() {
+fn snippets_of_the_book_are_formatted() {
     let bless = std::env::var_os("CALYX_BLESS").is_some();
-    let path = root().join("lang/REFERENCE.md");
-    let mut page = fs::read_to_string(&path).unwrap();
     let mut failures = Vec::new();
-    let original = page.clone();
-    for (line, kind, text) in blocks(&original, &["cx", "cx fragment"]) {
-        match format(text) {
-            Ok(formatted) if formatted == text => {}
-            // The one that shows what formatting does.
-            Ok(_) if text.starts_with("// before") => {}
-            Ok(formatted) if bless => {
-                page =
-                    page.replacen(&format!("```{kind}\n{text}```"), &format!("```{kind}\n{formatted}```"), 1);
+    for path in found("docs", ".md") {
+        let original = fs::read_to_string(&path).unwrap();
+        let mut page = original.clone();
+        for (line, kind, text) in blocks(&original, &["cx", "cx fragment"]) {
+            let place = format!("{}:{line}", path.display());
+            match format(text) {
+                Ok(formatted) if formatted == text => {}
+                // The one that shows what formatting does.
+                Ok(_) if text.starts_with("// before") => {}
+                Ok(formatted) if bless => {
+                    let fenced = |text: &str| format!("```{kind}\n{text}```");
+                    page = page.replacen(&fenced(text), &fenced(&formatted), 1);
+                }
+                Ok(formatted) => failures.push(format!("{place}: not\n{text}but\n{formatted}")),
+                // Snippets that show errors of syntax.
+                Err(NotFormatted::Errors(_)) if text.contains("//~") => {}
+                Err(problem) => failures.push(format!("{place}: {problem:?}")),
             }
-            Ok(formatted) => failures.push(format!("line {line}: not\n{text}but\n{formatted}")),
-            // Snippets that show errors of syntax.
-            Err(NotFormatted::Errors(_)) if text.contains("//~") => {}
-            Err(problem) => failures.push(format!("line {line}: {problem:?}")),
         }
-    }
-    if bless {
-        fs::write(&path, page).unwrap();
+        if page != original {
+            fs::write(&path, page).unwrap();
+        }
     }
     assert!(failures.is_empty(), "{}", failures.join("\n"));
 }

@@ -231,7 +231,7 @@ fn broken_models_do_no_harm() {
     let library = Library::read();
     let mut random = random(3);
     let mut models = Vec::new();
-    for name in ["../examples/spur_pair.cx", "REFERENCE.md", "tests/check", "tests/syntax"] {
+    for name in ["../examples/spur_pair.cx", "../docs/reference.md", "tests/check", "tests/syntax"] {
         let path = folder(name);
         let files = if path.is_dir() {
             fs::read_dir(&path).expect("pages").map(|e| e.expect("a page").path()).collect()

@@ -1,4 +1,4 @@
-//! `lang/REFERENCE.md` describes the language as it is: every snippet in it is checked and run, and its tables are
+//! `docs/reference.md` describes the language as it is: every snippet in it is checked and run, and its tables are
 //! compared with what the compiler knows.
 //!
 //! Its blocks are those of [`calyx_tests::document`].
@@ -14,7 +14,7 @@ use std::fs;
 use std::path::Path;
 
 fn reference() -> String {
-    fs::read_to_string(root().join("lang/REFERENCE.md")).expect("the reference")
+    fs::read_to_string(root().join("docs/reference.md")).expect("the reference")
 }
 
 /// The section under a heading, without it.
@@ -42,7 +42,7 @@ fn first_cells<'t>(rows: &[&'t str]) -> Vec<&'t str> {
 
 #[test]
 fn every_snippet_is_judged_and_prints_as_it_says() {
-    let document = Document::read(&root().join("lang/REFERENCE.md"), "lang/REFERENCE.md");
+    let document = Document::read(&root().join("docs/reference.md"), "docs/reference.md");
     let folder = tempfile::tempdir().expect("a temporary folder");
     write_files(&document, folder.path());
     let mut problems = Vec::new();
@@ -51,7 +51,7 @@ fn every_snippet_is_judged_and_prints_as_it_says() {
             problems.push(format!("line {line}: {problem}"));
         }
     }
-    assert!(problems.is_empty(), "lang/REFERENCE.md\n{}", problems.join("\n"));
+    assert!(problems.is_empty(), "docs/reference.md\n{}", problems.join("\n"));
 }
 
 /// Compares tables line by line; what differs is shown as it should be.

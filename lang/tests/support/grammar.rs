@@ -83,9 +83,9 @@ fn lexical(rule: &str) -> Option<&'static [&'static str]> {
 }
 
 impl Grammar {
-    /// The grammar of `lang/REFERENCE.md`.
+    /// The grammar of `docs/reference.md`.
     pub fn of_the_reference() -> Grammar {
-        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/REFERENCE.md");
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/reference.md");
         let page = std::fs::read_to_string(path).expect("the reference");
         let text: Vec<&str> =
             page.split("```ebnf\n").skip(1).filter_map(|block| block.split("```").next()).collect();

@@ -203,7 +203,7 @@ fn is_used(file: &str, model: &str) -> bool {
 
 /// Codes with their titles: of the language, then those the reference lists for library and engine.
 fn all_codes() -> Vec<String> {
-    let reference = fs::read_to_string(root().join("lang/REFERENCE.md")).expect("the reference");
+    let reference = fs::read_to_string(root().join("docs/reference.md")).expect("the reference");
     let engine = reference.split("### Codes of library and engine").nth(1).expect("its section");
     let engine = engine.lines().skip(1).take_while(|line| !line.starts_with('#'));
     let engine = engine.filter_map(|line| line.strip_prefix("| E")).map(|row| {
