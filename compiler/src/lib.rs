@@ -108,3 +108,8 @@ pub use calyx_rt::{
 pub use error::{CompileError, Diagnostics};
 pub use kernel::{Kernel, KernelError, Quantity};
 pub use module::Module;
+
+/// The Rust programs on this page of the book run as tests.
+#[cfg(doctest)]
+#[doc = include_str!("../../docs/howto/embedding.md")]
+pub struct EmbeddingPage;

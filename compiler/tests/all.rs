@@ -6,6 +6,7 @@ mod check_and_run;
 mod cli;
 mod determinism;
 mod directories;
+mod docs;
 mod editors;
 mod embed_c;
 mod embedding;
