@@ -32,14 +32,14 @@ pub fn cases() -> Vec<Case> {
             "The same",
             "Poisson's ratio 0 and 0.4999",
             2e-2,
-            "the same: elements do not lock",
+            "the same: the elements do not lock",
             || worst([0.0, 0.4999].map(|ratio| Squeezed { ratio, ..NOMINAL }.error())),
         ),
         Case::refused(
             "A material",
             "Poisson's ratio 0.5",
             "E0661",
-            "incompressible: no finite volume stiffness",
+            "incompressible: the bulk modulus is infinite",
             || refusal(Material::new(2e11, 0.5, 7850.0)),
         ),
         Case::holds(
@@ -53,14 +53,14 @@ pub fn cases() -> Vec<Case> {
             "Two cylinders: peak pressure",
             "one 1e12 times as stiff as the other",
             2e-2,
-            "Hertz of the softer one alone",
+            "Hertz, with the compliance of the softer one alone",
             || worst([1.0, 1e-3].map(beside_a_stiff_one)),
         ),
         Case::holds(
             "A cylinder between rigid plates: force and approach",
             "grids of 1 cell as wide as the contact, of 3, and of 201",
             0.05,
-            "statics and the closed form: what one cell averages, the approach hardly sees",
+            "statics and the closed form: the approach depends little on the average over a cell",
             || {
                 let grids = [0, 1, 100].map(|half_cells| {
                     let squeezed = Squeezed { half_cells: Some(half_cells), width: Some(1.0), ..NOMINAL };
@@ -71,14 +71,14 @@ pub fn cases() -> Vec<Case> {
         ),
         Case::told(
             "The same",
-            "a grid a tenth as wide as the contact: all of its cells carry load",
+            "a grid with a tenth of the contact width: all cells carry load",
             "is too narrow",
             "the grid is too narrow",
             || Squeezed { width: Some(0.1), ..NOMINAL }.warnings(),
         ),
         Case::told(
             "The same",
-            "a grid a thousand times as wide as the contact: one cell carries it",
+            "a grid with a thousand times the contact width: one cell carries the load",
             "is too wide",
             "the grid is too wide",
             || Squeezed { width: Some(1e3), ..NOMINAL }.warnings(),
@@ -87,29 +87,29 @@ pub fn cases() -> Vec<Case> {
             "The same",
             "1e9 times the nominal load",
             "E0716",
-            "contact is as wide as the surfaces",
+            "the contact is as wide as the surfaces",
             || Squeezed { part: 1e9, ..NOMINAL }.refusal(),
         )
         .saying("touch over all"),
         Case::refused(
             "A cylinder on a plate",
-            "a load that lifts it",
+            "a load that lifts the cylinder",
             "E0714",
-            "contact only pushes",
+            "contact transmits no tension",
             || Squeezed { part: -1.0, ..NOMINAL }.refusal(),
         ),
         Case::refused(
             "A cylinder between rigid plates",
-            "a load that is no number",
+            "a NaN load",
             "E0723",
             "there is no equilibrium",
             || Squeezed { part: f64::NAN, ..NOMINAL }.refusal(),
         ),
         Case::refused(
-            "A flat rigid plate on another",
-            "parallel to the last bit: they touch everywhere",
+            "A flat rigid plate on another one",
+            "exactly parallel: they touch everywhere",
             "E0714",
-            "two rigid planes have no nearest points, which is said",
+            "two parallel rigid planes have no unique nearest points",
             flat_on_flat,
         )
         .saying("no surface has a nearest point"),

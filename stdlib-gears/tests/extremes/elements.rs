@@ -10,27 +10,27 @@ use std::f64::consts::FRAC_PI_2;
 pub fn cases() -> Vec<Case> {
     vec![
         Case::holds(
-            "A strip that is pulled: its lengthening",
-            "elements a quarter and 250 times as long as thick, orders 1 to 3",
+            "A strip in tension: elongation",
+            "aspect ratios of elements of 0.25 and 250, orders 1 to 3",
             1e-6,
-            "force by stiffness: needles are exact, but for rounding",
+            "force over stiffness: exact except for rounding",
             || {
                 let thickness = [1.0, 1e-3];
                 worst(thickness.into_iter().flat_map(|thick| [1, 2, 3].map(|order| pulled(thick, order))))
             },
         ),
         Case::holds(
-            "A thick cylinder under pressure: how far its bore widens",
+            "A thick cylinder under internal pressure: radial displacement of the bore",
             "Poisson's ratio 0.49, 0.4999, 0.499999, cubic elements",
             1e-2,
-            "Lame: elements do not lock",
+            "Lamé: the elements do not lock",
             || worst([0.49, 0.4999, 0.499999].map(|ratio| widened(ratio, 2.0))),
         ),
         Case::holds(
             "The same",
-            "a wall of a thousandth of the radius, in six elements of 15 deg",
+            "a wall thickness of a thousandth of the radius, six elements of 15 deg",
             0.1,
-            "Lame",
+            "Lamé",
             || widened(0.3, 1.001),
         ),
     ]

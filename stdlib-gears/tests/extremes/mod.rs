@@ -22,7 +22,7 @@ fn chapters() -> Vec<(&'static str, Vec<Case>)> {
         ("Contact", cylinders::cases()),
         ("Gears in mesh", pairs::cases()),
         ("Shapes of gears", shapes::cases()),
-        ("Bearings, clearances and what holds bodies", bearings::cases()),
+        ("Bearings, clearances and supports", bearings::cases()),
         ("Motion in time", motion::cases()),
         ("Elements", elements::cases()),
     ]
@@ -54,21 +54,25 @@ fn the_table_of_extremes_is_that_of_the_cases() {
 
 fn document() -> String {
     let mut text = String::from(
-        "# Extremes\n\nWhere each method stops being good. Every line is a case of `stdlib-gears/tests/extremes`, which writes this page \
-         (`CALYX_BLESS=1 cargo test -p calyx-gears --test all extremes`) and fails if a case does not hold what is said of it here: the largest \
-         relative error over all values of the line, against a truth that knows nothing of the method; or the code with which the engine \
-         refuses (`calyx explain CODE`), or what it says beside the result.\n",
+        "# Extremes\n\n\
+         How far each method can be driven. Every row is a case of a test, `stdlib-gears/tests/extremes`. The column\n\
+         *Result* has one of three outcomes:\n\n\
+         - an accuracy: the largest relative error over all values of the row, against the independent truth in the last\n  \
+         column;\n\
+         - rejected: the code of the error (`calyx explain CODE`);\n\
+         - warning: part of the warning that is shown with the result.\n\n\
+         The test fails if a case does not have its outcome. It also writes this page:\n\
+         `CALYX_BLESS=1 cargo test -p calyx-gears --test all extremes`.\n",
     );
     for (chapter, cases) in chapters() {
-        text += &format!("\n## {chapter}\n\n| What | Driven to | What happens | By |\n|---|---|---|---|\n");
+        text +=
+            &format!("\n## {chapter}\n\n| Case | Extreme | Result | Truth or reason |\n|---|---|---|---|\n");
         for Case { method, driven, outcome } in cases {
             let (happens, by) = match outcome {
-                Outcome::Holds { to: 0.0, truth, .. } => ("holds exactly".to_string(), truth.to_string()),
-                Outcome::Holds { to, truth, .. } => (format!("holds to {}", shown(to)), truth.to_string()),
-                Outcome::Refused { code, why, .. } => (format!("refused, {code}"), why.to_string()),
-                Outcome::Told { says, why, .. } => {
-                    (format!("said beside the result: \"{says}\""), why.to_string())
-                }
+                Outcome::Holds { to: 0.0, truth, .. } => ("exact".to_string(), truth.to_string()),
+                Outcome::Holds { to, truth, .. } => (format!("within {}", shown(to)), truth.to_string()),
+                Outcome::Refused { code, why, .. } => (format!("rejected, {code}"), why.to_string()),
+                Outcome::Told { says, why, .. } => (format!("warning \"{says}\""), why.to_string()),
             };
             text += &format!("| {method} | {driven} | {happens} | {by} |\n");
         }

@@ -19,10 +19,10 @@ use std::sync::Arc;
 pub fn cases() -> Vec<Case> {
     vec![
         Case::holds(
-            "A mass on a spring, let go under a load",
+            "A mass on a spring, released under a load",
             "2000 steps of 1e-9 periods",
             1e-5,
-            "the closed form, which is 2e-11 of what it will swing: no digits are lost",
+            "the closed form, 2e-11 of the final amplitude: no digits are lost",
             || {
                 let swung = Oscillator { step: 1e-9, ..SOFT }.moved(2000);
                 let phase: f64 = TAU * 2000e-9;
@@ -42,9 +42,9 @@ pub fn cases() -> Vec<Case> {
         ),
         Case::holds(
             "The same",
-            "a hundred steps of a million periods, by \"average_acceleration\": how far it swings",
+            "a hundred steps of a million periods, by \"average_acceleration\": amplitude",
             2.0,
-            "twice its rest at most: it is not followed, and does not grow",
+            "at most twice the static deflection: the oscillation is not resolved, and does not grow",
             || worst([99, 100].map(|steps| Oscillator { step: 1e6, ..SOFT }.moved(steps) / SOFT.rest())),
         ),
         Case::holds(
@@ -63,9 +63,9 @@ pub fn cases() -> Vec<Case> {
         ),
         Case::holds(
             "The same",
-            "times from 1e5 s on, in steps of 1e-6 s",
+            "start at 1e5 s, steps of 1e-6 s",
             1e-3,
-            "the same from 0 s on",
+            "the same with a start at 0 s",
             || {
                 let oscillator = Oscillator { spring: 1e7, step: 1e-6 * (1e7_f64).sqrt() / TAU, ..SOFT };
                 off(Oscillator { from: 1e5, ..oscillator }.moved(100), oscillator.moved(100))
@@ -73,9 +73,9 @@ pub fn cases() -> Vec<Case> {
         ),
         Case::refused(
             "The same",
-            "times from 1e5 s on, in steps of 1e-13 s",
+            "start at 1e5 s, steps of 1e-13 s",
             "E0763",
-            "no number tells these times apart",
+            "the steps are below the resolution of a double at these times",
             || {
                 let oscillator =
                     Oscillator { spring: 1e7, step: 1e-13 * (1e7_f64).sqrt() / TAU, from: 1e5, ..SOFT };

@@ -25,24 +25,24 @@ const TWO: f64 = 0.25;
 pub fn cases() -> Vec<Case> {
     vec![
         Case::holds(
-            "A spur pair: peak pressure by load",
+            "A spur pair: peak pressure against load",
             "1e-6 to 1 times the nominal load",
             5e-3,
-            "Hertz: the root of the load, but for what contact a fiftieth of the radius wide sees of flanks being round",
+            "Hertz: square root of the load; at a contact width of a fiftieth of the radius the curvature of the flanks adds a correction",
             || worst([1e-6, 1e-3, 0.1].map(pressed)),
         ),
         Case::holds(
             "The same",
             "1e-9 times the nominal load",
             0.1,
-            "Hertz: contact is 5 nm wide, and its gaps of 1e-15 m are the last digits of where the gears are",
+            "Hertz: the contact is 5 nm wide, and its gaps of 1e-15 m are at the rounding limit of the positions",
             || pressed(1e-9),
         ),
         Case::holds(
-            "A spur pair: root stress by load",
+            "A spur pair: root stress against load",
             "1e-9 to 1 times the nominal load",
             1e-2,
-            "teeth are linear",
+            "the teeth are linear elastic",
             || {
                 let nominal = loaded(1.0, ALONE).root_stress;
                 worst(LIGHT.into_iter().flat_map(|part| {
@@ -52,7 +52,7 @@ pub fn cases() -> Vec<Case> {
             },
         ),
         Case::holds(
-            "A spur pair: how the transmission error by load grows as the load vanishes",
+            "A spur pair: growth of the compliance as the load vanishes",
             "1e-9 to 1 times the nominal load",
             1e-2,
             "Hertz: its logarithm, in closed form",
@@ -62,18 +62,18 @@ pub fn cases() -> Vec<Case> {
             "A spur pair: stresses, load shares, transmission error",
             "modules of 1e-5 m and 10 m, loads scaled alike",
             1e-7,
-            "scaling: nothing but lengths changes",
+            "scaling: only lengths change",
             || worst([1e-5, 10.0].map(|module| scaled(module / (0.1 * INCH)))),
         ),
         Case::holds(
-            "A spur pair in the plane",
+            "A two-dimensional spur pair",
             "face widths of 0.1 and 100 modules, loads scaled alike",
             1e-12,
             "scaling",
             || worst([0.1, 100.0].map(as_wide)),
         ),
         Case::holds(
-            "A spur pair: what gives of a pair whose mate is 1e12 times as stiff",
+            "A spur pair: compliance with a mate that is 1e12 times as stiff",
             "the one, the other, and both of steel",
             5e-3,
             "superposition, with Hertz's logarithm of the narrower contact in closed form",
@@ -81,58 +81,58 @@ pub fn cases() -> Vec<Case> {
         ),
         Case::holds(
             "A position",
-            "100,000 revolutions on",
+            "100,000 revolutions later",
             1e-5,
-            "the same position of the first revolution",
+            "the same position in the first revolution",
             || after(1e5),
         ),
         Case::holds(
             "A position",
             "speeds of 1e-9 and 1e9 rad/s",
             1e-9,
-            "statics does not know speed",
+            "a static solution does not depend on speed",
             || worst([1e-9, 1e9].map(at_speed)),
         ),
         Case::holds(
             "A pair with tip reliefs of 13 um: transmission error",
-            "a millionth of the nominal load, which leaves relieved flanks apart",
+            "a millionth of the nominal load, at which the relieved flanks are separated",
             0.1,
-            "what the reliefs take off at the nominal path, to the first order of their slopes",
+            "the relief at the nominal path of contact, to the first order of its slope",
             || worst([0.2, TWO, 0.28].map(far_relieved)),
         ),
         Case::holds(
             "A pair without backlash: force on both sides of the teeth",
-            "without load, centre distances 0.1 and 1.1 um below that at which teeth fill their spaces",
+            "no load, centre distances 0.1 and 1.1 um below that of zero backlash",
             1e-9,
-            "statics: both sides push alike",
+            "statics: equal forces on both sides",
             || worst([-1e-7, -1.1e-6].map(tight)),
         ),
         Case::told(
-            "The same, where back sides are not asked for",
+            "The same without a search for back-side contact",
             "a centre distance 0.1 mm below",
             "the backlash is negative",
             "contact is searched on the driving flanks only",
             || meshed(-1e-4, false).expect("they mesh").1,
         ),
         Case::holds(
-            "A helical pair in space: axial by tangential force",
+            "A three-dimensional helical pair: ratio of axial to tangential force",
             "helix angles of 0.001 and 45 deg",
             1e-9,
             "the tangent of the helix angle",
             || worst([1e-3_f64, 45.0].map(|angle| axial(angle.to_radians(), 8.0))),
         ),
-        Case::refused("A helix", "61 deg", "E0622", "no gear on parallel axes is made so", || {
+        Case::refused("A helix", "61 deg", "E0622", "outside the range of gears on parallel axes", || {
             refusal(Helix::new(61_f64.to_radians(), Hand::Left))
         }),
         Case::holds(
-            "A helical pair in space: axial by tangential force",
+            "A three-dimensional helical pair: ratio of axial to tangential force",
             "faces of 0.1 and 100 modules at 20 deg",
             1e-9,
             "the tangent of the helix angle",
             || worst([0.1, 100.0].map(|modules| axial(20_f64.to_radians(), modules))),
         ),
         Case::holds(
-            "A spur pair in space: torque ratio",
+            "A three-dimensional spur pair: torque ratio",
             "misalignment of 3 deg, contact in a corner of the face",
             1e-2,
             "the numbers of teeth",

@@ -17,14 +17,14 @@ use std::sync::LazyLock;
 
 pub fn cases() -> Vec<Case> {
     vec![
-        Case::refused("A gear", "1 tooth", "E0604", "there is no rack that cuts it", || refused_teeth(1)),
+        Case::refused("A gear", "1 tooth", "E0604", "no rack can generate it", || refused_teeth(1)),
         Case::refused("A gear", "2 teeth", "E0604", "the same", || refused_teeth(2)),
         Case::refused("A gear", "3 teeth", "E0604", "the same", || refused_teeth(3)),
         Case::holds(
             "A pair of equal gears: root stress",
             "500, 1000 and 2000 teeth",
             3e-2,
-            "the rack, which it goes to by the inverse of the number of teeth",
+            "the rack, which is the limit, approached with the inverse of the number of teeth",
             towards_a_rack,
         ),
         Case::holds(
@@ -35,21 +35,21 @@ pub fn cases() -> Vec<Case> {
             || worst([0, 1].map(on_a_thin_rim)),
         ),
         Case::holds(
-            "The same: root tension",
+            "The same: largest root stress",
             "a rim of 1 module",
             0.0,
-            "none: the force flattens the ring and presses the roots together, as the largest tension says",
+            "zero: the force flattens the ring and compresses the roots",
             || under(1e-3, 0, COARSE).1[1],
         ),
         Case::told(
             "The same",
             "a rim of 0.3 modules, the nominal load",
             "so far that contact moves",
-            "the load winds the gears past each other by a radian",
+            "the load rotates the gears by a radian",
             || under(1.0, 1, COARSE).0,
         ),
         Case::holds(
-            "A gear of a material that keeps its volume: root stress",
+            "A gear of a nearly incompressible material: root stress",
             "Poisson's ratio 0.45, quadratic elements",
             3e-2,
             "cubic elements of two thirds of the size",
@@ -62,11 +62,11 @@ pub fn cases() -> Vec<Case> {
             "The same",
             "Poisson's ratio 0.4999, quadratic elements",
             "E0661",
-            "stress would be off by more than itself",
+            "the error of the stress would exceed the stress",
             || refusal(soft(0.4999).build(&COARSE, &Interrupt::never())),
         )
         .saying("keeps its volume"),
-        Case::refused("A tooth", "a relief of half a module", "E0641", "it would leave no tooth", || {
+        Case::refused("A tooth", "a relief of half a module", "E0641", "it would remove the tooth", || {
             let gear = ExternalGear::new(chapter_5_data(20, 0.02, 0.15708)).expect("a gear");
             let relief = calyx_gears::modification::Modification::tip_relief(
                 1.27e-3,
