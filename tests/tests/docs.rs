@@ -1,5 +1,5 @@
-//! The documentation holds together: every relative link and anchor resolves, every page of the book is in its table of
-//! contents, and every complete model on a page passes `check`.
+//! Checks the documentation: every relative link and anchor resolves, every page of the book is in its table of contents,
+//! every complete model on a page passes `check`, and recipes name files that exist.
 //!
 //! Commands and their output on pages of the book are compared by `compiler/tests/docs.rs`.
 
@@ -165,6 +165,24 @@ fn the_summary_lists_every_page_once() {
     assert!(missing.is_empty(), "docs/SUMMARY.md lacks {missing:?}");
     let foreign: Vec<_> = listed.iter().filter(|page| !page.starts_with(&folder)).collect();
     assert!(foreign.is_empty(), "mdBook cannot show pages outside of docs: {foreign:?}");
+}
+
+/// Paths in the code of the repository, between backquotes: recipes that name a file that has moved mislead.
+#[test]
+fn paths_on_the_pages_for_contributors_exist() {
+    const FOLDERS: [&str; 8] =
+        [".ci/", "compiler/", "docs/", "examples/", "lang/", "lsp/", "runtime/", "stdlib-gears/"];
+    let mut problems = Vec::new();
+    for page in ["CONTRIBUTING.md", "docs/contributing.md"] {
+        let text = fs::read_to_string(home().join(page)).expect("readable");
+        for path in text.split('`').skip(1).step_by(2) {
+            let named = FOLDERS.iter().any(|folder| path.starts_with(folder));
+            if named && !path.contains(['*', ' ']) && !home().join(path).exists() {
+                problems.push(format!("{page}: no `{path}`"));
+            }
+        }
+    }
+    assert!(problems.is_empty(), "{}", problems.join("\n"));
 }
 
 /// The reference has a test of its own. Pages without a model may have other blocks of text.
