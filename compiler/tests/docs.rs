@@ -1,9 +1,10 @@
-//! Commands on the pages of the book print what the pages show. `CALYX_BLESS=1` rewrites the pages.
+//! Runs the commands on the pages of the book and compares their output. `CALYX_BLESS=1` rewrites
+//! the pages.
 //!
-//! A page is one session in an empty directory. A block `cx` whose first line is a comment with a file name is that file;
-//! so is a block `file NAME`. A block `console` has commands, each after `$ `, and what the terminal shows after each of
-//! them: standard output and standard error as they come. A line `...` stands for any lines. Blocks of other kinds (`sh`,
-//! `text`) are not compared.
+//! A page is one session in an empty directory. A block `cx` whose first line is a comment with a
+//! file name is that file; so is a block `file NAME`. A block `console` has commands, each after
+//! `$ `, followed by the output on the terminal: standard output and standard error in order. A
+//! line `...` matches any lines. Blocks of other kinds (`sh`, `text`) are not compared.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -27,7 +28,7 @@ fn pages(folder: &Path, found: &mut Vec<PathBuf>) {
     }
 }
 
-/// The words of a command line; blanks between quotes are part of a word.
+/// Splits a command line into words; blanks between quotes are part of a word.
 fn words(line: &str) -> Vec<String> {
     let (mut words, mut word, mut quoted) = (Vec::new(), None::<String>, false);
     for c in line.chars() {
@@ -44,14 +45,14 @@ fn words(line: &str) -> Vec<String> {
     words
 }
 
-/// A reader's terminal: where it stands, and where its cache is.
+/// A reader's terminal: its current directory, and a directory for its cache.
 struct Session {
     directory: PathBuf,
     home: PathBuf,
 }
 
 impl Session {
-    /// What the terminal shows after a command.
+    /// Runs a command and returns the output on the terminal.
     fn run(&mut self, line: &str) -> String {
         let words = words(line);
         match words[0].as_str() {
@@ -81,7 +82,7 @@ impl Session {
     }
 }
 
-/// Whether lines are as expected, where `...` stands for any number of lines.
+/// Compares lines; `...` matches any number of lines.
 fn matches(expected: &[&str], found: &[&str]) -> bool {
     match expected {
         [] => found.is_empty(),
@@ -90,7 +91,7 @@ fn matches(expected: &[&str], found: &[&str]) -> bool {
     }
 }
 
-/// Runs the commands of a block and returns what it should be.
+/// Runs the commands of a block and returns the block with their output.
 fn replay(block: &[&str], session: &mut Session) -> String {
     let mut shown = String::new();
     let mut lines = block.iter().copied().peekable();
@@ -109,7 +110,7 @@ fn replay(block: &[&str], session: &mut Session) -> String {
     shown
 }
 
-/// A page as its commands would make it.
+/// Replays a page: its text with the output of its commands.
 fn replayed(page: &str) -> String {
     let home = tempfile::tempdir().expect("a temporary folder");
     let directory = home.path().join("work");

@@ -1,7 +1,8 @@
-//! Checks the documentation: every relative link and anchor resolves, every page of the book is in its table of contents,
-//! every complete model on a page passes `check`, and recipes name files that exist.
+//! Checks the documentation: every relative link and anchor resolves, every page of the book is in
+//! its table of contents, every complete model on a page passes `check`, and recipes name files that
+//! exist.
 //!
-//! Commands and their output on pages of the book are compared by `compiler/tests/docs.rs`.
+//! `compiler/tests/docs.rs` compares the output of the commands on pages of the book.
 
 use calyx_tests::document::{Document, anchor};
 use calyx_tests::judge::{judge, write_files};
@@ -38,7 +39,7 @@ fn pages() -> Vec<PathBuf> {
     files
 }
 
-/// Everything that links: the pages of the book, those at the top level, of the examples and of the editors.
+/// Pages with links: those of the book, at the top level, of the examples and of the editors.
 fn linking() -> Vec<PathBuf> {
     let mut files = pages();
     files.push(home().join("docs/SUMMARY.md"));
@@ -89,7 +90,8 @@ fn prose(text: &str) -> Vec<(usize, String)> {
     lines
 }
 
-/// Targets of links and images with their lines: `[text](target)`, `<img src="target">` and `[name]: target`.
+/// Targets of links and images with their lines: `[text](target)`, `<img src="target">` and
+/// `[name]: target`.
 fn links(text: &str) -> Vec<(usize, String)> {
     let mut found = Vec::new();
     for (line, text) in prose(text) {
@@ -107,7 +109,7 @@ fn links(text: &str) -> Vec<(usize, String)> {
     found
 }
 
-/// Anchors of the headings of a page, as GitHub and mdBook make them: the second of one name ends in `-1`.
+/// Anchors of the headings of a page, as GitHub and mdBook make them: a repeated name ends in `-1`.
 fn anchors(text: &str) -> BTreeSet<String> {
     let mut count: BTreeMap<String, usize> = BTreeMap::new();
     let mut fenced = false;
@@ -167,7 +169,7 @@ fn the_summary_lists_every_page_once() {
     assert!(foreign.is_empty(), "mdBook cannot show pages outside of docs: {foreign:?}");
 }
 
-/// Paths in the code of the repository, between backquotes: recipes that name a file that has moved mislead.
+/// Checks paths between backquotes: a recipe that names a file that has moved misleads.
 #[test]
 fn paths_on_the_pages_for_contributors_exist() {
     const FOLDERS: [&str; 8] =
