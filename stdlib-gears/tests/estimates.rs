@@ -5,6 +5,7 @@ mod costs;
 mod in_space;
 mod in_time;
 mod suite;
+mod zones;
 
 use crate::chapter_5_in_space::pair::{CHAPTER_5, PLAIN, Pair};
 use crate::common::resources;

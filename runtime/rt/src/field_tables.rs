@@ -63,7 +63,10 @@ impl FieldTables {
             })
         };
         Ok(FieldTables {
-            line_load: begin(LINE_LOAD, patch(&["length", "force", "line_load", "pressure"]))?,
+            line_load: begin(
+                LINE_LOAD,
+                patch(&["length", "force", "line_load", "pressure", "edge_pressure"]),
+            )?,
             asked_for: asked_for.then(asked).transpose()?,
         })
     }
@@ -103,7 +106,7 @@ impl FieldTables {
     fn contact(&mut self, step: usize, contact: &ContactField) -> io::Result<()> {
         for slice in contact.slices.iter().filter(|slice| slice.force > 0.0) {
             let [Some(first), Some(second)] = &slice.places else { continue };
-            let numbers = [slice.length, slice.force, slice.line_load(), slice.pressure];
+            let numbers = [slice.length, slice.force, slice.line_load(), slice.pressure, slice.edge_pressure];
             let load = numbers.map(|number| number.to_string());
             self.line_load
                 .write_record(patch(step, contact).into_iter().chain(on_flanks(first, second)).chain(load))?;

@@ -162,7 +162,8 @@ fn gaps_are_those_of_the_parabola_nearby() {
     let pair = Pair::new(0.05, 1e-5);
     let [first, second] = pair.placed(0.3);
     let approach = closest_approach(first, second, true).unwrap();
-    let options = GridOptions { half_count: 8, width: Width::Total(2e-4), search_edges: true };
+    let options =
+        GridOptions { half_count: 8, width: Width::Total(2e-4), contact_modulus: 1e11, search_edges: true };
     let grid = lay(first, second, &approach, &options);
     assert_eq!(grid.cells.len(), 17);
     assert_eq!(grid.surface_ends, [false; 2]);
@@ -187,7 +188,8 @@ fn cells_end_where_a_surface_does() {
     let first = PlacedProfile { profile: &lower, placement: Placement::new(0.0, [0.0, 0.0]) };
     let second = PlacedProfile { profile: &upper, placement: Placement::new(0.0, [0.0, 0.15]) };
     let approach = closest_approach(first, second, true).unwrap();
-    let options = GridOptions { half_count: 10, width: Width::Total(2e-3), search_edges: true };
+    let options =
+        GridOptions { half_count: 10, width: Width::Total(2e-3), contact_modulus: 1e11, search_edges: true };
     let grid = lay(first, second, &approach, &options);
     assert_eq!(grid.surface_ends, [false, true]);
     let last = grid.cells.last().unwrap();
@@ -207,7 +209,8 @@ fn cells_shrink_towards_an_edge() {
         placement: Placement::new(0.0, [0.15 * angle.cos(), 0.15 * angle.sin()]),
     };
     let approach = closest_approach(first, second, true).unwrap();
-    let options = GridOptions { half_count: 10, width: Width::Total(1e-3), search_edges: true };
+    let options =
+        GridOptions { half_count: 10, width: Width::Total(1e-3), contact_modulus: 1e11, search_edges: true };
     let grid = lay(first, second, &approach, &options);
     let flank_cell = 1e-3 / 21.0;
     // Relative curvature is 30 on the flank and 10010 on the edge.
@@ -239,7 +242,12 @@ fn compliance_is_symmetric_bit_for_bit_across_patches() {
             first,
             second,
             &approach,
-            &GridOptions { half_count, width: Width::Total(width), search_edges: true },
+            &GridOptions {
+                half_count,
+                width: Width::Total(width),
+                contact_modulus: 1e11,
+                search_edges: true,
+            },
         )
     };
     let (one, other) = (lay(4, 3e-4), lay(6, 5e-4));

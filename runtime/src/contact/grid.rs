@@ -7,6 +7,7 @@
 use super::approach::{Approach, PlacedProfile};
 use super::placement::{ContactFrame, dot, minus};
 use super::pressure::hertz_half_width;
+use super::zone::{ENDLESS, FlankEnds, unit_half_width};
 use crate::structure::Structure;
 
 /// A cell of a patch.
@@ -41,8 +42,8 @@ impl Cell {
 pub enum Width {
     /// m.
     Total(f64),
-    /// [`MARGIN`] times the Hertzian contact of this force (N/m) with this E* (Pa).
-    Hertz { force: f64, contact_modulus: f64 },
+    /// [`MARGIN`] times the Hertzian contact of this force (N/m).
+    Hertz { force: f64 },
 }
 
 /// Width of an automatic grid over that of the Hertzian contact: room for what load sharing and reliefs change,
@@ -54,6 +55,8 @@ pub struct GridOptions {
     /// M: a grid has 2M + 1 cells, more where it is graded towards an edge and fewer where a surface ends.
     pub half_count: usize,
     pub width: Width,
+    /// E*, Pa.
+    pub contact_modulus: f64,
     /// Whether cells may lie on the profiles' edges.
     pub search_edges: bool,
 }
@@ -69,6 +72,10 @@ pub struct Grid {
     pub half_count: usize,
     /// Whether the grid ends on the left and right because a surface does.
     pub surface_ends: [bool; 2],
+    /// Where the flanks end on the left and right, in the grid or beyond it.
+    pub flank: FlankEnds,
+    /// Hertzian half-width of a line load of 1 N/m, m.
+    pub unit_half_width: f64,
 }
 
 /// Growth of cells per distance from an edge's start.
@@ -95,8 +102,8 @@ pub fn lay(first: PlacedProfile, second: PlacedProfile, approach: &Approach, opt
     let flank: [f64; 2] = [0, 1].map(|side| curvature_beside_edge(&placed[side], approach.s[side], -1.0));
     let width = match options.width {
         Width::Total(width) => width,
-        Width::Hertz { force, contact_modulus } => {
-            2.0 * MARGIN * hertz_half_width(force, contact_modulus, flank[0] + flank[1])
+        Width::Hertz { force } => {
+            2.0 * MARGIN * hertz_half_width(force, options.contact_modulus, flank[0] + flank[1])
         }
     };
     let count = (2 * options.half_count + 1) as f64;
@@ -146,7 +153,20 @@ pub fn lay(first: PlacedProfile, second: PlacedProfile, approach: &Approach, opt
             Cell { x, arc, s, gap: average_gap(&surfaces, x, arc, s), edge }
         })
         .collect();
-    Grid { frame, cells, width, half_count: options.half_count, surface_ends }
+    let unit_half_width = unit_half_width(options.contact_modulus, flank[0] + flank[1]);
+    let flank = flank_ends(&surfaces, &edges);
+    Grid { frame, cells, width, half_count: options.half_count, surface_ends, flank, unit_half_width }
+}
+
+/// Where the first flank ends on the left and on the right.
+fn flank_ends(surfaces: &[Surface; 2], edges: &[Edge]) -> FlankEnds {
+    let ends = |[low, high]: FlankEnds, [from, to]: [f64; 2]| [low.max(from), high.min(to)];
+    let surfaces = surfaces.iter().map(|surface| surface.x);
+    let edges = edges.iter().map(|edge| match edge.towards > 0.0 {
+        true => [f64::NEG_INFINITY, edge.x],
+        false => [edge.x, f64::INFINITY],
+    });
+    surfaces.chain(edges).fold(ENDLESS, ends)
 }
 
 /// Curvature of the flank (`side` -1) or the edge (+1) next to the edge's start, if `s` is beyond it; else at `s`.
@@ -383,17 +403,6 @@ pub fn assess(grid: &Grid, pressures: &[f64]) -> GridReport {
         None
     };
     GridReport { loaded_cells, truncated, under_resolved, recommended_width }
-}
-
-impl Grid {
-    /// Whether a loaded patch lies on a rounded edge or is cut off where a surface ends: its pressures are edge pressures.
-    pub fn at_edge(&self, forces: &[f64]) -> bool {
-        let loaded = |cell: Option<&f64>| cell.is_some_and(|&force| force > 0.0);
-        let on_edge = self.cells.iter().zip(forces).any(|(cell, &force)| cell.edge && force > 0.0);
-        on_edge
-            || (self.surface_ends[0] && loaded(forces.first()))
-            || (self.surface_ends[1] && loaded(forces.last()))
-    }
 }
 
 /// Pressure in each cell (Pa) for cell forces (N/m).

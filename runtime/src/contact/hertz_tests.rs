@@ -8,6 +8,7 @@ use super::grid::{Grid, GridOptions, Width, assess, contact_modulus, lay, pressu
 use super::pressure::{half_width, peak};
 use super::problem::ContactProblem;
 use super::test_profiles::{Arcs, HalfPlaneBody};
+use super::zone::{Edges, Zone};
 use crate::structure::Chart;
 use std::f64::consts::PI;
 
@@ -42,7 +43,9 @@ fn press(
         PlacedProfile { profile: &profiles[1], placement: Placement::new(0.0, shift) },
     ];
     let approach = closest_approach(placed[0], placed[1], edges).expect("they face each other");
-    let grid = lay(placed[0], placed[1], &approach, &GridOptions { half_count, width, search_edges: edges });
+    let contact_modulus = contact_modulus(&steel(), &steel());
+    let options = GridOptions { half_count, width, contact_modulus, search_edges: edges };
+    let grid = lay(placed[0], placed[1], &approach, &options);
     let chart = Chart { tooth: 0, surface: 0 };
     let side = |body_number| Side { body: body_number, structure: &body, chart };
     let patch = Patch { sides: [side(0), side(1)], cells: &grid.cells };
@@ -61,7 +64,7 @@ fn press(
 }
 
 fn automatic() -> Width {
-    Width::Hertz { force: FORCE, contact_modulus: contact_modulus(&steel(), &steel()) }
+    Width::Hertz { force: FORCE }
 }
 
 #[test]
@@ -132,7 +135,16 @@ fn a_patch_on_an_edge_is_resolved_like_one_on_the_flank() {
     assert!((found.pressure / expected - 1.0).abs() < 5e-3, "{} {expected}", found.pressure);
     let report = assess(&grid, &pressures);
     assert!(!report.under_resolved && report.truncated == [false; 2], "{report:?}");
-    assert!(grid.at_edge(&pressures));
+    assert_eq!(in_zones(&grid, &pressures), [0.0, found.pressure]);
+}
+
+/// The largest pressures of the flank and of the edge zone.
+fn in_zones(grid: &Grid, pressures: &[f64]) -> [f64; 2] {
+    let half_width = grid.unit_half_width * FORCE.sqrt();
+    [Zone::Flank, Zone::Edge].map(|zone| {
+        zone.peak(&grid.cells, pressures, &Edges::parallel(grid.flank, 0.0), half_width)
+            .map_or(0.0, |peak| peak.pressure)
+    })
 }
 
 #[test]
@@ -146,11 +158,14 @@ fn a_patch_across_the_start_of_an_edge() {
     let shift = [0.15 * angle.cos(), 0.15 * angle.sin()];
     let edge_peak = |half_count| {
         let (grid, pressures) = press(&profiles, shift, half_count, automatic(), true);
-        assert!(grid.at_edge(&pressures));
-        peak(&grid.cells, &pressures).unwrap().pressure
+        let zones = in_zones(&grid, &pressures);
+        assert_eq!(zones[1], peak(&grid.cells, &pressures).unwrap().pressure);
+        zones
     };
     let (coarse, fine) = (edge_peak(10), edge_peak(40));
-    assert!((coarse / fine - 1.0).abs() < 0.03, "{coarse} {fine}");
+    for (coarse, fine) in coarse.into_iter().zip(fine) {
+        assert!((coarse / fine - 1.0).abs() < 0.03, "{coarse} {fine}");
+    }
     // Without edges the cells end where the edge starts.
     let (grid, _) = press(&profiles, shift, 10, automatic(), false);
     assert!(grid.cells.iter().all(|cell| !cell.edge));

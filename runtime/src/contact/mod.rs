@@ -2,7 +2,8 @@
 //!
 //! A step of an analysis goes through these modules in order: [`approach`] finds where two profiles come closest,
 //! [`grid`] lays cells there, [`assembly`] builds their compliance, [`problem`] states the contact problem and
-//! [`active_set`] solves it; `rest` and `rigid_limit` say where bodies are as the load vanishes; [`friction`] adds what slides; [`pressure`] reads peak pressure and half-width off the solution. [`solid`] is the same in space.
+//! [`active_set`] solves it; `rest` and `rigid_limit` say where bodies are as the load vanishes; [`friction`] adds what slides; [`pressure`] reads peak pressure
+//! and half-width off the solution, and [`zone`] separates flanks from edges. [`solid`] is the same in space.
 
 pub mod active_set;
 pub(crate) mod approach;
@@ -19,6 +20,7 @@ pub mod problem;
 pub(crate) mod rest;
 pub(crate) mod rigid_limit;
 pub mod solid;
+pub mod zone;
 
 pub use grid::Cell;
 pub use placement::ContactFrame;

@@ -31,7 +31,7 @@ impl Piece for [f64; 2] {
     }
 }
 
-fn center(piece: &impl Piece) -> f64 {
+pub(super) fn center(piece: &impl Piece) -> f64 {
     let [from, to] = piece.ends();
     0.5 * (from + to)
 }

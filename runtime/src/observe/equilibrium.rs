@@ -1,7 +1,8 @@
 //! A scene in equilibrium as observables see it: contacts, loads and motions in newtons and metres, in the plane as in space.
 
 use crate::contact::pressure::Peak;
-use crate::contact::solid::Grid;
+use crate::contact::solid::{self, Grid, slice_peaks_in};
+use crate::contact::zone::Zone;
 use crate::results::Place;
 use crate::scene::{BodyId, GearMesh, PairId, Scene};
 use crate::step::{Patch, PatchGrid, StepResult};
@@ -140,8 +141,10 @@ pub struct Slice {
     pub length: f64,
     /// N
     pub force: f64,
-    /// The largest across it, Pa.
+    /// The largest across it in the flank zone, Pa; see [`Zone`].
     pub pressure: f64,
+    /// The same in the edge zone, Pa; 0 where none of that is loaded.
+    pub edge_pressure: f64,
     /// Where it lies in ground coordinates, m.
     pub point: [f64; 3],
     /// Where it lies on either body.
@@ -169,11 +172,6 @@ impl Contact<'_> {
     /// One of each body.
     pub fn teeth(&self) -> [u32; 2] {
         self.patch.teeth
-    }
-
-    /// Whether the loaded part lies on an edge or is cut off by one.
-    pub fn at_edge(&self) -> bool {
-        self.patch.at_edge
     }
 
     /// What its forces are per, m; 1 in space.
@@ -214,17 +212,25 @@ impl Contact<'_> {
             PatchGrid::Plane { frame, .. } => {
                 let Some(peak) = self.patch.peak() else { return Vec::new() };
                 let [x, y] = frame.point;
+                let [pressure, edge_pressure] = [Zone::Flank, Zone::Edge]
+                    .map(|zone| self.patch.peak_in(zone).map_or(0.0, |peak| peak.pressure));
                 vec![Slice {
                     length: self.width(),
                     force: self.force(),
-                    pressure: peak.pressure,
+                    pressure,
+                    edge_pressure,
                     point: [x, y, 0.0],
                     places: [0, 1].map(|side| self.place(side, peak.cell)),
                 }]
             }
             PatchGrid::Solid(grid) => {
                 let pressures = self.patch.pressures();
-                grid.slices.iter().filter_map(|slice| self.slice(grid, &slice.cells, &pressures)).collect()
+                let peaks = [Zone::Flank, Zone::Edge].map(|zone| slice_peaks_in(grid, &pressures, zone));
+                let slice = |(index, slice): (usize, &solid::Slice)| {
+                    let [pressure, edge_pressure] = [0, 1].map(|zone: usize| peaks[zone][index].pressure);
+                    Some(Slice { pressure, edge_pressure, ..self.slice(grid, &slice.cells)? })
+                };
+                grid.slices.iter().enumerate().filter_map(slice).collect()
             }
         }
     }
@@ -238,8 +244,9 @@ impl Contact<'_> {
         self.slices().iter().map(|slice| slice.length).sum::<f64>() + beyond
     }
 
-    /// Cells beside each other across a patch in space, of which the one with the largest force says where they are. `None` of none.
-    fn slice(&self, grid: &Grid, cells: &Range<usize>, pressures: &[f64]) -> Option<Slice> {
+    /// Cells beside each other across a patch in space, without their pressures. The cell with the largest force says where they are.
+    /// `None` of no cells.
+    fn slice(&self, grid: &Grid, cells: &Range<usize>) -> Option<Slice> {
         let force = |cell: usize| self.patch.forces[cell];
         let largest = cells.clone().max_by(|&a, &b| force(a).total_cmp(&force(b)).then(b.cmp(&a)))?;
         let total: f64 = cells.clone().map(force).sum();
@@ -250,13 +257,14 @@ impl Contact<'_> {
             false => cells.clone().map(length).sum::<f64>() / cells.len() as f64,
         };
         let places = [0, 1].map(|side| self.place(side, largest));
-        let pressure = pressures[cells.clone()].iter().copied().fold(0.0, f64::max);
-        Some(Slice { length, force: total, pressure, point: grid.cells[largest].point, places })
+        let (pressure, edge_pressure) = (0.0, 0.0);
+        let point = grid.cells[largest].point;
+        Some(Slice { length, force: total, pressure, edge_pressure, point, places })
     }
 
-    /// The largest pressure (Pa) and where it is on the body of one of its sides; `None` where nothing is pressed.
-    pub fn peak(&self, side: usize) -> Option<(f64, Option<Place>)> {
-        let Peak { pressure, cell, .. } = self.patch.peak()?;
+    /// The largest pressure (Pa) of a zone and where it is on the body of one of its sides; `None` where nothing is pressed there.
+    pub fn peak(&self, side: usize, zone: Zone) -> Option<(f64, Option<Place>)> {
+        let Peak { pressure, cell, .. } = self.patch.peak_in(zone)?;
         Some((pressure, self.place(side, cell)))
     }
 

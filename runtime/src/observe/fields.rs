@@ -153,7 +153,7 @@ impl Contact<'_> {
     /// The corners of every cell, in ground coordinates.
     fn corners(&self) -> Vec<[[f64; 3]; 4]> {
         match &self.patch.grid {
-            PatchGrid::Plane { frame, cells } => {
+            PatchGrid::Plane { frame, cells, .. } => {
                 let half_face = 0.5 * self.width();
                 let at = |x: f64, z: f64| {
                     let [px, py] = [0, 1].map(|axis| frame.point[axis] + x * frame.tangent[axis]);

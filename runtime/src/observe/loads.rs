@@ -207,7 +207,14 @@ mod tests {
             let borne: f64 = (0..COUNT).map(load(middle)).sum();
             if borne > force { high = middle } else { low = middle }
         }
-        let slice = |force| Slice { length, force, pressure: 0.0, point: [0.0; 3], places: [None, None] };
+        let slice = |force| Slice {
+            length,
+            force,
+            pressure: 0.0,
+            edge_pressure: 0.0,
+            point: [0.0; 3],
+            places: [None, None],
+        };
         (0..COUNT).map(load(low)).map(slice).collect()
     }
 

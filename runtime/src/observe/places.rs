@@ -1,6 +1,7 @@
 //! Where maxima are, as numbers that a program can put out.
 
 use super::{Contact, Equilibrium, MaxRootCompression, MaxRootStress, Needs, Observable, Quantity};
+use crate::contact::zone::Zone;
 use crate::results::{Observed, Place};
 use crate::scene::BodyId;
 
@@ -11,9 +12,9 @@ pub enum Maximum {
     RootStress,
     /// Of compression in its fillets, see [`MaxRootCompression`].
     RootCompression,
-    /// Of pressure on its flanks, edges left out.
+    /// Of pressure on its flanks, away from edges.
     ContactPressure,
-    /// Of pressure on its edges.
+    /// Of pressure on its edges and beside them.
     EdgePressure,
     /// Of force by length of a line of contact.
     LineLoad,
@@ -85,11 +86,8 @@ impl Observable for PlaceOf {
 impl Maximum {
     /// Its place on a body; `None` where nothing is loaded.
     fn place(self, at: &Equilibrium<'_>, body: BodyId) -> Option<Place> {
-        let pressed = |(contact, side): (Contact<'_>, usize)| contact.peak(side);
-        let pressure = |at_edge: bool| {
-            let patches = at.contacts_on(body).filter(|(contact, _)| contact.at_edge() == at_edge);
-            largest(patches.filter_map(pressed))
-        };
+        let pressure =
+            |zone| largest(at.contacts_on(body).filter_map(|(contact, side)| contact.peak(side, zone)));
         let lines = |(contact, side): (Contact<'_>, usize)| {
             let slices = contact.slices().into_iter();
             slices.map(move |slice| (slice.line_load(), slice.places[side].clone()))
@@ -97,8 +95,8 @@ impl Maximum {
         match self {
             Maximum::RootStress => MaxRootStress(body).value(at).place,
             Maximum::RootCompression => MaxRootCompression(body).value(at).place,
-            Maximum::ContactPressure => pressure(false),
-            Maximum::EdgePressure => pressure(true),
+            Maximum::ContactPressure => pressure(Zone::Flank),
+            Maximum::EdgePressure => pressure(Zone::Edge),
             Maximum::LineLoad => largest(at.contacts_on(body).flat_map(lines)),
         }
     }

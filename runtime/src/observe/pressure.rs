@@ -1,10 +1,11 @@
 //! How hard surfaces are pressed together.
 
 use super::{Equilibrium, Observable, Quantity};
+use crate::contact::zone::Zone;
 use crate::results::Observed;
 use crate::scene::PairId;
 
-/// The largest pressure on the flanks of a pair, edges left out. Pa.
+/// Largest pressure on the flanks of a pair, at least one Hertzian half-width away from edges. Pa.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MaxContactPressure(pub PairId);
 
@@ -14,7 +15,7 @@ impl Observable for MaxContactPressure {
     }
 
     fn value(&self, at: &Equilibrium<'_>) -> Observed {
-        largest(at, self.0, false)
+        largest(at, self.0, Zone::Flank)
     }
 
     fn pair_of(&self) -> Option<PairId> {
@@ -22,7 +23,7 @@ impl Observable for MaxContactPressure {
     }
 }
 
-/// The largest pressure on the edges of a pair. Pa.
+/// Largest pressure on the edges of a pair, and within one Hertzian half-width of them. Pa.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MaxEdgePressure(pub PairId);
 
@@ -32,7 +33,7 @@ impl Observable for MaxEdgePressure {
     }
 
     fn value(&self, at: &Equilibrium<'_>) -> Observed {
-        largest(at, self.0, true)
+        largest(at, self.0, Zone::Edge)
     }
 
     fn pair_of(&self) -> Option<PairId> {
@@ -40,12 +41,12 @@ impl Observable for MaxEdgePressure {
     }
 }
 
-/// Of the patches that an edge cuts off, or of the others.
-fn largest(at: &Equilibrium<'_>, pair: PairId, at_edge: bool) -> Observed {
+/// Of all patches, the largest in a zone.
+fn largest(at: &Equilibrium<'_>, pair: PairId, zone: Zone) -> Observed {
     let mut largest = Observed::number(0.0);
-    for contact in at.contacts(pair).filter(|contact| contact.at_edge() == at_edge) {
+    for contact in at.contacts(pair) {
         let larger = |(pressure, _): &(f64, _)| *pressure > largest.value || pressure.is_nan();
-        if let Some((value, place)) = contact.peak(0).filter(larger) {
+        if let Some((value, place)) = contact.peak(0, zone).filter(larger) {
             largest = Observed { value, least: None, place };
         }
     }

@@ -3,6 +3,7 @@
 use super::drag;
 use crate::contact::grid::{Cell, pressures};
 use crate::contact::pressure::{Peak, half_width, peak};
+use crate::contact::zone::{Edges, FlankEnds, Zone};
 use crate::contact::{ContactFrame, solid};
 
 /// A pair of tooth surfaces in (possible) contact at a position.
@@ -20,8 +21,6 @@ pub struct Patch {
     pub forces: Vec<f64>,
     /// Per cell, the friction on the first body by a unit of normal force, along ground axes; empty without friction.
     pub drag: Vec<[f64; 3]>,
-    /// The loaded part lies on an edge or is cut off by one.
-    pub at_edge: bool,
 }
 
 /// The cells of a patch, with the frame in which they lie.
@@ -33,6 +32,10 @@ pub enum PatchGrid {
         frame: ContactFrame,
         /// Pieces of the tangent.
         cells: Vec<Cell>,
+        /// Where the flanks end.
+        flank: FlankEnds,
+        /// Hertzian half-width of a line load of 1 N/m, m.
+        unit_half_width: f64,
     },
     /// On the common tangent plane.
     Solid(solid::Grid),
@@ -75,6 +78,22 @@ impl Patch {
             PatchGrid::Plane { cells, .. } => peak(cells, &self.pressures()),
             PatchGrid::Solid(grid) => {
                 let solid::Peak { pressure, at: [x, _], cell } = solid::peak(grid, &self.pressures())?;
+                Some(Peak { pressure, x, cell })
+            }
+        }
+    }
+
+    /// The largest pressure in the flank zone or in the edge zone; `None` where no cell of it is loaded.
+    pub fn peak_in(&self, zone: Zone) -> Option<Peak> {
+        match &self.grid {
+            PatchGrid::Plane { cells, flank, unit_half_width, .. } => {
+                let half_width = unit_half_width * self.force().max(0.0).sqrt();
+                // Cells are measured from the closest approach.
+                zone.peak(cells, &self.pressures(), &Edges::parallel(*flank, 0.0), half_width)
+            }
+            PatchGrid::Solid(grid) => {
+                let solid::Peak { pressure, at: [x, _], cell } =
+                    solid::peak_in(grid, &self.pressures(), zone)?;
                 Some(Peak { pressure, x, cell })
             }
         }

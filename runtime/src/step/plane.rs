@@ -6,6 +6,7 @@ use super::{Patch, PatchGrid};
 use crate::contact::approach::{self, PlacedProfile, closest_approach};
 use crate::contact::assembly::{self, compliance};
 use crate::contact::grid::{self, Grid, GridOptions, Width, assess, lay, pressures};
+use crate::contact::zone::ENDLESS;
 use crate::contact::{ContactFrame, Placement};
 use crate::dynamics::Modes;
 use crate::error::EngineError;
@@ -101,13 +102,14 @@ impl Space for Plane<'_> {
         let pair = self.pair(candidate);
         let width = match width.or(pair.grid.width) {
             Some(width) => Width::Total(width),
-            None => {
-                let contact_modulus = self.contact_modulus(pair.bodies.map(|body| body.0));
-                Width::Hertz { force, contact_modulus }
-            }
+            None => Width::Hertz { force },
         };
-        let options =
-            GridOptions { half_count: pair.grid.half_cells_in_plane(), width, search_edges: pair.grid.edges };
+        let options = GridOptions {
+            half_count: pair.grid.half_cells_in_plane(),
+            width,
+            contact_modulus: self.contact_modulus(pair.bodies.map(|body| body.0)),
+            search_edges: pair.grid.edges,
+        };
         let site = &candidate.site;
         lay(site.placed(0), site.placed(1), &site.approach, &options)
     }
@@ -224,10 +226,17 @@ impl Space for Plane<'_> {
     fn patch(&self, candidate: &Candidate<Site>, laid: Option<(Grid, Vec<f64>)>) -> Patch {
         let (pair, teeth) = candidate.teeth;
         let surfaces = self.pair(candidate).surfaces;
-        let at_edge = laid.as_ref().is_some_and(|(grid, forces)| grid.at_edge(forces));
-        let (cells, forces) = laid.map(|(grid, forces)| (grid.cells, forces)).unwrap_or_default();
-        let grid = PatchGrid::Plane { frame: candidate.site.approach.frame, cells };
-        Patch { pair, teeth, surfaces, grid, forces, drag: Vec::new(), at_edge }
+        let frame = candidate.site.approach.frame;
+        let (grid, forces) = match laid {
+            Some((Grid { cells, flank, unit_half_width, .. }, forces)) => {
+                (PatchGrid::Plane { frame, cells, flank, unit_half_width }, forces)
+            }
+            None => {
+                let (flank, unit_half_width) = (ENDLESS, 0.0);
+                (PatchGrid::Plane { frame, cells: Vec::new(), flank, unit_half_width }, Vec::new())
+            }
+        };
+        Patch { pair, teeth, surfaces, grid, forces, drag: Vec::new() }
     }
 }
 

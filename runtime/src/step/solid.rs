@@ -215,7 +215,6 @@ impl Space for Solid<'_> {
     fn patch(&self, candidate: &Candidate<Site>, laid: Option<(Grid, Vec<f64>)>) -> Patch {
         let (pair, teeth) = candidate.teeth;
         let surfaces = self.pair(candidate).surfaces;
-        let at_edge = laid.as_ref().is_some_and(|(grid, forces)| grid.at_edge(forces));
         let empty = || Grid {
             frame: candidate.site.ridge.frame,
             cells: Vec::new(),
@@ -224,9 +223,10 @@ impl Space for Solid<'_> {
             line: 0.0,
             half_counts: [0; 2],
             surface_ends: [false; 2],
+            unit_half_width: 0.0,
         };
         let (grid, forces) = laid.unwrap_or_else(|| (empty(), Vec::new()));
-        Patch { pair, teeth, surfaces, grid: PatchGrid::Solid(grid), forces, drag: Vec::new(), at_edge }
+        Patch { pair, teeth, surfaces, grid: PatchGrid::Solid(grid), forces, drag: Vec::new() }
     }
 }
 

@@ -120,7 +120,7 @@ impl Row {
     }
 
     /// What is estimated, of each statistic, and what is true.
-    fn measured(&self) -> Vec<Measured> {
+    pub(super) fn measured(&self) -> Vec<Measured> {
         let run = |true_one| {
             let (scene, cycle, outputs) = self.scene();
             analyse_scene((scene, &cycle), &outputs, &self.setting(true_one))
@@ -156,10 +156,10 @@ impl Row {
 type OneOf = fn(&Statistics) -> f64;
 
 /// Errors as parts of the output's largest magnitude.
-struct Measured {
+pub(super) struct Measured {
     case: &'static str,
-    output: String,
-    statistic: &'static str,
+    pub(super) output: String,
+    pub(super) statistic: &'static str,
     estimate: f64,
     true_error: f64,
     parts: Vec<(&'static str, f64)>,
@@ -167,11 +167,11 @@ struct Measured {
 
 impl Measured {
     /// Estimate over true error. Both are taken as no less than [`FLOOR`], so two errors below it agree.
-    fn effectivity(&self) -> f64 {
+    pub(super) fn effectivity(&self) -> f64 {
         (self.estimate + FLOOR) / (self.true_error + FLOOR)
     }
 
-    fn line(&self) -> String {
+    pub(super) fn line(&self) -> String {
         let parts: Vec<String> =
             self.parts.iter().map(|(part, error)| format!("{part} {:.2} %", 100.0 * error)).collect();
         format!(

@@ -19,9 +19,11 @@ pub struct Mesh {
     pub bodies: [String; 2],
     /// The side behind those that drive.
     pub back: bool,
-    /// Pa
+    /// Largest pressure away from edges, Pa.
     pub largest: f64,
-    /// The largest pressure at each place of the first body's flank.
+    /// Largest pressure on edges and beside them, Pa.
+    pub largest_on_edges: f64,
+    /// The largest pressure at each place of the first body's flank, away from edges.
     pub pattern: Plot,
     /// The load along the face; empty in a plane model.
     pub along_face: Plot,
@@ -52,6 +54,7 @@ pub fn meshes(rows: &[Loaded], units: Units) -> (Vec<Mesh>, usize) {
             bodies: bodies.map(str::to_owned),
             back,
             largest,
+            largest_on_edges: rows.iter().map(|row| row.edge_pressure).fold(0.0, f64::max),
             pattern: pattern(&rows, &along, bodies[0], units),
             along_face: along_face(&rows, units),
             path: path(&rows, &along, bodies[0], units),
@@ -262,6 +265,7 @@ mod tests {
             force: 1e-3 * load,
             line_load: load,
             pressure: load,
+            edge_pressure: 0.0,
         }
     }
 

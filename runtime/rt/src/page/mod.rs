@@ -338,8 +338,13 @@ fn contact_section(run: &Run, units: Units) -> Markup {
             @let [first, second] = &mesh.bodies;
             article {
                 h3 { (first) " and " (second) @if mesh.back { ", back flanks" } }
-                p { "Largest pressure: " b { (number(units.stress.of(mesh.largest))) " " (units.stress.name) } "." }
-                (figure(&mesh.pattern, &format!("Contact pattern on {first}: largest pressure at each point of the flank over all positions and teeth.")))
+                p { "Largest pressure away from tip edges: " b { (number(units.stress.of(mesh.largest))) " " (units.stress.name) } "."
+                    @if mesh.largest_on_edges > 0.0 {
+                        " On tip edges and within one half-width of them: " (number(units.stress.of(mesh.largest_on_edges))) " "
+                        (units.stress.name) "."
+                    }
+                }
+                (figure(&mesh.pattern, &format!("Contact pattern on {first}: largest pressure away from tip edges at each point of the flank over all positions and teeth.")))
                 (figure(&mesh.along_face, "Line load along the face: each tooth pair at the position with the largest line load, and the maximum over all positions."))
                 (figure(&mesh.path, "Load sharing: load of a tooth pair over its contact point, the centre of its load."))
             }

@@ -166,7 +166,11 @@ pub struct Loaded {
     pub length: f64,
     pub force: f64,
     pub line_load: f64,
+    /// Away from edges.
     pub pressure: f64,
+    /// On edges and beside them; zero of runs that did not separate the two.
+    #[serde(default)]
+    pub edge_pressure: f64,
 }
 
 /// A picture that the run has drawn.

@@ -12,6 +12,7 @@ use super::sheet::Sheet;
 use super::vector::{Vector, dot};
 use crate::contact::grid::{Edge, MARGIN, cell_bounds};
 use crate::contact::pressure::hertz_half_width;
+use crate::contact::zone::{ENDLESS, Edges, FlankEnds, unit_half_width};
 use crate::structure::solid::{SolidStructure, Spot};
 use std::ops::Range;
 
@@ -80,6 +81,8 @@ pub struct Slice {
     pub cells: Range<usize>,
     /// Whether it ends at low and at high x because a surface does.
     pub surface_ends: [bool; 2],
+    /// Where the flanks end beside it, within its cells or beyond them.
+    pub edges: Edges,
 }
 
 /// The cells of a patch.
@@ -99,6 +102,8 @@ pub struct Grid {
     pub half_counts: [usize; 2],
     /// Whether the grid ends at low and at high y because a surface does.
     pub surface_ends: [bool; 2],
+    /// Hertzian half-width of a line load of 1 N/m, m.
+    pub unit_half_width: f64,
 }
 
 /// Least part of a slice's length that a cell may keep where a face cuts it off; else its neighbour takes it in.
@@ -135,8 +140,9 @@ pub fn lay(first: PlacedSurface, second: PlacedSurface, ridge: &Ridge, options: 
     let extent = [width, y[1] - y[0]];
     let [low, high] = ridge.extent();
     let line = high - low;
-    let mut grid =
-        Grid { frame, cells: Vec::new(), slices: Vec::new(), extent, line, half_counts, surface_ends };
+    let unit_half_width = unit_half_width(options.contact_modulus, flank);
+    let (cells, slices) = (Vec::new(), Vec::new());
+    let mut grid = Grid { frame, cells, slices, extent, line, half_counts, surface_ends, unit_half_width };
     if !(extent.iter().all(|size| size.is_finite() && *size > 0.0)) {
         return grid;
     }
@@ -277,10 +283,20 @@ struct Layer<'a> {
 
 type Places = [[f64; 2]; 2];
 
+/// A slice while slices are laid.
+#[derive(Default)]
+struct Laid {
+    cells: Vec<Cell>,
+    surface_ends: [bool; 2],
+    edges: Option<Edges>,
+    /// Places of its ridge.
+    places: Places,
+}
+
 impl Layer<'_> {
     fn fill(&self, grid: &mut Grid, start: Places) {
         // Upwards and downwards from the middle, each slice beginning where the one before ended; then sorted.
-        let mut found: Vec<(i32, Vec<Cell>, [bool; 2])> = Vec::new();
+        let mut found: Vec<(i32, Laid)> = Vec::new();
         for direction in [1, -1] {
             let mut guess = start;
             let mut index: i32 = if direction > 0 { 0 } else { -1 };
@@ -291,10 +307,10 @@ impl Layer<'_> {
                 if beyond && (!oblique || index.abs() > self.reach + 2) {
                     break;
                 }
-                let Some((cells, ends, places)) = self.slice(index, guess) else { break };
-                guess = places;
-                let empty = cells.is_empty();
-                found.push((index, cells, ends));
+                let Some(laid) = self.slice(index, guess) else { break };
+                guess = laid.places;
+                let empty = laid.cells.is_empty();
+                found.push((index, laid));
                 if beyond && empty {
                     break;
                 }
@@ -302,12 +318,14 @@ impl Layer<'_> {
             }
         }
         found.sort_by_key(|(index, ..)| *index);
-        for (index, cells, surface_ends) in found.into_iter().filter(|(_, cells, _)| !cells.is_empty()) {
+        for (index, laid) in found.into_iter().filter(|(_, laid)| !laid.cells.is_empty()) {
+            let Laid { cells, surface_ends, edges, .. } = laid;
+            let edges = edges.unwrap_or(Edges::parallel(ENDLESS, 0.0));
             let first = grid.cells.len();
             grid.cells.extend(cells);
             let center = self.center(index);
             let y = [center - 0.5 * self.pitch[1], center + 0.5 * self.pitch[1]];
-            grid.slices.push(Slice { y, cells: first..grid.cells.len(), surface_ends });
+            grid.slices.push(Slice { y, cells: first..grid.cells.len(), surface_ends, edges });
         }
     }
 
@@ -315,14 +333,13 @@ impl Layer<'_> {
         self.middle + f64::from(index) * self.pitch[1]
     }
 
-    /// Cells of a slice, whether it ends where a surface does, and places of its ridge; `None` where the surfaces do not lie over each
-    /// other.
-    fn slice(&self, index: i32, guess: Places) -> Option<(Vec<Cell>, [bool; 2], Places)> {
+    /// A slice, or `None` where the surfaces do not lie over each other.
+    fn slice(&self, index: i32, guess: Places) -> Option<Laid> {
         let y = self.center(index);
         let ridge = closest_across(&self.sheets, y, guess)?;
         let places = ridge.places();
         if ridge.end.is_some() && !self.search_edges {
-            return Some((Vec::new(), [true; 2], places));
+            return Some(Laid { places, ..Laid::default() });
         }
         let column = (ridge.at()[0] / self.pitch[0]).round();
         let center = column * self.pitch[0];
@@ -336,7 +353,8 @@ impl Layer<'_> {
                 cells.push(cell);
             }
         }
-        Some((cells, surface_ends, places))
+        let edges = Some(self.edges_beside(y, ridge.at()[0], places));
+        Some(Laid { cells, surface_ends, edges, places })
     }
 
     /// Ends of the cells of a slice, and whether a surface ends it.
@@ -389,6 +407,24 @@ impl Layer<'_> {
         }
         let bounds = if range[1] > range[0] { cell_bounds(range, self.pitch[0], &edges) } else { Vec::new() };
         (bounds, surface_ends)
+    }
+
+    /// Edges beside a slice at `y` whose ridge is at `closest`.
+    fn edges_beside(&self, y: f64, closest: f64, places: Places) -> Edges {
+        let ends = self.flank_ends(y, places);
+        let both = [-0.5, 0.5].map(|part| self.flank_ends(y + part * self.pitch[1], places));
+        let nearest = both.into_iter().fold(ends, |[low, high], [from, to]| [low.max(from), high.min(to)]);
+        Edges { ends, nearest, closest }
+    }
+
+    /// Where the first flank ends at low and at high x of the slice at `y`.
+    fn flank_ends(&self, y: f64, places: Places) -> FlankEnds {
+        let surfaces = limits(&self.sheets, y, places).map_or(ENDLESS, |[low, high]| [low.x, high.x]);
+        let edges = self.edges.iter().filter_map(|edge| self.edge_at(edge, y, places));
+        edges.fold(surfaces, |[low, high], edge| match edge.towards > 0.0 {
+            true => [low, high.min(edge.x)],
+            false => [low.max(edge.x), high],
+        })
     }
 
     /// Where an edge starts on the tangent plane at `y`.

@@ -21,7 +21,7 @@ pub use assembly::{Patch, Side, compliance};
 pub use grid::{Cell, Grid, GridOptions, Slice, contact_modulus, lay};
 pub use guess::first_guess;
 pub use placement::{PatchFrame, PlacedSurface, Pose, sliding};
-pub use pressure::{GridReport, Peak, assess, half_axes, peak, pressures};
+pub use pressure::{GridReport, Peak, assess, half_axes, peak, peak_in, pressures, slice_peaks_in};
 pub use ridge::{Ridge, RidgePoint, find_ridge};
 
 #[cfg(test)]

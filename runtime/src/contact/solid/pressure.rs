@@ -2,9 +2,10 @@
 //!
 //! Across each slice and along the slices' peaks the square of the pressure is nearly a parabola, as in the plane.
 
-use super::grid::{Cell, Grid};
+use super::grid::{Cell, Grid, Slice};
 use crate::contact::grid::{LEAST_LOADED_CELLS, MARGIN};
 use crate::contact::pressure::{self, zeros_of_squared_pressure};
+use crate::contact::zone::Zone;
 
 /// Pressure in each cell (Pa) for cell forces (N).
 pub fn pressures(cells: &[Cell], forces: &[f64]) -> Vec<f64> {
@@ -28,15 +29,40 @@ fn strip(grid: &Grid, pressures: &[f64], slice: usize) -> (Vec<[f64; 2]>, Vec<f6
     (grid.cells[cells.clone()].iter().map(|cell| cell.ends(0)).collect(), pressures[cells].to_vec())
 }
 
+/// The peak of a slice that carries no load.
+const NONE: pressure::Peak = pressure::Peak { pressure: 0.0, x: 0.0, cell: 0 };
+
 /// The peak of each slice, Pa; 0 where none of it is loaded.
 fn slice_peaks(grid: &Grid, pressures: &[f64]) -> Vec<pressure::Peak> {
-    let none = pressure::Peak { pressure: 0.0, x: 0.0, cell: 0 };
     (0..grid.slices.len())
         .map(|slice| {
             let (cells, pressures) = strip(grid, pressures, slice);
-            pressure::peak(&cells, &pressures).unwrap_or(none)
+            pressure::peak(&cells, &pressures).unwrap_or(NONE)
         })
         .collect()
+}
+
+/// The largest pressure of each slice in a zone, Pa; 0 where none of it is loaded. Cells are counted within the slice.
+pub fn slice_peaks_in(grid: &Grid, pressures: &[f64], zone: Zone) -> Vec<pressure::Peak> {
+    let half_width = half_width(grid, pressures);
+    (0..grid.slices.len())
+        .map(|slice| {
+            let (cells, pressures) = strip(grid, pressures, slice);
+            zone.peak(&cells, &pressures, &grid.slices[slice].edges, half_width).unwrap_or(NONE)
+        })
+        .collect()
+}
+
+/// Hertzian half-width of the patch, m: of the line loads of its slices, averaged by the forces that they carry.
+fn half_width(grid: &Grid, pressures: &[f64]) -> f64 {
+    let force = |cell: usize| pressures[cell] * grid.cells[cell].area();
+    let (mut sum, mut by_load) = (0.0, 0.0);
+    for slice in &grid.slices {
+        let own: f64 = slice.cells.clone().map(force).sum();
+        sum += own;
+        by_load += own * own / (slice.y[1] - slice.y[0]);
+    }
+    if sum > 0.0 { grid.unit_half_width * (by_load / sum).sqrt() } else { 0.0 }
 }
 
 /// Ends along the ridge of each slice, m.
@@ -46,7 +72,36 @@ fn lengths(grid: &Grid) -> Vec<[f64; 2]> {
 
 /// The peak pressure, between cells and slices; `None` if no cell is loaded. `pressures` in Pa, one a cell.
 pub fn peak(grid: &Grid, pressures: &[f64]) -> Option<Peak> {
-    let peaks = slice_peaks(grid, pressures);
+    along(grid, &slice_peaks(grid, pressures))
+}
+
+/// The largest pressure of a zone. Side faces are no edges: every patch reaches them.
+pub fn peak_in(grid: &Grid, pressures: &[f64], zone: Zone) -> Option<Peak> {
+    let peaks = slice_peaks_in(grid, pressures, zone);
+    let half_width = half_width(grid, pressures);
+    // Where an edge cuts slices off, and within the edge zone, the largest pressures of the slices do not lie on a parabola.
+    let mut whole = peaks.clone();
+    let mut largest_cut: Option<usize> = None;
+    for index in 0..peaks.len() {
+        let (cells, own) = strip(grid, pressures, index);
+        if zone == Zone::Edge || grid.slices[index].edges.reached(&cells, &own, half_width) {
+            whole[index] = NONE;
+            let larger = |other: usize| peaks[index].pressure > peaks[other].pressure;
+            largest_cut = if largest_cut.is_none_or(larger) { Some(index) } else { largest_cut };
+        }
+    }
+    let found = along(grid, &whole);
+    let cut = largest_cut.map(|index| {
+        let pressure::Peak { pressure, x, cell } = peaks[index];
+        let Slice { y, cells, .. } = &grid.slices[index];
+        Peak { pressure, at: [x, 0.5 * (y[0] + y[1])], cell: cells.start + cell }
+    });
+    let cut = cut.filter(|peak| peak.pressure > found.map_or(0.0, |found| found.pressure));
+    cut.or(found)
+}
+
+/// The largest of slices' peaks.
+fn along(grid: &Grid, peaks: &[pressure::Peak]) -> Option<Peak> {
     let values: Vec<f64> = peaks.iter().map(|peak| peak.pressure).collect();
     let found = pressure::peak(&lengths(grid), &values)?;
     let own = &peaks[found.cell];
@@ -158,18 +213,4 @@ fn judge(pieces: &[[f64; 2]], pressures: &[f64], surface_ends: [bool; 2], extent
         smaller
     };
     Judgement { truncated, under_resolved, recommended }
-}
-
-impl Grid {
-    /// Whether a loaded patch lies on a rounded edge or is cut off across where a surface ends: its pressures are edge pressures. Side
-    /// faces are no such edges: every patch reaches them.
-    pub fn at_edge(&self, forces: &[f64]) -> bool {
-        let loaded = |cell: usize| forces[cell] > 0.0;
-        let on_edge = (0..self.cells.len()).any(|cell| self.cells[cell].edge && loaded(cell));
-        on_edge
-            || self.slices.iter().any(|slice| {
-                (slice.surface_ends[0] && loaded(slice.cells.start))
-                    || (slice.surface_ends[1] && loaded(slice.cells.end - 1))
-            })
-    }
 }

@@ -1,0 +1,79 @@
+//! Largest contact pressures of the flank and of the edge zone over finer and finer contact grids, where a contact line ends at a tip
+//! edge.
+
+use super::suite::Row;
+use super::*;
+
+/// As `examples/helical_pair.cx` nearly, without tip relief: edges carry load. See `data/effectivity.txt`.
+const PAIR: &str = "ends no analytic 24 49 2.5 20 20 0 0 25 0 4 250 yes 1 3 12 4 2 1 3 12 4 2";
+
+/// The same with tip relief.
+const RELIEVED_PAIR: &str = "ends no analytic 24 49 2.5 20 20 0 0 25 12 4 250 yes 1 3 12 4 2 1 3 12 4 2";
+
+/// Both on grids of 12 and 10, compared with 24 and 20 and twice as many positions.
+const PAIR_TWICE: &str = "ends no analytic 24 49 2.5 20 20 0 0 25 0 4 250 yes 1 3 12 10 8 1 3 24 20 16";
+const RELIEVED_PAIR_TWICE: &str =
+    "relieved no analytic 24 49 2.5 20 20 0 0 25 12 4 250 yes 1 3 12 10 8 1 3 24 20 16";
+
+/// Largest pressures of the flank and of the edge zone at a named position, Pa.
+fn at(pair: &'static str, name: &str, cells: [usize; 2]) -> [f64; 2] {
+    let row = Row::of(pair);
+    let (mut scene, cycle, _) = row.scene();
+    (scene.pairs[0].grid.half_cells, scene.pairs[0].grid.half_slices) = (Some(cells[0]), cells[1]);
+    let mesh = calyx_runtime::scene::PairId(0);
+    let outputs = vec![
+        OutputRequest::observing("flank", scene.observe(calyx_runtime::observe::MaxContactPressure(mesh))),
+        OutputRequest::observing("edge", scene.observe(calyx_runtime::observe::MaxEdgePressure(mesh))),
+    ];
+    let positions =
+        mesh_cycle(&cycle, 2).into_iter().filter(|position| position.name == name).collect::<Vec<_>>();
+    let options = AnalysisOptions {
+        fidelity: Fidelity::Analytic,
+        resources: resources(),
+        ..AnalysisOptions::default()
+    };
+    let result = quasi_static(&scene, &positions, &outputs, &options, &mut ()).expect("it runs");
+    [0, 1].map(|output: usize| result.summaries[output].max)
+}
+
+/// M and N of the grids that are compared; a finer one takes minutes.
+const GRIDS: [[usize; 2]; 3] = [[6, 5], [12, 10], [12, 20]];
+
+/// By how much the largest pressure of the flank zone differs from that of the finest grid, relative to it.
+fn deviations(found: &[[f64; 2]; 3]) -> [f64; 2] {
+    println!("{found:?}");
+    [0, 1].map(|grid: usize| (found[grid][0] / found[2][0] - 1.0).abs())
+}
+
+/// Without tip relief, tip edges carry many times the pressure of the flank. The pressure rises towards the edge, which slices across
+/// and along resolve better and better.
+#[test]
+fn the_largest_contact_pressure_converges_where_a_contact_line_ends_at_a_tip_edge() {
+    for (position, limits) in [("HPSTC", [0.12, 0.05]), ("LPSTC", [0.05, 0.025])] {
+        let found = GRIDS.map(|cells| at(PAIR, position, cells));
+        let off = deviations(&found);
+        assert!(off[0] < limits[0] && off[1] < limits[1], "{position}: {off:?}");
+        // The edge zone has the rest.
+        assert!(found.iter().all(|[flank, edge]| *edge > 2.0 * flank), "{position}: {found:?}");
+    }
+}
+
+#[test]
+fn the_largest_contact_pressure_converges_on_relieved_flanks() {
+    for position in ["HPSTC", "LPSTC"] {
+        let off = deviations(&GRIDS.map(|cells| at(RELIEVED_PAIR, position, cells)));
+        assert!(off[0] < 0.01 && off[1] < 0.006, "{position}: {off:?}");
+    }
+}
+
+/// The finer run has twice as many cells across and along, and twice as many positions.
+#[test]
+#[ignore = "takes minutes: .ci/full runs it"]
+fn the_estimate_covers_the_change_on_a_finer_grid() {
+    for pair in [RELIEVED_PAIR_TWICE, PAIR_TWICE] {
+        let all = Row::of(pair).measured();
+        all.iter().for_each(|one| println!("{}", one.line()));
+        let of_pressure = all.iter().filter(|one| one.output == "pressure" && one.statistic == "max");
+        assert!(of_pressure.map(suite::Measured::effectivity).all(|ratio| ratio > 0.5));
+    }
+}
