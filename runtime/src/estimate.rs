@@ -13,6 +13,7 @@
 //! error, the effectivity (`stdlib-gears/tests/estimates.rs`).
 
 mod besides;
+mod continuation;
 mod in_time;
 mod rounding;
 mod sampling;

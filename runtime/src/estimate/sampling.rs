@@ -1,15 +1,17 @@
-//! What lies between positions.
+//! The part of the error estimate that comes from positions: extremes and means between them.
 //!
-//! In every interval between two positions an output is continued from the left and from the right, by parabolas through the positions on
-//! either side alone: so neither a smooth maximum between positions is missed, nor one where slopes jump, as where a pair of teeth takes up
-//! load. Where loads of rigid teeth jump, positions stand on both sides, and nothing is continued across. Elastic teeth
-//! do not jump there; courses are continued through both positions.
+//! In every interval between two positions an output is continued from the left and from the right, by parabolas through the
+//! positions on either side alone ([`super::continuation`]). The estimate of an extreme is by how much the largest of the values
+//! expected in the intervals exceeds the largest value at the positions. It depends on nothing but the interval
+//! and the positions next to it: an extreme on a plateau has no error, however much the output varies elsewhere.
+//! Where loads of rigid teeth jump, positions lie on both sides, and nothing is continued across. Elastic teeth
+//! do not jump there; their time histories are continued through both positions.
 //!
-//! Continuations miss what begins and ends inside an interval. That there is such a thing they tell by missing the position at the other end. So a few
-//! intervals are divided ([`most_promising`]), those where an extreme may be and something is hidden; beside a position with a name close to it, where
-//! pairs of teeth take up load within a small part of the cycle. What this shows is measured, and continuations begin from there. How far they still miss
-//! positions is what they may leave out.
+//! Continuations miss what begins and ends inside an interval. A few intervals are therefore divided
+//! ([`most_promising`]), in turn the one whose expected extreme is largest and the one whose continuations fit worst.
+//! The values found there are known, and continuations begin from them.
 
+use super::continuation::{Continuations, Point};
 use super::{Ends, Statistics, ends};
 use crate::analysis::Position;
 use crate::results::StepRow;
@@ -23,18 +25,16 @@ const JUMP: f64 = 0.01;
 /// Positions nearer to each other than this part of the interval that they are continued into do not make a parabola: what little they differ by would
 /// be carried too far.
 const APART: f64 = 0.3;
-/// Places inside an interval that are looked at.
-const PLACES: usize = 16;
 /// Intervals shorter than this part of an average one of the analysis are not divided.
 const SHORTEST: f64 = 0.02;
-/// Where an interval with a name at one end is divided, from there.
+/// Where an interval with a name at one end is divided, from there. A kink is not looked for closer to an end.
 const BESIDE_NAMES: f64 = 0.25;
 /// How much of what is hidden in an interval an extreme may gain by it, of peak to peak, while intervals are chosen.
 const HIDDEN: f64 = 0.25;
-/// The same of what continuations still miss at the end: in an interval, of the extreme by how far they usually miss, and of the mean over an interval.
-const MISSED: f64 = 0.03;
-const USUALLY_MISSED: f64 = 0.35;
+/// Part of what continuations miss at the positions that the mean over an interval may be off by.
 const MISSED_MEAN: f64 = 0.15;
+/// Rises below this part of peak to peak divide no interval.
+const RISING: f64 = 1e-3;
 /// Outputs that change by no more than this part of their magnitude choose no intervals.
 const CHANGING: f64 = 1e-3;
 
@@ -52,15 +52,15 @@ pub(crate) struct Course {
     named: Vec<bool>,
 }
 
-/// What continuations say of an interval, of the largest value there.
+/// An interval, as far as the largest value in it is concerned.
 #[derive(Clone, Copy, Debug)]
 struct Look {
-    /// At its ends.
-    end: f64,
-    /// That both continuations reach, or its ends.
-    crest: f64,
+    /// Root mean square of the rise above a level.
+    rise: f64,
     /// By how much the better continuation misses the position at its other end.
     missed: f64,
+    /// Where a kink is expected, as a part of the interval.
+    kink: Option<f64>,
 }
 
 impl Course {
@@ -150,45 +150,37 @@ impl Course {
         (stencils, alone)
     }
 
-    /// Both continuations at a place inside an interval.
-    fn continued(&self, stencils: &[Vec<isize>; 2], of: impl Fn(isize) -> f64, x: f64) -> [f64; 2] {
-        [0, 1].map(|side: usize| {
-            let points: Vec<_> = stencils[side].iter().map(|&i| (self.place(i), of(i))).collect();
-            lagrange(&points, x)
-        })
+    /// Both continuations into an interval, and which of them has two positions of its own.
+    fn continued(
+        &self,
+        interval: isize,
+        of: impl Fn(isize) -> f64,
+        closed: bool,
+        limited: bool,
+    ) -> (Continuations, [bool; 2]) {
+        let (stencils, alone) = self.stencils(interval, closed);
+        let points =
+            stencils.map(|stencil| stencil.iter().map(|&i| (self.place(i), of(i))).collect::<Vec<Point>>());
+        let ends = [interval, interval + 1].map(|end| self.place(end));
+        (Continuations::new(&points, ends, limited), alone)
     }
 
-    /// What continuations say of the largest value in an interval.
-    fn look(&self, interval: isize, of: impl Fn(isize) -> f64, closed: bool) -> Look {
-        let (stencils, alone) = self.stencils(interval, closed);
-        let [from, to] = [self.place(interval), self.place(interval + 1)];
-        let [start, stop] = [of(interval), of(interval + 1)];
-        let end = start.max(stop);
-        let crest = (1..=PLACES).map(|place| {
-            let x = from + (place as f64 - 0.5) / PLACES as f64 * (to - from);
-            let [left, right] = self.continued(&stencils, &of, x);
-            left.min(right)
-        });
-        let crest = crest.fold(end, f64::max);
-        let [_, by_right] = self.continued(&stencils, &of, from);
-        let [by_left, _] = self.continued(&stencils, &of, to);
-        let missed = [(alone[0], by_left - stop), (alone[1], by_right - start)];
-        let missed = missed.into_iter().filter(|(alone, _)| *alone).map(|(_, missed)| missed.abs());
-        let missed = missed.fold(f64::INFINITY, f64::min);
-        Look { end, crest, missed: if missed.is_finite() { missed } else { 0.0 } }
+    /// The largest value in an interval against a level.
+    fn look(&self, interval: isize, of: impl Fn(isize) -> f64, closed: bool, level: f64) -> Look {
+        let (continued, alone) = self.continued(interval, of, closed, true);
+        let missed = continued.misses().into_iter().zip(alone).filter(|(_, alone)| *alone);
+        let missed = missed.map(|(missed, _)| missed.abs()).fold(f64::INFINITY, f64::min);
+        let missed = if missed.is_finite() { missed } else { 0.0 };
+        Look { rise: continued.largest(level).rise, missed, kink: continued.kink() }
     }
 
     /// How far above the largest value at the positions it may be between them.
     fn above(&self, values: &[f64], closed: bool) -> f64 {
         let count = values.len() as isize;
         let of = |index: isize| values[index.rem_euclid(count) as usize];
-        let looks: Vec<Look> = self.intervals(closed).map(|i| self.look(i, of, closed)).collect();
         let most = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        let mut missed: Vec<f64> = looks.iter().map(|look| look.missed).collect();
-        missed.sort_unstable_by(f64::total_cmp);
-        let usual = missed.get(missed.len() / 2).map_or(0.0, |missed| USUALLY_MISSED * missed);
-        let of_look = |look: &Look| look.crest.max(look.end + MISSED * look.missed);
-        looks.iter().map(of_look).fold(most + usual, f64::max)
+        let largest = |i| self.continued(i, of, closed, true).0.largest(most).expected;
+        self.intervals(closed).map(largest).fold(most, f64::max)
     }
 
     /// The area below the chords from position to position.
@@ -203,19 +195,11 @@ impl Course {
     fn area(&self, values: &[f64], closed: bool) -> f64 {
         let count = values.len() as isize;
         let of = |index: isize| values[index.rem_euclid(count) as usize];
-        let mut area = 0.0;
-        for interval in self.intervals(closed) {
-            let [from, to] = [self.place(interval), self.place(interval + 1)];
-            let (stencils, _) = self.stencils(interval, closed);
-            for place in 1..=PLACES {
-                let part = (place as f64 - 0.5) / PLACES as f64;
-                let [left, right] = self.continued(&stencils, of, from + part * (to - from));
-                let chord = of(interval) + part * (of(interval + 1) - of(interval));
-                // Where slopes jump the course is the lower of both continuations or the upper one, whichever is nearer to the chord.
-                area += common_to(left - chord, right - chord) * (to - from) / PLACES as f64;
-            }
-        }
-        area
+        let above_chord = |interval| {
+            let (continued, _) = self.continued(interval, of, closed, false);
+            continued.above_chord() * (self.place(interval + 1) - self.place(interval))
+        };
+        self.intervals(closed).map(above_chord).sum()
     }
 
     /// The area that continuations may miss: in some intervals it is above them and in others below.
@@ -225,7 +209,7 @@ impl Course {
         let most = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         let least = values.iter().copied().fold(f64::INFINITY, f64::min);
         let missed = |interval: isize| {
-            let missed = self.look(interval, of, closed).missed.min(most - least);
+            let missed = self.look(interval, of, closed, most).missed.min(most - least);
             missed * (self.place(interval + 1) - self.place(interval))
         };
         self.intervals(closed).map(|interval| missed(interval).powi(2)).sum::<f64>().sqrt()
@@ -255,14 +239,25 @@ pub(crate) struct Known<'a> {
     pub closed: bool,
 }
 
+/// An interval that is worth dividing.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Promising {
+    /// The position that it begins with.
+    pub interval: usize,
+    /// Where a kink is expected, as a part of the interval.
+    pub kink: Option<f64>,
+}
+
 /// The intervals that are most worth dividing for the extremes of all outputs, the most promising first; none shorter than a small part of `average`, the
 /// length of an interval of the analysis.
 ///
-/// An interval promises an output as much as its extreme may rise there, of peak to peak: by continuations, and by what they miss in any output, for what
-/// one of them shows hides others as well, such as a pair that takes up load.
-pub(crate) fn most_promising(all: &[Known<'_>], average: f64) -> Vec<usize> {
-    // By output and sign: the extreme, peak to peak, and what is seen of every interval.
-    let mut looks = Vec::new();
+/// Two orders take turns, the first one where `turn` is even. The first is by the rise above the extreme that continuations make expect, relative
+/// to peak to peak. The second adds what continuations miss in any output, because what one of them shows hides others as well, such as
+/// a pair that takes up load.
+pub(crate) fn most_promising(all: &[Known<'_>], average: f64, turn: usize) -> Vec<Promising> {
+    // Of every output and sign, interval by interval, with the rise as a part of peak to peak.
+    let mut looks: Vec<(usize, f64, Look)> = Vec::new();
+    let mut hidden: BTreeMap<usize, f64> = BTreeMap::new();
     for Known { course, ends, closed } in all {
         if !ends.iter().all(|end| (end.low + end.high).is_finite()) {
             continue;
@@ -278,38 +273,55 @@ pub(crate) fn most_promising(all: &[Known<'_>], average: f64) -> Vec<usize> {
         for (values, most) in [(&high, most), (&low, least)] {
             let of = |index: isize| values[index.rem_euclid(values.len() as isize) as usize];
             let long = |&i: &isize| course.place(i + 1) - course.place(i) > SHORTEST * average;
-            let own = course.intervals(*closed).filter(long);
-            let own: Vec<(usize, Look)> = own.map(|i| (i as usize, course.look(i, of, *closed))).collect();
-            looks.push((most, spread, own));
+            for interval in course.intervals(*closed).filter(long) {
+                let look = course.look(interval, of, *closed, most);
+                let interval = interval as usize;
+                looks.push((interval, look.rise / spread, look));
+                let part = (look.missed / spread).min(1.0);
+                hidden.entry(interval).and_modify(|most| *most = most.max(part)).or_insert(part);
+            }
         }
     }
-    let mut hidden: BTreeMap<usize, f64> = BTreeMap::new();
-    for (_, spread, own) in &looks {
-        for (interval, look) in own {
-            let part = (look.missed / spread).min(1.0);
-            hidden.entry(*interval).and_modify(|most| *most = most.max(part)).or_insert(part);
+    let in_order = |promise: &dyn Fn(usize, f64) -> f64, least: f64| {
+        let mut best: BTreeMap<usize, (f64, Option<f64>)> = BTreeMap::new();
+        for &(interval, rise, look) in &looks {
+            let own = (promise(interval, rise), look.kink);
+            let best = best.entry(interval).or_insert(own);
+            if own.0 > best.0 {
+                *best = own;
+            }
         }
+        let mut in_order: Vec<(usize, (f64, Option<f64>))> =
+            best.into_iter().filter(|(_, (promise, _))| *promise > least).collect();
+        in_order.sort_by(|a, b| b.1.0.total_cmp(&a.1.0));
+        in_order.into_iter().map(|(interval, (_, kink))| Promising { interval, kink })
+    };
+    let mut orders = [
+        in_order(&|_, rise| rise, RISING),
+        in_order(&|interval, rise| rise + HIDDEN * hidden[&interval], f64::NEG_INFINITY),
+    ];
+    let mut promising: Vec<Promising> = Vec::new();
+    let mut turn = turn;
+    loop {
+        let own = turn % 2;
+        let is_new = |next: &Promising| promising.iter().all(|old| old.interval != next.interval);
+        let next = orders[own].find(is_new);
+        let Some(next) = next.or_else(|| orders[1 - own].find(is_new)) else { return promising };
+        promising.push(next);
+        turn += 1;
     }
-    let mut promises: BTreeMap<usize, f64> = BTreeMap::new();
-    for (most, spread, own) in &looks {
-        for (interval, look) in own {
-            let promise = (look.crest - most) / spread + HIDDEN * hidden[interval];
-            promises.entry(*interval).and_modify(|best| *best = best.max(promise)).or_insert(promise);
-        }
-    }
-    let mut in_order: Vec<(usize, f64)> = promises.into_iter().collect();
-    in_order.sort_by(|a, b| b.1.total_cmp(&a.1));
-    in_order.into_iter().map(|(interval, _)| interval).collect()
 }
 
-/// Where an interval is divided, that begins with a row, round the end of a cycle if that is the last: in its middle, or close to a row with a name.
-pub(crate) fn divided(rows: &[StepRow], interval: usize) -> Position {
+/// Where an interval is divided, that begins with a row, round the end of a cycle if that is the last: where a kink is expected, close to a row with a
+/// name, or in its middle.
+pub(crate) fn divided(rows: &[StepRow], Promising { interval, kink }: Promising) -> Position {
     let (first, last) = (&rows[0].position, &rows[rows.len() - 1].position);
     let one = &rows[interval].position;
     let named = [one, &rows[(interval + 1) % rows.len()].position].map(|at| !at.name.is_empty());
-    let part = match named {
-        [true, false] => BESIDE_NAMES,
-        [false, true] => 1.0 - BESIDE_NAMES,
+    let part = match (kink, named) {
+        (Some(kink), _) => kink.clamp(BESIDE_NAMES, 1.0 - BESIDE_NAMES),
+        (None, [true, false]) => BESIDE_NAMES,
+        (None, [false, true]) => 1.0 - BESIDE_NAMES,
         _ => 0.5,
     };
     // By what the next one is later: a row, or the first one of the next cycle.
@@ -324,18 +336,4 @@ pub(crate) fn divided(rows: &[StepRow], interval: usize) -> Position {
         roll: between(|at| at.roll),
         name: Cow::Borrowed(""),
     }
-}
-
-/// The smaller of two departures to one side; departures to either side say nothing.
-fn common_to(one: f64, other: f64) -> f64 {
-    if one * other > 0.0 { one.signum() * one.abs().min(other.abs()) } else { 0.0 }
-}
-
-/// The polynomial through a few points.
-fn lagrange(points: &[(f64, f64)], x: f64) -> f64 {
-    let term = |(index, &(own, value)): (usize, &(f64, f64))| {
-        let others = points.iter().enumerate().filter(|(other, _)| *other != index);
-        others.fold(value, |product, (_, (other, _))| product * (x - other) / (own - other))
-    };
-    points.iter().enumerate().map(term).sum()
 }

@@ -246,8 +246,10 @@ impl Judged<'_, '_> {
                 Some(Known { course, ends: ends(within(&all, self.rows, closed), output), closed })
             };
             let known: Vec<Known<'_>> = closed.iter().enumerate().filter_map(known).collect();
-            let wanted = most_promising(&known, average).into_iter().take(left.div_ceil(ROUNDS - round));
-            let positions: Vec<Position> = wanted.map(|interval| divided(&all, interval)).collect();
+            let turn = all.len() - self.rows.len();
+            let wanted =
+                most_promising(&known, average, turn).into_iter().take(left.div_ceil(ROUNDS - round));
+            let positions: Vec<Position> = wanted.map(|promising| divided(&all, promising)).collect();
             left -= positions.len();
             match part_of(self.solve(self.system, self.plan, &positions))? {
                 Ok(besides) => all.extend(besides.rows),

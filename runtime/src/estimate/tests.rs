@@ -77,10 +77,10 @@ fn measured(at: &[(f64, &'static str)], more: usize, course: impl Fn(f64) -> f64
     let values = ends(&found, 0);
     let most = values.iter().map(|end| end.high).fold(f64::NEG_INFINITY, f64::max);
     let mut all = found.clone();
-    for _ in 0..more {
+    for turn in 0..more {
         let course_of = Course::of(&all, Some(0)).expect("it goes somewhere");
         let known = [sampling::Known { course: &course_of, ends: ends(&all, 0), closed: true }];
-        let promising = sampling::most_promising(&known, own.average());
+        let promising = sampling::most_promising(&known, own.average(), turn);
         let place = sampling::divided(&all, promising[0]).cycle;
         all.extend(rows(&[(place, "")], course));
         all.sort_by(|a, b| a.position.cycle.total_cmp(&b.position.cycle));
@@ -100,6 +100,54 @@ fn what_begins_and_ends_between_positions_is_measured() {
     let [missed, effectivity] = measured(&uniform(20), 4, course);
     assert!(missed < 0.5, "{missed}");
     assert!((0.8..1.5).contains(&effectivity), "{effectivity}");
+}
+
+/// The load share of a pair is one where no other pair carries load. Its maximum has no error if three positions lie there, although it changes
+/// quickly beside the plateau and between other positions.
+#[test]
+fn an_extreme_on_a_plateau_has_no_error() {
+    for shift in [0.0, 0.03, 0.06, 0.09] {
+        let share = |x: f64| {
+            let passed = (x + shift).rem_euclid(1.0);
+            let entering = 0.45 + 0.1 * (TAU * 2.0 * passed).sin() + 4.0 * (passed - 0.35).max(0.0).powi(2);
+            if passed > 0.9 { 9.0 * (1.0 - passed) } else { entering + 4.0 * (passed - 0.5).max(0.0) }
+                .min(1.0)
+        };
+        let (errors, [of_max, _]) = estimated_and_true(&uniform(10), 1.0, 0.0, share);
+        assert_eq!(of_max, 0.0);
+        assert!(errors.max < 1e-9, "{shift}: {}", errors.max);
+        assert!(errors.min > 1e-3, "{shift}: {}", errors.min);
+    }
+}
+
+/// Largest root stress of a gear whose most stressed tooth changes between two positions, with another kink close to the next position.
+#[test]
+fn a_minimum_where_the_most_stressed_tooth_changes_is_measured() {
+    const STRESS: [[f64; 2]; 11] = [
+        [0.0, 2.384],
+        [0.125, 1.80],
+        [0.25, 1.478],
+        [0.333, 1.46],
+        [0.4167, 1.445],
+        [0.5, 1.26],
+        [0.53, 1.135],
+        [0.6, 1.46],
+        [0.6667, 1.888],
+        [0.683, 1.945],
+        [1.0, 2.384],
+    ];
+    let below = |x: f64| {
+        let next = STRESS.iter().position(|point| point[0] >= x).unwrap_or(1).max(1);
+        let [[from, one], [to, other]] = [STRESS[next - 1], STRESS[next]];
+        -one - (x - from) / (to - from) * (other - one)
+    };
+    let mut at = uniform(6);
+    at.extend([(0.6835, "EAP"), (0.6835 + 2e-6, "LPSTC")]);
+    at.sort_by(|a, b| a.0.total_cmp(&b.0));
+    for more in [2, 3, 4] {
+        let [_, effectivity] = measured(&at, more, below);
+        assert!((0.6..1.5).contains(&effectivity), "{more}: {effectivity}");
+    }
 }
 
 /// Close behind a position with a name a pair takes up load, and what others bear falls as quickly: the middle of the interval is far too late for it.
@@ -123,7 +171,7 @@ fn what_happens_close_to_a_name_is_measured() {
 #[test]
 fn a_cycle_is_halved_round_its_end() {
     let found = rows(&uniform(4), |_| 1.0);
-    let middle = sampling::divided(&found, 3);
+    let middle = sampling::divided(&found, sampling::Promising { interval: 3, kink: None });
     assert_eq!((middle.cycle, middle.time), (0.875, 2.75));
     assert!((middle.roll - 1.175).abs() < 1e-15);
 }
