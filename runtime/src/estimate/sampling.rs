@@ -1,15 +1,17 @@
 //! The part of the error estimate that comes from positions: extremes and means between them.
 //!
-//! In every interval between two positions an output is continued from the left and from the right, by parabolas through the
-//! positions on either side alone ([`super::continuation`]). The estimate of an extreme is by how much the largest of the values
-//! expected in the intervals exceeds the largest value at the positions. It depends on nothing but the interval
-//! and the positions next to it: an extreme on a plateau has no error, however much the output varies elsewhere.
-//! Where loads of rigid teeth jump, positions lie on both sides, and nothing is continued across. Elastic teeth
-//! do not jump there; their time histories are continued through both positions.
+//! In every interval between two positions an output is continued from the left and from the
+//! right, by parabolas through the positions on either side alone ([`super::continuation`]). The
+//! estimate of an extreme is by how much the largest of the values expected in the intervals
+//! exceeds the largest value at the positions. It depends on nothing but the interval and the
+//! positions next to it: an extreme on a plateau has no error, however much the output varies
+//! elsewhere. At places where loads of rigid teeth jump, positions lie on both sides, and nothing is
+//! continued across. Elastic teeth do not jump there; their time histories are continued through
+//! both positions.
 //!
-//! Continuations miss what begins and ends inside an interval. A few intervals are therefore divided
-//! ([`most_promising`]), in turn the one whose expected extreme is largest and the one whose continuations fit worst.
-//! The values found there are known, and continuations begin from them.
+//! Continuations miss what begins and ends inside an interval. A few intervals are therefore
+//! divided ([`most_promising`]), in turn the one whose expected extreme is largest and the one whose
+//! continuations fit worst. The values found there are known, and continuations begin from them.
 
 use super::continuation::{Continuations, Point};
 use super::{Ends, Statistics, ends};
@@ -27,11 +29,12 @@ const JUMP: f64 = 0.01;
 const APART: f64 = 0.3;
 /// Intervals shorter than this part of an average one of the analysis are not divided.
 const SHORTEST: f64 = 0.02;
-/// Where an interval with a name at one end is divided, from there. A kink is not looked for closer to an end.
+/// Part of an interval with a name at one end at which it is divided, from that end. No interval is
+/// divided closer to an end.
 const BESIDE_NAMES: f64 = 0.25;
 /// How much of what is hidden in an interval an extreme may gain by it, of peak to peak, while intervals are chosen.
 const HIDDEN: f64 = 0.25;
-/// Part of what continuations miss at the positions that the mean over an interval may be off by.
+/// Estimated error of the mean over an interval, in what continuations miss at its ends.
 const MISSED_MEAN: f64 = 0.15;
 /// Rises below this part of peak to peak divide no interval.
 const RISING: f64 = 1e-3;
@@ -59,7 +62,7 @@ struct Look {
     rise: f64,
     /// By how much the better continuation misses the position at its other end.
     missed: f64,
-    /// Where a kink is expected, as a part of the interval.
+    /// Expected location of a kink, as a part of the interval.
     kink: Option<f64>,
 }
 
@@ -244,18 +247,19 @@ pub(crate) struct Known<'a> {
 pub(crate) struct Promising {
     /// The position that it begins with.
     pub interval: usize,
-    /// Where a kink is expected, as a part of the interval.
+    /// Expected location of a kink, as a part of the interval.
     pub kink: Option<f64>,
 }
 
-/// The intervals that are most worth dividing for the extremes of all outputs, the most promising first; none shorter than a small part of `average`, the
-/// length of an interval of the analysis.
+/// Sorts the intervals by how much dividing them promises for the extremes of all outputs, the most
+/// promising first. Leaves out those shorter than a small part of `average`, the length of an
+/// interval of the analysis.
 ///
-/// Two orders take turns, the first one where `turn` is even. The first is by the rise above the extreme that continuations make expect, relative
-/// to peak to peak. The second adds what continuations miss in any output, because what one of them shows hides others as well, such as
-/// a pair that takes up load.
+/// Two orders take turns, the first one if `turn` is even. The first is by the expected rise above
+/// the extreme, relative to peak to peak. The second adds the misfit of continuations in any output:
+/// a feature that one output shows is hidden in others, such as a pair that takes up load.
 pub(crate) fn most_promising(all: &[Known<'_>], average: f64, turn: usize) -> Vec<Promising> {
-    // Of every output and sign, interval by interval, with the rise as a part of peak to peak.
+    // Interval, rise relative to peak to peak, and the rest, for every output and either sign.
     let mut looks: Vec<(usize, f64, Look)> = Vec::new();
     let mut hidden: BTreeMap<usize, f64> = BTreeMap::new();
     for Known { course, ends, closed } in all {
@@ -312,8 +316,8 @@ pub(crate) fn most_promising(all: &[Known<'_>], average: f64, turn: usize) -> Ve
     }
 }
 
-/// Where an interval is divided, that begins with a row, round the end of a cycle if that is the last: where a kink is expected, close to a row with a
-/// name, or in its middle.
+/// The position that divides an interval after a row, or the one round the end of the cycle after the
+/// last row: at the expected kink, close to a row with a name, or in the middle.
 pub(crate) fn divided(rows: &[StepRow], Promising { interval, kink }: Promising) -> Position {
     let (first, last) = (&rows[0].position, &rows[rows.len() - 1].position);
     let one = &rows[interval].position;

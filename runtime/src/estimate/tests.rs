@@ -102,8 +102,8 @@ fn what_begins_and_ends_between_positions_is_measured() {
     assert!((0.8..1.5).contains(&effectivity), "{effectivity}");
 }
 
-/// The load share of a pair is one where no other pair carries load. Its maximum has no error if three positions lie there, although it changes
-/// quickly beside the plateau and between other positions.
+/// The load share of a pair is one while no other pair carries load. Its maximum has no error if
+/// three positions lie on that plateau, although it changes quickly next to it.
 #[test]
 fn an_extreme_on_a_plateau_has_no_error() {
     for shift in [0.0, 0.03, 0.06, 0.09] {
@@ -120,7 +120,8 @@ fn an_extreme_on_a_plateau_has_no_error() {
     }
 }
 
-/// Largest root stress of a gear whose most stressed tooth changes between two positions, with another kink close to the next position.
+/// Largest root stress of a gear whose most stressed tooth changes between two positions, with
+/// another kink close to the next position.
 #[test]
 fn a_minimum_where_the_most_stressed_tooth_changes_is_measured() {
     const STRESS: [[f64; 2]; 11] = [
