@@ -171,9 +171,7 @@ impl Course {
     /// The largest value in an interval against a level.
     fn look(&self, interval: isize, of: impl Fn(isize) -> f64, closed: bool, level: f64) -> Look {
         let (continued, alone) = self.continued(interval, of, closed, true);
-        let missed = continued.misses().into_iter().zip(alone).filter(|(_, alone)| *alone);
-        let missed = missed.map(|(missed, _)| missed.abs()).fold(f64::INFINITY, f64::min);
-        let missed = if missed.is_finite() { missed } else { 0.0 };
+        let missed = missed(&continued, alone);
         Look { rise: continued.largest(level).rise, missed, kink: continued.kink() }
     }
 
@@ -212,7 +210,9 @@ impl Course {
         let most = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         let least = values.iter().copied().fold(f64::INFINITY, f64::min);
         let missed = |interval: isize| {
-            let missed = self.look(interval, of, closed, most).missed.min(most - least);
+            // The mean is of parabolas that are not limited, and so is what they miss.
+            let (continued, alone) = self.continued(interval, of, closed, false);
+            let missed = missed(&continued, alone).min(most - least);
             missed * (self.place(interval + 1) - self.place(interval))
         };
         self.intervals(closed).map(|interval| missed(interval).powi(2)).sum::<f64>().sqrt()
@@ -233,6 +233,14 @@ impl Course {
         let mean = beside.hypot(missed) / self.span(closed);
         Statistics { min: below, max: above, mean, peak_to_peak: above + below }
     }
+}
+
+/// By how much the better of two continuations, of those with two positions of their own, misses the
+/// position at its other end.
+fn missed(continued: &Continuations, alone: [bool; 2]) -> f64 {
+    let missed = continued.misses().into_iter().zip(alone).filter(|(_, alone)| *alone);
+    let missed = missed.map(|(missed, _)| missed.abs()).fold(f64::INFINITY, f64::min);
+    if missed.is_finite() { missed } else { 0.0 }
 }
 
 /// An output as far as it is known.
