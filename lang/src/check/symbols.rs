@@ -121,6 +121,8 @@ pub struct Names<'a> {
     /// Names that are assigned to.
     pub written: HashSet<Span>,
     pub variables: Vec<Variable>,
+    /// Variables whose names are units after a number where they are visible (W0205).
+    pub hidden_by_units: HashSet<VarId>,
     pub functions: Vec<FunctionInfo<'a>>,
     pub externs: Vec<ExternInfo<'a>>,
     pub consts: Vec<Declared<ConstDecl<'a>>>,

@@ -8,7 +8,7 @@ use super::interface::Interface;
 use super::lower::{self, Closure};
 use super::meanings::Meanings;
 use super::schemes::Shown;
-use super::tree::{FuncId, RecordId};
+use super::tree::{FuncId, RecordId, VarId};
 use super::typed::Typed;
 use super::{has_errors, names};
 use crate::diagnostic::Diagnostic;
@@ -154,7 +154,8 @@ fn flow_of_sound(unit: &Unit, sound: &[(FuncId, Span)]) -> Vec<Diagnostic> {
     found
 }
 
-/// Returns `true` if a function uses one of the given variables of the enclosing top level.
+/// Returns `true` if a function uses one of the given variables of the enclosing top level, as a
+/// variable or as a unit after a number.
 pub fn sees(extract: super::excerpt::Extract<'_>, variables: &[&str]) -> bool {
     use crate::ast::{Ident, Stmt, StmtKind, VarDecl};
     let mut excerpt = Excerpt::new(vec![extract]);
@@ -169,10 +170,10 @@ pub fn sees(extract: super::excerpt::Extract<'_>, variables: &[&str]) -> bool {
     let span = Span::new(module.file, at, at);
     module.tree.statements.insert(0, Stmt { kind: StmtKind::Var(decls), span, doc: None, private: false });
     let names = names::resolve(&excerpt.modules, &Nothing);
-    names
-        .functions
-        .iter()
-        .any(|function| function.outer.iter().any(|id| names.variables[id.0 as usize].owner == FuncId(0)))
+    let of_top = |id: &VarId| names.variables[id.0 as usize].owner == FuncId(0);
+    // The warning about a unit that is also a variable (W0205) needs the variable's declaration.
+    names.functions.iter().any(|function| function.outer.iter().any(of_top))
+        || names.hidden_by_units.iter().any(of_top)
 }
 
 /// The surroundings of a check whose diagnostics are not used.

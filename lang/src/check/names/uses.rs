@@ -51,15 +51,18 @@ impl<'a> Resolver<'a> {
         let known = Unit::find(&unit.name).map(Res::Unit).or_else(|| self.own_unit(&unit.name));
         self.names.uses.extend(known.map(|res| (unit.span, res)));
         let hidden = self.scopes.iter().rev().find_map(|scope| scope.names.get(&unit.name));
-        if let Some((Res::Var(_) | Res::Param(_) | Res::Const(_), declared)) = hidden
+        if let Some((hidden @ (Res::Var(_) | Res::Param(_) | Res::Const(_)), declared)) = hidden.copied()
             && known.is_some()
         {
+            if let Res::Var(id) = hidden {
+                self.names.hidden_by_units.insert(id);
+            }
             let before = Span { end: unit.span.start, ..unit.span };
             let message =
                 format!("`{0}` after a number is the unit, not what is called `{0}` here", unit.name);
             self.report(
                 Diagnostic::warning("W0205", message, unit.span, "the unit")
-                    .label(*declared, "this is not meant")
+                    .label(declared, "this is not meant")
                     .help(format!("write `*` to multiply by it: `2*{}`, or choose another name", unit.name))
                     .suggest(format!("multiply by `{}`", unit.name), before, "* "),
             );
