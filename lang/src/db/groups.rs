@@ -1,6 +1,6 @@
 //! Queries over names: which items an item needs, and which functions need each other.
 
-use super::items::{Item, declared, items, module, nameable, reachable};
+use super::items::{Item, declared, items, module, nameable, reachable, state_names};
 use super::{Library, Text};
 use crate::check::excerpt::{Extract, Part};
 use crate::check::item::{self, ItemKind};
@@ -133,12 +133,9 @@ pub(super) fn group_of<'db>(db: &'db dyn salsa::Database, item: Item<'db>, libra
 /// Whether a function sees a variable, param or output of its file's top level.
 #[salsa::tracked(returns(copy))]
 pub(super) fn sees_state<'db>(db: &'db dyn salsa::Database, item: Item<'db>) -> bool {
-    let file = item.file(db);
-    let (own, content) = (declared(db, file), item.content(db));
-    let state = |name: &&String| {
-        own.get(*name).is_some_and(|all| all.iter().any(|item| *item.kind(db) == ItemKind::State))
-    };
-    let shared: Vec<&str> = content.names.iter().filter(state).map(String::as_str).collect();
+    let (states, content) = (state_names(db, item.file(db)), item.content(db));
+    let shared: Vec<&str> =
+        content.names.iter().filter(|name| states.contains(*name)).map(String::as_str).collect();
     // A variable of the function may have the name.
     !shared.is_empty()
         && sees(Extract { name: String::new(), system: None, items: vec![(0, content, Part::Own)] }, &shared)

@@ -175,6 +175,18 @@ pub(super) fn declared(db: &dyn salsa::Database, text: Text) -> HashMap<String, 
     declared
 }
 
+/// Names of the variables, params and outputs of a file's top level. Found once for a file: a search
+/// among all items of a name for each of them takes time in the square of their number.
+#[salsa::tracked]
+pub(super) fn state_names(db: &dyn salsa::Database, text: Text) -> BTreeSet<String> {
+    let mut names = BTreeSet::new();
+    for item in items(db, text).iter().filter(|item| *item.kind(db) == ItemKind::State) {
+        let own = [item.name(db)].into_iter().chain(item.more(db));
+        names.extend(own.filter(|name| !name.is_empty()).cloned());
+    }
+    names
+}
+
 /// Items that functions and declarations can refer to, by name: the first one of each name, without
 /// variables and statements.
 #[salsa::tracked]
