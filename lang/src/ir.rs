@@ -430,7 +430,7 @@ pub enum Terminator {
 
 /// Returns the representation of the record `Error`.
 pub fn error_repr() -> Repr {
-    Repr::Tuple(vec![Repr::String, Repr::String, Repr::String, Repr::Number])
+    Repr::Tuple(vec![Repr::String, Repr::String, Repr::String, Repr::Number, Repr::String])
 }
 
 #[derive(Clone, Debug)]

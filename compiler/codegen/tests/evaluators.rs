@@ -431,7 +431,7 @@ fn tries(tried: Vec<Statement>, then: Terminator, after: Expr, others: Vec<Funct
 }
 
 fn throw(place: u32, code: &str, value: Expr) -> Terminator {
-    let error = tuple(vec![string(code), string("thrown"), string(""), value]);
+    let error = tuple(vec![string(code), string("thrown"), string(""), value, string("")]);
     Terminator::Throw { error, help: String::new(), span: span(place) }
 }
 

@@ -8,18 +8,21 @@ use crate::helpers::malformed;
 use crate::limits::check_memory;
 use std::sync::Arc;
 
-/// Slots of the record `Error`: code, message, place, value.
-pub const ERROR_SLOTS: usize = 4;
+/// Slots of the record `Error`: code, message, place, value, help.
+pub const ERROR_SLOTS: usize = 5;
 
 /// The error that a program throws: the slots of an `Error`. It arises at [`Context::place`].
+/// `help` is that of an error whose own is empty.
 pub fn thrown(ctx: &Context, error: &[Slot], help: &str) -> RuntimeError {
-    let &[code, message, origin, value] = error else { return malformed("an error of another form") };
-    let (Some(code), Some(message), Some(origin)) =
-        (ctx.heap.str(code), ctx.heap.str(message), ctx.heap.str(origin))
-    else {
+    let &[code, message, origin, value, own_help] = error else {
+        return malformed("an error of another form");
+    };
+    let texts = [code, message, origin, own_help].map(|text| ctx.heap.str(text));
+    let [Some(code), Some(message), Some(origin), Some(own_help)] = texts else {
         return malformed("an error without text");
     };
     let code = if code.is_empty() { codes::THROWN } else { code };
+    let help = if own_help.is_empty() { help } else { own_help };
     let mut error = RuntimeError::new(code, message, help);
     error.place = Some(ctx.place);
     error.details.origin = origin.into();
@@ -54,10 +57,10 @@ pub fn fields(ctx: &mut Context, caught: HeapId) -> Result<[Slot; ERROR_SLOTS], 
         "" => error.place.map(|place| shown_place(ctx, place)).unwrap_or_default(),
         origin => origin.into(),
     };
-    let texts = [&error.code, &error.message, &place].map(|text| ctx.heap.string(text));
+    let texts = [&error.code, &error.message, &place, &error.help].map(|text| ctx.heap.string(text));
     check_memory(ctx)?;
-    let [code, message, place] = texts;
-    Ok([code, message, place, error.details.value.unwrap_or(f64::NAN).to_bits()])
+    let [code, message, place, help] = texts;
+    Ok([code, message, place, error.details.value.unwrap_or(f64::NAN).to_bits(), help])
 }
 
 /// The error that a handler passes on.
@@ -94,14 +97,15 @@ mod tests {
         let mut ctx = Context::new(Box::new(()));
         ctx.files = [FileDescription { name: "m.cx".into(), text: "var é;\nthrow;".into() }].into();
         ctx.place = (0, 8, 13);
-        let texts = ["", "why", ""].map(|text| ctx.heap.string(text));
-        let error = thrown(&ctx, &[texts[0], texts[1], texts[2], 2.5f64.to_bits()], "");
+        let texts = ["", "why", "", "wait"].map(|text| ctx.heap.string(text));
+        let error = thrown(&ctx, &[texts[0], texts[1], texts[2], 2.5f64.to_bits(), texts[3]], "hurry");
         assert_eq!((error.code.as_str(), error.place), (codes::THROWN, Some((0, 8, 13))));
+        assert_eq!(error.help, "wait");
         ctx.error = Some(error.clone());
         let caught = catch(&mut ctx).unwrap();
         let fields = fields(&mut ctx, caught).unwrap();
-        let shown = [0, 1, 2].map(|i| ctx.heap.str(fields[i]).unwrap().to_string());
-        assert_eq!(shown, [codes::THROWN, "why", "m.cx:2:1"]);
+        let shown = [0, 1, 2, 4].map(|i| ctx.heap.str(fields[i]).unwrap().to_string());
+        assert_eq!(shown, [codes::THROWN, "why", "m.cx:2:1", "wait"]);
         assert_eq!(f64::from_bits(fields[3]), 2.5);
         assert_eq!(rethrown(&ctx, caught), error);
         assert!(catch(&mut ctx).is_err());
@@ -110,8 +114,9 @@ mod tests {
     #[test]
     fn a_program_cannot_throw_what_cannot_be_caught() {
         let mut ctx = Context::new(Box::new(()));
-        let texts = [codes::CANCELLED, "why", "there"].map(|text| ctx.heap.string(text));
-        let error = thrown(&ctx, &[texts[0], texts[1], texts[2], 0], "");
+        let texts = [codes::CANCELLED, "why", "there", ""].map(|text| ctx.heap.string(text));
+        let error = thrown(&ctx, &[texts[0], texts[1], texts[2], 0, texts[3]], "hurry");
+        assert_eq!(error.help, "hurry");
         assert_eq!((error.code.as_str(), error.details.origin.as_str()), (codes::THROWN, "there"));
     }
 }

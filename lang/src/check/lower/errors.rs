@@ -60,10 +60,10 @@ impl Body<'_, '_> {
     }
 }
 
-/// Creates an `Error` from a code and a message, without location and value.
+/// The fields of an `Error` without place, value and help.
 pub(super) fn error_of(code: ir::Expr, message: ir::Expr, span: Span) -> ir::Expr {
     let value = ir::Expr { kind: ExprKind::Number(f64::NAN), repr: Repr::Number, span };
-    let fields = vec![code, message, text("", span), value];
+    let fields = vec![code, message, text("", span), value, text("", span)];
     ir::Expr { kind: ExprKind::Tuple(fields), repr: error_repr(), span }
 }
 
