@@ -27,5 +27,4 @@ pub mod span;
 pub mod tree_text;
 pub mod units;
 pub mod usual_units;
-pub mod visible;
 pub mod vocabulary;

@@ -3,9 +3,9 @@
 use crate::diagnostic::{Diagnostic, Label as Note, Severity};
 use crate::ir::SourceFile;
 use crate::span::{FileId, Span};
-use crate::visible::visible;
 use ariadne::{Cache, Color, Config, IndexType, Label, Report, ReportKind, Source};
 use calyx_abi::error::call_lines;
+use calyx_abi::visible::visible;
 use serde_json::{Value, json};
 use std::borrow::Cow;
 

@@ -3,7 +3,7 @@
 use crate::messages::{MODEL_ERROR, MessageFormat, USAGE};
 use calyx::check_file;
 use calyx::dump::{Format, ProgramStage, TextStage, names, of_program, of_text, types};
-use calyx_lang::visible::visible;
+use calyx_abi::visible::visible;
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 use std::process::ExitCode;

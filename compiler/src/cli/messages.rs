@@ -3,10 +3,10 @@
 
 use calyx::render;
 use calyx::rt::{Refused, report};
+use calyx_abi::visible::visible;
 use calyx_lang::diagnostic::Diagnostic;
 use calyx_lang::ir::SourceFile;
 use calyx_lang::render::to_json;
-use calyx_lang::visible::visible;
 use clap::ValueEnum;
 use serde_json::json;
 use std::path::Path;
@@ -54,7 +54,7 @@ impl MessageFormat {
     /// Says why a value given for a param cannot be used.
     pub fn refused(self, refused: &Refused) {
         match self {
-            MessageFormat::Human => eprint!("{}", visible(&report::refused(refused))),
+            MessageFormat::Human => eprint!("{}", report::refused(refused)),
             MessageFormat::Json => {
                 let mut said = without_place("error", &refused.message, &refused.help);
                 said["primary"] = refused.origin.as_ref().map_or(json!(null), report::place_json);

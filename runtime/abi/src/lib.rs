@@ -33,6 +33,7 @@ pub mod standard;
 pub mod text;
 pub mod trigonometry;
 pub mod units;
+pub mod visible;
 
 pub use call::{Extern, Purity, Repr, Slot, SlotFn, Status};
 pub use cancel::Cancel;

@@ -12,6 +12,7 @@ use crate::report::{problem, refused};
 use crate::schema::schema;
 use crate::seen::Seen;
 use calyx_abi::description::{FileDescription, ModelDescription, ModuleTable};
+use calyx_abi::visible::visible;
 use calyx_abi::{Context, Kernel, RuntimeError, Slot};
 use calyx_gears::error::Severity;
 use calyx_gears::host::Finding;
@@ -116,10 +117,10 @@ fn command(description: &ModelDescription) -> Command {
     Arguments::command()
         .name(name.unwrap_or_else(|| "model".into()))
         .version(format!("(compiled by Calyx {}, engine {})", env!("CARGO_PKG_VERSION"), description.abi))
-        .about(about.to_owned())
-        .long_about(long_about.to_owned())
-        .after_help(help::short(description))
-        .after_long_help(help::long(description))
+        .about(visible(about).into_owned())
+        .long_about(visible(long_about).into_owned())
+        .after_help(visible(&help::short(description)).into_owned())
+        .after_long_help(visible(&help::long(description)).into_owned())
         .help_template("{about-with-newline}\n{usage-heading} {usage}{after-help}\n\n{all-args}")
 }
 
@@ -185,10 +186,10 @@ impl Messages for Told<'_> {
     }
 
     fn warning(&self, text: &str) {
-        eprintln!("warning: {text}");
+        eprintln!("warning: {}", visible(text));
     }
 
     fn note(&self, text: &str) {
-        eprintln!("{text}");
+        eprintln!("{}", visible(text));
     }
 }

@@ -1,4 +1,5 @@
 //! Errors and warnings of a running model as text with the source line, for executables that carry no compiler.
+//! Control characters of the source become visible signs.
 
 use crate::given::Origin;
 use crate::params::Refused;
@@ -7,6 +8,7 @@ use calyx_abi::RuntimeError;
 use calyx_abi::attribution::attribute;
 use calyx_abi::description::{FileDescription, LIBRARY, ModelDescription};
 use calyx_abi::error::{Place, call_lines, codes};
+use calyx_abi::visible::visible;
 use calyx_gears::error::Severity;
 use serde_json::json;
 
@@ -42,7 +44,7 @@ pub fn problem(severity: Severity, error: &RuntimeError, description: &ModelDesc
     for line in call_lines(&error.details.calls, shown_place) {
         text += &format!("  {line}\n");
     }
-    text
+    visible(&text).into_owned()
 }
 
 /// Codes of errors that NaN causes: of a frame, an output, an argument. Its source is found by interpreting the program.
@@ -57,7 +59,7 @@ pub fn refused(refused: &Refused) -> String {
     if !refused.help.is_empty() {
         text += &format!("  help: {}\n", refused.help);
     }
-    text
+    visible(&text).into_owned()
 }
 
 /// The place for programs, as those of diagnostics.
@@ -99,6 +101,21 @@ fn excerpt(file: &FileDescription, start: usize, end: usize) -> Option<String> {
 mod tests {
     use super::*;
     use calyx_abi::description::CallDescription;
+
+    #[test]
+    fn control_characters_of_the_source_do_not_reach_the_terminal() {
+        let text = "var a = \"\u{1b}]0;title\u{7}\"; a[3];\n";
+        let file = FileDescription { name: "\u{1b}[2Jm.cx".into(), text: text.into() };
+        let description = ModelDescription { files: [file].into(), ..ModelDescription::default() };
+        let place = Some((0, 22, 26));
+        let error =
+            RuntimeError { place, ..RuntimeError::new("E0701", "\u{1b}[31mindex 3", "\u{9b}2J less") };
+        let shown = problem(Severity::Error, &error, &description);
+        let expected = "error[E0701]: ␛[31mindex 3\n  --> ␛[2Jm.cx:1:23\n   |\n 1 | var a = \"␛]0;title␇\"; a[3];\n   |                       ^^^^\n  help: \u{fffd}2J less\n";
+        assert_eq!(shown, expected);
+        let why = Refused::new("no param `\u{1b}[31m`", "\u{202e}");
+        assert_eq!(refused(&why), "error: no param `␛[31m`\n  help: \u{fffd}\n");
+    }
 
     #[test]
     fn the_line_is_shown_and_marked() {
