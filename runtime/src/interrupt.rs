@@ -45,16 +45,17 @@ impl Drop for Room {
 
 /// Asked at checkpoints whether to go on; the error it answers with ends the work, and is what the caller gets.
 ///
-/// It is asked between positions, between the batches of whatever takes long while structures are built, and before each
-/// factorisation of the contact solver; by several threads at once where work is done side by side. It should answer fast
+/// It is asked between positions, between the batches of whatever takes long while structures are
+/// built, at each row of a contact compliance, and before each factorization of the contact solver
+/// and each piece of a large one; by several threads at once where work is done side by side. It should answer fast
 /// (a flag, a clock), and having said no once it should keep to it.
 ///
 /// # How long it may take to be asked
 /// The longest stages without a checkpoint are of the mesh of one sector, a tooth of a gear with its share of the rim: making it,
 /// adding up its stiffness, ordering that and eliminating what its last cut leaves. Each is about a twentieth of an analysis of a mesh cycle at the default
 /// mesh, whatever the number of teeth (`cargo bench -p calyx-gears --bench interruption` measures it), and grows with
-/// [`StructureOptions::refinement`](crate::scene::StructureOptions::refinement). With kept structures the longest is one round of
-/// the contact solver, a fraction of a position.
+/// [`StructureOptions::refinement`](crate::scene::StructureOptions::refinement). With kept structures the longest is one piece of
+/// a factorization, less than a second.
 ///
 /// # Memory
 /// Before anything large is allocated (what condensing a sector takes, a contact matrix), the question is asked whether so many bytes

@@ -7,6 +7,7 @@ mod common;
 use calyx_runtime::analysis::{AnalysisOptions, Steps, mesh_cycle};
 use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::resources::Resources;
+use calyx_runtime::scene::{Fidelity, Template};
 use common::pair::{Member, PairOptions, RELIEVED, member, pair};
 use common::standard_data;
 use std::sync::{Arc, Mutex};
@@ -18,17 +19,22 @@ fn main() {
         "longest interval, ms", "structures", "positions", "whole", "its part", "checkpoints"
     );
     let usual = PairOptions { edges: true, ..PairOptions::chapter_5(&RELIEVED) };
-    measure("20 and 40 teeth", &usual, 16, None);
+    let plane = Fidelity::Plane;
+    measure("20 and 40 teeth", &usual, 16, None, plane);
     for teeth in [640, 10_000] {
         let gears = [20, teeth].map(|teeth| member(standard_data(teeth, 0.0, 0.25), 0.01));
         let center_distance = 0.5e-3 * f64::from(20 + teeth);
         let large =
             PairOptions { center_distance, moment: 20.0, edges: true, ..PairOptions::chapter_5(&gears) };
-        measure(&format!("20 and {teeth} teeth"), &large, 16, None);
+        measure(&format!("20 and {teeth} teeth"), &large, 16, None, plane);
     }
     // The most cells and positions that the library's ranges allow.
-    measure("801 cells", &usual, 2, Some(400));
-    measure("10000 positions", &usual, 10_000, Some(1));
+    measure("801 cells", &usual, 2, Some([400, 0]), plane);
+    measure("10000 positions", &usual, 10_000, Some([1, 0]), plane);
+    // In space memory bounds the cells.
+    let solid = Fidelity::Solid(Template::Medium);
+    measure("11 x 11 cells in space", &usual, 2, Some([5, 5]), solid);
+    measure("81 x 41 cells in space", &usual, 1, Some([40, 20]), solid);
 }
 
 /// Between one checkpoint and the next: their number, the last one, and the longest time.
@@ -47,14 +53,24 @@ impl Watch {
     }
 }
 
-/// An analysis of so many uniform positions, with so many half cells.
-fn measure(name: &str, options: &PairOptions, steps: usize, half_cells: Option<usize>) {
+/// An analysis of so many uniform positions, with so many cells across and along on each side of the
+/// middle.
+fn measure(
+    name: &str,
+    options: &PairOptions,
+    steps: usize,
+    half_cells: Option<[usize; 2]>,
+    fidelity: Fidelity,
+) {
     let (mut scene, mesh) = pair(options);
     for (body, Member { prototype, .. }) in scene.bodies.iter_mut().zip(&options.gears) {
         body.prototype = prototype.clone();
     }
     for pair in &mut scene.pairs {
-        pair.grid.half_cells = half_cells.or(pair.grid.half_cells);
+        if let Some([across, along]) = half_cells {
+            pair.grid.half_cells = Some(across);
+            pair.grid.half_slices = along;
+        }
     }
     let positions = mesh_cycle(&mesh, steps);
     let watch = Arc::new(Mutex::new(Watch { checkpoints: 0, last: Instant::now(), longest: Duration::ZERO }));
@@ -71,7 +87,7 @@ fn measure(name: &str, options: &PairOptions, steps: usize, half_cells: Option<u
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("a thread");
     let resources =
         Resources { interrupt: Interrupt::new(question), pool: Some(Arc::new(pool)), ..Resources::default() };
-    let options = AnalysisOptions { resources, ..AnalysisOptions::default() };
+    let options = AnalysisOptions { resources, fidelity, ..AnalysisOptions::default() };
     let longest = || std::mem::take(&mut watch.lock().expect("no panic").longest);
     let started = Instant::now();
     watch.lock().expect("no panic").last = started;

@@ -195,10 +195,15 @@ impl<'a> Scaled<'a> {
     }
 
     /// Forces of the active cells and the motion that close their gaps, with one step of refinement.
-    fn close(&self, active: &[usize]) -> Result<(Vec<f64>, Vec<f64>), Singular> {
+    fn close(&self, active: &[usize], interrupt: &Interrupt) -> Result<(Vec<f64>, Vec<f64>), Singular> {
         let m = self.load.len();
-        let equations =
-            ActiveEquations::new(|i, j| self.compliance(i, j), &self.arms, &self.stiffness, active)?;
+        let equations = ActiveEquations::new(
+            |i, j| self.compliance(i, j),
+            &self.arms,
+            &self.stiffness,
+            active,
+            interrupt,
+        )?;
         let right_gaps: Vec<f64> = active.iter().map(|&i| -self.gaps[i]).collect();
         let right_loads: Vec<f64> = self.load.iter().map(|f| -f).collect();
         let (mut forces, mut motion) = equations.solve(&right_gaps, &right_loads);
@@ -312,7 +317,7 @@ fn block_pivoting(
     loop {
         *iterations += 1;
         interrupt.check().map_err(ContactError::Interrupted)?;
-        let (forces, motion) = match scaled.close(&active) {
+        let (forces, motion) = match scaled.close(&active, interrupt) {
             Ok(closed) => closed,
             // What depends on others may well be open in the end: it matters only if it is not.
             Err(Singular::Compliance(position)) => {
@@ -320,6 +325,7 @@ fn block_pivoting(
                 continue;
             }
             Err(Singular::Freedoms(_)) => return Ok(None),
+            Err(Singular::Interrupted(error)) => return Err(ContactError::Interrupted(error)),
         };
         let tolerance = force_tolerance(scaled, &forces);
         let pulled: Vec<usize> =
@@ -330,7 +336,7 @@ fn block_pivoting(
         if wrong == 0 {
             return match scaled.touching(&found, &dependent) {
                 Some(cell) => Err(ContactError::DependentCells { cell }),
-                None => without_idle_cells(scaled, found),
+                None => without_idle_cells(scaled, found, interrupt),
             };
         }
         if wrong < fewest {
@@ -349,7 +355,11 @@ fn block_pivoting(
 }
 
 /// Cells whose force is rounding are no part of the active set: which of them a search ends with depends on its start.
-fn without_idle_cells(scaled: &Scaled, mut found: Found) -> Result<Option<Found>, ContactError> {
+fn without_idle_cells(
+    scaled: &Scaled,
+    mut found: Found,
+    interrupt: &Interrupt,
+) -> Result<Option<Found>, ContactError> {
     loop {
         let tolerance = force_tolerance(scaled, &found.forces);
         let kept: Vec<usize> = found
@@ -362,8 +372,9 @@ fn without_idle_cells(scaled: &Scaled, mut found: Found) -> Result<Option<Found>
         if kept.len() == found.active.len() {
             return Ok(Some(found));
         }
-        match scaled.close(&kept) {
+        match scaled.close(&kept, interrupt) {
             Ok((forces, motion)) => found = Found { active: kept, forces, motion },
+            Err(Singular::Interrupted(error)) => return Err(ContactError::Interrupted(error)),
             // Idle cells alone fix some freedom (a load that vanishes in its direction): keep them, unloaded.
             Err(_) => {
                 for q in found.forces.iter_mut().filter(|q| **q <= tolerance) {
@@ -402,12 +413,13 @@ fn single_pivoting(
     for _ in 0..10 * n + 100 {
         *iterations += 1;
         interrupt.check().map_err(ContactError::Interrupted)?;
-        let (target, motion) = match scaled.close(&active) {
+        let (target, motion) = match scaled.close(&active, interrupt) {
             Ok(closed) => closed,
             Err(Singular::Compliance(position)) => {
                 return Err(ContactError::DependentCells { cell: active[position] });
             }
             Err(Singular::Freedoms(_)) => return Ok(None),
+            Err(Singular::Interrupted(error)) => return Err(ContactError::Interrupted(error)),
         };
         let tolerance = force_tolerance(scaled, &target);
         // The first cell whose force reaches zero on the way to the target; ties by index.
@@ -432,7 +444,7 @@ fn single_pivoting(
         let overlapping = scaled.overlapping(&found);
         let Some(&(cell, _)) = overlapping.iter().min_by(|a, b| a.1.total_cmp(&b.1).then(a.0.cmp(&b.0)))
         else {
-            return without_idle_cells(scaled, found);
+            return without_idle_cells(scaled, found, interrupt);
         };
         active = found.active;
         active.push(cell);

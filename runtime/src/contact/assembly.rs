@@ -6,6 +6,8 @@
 
 use super::grid::Cell;
 use super::half_plane::HalfPlane;
+use crate::error::EngineError;
+use crate::interrupt::Interrupt;
 use crate::structure::{Chart, Structure};
 
 /// One body's part in a patch.
@@ -25,8 +27,11 @@ pub struct Patch<'a> {
 }
 
 /// A, row-major, cells in the order of the patches: growth of a cell's gap, averaged over it, per force on a cell,
-/// m/(N/m).
-pub fn compliance(patches: &[Patch]) -> Vec<f64> {
+/// m/(N/m). Each row of a block is a checkpoint.
+///
+/// # Errors
+/// The interrupt's.
+pub fn compliance(patches: &[Patch], interrupt: &Interrupt) -> Result<Vec<f64>, EngineError> {
     let starts: Vec<usize> = patches
         .iter()
         .scan(0, |next, patch| {
@@ -39,7 +44,7 @@ pub fn compliance(patches: &[Patch]) -> Vec<f64> {
     let mut matrix = vec![0.0; n * n];
     for (p, observing) in patches.iter().enumerate() {
         for (q, loaded) in patches.iter().enumerate().skip(p) {
-            let block = block(observing, loaded, p == q);
+            let block = block(observing, loaded, p == q, interrupt)?;
             let columns = loaded.cells.len();
             debug_assert!(
                 p != q || is_symmetric(&block, columns),
@@ -54,7 +59,7 @@ pub fn compliance(patches: &[Patch]) -> Vec<f64> {
             }
         }
     }
-    matrix
+    Ok(matrix)
 }
 
 fn is_symmetric(block: &[f64], n: usize) -> bool {
@@ -62,7 +67,12 @@ fn is_symmetric(block: &[f64], n: usize) -> bool {
 }
 
 /// Growth of the gaps of one patch per force on the cells of another, or of the `same`.
-fn block(observing: &Patch, loaded: &Patch, same: bool) -> Vec<f64> {
+fn block(
+    observing: &Patch,
+    loaded: &Patch,
+    same: bool,
+    interrupt: &Interrupt,
+) -> Result<Vec<f64>, EngineError> {
     let columns = loaded.cells.len();
     let mut block = vec![0.0; observing.cells.len() * columns];
     for (a, observer) in observing.sides.iter().enumerate() {
@@ -72,13 +82,14 @@ fn block(observing: &Patch, loaded: &Patch, same: bool) -> Vec<f64> {
             }
             let arcs =
                 |patch: &Patch, side: usize| -> Vec<f64> { patch.cells.iter().map(|c| c.s[side]).collect() };
-            observer.structure.add_compliance(
+            observer.structure.add_compliance_until(
                 observer.chart,
                 &arcs(observing, a),
                 load.chart,
                 &arcs(loaded, b),
                 &mut block,
-            );
+                interrupt,
+            )?;
             if observer.chart != load.chart {
                 continue;
             }
@@ -87,6 +98,7 @@ fn block(observing: &Patch, loaded: &Patch, same: bool) -> Vec<f64> {
                 reference_length: observer.structure.reference_length(),
             };
             for (i, cell) in observing.cells.iter().enumerate() {
+                interrupt.check()?;
                 // Exchanging its cells leaves the half-plane's answer as it is.
                 let others = if same { &loaded.cells[..=i] } else { loaded.cells };
                 for (j, other) in others.iter().enumerate() {
@@ -99,5 +111,5 @@ fn block(observing: &Patch, loaded: &Patch, same: bool) -> Vec<f64> {
             }
         }
     }
-    block
+    Ok(block)
 }

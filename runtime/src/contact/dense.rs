@@ -1,8 +1,11 @@
 //! The equations of one active set: a dense Cholesky factor of its compliance and a Schur complement for the freedoms.
 
+use crate::dense::{add_product, divide_by_factor};
+use crate::error::EngineError;
+use crate::interrupt::Interrupt;
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt;
-use faer::{Mat, Par};
+use faer::{Mat, MatMut, Par};
 
 /// Row-major rows by columns, as small and plain as the freedoms of a contact problem need.
 #[derive(Clone, Debug, PartialEq)]
@@ -47,15 +50,68 @@ pub(super) enum Singular {
     Compliance(usize),
     /// This motion of the freedoms is not seen by the active cells nor by a spring.
     Freedoms(Vec<f64>),
+    /// The factorization was interrupted.
+    Interrupted(EngineError),
 }
+
+/// The end of a factorization without a factor.
+enum Broken {
+    /// The first row that depends on those before it.
+    Dependent(usize),
+    Interrupted(EngineError),
+}
+
+/// Size of a matrix that is factored in one piece: less than half a second.
+const WHOLE: usize = 1536;
+/// Multiplications between two checkpoints: less than a second.
+const PIECE: usize = 1 << 32;
 
 /// A pivot under this fraction of its diagonal entry is rounding: the row depends on those before it.
 const PIVOT_TOLERANCE: f64 = 1e-13;
 
-/// `A = L L'`, in place. The error is the first row that depends on those before it.
-fn cholesky(a: &mut Mat<f64>) -> Result<(), usize> {
+/// `A = L L'`, in place. Only the lower triangle is that of the factor.
+fn cholesky(a: &mut Mat<f64>, interrupt: &Interrupt) -> Result<(), Broken> {
     let n = a.nrows();
     let diagonal: Vec<f64> = (0..n).map(|i| a[(i, i)]).collect();
+    factor(a.as_mut(), 0, interrupt)?;
+    match (0..n).find(|&i| a[(i, i)] * a[(i, i)] <= PIVOT_TOLERANCE * diagonal[i]) {
+        Some(dependent) => Err(Broken::Dependent(dependent)),
+        None => Ok(()),
+    }
+}
+
+/// Factors a part of a matrix whose first row is row `first` of the whole. Large parts are cut up
+/// by their size alone, with a checkpoint before each piece.
+fn factor(a: MatMut<'_, f64>, first: usize, interrupt: &Interrupt) -> Result<(), Broken> {
+    let checkpoint = || interrupt.check().map_err(Broken::Interrupted);
+    checkpoint()?;
+    let n = a.nrows();
+    if n <= WHOLE {
+        return factor_whole(a).map_err(|row| Broken::Dependent(first + row));
+    }
+    let cut = n / 2;
+    let (mut upper, _, mut between, mut lower) = a.split_at_mut(cut, cut);
+    factor(upper.as_mut(), first, interrupt)?;
+    let rows = (PIECE / (cut * cut)).max(1);
+    for from in (0..n - cut).step_by(rows) {
+        checkpoint()?;
+        let count = rows.min(n - cut - from);
+        divide_by_factor(between.as_mut().subrows_mut(from, count), upper.as_ref());
+    }
+    let columns = (PIECE / (n * cut)).max(1);
+    for from in (0..n - cut).step_by(columns) {
+        checkpoint()?;
+        let count = columns.min(n - cut - from);
+        let below = between.as_ref().subrows(from, n - cut - from);
+        let target = lower.as_mut().submatrix_mut(from, from, n - cut - from, count);
+        add_product(target, -1.0, below, below.subrows(0, count).transpose());
+    }
+    factor(lower, first + cut, interrupt)
+}
+
+/// Factors a matrix in one piece. The error is the row at which it is not positive definite.
+fn factor_whole(mut a: MatMut<'_, f64>) -> Result<(), usize> {
+    let n = a.nrows();
     // Sequential: the bits must not depend on the number of threads.
     let mut memory =
         MemBuffer::new(llt::factor::cholesky_in_place_scratch::<f64>(n, Par::Seq, Default::default()));
@@ -67,10 +123,7 @@ fn cholesky(a: &mut Mat<f64>) -> Result<(), usize> {
         Default::default(),
     )
     .map_err(|llt::factor::LltError::NonPositivePivot { index }| index)?;
-    match (0..n).find(|&i| a[(i, i)] * a[(i, i)] <= PIVOT_TOLERANCE * diagonal[i]) {
-        Some(dependent) => Err(dependent),
-        None => Ok(()),
-    }
+    Ok(())
 }
 
 fn solve_in_place(factor: &Mat<f64>, right: &mut Mat<f64>) {
@@ -94,16 +147,21 @@ pub(super) struct ActiveEquations {
 const RANK_TOLERANCE: f64 = 1e-12;
 
 impl ActiveEquations {
-    /// `compliance` (between two cells) and `arms` of all cells, `active` ascending, `stiffness` of the freedoms.
+    /// `compliance` (between two cells) and `arms` of all cells, `active` ascending, `stiffness` of
+    /// the free DOFs.
     pub fn new(
         compliance: impl Fn(usize, usize) -> f64,
         arms: &Matrix,
         stiffness: &Matrix,
         active: &[usize],
+        interrupt: &Interrupt,
     ) -> Result<Self, Singular> {
         let (n, m) = (active.len(), arms.columns);
         let mut factor = Mat::from_fn(n, n, |i, j| compliance(active[i], active[j]));
-        cholesky(&mut factor).map_err(Singular::Compliance)?;
+        cholesky(&mut factor, interrupt).map_err(|broken| match broken {
+            Broken::Dependent(row) => Singular::Compliance(row),
+            Broken::Interrupted(error) => Singular::Interrupted(error),
+        })?;
         let active_arms = Mat::from_fn(n, m, |i, k| arms[(active[i], k)]);
         let mut solved_arms = active_arms.clone();
         solve_in_place(&factor, &mut solved_arms);
@@ -116,10 +174,13 @@ impl ActiveEquations {
         }
         // Positive definite beyond RANK_TOLERANCE, so the factor exists; were rounding to break it, the last
         // freedom is as good a name as any.
-        cholesky(&mut schur).map_err(|k| {
-            let mut motion = vec![0.0; m];
-            motion[k.min(m - 1)] = 1.0;
-            Singular::Freedoms(motion)
+        cholesky(&mut schur, interrupt).map_err(|broken| match broken {
+            Broken::Dependent(k) => {
+                let mut motion = vec![0.0; m];
+                motion[k.min(m - 1)] = 1.0;
+                Singular::Freedoms(motion)
+            }
+            Broken::Interrupted(error) => Singular::Interrupted(error),
         })?;
         Ok(Self { factor, arms: active_arms, solved_arms, schur })
     }
@@ -189,4 +250,47 @@ pub(super) fn null_motion(matrix: &Matrix, tolerance: f64) -> Option<Vec<f64>> {
         pivots.push((k, row));
     }
     None
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::sync::Arc;
+    use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
+
+    /// A matrix of that size whose factor is not sparse.
+    fn compliance(n: usize) -> Mat<f64> {
+        Mat::from_fn(n, n, |i, j| {
+            let apart = i.abs_diff(j) as f64;
+            if i == j { 2.0 } else { (-0.01 * apart).exp() }
+        })
+    }
+
+    #[test]
+    fn a_large_factor_has_checkpoints_and_reproduces_its_matrix() {
+        let n = WHOLE + 200;
+        let asked = Arc::new(AtomicUsize::new(0));
+        let counted = asked.clone();
+        let counting = Interrupt::new(move || {
+            counted.fetch_add(1, Relaxed);
+            Ok(())
+        });
+        let whole = compliance(n);
+        let mut cut = whole.clone();
+        assert!(cholesky(&mut cut, &counting).is_ok());
+        assert!(asked.load(Relaxed) >= 5, "{} checkpoints", asked.load(Relaxed));
+        for (i, j) in [(0, 0), (n - 1, 0), (n - 1, n - 1), (n / 2 + 3, n / 2 - 5), (n - 7, n / 2)] {
+            let value: f64 = (0..=i.min(j)).map(|k| cut[(i, k)] * cut[(j, k)]).sum();
+            assert!((value - whole[(i, j)]).abs() < 1e-12, "({i}, {j}): {value} and {}", whole[(i, j)]);
+        }
+        // A row that repeats another one is found wherever it is.
+        let twice = Mat::from_fn(n, n, |i, j| {
+            let of = |k: usize| if k == n - 2 { 3 } else { k };
+            whole[(of(i), of(j))]
+        });
+        let broken = cholesky(&mut twice.clone(), &Interrupt::never());
+        assert!(matches!(broken, Err(Broken::Dependent(row)) if row == n - 2));
+        let ended = Interrupt::new(|| Err(EngineError::new("E0704", "enough", "")));
+        assert!(matches!(cholesky(&mut whole.clone(), &ended), Err(Broken::Interrupted(_))));
+    }
 }

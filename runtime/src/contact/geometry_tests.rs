@@ -5,9 +5,13 @@ use super::approach::{PlacedProfile, closest_approach};
 use super::assembly::{Patch, Side, compliance};
 use super::grid::{GridOptions, Width, lay};
 use super::test_profiles::{Arcs, HalfPlaneBody, Involute};
+use crate::error::EngineError;
+use crate::interrupt::Interrupt;
 use crate::profile::Profile;
 use crate::structure::Chart;
 use std::f64::consts::PI;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
 /// A pair of involutes: base radii 47 and 94 mm on a distance of 150.3 mm, the second turned so that the flanks are
 /// `gap` apart in a place given by the first one's turn.
@@ -232,6 +236,35 @@ fn cells_shrink_towards_an_edge() {
     assert!(grid.cells.iter().any(|c| (c.arc[0][1] - 0.01).abs() < 1e-12));
 }
 
+/// As many cells as the library's ranges allow take seconds: each row of each block is a
+/// checkpoint.
+#[test]
+fn the_compliance_of_many_cells_can_be_interrupted() {
+    let pair = Pair::new(0.05, 0.0);
+    let [first, second] = pair.placed(0.0);
+    let approach = closest_approach(first, second, true).unwrap();
+    let options = GridOptions { half_count: 60, width: Width::Total(3e-4), search_edges: true };
+    let grid = lay(first, second, &approach, &options);
+    let body = HalfPlaneBody { surface_modulus: 2e11 };
+    let side =
+        |body_number| Side { body: body_number, structure: &body, chart: Chart { tooth: 0, surface: 0 } };
+    let patches = [Patch { sides: [side(0), side(1)], cells: &grid.cells }];
+    let asked = Arc::new(AtomicUsize::new(0));
+    let counting = |most: usize| {
+        let asked = asked.clone();
+        asked.store(0, Relaxed);
+        Interrupt::new(move || match asked.fetch_add(1, Relaxed) < most {
+            true => Ok(()),
+            false => Err(EngineError::new("E0704", "enough", "")),
+        })
+    };
+    compliance(&patches, &counting(usize::MAX)).expect("nothing ends it");
+    let rows = asked.load(Relaxed);
+    assert!(rows >= 2 * grid.cells.len(), "{rows} checkpoints for {} cells", grid.cells.len());
+    let ended = compliance(&patches, &counting(10)).expect_err("it is ended");
+    assert_eq!((ended.code, asked.load(Relaxed)), ("E0704", 11));
+}
+
 #[test]
 fn compliance_is_symmetric_bit_for_bit_across_patches() {
     let pair = Pair::new(0.05, 0.0);
@@ -261,7 +294,7 @@ fn compliance_is_symmetric_bit_for_bit_across_patches() {
         // Shares nothing, though the structure is the same.
         Patch { sides: [side(2, 0), side(3, 0)], cells: &one.cells },
     ];
-    let matrix = compliance(&patches);
+    let matrix = compliance(&patches, &Interrupt::never()).expect("no interrupt");
     let n = 9 + 13 + 9;
     for i in 0..n {
         for j in 0..n {

@@ -9,6 +9,7 @@ use super::pressure::{half_width, peak};
 use super::problem::ContactProblem;
 use super::test_profiles::{Arcs, HalfPlaneBody};
 use super::zone::{Edges, Zone};
+use crate::interrupt::Interrupt;
 use crate::structure::Chart;
 use std::f64::consts::PI;
 
@@ -51,7 +52,7 @@ fn press(
     let patch = Patch { sides: [side(0), side(1)], cells: &grid.cells };
     let n = grid.cells.len();
     let problem = ContactProblem {
-        compliance: compliance(&[patch]),
+        compliance: compliance(&[patch], &Interrupt::never()).expect("no interrupt"),
         arms: vec![grid.frame.translation_arm(1, grid.frame.normal); n],
         gaps: grid.cells.iter().map(|cell| cell.gap).collect(),
         stiffness: vec![0.0],

@@ -159,7 +159,7 @@ impl Space for Plane<'_> {
                 patches.push(assembly::Patch { sides: [first, second], cells: &grid.cells });
             }
         }
-        Ok(compliance(&patches))
+        compliance(&patches, &self.system.interrupt)
     }
 
     fn by_lugs(&self, laid: &[(&Candidate<Site>, &Grid)]) -> Mat<f64> {

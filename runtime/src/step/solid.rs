@@ -181,7 +181,7 @@ impl Space for Solid<'_> {
                 patches.push(solid::Patch { sides: [first, second], frame: &grid.frame, cells: &grid.cells });
             }
         }
-        Ok(compliance(&patches))
+        compliance(&patches, &self.system.interrupt)
     }
 
     fn guess(&self, problem: &ContactProblem, grids: &[Grid]) -> Vec<usize> {

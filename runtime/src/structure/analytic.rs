@@ -33,6 +33,8 @@ pub use root_stress::CriticalSection;
 pub use solid::AnalyticSolid;
 
 use super::{Chart, StressPlace, Structure, SurfaceLoad};
+use crate::error::EngineError;
+use crate::interrupt::Interrupt;
 use crate::material::{Material, Plane};
 use crate::profile::Profile;
 use std::f64::consts::PI;
@@ -220,12 +222,26 @@ impl Structure for AnalyticStructure {
         load_s: &[f64],
         block: &mut [f64],
     ) {
+        // An interrupt that is never asked ends nothing.
+        let _ = self.add_compliance_until(observe, observe_s, load, load_s, block, &Interrupt::never());
+    }
+
+    fn add_compliance_until(
+        &self,
+        observe: Chart,
+        observe_s: &[f64],
+        load: Chart,
+        load_s: &[f64],
+        block: &mut [f64],
+        interrupt: &Interrupt,
+    ) -> Result<(), EngineError> {
         let (observers, loads) = (self.locals(observe, observe_s), self.locals(load, load_s));
         if loads.is_empty() {
-            return;
+            return Ok(());
         }
         let ring = self.ring.link(observe.tooth, load.tooth);
         for (row, observer) in block.chunks_mut(loads.len()).zip(&observers) {
+            interrupt.check()?;
             for (entry, loaded) in row.iter_mut().zip(&loads) {
                 let mut given = ring.compliance(&observer.load, &loaded.load);
                 if observe.tooth == load.tooth {
@@ -237,6 +253,7 @@ impl Structure for AnalyticStructure {
                 *entry += given;
             }
         }
+        Ok(())
     }
 
     fn stresses(&self, tooth: u32, surface: u32, loads: &[SurfaceLoad]) -> Vec<(StressPlace, f64)> {

@@ -8,6 +8,8 @@ use super::far_coupling::FarCoupling;
 use super::reshaped::Reshaped;
 use super::spline::Weights;
 use super::{Chart, LugForce, ReshapedSurface, StressPlace, Structure, SurfaceLoad};
+use crate::error::EngineError;
+use crate::interrupt::Interrupt;
 use crate::profile::Profile;
 use faer::{Mat, MatRef};
 use std::cmp::Ordering;
@@ -52,7 +54,7 @@ impl ElasticStructure {
         (to % self.teeth + self.teeth - from % self.teeth) % self.teeth
     }
 
-    /// Computes [`Structure::add_compliance`] between points in table coordinates.
+    /// [`Structure::add_compliance_until`] between points as the tables see them.
     pub(super) fn add_between(
         &self,
         observe: Chart,
@@ -60,8 +62,9 @@ impl ElasticStructure {
         load: Chart,
         loads: &[Local],
         block: &mut [f64],
-    ) {
-        let Some(observed) = self.surface(observe) else { return };
+        interrupt: &Interrupt,
+    ) -> Result<(), EngineError> {
+        let Some(observed) = self.surface(observe) else { return Ok(()) };
         let ahead = self.places_ahead(load.tooth, observe.tooth);
         let behind = self.places_ahead(observe.tooth, load.tooth);
         let same_tooth = ahead == 0;
@@ -81,9 +84,10 @@ impl ElasticStructure {
         if let Some(coupling) = self.coupling(tables.is_some()) {
             self.add_through(coupling, forward, (observe, observers), (load, loads), block);
         }
-        let Some(tables) = tables else { return };
+        let Some(tables) = tables else { return Ok(()) };
         let [rows, columns] = sides.map(|chart| chart.surface as usize * self.directions);
         for (row, &observer) in observers.iter().enumerate() {
+            interrupt.check()?;
             for (column, &load) in loads.iter().enumerate() {
                 // Within one symmetric table the larger arc length goes first, on whichever side it
                 // is.
@@ -105,6 +109,7 @@ impl ElasticStructure {
                 block[row * loads.len() + column] += sum;
             }
         }
+        Ok(())
     }
 
     /// Returns the coupling of two teeth in addition to their table, or in place of one.
@@ -270,12 +275,25 @@ impl Structure for ElasticStructure {
         load_s: &[f64],
         block: &mut [f64],
     ) {
+        // An interrupt that is never asked ends nothing.
+        let _ = self.add_compliance_until(observe, observe_s, load, load_s, block, &Interrupt::never());
+    }
+
+    fn add_compliance_until(
+        &self,
+        observe: Chart,
+        observe_s: &[f64],
+        load: Chart,
+        load_s: &[f64],
+        block: &mut [f64],
+        interrupt: &Interrupt,
+    ) -> Result<(), EngineError> {
         let (Some(observed), Some(loaded)) = (self.surface(observe), self.surface(load)) else {
-            return;
+            return Ok(());
         };
         let observers: Vec<Local> = observe_s.iter().map(|&s| observed.local(s)).collect();
         let loads: Vec<Local> = load_s.iter().map(|&s| loaded.local(s)).collect();
-        self.add_between(observe, &observers, load, &loads, block);
+        self.add_between(observe, &observers, load, &loads, block, interrupt)
     }
 
     /// Returns the stress along the surface: on a free surface, the principal stress that is not

@@ -42,6 +42,7 @@ pub use web::RevolvedWeb;
 use crate::dense;
 use crate::error::EngineError;
 use crate::fe::SolveError;
+use crate::interrupt::Interrupt;
 use crate::profile::Profile;
 use faer::{Mat, MatRef};
 use ring::FreeRing;
@@ -190,6 +191,24 @@ pub trait Structure: Send + Sync {
         load_s: &[f64],
         block: &mut [f64],
     );
+
+    /// [`Structure::add_compliance`] with checkpoints, as many cells take long.
+    ///
+    /// # Errors
+    /// The interrupt's.
+    fn add_compliance_until(
+        &self,
+        observe: Chart,
+        observe_s: &[f64],
+        load: Chart,
+        load_s: &[f64],
+        block: &mut [f64],
+        interrupt: &Interrupt,
+    ) -> Result<(), EngineError> {
+        interrupt.check()?;
+        self.add_compliance(observe, observe_s, load, load_s, block);
+        Ok(())
+    }
 
     /// Returns the first principal stress (the largest tension, Pa) under the given loads at each
     /// stress recovery point of tooth `tooth`. On a free surface it is the stress along the

@@ -11,6 +11,8 @@
 use super::answers::{Local, Turned};
 use super::elastic::{ElasticStructure, Surface};
 use super::{Chart, LugForce, StressPlace, Structure, SurfaceLoad};
+use crate::error::EngineError;
+use crate::interrupt::Interrupt;
 use crate::profile::Profile;
 use faer::{Mat, MatRef};
 use std::sync::Arc;
@@ -88,8 +90,21 @@ impl Structure for Reshaped {
         load_s: &[f64],
         block: &mut [f64],
     ) {
+        // An interrupt that is never asked ends nothing.
+        let _ = self.add_compliance_until(observe, observe_s, load, load_s, block, &Interrupt::never());
+    }
+
+    fn add_compliance_until(
+        &self,
+        observe: Chart,
+        observe_s: &[f64],
+        load: Chart,
+        load_s: &[f64],
+        block: &mut [f64],
+        interrupt: &Interrupt,
+    ) -> Result<(), EngineError> {
         let (observers, loads) = (self.locals(observe, observe_s), self.locals(load, load_s));
-        self.body.add_between(observe, &observers, load, &loads, block);
+        self.body.add_between(observe, &observers, load, &loads, block, interrupt)
     }
 
     fn stresses(&self, tooth: u32, surface: u32, loads: &[SurfaceLoad]) -> Vec<(StressPlace, f64)> {

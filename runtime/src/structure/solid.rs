@@ -24,6 +24,8 @@ pub use elastic::{ElasticSolid, SolidSplitOptions, SolidSurfaceSource};
 pub use simple::SimpleSolid;
 
 use super::{Chart, LugForce};
+use crate::error::EngineError;
+use crate::interrupt::Interrupt;
 use crate::surface::Surface;
 use std::f64::consts::TAU;
 use std::sync::Arc;
@@ -136,6 +138,24 @@ pub trait SolidStructure: Send + Sync {
         block: &mut [f64],
     );
 
+    /// [`SolidStructure::add_compliance`] with checkpoints, as many cells take long.
+    ///
+    /// # Errors
+    /// The interrupt's.
+    fn add_compliance_until(
+        &self,
+        observe: Chart,
+        observers: &[Spot],
+        load: Chart,
+        loads: &[Spot],
+        block: &mut [f64],
+        interrupt: &Interrupt,
+    ) -> Result<(), EngineError> {
+        interrupt.check()?;
+        self.add_compliance(observe, observers, load, loads, block);
+        Ok(())
+    }
+
     /// Returns the stresses under the given loads at each stress recovery point next to a surface
     /// of a tooth. Empty if the structure recovers no stress.
     fn stresses(&self, tooth: u32, surface: u32, loads: &[SpotLoad]) -> Vec<SurfaceStress>;
@@ -200,6 +220,18 @@ impl SolidStructure for Reshaped {
         block: &mut [f64],
     ) {
         self.shared.add_compliance(observe, observers, load, loads, block);
+    }
+
+    fn add_compliance_until(
+        &self,
+        observe: Chart,
+        observers: &[Spot],
+        load: Chart,
+        loads: &[Spot],
+        block: &mut [f64],
+        interrupt: &Interrupt,
+    ) -> Result<(), EngineError> {
+        self.shared.add_compliance_until(observe, observers, load, loads, block, interrupt)
     }
 
     fn stresses(&self, tooth: u32, surface: u32, loads: &[SpotLoad]) -> Vec<SurfaceStress> {

@@ -9,6 +9,8 @@ use super::half_space::mean_inverse_distance;
 use super::image::{Images, PlacedMirror};
 use super::intervals::{Answers, Intervals};
 use super::placement::{PatchFrame, Pose};
+use crate::error::EngineError;
+use crate::interrupt::Interrupt;
 use crate::structure::Chart;
 use crate::structure::solid::SolidStructure;
 use std::f64::consts::PI;
@@ -38,7 +40,11 @@ pub struct Patch<'a> {
 }
 
 /// A, row-major, cells in the order of the patches: growth of a cell's gap, averaged over it, per force on a cell, m/N.
-pub fn compliance(patches: &[Patch]) -> Vec<f64> {
+/// There are checkpoints in each block.
+///
+/// # Errors
+/// The interrupt's.
+pub fn compliance(patches: &[Patch], interrupt: &Interrupt) -> Result<Vec<f64>, EngineError> {
     let starts: Vec<usize> = patches
         .iter()
         .scan(0, |next, patch| {
@@ -51,14 +57,14 @@ pub fn compliance(patches: &[Patch]) -> Vec<f64> {
     let mut matrix = vec![0.0; n * n];
     for (p, observing) in patches.iter().enumerate() {
         for (q, loaded) in patches.iter().enumerate().skip(p) {
-            let mut block = structural(observing, loaded);
+            let mut block = structural(observing, loaded, interrupt)?;
             let columns = loaded.cells.len();
             debug_assert!(
                 p != q || is_symmetric(&block, columns),
                 "a structure's compliance is not symmetric"
             );
             if p == q {
-                add_half_spaces(observing, &mut block);
+                add_half_spaces(observing, &mut block, interrupt)?;
             }
             for i in 0..observing.cells.len() {
                 for j in 0..columns {
@@ -69,7 +75,7 @@ pub fn compliance(patches: &[Patch]) -> Vec<f64> {
             }
         }
     }
-    matrix
+    Ok(matrix)
 }
 
 fn is_symmetric(block: &[f64], n: usize) -> bool {
@@ -77,7 +83,7 @@ fn is_symmetric(block: &[f64], n: usize) -> bool {
 }
 
 /// Growth of the gaps of one patch per force on the cells of another, or of the same, by the structures of the bodies they share.
-fn structural(observing: &Patch, loaded: &Patch) -> Vec<f64> {
+fn structural(observing: &Patch, loaded: &Patch, interrupt: &Interrupt) -> Result<Vec<f64>, EngineError> {
     let mut block = vec![0.0; observing.cells.len() * loaded.cells.len()];
     for (a, observer) in observing.sides.iter().enumerate() {
         for (b, load) in loaded.sides.iter().enumerate() {
@@ -86,20 +92,21 @@ fn structural(observing: &Patch, loaded: &Patch) -> Vec<f64> {
             }
             let spots =
                 |patch: &Patch, side: usize| patch.cells.iter().map(|c| c.spot(side)).collect::<Vec<_>>();
-            observer.structure.add_compliance(
+            observer.structure.add_compliance_until(
                 observer.chart,
                 &spots(observing, a),
                 load.chart,
                 &spots(loaded, b),
                 &mut block,
-            );
+                interrupt,
+            )?;
         }
     }
-    block
+    Ok(block)
 }
 
 /// Adds the half-spaces of both bodies, with their images, to the block of a patch with itself.
-fn add_half_spaces(patch: &Patch, block: &mut [f64]) {
+fn add_half_spaces(patch: &Patch, block: &mut [f64], interrupt: &Interrupt) -> Result<(), EngineError> {
     let n = patch.cells.len();
     let softness = |side: &Side| {
         let modulus = side.structure.surface_modulus();
@@ -107,7 +114,7 @@ fn add_half_spaces(patch: &Patch, block: &mut [f64]) {
     };
     let direct: f64 = patch.sides.iter().map(softness).sum();
     if direct == 0.0 {
-        return;
+        return Ok(());
     }
     let mut mirrors: Vec<PlacedMirror> = Vec::new();
     for side in patch.sides.iter().filter(|side| softness(side) > 0.0) {
@@ -139,6 +146,7 @@ fn add_half_spaces(patch: &Patch, block: &mut [f64]) {
         Answers::new([across.pairs(apart), rows], n)
     });
     for i in 0..n {
+        interrupt.check()?;
         for j in 0..=i {
             let (first, second) = (&patch.cells[i], &patch.cells[j]);
             let mut value = direct_known.get(i, j, || given(first, second));
@@ -154,4 +162,5 @@ fn add_half_spaces(patch: &Patch, block: &mut [f64]) {
             }
         }
     }
+    Ok(())
 }

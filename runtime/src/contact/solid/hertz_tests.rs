@@ -68,7 +68,7 @@ impl Press {
             let patch = Patch { sides: [side(0), side(1)], frame: &grid.frame, cells: &grid.cells };
             let n = grid.cells.len();
             let problem = ContactProblem {
-                compliance: compliance(&[patch]),
+                compliance: compliance(&[patch], &Interrupt::never()).expect("no interrupt"),
                 arms: vec![grid.frame.translation_arm(1, grid.frame.normal); n],
                 gaps: grid.cells.iter().map(|cell| cell.gap).collect(),
                 stiffness: vec![0.0],

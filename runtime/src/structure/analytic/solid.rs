@@ -15,6 +15,8 @@
 
 use super::held_ring::HeldRing;
 use super::{Local, Tooth, ToothShape};
+use crate::error::EngineError;
+use crate::interrupt::Interrupt;
 use crate::material::{Material, Plane};
 use crate::structure::Chart;
 use crate::structure::solid::{Mirror, SolidStructure, Spot, SpotLoad, SurfaceStress};
@@ -228,15 +230,29 @@ impl SolidStructure for AnalyticSolid {
         loads: &[Spot],
         block: &mut [f64],
     ) {
+        // An interrupt that is never asked ends nothing.
+        let _ = self.add_compliance_until(observe, observers, load, loads, block, &Interrupt::never());
+    }
+
+    fn add_compliance_until(
+        &self,
+        observe: Chart,
+        observers: &[Spot],
+        load: Chart,
+        loads: &[Spot],
+        block: &mut [f64],
+        interrupt: &Interrupt,
+    ) -> Result<(), EngineError> {
         // The coupling of two points is the same from either side.
         let is_own = observe == load && observers == loads;
         let (observers, loads) = (self.places(observe, observers), self.places(load, loads));
         if loads.is_empty() {
-            return;
+            return Ok(());
         }
         let ring = self.ring.link(observe.tooth, load.tooth);
         let columns = loads.len();
         for (i, observer) in observers.iter().enumerate() {
+            interrupt.check()?;
             let all = if is_own { i + 1 } else { columns };
             for (j, loaded) in loads[..all].iter().enumerate() {
                 let (one, other) = (&observer.slice, &loaded.slice);
@@ -254,6 +270,7 @@ impl SolidStructure for AnalyticSolid {
                 }
             }
         }
+        Ok(())
     }
 
     /// Returns the stress of the standard in each slice under the force that slices pass on to it.
