@@ -97,6 +97,13 @@ pub struct Chosen {
     pub level_unseen: Option<String>,
 }
 
+/// The reason for which a search ends if no setting is left to try.
+const EXHAUSTED: &str = "no setting is estimated to meet it";
+
+/// What to do where no setting meets a tolerance.
+const LARGER: &str =
+    "ask for a larger tolerance, or remove the outputs that cannot be computed so accurately";
+
 impl Chosen {
     /// The warning if the results do not meet the tolerance.
     pub fn missed(&self) -> Option<EngineError> {
@@ -108,7 +115,10 @@ impl Chosen {
         let tolerance = percent(self.tolerance);
         let message =
             format!("the results do not meet the tolerance of {tolerance}, because {reason}{reached}");
-        let help = "run it again to its end, ask for a larger tolerance, or remove the outputs that cannot be computed so accurately";
+        let help = match reason.starts_with(EXHAUSTED) {
+            true => LARGER.to_owned(),
+            false => format!("run it again to its end, {LARGER}"),
+        };
         Some(EngineError::new("E0793", message, help).blame("tolerance"))
     }
 
@@ -167,7 +177,11 @@ fn meshes(fidelity: Fidelity) -> &'static [f64] {
 /// options and goes up from there.
 ///
 /// # Errors
-/// E0791: the tolerance is no part. E0792: no setting keeps to it. Those of [`quasi_static`].
+/// E0791: the tolerance is no part. E0793: the search ended without results. Those of
+/// [`quasi_static`].
+///
+/// If no setting meets the tolerance, the results are those with the least estimated error, and
+/// [`Chosen::missed`] is the warning about them.
 pub fn quasi_static_within(
     tolerance: f64,
     scene: &Scene,
@@ -257,8 +271,8 @@ struct Search<'a> {
 enum Stop {
     /// There are no results.
     Failed(EngineError),
-    /// It is interrupted, or has done its work: the best results so far are taken. The reason, and
-    /// the error if there are none.
+    /// It is interrupted, has done its work, or has no setting left: the best results so far are
+    /// taken. The reason, and the error if there are none.
     Ended(String, EngineError),
 }
 
@@ -396,7 +410,7 @@ impl Search<'_> {
         if self.work.begin(&scene, self.outputs, &options, (refinement, positions.len()), first).is_none() {
             return Err(Stop::Ended(
                 "the next setting would take more work than a search may do".into(),
-                self.refuse(),
+                self.without_results(),
             ));
         }
         if whole {
@@ -451,12 +465,12 @@ impl Search<'_> {
         }
         match self.ladder.better(wanting) {
             true => Ok(false),
-            false => Err(self.refuse().into()),
+            false => Err(self.exhausted()),
         }
     }
 
     /// The scene cannot be had at the setting's level: the next above it is tried; where there is none, the finest mesh below.
-    fn pass_over(&mut self, error: EngineError) -> Result<(), EngineError> {
+    fn pass_over(&mut self, error: EngineError) -> Result<(), Stop> {
         let Setting { fidelity, cells, positions, .. } = self.ladder.setting;
         self.missing.get_or_insert((fidelity, error));
         if self.ladder.rise() {
@@ -467,25 +481,25 @@ impl Search<'_> {
             let refinement = meshes(fidelity).iter().copied().find(|&finer| finer > refinement)?;
             Some(Setting { fidelity, refinement, cells, positions })
         });
-        self.ladder.setting = finer.ok_or_else(|| self.refuse())?;
+        self.ladder.setting = finer.ok_or_else(|| self.exhausted())?;
         Ok(())
     }
 
-    fn refuse(&self) -> EngineError {
-        let best = self.tried.iter().min_by(|a, b| a.worst.1.total_cmp(&b.worst.1));
-        let mut told = best.map_or_else(String::new, |tried| {
-            format!(": the best is {} with {}", tried.setting.describe(), tried.error())
-        });
+    /// The end of a search that has no better setting left to try.
+    fn exhausted(&self) -> Stop {
+        let mut reason = EXHAUSTED.to_owned();
         if let Some((fidelity, error)) = &self.missing {
-            told +=
-                &format!("; \"{}\" is not supported ({}: {})", fidelity.name(), error.code, error.message);
+            let name = fidelity.name();
+            reason += &format!(" (\"{name}\" cannot analyze this model: {}: {})", error.code, error.message);
         }
-        EngineError::new(
-            "E0792",
-            format!("no setting satisfies a tolerance of {}{told}", percent(self.ladder.tolerance)),
-            "increase the tolerance, or remove outputs that cannot be computed that accurately",
-        )
-        .blame("tolerance")
+        Stop::Ended(reason, self.without_results())
+    }
+
+    /// The error of a search that ends before it has results.
+    fn without_results(&self) -> EngineError {
+        let tolerance = percent(self.ladder.tolerance);
+        let message = format!("there are no results that meet the tolerance of {tolerance}");
+        EngineError::new("E0793", message, LARGER).blame("tolerance")
     }
 
     /// Notes in results with which setting they were had: with the last one, or for a reason with

@@ -15,7 +15,7 @@ use calyx_runtime::scene::{
     Body, BodyModel, Component, Fidelity, Prototype, Scene, StructureOptions, SurfacePair,
 };
 use calyx_runtime::structure::Structure;
-use calyx_runtime::tolerance::quasi_static_within;
+use calyx_runtime::tolerance::{Chosen, quasi_static_within};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, LazyLock, Mutex};
 
@@ -154,19 +154,25 @@ fn no_structure_is_condensed_twice() {
 }
 
 /// The pressure under the end of a short plate is infinite, and a thousandth of a millionth is more than any grid has. Either is found out
-/// before anything dear is tried.
+/// before anything dear is tried, and the results are the best so far, marked as such.
 #[test]
-fn what_cannot_be_had_is_refused_by_name() {
+fn a_tolerance_that_no_setting_meets_ends_with_the_best_results() {
     for (plate, tolerance) in [(1e-4, 0.01), (LONG, 1e-9)] {
         let (scene, outputs, roller) = squeezed(plate);
         let at = [Position::at(0.0)];
         let options = from(Fidelity::Plane);
-        let refused = quasi_static_within(tolerance, &scene, &at, &outputs, &options, &mut ());
-        let error =
-            refused.err().unwrap_or_else(|| panic!("{tolerance} of a plate of {plate} cannot be had"));
-        assert_eq!((error.code, error.argument), ("E0792", Some("tolerance")), "{}", error.message);
-        assert!(error.message.contains("the best is \"plane\""), "{}", error.message);
-        assert!(plate == LONG || error.message.contains("`pressure`"), "{}", error.message);
+        let result = quasi_static_within(tolerance, &scene, &at, &outputs, &options, &mut ());
+        let result = result.unwrap_or_else(|error| panic!("{tolerance} of a plate of {plate}: {error:?}"));
+        assert_eq!((result.rows.len(), result.plan.fidelity), (1, Fidelity::Plane));
+        let missed = result.chosen.as_ref().and_then(Chosen::missed).expect("it does not meet the tolerance");
+        assert_eq!((missed.code, missed.argument), ("E0793", Some("tolerance")), "{}", missed.message);
+        assert!(
+            missed.message.contains("because no setting is estimated to meet it: they are of \"plane\""),
+            "{}",
+            missed.message
+        );
+        assert!(missed.help.starts_with("ask for a larger tolerance"), "{}", missed.help);
+        assert!(plate == LONG || missed.message.contains("`pressure`"), "{}", missed.message);
         assert!(roller.built.lock().expect("nothing panics under the lock").len() <= 2);
     }
 }
