@@ -5,7 +5,7 @@ use crate::lumped_planetary::{LumpedMember, LumpedMesh, LumpedPlanetary};
 use calyx_runtime::bearing::Support;
 use calyx_runtime::observe::{Equilibrium, MeshStiffness, Observable, Quantity};
 use calyx_runtime::results::Observed;
-use calyx_runtime::scene::{BodyId, Component, PairId};
+use calyx_runtime::scene::{BodyId, Component, PairId, Scene};
 
 /// The members of a set. Planets are alike, and so are their meshes, of which the mean stiffness counts.
 #[derive(Clone, Debug, PartialEq)]
@@ -25,6 +25,17 @@ pub struct LumpedSet {
 }
 
 impl LumpedSet {
+    /// Number of modes of the model: the free degrees of freedom in the plane of all members.
+    /// Planets are alike, so the first stands for all.
+    pub fn mode_count(&self, scene: &Scene) -> usize {
+        let free = |body: BodyId| {
+            let of = scene.bodies.get(body.0);
+            PLANE_FREEDOMS.iter().filter(|&&free| of.is_some_and(|of| of.free[free as usize])).count()
+        };
+        let planets = self.planets.first().map_or(0, |&planet| self.planets.len() * free(planet));
+        free(self.sun) + free(self.ring) + free(self.carrier) + planets
+    }
+
     /// The model at a solved position; `None` if a pair is no gear mesh, or there is no planet.
     pub fn at(&self, at: &Equilibrium<'_>) -> Option<LumpedPlanetary> {
         let scene = at.scene();
@@ -41,7 +52,7 @@ impl LumpedSet {
         let distance = x.hypot(y);
         let member = |body: BodyId, radius: f64| {
             let of = scene.bodies.get(body.0)?;
-            let held = [Component::Ux, Component::Uy, Component::ThetaZ].map(|free| !of.free[free as usize]);
+            let held = PLANE_FREEDOMS.map(|free| !of.free[free as usize]);
             let (inertia, [support_stiffness, torsional_stiffness]) = (of.inertia(), springs(at, body, None));
             let (mass, inertia) = (inertia.mass, inertia.polar());
             Some(LumpedMember { mass, inertia, radius, support_stiffness, torsional_stiffness, held })
@@ -74,6 +85,9 @@ impl LumpedSet {
         })
     }
 }
+
+/// DOFs of a member.
+const PLANE_FREEDOMS: [Component; 3] = [Component::Ux, Component::Uy, Component::ThetaZ];
 
 /// Radial (N/m) and torsional (N m/rad) stiffness of the bearings of a body, on ground or on another one.
 fn springs(at: &Equilibrium<'_>, body: BodyId, on: Option<BodyId>) -> [f64; 2] {

@@ -88,6 +88,12 @@ calyx_abi::externs! {
         let [sun_meshes, ring_meshes] = [sun_meshes, ring_meshes].map(|all| all.into_iter().map(pair).collect());
         let PlanetSet { around: carrier, planets } = planets;
         let set = LumpedSet { sun, ring, carrier, planets, sun_meshes, ring_meshes };
+        let count = set.mode_count(&host(context)?.scene);
+        if mode >= count {
+            let message = format!("there is no mode {}: the set has {count}", mode + 1);
+            let help = "count modes from 1; rigid bodies on springs have as many as free degrees of freedom in the plane";
+            return Err(refusal("E0770", "mode", &message, help));
+        }
         observe(context, LumpedFrequency { mode, set })
     }
 
