@@ -23,4 +23,5 @@ mod remedies;
 mod results;
 mod runner;
 mod signals;
+mod support;
 mod tradeoff;

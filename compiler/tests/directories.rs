@@ -2,6 +2,7 @@
 //! later run continues or replaces.
 
 use crate::results::results;
+use crate::support::pair;
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -9,24 +10,11 @@ use std::process::{Child, Command, Output, Stdio};
 use std::time::{Duration, Instant};
 
 /// A pair without meshes, whose analysis takes little time.
-const PAIR: &str = "import gears;
-units mm_N_s;
-param torque = 20 N*m in 0 N*m .. 50 N*m;
-param steps = 3 in 1 .. 100;
-var steel = gears.material(youngs_modulus = 206 GPa, poissons_ratio = 0.3);
-var rack = gears.rack(module = 2 mm, tip_radius = 0.6 mm);
-var blank = gears.external(
-    teeth = 24, rack = rack, face_width = 10 mm, outer_diameter = 52 mm, root_diameter = 43 mm, material = steel,
-    rim = gears.simple_rim(diameter = 40 mm, inner_diameter = 30 mm));
-var pinion = gears.body(\"pinion\", blank, free = [\"theta_z\"], moment = torque * e3, frame := Rotate(60 rpm * Time, e3));
-var gear = gears.body(\"gear\", blank, frame := Rotate(-60 rpm * Time, e3) * Translate(48.05 mm * e1));
-var mesh = gears.mesh(pinion, gear);
-/// Lag of the gear.
-output transmission_error := gears.transmission_error(mesh);
-/// Of the flanks.
-output max_contact_pressure := gears.max_contact_pressure(mesh);
-analyze(\"quasi_static\", over = gears.mesh_cycle(mesh, steps), fidelity = \"analytic\");
-";
+fn model() -> String {
+    let analysis =
+        "analyze(\"quasi_static\", over = gears.mesh_cycle(mesh, steps), fidelity = \"analytic\");\n";
+    pair("param steps = 3 in 1 .. 100;\n", analysis)
+}
 
 fn calyx(folder: &Path, arguments: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_calyx"));
@@ -42,7 +30,7 @@ fn said(mut command: Command) -> (Option<i32>, String) {
 /// A folder with the model.
 fn folder() -> tempfile::TempDir {
     let folder = tempfile::tempdir().expect("a directory");
-    fs::write(folder.path().join("pair.cx"), PAIR).expect("writable");
+    fs::write(folder.path().join("pair.cx"), model()).expect("writable");
     folder
 }
 
@@ -142,8 +130,8 @@ fn a_run_that_fails_before_its_first_position_changes_nothing() {
         ("fidelity = \"analytic\"", "fidelity = \"finer\""),
         ("var steel", "assert(steps < 2, \"stop\"); var steel"),
     ] {
-        assert!(PAIR.contains(old), "{old}");
-        fs::write(&model, PAIR.replace(old, new)).unwrap();
+        assert!(model().contains(old), "{old}");
+        fs::write(&model, model().replace(old, new)).unwrap();
         let (status, err) = said(calyx(folder.path(), &["run", "pair.cx"]));
         assert!(matches!(status, Some(1 | 2)), "{new}: {err}");
         assert_eq!(all_files(&folder.path().join("pair.cx.run")), before, "{new}");

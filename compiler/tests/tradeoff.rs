@@ -1,5 +1,6 @@
 //! `calyx tradeoff` as its users meet it: what it writes, what it keeps, and that being killed costs nothing but time.
 
+use crate::support::pair;
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::fs;
@@ -8,23 +9,9 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 
 /// A pair in section, whose model asks for a mesh that would take long.
-const PAIR: &str = "import gears;
-units mm_N_s;
-param torque = 20 N*m in 0 N*m .. 50 N*m;
-var steel = gears.material(youngs_modulus = 206 GPa, poissons_ratio = 0.3);
-var rack = gears.rack(module = 2 mm, tip_radius = 0.6 mm);
-var blank = gears.external(
-    teeth = 24, rack = rack, face_width = 10 mm, outer_diameter = 52 mm, root_diameter = 43 mm, material = steel,
-    rim = gears.simple_rim(diameter = 40 mm, inner_diameter = 30 mm));
-var pinion = gears.body(\"pinion\", blank, free = [\"theta_z\"], moment = torque * e3, frame := Rotate(60 rpm * Time, e3));
-var gear = gears.body(\"gear\", blank, frame := Rotate(-60 rpm * Time, e3) * Translate(48.05 mm * e1));
-var mesh = gears.mesh(pinion, gear);
-/// Lag of the gear.
-output transmission_error := gears.transmission_error(mesh);
-/// Of the flanks.
-output max_contact_pressure := gears.max_contact_pressure(mesh);
-analyze(\"quasi_static\", over = gears.mesh_cycle(mesh, 5), fidelity = \"finest\");
-";
+fn model() -> String {
+    pair("", "analyze(\"quasi_static\", over = gears.mesh_cycle(mesh, 5), fidelity = \"finest\");\n")
+}
 
 /// Levels without meshes, which take little time.
 const GRIDS: [&str; 4] = ["--levels", "rigid,analytic", "--knobs", "cells,every"];
@@ -75,7 +62,7 @@ fn errors(results: &Path) -> BTreeMap<(String, String), Vec<String>> {
 fn a_killed_comparison_goes_on_to_the_same_files() {
     let directory = tempfile::tempdir().unwrap();
     let directory = directory.path();
-    fs::write(directory.join("pair.cx"), PAIR).unwrap();
+    fs::write(directory.join("pair.cx"), model()).unwrap();
     let (status, out, err) = said(tradeoff(directory, &[&GRIDS[..], &["--out", "whole"]].concat()));
     assert_eq!(status, Some(0), "{err}");
     for part in [
@@ -145,7 +132,7 @@ fn a_killed_comparison_goes_on_to_the_same_files() {
 fn levels_that_a_model_cannot_be_analysed_at_are_listed_with_the_reason() {
     let directory = tempfile::tempdir().unwrap();
     let directory = directory.path();
-    fs::write(directory.join("pair.cx"), PAIR).unwrap();
+    fs::write(directory.join("pair.cx"), model()).unwrap();
     let (status, out, err) =
         said(tradeoff(directory, &["--levels", "plane,medium", "--knobs", "none", "--longest", "0.001ms"]));
     assert_eq!((status, out.as_str()), (Some(1), ""), "{err}");
