@@ -67,7 +67,6 @@ impl Check {
         if checked.has_errors() {
             return match fixes {
                 0 => String::new(),
-                1 => format!("1 of these can be fixed automatically with `calyx check --fix {file}`\n"),
                 _ => format!("{fixes} of these can be fixed automatically with `calyx check --fix {file}`\n"),
             };
         }
