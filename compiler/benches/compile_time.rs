@@ -19,7 +19,7 @@ fn sound(checked: Checked) -> Checked {
 /// The language only: text to typed program, from nothing.
 #[divan::bench(args = [1_250, 2_500, 5_000, 10_000])]
 fn check_cold(bencher: Bencher, lines: usize) {
-    let (text, loader) = (generator::model(lines), ModelLoader { folder: None });
+    let (text, loader) = (generator::model(lines), ModelLoader::default());
     bencher.bench(|| calyx_lang::check::check_program("model.cx", black_box(&text), &loader));
 }
 
@@ -35,7 +35,7 @@ fn check_and_elaborate(bencher: Bencher, lines: usize) {
 fn check_after_an_edit(bencher: Bencher, lines: usize) {
     let text = generator::model(lines);
     let texts = [generator::with_edited_body(&text), text];
-    let loader = ModelLoader { folder: None };
+    let loader = ModelLoader::default();
     let mut database = Database::new(&loader);
     let mut turn = 0;
     let mut check = || {

@@ -15,6 +15,7 @@ use calyx_lang::check::check_program;
 use std::collections::BTreeMap;
 use std::io;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// Why pages could not be written.
 #[derive(Debug)]
@@ -38,7 +39,7 @@ pub enum DocError {
 ///
 /// # Errors
 /// There is no such module, or the file cannot be read.
-pub fn page(name: &str) -> Result<Page, DocError> {
+pub fn page(name: &str, allowed: &Arc<[PathBuf]>) -> Result<Page, DocError> {
     if let Some(module) = MODULES.iter().find(|module| module.path == name) {
         return Ok(collect::page(name, module.text, true, &BTreeMap::new()));
     }
@@ -54,7 +55,7 @@ pub fn page(name: &str) -> Result<Page, DocError> {
         std::fs::read_to_string(path).map_err(|error| DocError::Io { path: path.to_owned(), error })?;
     let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
     // Types are known of what is sound, whatever else is wrong.
-    let loader = ModelLoader { folder: path.parent().map(Path::to_path_buf) };
+    let loader = ModelLoader { folder: path.parent().map(Path::to_path_buf), allowed: allowed.clone() };
     let types = check_program(name, &text, &loader).types;
     Ok(collect::page(&stem, &text, false, &types))
 }

@@ -1,13 +1,14 @@
 //! Applies the fixes that diagnostics are certain of to the files of a model.
 
 use crate::replace::replace;
-use calyx_elaborate::{Checked, check_file};
+use calyx_elaborate::{Checked, check_file_allowing};
 use calyx_lang::diagnostic::{Diagnostic, Fix};
 use calyx_lang::ir::SourceFile;
 use calyx_lang::render::line_column;
 use std::collections::BTreeMap;
 use std::io;
-use std::path::Path;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// Times a model is checked again after fixes: one mended error may uncover another, but not for ever.
 const MOST_ROUNDS: usize = 20;
@@ -30,16 +31,22 @@ pub struct Fixed {
     pub checked: Checked,
 }
 
-/// Checks the model in a file, applies the fixes its diagnostics are certain of to the file and to the modules beside
-/// it, and checks again, until nothing is left to fix.
+/// Checks the model in a file, applies the fixes its diagnostics are certain of to the file and to
+/// the modules beside it, and checks again, until nothing is left to fix. Files that are `allowed`
+/// outside of the model's folder are read and not changed.
 ///
 /// # Errors
 /// A file cannot be read or written.
-pub fn fix_file(path: &Path) -> io::Result<Fixed> {
+pub fn fix_file(path: &Path, allowed: &Arc<[PathBuf]>) -> io::Result<Fixed> {
     let mut applied = Vec::new();
     for _ in 0..MOST_ROUNDS {
-        let checked = check_file(path)?;
-        let (changes, texts) = changes(&checked.diagnostics, &checked.files);
+        let checked = check_file_allowing(path, allowed)?;
+        let mut diagnostics = checked.diagnostics.clone();
+        diagnostics.retain(|found| {
+            let file = checked.files.get(found.primary.span.file.0 as usize);
+            found.primary.span.file.0 == 0 || file.is_some_and(|file| is_beside(path, Path::new(&file.name)))
+        });
+        let (changes, texts) = changes(&diagnostics, &checked.files);
         if changes.is_empty() {
             return Ok(Fixed { applied, checked });
         }
@@ -50,7 +57,16 @@ pub fn fix_file(path: &Path) -> io::Result<Fixed> {
         }
         applied.extend(changes);
     }
-    Ok(Fixed { applied, checked: check_file(path)? })
+    Ok(Fixed { applied, checked: check_file_allowing(path, allowed)? })
+}
+
+/// Whether a module lies in the folder of the model, links resolved.
+fn is_beside(model: &Path, module: &Path) -> bool {
+    let folder = model.parent().filter(|folder| *folder != Path::new("")).unwrap_or(Path::new("."));
+    match (folder.canonicalize(), module.canonicalize()) {
+        (Ok(folder), Ok(module)) => module.starts_with(folder),
+        _ => false,
+    }
 }
 
 /// The fixes that can be applied together, in order of place, and the texts that result, by index of file.

@@ -97,7 +97,8 @@ pub use artifact::{ArtifactError, is_artifact};
 pub use calyx_codegen::TargetCpu;
 pub use calyx_elaborate as elaborate;
 pub use calyx_elaborate::{
-    Checked, Interpreted, ModelLoader, Refused, check_file, check_run, check_run_within, check_text, render,
+    Checked, Interpreted, ModelLoader, Refused, allowed_path, check_file, check_file_allowing, check_run,
+    check_run_within, check_text, render,
 };
 pub use calyx_lang::diagnostic::{Diagnostic, Severity};
 pub use calyx_rt as rt;

@@ -213,7 +213,7 @@ impl Session {
     }
 
     fn loader(&self) -> ModelLoader {
-        ModelLoader { folder: self.folder.clone() }
+        ModelLoader { folder: self.folder.clone(), ..ModelLoader::default() }
     }
 
     /// The session's text with another entry, and where that begins.

@@ -57,7 +57,7 @@ impl Tested {
 ///
 /// # Errors
 /// The file cannot be read.
-pub fn test_file(path: &Path, filter: &str) -> io::Result<Tested> {
+pub fn test_file(path: &Path, allowed: &Arc<[PathBuf]>, filter: &str) -> io::Result<Tested> {
     let name = path.display().to_string();
     let text = match read(path)? {
         Ok(text) => text,
@@ -65,7 +65,8 @@ pub fn test_file(path: &Path, filter: &str) -> io::Result<Tested> {
             return Ok(Tested { outcomes: Vec::new(), errors: checked.diagnostics, files: checked.files });
         }
     };
-    Ok(test_text(&name, &text, path.parent(), filter))
+    let loader = ModelLoader { folder: path.parent().map(Path::to_path_buf), allowed: allowed.clone() };
+    Ok(test_text(&name, &text, &loader, filter))
 }
 
 /// Files with tests in a directory and those below it, or the file itself; in order of name.
@@ -106,17 +107,16 @@ pub fn tests(text: &str) -> Vec<String> {
     module.statements.iter().filter_map(name).collect()
 }
 
-fn test_text(name: &str, text: &str, folder: Option<&Path>, filter: &str) -> Tested {
-    let loader = ModelLoader { folder: folder.map(Path::to_path_buf) };
+fn test_text(name: &str, text: &str, loader: &ModelLoader, filter: &str) -> Tested {
     // What is blanked out would be reported as unknown.
-    let whole = check_program(name, text, &loader);
+    let whole = check_program(name, text, loader);
     let misused: Vec<Diagnostic> =
         whole.diagnostics.into_iter().filter(|found| OF_TESTS.contains(&found.code.as_str())).collect();
     if !misused.is_empty() {
         return Tested { outcomes: Vec::new(), errors: misused, files: whole.files };
     }
     let names: Vec<String> = tests(text).into_iter().filter(|test| test.contains(filter)).collect();
-    let checked = check_program(name, &harness(text, &names), &loader);
+    let checked = check_program(name, &harness(text, &names), loader);
     let mut files = checked.files;
     if let Some(own) = files.first_mut() {
         text.clone_into(&mut own.text);

@@ -155,7 +155,7 @@ fn checked(text: &str) -> (Vec<String>, String) {
 /// The code that a run ends with before it builds a structure; none if it would go on.
 fn refused(text: &str, overrides: Override) -> Option<String> {
     let program =
-        calyx_lang::check::check_program("model.cx", text, &calyx::elaborate::ModelLoader { folder: None });
+        calyx_lang::check::check_program("model.cx", text, &calyx::elaborate::ModelLoader::default());
     let program = program.program.unwrap_or_else(|| panic!("{:?}", program.diagnostics));
     let interpreted = Interpreted::new(&program, Purity::Effect).expect("the interpreter");
     let program: &dyn calyx::rt::Program = &interpreted;

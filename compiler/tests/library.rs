@@ -3,6 +3,7 @@
 use calyx::doc;
 use calyx::testing::{files_with_tests, test_file};
 use std::path::Path;
+use std::sync::Arc;
 
 #[test]
 fn tests_of_the_library_pass() {
@@ -10,7 +11,7 @@ fn tests_of_the_library_pass() {
     let files = files_with_tests(&folder).expect("the library has tests");
     let mut ran = 0;
     for file in files {
-        let tested = test_file(&file, "").expect("it can be read");
+        let tested = test_file(&file, &Arc::default(), "").expect("it can be read");
         let problems: Vec<_> = tested.outcomes.iter().filter_map(|outcome| outcome.failure.clone()).collect();
         let problems = [tested.errors.clone(), problems].concat();
         assert!(problems.is_empty(), "{}", calyx::render(&problems, &tested.files));
@@ -23,7 +24,7 @@ fn tests_of_the_library_pass() {
 #[test]
 fn everything_in_the_library_is_documented() {
     for name in doc::library() {
-        let page = doc::page(name).expect("a module of the library");
+        let page = doc::page(name, &Arc::default()).expect("a module of the library");
         assert_ne!(page.doc, "", "{name}");
         for entry in &page.entries {
             assert_ne!(entry.doc, "", "{name}.{}", entry.name);
@@ -35,7 +36,7 @@ fn everything_in_the_library_is_documented() {
 #[test]
 fn the_reference_of_the_gears_says_what_it_said() {
     let expected = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/gears.txt");
-    let text = doc::text(&doc::page("gears").expect("a module of the library"));
+    let text = doc::text(&doc::page("gears", &Arc::default()).expect("a module of the library"));
     if std::env::var_os("CALYX_BLESS").is_some() {
         std::fs::write(&expected, &text).expect("it can be written");
     }
@@ -47,7 +48,8 @@ fn the_reference_of_the_gears_says_what_it_said() {
 #[test]
 fn links_of_the_reference_lead_somewhere() {
     let directory = tempfile::tempdir().expect("a directory");
-    let pages: Vec<_> = doc::library().into_iter().map(|name| doc::page(name).expect("a module")).collect();
+    let pages: Vec<_> =
+        doc::library().into_iter().map(|name| doc::page(name, &Arc::default()).expect("a module")).collect();
     doc::write(&pages, directory.path(), false).expect("they can be written");
     let read = |name: &str| std::fs::read_to_string(directory.path().join(name)).unwrap_or_default();
     let mut links = 0;

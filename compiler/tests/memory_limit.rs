@@ -86,3 +86,52 @@ fn programs_keep_to_their_memory_limit() {
         assert!(check < of_check + 256_000_000 * 3 / 2, "{name}: {check} bytes in `check`");
     }
 }
+
+/// A table is charged by the size of its file before it is read, and by its cells before they are
+/// stored.
+#[test]
+fn tables_are_charged_before_they_are_read() {
+    let folder = tempfile::tempdir().expect("a directory");
+    let folder = folder.path();
+    fs::write(folder.join("nothing.cx"), "var x = 1;").expect("writable");
+    let (_, of_run) = size(folder, &["run", "nothing.cx", "--quiet"]);
+    let text = "print(len(column(read_table(\"large.csv\"), \"a\", 1)));";
+    fs::write(folder.join("model.cx"), text).expect("writable");
+    // Short cells take the most memory for their text.
+    for (megabytes, limit) in [(60, 50_000_000), (20, 50_000_000)] {
+        let rows = "1,2,3,4\n".repeat(megabytes * 125_000);
+        fs::write(folder.join("large.csv"), format!("a,b,c,d\n{rows}")).expect("writable");
+        let option = limit.to_string();
+        let (status, taken) = size(folder, &["run", "model.cx", "--quiet", "--memory-limit", &option]);
+        println!("a table of {megabytes} MB: {} MB over {}", taken >> 20, of_run >> 20);
+        assert_eq!(status, Some(1), "{megabytes} MB");
+        assert!(taken < of_run + limit * 3 / 2, "{taken} bytes for a table of {megabytes} MB");
+    }
+}
+
+/// A plane analysis stays within its limit, or is refused before it takes more.
+#[test]
+fn plane_analyses_keep_to_their_memory_limit() {
+    let folder = tempfile::tempdir().expect("a directory");
+    let folder = folder.path();
+    let example = Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples/spur_pair.cx");
+    fs::copy(example, folder.join("model.cx")).expect("the example is there");
+    fs::write(folder.join("nothing.cx"), "var x = 1;").expect("writable");
+    let (_, of_run) = size(folder, &["run", "nothing.cx", "--quiet"]);
+    let run = |options: &[&str]| {
+        let common = ["run", "model.cx", "--quiet", "--fidelity", "plane", "--set", "steps=2", "--force"];
+        size(folder, &[&common[..], options].concat())
+    };
+    let (status, unlimited) = run(&["--refinement", "2"]);
+    assert_eq!(status, Some(0));
+    println!("plane without a limit: {} MB over {}", unlimited >> 20, of_run >> 20);
+    let mut refused = 0;
+    for limit in [10_000_000, 30_000_000, 50_000_000, 100_000_000, 400_000_000] {
+        let (status, taken) = run(&["--refinement", "2", "--memory-limit", &limit.to_string()]);
+        println!("plane with {} MB: exit {status:?}, {} MB", limit / 1_000_000, taken >> 20);
+        refused += usize::from(status == Some(1));
+        assert!(status == Some(0) || status == Some(1));
+        assert!(taken < of_run + limit * 3 / 2, "{taken} bytes within {limit}");
+    }
+    assert!(refused >= 1, "no limit was too small");
+}

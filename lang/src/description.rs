@@ -17,6 +17,7 @@ pub fn describe(program: &Program, abi: Fingerprint) -> ModelDescription {
         abi,
         name: program.files.first().map(|file| file.name.clone()).unwrap_or_default(),
         doc: program.doc.clone(),
+        allowed: program.allowed.clone(),
         units: program.units.clone(),
         params: program
             .params

@@ -11,6 +11,8 @@ use crate::span::Span;
 use calyx_abi::description::Exponents;
 use calyx_abi::display::Display;
 use calyx_abi::{Purity, Repr};
+use std::path::PathBuf;
+use std::sync::Arc;
 
 #[derive(Clone, Debug, Default)]
 pub struct Program {
@@ -40,6 +42,9 @@ pub struct Program {
     pub own_dimensions: Vec<(String, Exponents)>,
     /// Text of the doc comment at the start of the model's file; empty if there is none.
     pub doc: String,
+    /// Files and directories outside of the model's directory that the program may read, see
+    /// [`Loader::allowed`](crate::check::Loader::allowed).
+    pub allowed: Arc<[PathBuf]>,
 }
 
 #[derive(Clone, Debug)]

@@ -1,14 +1,17 @@
-//! Tables from CSV files: read once, below the model's directory, their columns taken in the dimension asked for.
+//! Tables from CSV files: read once, below the model's directory or where the user allows it, their
+//! columns taken in the dimension asked for.
 //!
 //! The prelude (`calyx/prelude.cx`) makes of these what programs call: it knows dimensions, which are gone here.
 
 use crate::host::ModelHost;
 use calyx_abi::description::{Exponents, UnitDescription};
 use calyx_abi::externs::Handle;
+use calyx_abi::limits::ask_memory;
 use calyx_abi::quantity::{self, Quantity};
 use calyx_abi::units::to_si;
 use calyx_abi::{Context, RuntimeError};
-use std::io;
+use std::fs::File;
+use std::io::{self, Read};
 use std::path::{Component, Path, PathBuf};
 
 /// Bytes of the largest file that is read: a table, not a measurement of hours.
@@ -29,9 +32,37 @@ pub struct Table {
 #[derive(Clone, Debug, PartialEq)]
 struct Column {
     name: String,
-    /// What stands in brackets behind the name.
+    /// The text in brackets after the name.
     unit: Option<String>,
-    cells: Vec<String>,
+    cells: Cells,
+}
+
+/// The cells of a column. One text for all takes a fraction of the memory that a text for each
+/// does.
+#[derive(Clone, Debug, Default, PartialEq)]
+struct Cells {
+    text: String,
+    /// End of each cell in the text.
+    ends: Vec<usize>,
+}
+
+impl Cells {
+    fn push(&mut self, cell: &str) {
+        self.text.push_str(cell);
+        self.ends.push(self.text.len());
+    }
+
+    fn iter(&self) -> impl Iterator<Item = &str> {
+        let starts = [0].into_iter().chain(self.ends.iter().copied());
+        starts.zip(&self.ends).map(|(start, &end)| self.text.get(start..end).unwrap_or_default())
+    }
+}
+
+/// Bytes of memory that a table of so much text takes at most while it is read: the text, the texts
+/// of its cells, and the end of each cell. Vectors that grow take twice their length.
+fn memory_of(text: &str) -> u64 {
+    let cells = text.bytes().filter(|byte| matches!(byte, b',' | b'\n')).count() as u64 + 1;
+    3 * text.len() as u64 + 2 * size_of::<usize>() as u64 * 2 * cells
 }
 
 calyx_abi::externs! {
@@ -39,8 +70,11 @@ calyx_abi::externs! {
         if let Some(known) = host(context)?.tables.iter().position(|known| known.name == path) {
             return Ok(Handle(known as u64));
         }
-        let text = text_of(context, &path).map_err(|(message, help)| unreadable(&path, &message, help))?;
+        let text = text_of(context, &path)?;
+        let bytes = memory_of(&text);
+        ask_memory(context, bytes)?;
         let table = parse(&path, text)?;
+        context.kept_tables = context.kept_tables.saturating_add(bytes);
         let tables = &mut host(context)?.tables;
         tables.push(table);
         Ok(Handle(tables.len() as u64 - 1))
@@ -83,42 +117,72 @@ fn unreadable(path: &str, message: &str, help: &str) -> RuntimeError {
 /// Why a file cannot be read, and what to do.
 pub type Unreadable = (String, &'static str);
 
-/// The text of a table: one that travels with the program, or that of a file.
-fn text_of(context: &Context, path: &str) -> Result<String, Unreadable> {
+/// The text of a table: one that travels with the program, or that of a file. Its memory is asked
+/// for before it is read.
+fn text_of(context: &Context, path: &str) -> Result<String, RuntimeError> {
     if let Some(table) = context.tables.iter().flat_map(|all| all.iter()).find(|table| table.name == path) {
+        ask_memory(context, table.text.len() as u64)?;
         return Ok(table.text.clone());
     }
-    let found = read_below(context.directory.as_deref(), path, "a table is a text file in UTF-8");
-    found.map_err(|(message, help)| match context.tables {
-        Some(_) => (format!("it does not travel with the program, and {message}"), help),
-        None => (message, help),
-    })
+    let refused = |(message, help): Unreadable| match context.tables {
+        Some(_) => unreadable(path, &format!("it does not travel with the program, and {message}"), help),
+        None => unreadable(path, &message, help),
+    };
+    let (file, size) = locate(context.directory.as_deref(), &context.allowed, path).map_err(refused)?;
+    ask_memory(context, size)?;
+    read(&file, size, "a table is a text file in UTF-8").map_err(refused)
 }
 
-/// Text of a file that a model names: a table, or a module that it imports. `text` is the help where the
-/// file is no text.
+/// Text of a file that a model names: a module that it imports. `allowed` are files and directories
+/// outside of
+/// `directory`, as absolute paths without links. `text` is the help where the file is no text.
 ///
 /// # Errors
-/// It is not a regular file below the directory, whatever links lead there, or it cannot be read.
-pub fn read_below(directory: Option<&Path>, path: &str, text: &'static str) -> Result<String, Unreadable> {
-    let file = locate(directory, path)?;
-    std::fs::read_to_string(file).map_err(|error| (error.to_string(), text))
+/// The file is not a regular file below `directory` or `allowed`, whatever links lead there, or it
+/// cannot be read.
+pub fn read_below(
+    directory: Option<&Path>,
+    allowed: &[PathBuf],
+    path: &str,
+    text: &'static str,
+) -> Result<String, Unreadable> {
+    let (file, size) = locate(directory, allowed, path)?;
+    read(&file, size, text)
 }
 
-/// The file a path names, which must lie below the directory, whatever links lead there.
-fn locate(directory: Option<&Path>, path: &str) -> Result<PathBuf, Unreadable> {
-    let below =
-        "files are read from the model's directory and those in it; give a path relative to the model";
+/// Reads at most so many bytes, and one more: a file may grow after its size was asked for.
+fn read(file: &Path, size: u64, text: &'static str) -> Result<String, Unreadable> {
+    let mut content = Vec::new();
+    let taken = File::open(file).and_then(|file| file.take(size.saturating_add(1)).read_to_end(&mut content));
+    match taken {
+        Err(error) => Err((error.to_string(), text)),
+        Ok(read) if read as u64 > size => Err(("it grows while it is read".into(), "read a copy of it")),
+        Ok(_) => String::from_utf8(content).map_err(|error| (error.to_string(), text)),
+    }
+}
+
+/// The file that a path names and its size in bytes. The file must lie below the directory or below
+/// one of those that are allowed, whatever links lead there.
+fn locate(directory: Option<&Path>, allowed: &[PathBuf], path: &str) -> Result<(PathBuf, u64), Unreadable> {
+    let below = "files are read from the model's directory and those in it; give a path relative to the model, or \
+                 allow others with `--allow-path PATH`";
+    let leads_out = || ("it leads out of the model's directory".to_owned(), below);
     let directory =
         directory.ok_or_else(|| ("there is no model file that determines its directory".into(), below))?;
-    let relative = Path::new(path);
+    let (relative, named) = (Path::new(path), directory.join(path));
+    let is_allowed = |path: &Path| allowed.iter().any(|place| path.starts_with(place));
     if !relative.components().all(|part| matches!(part, Component::Normal(_) | Component::CurDir)) {
-        return Err(("it leads out of the model's directory".into(), below));
+        // An error does not say which files exist elsewhere.
+        let parent = named.parent().and_then(|parent| parent.canonicalize().ok());
+        let file = named.canonicalize().ok();
+        if !parent.as_deref().is_some_and(is_allowed) && !file.as_deref().is_some_and(is_allowed) {
+            return Err(leads_out());
+        }
     }
     let whole = |path: &Path| path.canonicalize().map_err(|error| (not_in(directory, &error), below));
-    let (root, file) = (whole(directory)?, whole(&directory.join(relative))?);
-    if !file.starts_with(&root) {
-        return Err(("it leads out of the model's directory".into(), below));
+    let (root, file) = (whole(directory)?, whole(&named)?);
+    if !file.starts_with(&root) && !is_allowed(&file) {
+        return Err(leads_out());
     }
     let about = file.metadata().map_err(|error| (not_in(directory, &error), below))?;
     if !about.is_file() {
@@ -127,7 +191,7 @@ fn locate(directory: Option<&Path>, path: &str) -> Result<PathBuf, Unreadable> {
     if about.len() > LARGEST {
         return Err((format!("it is larger than {} MB", LARGEST >> 20), "split it, or keep every tenth row"));
     }
-    Ok(file)
+    Ok((file, about.len()))
 }
 
 fn not_in(directory: &Path, error: &io::Error) -> String {
@@ -174,7 +238,7 @@ fn parse(name: &str, whole: String) -> Result<Table, RuntimeError> {
             };
             return Err(malformed(Some(1), what, help));
         }
-        columns.push(Column { name: name.into(), unit, cells: Vec::new() });
+        columns.push(Column { name: name.into(), unit, cells: Cells::default() });
     }
     let mut lines = Vec::new();
     for record in reader.records() {
@@ -190,7 +254,7 @@ fn parse(name: &str, whole: String) -> Result<Table, RuntimeError> {
         })?;
         lines.push(record.position().map_or(0, csv::Position::line));
         for (column, cell) in columns.iter_mut().zip(&record) {
-            column.cells.push(cell.to_string());
+            column.cells.push(cell);
         }
     }
     drop(reader);
@@ -307,7 +371,10 @@ mod tests {
         std::fs::write(root.join("outside.csv"), "a\n1\n").unwrap();
         #[cfg(unix)]
         std::os::unix::fs::symlink(root.join("outside.csv"), model.join("link.csv")).unwrap();
-        let tried = |path: &str| locate(Some(&model), path).map_err(|(message, _)| message);
+        let tried_with = |allowed: &[PathBuf], path: &str| {
+            locate(Some(&model), allowed, path).map_err(|(message, _)| message)
+        };
+        let tried = |path: &str| tried_with(&[], path);
         assert!(tried("data/inside.csv").is_ok() && tried("./data/inside.csv").is_ok());
         let absolute = root.join("outside.csv");
         for path in ["../outside.csv", "data/../../outside.csv", absolute.to_str().unwrap()] {
@@ -316,7 +383,22 @@ mod tests {
         #[cfg(unix)]
         assert!(tried("link.csv").unwrap_err().contains("leads out"));
         assert!(tried("data").unwrap_err().contains("not a file") && tried("none.csv").is_err());
-        assert!(locate(None, "data/inside.csv").is_err());
+        assert!(locate(None, &[], "data/inside.csv").is_err());
+        // A directory or a file that is allowed, whatever way leads there.
+        let real = root.canonicalize().unwrap();
+        for allowed in [real.join("outside.csv"), real.clone()] {
+            let allowed = [allowed];
+            for path in ["../outside.csv", absolute.to_str().unwrap(), "data/inside.csv"] {
+                assert!(tried_with(&allowed, path).is_ok(), "{path}");
+            }
+            #[cfg(unix)]
+            assert!(tried_with(&allowed, "link.csv").is_ok());
+            assert!(tried_with(&allowed, "../../etc/passwd").unwrap_err().contains("leads out"));
+        }
+        let elsewhere = [real.join("model/data")];
+        assert!(tried_with(&elsewhere, "../outside.csv").unwrap_err().contains("leads out"));
+        assert!(tried_with(std::slice::from_ref(&real), "../none.csv").unwrap_err().contains("no such file"));
+        assert!(tried_with(std::slice::from_ref(&real), "../model/data").unwrap_err().contains("not a file"));
         std::fs::remove_dir_all(&root).unwrap();
     }
 }

@@ -14,7 +14,8 @@ use calyx_lang::span::{FileId, Span};
 use calyx_rt::{Given, Override, Refused};
 use std::collections::BTreeMap;
 use std::io::{self, IsTerminal};
-use std::path::Path;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// The result of checking a model.
 pub struct Checked {
@@ -49,7 +50,16 @@ impl Checked {
 /// # Errors
 /// The file cannot be read. A file that is not UTF-8 is read and rejected with a diagnostic.
 pub fn check_file(path: &Path) -> io::Result<Checked> {
-    check_at(path, Params::Defaults)
+    check_file_allowing(path, &Arc::default())
+}
+
+/// As [`check_file`], for a model that may read files outside of its folder: those given, and what
+/// is below directories among them (see [`allowed_path`](crate::allowed_path)).
+///
+/// # Errors
+/// As for [`check_file`].
+pub fn check_file_allowing(path: &Path, allowed: &Arc<[PathBuf]>) -> io::Result<Checked> {
+    check_at(path, allowed, Params::Defaults)
 }
 
 /// Checks the model in a file for a run with the given params and with settings that override those
@@ -58,26 +68,29 @@ pub fn check_file(path: &Path) -> io::Result<Checked> {
 /// # Errors
 /// As for [`check_file`].
 pub fn check_run(path: &Path, given: &[Given], overrides: Override) -> io::Result<Checked> {
-    check_run_within(path, given, overrides, None)
+    check_run_within(path, &Arc::default(), given, overrides, None)
 }
 
-/// Checks as [`check_run`] does, for a run with a memory limit in bytes.
+/// As [`check_run`], for a model that may read files outside of its folder (see
+/// [`check_file_allowing`]), and a run whose memory is limited to so many bytes.
 ///
 /// # Errors
 /// As for [`check_file`].
 pub fn check_run_within(
     path: &Path,
+    allowed: &Arc<[PathBuf]>,
     given: &[Given],
     overrides: Override,
     memory: Option<u64>,
 ) -> io::Result<Checked> {
-    check_at(path, Params::Given(given, overrides, memory))
+    check_at(path, allowed, Params::Given(given, overrides, memory))
 }
 
-fn check_at(path: &Path, params: Params) -> io::Result<Checked> {
+fn check_at(path: &Path, allowed: &Arc<[PathBuf]>, params: Params) -> io::Result<Checked> {
     let folder = path.parent().map(Path::to_path_buf);
+    let loader = ModelLoader { folder, allowed: allowed.clone() };
     Ok(match read(path)? {
-        Ok(text) => check_with(&path.display().to_string(), &text, &ModelLoader { folder }, params),
+        Ok(text) => check_with(&path.display().to_string(), &text, &loader, params),
         Err(not_text) => *not_text,
     })
 }
@@ -94,7 +107,7 @@ pub fn read(path: &Path) -> io::Result<Result<String, Box<Checked>>> {
 
 /// Checks a model given as text. It can import only the library.
 pub fn check_text(name: &str, text: &str) -> Checked {
-    check_with(name, text, &ModelLoader { folder: None }, Params::Defaults)
+    check_with(name, text, &ModelLoader::default(), Params::Defaults)
 }
 
 /// Checks a model whose files are all in memory: first the model's own file, then the imported

@@ -18,8 +18,8 @@
 //! ```
 //! use calyx_elaborate::{Cancel, ModelLoader, Params, elaborate};
 //! let text = "var a = 1; assert(a > 2);";
-//! let checked = calyx_lang::check::check_program("model.cx", text, &ModelLoader { folder: None });
-//! let program = checked.program.expect("the language accepts the text");
+//! let checked = calyx_lang::check::check_program("model.cx", text, &ModelLoader::default());
+//! let program = checked.program.expect("the language has nothing against it");
 //! let elaboration = elaborate(&program, Params::Defaults, &Cancel::default())?;
 //! assert_eq!(elaboration.found[0].code, "E0705");
 //! # Ok::<(), calyx_elaborate::Cancelled>(())
@@ -44,12 +44,14 @@ pub use calyx_abi::Cancel;
 pub use calyx_gears::derived::{Kind, Quantity};
 pub use calyx_lower::kernels::SymbolKind;
 pub use calyx_rt::{Given, Override, Refused};
-pub use check::{Checked, check_file, check_run, check_run_within, check_sources, check_text, render};
+pub use check::{
+    Checked, check_file, check_file_allowing, check_run, check_run_within, check_sources, check_text, render,
+};
 pub use cost::PlannedCost;
 pub use elaboration::{Cancelled, Elaboration, FUEL, MEMORY, Params, elaborate, elaborate_printing};
 pub use geometry::{GearGeometry, Geometry, Made, Membership, MeshGeometry};
 pub use infix::Infix;
 pub use interpreted::{Interpreted, param_function};
-pub use loader::{ModelLoader, read_module};
+pub use loader::{ModelLoader, allowed_path, read_module};
 pub use plan::{Planned, PlannedWork};
 pub use values::Value;

@@ -6,11 +6,24 @@ use calyx_gears::tables::read_below;
 use calyx_lang::check::Loader;
 use calyx_lang::ir::SourceFile;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// Loads modules from the library and from the model's folder.
+#[derive(Clone, Debug, Default)]
 pub struct ModelLoader {
     /// The model's folder; `None` for text that is not from a file.
     pub folder: Option<PathBuf>,
+    /// Files and directories outside of the folder that the model may read, see [`allowed_path`].
+    pub allowed: Arc<[PathBuf]>,
+}
+
+/// A path that a user allows models to read: absolute, without links, so that it means one file or
+/// directory.
+///
+/// # Errors
+/// Says why there is no such file or directory.
+pub fn allowed_path(path: &str) -> Result<PathBuf, String> {
+    Path::new(path).canonicalize().map_err(|error| error.to_string())
 }
 
 impl Loader for ModelLoader {
@@ -20,12 +33,12 @@ impl Loader for ModelLoader {
             return Some((module.file.to_owned(), module.text.to_owned()));
         }
         let folder = self.folder.as_deref()?;
-        let text = read_module(folder, path).ok()??;
+        let text = read_module(folder, &self.allowed, path).ok()??;
         Some((beside(folder, path).display().to_string(), text))
     }
 
     fn refusal(&self, path: &[String]) -> Option<String> {
-        read_module(self.folder.as_deref()?, path).err()
+        read_module(self.folder.as_deref()?, &self.allowed, path).err()
     }
 
     fn names(&self) -> Vec<String> {
@@ -35,24 +48,28 @@ impl Loader for ModelLoader {
     fn prelude(&self) -> (String, String) {
         (PRELUDE.file.to_owned(), PRELUDE.text.to_owned())
     }
+
+    fn allowed(&self) -> Arc<[PathBuf]> {
+        self.allowed.clone()
+    }
 }
 
 /// Returns the text of a module in a file below a model's folder; `None` if the file does not
 /// exist.
 ///
-/// As for `read_table`, the module must be a regular file below the folder after symbolic links are
-/// resolved.
+/// As for `read_table`, the module must be a regular file below the folder or an allowed path, after
+/// symbolic links are resolved.
 ///
 /// # Errors
 /// The reason why an existing file cannot be read.
-pub fn read_module(folder: &Path, path: &[String]) -> Result<Option<String>, String> {
+pub fn read_module(folder: &Path, allowed: &[PathBuf], path: &[String]) -> Result<Option<String>, String> {
     let relative = beside(Path::new(""), path);
     // An empty path is the working directory.
     let folder = if folder == Path::new("") { Path::new(".") } else { folder };
     if std::fs::symlink_metadata(folder.join(&relative)).is_err() {
         return Ok(None);
     }
-    match read_below(Some(folder), &relative.to_string_lossy(), "") {
+    match read_below(Some(folder), allowed, &relative.to_string_lossy(), "") {
         Ok(text) => Ok(Some(text)),
         Err((message, _)) => Err(message),
     }
@@ -88,11 +105,11 @@ impl Loader for TextLoader<'_> {
     }
 
     fn names(&self) -> Vec<String> {
-        ModelLoader { folder: None }.names()
+        ModelLoader::default().names()
     }
 
     fn prelude(&self) -> (String, String) {
-        self.named(PRELUDE.file).unwrap_or_else(|| ModelLoader { folder: None }.prelude())
+        self.named(PRELUDE.file).unwrap_or_else(|| ModelLoader::default().prelude())
     }
 }
 
@@ -105,11 +122,21 @@ mod tests {
 
     /// Returns the diagnostics of a model that imports `part`, a file that `make` creates.
     fn imported(name: &str, make: impl FnOnce(&Path, &Path)) -> Vec<String> {
+        imported_with(name, make, |_| Vec::new())
+    }
+
+    /// The same with paths that are allowed, below the folder around that of the model.
+    fn imported_with(
+        name: &str,
+        make: impl FnOnce(&Path, &Path),
+        allowed: impl FnOnce(&Path) -> Vec<PathBuf>,
+    ) -> Vec<String> {
         let root = std::env::temp_dir().join(format!("calyx-loader-{name}-{}", std::process::id()));
         let folder = root.join("model");
         fs::create_dir_all(folder.join("inside")).unwrap();
         make(&root, &folder);
-        let loader = ModelLoader { folder: Some(folder.clone()) };
+        let allowed = allowed(&root.canonicalize().unwrap()).into();
+        let loader = ModelLoader { folder: Some(folder.clone()), allowed };
         let checked = check_program("model.cx", "import part;\nprint(part.size);\n", &loader);
         fs::remove_dir_all(&root).unwrap();
         checked.diagnostics.iter().map(|found| format!("{} {}", found.code, found.message)).collect()
@@ -131,6 +158,15 @@ mod tests {
         assert!(
             outside[0].starts_with("E0230") && outside[0].ends_with("leads out of the model's directory")
         );
+        let allowed = imported_with(
+            "allowed",
+            |root, folder| {
+                fs::write(root.join("shared.cx"), MODULE).unwrap();
+                symlink(root.join("shared.cx"), folder.join("part.cx")).unwrap();
+            },
+            |root| vec![root.join("shared.cx")],
+        );
+        assert_eq!(allowed, Vec::<String>::new());
         let pipe = imported("pipe", |_, folder| {
             let made = std::process::Command::new("mkfifo").arg(folder.join("part.cx")).status();
             assert!(made.is_ok_and(|status| status.success()));

@@ -1,9 +1,10 @@
 //! `calyx build`: a model as an executable, an object file, a library or a header.
 
+use crate::allow::AllowPath;
 use crate::compile::checked;
 use crate::messages::{MODEL_ERROR, MessageFormat};
 use calyx::build::{BuildOptions, Built, Emit, TargetCpu, build};
-use calyx::check_file;
+use calyx::check_file_allowing;
 use calyx::rt::shell;
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
@@ -70,6 +71,8 @@ pub struct Build {
     /// Without this option, only output files of an earlier build are replaced.
     #[arg(long)]
     force: bool,
+    #[command(flatten)]
+    allow: AllowPath,
     /// Format of messages on standard error
     #[arg(long, value_enum, default_value_t, value_name = "FORMAT")]
     message_format: MessageFormat,
@@ -78,10 +81,12 @@ pub struct Build {
 impl Build {
     pub fn run(self) -> ExitCode {
         let format = self.message_format;
-        let checked = match checked(&self.file, false, format, || check_file(&self.file)) {
-            Ok(checked) => checked,
-            Err(status) => return status,
-        };
+        let checked =
+            match checked(&self.file, false, format, || check_file_allowing(&self.file, &self.allow.paths()))
+            {
+                Ok(checked) => checked,
+                Err(status) => return status,
+            };
         let emit = self.emit.iter().map(|kind| match kind {
             Kind::Exe => Emit::Executable,
             Kind::Obj => Emit::Object,

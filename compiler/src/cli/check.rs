@@ -1,8 +1,9 @@
 //! `calyx check`: everything that is wrong with a model, and `--fix`.
 
+use crate::allow::AllowPath;
 use crate::messages::{MODEL_ERROR, MessageFormat};
 use calyx::fix::{Applied, fix_file};
-use calyx::{Checked, check_file};
+use calyx::{Checked, check_file_allowing};
 use calyx_lang::diagnostic::Severity;
 use clap::Args;
 use serde_json::json;
@@ -23,6 +24,8 @@ pub struct Check {
     /// Apply unambiguous fixes to the model and the modules in its directory, then check again
     #[arg(long)]
     fix: bool,
+    #[command(flatten)]
+    allow: AllowPath,
     /// Format of messages on standard error
     #[arg(long, value_enum, default_value_t, value_name = "FORMAT")]
     message_format: MessageFormat,
@@ -31,7 +34,11 @@ pub struct Check {
 impl Check {
     pub fn run(self) -> ExitCode {
         let format = self.message_format;
-        let checked = match if self.fix { self.fixed() } else { check_file(&self.file) } {
+        let checked = match if self.fix {
+            self.fixed()
+        } else {
+            check_file_allowing(&self.file, &self.allow.paths())
+        } {
             Ok(checked) => checked,
             Err(error) => return format.unreadable(&self.file, &error),
         };
@@ -41,7 +48,7 @@ impl Check {
     }
 
     fn fixed(&self) -> std::io::Result<Checked> {
-        let fixed = fix_file(&self.file)?;
+        let fixed = fix_file(&self.file, &self.allow.paths())?;
         for Applied { file, line, column, code, title } in &fixed.applied {
             match self.message_format {
                 MessageFormat::Human => {

@@ -1,5 +1,6 @@
 //! `calyx doc`: reference pages.
 
+use crate::allow::AllowPath;
 use crate::messages::{MODEL_ERROR, MessageFormat, USAGE};
 use calyx::doc::{DocError, library, page, write};
 use clap::Args;
@@ -23,6 +24,8 @@ pub struct Doc {
     /// Replace files with the names of pages that `calyx doc` did not write
     #[arg(long)]
     force: bool,
+    #[command(flatten)]
+    allow: AllowPath,
 }
 
 impl Doc {
@@ -33,7 +36,8 @@ impl Doc {
         } else {
             self.modules
         };
-        let pages: Result<Vec<_>, _> = modules.iter().map(|name| page(name)).collect();
+        let allowed = self.allow.paths();
+        let pages: Result<Vec<_>, _> = modules.iter().map(|name| page(name, &allowed)).collect();
         match pages.and_then(|pages| write(&pages, &self.output, self.force)) {
             Ok(first) => {
                 eprintln!("wrote {}", first.display());

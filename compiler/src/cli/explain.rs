@@ -1,14 +1,16 @@
 //! `calyx explain`: the page behind a diagnostic code, or the plan of a model.
 
+use crate::allow::AllowPath;
 use crate::messages::{MODEL_ERROR, MessageFormat, USAGE};
-use calyx::check_run;
 use calyx::explain::{all, page, similar_codes};
+use calyx::rt::Given;
 use calyx::rt::options::rates_file;
 use calyx::rt::overriding::OverrideArguments;
 use calyx::{Checked, check_run_within};
 use calyx_abi::visible::visible;
 use calyx_runtime::cost::Rates;
 use clap::Args;
+use std::io;
 use std::path::Path;
 use std::process::ExitCode;
 
@@ -34,6 +36,8 @@ pub struct Explain {
     /// --help`).
     #[arg(long)]
     recalibrate: bool,
+    #[command(flatten)]
+    allow: AllowPath,
 }
 
 impl Explain {
@@ -45,7 +49,9 @@ impl Explain {
             return ExitCode::SUCCESS;
         };
         if Path::new(&subject).extension().is_some_and(|extension| extension == "cx") {
-            return plan(Path::new(&subject), &self.set, self.overrides.knobs(), self.recalibrate);
+            let overrides = self.overrides.knobs();
+            let check = |file: &Path| check_run_within(file, &self.allow.paths(), &self.set, overrides, None);
+            return plan(Path::new(&subject), check, self.recalibrate);
         }
         if let Some(page) = page(&subject) {
             print!("{page}");
@@ -61,9 +67,9 @@ impl Explain {
 }
 
 /// Prints how a model would be analysed.
-fn plan(file: &Path, set: &[Given], overrides: Override, recalibrate: bool) -> ExitCode {
+fn plan(file: &Path, check: impl FnOnce(&Path) -> io::Result<Checked>, recalibrate: bool) -> ExitCode {
     let format = MessageFormat::Human;
-    let checked = match check_run(file, set, overrides) {
+    let checked = match check(file) {
         Ok(checked) => checked,
         Err(error) => return format.unreadable(file, &error),
     };

@@ -1,5 +1,6 @@
 //! The `calyx` command: one file a subcommand.
 
+mod allow;
 mod build;
 mod bundled;
 mod check;

@@ -1,5 +1,6 @@
 //! `calyx run`: solves a model and writes its results.
 
+use crate::allow::AllowPath;
 use crate::compile::{checked, compile};
 use crate::messages::{MessageFormat, USAGE};
 use calyx::rt::Refused;
@@ -7,12 +8,13 @@ use calyx::rt::command::{Messages, RunCommand, refused_by_check};
 use calyx::rt::directory::default_directory;
 use calyx::rt::options::RunArguments;
 use calyx::rt::schema::schema;
-use calyx::{Module, check_file, check_run_within};
+use calyx::{Module, check_file_allowing, check_run_within};
 use calyx_abi::RuntimeError;
 use calyx_gears::host::Finding;
 use clap::Args;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use std::sync::Arc;
 
 pub const EXAMPLES: &str = "\
 Examples:
@@ -36,6 +38,8 @@ pub struct Run {
     file: PathBuf,
     #[command(flatten)]
     run: RunArguments,
+    #[command(flatten)]
+    allow: AllowPath,
     /// Format of messages on standard error
     #[arg(long, value_enum, default_value_t, value_name = "FORMAT")]
     message_format: MessageFormat,
@@ -43,9 +47,10 @@ pub struct Run {
 
 impl Run {
     pub fn run(self) -> ExitCode {
-        let Run { file, run: arguments, message_format: format } = self;
+        let Run { file, run: arguments, allow, message_format: format } = self;
+        let allowed = allow.paths();
         if arguments.print_params {
-            return print_params(&file, arguments.quiet, format);
+            return print_params(&file, &allowed, arguments.quiet, format);
         }
         let given = match arguments.given() {
             Ok(given) => given,
@@ -55,7 +60,7 @@ impl Run {
             }
         };
         let overrides = arguments.overrides.knobs();
-        let check = || check_run_within(&file, &given, overrides, arguments.memory_limit);
+        let check = || check_run_within(&file, &allowed, &given, overrides, arguments.memory_limit);
         let (module, before) = match compile(&file, arguments.quiet, format, check) {
             Ok(compiled) => compiled,
             Err(status) => return status,
@@ -78,8 +83,8 @@ impl Run {
     }
 }
 
-fn print_params(file: &Path, quiet: bool, format: MessageFormat) -> ExitCode {
-    match checked(file, quiet, format, || check_file(file)) {
+fn print_params(file: &Path, allowed: &Arc<[PathBuf]>, quiet: bool, format: MessageFormat) -> ExitCode {
+    match checked(file, quiet, format, || check_file_allowing(file, allowed)) {
         Ok(checked) => {
             println!("{:#}", schema(&checked.description));
             ExitCode::SUCCESS

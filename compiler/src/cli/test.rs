@@ -1,5 +1,6 @@
 //! `calyx test`: runs the `test function` items of files.
 
+use crate::allow::AllowPath;
 use crate::messages::{MODEL_ERROR, MessageFormat, USAGE};
 use calyx::testing::{Outcome, Tested, files_with_tests, test_file};
 use calyx_lang::render::to_json;
@@ -31,6 +32,8 @@ pub struct Test {
     /// Run only tests whose names contain this text
     #[arg(long, value_name = "NAME", default_value = "", hide_default_value = true)]
     filter: String,
+    #[command(flatten)]
+    allow: AllowPath,
     /// Format of results: text, or one JSON object per line
     #[arg(long, value_enum, default_value_t, value_name = "FORMAT")]
     message_format: MessageFormat,
@@ -43,9 +46,10 @@ impl Test {
             Ok(files) => files,
             Err(error) => return format.unreadable(&self.path, &error),
         };
+        let allowed = self.allow.paths();
         let (mut passed, mut failed, mut broken) = (0, 0, 0);
         for file in &files {
-            let tested = match test_file(file, &self.filter) {
+            let tested = match test_file(file, &allowed, &self.filter) {
                 Ok(tested) => tested,
                 Err(error) => return format.unreadable(file, &error),
             };

@@ -1,5 +1,6 @@
 //! `calyx tradeoff`: a model at every level and setting, its error measured against its time.
 
+use crate::allow::AllowPath;
 use crate::compile::compile;
 use crate::messages::{MODEL_ERROR, MessageFormat, USAGE};
 use calyx::elaborate::Planned;
@@ -10,7 +11,7 @@ use calyx::rt::tradeoff::campaign::{Campaign, Outcome};
 use calyx::rt::tradeoff::text::{LeftOut, left_out, recommendations, seconds, table};
 use calyx::rt::tradeoff::{Comparison, Measured, Setting, files, picture, references, settings};
 use calyx::rt::{Error, Given, Override, RunError, budget, interrupt};
-use calyx::{Severity, check_run};
+use calyx::{Severity, check_run_within};
 use calyx_runtime::cost::Rates;
 use calyx_runtime::overriding::Grid;
 use calyx_runtime::scene::Fidelity;
@@ -49,6 +50,8 @@ pub struct Tradeoff {
     /// Read params from FILE.json or FILE.toml, see `calyx run`
     #[arg(long, value_name = "FILE")]
     params: Option<PathBuf>,
+    #[command(flatten)]
+    allow: AllowPath,
     /// Fidelity levels to measure, separated by commas [default: all that support the model]
     #[arg(long, value_name = "LEVELS", value_delimiter = ',', value_parser = level)]
     levels: Vec<Fidelity>,
@@ -108,7 +111,7 @@ impl Tradeoff {
                 return ExitCode::from(USAGE);
             }
         };
-        let check = || check_run(&self.file, &given, Override::default());
+        let check = || check_run_within(&self.file, &self.allow.paths(), &given, Override::default(), None);
         let (module, _) = match compile(&self.file, true, format, check) {
             Ok(compiled) => compiled,
             Err(status) => return status,
@@ -185,7 +188,8 @@ impl Tradeoff {
         let levels = Fidelity::ALL.into_iter().filter(wanted);
         let rates = Rates::of_this_machine(calyx::rt::options::rates_file().as_deref(), false);
         let planned = |overrides: Override| -> Result<Planned, String> {
-            let checked = check_run(&self.file, given, overrides).map_err(|error| error.to_string())?;
+            let checked = check_run_within(&self.file, &self.allow.paths(), given, overrides, None);
+            let checked = checked.map_err(|error| error.to_string())?;
             if let Some(refused) = checked.refused {
                 return Err(refused.message);
             }

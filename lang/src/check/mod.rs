@@ -73,6 +73,7 @@ use crate::ir::{Program, SourceFile};
 use crate::span::FileId;
 use crate::units::UnitSystem;
 use std::collections::BTreeMap;
+use std::path::PathBuf;
 use std::sync::Arc;
 
 /// Loads modules. `import gears.helical;` requests `["gears", "helical"]`.
@@ -89,6 +90,11 @@ pub trait Loader {
     /// Returns the available modules, for suggestions.
     fn names(&self) -> Vec<String> {
         Vec::new()
+    }
+    /// Files and directories outside of the model's directory that the program may read too, as
+    /// absolute paths without links.
+    fn allowed(&self) -> Arc<[PathBuf]> {
+        Arc::default()
     }
 }
 
@@ -123,7 +129,11 @@ pub fn check_program(name: &str, text: &str, loader: &dyn Loader) -> Checked {
     database.load_imports(name, loader);
     let checked = database.check(name);
     drop(database);
-    checked.and_then(Arc::into_inner).unwrap_or_default()
+    let mut checked = checked.and_then(Arc::into_inner).unwrap_or_default();
+    if let Some(program) = &mut checked.program {
+        program.allowed = loader.allowed();
+    }
+    checked
 }
 
 pub(crate) fn has_errors(diagnostics: &[Diagnostic]) -> bool {

@@ -9,8 +9,11 @@ use super::workspace::Key;
 use crate::ide::elaborated::Elaborated;
 use calyx_elaborate::{Cancel, Cancelled, Params, elaborate};
 use calyx_lang::check::Checked;
+use calyx_lang::ir::Program;
+use std::borrow::Cow;
 use std::io;
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::PathBuf;
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
@@ -120,10 +123,19 @@ pub(crate) fn start(shared: Arc<Shared>) -> io::Result<()> {
     Ok(())
 }
 
+/// The program with the paths outside of its folder that it may read.
+pub(crate) fn may_read(program: &Program, allowed: Arc<[PathBuf]>) -> Cow<'_, Program> {
+    match allowed.is_empty() {
+        true => Cow::Borrowed(program),
+        false => Cow::Owned(Program { allowed, ..program.clone() }),
+    }
+}
+
 fn run(shared: &Shared, work: &Work, cancel: &Cancel) {
     let Some(program) = &work.checked.program else { return };
+    let program = may_read(program, shared.workspace().allowed.clone());
     let begun = Instant::now();
-    let elaboration = catch_unwind(AssertUnwindSafe(|| elaborate(program, Params::Defaults, cancel)));
+    let elaboration = catch_unwind(AssertUnwindSafe(|| elaborate(&program, Params::Defaults, cancel)));
     let took = begun.elapsed().as_millis();
     match elaboration {
         Ok(Ok(elaboration)) => {

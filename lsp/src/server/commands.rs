@@ -3,6 +3,7 @@
 //! The first argument of each is the document, as clients call it.
 
 use super::Shared;
+use super::background::may_read;
 use super::runs::{self, Stop};
 use super::workspace::path_of;
 use calyx_elaborate::{Cancel, Params, elaborate};
@@ -110,7 +111,8 @@ fn plan(shared: &Shared, uri: &Uri) -> Result<String> {
         let text = match known.filter(|known| known.is_of(&checked)) {
             Some(known) => known.elaboration.plan.as_ref().map(|plan| plan.text()),
             None => {
-                let elaboration = elaborate(program, Params::Defaults, &Cancel::default());
+                let program = may_read(program, shared.workspace().allowed.clone());
+                let elaboration = elaborate(&program, Params::Defaults, &Cancel::default());
                 elaboration.ok().and_then(|elaboration| elaboration.plan).map(|plan| plan.text())
             }
         };

@@ -41,6 +41,8 @@ pub trait Sources {
     fn text(&self, path: &Path) -> Option<Arc<Text>>;
     /// Modules that closed models of a folder import: such files are modules although nobody who is open says so.
     fn imported_in(&self, folder: &Path) -> BTreeSet<String>;
+    /// Files and directories outside of the folder that models may read.
+    fn allowed(&self) -> &[PathBuf];
 }
 
 /// Models that share a folder, and what they import.
@@ -184,7 +186,8 @@ impl Project {
             let names: Vec<String> = path.split('.').map(str::to_owned).collect();
             let read = match open {
                 Some(text) => Ok(Some(text)),
-                None => read_module(&folder, &names).map(|text| text.map(|text| Arc::new(Text::new(text)))),
+                None => read_module(&folder, sources.allowed(), &names)
+                    .map(|text| text.map(|text| Arc::new(Text::new(text)))),
             };
             self.database.set_refusal(&path, read.as_ref().err().cloned());
             if let Ok(Some(text)) = read {
@@ -295,7 +298,7 @@ pub fn dotted(folder: &Path, file: &Path) -> Option<String> {
 }
 
 /// Modules imported by the models in a folder, as they are on the disk.
-pub fn imported_by_files(folder: &Path) -> BTreeSet<String> {
+pub fn imported_by_files(folder: &Path, allowed: &[PathBuf]) -> BTreeSet<String> {
     /// A folder with more files is no folder of models.
     const MOST_FILES: usize = 200;
     let Ok(entries) = fs::read_dir(folder) else { return BTreeSet::new() };
@@ -303,7 +306,9 @@ pub fn imported_by_files(folder: &Path) -> BTreeSet<String> {
     let models = paths.filter(|path| path.extension().is_some_and(|extension| extension == "cx"));
     // The name of a module, whether it is one or not.
     let name = |path: PathBuf| path.file_stem()?.to_str().map(str::to_owned);
-    let texts =
-        models.take(MOST_FILES).filter_map(name).filter_map(|name| read_module(folder, &[name]).ok()?);
+    let texts = models
+        .take(MOST_FILES)
+        .filter_map(name)
+        .filter_map(|name| read_module(folder, allowed, &[name]).ok()?);
     texts.flat_map(|text| imports(&text)).collect()
 }

@@ -4,6 +4,7 @@ use super::Shared;
 use calyx_elaborate::results::{RunSummary, default_directory};
 use serde::Deserialize;
 use std::collections::HashMap;
+use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::process::Stdio;
 use std::sync::atomic::{AtomicU32, Ordering};
@@ -132,6 +133,7 @@ pub(crate) async fn run(
 async fn solve(shared: &Shared, client: &Client, model: &Path, bar: &Bar) -> Result<(), String> {
     let mut child = command(shared, model)
         .args(["run", "--progress", "json", "--message-format", "json"])
+        .args(allow_paths(shared))
         .arg(model)
         .spawn()
         .map_err(|error| format!("the run cannot be started: {error}"))?;
@@ -179,6 +181,7 @@ pub(crate) struct Tested {
 pub(crate) async fn test(shared: &Shared, model: &Path, name: &str) -> Result<Tested, String> {
     let mut child = command(shared, model)
         .args(["test", "--filter", name])
+        .args(allow_paths(shared))
         .arg(model)
         .spawn()
         .map_err(|error| format!("the test cannot be started: {error}"))?;
@@ -215,6 +218,12 @@ fn command(shared: &Shared, model: &Path) -> Command {
         command.current_dir(folder);
     }
     command
+}
+
+/// Options that allow the run what the server allows.
+fn allow_paths(shared: &Shared) -> Vec<OsString> {
+    let allowed = shared.workspace().allowed.clone();
+    allowed.iter().flat_map(|path| ["--allow-path".into(), path.clone().into_os_string()]).collect()
 }
 
 /// Has hints asked for again: the outputs have values now.

@@ -9,6 +9,7 @@ use super::project::{Project, Sources, dotted, imported_by_files};
 use super::text::Text;
 use super::view::View;
 use crate::ide::elaborated::Elaborated;
+use calyx_elaborate::allowed_path;
 use calyx_elaborate::results::RunSummary;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::path::{Path, PathBuf};
@@ -52,6 +53,9 @@ pub struct Workspace {
     library: Arc<Library>,
     /// Folders that the client works in.
     roots: Vec<PathBuf>,
+    /// Files and directories outside of models' folders that models may read, as `--allow-path` of
+    /// the command.
+    pub allowed: Arc<[PathBuf]>,
     documents: Arc<Documents>,
     projects: BTreeMap<Key, Project>,
     runs: Arc<HashMap<Arc<str>, Arc<RunSummary>>>,
@@ -70,14 +74,15 @@ struct Disk {
 }
 
 impl Disk {
-    fn imported(&mut self, folder: &Path) -> &BTreeSet<String> {
-        self.imported.entry(folder.to_path_buf()).or_insert_with(|| imported_by_files(folder))
+    fn imported(&mut self, folder: &Path, allowed: &[PathBuf]) -> &BTreeSet<String> {
+        self.imported.entry(folder.to_path_buf()).or_insert_with(|| imported_by_files(folder, allowed))
     }
 }
 
 /// Files as a project sees them: open ones as they are in the editor.
 struct Seen<'a> {
     documents: &'a Documents,
+    allowed: &'a [PathBuf],
     imported: BTreeSet<String>,
 }
 
@@ -90,6 +95,10 @@ impl Sources for Seen<'_> {
     fn imported_in(&self, _: &Path) -> BTreeSet<String> {
         self.imported.clone()
     }
+
+    fn allowed(&self) -> &[PathBuf] {
+        self.allowed
+    }
 }
 
 impl Workspace {
@@ -98,6 +107,7 @@ impl Workspace {
             client: Arc::default(),
             library: Arc::new(library),
             roots: Vec::new(),
+            allowed: Arc::default(),
             documents: Arc::default(),
             projects: BTreeMap::new(),
             runs: Arc::default(),
@@ -113,6 +123,11 @@ impl Workspace {
         self.client = Arc::new(Client::new(&params.capabilities));
         let folders = params.workspace_folders.iter().flatten();
         self.roots = folders.filter_map(|folder| path_of(&folder.uri)).collect();
+        let options = params.initialization_options.as_ref();
+        let paths = options.and_then(|options| options.get("allowPaths")?.as_array());
+        let paths = paths.into_iter().flatten().filter_map(|path| path.as_str());
+        // A path that is not there allows nothing.
+        self.allowed = paths.filter_map(|path| allowed_path(path).ok()).collect();
     }
 
     /// The client works in other folders than before.
@@ -301,9 +316,9 @@ impl Workspace {
         let imported = match &key {
             Key::Library => return,
             Key::Alone(_) => BTreeSet::new(),
-            Key::Folder(folder) => self.disk.imported(folder).clone(),
+            Key::Folder(folder) => self.disk.imported(folder, &self.allowed).clone(),
         };
-        project.settle(&Seen { documents: &self.documents, imported });
+        project.settle(&Seen { documents: &self.documents, allowed: &self.allowed, imported });
         // What is imported here is at home here, not a model of its own folder.
         let adopted: Vec<(Uri, Document)> = self
             .documents
@@ -358,7 +373,7 @@ impl Workspace {
             let Some(dotted) = dotted(ancestor, path) else { continue };
             let key = Key::Folder(ancestor.to_path_buf());
             let open = self.projects.get(&key).is_some_and(|project| project.files().contains_key(name));
-            if open || self.disk.imported(ancestor).contains(&dotted) {
+            if open || self.disk.imported(ancestor, &self.allowed).contains(&dotted) {
                 return key;
             }
             if self.roots.iter().any(|root| root == ancestor) {

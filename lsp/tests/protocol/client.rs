@@ -90,7 +90,13 @@ impl Client {
     }
 
     pub fn initialize(&mut self, capabilities: Value) -> Value {
-        let answer = self.ask("initialize", json!({ "capabilities": capabilities }));
+        self.initialize_with(capabilities, Value::Null)
+    }
+
+    /// The same with options for the server.
+    pub fn initialize_with(&mut self, capabilities: Value, options: Value) -> Value {
+        let asked = json!({ "capabilities": capabilities, "initializationOptions": options });
+        let answer = self.ask("initialize", asked);
         self.notify("initialized", json!({}));
         answer.expect("a server that is not initialized can be")
     }

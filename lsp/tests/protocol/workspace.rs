@@ -1,6 +1,7 @@
 //! Several files: open, on the disk, coming and going.
 
 use crate::client::{Client, Folder};
+use calyx_lsp::server::handlers::router;
 use serde_json::json;
 
 const MODULE: &str = "units mm_N_s;\nfunction twice(in x) { return 2*x; }\n";
@@ -20,6 +21,32 @@ fn a_module_on_the_disk_is_found_and_its_buffer_wins() {
     client.codes_become(&model, &["E0204"]);
     client.close(&module);
     client.codes_become(&model, &[]);
+    assert!(client.leave());
+}
+
+/// The rule of `--allow-path`: files outside of the model's folder are read where the client allows
+/// it.
+#[cfg(unix)]
+#[test]
+fn files_elsewhere_are_read_where_the_client_allows_it() {
+    let folder = Folder::new();
+    let text = format!("{MODEL}print(len(column(read_table(\"../shared/table.csv\"), \"a\", 1)));\n");
+    let model = folder.write("models/pair.cx", &text);
+    folder.write("shared/util.cx", MODULE);
+    folder.write("shared/table.csv", "a\n1\n");
+    std::os::unix::fs::symlink(folder.path("shared/util.cx"), folder.path("models/util.cx")).expect("a link");
+    let mut refused = Client::ready(json!({}));
+    refused.open(&model, &text);
+    refused.codes_become(&model, &["E0230"]);
+    assert!(refused.leave());
+    let mut client = Client::new(router());
+    let paths = [folder.path("shared").display().to_string(), "/nowhere/at/all".to_owned()];
+    client.initialize_with(json!({}), json!({ "allowPaths": paths }));
+    client.open(&model, &text);
+    client.codes_become(&model, &[]);
+    // Elaboration reads the table.
+    client.set(&model, 2, &text.replace("\"a\"", "\"b\""));
+    client.codes_become(&model, &["E0733"]);
     assert!(client.leave());
 }
 

@@ -56,6 +56,9 @@ pub struct Context {
     pub files: Arc<[FileDescription]>,
     /// The directory below which the program may read files; none if there is none.
     pub directory: Option<PathBuf>,
+    /// Files and directories outside of `directory` that the program may read too, as absolute
+    /// paths without links.
+    pub allowed: Arc<[PathBuf]>,
     /// Tables that travel with the program, by the names it reads them by: these are not looked for in `directory`.
     /// `None` for a program that is beside its tables.
     pub tables: Option<Arc<[FileDescription]>>,
@@ -67,6 +70,8 @@ pub struct Context {
     pub keeps_output: bool,
     /// Bytes of the lines that were kept.
     pub kept_output: u64,
+    /// Bytes of the tables that the program has read.
+    pub kept_tables: u64,
 }
 
 /// Offsets in bytes of the fields of [`Context`] that generated code touches.
@@ -104,11 +109,13 @@ impl Context {
             limits: Limits::default(),
             files: Arc::default(),
             directory: None,
+            allowed: Arc::default(),
             tables: None,
             units: Arc::default(),
             text: String::new(),
             keeps_output: false,
             kept_output: 0,
+            kept_tables: 0,
         }
     }
 

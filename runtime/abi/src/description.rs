@@ -6,6 +6,7 @@ use crate::call::{KernelFn, Repr, SlotFn};
 use crate::error::Place;
 use crate::fingerprint::Fingerprint;
 use serde::{Deserialize, Serialize};
+use std::path::PathBuf;
 use std::sync::Arc;
 
 /// A linked model, as the object file exports it under the symbol `NAME_model`.
@@ -65,6 +66,11 @@ pub struct ModelDescription {
     /// they travel with the program.
     #[serde(with = "shared")]
     pub tables: Arc<[FileDescription]>,
+    /// Files and directories outside of the model's directory that the program may read, as
+    /// absolute paths without links. They are allowed on this machine, so they do not travel with
+    /// the program.
+    #[serde(skip)]
+    pub allowed: Arc<[PathBuf]>,
     /// Calls of the engine's and the library's functions, in order of place. Elaboration fills them in.
     pub calls: Vec<CallDescription>,
 }

@@ -12,7 +12,7 @@ const GRANT: u64 = 4096;
 pub struct Limits {
     /// When it must have ended, and how long it was given.
     pub time: Option<(Instant, Duration)>,
-    /// Bytes that the program's strings, arrays and expressions may take together.
+    /// Bytes that the program's strings, arrays, expressions and tables may take together.
     pub memory: Option<u64>,
 }
 
@@ -43,7 +43,7 @@ impl Limits {
             Some(limit) if bytes > limit => Err(RuntimeError::new(
                 codes::EXHAUSTED,
                 format!("the run needs more than its memory limit of {}", shown_bytes(limit)),
-                "give it more memory, or look for a text or an array that grows without end",
+                "give it more memory, or look for a text or an array that grows without end, or a table that is too large",
             )),
             _ => Ok(()),
         }
@@ -83,7 +83,7 @@ pub fn check_memory(ctx: &Context) -> Result<(), RuntimeError> {
 /// # Errors
 /// E0707.
 pub fn ask_memory(ctx: &Context, more: u64) -> Result<(), RuntimeError> {
-    let taken = [ctx.heap.bytes(), ctx.kept_output, ctx.text.len() as u64, more];
+    let taken = [ctx.heap.bytes(), ctx.kept_output, ctx.kept_tables, ctx.text.len() as u64, more];
     ctx.limits.check_memory(taken.into_iter().fold(0, u64::saturating_add))
 }
 

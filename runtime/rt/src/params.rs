@@ -86,6 +86,7 @@ pub(crate) fn resolve(
     context.units = description.known_units.clone().into();
     context.tables = program.tables();
     context.directory = program.directory();
+    context.allowed = program.description().allowed.clone();
     context.params = vec![f64::NAN; description.params.len()];
     context.param_slots = vec![0; description.params.len()];
     // One stack for all functions of the params.
